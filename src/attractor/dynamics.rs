@@ -4,7 +4,7 @@
 
 use std::fmt::Debug;
 
-use serde::{Serialize, de::DeserializeOwned};
+use serde::{Deserialize, Serialize, de::DeserializeOwned};
 
 use crate::{
     error::{Error, Result},
@@ -32,26 +32,44 @@ pub trait SectionState: Clone + Debug + PartialEq + Send + Sync + Serialize + De
 }
 
 /// How far a motion goes, and how hard it hits.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Range {
     /// The least and the greatest of the first number that is drawn.
     pub extent: [f64; 2],
     /// The greatest speed at which a stop is met, if one is.
     pub speed: Option<f64>,
+    /// The same per radian of the forcing, 0 if none is met: a length, as the extent.
+    pub hit: f64,
 }
 
 impl Range {
     /// Of nothing yet.
-    pub const NONE: Range = Range { extent: [f64::INFINITY, f64::NEG_INFINITY], speed: None };
+    pub const NONE: Range = Range { extent: [f64::INFINITY, f64::NEG_INFINITY], speed: None, hit: 0.0 };
 
     /// Widened by a place.
     pub fn widen(&mut self, at: f64) {
         self.extent = [self.extent[0].min(at), self.extent[1].max(at)];
     }
 
-    /// A stop is met at this speed, if one is.
-    pub fn meet(&mut self, speed: Option<f64>) {
-        self.speed = self.speed.into_iter().chain(speed).reduce(f64::max);
+    /// A stop is met at this speed per radian of the forcing, if one is; `rate` is radians in a unit of time.
+    pub fn meet(&mut self, hit: Option<f64>, rate: f64) {
+        self.speed = self.speed.into_iter().chain(hit.map(|hit| hit * rate)).reduce(f64::max);
+        self.hit = hit.map_or(self.hit, |hit| self.hit.max(hit));
+    }
+
+    /// How differently two motions go: the largest difference of the ends of their extents and of their
+    /// fastest impacts. Between two stops it is impacts alone that tell.
+    pub fn moved(&self, other: &Range) -> f64 {
+        let ends = [0, 1].map(|i| (self.extent[i] - other.extent[i]).abs());
+        ends[0].max(ends[1]).max((self.hit - other.hit).abs())
+    }
+
+    /// The same relative to the larger of their widths: 0 for the same, 1 for a motion that moved by its own
+    /// width.
+    pub fn apart(&self, other: &Range) -> f64 {
+        let width = |[low, high]: [f64; 2]| high - low;
+        let moved = self.moved(other);
+        if moved == 0.0 { 0.0 } else { moved / width(self.extent).max(width(other.extent)) }
     }
 }
 

@@ -35,10 +35,8 @@ pub struct Portrait {
     pub impacts: u64,
     /// Forcing periods looked at.
     pub looked: u32,
-    /// The least and the greatest of the first number that is drawn, over all phases.
-    pub extent: [f64; 2],
-    /// The greatest speed at which a stop is met, if one is.
-    pub speed: Option<f64>,
+    /// How far it goes, over all phases, and how hard it hits.
+    pub range: Range,
 }
 
 /// Where a motion has settled, and on what.
@@ -52,18 +50,10 @@ pub struct OnAttractor<S> {
     pub points: Vec<[f64; 2]>,
 }
 
-/// How differently two motions go: the larger difference of the ends of their extents, relative to the larger
-/// of their widths. 0 for the same extent, 1 for one that moved by its own width.
-pub(super) fn apart(one: [f64; 2], other: [f64; 2]) -> f64 {
-    let width = |[low, high]: [f64; 2]| high - low;
-    let moved = (one[0] - other[0]).abs().max((one[1] - other[1]).abs());
-    if moved == 0.0 { 0.0 } else { moved / width(one).max(width(other)) }
-}
-
 impl Portrait {
-    /// How differently two attractors go: 0 for the same extent, 1 for one that moved by its own width.
+    /// How differently two attractors go: see [`Range::apart`].
     pub fn apart(&self, other: &Portrait) -> f64 {
-        apart(self.extent, other.extent)
+        self.range.apart(&other.range)
     }
 
     /// In words: "period 2, 3 impacts".
@@ -100,8 +90,8 @@ pub fn settle<D: Attraction>(
     let period = cycle.map(|cycle| cycle.period() as u32);
     let looked = period.unwrap_or(SEEN);
     let Ok(mut run) = dynamics.begin(&start) else { return Ok(None) };
-    let Some(Range { extent, speed }) = range(&mut run, looked)? else { return Ok(None) };
-    let portrait = Portrait { period, undecided, impacts: run.impacts(), looked, extent, speed };
+    let Some(range) = range(&mut run, looked)? else { return Ok(None) };
+    let portrait = Portrait { period, undecided, impacts: run.impacts(), looked, range };
     Ok(Some(OnAttractor { start, portrait, points }))
 }
 

@@ -8,7 +8,7 @@
 use super::{
     diagram::{Jump, Look, SweepStep, jump},
     observe::{Attraction, Observation},
-    portrait::{Portrait, apart, range, settle},
+    portrait::{OnAttractor, Portrait, range, settle},
 };
 use crate::{Monitor, error::Result};
 
@@ -18,11 +18,15 @@ const NEAR: f64 = 1e-4;
 /// The second look is this many times nearer. What grows with the root of the distance falls to a quarter.
 const NEARER: f64 = 16.0;
 
-/// A motion whose extent differs by less than this part of its width has stayed.
+/// A motion whose extent and impacts differ by less than this part of the size of motions has stayed.
 const STAYS: f64 = 0.1;
 
+/// The motion settles until what is left of a small disturbance is this part of it, or for this many periods.
+const LEFT_OVER: f64 = 1e-9;
+const LONGEST: f64 = 20_000.0;
+
 /// Steps back: in each the least gap opens by 1/64 of the motion's width.
-const STEPS: u32 = 128;
+const STEPS: u32 = 63;
 const STEP: f64 = 1.0 / 64.0;
 
 /// A touch, as what moves there is followed.
@@ -36,83 +40,123 @@ pub struct Touch<S> {
     pub start: S,
     /// Its period, in forcing periods.
     pub periods: u32,
+    /// The largest modulus of its multipliers.
+    pub slowest: f64,
     /// The width of that orbit, in the unit of gaps.
     pub width: f64,
 }
 
 /// What is seen on one side.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Beside {
+pub struct Beside<S> {
     /// The parameter's value.
     pub parameter: f64,
     /// What the orbit's state leads to there; none where that leaves every bound.
-    pub portrait: Option<Portrait>,
+    pub settled: Option<OnAttractor<S>>,
     /// Whether it stays near the orbit that touches: what differs is small, or shrinks with the distance.
     pub near: bool,
 }
 
 /// What is seen at a touch.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Seen {
+pub struct Seen<S> {
+    /// How it was looked at.
+    pub look: Look,
     /// The orbit that touches, as it is just before.
-    pub before: Beside,
+    pub before: Beside<S>,
     /// Just beyond.
-    pub beyond: Beside,
+    pub beyond: Beside<S>,
     /// Of a jump, where the motion that it leads to is left as the parameter goes back; none if it is not, so
     /// far as looked.
-    pub back: Option<Jump>,
+    pub back: Option<Jump<S>>,
     /// Of a jump, the last value looked at, and what is seen there.
-    pub back_to: Option<(f64, Option<Portrait>)>,
+    pub back_to: Option<(f64, Option<OnAttractor<S>>)>,
 }
 
-/// What is seen at a touch. Cost: up to four times [`settle`], and of a jump up to 140 times more.
+impl<S> Touch<S> {
+    /// The periods in which a motion settles near the orbit, where it attracts.
+    fn settling(&self) -> u64 {
+        let rounds = LEFT_OVER.ln() / self.slowest.ln();
+        if rounds > 0.0 { (rounds * f64::from(self.periods)).min(LONGEST) as u64 } else { 0 }
+    }
+
+    /// The parameter at which the least gap is this part of the motion's width.
+    fn at(&self, part: f64) -> f64 {
+        self.parameter + part * self.width / self.e
+    }
+
+    /// Looked at for longer than `look` says where damping is weak.
+    fn looks(&self, look: &Look) -> Look {
+        Look { transient: look.transient.max(self.settling()), ..look.clone() }
+    }
+}
+
+fn observation(look: &Look) -> Observation {
+    let Look { phase, transient, points, longest } = *look;
+    Observation { phase, transient, longest, points, round: Some(1), every: 1 }
+}
+
+/// What is seen just before a touch and just beyond it. Cost: up to four times [`settle`], each for longer
+/// than `look` says where damping is weak.
 ///
 /// # Errors
 /// Those of the system and of [`settle`].
+pub fn beside<D: Attraction>(
+    touch: &Touch<D::Start>,
+    look: &Look,
+    dynamics: impl Fn(f64) -> Result<D>,
+    monitor: &dyn Monitor,
+) -> Result<[Beside<D::Start>; 2]> {
+    let observation = observation(&touch.looks(look));
+    let at = |parameter: f64| settle(&dynamics(parameter)?, &touch.start, &observation, monitor);
+    // The orbit itself, whether it attracts or not.
+    let nearest = dynamics(touch.at(NEAR / NEARER))?;
+    let orbit = range(&mut nearest.begin(&touch.start)?, touch.periods)?;
+    // In the unit of gaps, for a machine at rest before a stop that moves has no width of its own.
+    let differs = |one: &Portrait| orbit.map(|orbit| one.range.moved(&orbit) / touch.width);
+    let side = |sign: f64| -> Result<Beside<D::Start>> {
+        let parameter = touch.at(sign * NEAR);
+        let settled = at(parameter)?;
+        let near = match settled.as_ref().and_then(|settled| differs(&settled.portrait)) {
+            Some(first) if first < STAYS => true,
+            Some(first) => {
+                let nearer = at(touch.at(sign * NEAR / NEARER))?;
+                nearer.and_then(|nearer| differs(&nearer.portrait)).is_some_and(|second| second < first / 2.0)
+            }
+            None => false,
+        };
+        Ok(Beside { parameter, settled, near })
+    };
+    Ok([side(1.0)?, side(-1.0)?])
+}
+
+/// What is seen at a touch, and where the way back ends. Cost: that of [`beside`], and of a jump up to 80
+/// times [`settle`] more.
+///
+/// # Errors
+/// As [`beside`].
 pub fn seen<D: Attraction>(
     touch: &Touch<D::Start>,
     look: &Look,
     dynamics: impl Fn(f64) -> Result<D>,
     monitor: &dyn Monitor,
-) -> Result<Seen> {
-    let Look { phase, transient, points, longest } = *look;
-    let observation = Observation { phase, transient, longest, points, round: Some(1), every: 1 };
-    // A change of the parameter that opens the gap by this part of the width.
-    let away = |part: f64| part * touch.width / touch.e;
-    let at = |parameter: f64| settle(&dynamics(parameter)?, &touch.start, &observation, monitor);
-    // The orbit itself, whether it attracts or not.
-    let nearest = dynamics(touch.parameter + away(NEAR / NEARER))?;
-    let orbit = range(&mut nearest.begin(&touch.start)?, touch.periods)?;
-    let differs = |one: &Portrait| orbit.map(|orbit| apart(one.extent, orbit.extent));
-    let beside = |sign: f64| -> Result<(Beside, SweepStep<D::Start>)> {
-        let parameter = touch.parameter + away(sign * NEAR);
-        let settled = at(parameter)?;
-        let near = match settled.as_ref().and_then(|settled| differs(&settled.portrait)) {
-            Some(first) if first < STAYS => true,
-            Some(first) => {
-                let nearer = at(touch.parameter + away(sign * NEAR / NEARER))?;
-                nearer.and_then(|nearer| differs(&nearer.portrait)).is_some_and(|second| second < first / 2.0)
-            }
-            None => false,
-        };
-        let portrait = settled.as_ref().map(|settled| settled.portrait.clone());
-        Ok((Beside { parameter, portrait, near }, SweepStep { value: parameter, settled, anew: true }))
-    };
-    let (before, _) = beside(1.0)?;
-    let (beyond, step) = beside(-1.0)?;
-    let mut seen = Seen { before, beyond, back: None, back_to: None };
-    if seen.beyond.near || seen.beyond.portrait.is_none() {
+) -> Result<Seen<D::Start>> {
+    let [before, beyond] = beside(touch, look, &dynamics, monitor)?;
+    let look = touch.looks(look);
+    let observation = observation(&look);
+    let step = SweepStep { value: beyond.parameter, settled: beyond.settled.clone(), anew: true };
+    let mut seen = Seen { look, before, beyond, back: None, back_to: None };
+    if seen.beyond.near || seen.beyond.settled.is_none() {
         return Ok(seen);
     }
     let mut last = step;
     for i in 1..=STEPS {
         monitor.advance(0)?;
-        let value = touch.parameter + away(f64::from(i) * STEP);
+        let value = touch.at(f64::from(i) * STEP);
         let Some(from) = last.settled.as_ref().map(|settled| &settled.start) else { break };
         let settled = settle(&dynamics(value)?, from, &observation, monitor)?;
         let next = SweepStep { value, settled, anew: false };
-        let here = next.settled.as_ref().map(|settled| settled.portrait.clone());
-        seen.back_to = Some((value, here));
+        seen.back_to = Some((value, next.settled.clone()));
         let pair = [last, next];
         let changed = match (&pair[0].settled, &pair[1].settled) {
             (Some(a), Some(b)) => a.portrait.apart(&b.portrait) > STAYS,

@@ -4,9 +4,8 @@
 use std::f64::consts::TAU;
 
 use super::{
-    MachineState,
     orbit::{MachineOrbit, StopPattern, StopStrike, find_from},
-    section::PlanarMachine,
+    section::{MachineStart, PlanarMachine},
     simulate::{Event, MachineRun},
 };
 use crate::{
@@ -24,13 +23,12 @@ use crate::{
 /// monitor's.
 pub fn attracting(
     planar: &PlanarMachine,
-    from: &MachineState,
+    from: &MachineStart,
     detection: &Detection,
     monitor: &dyn Monitor,
 ) -> Result<MachineOrbit> {
     let (simulator, phase) = (planar.simulator(), detection.phase);
-    let start = from.start(simulator.rate());
-    let found = planar.fates(std::slice::from_ref(&start), detection, &[], monitor)?;
+    let found = planar.fates(std::slice::from_ref(from), detection, &[], monitor)?;
     let fate = found.into_iter().next().flatten();
     let fate = fate.ok_or_else(|| Error::input("the attractor's start lies behind a stop"))?;
     let cycle = fate.periodic(detection)?;

@@ -240,7 +240,7 @@ impl Motion for PlanarRun<'_> {
             if let Event::End(end) = event {
                 return self.run.failure().map_or(Ok(end), Err);
             }
-            seen.meet(event.velocity().map(|velocity| -velocity * rate));
+            seen.meet(event.velocity().map(|velocity| -velocity), rate);
         }
     }
 }

@@ -3,14 +3,15 @@
 use std::{ops::Range, path::Path};
 
 use num_rational::BigRational;
-use serde::{Serialize, de::DeserializeOwned};
+use serde::Serialize;
 
 use super::{
-    Finding, Job, Lines, Status,
+    AttractorProofs, Finding, Job, Lines, Status,
     engine::{Engine, by_engine},
     parts::{foreign, record},
+    proved::{Proving, StartOf},
     row,
-    swept::{Leg, SweepFindings},
+    swept::{Leg, SweepFindings, way},
 };
 use crate::{
     attractor::{
@@ -94,7 +95,11 @@ impl Finding for DiagramFindings {
             ));
         }
         match self.slices.iter().any(|slice| !slice.motions.is_empty()) {
-            true => Status::Done,
+            true => self
+                .sweep
+                .as_ref()
+                .and_then(|sweep| sweep.proofs.as_ref())
+                .map_or(Status::Done, AttractorProofs::status),
             false => Status::nothing("at no value does a start lead to an attractor: all are lost"),
         }
     }
@@ -117,10 +122,15 @@ impl Finding for DiagramFindings {
     }
 }
 
-/// The i-th of `count` evenly spaced values, from exact ends: 0.84 is the float nearest to 0.84.
-pub(super) fn value(range: &[BigRational], i: u32, count: u32) -> f64 {
+/// The i-th of `count` evenly spaced values.
+fn exact(range: &[BigRational], i: u32, count: u32) -> BigRational {
     let part = BigRational::new(i.into(), (count - 1).into());
-    Plain::ratio(&(&range[0] + (&range[1] - &range[0]) * part), &()).0
+    &range[0] + (&range[1] - &range[0]) * part
+}
+
+/// The same as a float, from exact ends: 0.84 is the float nearest to 0.84.
+pub(super) fn value(range: &[BigRational], i: u32, count: u32) -> f64 {
+    Plain::ratio(&exact(range, i, count), &()).0
 }
 
 /// The values of the task with these numbers, from what starts, and how they are looked at.
@@ -167,58 +177,71 @@ pub fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
     Ok(gather(task, job, slices))
 }
 
-/// The values of a sweep with whether it goes up there.
-fn ways(task: &DiagramTask, sweep: SweepWay) -> Vec<(bool, Vec<f64>)> {
-    let up: Vec<f64> = (0..task.count).map(|i| value(&task.range, i, task.count)).collect();
-    let down: Vec<f64> = up.iter().rev().copied().collect();
+/// The numbers of the values of a sweep in its order, with whether it goes up there.
+fn ways(task: &DiagramTask, sweep: SweepWay) -> Vec<(bool, u32)> {
+    let up = (0..task.count).map(|i| (true, i));
+    let down = (0..task.count).rev().map(|i| (false, i));
     match sweep {
-        SweepWay::Up => vec![(true, up)],
-        SweepWay::Down => vec![(false, down)],
-        SweepWay::Both => vec![(true, up), (false, down)],
+        SweepWay::Up => up.collect(),
+        SweepWay::Down => down.collect(),
+        SweepWay::Both => up.chain(down).collect(),
     }
 }
 
 /// Sweeps the parameter.
 fn swept(task: &DiagramTask, sweep: SweepWay, job: &Job) -> Result<DiagramFindings> {
-    let ways = ways(task, sweep);
-    let values: Vec<f64> = ways.iter().flat_map(|(_, values)| values).copied().collect();
-    by_engine!(job, engine => {
-        let states = engine.states(&task.starts)?;
-        let names = engine.plane(&task.plane).map_or(String::new(), |names| names.join(", "));
-        let at = |value| engine.dynamics(&states, Some((&task.parameter, value)), &task.plane);
-        let plan = DiagramPlan { values, ..plan(task, engine.begun(&states), 0..0) };
-        sweep_over(task, job, &plan, &ways, &names, at)
-    })
+    by_engine!(job, engine => sweep_over(task, job, &engine, &ways(task, sweep)))
 }
 
-fn sweep_over<D: Attraction<Start: Serialize + DeserializeOwned>>(
+fn sweep_over<E: Engine>(
     task: &DiagramTask,
     job: &Job,
-    plan: &DiagramPlan<D::Start>,
-    ways: &[(bool, Vec<f64>)],
-    plane: &str,
-    dynamics: impl Fn(f64) -> Result<D>,
+    engine: &E,
+    ways: &[(bool, u32)],
 ) -> Result<DiagramFindings> {
+    let states = engine.states(&task.starts)?;
+    let plane = engine.plane(&task.plane).map_or(String::new(), |names| names.join(", "));
+    let dynamics = |value| engine.dynamics(&states, Some((&task.parameter, value)), &task.plane);
+    let values = ways.iter().map(|&(_, i)| value(&task.range, i, task.count)).collect();
+    let plan = DiagramPlan { values, ..plan(task, engine.begun(&states), 0..0) };
     let file = job.checkpoint();
     if let Some(file) = file.as_deref().filter(|_| !task.resume) {
         Journal::discard(file)?;
     }
     job.monitor.begin(plan.values.len() as u64, "values");
     let identity = format!("{} {}{plane}", job.identity()?, task.parameter);
-    let steps = diagram::swept(plan, &dynamics, &identity, job.keep(file.as_deref()), job.monitor)?;
-    let (mut legs, mut rest) = (Vec::new(), &steps[..]);
-    for (up, values) in ways {
-        let (steps, after) = rest.split_at(values.len());
-        let jumps = diagram::jumps(steps, &plan.observation(), &dynamics, job.monitor)?;
-        legs.push(Leg { up: *up, steps, jumps });
-        rest = after;
+    let steps = diagram::swept(&plan, dynamics, &identity, job.keep(file.as_deref()), job.monitor)?;
+    let upwards = ways.iter().filter(|(up, _)| *up).count();
+    let mut legs = Vec::new();
+    for (up, steps) in [(true, &steps[..upwards]), (false, &steps[upwards..])] {
+        if !steps.is_empty() {
+            let jumps = diagram::jumps(steps, &plan.observation(), dynamics, job.monitor)?;
+            legs.push(Leg { up, steps, jumps });
+        }
     }
-    let found = SweepFindings::of(&legs);
-    let upwards = ways.iter().filter(|(up, _)| *up).map(|(_, values)| values.len()).sum();
-    let slices = steps.iter().map(slice).collect();
+    let (mut found, slices) = (SweepFindings::of(&legs), steps.iter().map(slice).collect());
+    if task.prove {
+        found.proofs = Some(prove(task, job, engine, &plan.look, ways, &steps)?);
+    }
     let mut findings = gather(task, job, slices);
     (findings.windows, findings.coexisting) = (Vec::new(), Vec::new());
     Ok(DiagramFindings { sweep: Some(found), upwards, ..findings })
+}
+
+/// Proves the attractors of a sweep.
+fn prove<E: Engine>(
+    task: &DiagramTask,
+    job: &Job,
+    engine: &E,
+    look: &Look,
+    ways: &[(bool, u32)],
+    steps: &[SweepStep<StartOf<E>>],
+) -> Result<AttractorProofs> {
+    let seen = ways.iter().zip(steps).filter_map(|(&(up, i), step)| {
+        Some((way(up), exact(&task.range, i, task.count), step.settled.as_ref()?))
+    });
+    let proving = Proving { engine, task: &job.task.name, parameter: &task.parameter, look };
+    proving.all(&seen.collect::<Vec<_>>(), job)
 }
 
 /// A step as a slice of the diagram.

@@ -1,9 +1,11 @@
 //! Tasks of kind `grazing`: a grazing bifurcation, and what is born there.
 
+use std::f64::consts::TAU;
+
 use serde::Serialize;
 
 use super::{
-    Analysed, ChaosRow, Complex, Finding, Job, Judgement, Lines, Status,
+    Analysed, AttractorProofs, ChaosRow, Complex, Finding, Job, Judgement, Lines, Status,
     birth::all_patterns,
     engine::{Engine, GrazingPoint, by_engine},
     range::{RangeRow, SideRange},
@@ -119,6 +121,12 @@ pub struct GrazingMap {
     pub gamma: Option<f64>,
     /// The region of the plane of (a₁, a₂), 1 to 5 or `line`; only of one degree of freedom, and for a₂ > 0.
     pub region: Option<String>,
+    /// Where the map is in the picture of what is born and seen, if its eigenvalues are complex: across, of
+    /// the motion without impacts the frequency of the free vibration over that of the forcing, without its
+    /// whole part.
+    pub ratio: Option<f64>,
+    /// Up: what is left of a free vibration after a period.
+    pub remains: Option<f64>,
     /// Whether the orbit is one but for the tangency.
     pub admissible: Judgement,
     /// What is left of the equations, of a machine of the gap.
@@ -145,6 +153,10 @@ pub struct GrazingReport {
     pub born: Vec<BornRow>,
     /// What attracts beside the touch; absent if it was not looked for.
     pub seen: Option<Vec<SeenRow>>,
+    /// Why it was not.
+    pub seen_open: Option<&'static str>,
+    /// What is proved of it, if that was asked for.
+    pub proofs: Option<AttractorProofs>,
     /// How far from the touch what is born is proved to go on; absent if it was not asked for.
     pub range: Option<Vec<RangeRow>>,
     /// Why no range was looked for, though it was asked for.
@@ -160,25 +172,48 @@ pub struct GrazingReport {
 /// How attractors beside a touch are looked at; the phase is half a period from the touch.
 const LOOK: Look = Look { phase: 0.0, transient: 500, points: 64, longest: 64 };
 
+/// Multipliers closer than this to the unit circle are on it.
+const MARGIN: f64 = 1e-9;
+
 /// A matrix of more rows than this is not shown in text.
 const SHOWN: usize = 6;
 
+impl GrazingMap {
+    /// The place of (a₁, a₂, sign γ) in the picture: a₁ = 2r cos 2πs, a₂ = r², and s or 1 − s across.
+    pub(super) fn in_picture(a1: f64, a2: f64, gamma: f64) -> [Option<f64>; 2] {
+        let r = a2.sqrt();
+        let cosine = a1 / (2.0 * r);
+        if !(cosine.abs() < 1.0 && gamma.abs() > 0.0) {
+            return [None, None];
+        }
+        let s = cosine.acos() / TAU;
+        [Some(if gamma > 0.0 { s } else { 1.0 - s }), Some(r)]
+    }
+}
+
 impl GrazingReport {
+    /// How what was asked of ranges ended.
+    fn range_status(&self) -> Status {
+        let undecided = self.range.iter().flatten().find(|row| row.is_undecided());
+        match (&self.range_open, undecided) {
+            (Some(why), _) => Status::undecided(format!("no range is proved: {why}")),
+            (None, Some(RangeRow { side, reason, .. })) => Status::undecided(format!(
+                "{side} the touch no range is proved: {}",
+                reason.as_deref().unwrap_or_default()
+            )),
+            (None, None) => Status::Done,
+        }
+    }
+
     fn status(&self) -> Status {
         match (&self.at.open, self.undecided) {
             (Some(reason), _) => Status::undecided(reason.clone()),
             (None, 0) if self.at.admissible == Judgement::No => {
                 Status::undecided("the orbit that grazes is not one: what is born there is not decided")
             }
-            (None, 0) => match (&self.range_open, self.range.iter().flatten().find(|row| row.is_undecided()))
-            {
-                (Some(why), _) => Status::undecided(format!("no range is proved: {why}")),
-                (None, Some(row)) => Status::undecided(format!(
-                    "{} the touch no range is proved: {}",
-                    row.side,
-                    row.reason.as_deref().unwrap_or_default()
-                )),
-                (None, None) => Status::Done,
+            (None, 0) => match (self.proofs.as_ref().map(AttractorProofs::status), self.range_status()) {
+                (Some(Status::Done) | None, range) => range,
+                (Some(proofs), _) => proofs,
             },
             (None, open) => Status::undecided(format!("{open} patterns are open; the table has the reasons")),
         }
@@ -230,6 +265,12 @@ impl GrazingReport {
         if let Some(rows) = &self.seen {
             lines.table("seen", rows);
         }
+        if let Some(why) = self.seen_open {
+            lines.say("seen", format!("not looked for: {why}"));
+        }
+        if let Some(proofs) = &self.proofs {
+            proofs.lines(lines);
+        }
     }
 }
 
@@ -274,13 +315,10 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
             undecided += usize::from(verdict.is_open());
         }
     }
-    // Where the gap only touches 0, no change of the parameter opens it.
-    let opens = at.open.is_none() && at.e != 0.0;
-    let seen = if opens && task.seen.unwrap_or_else(|| job.is_linear()) {
-        Some(seen::rows(&point.seen(at.e, &LOOK)?))
-    } else {
-        None
-    };
+    let seen_open = not_seen(task, job, &at);
+    let seen = seen_open.is_none().then(|| point.seen(at.e, &LOOK)).transpose()?;
+    let proofs = seen.as_ref().filter(|_| task.prove);
+    let proofs = proofs.map(|seen| seen::proofs(seen, task, job, engine)).transpose()?;
     let effort = task.range.0.as_ref().map(|keys| RangeEffort(keys.effort));
     let (mut range, mut range_open, mut certificates) = (None, None, Vec::new());
     match effort.filter(|_| at.open.is_none()).map(|effort| point.ranges(effort)).transpose()? {
@@ -303,12 +341,29 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
         chaos,
         chaos_open,
         born,
-        seen,
+        seen: seen.as_ref().map(seen::rows),
+        seen_open,
+        proofs,
         range,
         range_open,
         certificates,
         undecided,
     })))
+}
+
+/// Why what attracts beside the touch is not looked for.
+fn not_seen(task: &GrazingTask, job: &Job, at: &GrazingMap) -> Option<&'static str> {
+    let attracts = at.eigenvalues.iter().all(|&Complex(re, im)| re.hypot(im) < 1.0 - MARGIN);
+    match task.seen {
+        Some(false) => Some("it is not asked for"),
+        None if !job.is_linear() => {
+            Some("a force is a formula or a stop gives way, which takes long: `seen = true` asks for it")
+        }
+        _ if at.open.is_some() => Some("the local theory does not apply"),
+        _ if at.e == 0.0 => Some("no change of the parameter opens the gap"),
+        _ if !attracts => Some("the motion that touches does not attract, even before the touch"),
+        _ => None,
+    }
 }
 
 /// Whether chaos is born, or why that is not decided.

@@ -114,6 +114,19 @@ impl<'a> RunReport<'a> {
     }
 }
 
+/// The names of files, many certificates by the first and the last.
+fn told(files: &[String]) -> Vec<String> {
+    let is_one = |file: &&String| file.ends_with(".certificate");
+    let certificates: Vec<&String> = files.iter().filter(is_one).collect();
+    match certificates[..] {
+        [first, _, _, .., last] => {
+            let others = files.iter().filter(|file| !is_one(file)).cloned();
+            others.chain([format!("{first} to {last}")]).collect()
+        }
+        _ => files.to_vec(),
+    }
+}
+
 /// The task's name, then a line for each thing.
 impl fmt::Display for TaskReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -132,7 +145,7 @@ impl fmt::Display for TaskReport {
             lines.say("warning", warning.as_str());
         }
         if !self.files.is_empty() {
-            lines.say("files", self.files.clone());
+            lines.say("files", told(&self.files));
         }
         let effects: Vec<String> =
             self.effects.iter().map(|(name, count)| format!("{name} {count}")).collect();

@@ -1,10 +1,21 @@
 //! What is seen at a grazing, beside what is born there: rows of the task `grazing`.
 
-use super::row;
-use crate::attractor::{
-    diagram::Jump,
-    portrait::Portrait,
-    touch::{Beside, Seen},
+use num_rational::BigRational;
+
+use super::{
+    AttractorProofs, Job,
+    engine::Engine,
+    proved::{Attractor, Proving, StartOf},
+    row,
+};
+use crate::{
+    attractor::{
+        diagram::Jump,
+        portrait::{OnAttractor, Portrait},
+        touch::{Beside, Seen},
+    },
+    error::Result,
+    scene::orbits::GrazingTask,
 };
 
 row! {
@@ -27,32 +38,53 @@ row! {
     }
 }
 
-fn row(place: &str, value: f64, what: &str, portrait: Option<&Portrait>) -> SeenRow {
-    SeenRow {
-        place: place.into(),
-        value,
-        what: what.into(),
-        motion: portrait.map(Portrait::words),
-        extent: portrait.map(|portrait| portrait.extent.to_vec()),
-        speed: portrait.and_then(|portrait| portrait.speed),
-    }
+/// A place, the parameter there, what the motion does, what it is on.
+type Sight<'a, S> = (&'static str, f64, &'static str, Option<&'a OnAttractor<S>>);
+
+/// What is seen, in order.
+fn sights<S>(seen: &Seen<S>) -> Vec<Sight<'_, S>> {
+    let sides = [("before", &seen.before), ("beyond", &seen.beyond)];
+    let beside = sides.map(|(place, Beside { parameter, settled, near })| {
+        (place, *parameter, if *near { "stays" } else { "jumps" }, settled.as_ref())
+    });
+    let back = match (&seen.back, &seen.back_to) {
+        (Some(Jump { left, after, .. }), _) => Some(("back", *left, "leaves", Some(after))),
+        (None, Some((value, last))) => Some(("back", *value, "stays", last.as_ref())),
+        (None, None) => None,
+    };
+    beside.into_iter().chain(back).collect()
 }
 
 /// What is seen, row by row.
-pub(super) fn rows(seen: &Seen) -> Vec<SeenRow> {
-    let beside = |place: &str, Beside { parameter, portrait, near }: &Beside| {
-        let what = match (portrait, near) {
-            (None, _) => "lost",
-            (Some(_), true) => "stays",
-            (Some(_), false) => "jumps",
-        };
-        row(place, *parameter, what, portrait.as_ref())
+pub(super) fn rows<S>(seen: &Seen<S>) -> Vec<SeenRow> {
+    let row = |(place, value, what, settled): Sight<S>| {
+        let portrait = settled.map(|settled| &settled.portrait);
+        SeenRow {
+            place: place.into(),
+            value,
+            what: if settled.is_some() { what } else { "lost" }.into(),
+            motion: portrait.map(Portrait::words),
+            extent: portrait.map(|portrait| portrait.range.extent.to_vec()),
+            speed: portrait.and_then(|portrait| portrait.range.speed),
+        }
     };
-    let mut rows = vec![beside("before", &seen.before), beside("beyond", &seen.beyond)];
-    match (&seen.back, &seen.back_to) {
-        (Some(Jump { left, after, .. }), _) => rows.push(row("back", *left, "leaves", Some(after))),
-        (None, Some((value, last))) => rows.push(row("back", *value, "stays", last.as_ref())),
-        (None, None) => {}
-    }
-    rows
+    sights(seen).into_iter().map(row).collect()
+}
+
+/// What is proved of it.
+///
+/// # Errors
+/// An interruption.
+pub(super) fn proofs<E: Engine>(
+    seen: &Seen<StartOf<E>>,
+    task: &GrazingTask,
+    job: &Job,
+    engine: &E,
+) -> Result<AttractorProofs> {
+    let all: Vec<Attractor<E>> = sights(seen)
+        .into_iter()
+        .filter_map(|(place, value, _, settled)| Some((place, BigRational::from_float(value)?, settled?)))
+        .collect();
+    let proving = Proving { engine, task: &job.task.name, parameter: &task.parameter, look: &seen.look };
+    proving.all(&all, job)
 }

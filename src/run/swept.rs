@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Lines, row};
+use super::{AttractorProofs, Lines, row};
 use crate::{
     attractor::{
         diagram::{Jump, SweepStep},
@@ -80,6 +80,8 @@ pub struct SweepFindings {
     pub hysteresis: Option<Vec<HysteresisRow>>,
     /// Values at which the motion leaves every bound or begins behind a stop; the next begins anew.
     pub lost: Vec<f64>,
+    /// What is proved of the attractors, if that was asked for.
+    pub proofs: Option<AttractorProofs>,
 }
 
 /// Two attractors whose extents differ by more than this part of their widths are told apart.
@@ -89,7 +91,7 @@ const APART: f64 = 0.05;
 pub(super) struct Leg<'a, S> {
     pub up: bool,
     pub steps: &'a [SweepStep<S>],
-    pub jumps: Vec<Jump>,
+    pub jumps: Vec<Jump<S>>,
 }
 
 impl<S> Leg<'_, S> {
@@ -117,22 +119,25 @@ impl<S> Leg<'_, S> {
     }
 
     fn jumps(&self) -> impl Iterator<Item = JumpRow> {
-        self.jumps.iter().map(|Jump { stays, left, before, after }| JumpRow {
-            sweep: self.way(),
-            stays: *stays,
-            left: *left,
-            before: before.words(),
-            extent_before: before.extent.to_vec(),
-            speed_before: before.speed,
-            after: after.words(),
-            extent_after: after.extent.to_vec(),
-            speed_after: after.speed,
+        self.jumps.iter().map(|Jump { stays, left, before, after }| {
+            let (before, after) = (&before.portrait, &after.portrait);
+            JumpRow {
+                sweep: self.way(),
+                stays: *stays,
+                left: *left,
+                before: before.words(),
+                extent_before: before.range.extent.to_vec(),
+                speed_before: before.range.speed,
+                after: after.words(),
+                extent_after: after.range.extent.to_vec(),
+                speed_after: after.range.speed,
+            }
         })
     }
 }
 
 /// The way's name, as in a scene.
-fn way(up: bool) -> &'static str {
+pub(super) fn way(up: bool) -> &'static str {
     if up { SweepWay::Up.word() } else { SweepWay::Down.word() }
 }
 
@@ -147,6 +152,7 @@ impl SweepFindings {
             jumps: legs.iter().flat_map(Leg::jumps).collect(),
             hysteresis: leg(true).zip(leg(false)).map(|(up, down)| hysteresis(up, down)),
             lost: legs.iter().flat_map(lost).collect(),
+            proofs: None,
         }
     }
 
@@ -158,6 +164,9 @@ impl SweepFindings {
         }
         if !self.lost.is_empty() {
             lines.say("lost", self.lost.len());
+        }
+        if let Some(proofs) = &self.proofs {
+            proofs.lines(lines);
         }
     }
 }

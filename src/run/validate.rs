@@ -124,7 +124,7 @@ fn of<E: Engine>(task: &ValidateTask, job: &Job, engine: &E) -> Result<ValidateF
         return Ok(found);
     }
     // What no certificate can hold is said before the search.
-    let prover = match engine.prover(task)? {
+    let prover = match engine.prover(None, task.bits)? {
         Ok(prover) => prover,
         Err(why) => {
             found.nothing(Vec::new(), why);

@@ -227,6 +227,9 @@ keys! {
         /// whether to follow motions beside the touch, to see whether they stay near or jump, and where they
         /// come back; without it, only where no force is a formula and no stop gives way
         seen: Option<bool>,
+        /// whether to prove of each periodic attractor that is seen there that it is a stable orbit, with a
+        /// certificate for each, as a task `validate` does
+        prove: bool = "false",
         /// whether to prove, for either side of the touch, how far what is born there goes on
         range: RangeKey = "false",
     }

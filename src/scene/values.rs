@@ -1,5 +1,7 @@
 //! A machine of a scene at the parameters' values, and the states in which it starts.
 
+use num_rational::BigRational;
+
 use super::{
     expression::Expression,
     machine::MachineScene,
@@ -75,14 +77,17 @@ impl Scene {
         Ok(machine)
     }
 
-    /// The machine where the engine is `many`, each coefficient exact where it is rational, else between
-    /// bounds of 256 bits.
+    /// The machine where the engine is `many`, a parameter changed if one is named, each coefficient exact
+    /// where it is rational, else between bounds of 256 bits.
     ///
     /// # Errors
-    /// An input error, naming file, line and key, for a value that cannot be computed; where the
-    /// engine is `one`.
-    pub fn enclosed_machine(&self) -> Result<Machine<Bounds>> {
-        let exact: Vec<_> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
+    /// An input error, naming file, line and key, for an unknown parameter or a value that cannot be
+    /// computed; where the engine is `one`.
+    pub fn enclosed_machine(&self, change: Option<(&str, &BigRational)>) -> Result<Machine<Bounds>> {
+        let mut exact: Vec<_> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
+        if let Some((name, value)) = change {
+            exact[self.parameter(name)?].clone_from(value);
+        }
         let precision = Precision::new(256);
         let balls: Vec<_> = exact.iter().map(|value| Ball::ratio(value, &precision)).collect();
         self.machine_scene()?.machine.try_map(|expression| {

@@ -12,7 +12,7 @@ use crate::{
     attractor::{
         checkpoint::{Checkpoint, Keep},
         observe::{Attraction, Observation},
-        portrait::{OnAttractor, Portrait, settle},
+        portrait::{OnAttractor, settle},
     },
     error::Result,
 };
@@ -30,15 +30,15 @@ pub struct SweepStep<S> {
 
 /// A place where a sweep leaves an attractor for another.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Jump {
+pub struct Jump<S> {
     /// The last value known at which the motion stays.
     pub stays: f64,
     /// The first value known at which it has left.
     pub left: f64,
-    /// What it was on.
-    pub before: Portrait,
+    /// What it was on, as it last settled.
+    pub before: OnAttractor<S>,
     /// What it comes to.
-    pub after: Portrait,
+    pub after: OnAttractor<S>,
 }
 
 /// Two neighbouring values whose attractors differ by less than this, relative to their widths, are no sign
@@ -53,6 +53,9 @@ const HALVINGS: u32 = 12;
 
 /// What is left of the change, after the halvings, that is a jump.
 const LEFT: f64 = 0.5;
+
+/// A change of less than this many times what chance makes of a motion that is not periodic is none.
+const CHANCE: f64 = 2.0;
 
 /// The steps of a sweep over the values of a plan, in its order, from its first start. Cost: that of
 /// [`settle`] for each value.
@@ -99,7 +102,8 @@ pub fn swept<D: Attraction<Start: Serialize + DeserializeOwned>>(
 
 /// Where a sweep jumps. A change between neighbours is one if it stays as the interval between them is
 /// halved, the motion going on from the nearer one: what grows by and by, as by the root of the distance from
-/// a flip or a grazing, does not. Cost: twelve times [`settle`] for each unusual change.
+/// a flip or a grazing, does not; nor does what chance makes of a motion that is not periodic. Cost: up to
+/// fourteen times [`settle`] for each unusual change.
 ///
 /// # Errors
 /// Those of [`settle`].
@@ -108,7 +112,7 @@ pub fn jumps<D: Attraction>(
     observation: &Observation,
     dynamics: impl Fn(f64) -> Result<D>,
     monitor: &dyn Monitor,
-) -> Result<Vec<Jump>> {
+) -> Result<Vec<Jump<D::Start>>> {
     let change = |pair: &[SweepStep<D::Start>]| {
         let [SweepStep { settled: Some(a), .. }, SweepStep { settled: Some(b), .. }] = pair else {
             return None;
@@ -133,32 +137,56 @@ pub(crate) fn jump<D: Attraction>(
     observation: &Observation,
     dynamics: &impl Fn(f64) -> Result<D>,
     monitor: &dyn Monitor,
-) -> Result<Option<Jump>> {
+) -> Result<Option<Jump<D::Start>>> {
     let [SweepStep { value, settled: Some(first), .. }, SweepStep { value: end, settled: Some(last), .. }] =
         pair
     else {
         return Ok(None);
     };
     let (whole, mut stays, mut left) = (first.portrait.apart(&last.portrait), *value, *end);
-    let (mut before, mut after) = (first.clone(), last.portrait.clone());
+    let (mut before, mut after) = (first.clone(), last.clone());
+    // Close to where an attractor ends, motions do not settle: it looks as it did where they last did.
+    let mut settled = first.clone();
     for _ in 0..HALVINGS {
         let middle = stays + (left - stays) / 2.0;
         if middle == stays || middle == left {
             break;
         }
         match settle(&dynamics(middle)?, &before.start, observation, monitor)? {
-            Some(here) if here.portrait.apart(&before.portrait) < here.portrait.apart(&after) => {
+            Some(here) if here.portrait.apart(&before.portrait) < here.portrait.apart(&after.portrait) => {
                 (stays, before) = (middle, here);
+                if before.portrait.period.is_some() || settled.portrait.period.is_none() {
+                    settled = before.clone();
+                }
             }
-            Some(here) => (left, after) = (middle, here.portrait),
+            Some(here) => (left, after) = (middle, here),
             None => return Ok(None),
         }
     }
-    let change = before.portrait.apart(&after);
-    Ok((change > LIKELY && change > LEFT * whole).then_some(Jump {
-        stays,
-        left,
-        before: before.portrait,
-        after,
-    }))
+    let change = before.portrait.apart(&after.portrait);
+    if change <= LIKELY || change <= LEFT * whole {
+        return Ok(None);
+    }
+    // Not at the ends found: near the end of an attractor a motion that stays for long leaves when it is
+    // looked at again.
+    for (value, on) in [(*value, first), (*end, last)] {
+        if change <= CHANCE * by_chance(&dynamics(value)?, on, observation, monitor)? {
+            return Ok(None);
+        }
+    }
+    Ok(Some(Jump { stays, left, before: settled, after }))
+}
+
+/// How differently a motion that is not periodic goes when it is looked at again, later.
+fn by_chance<D: Attraction>(
+    dynamics: &D,
+    on: &OnAttractor<D::Start>,
+    observation: &Observation,
+    monitor: &dyn Monitor,
+) -> Result<f64> {
+    if on.portrait.period.is_some() {
+        return Ok(0.0);
+    }
+    let again = settle(dynamics, &on.start, observation, monitor)?;
+    Ok(again.map_or(0.0, |again| again.portrait.apart(&on.portrait)))
 }

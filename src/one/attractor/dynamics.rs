@@ -60,7 +60,7 @@ impl Motion for Run<'_> {
             if let Event::End(end) = event {
                 return Ok(end);
             }
-            seen.meet(event.velocity().map(|velocity| -velocity));
+            seen.meet(event.velocity().map(|velocity| -velocity), 1.0);
         }
     }
 }

@@ -13,6 +13,7 @@ pub use many::{MachineSource, form};
 pub use one::OscillatorSource;
 pub(crate) use one::Oscillators;
 
+use num_rational::BigRational;
 use serde::{Serialize, de::DeserializeOwned};
 
 use super::{
@@ -21,7 +22,8 @@ use super::{
 };
 use crate::{
     attractor::{
-        basins::BasinGrid, cycle::Cycle, diagram::Look, dynamics::Dynamics, observe::Attraction, touch::Seen,
+        basins::BasinGrid, cycle::Cycle, detection::Detection, diagram::Look, dynamics::Dynamics,
+        observe::Attraction, touch::Seen,
     },
     continuation::{
         Bifurcation, FollowedOrbit, Label, Located, NoForm, NormalForm, OrbitBranch, PatternFamily,
@@ -121,7 +123,7 @@ pub(crate) trait Engine {
     where
         Self: 'f;
     /// A grazing bifurcation.
-    type Grazing<'f>: GrazingPoint
+    type Grazing<'f>: GrazingPoint<Start = <Self::Dynamics as Dynamics>::Start>
     where
         Self: 'f;
 
@@ -195,8 +197,21 @@ pub(crate) trait Engine {
         family: &'f Self::Family,
     ) -> Result<std::result::Result<Self::Grazing<'f>, String>>;
 
-    /// What proves its orbits; the inner error is why none can be proved.
-    fn prover(&self, task: &ValidateTask) -> Result<std::result::Result<impl Prover<Self::Orbit>, String>>;
+    /// The periodic orbit of a system on which the motion from a start settles.
+    fn attracting(
+        &self,
+        system: &Self::System,
+        from: &<Self::Dynamics as Dynamics>::Start,
+        detection: &Detection,
+    ) -> Result<Self::Orbit>;
+
+    /// What proves orbits of the scene's system, with another value of a parameter if there is one, in balls
+    /// of so many bits where the engine works with balls; the inner error is why none can be proved.
+    fn prover(
+        &self,
+        change: Option<(&str, &BigRational)>,
+        bits: u32,
+    ) -> Result<std::result::Result<impl Prover<Self::Orbit>, String>>;
 
     /// Proves the event nearest to each admissible orbit of the task.
     fn prove_events(
@@ -309,6 +324,9 @@ pub(crate) type Theory<'m> = Box<dyn Fn(&[u64]) -> Verdict + 'm>;
 
 /// A grazing bifurcation, for the task `grazing`.
 pub(crate) trait GrazingPoint {
+    /// A state that a motion starts from.
+    type Start;
+
     /// Where it is and its local map; `open` says why the local theory does not apply, if it does not.
     fn report(&self) -> GrazingMap;
 
@@ -331,7 +349,7 @@ pub(crate) trait GrazingPoint {
     ///
     /// # Errors
     /// Those of the system and of [`seen`](crate::attractor::touch::seen).
-    fn seen(&self, e: f64, look: &Look) -> Result<Seen>;
+    fn seen(&self, e: f64, look: &Look) -> Result<Seen<Self::Start>>;
 
     /// How far from the touch what is born is proved to go on, before it and beyond it; the inner error is
     /// why no range is looked for.

@@ -7,7 +7,6 @@ use crate::{
     continuation::Bifurcation,
     error::{Error, Result},
     many::{Machine, RealVector, section::PlaneAxis},
-    motion::System,
     scene::{
         branches::{BranchTask, CrisisTask, DiagramTask, MapTask},
         orbits::{EventTask, GrazingTask, OrbitTask},
@@ -183,6 +182,12 @@ impl Checked<'_> {
         self.reach(task.reach, &task.options)?;
         self.within("max_period", task.max_period, 1, 12)?;
         self.stops()?;
+        if task.prove {
+            if task.seen == Some(false) {
+                return self.fail("prove", "proves what is seen, which `seen = false` leaves out");
+            }
+            self.provable("prove")?;
+        }
         match self.model {
             Model::Many(_) if !task.orbit.pattern.is_empty() || task.orbit.period != 1 => {
                 let what = "orbits other than the motion without impacts are followed to their grazing";
@@ -226,6 +231,13 @@ impl Checked<'_> {
                 "has several; a sweep follows one motion: give one start, or a task for each",
             );
         }
+        if task.prove {
+            if task.sweep.is_none() {
+                return self
+                    .fail("prove", "goes with `sweep`; orbits of one value are proved by kind \"validate\"");
+            }
+            self.provable("prove")?;
+        }
         for (i, start) in (1..).zip(&task.starts) {
             match self.model {
                 Model::One(_) => self.scene.state(start).map(drop)?,
@@ -259,22 +271,45 @@ impl Checked<'_> {
 
     fn validate(&self, task: &ValidateTask) -> Result<()> {
         self.orbit(&task.orbit, "orbit")?;
+        self.provable("kind")?;
         match self.model {
-            Model::One(system) => self.proof(task, system),
-            Model::Many(machine) => self.machine_proof(task, machine),
+            Model::One(_) => self.proof(task),
+            Model::Many(_) => self.machine_proof(task),
         }
     }
 
-    fn proof(&self, task: &ValidateTask, system: &System<f64>) -> Result<()> {
+    /// Whether orbits of the model can be proved at all. Linear oscillators, and linear machines between
+    /// rigid stops of constant restitution.
+    fn provable(&self, key: &str) -> Result<()> {
+        let machine = match self.model {
+            Model::One(system) if system.cubic != 0.0 => {
+                let message = "proves orbits of linear systems only: cubic must be 0";
+                return self.fail(key, message);
+            }
+            Model::One(system) if system.smooth.is_some() => {
+                let message = "depends on q, u or t, and only orbits of linear systems are proved; if the force is linear, \
+                               write it as damping, stiffness and forcing";
+                return Err(self.scene.fail("system.force", message));
+            }
+            Model::One(_) => return Ok(()),
+            Model::Many(machine) => machine,
+        };
+        if machine.is_smooth() {
+            let message =
+                "proves orbits of linear machines; a `force` of this one is a formula in its motion";
+            return self.fail(key, message);
+        }
+        if let Some(stop) = machine.stops.iter().find(|stop| !stop.law.is_newton()) {
+            let name = &stop.name;
+            let message =
+                format!("proves orbits between rigid stops of constant restitution; stop {name} is another");
+            return self.fail(key, &message);
+        }
+        Ok(())
+    }
+
+    fn proof(&self, task: &ValidateTask) -> Result<()> {
         let scene = self.scene;
-        if system.cubic != 0.0 {
-            return Err(scene.fail(self.path, "only a linear system can be validated: cubic must be 0"));
-        }
-        if system.smooth.is_some() {
-            let message = "depends on q, u or t: kind \"validate\" proves linear systems only; if the force is linear, \
-                           write it as damping, stiffness and forcing";
-            return Err(scene.fail("system.force", message));
-        }
         if task.orbit.pattern.is_empty()
             && (task.event != Some(Bifurcation::Grazing) || task.orbit.period != 1)
         {
@@ -299,24 +334,13 @@ impl Checked<'_> {
         }
     }
 
-    fn machine_proof(&self, task: &ValidateTask, machine: &Machine<f64>) -> Result<()> {
+    fn machine_proof(&self, task: &ValidateTask) -> Result<()> {
         if task.event.is_some() || task.parameter.is_some() {
             let key = if task.event.is_some() { "event" } else { "parameter" };
             return self.only_one(key, "is proved");
         }
-        if machine.is_smooth() {
-            let message =
-                "proves orbits of linear machines; a `force` of this one is a formula in its motion";
-            return self.fail("kind", message);
-        }
         if task.orbit.pattern.is_empty() {
             return self.fail("orbit.pattern", "must have an impact to be validated");
-        }
-        if let Some(stop) = machine.stops.iter().find(|stop| !stop.law.is_newton()) {
-            let name = &stop.name;
-            let message =
-                format!("proves orbits between rigid stops of constant restitution; stop {name} is another");
-            return self.fail("kind", &message);
         }
         Ok(())
     }

@@ -9,7 +9,8 @@ use std::{
 
 use grazing::{
     Error, Monitor, Result,
-    run::{Surroundings, run},
+    certificate::check,
+    run::{Findings, Judgement, Status, Surroundings, TaskReport, run},
     scene::Scene,
 };
 use serde_json::Value;
@@ -45,13 +46,16 @@ restitution = 0.8
 
 /// The report of the only task of a scene.
 fn report(system: &str, parameters: &str, task: &str, around: Surroundings) -> Value {
+    serde_json::to_value(asked(system, parameters, task, around).unwrap()).unwrap()
+}
+
+/// The same as it is, or why the scene is refused.
+fn asked(system: &str, parameters: &str, task: &str, around: Surroundings) -> Result<TaskReport> {
     let (format, rest) = system.split_once('\n').unwrap();
     let text = format!(
         "{format}\ntitle = \"t\"\n[parameters]\n{parameters}\n{rest}[[tasks]]\nname = \"it\"\n{task}"
     );
-    let scene = Scene::from_toml(&text, "scene.toml").unwrap_or_else(|error| panic!("{error}\n{text}"));
-    let reports = run(&scene, around, &mut ()).unwrap();
-    serde_json::to_value(&reports[0]).unwrap()
+    Ok(run(&Scene::from_toml(&text, "scene.toml")?, around, &mut ())?.remove(0))
 }
 
 fn machine(format: usize, task: &str) -> Value {
@@ -174,9 +178,134 @@ fn an_overdamped_motion_stays_near() {
     assert!(seen[1]["motion"].as_str().unwrap().contains("impact"), "{found}");
 }
 
+/// Between two stops no motion goes farther than they are: it is by its impacts that it has jumped.
+#[test]
+fn a_jump_between_two_stops_is_told_by_the_impacts() {
+    let mirror = MACHINE[0].to_string() + "[[walls]]\nside = \"lower\"\noffset = -1\nrestitution = 0.8\n";
+    let found = report(&mirror, "F = 0.5", GRAZING, Surroundings::default());
+    let seen = found["seen"].as_array().unwrap_or_else(|| panic!("{found}"));
+    let what: Vec<_> = seen.iter().map(|row| row["what"].as_str().unwrap()).collect();
+    assert_eq!(what, ["stays", "jumps", "leaves"], "{found}");
+    // At 1, where the free motion turns with the acceleration 1, an impact that grows with the root of the
+    // depth has a speed of some 0.01.
+    assert!(number(&seen[1]["speed"]) > 0.5, "{found}");
+}
+
 #[test]
 fn what_is_seen_is_left_out_where_it_is_not_asked_for() {
-    assert_eq!(machine(0, &format!("{GRAZING}\nseen = false"))["seen"], Value::Null);
+    let found = machine(0, &format!("{GRAZING}\nseen = false"));
+    assert_eq!((&found["seen"], found["seen_open"].as_str()), (&Value::Null, Some("it is not asked for")));
+}
+
+/// Without damping the motion that touches does not attract: what is seen there depends on the start.
+#[test]
+fn nothing_is_seen_beside_a_motion_that_does_not_attract() {
+    let system = MACHINE[0].replace("\"1/10\"", "0");
+    let found = report(&system, "F = 0.5", GRAZING, Surroundings::default());
+    assert_eq!(found["seen"], Value::Null);
+    assert!(found["seen_open"].as_str().unwrap().contains("does not attract"), "{found}");
+}
+
+/// Where the free motion has ended, the orbit with one impact per period is what attracts: each proof is
+/// taken by the checker, is of that pattern and stable, and its speed is the one of the orbit that Newton's
+/// method finds from afar.
+#[test]
+fn attractors_of_a_sweep_are_proved() {
+    for format in [0, 1] {
+        let task = "kind = \"diagram\"\nparameter = \"F\"\nrange = [0.75, 0.9]\ncount = 4\nsweep = \"down\"\n\
+                    starts = [{ q = 0 }]\npoints = 20\ntransient = 300\nprove = true";
+        let report = asked(MACHINE[format], "F = 0.5", task, Surroundings::default()).unwrap();
+        assert_eq!(report.status, Status::Done, "{report}");
+        let Some(Findings::Diagram(found)) = &report.findings else { panic!("{report}") };
+        let proofs = found.sweep.as_ref().unwrap().proofs.as_ref().unwrap();
+        assert_eq!((proofs.rows.len(), proofs.certificates.len(), proofs.others), (4, 4, 0), "{report}");
+        for (row, (file, text)) in proofs.rows.iter().zip(&proofs.certificates) {
+            let proof = row;
+            assert_eq!(
+                (proof.verdict, proof.stable, proof.certificate.as_ref()),
+                ("proved", Some(Judgement::Yes), Some(file))
+            );
+            check(&mut text.as_bytes()).unwrap();
+            assert!(text.contains("stable"), "{text}");
+            let task =
+                format!("kind = \"orbit\"\nset = {{ F = {:?} }}\norbit = {{ pattern = [1] }}", row.value);
+            let orbits = machine(format, &task)["orbits"].clone();
+            let speeds: Vec<f64> =
+                orbits.as_array().unwrap().iter().map(|orbit| number(&orbit["speeds"][0])).collect();
+            let speed: f64 = proof.speeds.as_ref().unwrap()[0].parse().unwrap();
+            assert!(speeds.iter().any(|known| (known - speed).abs() < 1e-9), "{speed}: {speeds:?}");
+        }
+        let values: Vec<f64> = proofs.rows.iter().map(|row| row.value).collect();
+        assert_eq!(values, [0.9, 0.85, 0.8, 0.75]);
+    }
+}
+
+/// A motion without impacts has no certificate, which is said: the other is proved all the same.
+#[test]
+fn what_is_seen_beside_a_touch_is_proved_where_it_has_impacts() {
+    for format in [0, 1] {
+        let report =
+            asked(MACHINE[format], "F = 0.5", &format!("{GRAZING}\nprove = true"), Surroundings::default())
+                .unwrap();
+        let Status::Undecided { reason } = &report.status else { panic!("{report}") };
+        assert!(reason.contains("before") && reason.contains("no impact"), "{reason}");
+        let json = serde_json::to_value(&report).unwrap();
+        let proofs = json["proofs"].as_array().unwrap();
+        let told: Vec<_> = proofs
+            .iter()
+            .map(|row| (row["seen"].as_str().unwrap(), row["verdict"].as_str().unwrap(), &row["stable"]))
+            .collect();
+        let (none, yes) = (Value::Null, Value::Bool(true));
+        assert_eq!(
+            told,
+            [("before", "undecided", &none), ("beyond", "proved", &yes), ("back", "undecided", &none)]
+        );
+    }
+}
+
+/// What cannot be proved is refused before anything runs, at the key.
+#[test]
+fn proofs_of_what_no_certificate_holds_are_refused() {
+    let sweep = sweep("up") + "\nprove = true";
+    let alone = sweep.replace("sweep = \"up\"\n", "");
+    let cubic = MACHINE[0].replace("stiffness", "cubic = 1\nstiffness");
+    let soft = MACHINE[1].replace("restitution = 0.8", "stiffness = 100");
+    let blind = format!("{GRAZING}\nseen = false\nprove = true");
+    for (system, task, why) in [
+        (MACHINE[0], alone.as_str(), "goes with `sweep`"),
+        (&cubic, &sweep, "cubic must be 0"),
+        (&soft, &sweep, "stop stop is another"),
+        (MACHINE[0], &blind, "`seen = false` leaves out"),
+    ] {
+        let error = asked(system, "F = 0.5", task, Surroundings::default()).unwrap_err().to_string();
+        assert!(error.contains(why) && error.contains("scene.toml:"), "{error}");
+    }
+}
+
+/// The paper's oscillator beyond its touch is chaotic: how far a chaotic motion goes in some periods is
+/// partly chance, and no jump.
+#[test]
+fn chance_is_no_jump() {
+    let text = include_str!("../../../examples/scenes/nordmark-2001.toml");
+    let scene = text.split("[[tasks]]").next().unwrap();
+    let task = "kind = \"diagram\"\nparameter = \"mu\"\nrange = [0.001, 0.0037]\ncount = 28\nstarts = [{ q = 1 }]\n\
+                sweep = \"up\"\npoints = 64\ntransient = 300";
+    let text = format!("{scene}[[tasks]]\nname = \"it\"\n{task}");
+    let scene = Scene::from_toml(&text, "scene.toml").unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let found = serde_json::to_value(&run(&scene, Surroundings::default(), &mut ()).unwrap()[0]).unwrap();
+    let windows = found["sweep"]["windows"].as_array().unwrap();
+    assert!(windows.iter().all(|row| row["period"].is_null()), "{found}");
+    assert_eq!(found["sweep"]["jumps"].as_array().unwrap().len(), 0, "{found}");
+}
+
+/// README's picture has the machine where its formulas put it.
+#[test]
+fn a_grazing_says_where_it_is_in_the_picture() {
+    for format in [0, 1] {
+        let found = machine(format, &format!("{GRAZING}\nseen = false"));
+        near(number(&found["ratio"]), (0.3 - 0.0025_f64).sqrt(), 1e-9);
+        near(number(&found["remains"]), (-0.1 * PI).exp(), 1e-9);
+    }
 }
 
 /// Ends a run after so many values.

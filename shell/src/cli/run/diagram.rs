@@ -3,6 +3,7 @@
 use super::{
     Job,
     branch::{Drawing, curve},
+    validate::proofs,
 };
 use crate::{
     continuation::{BranchPoint, Direction},
@@ -37,10 +38,10 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
 }
 
 fn tables(found: &DiagramFindings, job: &Job) -> Result<Vec<String>> {
-    Ok(match &found.sweep {
-        None => vec![job.csv(&found.windows, "-windows.csv")?],
-        Some(sweep) => vec![job.csv(&sweep.windows, "-windows.csv")?, job.csv(&sweep.jumps, "-jumps.csv")?],
-    })
+    let Some(sweep) = &found.sweep else { return Ok(vec![job.csv(&found.windows, "-windows.csv")?]) };
+    let mut files = vec![job.csv(&sweep.windows, "-windows.csv")?, job.csv(&sweep.jumps, "-jumps.csv")?];
+    files.extend(proofs(sweep.proofs.as_ref(), job)?);
+    Ok(files)
 }
 
 /// The branches of a machine, seen on the first axis of the plane.

@@ -6,6 +6,7 @@ mod basins;
 mod branch;
 mod chaos;
 mod diagram;
+mod grazing;
 mod map;
 mod names;
 mod print;
@@ -198,11 +199,7 @@ impl Keeper for Files<'_> {
             (Findings::Chaos(found), _) => chaos::keep(found, self.0),
             (Findings::Orbit(found), _) => Ok(vec![self.0.csv(&found.orbits, ".csv")?]),
             (Findings::Grazing(found), _) => match &**found {
-                GrazingFindings::Found(found) => {
-                    let mut files = self.0.certificates(&found.certificates)?;
-                    files.push(self.0.csv(&found.born, ".csv")?);
-                    Ok(files)
-                }
+                GrazingFindings::Found(found) => grazing::keep(found, self.0),
                 GrazingFindings::Nothing { .. } => Ok(Vec::new()),
             },
             (Findings::Event(found), _) => Ok(vec![self.0.csv(&found.found, ".csv")?]),

@@ -31,15 +31,29 @@ fn endings(kind: &Kind) -> &'static [Ending] {
         Kind::SimulateTask(_) => &[Pictures, Picture, Fixed(".csv"), Fixed("-events.csv")],
         Kind::SectionTask(_) => &[Picture, Fixed(".csv")],
         Kind::BasinsTask(_) | Kind::MapTask(_) => &[Picture, Fixed(".csv"), State(".checkpoint")],
+        Kind::DiagramTask(task) if task.prove => &[
+            Picture,
+            Fixed(".csv"),
+            Fixed("-windows.csv"),
+            Fixed("-jumps.csv"),
+            Fixed("-proofs.csv"),
+            Numbered(".certificate"),
+            State(".checkpoint"),
+        ],
         Kind::DiagramTask(task) if task.sweep.is_some() => {
             &[Picture, Fixed(".csv"), Fixed("-windows.csv"), Fixed("-jumps.csv"), State(".checkpoint")]
         }
         Kind::DiagramTask(_) => &[Picture, Fixed(".csv"), Fixed("-windows.csv"), State(".checkpoint")],
         Kind::OrbitTask(_) | Kind::EventTask(_) => &[Fixed(".csv")],
-        Kind::GrazingTask(task) if task.range.0.is_some() => {
-            &[Fixed(".csv"), Fixed("-before.certificate"), Fixed("-beyond.certificate")]
-        }
-        Kind::GrazingTask(_) => &[Fixed(".csv")],
+        Kind::GrazingTask(task) if task.prove || task.range.0.is_some() => &[
+            Fixed(".csv"),
+            Fixed("-seen.csv"),
+            Fixed("-proofs.csv"),
+            Fixed("-before.certificate"),
+            Fixed("-beyond.certificate"),
+            Numbered(".certificate"),
+        ],
+        Kind::GrazingTask(_) => &[Fixed(".csv"), Fixed("-seen.csv")],
         Kind::BranchTask(_) => {
             &[Fixed(".json"), Numbered(".json"), Picture, Fixed(".csv"), Fixed("-points.csv")]
         }

@@ -11,9 +11,7 @@ use crate::{
 };
 
 /// Names of columns that print has other words for.
-const NAMES: [(&str, &str); 18] = [
-    ("lambda1", "$\\lambda_1$"),
-    ("lambda2", "$\\lambda_2$"),
+const NAMES: [(&str, &str); 16] = [
     ("trace", "$\\lambda_1 + \\lambda_2$"),
     ("det", "$\\lambda_1 \\lambda_2$"),
     ("gamma", "$\\gamma$"),

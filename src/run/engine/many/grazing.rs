@@ -20,7 +20,7 @@ use crate::{
         Machine, MachineFamily, MachineState, RealMatrix, StopLaw,
         grazing::{FreeMotion, MachineGrazing},
         orbit::{StopPattern, find_from},
-        section::{PlanarMachine, PlaneAxis},
+        section::{MachineStart, PlanarMachine, PlaneAxis},
         simulate::MachineSimulator,
     },
     pattern::{Analysis, Map, Numbers, Report as Verdict},
@@ -44,6 +44,8 @@ pub(crate) struct MachineGrazingPoint<'f> {
 }
 
 impl GrazingPoint for MachineGrazingPoint<'_> {
+    type Start = MachineStart;
+
     fn report(&self) -> GrazingMap {
         let (event, map, machine) = (&self.event, self.event.local(), &self.machine);
         let (rate, n, one) = (machine.rate(), machine.size, machine.size == 1);
@@ -51,6 +53,10 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
         let unit = |i: usize| if i < n { 1.0 } else { rate };
         let scaled = RealMatrix::from_fn(2 * n, 2 * n, |i, j| map.a[(i, j)] * unit(i) / unit(j));
         let phase = event.at.phase / TAU;
+        let gamma = map.gamma().map(|gamma| gamma / rate);
+        let place =
+            gamma.filter(|_| one).map(|gamma| GrazingMap::in_picture(map.a.trace(), map.determinant, gamma));
+        let [ratio, remains] = place.unwrap_or_default();
         let region = || Region::at(map.a.trace(), map.determinant).map(|region| region.to_string());
         GrazingMap {
             varied: self.task.parameter.clone(),
@@ -66,8 +72,10 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
             eigenvalues: map.eigenvalues.iter().map(|&x| Complex::from(x)).collect(),
             a1: one.then(|| map.a.trace()),
             a2: one.then_some(map.determinant),
-            gamma: map.gamma().map(|gamma| gamma / rate),
+            gamma,
             region: one.then(region).flatten(),
+            ratio,
+            remains,
             admissible: Judgement::Yes,
             residual: event.at.gap.abs(),
             half: event.half.is_some(),
@@ -98,7 +106,7 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
     }
 
     /// Seen as the gap of the stop that is grazed.
-    fn seen(&self, e: f64, look: &Look) -> Result<Seen> {
+    fn seen(&self, e: f64, look: &Look) -> Result<Seen<MachineStart>> {
         let (event, stop) = (&self.event, self.event.at.stop);
         let phase = (event.at.phase + PI).rem_euclid(TAU);
         let (machine, slope) = self.family.at(event.parameter)?;
@@ -111,7 +119,9 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
         };
         let (parameter, width) = (event.parameter, self.size()?);
         let look = Look { phase, ..look.clone() };
-        touch::seen(&Touch { parameter, e, start, periods: 1, width }, &look, planar, self.job.monitor)
+        let slowest = event.map.eigenvalues.first().map_or(0.0, |x| x.0.hypot(x.1));
+        let touch = Touch { parameter, e, start, periods: 1, slowest, width };
+        touch::seen(&touch, &look, planar, self.job.monitor)
     }
 
     fn ranges(&self, _: RangeEffort) -> Result<std::result::Result<Vec<SideRange>, String>> {

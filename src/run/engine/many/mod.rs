@@ -13,6 +13,7 @@ mod source;
 use std::f64::consts::TAU;
 
 use grazing::MachineGrazingPoint;
+use num_rational::BigRational;
 use proofs::MachineProver;
 use search::machine_orbits;
 pub use source::{MachineSource, form};
@@ -24,16 +25,18 @@ use super::{
     Engine, JudgedOrbit, Prover, StartPlane,
 };
 use crate::{
-    attractor::{basins::BasinGrid, cycle::Cycle, dynamics::Dynamics},
+    attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, dynamics::Dynamics},
     continuation::{Bifurcation, FollowedOrbit, counted},
     error::{Error, Result},
     many::{
         Machine, MachineFamily, MachineState,
+        attracting::attracting,
         grazing::{MachineSearch, locate, own_reach},
         orbit::{MachineAdmissibility, MachineOrbit, StopPattern},
         section::{MachinePoint, MachineStart, PlanarMachine},
         simulate::MachineSimulator,
     },
+    number::{Plain, Real},
     scene::{
         BasinsTask, MachineSceneFamily, SectionTask,
         orbits::{GrazingTask, OrbitKeys},
@@ -259,12 +262,27 @@ impl<'j> Engine for Machines<'j> {
         Ok(Ok(MachineGrazingPoint { task, job: self.job, family, event, machine, reach }))
     }
 
-    fn prover(&self, _: &ValidateTask) -> Result<std::result::Result<impl Prover<MachineOrbit>, String>> {
-        let enclosed = self.job.scene.enclosed_machine()?;
+    fn attracting(
+        &self,
+        (machine, _): &Self::System,
+        from: &MachineStart,
+        detection: &Detection,
+    ) -> Result<MachineOrbit> {
+        attracting(&self.job.planar(machine, &[], &[])?, from, detection, self.job.monitor)
+    }
+
+    fn prover(
+        &self,
+        change: Option<(&str, &BigRational)>,
+        _: u32,
+    ) -> Result<std::result::Result<impl Prover<MachineOrbit>, String>> {
+        let scene = &self.job.scene;
+        let enclosed = scene.enclosed_machine(change)?;
+        let change = change.map(|(name, value)| (name, Plain::ratio(value, &()).0));
         Ok(match listed(&enclosed) {
             Ok(listed) => {
-                let (job, machine, period) = (self.job, self.machine, enclosed.period);
-                Ok(MachineProver { job, machine, listed, period })
+                let machine = change.map_or_else(|| Ok(self.machine.clone()), |one| scene.machine(&[one]))?;
+                Ok(MachineProver { job: self.job, machine, listed, period: enclosed.period })
             }
             Err(error) => Err(error.to_string()),
         })

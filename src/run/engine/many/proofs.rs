@@ -25,7 +25,7 @@ use crate::{
 /// Proves orbits of one machine.
 pub(super) struct MachineProver<'e> {
     pub job: &'e Job<'e>,
-    pub machine: &'e Machine<f64>,
+    pub machine: Machine<f64>,
     pub listed: ListedMachine,
     /// The enclosed period.
     pub period: Bounds,
@@ -36,7 +36,7 @@ impl Prover<MachineOrbit> for MachineProver<'_> {
         let verdict = self.verdict(orbit)?;
         let numbers = phases(orbit).into_iter().zip(speeds(orbit, self.machine.rate()));
         let solution = numbers.flat_map(|(t, v)| [t, v]).collect();
-        let mut row = ProofRow::of(&verdict, named(&orbit.pattern, self.machine), solution);
+        let mut row = ProofRow::of(&verdict, named(&orbit.pattern, &self.machine), solution);
         let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
         fill(&mut row, &proof, &self.period)?;
         Ok(Proof { row, certificate: Some(Ok(proof.text)) })

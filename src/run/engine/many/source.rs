@@ -89,7 +89,8 @@ impl<'a> OrbitSource for MachineSource<'a> {
             BranchOrigin::Attractor(state) => {
                 let from = self.job.scene.machine_state(state, &machine, "attractor")?;
                 let planar = self.job.planar(&machine, std::slice::from_ref(&from), &[])?;
-                let found = attracting(&planar, &from, &settled(from.t), self.job.monitor)?;
+                let start = from.start(machine.rate());
+                let found = attracting(&planar, &start, &settled(from.t), self.job.monitor)?;
                 Ok(Some(found).filter(FollowedOrbit::is_orbit).into_iter().collect())
             }
             BranchOrigin::Orbit(keys) => self.admissible(keys, &machine),

@@ -50,10 +50,14 @@ impl OscillatorGrazing<'_> {
 }
 
 impl GrazingPoint for OscillatorGrazing<'_> {
+    type Start = State;
+
     fn report(&self) -> GrazingMap {
         let (event, half, map) = (&self.event, &self.half, self.local());
         // In the scene's coordinates: the map's own are those of the gap.
         let sign = event.side().sign();
+        let [ratio, remains] =
+            GrazingMap::in_picture(map.multipliers.trace, map.multipliers.determinant, map.gamma());
         GrazingMap {
             varied: self.task.parameter.clone(),
             parameter: event.parameter,
@@ -70,6 +74,8 @@ impl GrazingPoint for OscillatorGrazing<'_> {
             a2: Some(map.multipliers.determinant),
             gamma: Some(map.gamma()),
             region: map.region().map(|region| region.to_string()),
+            ratio,
+            remains,
             admissible: match (event.second, event.admissible) {
                 (Some(_), _) if half.is_none() => Judgement::Marginal,
                 (Some(_), _) | (None, true) => Judgement::Yes,
@@ -108,12 +114,14 @@ impl GrazingPoint for OscillatorGrazing<'_> {
         self.unit()
     }
 
-    fn seen(&self, e: f64, look: &Look) -> Result<Seen> {
+    fn seen(&self, e: f64, look: &Look) -> Result<Seen<State>> {
         let (job, name) = (self.job, self.task.parameter.as_str());
         let (parameter, width) = (self.event.parameter, self.size()?);
         let simulator = |value| job.simulator_of(&job.scene.plain(&[(name, value)])?);
         let look = Look { phase: self.far.t, ..look.clone() };
-        let touch = Touch { parameter, e, start: self.far, periods: self.event.itinerary.periods(), width };
+        let (re, im) = self.event.map.multipliers.values()[0];
+        let (periods, slowest) = (self.event.itinerary.periods(), re.hypot(im));
+        let touch = Touch { parameter, e, start: self.far, periods, slowest, width };
         touch::seen(&touch, &look, simulator, job.monitor)
     }
 

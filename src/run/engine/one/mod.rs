@@ -10,6 +10,7 @@ mod source;
 use std::f64::consts::{PI, TAU};
 
 use grazing::OscillatorGrazing;
+use num_rational::BigRational;
 use proofs::OrbitProver;
 pub use source::OscillatorSource;
 
@@ -20,12 +21,13 @@ use super::{
     Engine, JudgedOrbit, Prover, StartPlane,
 };
 use crate::{
-    attractor::{basins::BasinGrid, cycle::Cycle},
+    attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection},
     continuation::{Bifurcation, BranchSearch, nearest},
     error::Result,
     motion::{Flow, State, System},
     number::Precision,
     one::{
+        attractor::attracting,
         branch::OscillatorPatterns,
         grazing::{Grazing, locate},
         orbit::{Admissibility, Family, Itinerary, Orbit, Oscillator, Strike},
@@ -272,8 +274,17 @@ impl<'j> Engine for Oscillators<'j> {
         Ok(Ok(OscillatorGrazing { task, job, family, event, half, orbit, far }))
     }
 
-    fn prover(&self, task: &ValidateTask) -> Result<std::result::Result<impl Prover<Orbit>, String>> {
-        let (system, precision) = (self.job.scene.exact(&[])?, Precision::new(task.bits));
+    fn attracting(&self, oscillator: &Oscillator, from: &State, detection: &Detection) -> Result<Orbit> {
+        attracting(oscillator, *from, detection, &self.job.settings()?)
+    }
+
+    fn prover(
+        &self,
+        change: Option<(&str, &BigRational)>,
+        bits: u32,
+    ) -> Result<std::result::Result<impl Prover<Orbit>, String>> {
+        let change: Vec<_> = change.map(|(name, value)| (name, value.clone())).into_iter().collect();
+        let (system, precision) = (self.job.scene.exact(&change)?, Precision::new(bits));
         Ok(Ok(OrbitProver { job: self.job, system, precision }))
     }
 

@@ -207,6 +207,8 @@ pub(super) fn further(base: &Table) -> Option<Form> {
         "a1",
         "a2",
         "gamma",
+        "ratio",
+        "remains",
         "region",
         "exponents",
         "chaos",

@@ -1,0 +1,15 @@
+//! The files of tasks of kind `grazing`.
+
+use super::{Job, validate::proofs};
+use crate::{error::Result, run::GrazingReport};
+
+/// What is born and how far that is proved to go on, what is seen and what is proved of that.
+pub(super) fn keep(found: &GrazingReport, job: &Job) -> Result<Vec<String>> {
+    let mut files = vec![job.csv(&found.born, ".csv")?];
+    files.extend(job.certificates(&found.certificates)?);
+    if let Some(seen) = &found.seen {
+        files.push(job.csv(seen, "-seen.csv")?);
+    }
+    files.extend(proofs(found.proofs.as_ref(), job)?);
+    Ok(files)
+}

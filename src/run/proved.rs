@@ -1,0 +1,238 @@
+//! Attractors that were seen, proved: the periodic ones, at the exact value of the parameter.
+//!
+//! What is seen is evidence. Of an attractor that is a periodic orbit the impact pattern is read off, the
+//! orbit is found by Newton's method, and it is proved that it exists, and that it is stable, as by a task
+//! `validate`. Not here: the proofs (`search`), what is seen (`swept`, `seen`).
+
+use num_rational::BigRational;
+use serde::{Serialize, Serializer};
+
+use super::{
+    Job, Judgement, Lines, ProofRow, Status,
+    engine::{Engine, Proof, Prover},
+    row,
+};
+use crate::{
+    attractor::{detection::Detection, diagram::Look, dynamics::Dynamics, portrait::OnAttractor},
+    error::{Error, Result},
+    number::{Plain, Real},
+    search::orbit::Verdict,
+};
+
+/// Bits of the enclosures: as a task `validate` has them unless it says otherwise.
+const BITS: u32 = 128;
+
+row! {
+    /// A periodic attractor, and what is proved of it: as of an orbit by a task `validate`.
+    pub struct ProvedRow {
+        /// Where it was seen: which way the parameter was swept, or on which side of a touch.
+        pub seen: String,
+        /// The value of the parameter.
+        pub value: f64,
+        /// What was seen.
+        pub motion: String,
+        /// "proved", "refuted" or "undecided".
+        pub verdict: &'static str,
+        /// Whether the orbit is stable; "marginal" if that is undecided.
+        pub stable: Option<Judgement>,
+        /// The impact pattern; absent where there is none.
+        pub pattern: Option<String>,
+        /// The certain digits of the phases.
+        pub phases: Option<Vec<String>>,
+        /// Of the speeds.
+        pub speeds: Option<Vec<String>>,
+        /// Half the side of the box in which there is no other solution.
+        pub only_within: Option<f64>,
+        /// The certain digits of λ₁ + λ₂.
+        pub trace: Option<String>,
+        /// Of λ₁λ₂.
+        pub det: Option<String>,
+        /// Why it is not proved.
+        pub reason: Option<String>,
+        /// The file of its certificate.
+        pub certificate: Option<String>,
+        /// Why it has none.
+        pub no_certificate: Option<String>,
+    }
+}
+
+row! {
+    /// Neighbouring values at which an attractor is not proved, for one reason.
+    pub struct OpenRow {
+        /// Where it was seen.
+        pub seen: String,
+        /// The first value.
+        pub from: f64,
+        /// The last.
+        pub to: f64,
+        /// How many values.
+        pub values: usize,
+        /// Why.
+        pub reason: String,
+    }
+}
+
+/// What is proved of the attractors that a task saw.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AttractorProofs {
+    /// A row for each that is periodic.
+    pub rows: Vec<ProvedRow>,
+    /// How many are not periodic: nothing is claimed of them.
+    pub others: usize,
+    /// The certificates: file and text.
+    pub certificates: Vec<(String, String)>,
+}
+
+/// The rows alone.
+impl Serialize for AttractorProofs {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        self.rows.serialize(serializer)
+    }
+}
+
+/// Proves the attractors of a task, one by one.
+pub(super) struct Proving<'a, E> {
+    pub engine: &'a E,
+    /// The task's name.
+    pub task: &'a str,
+    pub parameter: &'a str,
+    /// How they were looked at.
+    pub look: &'a Look,
+}
+
+/// A state of an engine's motions.
+pub(super) type StartOf<E> = <<E as Engine>::Dynamics as Dynamics>::Start;
+
+/// An attractor to be proved: where it was seen, the exact value of the parameter, what it is.
+pub(super) type Attractor<'a, E> = (&'a str, BigRational, &'a OnAttractor<StartOf<E>>);
+
+impl<E: Engine> Proving<'_, E> {
+    /// Those that are periodic, proved.
+    ///
+    /// # Errors
+    /// An interruption.
+    pub fn all(&self, all: &[Attractor<E>], job: &Job) -> Result<AttractorProofs> {
+        let (mut rows, mut certificates) = (Vec::new(), Vec::new());
+        let periodic = || all.iter().filter(|(_, _, on)| on.portrait.period.is_some());
+        job.monitor.begin(periodic().count() as u64, "attractors");
+        for (seen, value, on) in periodic() {
+            job.monitor.advance(1)?;
+            let Proof { row: mut proof, certificate } = match self.one(value, on) {
+                Ok(found) => found,
+                Err(error) if error.is_interrupted() => return Err(error),
+                Err(error) => {
+                    let open = Verdict::<()>::Undecided(error.to_string());
+                    Proof { row: ProofRow::of(&open, String::new(), Vec::new()), certificate: None }
+                }
+            };
+            match certificate {
+                Some(Ok(text)) => {
+                    let file = format!("{}-{}.certificate", self.task, certificates.len() + 1);
+                    proof.certificate = Some(file.clone());
+                    certificates.push((file, text));
+                }
+                Some(Err(error)) => proof.no_certificate = Some(error.to_string()),
+                None => {}
+            }
+            rows.push(ProvedRow::of(proof, seen, Plain::ratio(value, &()).0, on.portrait.words()));
+        }
+        let others = all.len() - rows.len();
+        Ok(AttractorProofs { rows, others, certificates })
+    }
+
+    /// What is proved of one.
+    ///
+    /// # Errors
+    /// Why there is nothing to prove; an interruption.
+    fn one(&self, value: &BigRational, on: &OnAttractor<StartOf<E>>) -> Result<Proof> {
+        let Proving { engine, parameter, look, .. } = *self;
+        if on.portrait.impacts == 0 {
+            return Err(Error::input("it has no impact: there is no certificate of such an orbit"));
+        }
+        let system = engine.system(Some((parameter, Plain::ratio(value, &()).0)))?;
+        let (phase, longest) = (look.phase, look.longest as usize);
+        let detection = Detection { phase, transient: 0, longest, ..Detection::default() };
+        let orbit = engine.attracting(&system, &on.start, &detection)?;
+        engine.prover(Some((parameter, value)), BITS)?.map_err(Error::input)?.prove(&orbit)
+    }
+}
+
+impl ProvedRow {
+    fn of(proof: ProofRow, seen: &str, value: f64, motion: String) -> ProvedRow {
+        let ProofRow { verdict, stable, pattern, phases, speeds, only_within, trace, det, .. } = proof;
+        ProvedRow {
+            seen: seen.to_string(),
+            value,
+            motion,
+            verdict,
+            stable,
+            pattern: Some(pattern).filter(|pattern| !pattern.is_empty()),
+            phases,
+            speeds,
+            only_within,
+            trace,
+            det,
+            reason: proof.reason,
+            certificate: proof.certificate,
+            no_certificate: proof.no_certificate,
+        }
+    }
+
+    /// Why it is not proved to be a stable orbit, if it is not.
+    fn open(&self) -> Option<String> {
+        let ProvedRow { verdict, reason, stable, no_certificate, .. } = self;
+        let stable = match stable {
+            Some(Judgement::Yes) => None,
+            Some(Judgement::No) => Some("the orbit that is proved is not stable".to_string()),
+            _ => Some("it is not decided whether the orbit is stable".to_string()),
+        };
+        let unproved = || Some(format!("{verdict}: {}", reason.as_deref().unwrap_or_default()));
+        if *verdict == "proved" { stable.or_else(|| no_certificate.clone()) } else { unproved() }
+    }
+}
+
+impl AttractorProofs {
+    /// What is left open.
+    pub(super) fn status(&self) -> Status {
+        let all: Vec<_> = self.rows.iter().filter_map(|row| Some((row.open()?, row))).collect();
+        match all.first() {
+            None => Status::Done,
+            Some((why, first)) => Status::undecided(format!(
+                "{} of {} periodic attractors are not proved to be stable orbits; {}, at {}: {why}",
+                all.len(),
+                self.rows.len(),
+                first.seen,
+                first.value
+            )),
+        }
+    }
+
+    pub(super) fn lines(&self, lines: &mut Lines) {
+        let open = self.open_rows();
+        let left: usize = open.iter().map(|row| row.values).sum();
+        let (proved, all) = (self.rows.len() - left, self.rows.len());
+        lines.say("proved", format!("{proved} of {all} periodic attractors are stable orbits"));
+        if !open.is_empty() {
+            lines.table("not_proved", &open);
+        }
+        if self.others > 0 {
+            lines.say("no_claim", format!("{} attractors are not periodic", self.others));
+        }
+    }
+
+    /// Neighbours that are open for one reason together.
+    fn open_rows(&self) -> Vec<OpenRow> {
+        let mut rows: Vec<OpenRow> = Vec::new();
+        let mut last = None;
+        for (i, row) in self.rows.iter().enumerate() {
+            let Some(reason) = row.open() else { continue };
+            let (seen, value) = (row.seen.clone(), row.value);
+            match rows.last_mut().filter(|one| last == Some(i) && one.reason == reason && one.seen == seen) {
+                Some(one) => (one.to, one.values) = (value, one.values + 1),
+                None => rows.push(OpenRow { seen, from: value, to: value, values: 1, reason }),
+            }
+            last = Some(i + 1);
+        }
+        rows
+    }
+}
