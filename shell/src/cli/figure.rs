@@ -93,6 +93,8 @@ enum Figure {
     Records,
     /// The words of the (a1, a2) plane and their entropy, areas of period up to N: where chaos is born.
     Words,
+    /// What is born and what is seen beyond a touch and before it: README's picture.
+    Touch,
     /// The entropy on r = 1 over s, periods up to N, by default 40.
     Entropy,
     /// How many periods coexist at a random s: at r = 1 up to N by exact cells, at r < 1 by samples.
@@ -248,6 +250,10 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
             figure::records(&number(&args.r, "0.993")?, &number(&args.s, "0.205")?, n, &place)?
         }
         Figure::Words => figure::words(n, &place, &Progress::new(interrupt, n.saturating_sub(2), "periods"))?,
+        Figure::Touch => {
+            let progress = Progress::new(interrupt, n.saturating_sub(2) + 40, "periods and machines");
+            figure::touch(n, &study::touch_samples(&progress)?, &place, &progress)?;
+        }
         Figure::Returns => figure::returns(&place, &Progress::new(interrupt, 120, "rows"))?,
         Figure::Coexistence => figure::coexistence(n, &place, &Progress::new(interrupt, 0, "samples"))?,
         Figure::Entropy => figure::entropy(n, &place, &Progress::new(interrupt, 0, "intervals"))?,

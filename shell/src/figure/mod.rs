@@ -28,6 +28,7 @@ mod shift;
 mod sign_price;
 mod simulations;
 mod tips;
+mod touch;
 mod words;
 
 pub use branches::{DrawnBranch, Scatter, branches};
@@ -50,6 +51,7 @@ pub use shift::shift;
 pub use sign_price::{sign_price_figure, sign_price_table};
 pub use simulations::{simulations_figure, simulations_table};
 pub use tips::tips;
+pub use touch::touch;
 pub use words::words;
 
 use std::{

@@ -32,13 +32,42 @@ const BITS: u32 = 40;
 const DECIMALS: u32 = 8;
 
 /// A part of the plane with one word.
-struct Cell {
-    case: Case,
-    letters: String,
-    periods: Vec<u64>,
+pub(super) struct Cell {
+    pub case: Case,
+    pub letters: String,
+    pub periods: Vec<u64>,
     /// `None`: no pattern exists.
-    entropy: Option<f64>,
-    outline: Vec<(f64, f64)>,
+    pub entropy: Option<f64>,
+    outline: Vec<Corner>,
+}
+
+/// A corner of a cell.
+#[derive(Debug, Clone, Copy)]
+struct Corner {
+    /// (a₁, a₂).
+    plane: (f64, f64),
+    /// (s, r): r² = a₂, a₁ = 2r cos 2πs; beyond the parabola s is that of its nearer half.
+    polar: (f64, f64),
+}
+
+impl Corner {
+    fn polar(s: f64, r: f64) -> Corner {
+        Corner { plane: (2.0 * r * (std::f64::consts::TAU * s).cos(), r * r), polar: (s, r) }
+    }
+
+    /// Of a₂ > 0.
+    fn plane((a1, a2): (f64, f64)) -> Corner {
+        let r = a2.sqrt();
+        let s = (a1 / (2.0 * r)).clamp(-1.0, 1.0).acos() / std::f64::consts::TAU;
+        Corner { plane: (a1, a2), polar: (s, r) }
+    }
+}
+
+impl Cell {
+    /// Its outline in the (s, r) plane: what is beyond the parabola lies on its edges.
+    pub fn polar(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.outline.iter().map(|corner| corner.polar)
+    }
 }
 
 /// Writes the picture and its data: the words of at most the areas of period ≤ `last`, for
@@ -53,15 +82,7 @@ pub fn words(last: u64, place: &FigurePlace, monitor: &dyn Monitor) -> Result<()
             "--n {last}: this figure shows periods up to N, with N from 3 to 30"
         )));
     }
-    let mut cells = Vec::new();
-    sectors(last, &mut cells);
-    for gamma in [true, false] {
-        plain(gamma, &mut cells)?;
-    }
-    for n in 3..=last {
-        monitor.advance(1)?;
-        areas(n, &mut cells)?;
-    }
+    let cells = cells(last, monitor)?;
     let rows: Vec<Vec<String>> = cells
         .iter()
         .map(|cell| {
@@ -79,13 +100,27 @@ pub fn words(last: u64, place: &FigurePlace, monitor: &dyn Monitor) -> Result<()
     place.save(&draw(last, &cells), &columns, &rows)
 }
 
+/// The cells, each over those that it lies in.
+pub(super) fn cells(last: u64, monitor: &dyn Monitor) -> Result<Vec<Cell>> {
+    let mut cells = Vec::new();
+    sectors(last, &mut cells);
+    for gamma in [true, false] {
+        plain(gamma, last, &mut cells)?;
+    }
+    for n in 3..=last {
+        monitor.advance(1)?;
+        areas(n, &mut cells)?;
+    }
+    Ok(cells)
+}
+
 /// The entropy of a word's case, in f64 for the picture; `None` if no pattern exists.
 fn rate(word: &Word, gamma: bool) -> Result<Option<f64>> {
     let (entropy, _) = Entropy::of(word, gamma, BITS)?;
     Ok(entropy.bounds().and_then(|(low, _)| low.to_f64()))
 }
 
-fn cell(word: &Word, case: Case, outline: Vec<(f64, f64)>) -> Result<Cell> {
+fn cell(word: &Word, case: Case, outline: Vec<Corner>) -> Result<Cell> {
     Ok(Cell {
         case,
         letters: word.letters(),
@@ -102,17 +137,18 @@ fn of_area(n: u64, m: u64, letter: Letter, first: u64) -> Result<Word> {
 }
 
 /// a₁ = 2r cos 2πs, a₂ = r² for r from 0 to 1.
-fn ray(s: f64) -> Vec<(f64, f64)> {
-    let cosine = (std::f64::consts::TAU * s).cos();
-    (0..=STEPS).map(|i| f64::from(i) / f64::from(STEPS)).map(|r| (2.0 * r * cosine, r * r)).collect()
+fn ray(s: f64) -> Vec<Corner> {
+    (0..=STEPS).map(|i| Corner::polar(s, f64::from(i) / f64::from(STEPS))).collect()
 }
 
-fn between(first: Vec<(f64, f64)>, second: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+fn between(first: Vec<Corner>, second: Vec<Corner>) -> Vec<Corner> {
     first.into_iter().chain(second.into_iter().rev()).collect()
 }
 
-fn lower_edge(sign: f64) -> Vec<(f64, f64)> {
-    vec![(sign, 0.0), (sign * 2.0, 1.0)]
+/// |a₁| = 1 + a₂.
+fn lower_edge(sign: f64) -> Vec<Corner> {
+    let s = if sign > 0.0 { 0.0 } else { 0.5 };
+    vec![Corner { plane: (sign, 0.0), polar: (s, 0.0) }, Corner { plane: (sign * 2.0, 1.0), polar: (s, 1.0) }]
 }
 
 /// eµ < 0, γ > 0: region 2, and the sectors 1/(2(n + 1)) ≤ s < 1/(2n) of the words 1, …, n.
@@ -136,8 +172,8 @@ fn sectors(last: u64, cells: &mut Vec<Cell>) {
     cells.extend((1..=last).rev().map(|n| full(n, from(1.0 / (2 * n + 2) as f64))));
 }
 
-/// eµ > 0: what lies under all areas. Period 1 alone in region 2; 1 and K elsewhere.
-fn plain(gamma: bool, cells: &mut Vec<Cell>) -> Result<()> {
+/// eµ > 0: what lies under all areas. Period 1 alone in region 2; 1 and K elsewhere, K > `last` next to it.
+fn plain(gamma: bool, last: u64, cells: &mut Vec<Cell>) -> Result<()> {
     let case = if gamma { Case::PlusPlus } else { Case::PlusMinus };
     let whole = between(lower_edge(-1.0), lower_edge(1.0));
     cells.push(Cell {
@@ -147,6 +183,8 @@ fn plain(gamma: bool, cells: &mut Vec<Cell>) -> Result<()> {
         entropy: (!gamma).then_some(0.0),
         outline: whole,
     });
+    let narrow = between(ray(0.0), ray(1.0 / (2 * last) as f64));
+    cells.push(Cell { case, letters: "DU...".into(), periods: vec![1], entropy: Some(0.0), outline: narrow });
     let word = of_area(2, 1, Letter::U, 2)?;
     cells.push(cell(&word, case, between(lower_edge(-1.0), ray(0.25)))?);
     Ok(())
@@ -157,7 +195,7 @@ fn areas(n: u64, cells: &mut Vec<Cell>) -> Result<()> {
     for interval in intervals(n)?.filter(|interval| interval.deciding.is_some()) {
         let (m, k) = (interval.m, interval.deciding.unwrap_or_default());
         let letter = if interval.case == Case::PlusPlus { Letter::U } else { Letter::D };
-        let mut add = |first, outline: Vec<(f64, f64)>| -> Result<()> {
+        let mut add = |first, outline: Vec<Corner>| -> Result<()> {
             let word = of_area(n, m, letter, first)?;
             for case in [Case::PlusPlus, Case::PlusMinus] {
                 cells.push(cell(&word, case, outline.clone())?);
@@ -171,7 +209,7 @@ fn areas(n: u64, cells: &mut Vec<Cell>) -> Result<()> {
             continue;
         }
         let curve = Curve::new(interval)?;
-        let mut edge: Vec<(f64, f64)> = curve.points.iter().map(plane).collect();
+        let mut edge: Vec<Corner> = curve.points.iter().map(|point| Corner::plane(plane(point))).collect();
         // The leftmost area is bounded by the line.
         if k == n - 2 && letter == Letter::D {
             edge.extend(lower_edge(-1.0));
@@ -183,7 +221,7 @@ fn areas(n: u64, cells: &mut Vec<Cell>) -> Result<()> {
 }
 
 /// The part of the area of 1/n on its upper side where K = `first`: 1/(2K) < s < 1/(2(K − 1)), s < 1/n.
-fn strip(n: u64, first: u64, boundary: &Boundary) -> Result<Vec<(f64, f64)>> {
+fn strip(n: u64, first: u64, boundary: &Boundary) -> Result<Vec<Corner>> {
     let ratio = |p: u64, q: u64| BigRational::new(p.into(), q.into());
     let low = ratio(1, 2 * first);
     let high = ratio(1, 2 * first - 2).min(ratio(1, n));
@@ -192,7 +230,6 @@ fn strip(n: u64, first: u64, boundary: &Boundary) -> Result<Vec<(f64, f64)>> {
         // R = 0 up to 1/(2(n − 1)).
         return Ok(between(ray(float(&low)), ray(float(&high))));
     }
-    let at = |s: f64, r: f64| (2.0 * r * (std::f64::consts::TAU * s).cos(), r * r);
     let mut lower = Vec::new();
     for i in 0..=STRIP_STEPS {
         let s = &low + (&high - &low) * ratio(i, STRIP_STEPS);
@@ -212,16 +249,17 @@ fn strip(n: u64, first: u64, boundary: &Boundary) -> Result<Vec<(f64, f64)>> {
     }
     let (begin, end) = (lower[0], lower[lower.len() - 1]);
     let up = |(s, r0): (f64, f64)| {
-        (0..=STEPS).map(move |i| at(s, r0 + (1.0 - r0) * f64::from(i) / f64::from(STEPS))).collect::<Vec<_>>()
+        let r = |i| r0 + (1.0 - r0) * f64::from(i) / f64::from(STEPS);
+        (0..=STEPS).map(|i| Corner::polar(s, r(i))).collect::<Vec<_>>()
     };
-    let mut outline: Vec<(f64, f64)> = lower.iter().map(|&(s, r)| at(s, r)).collect();
+    let mut outline: Vec<Corner> = lower.iter().map(|&(s, r)| Corner::polar(s, r)).collect();
     outline.extend(up(end));
     outline.extend(up(begin).into_iter().rev());
     Ok(outline)
 }
 
 /// From white (nothing) over grey (patterns, but no chaos) to a dark blue at log 2.
-fn shade(entropy: Option<f64>) -> Colour {
+pub(super) fn shade(entropy: Option<f64>) -> Colour {
     let Some(rate) = entropy else { return WHITE };
     if rate <= 0.0 {
         return Colour(226, 226, 226);
@@ -251,12 +289,13 @@ fn panel(canvas: &mut Canvas, top: f64, cells: &[Cell], case: Case, lowest: bool
             // side.
             let ink = shade(cell.entropy);
             let paint = Paint { fill: Some(ink), stroke: Some(line(ink, 0.12)) };
-            canvas.polygon(frame.path(cell.outline.clone()), paint);
+            canvas.polygon(frame.path(cell.outline.iter().map(|corner| corner.plane)), paint);
         }
         let parabola = (-100..=100).map(|i| f64::from(i) / 50.0).map(|a1| (a1, a1 * a1 / 4.0));
         canvas.line(frame.path(parabola), line(GREY, 0.4));
         for sign in [-1.0, 1.0] {
-            canvas.line(frame.path(lower_edge(sign)), line(BLACK, 0.5));
+            let edge = lower_edge(sign).into_iter().map(|corner| corner.plane);
+            canvas.line(frame.path(edge), line(BLACK, 0.5));
         }
     });
     frame.draw(canvas);
