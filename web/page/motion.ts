@@ -663,7 +663,7 @@ class MotionPanel implements Panel {
       this.noTheory(String(found.report.reason ?? "no grazing was found"));
       return;
     }
-    const children: (Node | string)[] = [element("h2", {}, "What the theory predicts"), ...found.sentences.map((text) => element("p", {}, text))];
+    const children: (Node | string)[] = [element("h2", {}, "What is born, and what is seen"), ...found.sentences.map((text) => element("p", {}, text))];
     if (found.place) {
       const query = new URLSearchParams(found.place as unknown as Record<string, string>).toString();
       children.push(element("p", {}, element("a", { href: `#plane?${query}` }, "Show this (a₁, a₂) in the plane")));
@@ -676,7 +676,7 @@ class MotionPanel implements Panel {
   private noTheory(reason: string): void {
     this.born = null;
     this.parts.theory.replaceChildren(
-      element("h2", {}, "What the theory predicts"),
+      element("h2", {}, "What is born, and what is seen"),
       element("p", {}, `Nothing here: ${reason}.`),
     );
     if (this.view === "born") this.draw([]);

@@ -3,8 +3,10 @@
 /** The cases, with the colour of each. */
 export const CASES: Record<string, string> = { "(+,+)": "c1", "(+,-)": "c2", "(-,+)": "c0", "(-,-)": "c3" };
 
-/** Five stops of a scale from dark to light that every kind of sight tells apart (after viridis). */
-const SCALE = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"];
+/** Four stops of a scale from light to dark that every kind of sight tells apart: those of the figures. */
+const SCALE = ["#fde778", "#78c679", "#2c7fb8", "#25206e"];
+/** Where motions are born, but no chaos. */
+export const PLAIN = "#e2e2e2";
 /** The largest entropy: log 2, of all periods freely after each other. */
 export const MOST = Math.LN2;
 

@@ -46,14 +46,15 @@ export function said(place: Place, facts: PointFacts): HTMLElement[] {
   const words = facts.words.map((word) => {
     const sign = word.sign_emu > 0 ? ">" : "<";
     const rates = word.entropy.map(({ sign_gamma, rate, at_least }) => {
-      const value = rate === null ? (at_least ? "no pattern is certain" : "no pattern") : `entropy ${at_least ? "at least " : ""}${rate[0].toFixed(6)}`;
+      const chaos = `chaos is born, entropy ${at_least ? "at least " : ""}${rate?.[0].toFixed(6)}`;
+      const value = rate === null ? (at_least ? "no pattern is certain" : "nothing is born") : rate[1] > 0 ? chaos : "motions are born, but no chaos";
       return `γ ${sign_gamma > 0 ? ">" : "<"} 0: ${value}`;
     });
     const more = ["complete", "boundary", "singular"].includes(word.end.kind) ? "" : ", …";
     return element(
       "p",
       {},
-      element("strong", {}, `eµ ${sign} 0: `),
+      element("strong", {}, `${word.sign_emu > 0 ? "Before" : "Beyond"} the touch, eµ ${sign} 0: `),
       element("span", { class: "numbers" }, word.letters || "–"),
       `, periods between impacts ${word.periods.join(", ")}${more}. `,
       element("span", { class: "muted" }, `${word.end.detail}; ${rates.join("; ")}.`),

@@ -4,7 +4,7 @@
 
 import { Exact } from "./exact";
 import { COLOURS, colour, type Context, element, type Panel } from "./panel";
-import { CASES, mix, MOST, onScale, spread } from "./plane-colours";
+import { CASES, mix, MOST, onScale, PLAIN, spread } from "./plane-colours";
 import { minus, type Place, type PointFacts, REGIONS, said } from "./plane-words";
 import { type Layer, type Options, type Origin, Plot, type View } from "./plot";
 
@@ -478,7 +478,7 @@ class PlanePanel implements Panel {
     if (this.colouring === "word") return mix(paper, onScale(spread(area.letters)), 0.75);
     if (area.entropy === undefined) return null;
     if (area.entropy === "none") return paper;
-    return onScale(area.entropy / MOST);
+    return area.entropy > 0 ? onScale(area.entropy / MOST) : PLAIN;
   }
 
   /** Draws the last answer in the present colours. */
@@ -529,9 +529,9 @@ class PlanePanel implements Panel {
       }
       if (one) keys.push(sample(paper, "no orbit of this period"));
     } else if (this.colouring === "entropy") {
-      keys.push(sample(paper, "no pattern"));
-      for (const share of [0, 0.25, 0.5, 0.75, 1]) {
-        keys.push(sample(onScale(share), `entropy ${(share * MOST).toFixed(2)}`));
+      keys.push(sample(paper, "nothing is born"), sample(PLAIN, "motions, no chaos"));
+      for (const share of [0.25, 0.5, 0.75, 1]) {
+        keys.push(sample(onScale(share), `chaos, entropy ${(share * MOST).toFixed(2)}`));
       }
     } else {
       keys.push(element("span", {}, "one colour for each word"));

@@ -134,7 +134,7 @@ test("every view draws, light, dark and on a phone, and a link leads back to it"
       const { page, errors, root } = await panel(`#motion?view=${view}&${state}`, options);
       assert.equal(await root.getByRole("button", { pressed: true }).textContent(), name);
       await drawn(root);
-      await root.getByRole("heading", { name: "What the theory predicts" }).waitFor();
+      await root.getByRole("heading", { name: "What is born, and what is seen" }).waitFor();
       if (view === "attractor" || view === "born") {
         await page.locator("#live").filter({ hasText: /Attractor at 30 values|branches followed/ }).waitFor({ state: "attached", timeout: 60_000 });
       }

@@ -141,7 +141,7 @@ test("the point by r, s and by a1, a2, and beside a line, is said the same of", 
     await page.locator("#plane-facts").getByText("eµ > 0:").first().waitFor();
     await rest(page);
     const rows = await page.locator("#plane-facts tbody tr").evaluateAll((all) => all.slice(0, 12).map((row) => row.children[1].textContent));
-    const words = await page.locator("#plane-facts p").filter({ hasText: /^eµ/ }).allTextContents();
+    const words = await page.locator("#plane-facts p").filter({ hasText: /eµ [<>] 0:/ }).allTextContents();
     return JSON.stringify([rows, words]);
   };
   // cos 2πs is 0, 1/2, −1/2.

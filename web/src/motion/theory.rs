@@ -214,7 +214,38 @@ pub fn sentences(report: &Value, most: u64) -> Vec<String> {
     if open > 0 {
         all.push(format!("{open} of the patterns looked at are open: a sign is too close to zero."));
     }
+    all.extend(seen(report, name));
     all
+}
+
+/// What attracts beside the grazing, in sentences.
+fn seen(report: &Value, name: &str) -> Option<String> {
+    let rows = report["seen"].as_array()?;
+    let row = |row: &Value| {
+        let at = row["value"].as_f64().map_or(String::new(), |value| format!("{name} = {value:.6}"));
+        let from = match row["place"].as_str()? {
+            "before" => "just before, at",
+            "beyond" => "just beyond, at",
+            _ => "taken back from there, at",
+        };
+        let what = match row["what"].as_str()? {
+            "stays" => "the motion stays",
+            "jumps" => "it jumps away",
+            "leaves" => "it leaves again",
+            _ => return Some(format!("{from} {at}, it leaves every bound")),
+        };
+        let ends = row["extent"].as_array().and_then(|ends| Some((ends.first()?.as_f64()?, ends.get(1)?.as_f64()?)));
+        let quantity = if report["stop"].is_null() { "" } else { "a gap " };
+        let ends = ends.map_or(String::new(), |(low, high)| format!(", {quantity}from {low:.4} to {high:.4}"));
+        Some(format!("{from} {at}, {what} ({}{ends})", row["motion"].as_str()?))
+    };
+    let all: Vec<String> = rows.iter().filter_map(row).collect();
+    (!all.is_empty()).then(|| {
+        format!(
+            "Seen, which is evidence and no theory: {}. What is born exists, and is mostly unstable; what is seen attracts.",
+            all.join("; ")
+        )
+    })
 }
 
 /// What the page links to in the plane: a₁ and a₂ as exact texts; none for machines of several degrees of
