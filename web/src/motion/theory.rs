@@ -234,9 +234,11 @@ fn seen(report: &Value, name: &str) -> Option<String> {
             "leaves" => "it leaves again",
             _ => return Some(format!("{from} {at}, it leaves every bound")),
         };
-        let ends = row["extent"].as_array().and_then(|ends| Some((ends.first()?.as_f64()?, ends.get(1)?.as_f64()?)));
+        let ends =
+            row["extent"].as_array().and_then(|ends| Some((ends.first()?.as_f64()?, ends.get(1)?.as_f64()?)));
         let quantity = if report["stop"].is_null() { "" } else { "a gap " };
-        let ends = ends.map_or(String::new(), |(low, high)| format!(", {quantity}from {low:.4} to {high:.4}"));
+        let ends =
+            ends.map_or(String::new(), |(low, high)| format!(", {quantity}from {low:.4} to {high:.4}"));
         Some(format!("{from} {at}, {what} ({}{ends})", row["motion"].as_str()?))
     };
     let all: Vec<String> = rows.iter().filter_map(row).collect();
