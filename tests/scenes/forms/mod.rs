@@ -167,7 +167,9 @@ impl<'a> Samples<'a> {
         Samples { scene, delta, few, more: RefCell::default() }
     }
 
+    /// Without proofs about chaos: ranges that end at a grazing, and walls that mirror each other, are exact.
     fn run(scene: &Table, delta: f64, seeds: RangeInclusive<u64>) -> Vec<Reports> {
+        let scene = &form::without_kind(scene, "chaos");
         let one =
             |seed| run(&form::changed(scene, delta, seed)).unwrap_or_else(|refusal| panic!("{refusal}"));
         seeds.map(one).collect()

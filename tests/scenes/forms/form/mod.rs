@@ -159,6 +159,13 @@ pub fn only(scene: &Table, task: &str) -> Table {
     scene
 }
 
+/// The scene without tasks of a kind.
+pub fn without_kind(scene: &Table, kind: &str) -> Table {
+    let mut scene = scene.clone();
+    tasks(&mut scene).retain(|one| one["kind"].as_str() != Some(kind));
+    scene
+}
+
 /// Tasks whose orbits of impacts are searched for, as none is known to begin with.
 pub fn searched(scene: &Table) -> Vec<String> {
     let open = |holder: &Table| {
