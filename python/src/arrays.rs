@@ -152,7 +152,6 @@ fn section(found: &SectionFindings, data: &mut Data) {
         let number = match set {
             SectionSet::Attractor(place) => *place as i64,
             SectionSet::Orbit(place) => -1 - *place as i64,
-            _ => i64::MIN,
         };
         points.extend(all.iter().flatten());
         attractor.extend(all.iter().map(|_| number));
