@@ -77,7 +77,10 @@ E
 mutant notation-of-its-own 'definitions alone' --pin Statement.v <<'E'
 s/^Open Scope R_scope\.$/&\nLocal Notation "x > y" := (x >= y) (at level 70, only parsing) : R_scope./
 E
-mutant sections-weakened 'statements.txt and what was found differ' '' Statement.v <<'E'
+mutant said-otherwise 'statements.txt and what was found differ' '' Statement.v <<'E'
+/S4_section_statement/,/^$/ s/(3 <= n)%nat/(2 < n)%nat/
+E
+mutant sections-weakened 'File "./ConsequencesAreas' --pin Statement.v <<'E'
 /S4_section_statement/,/^$/ s/0 < r < 1 ->/1 \/ 2 < r < 1 ->/
 E
 mutant orbit-not-strict 'File "./Consequences' --pin Defs.v <<'E'
