@@ -105,7 +105,7 @@ Proof.
   pose proof (Rle_abs (f a)); pose proof (Rle_abs (- f b)) as Y; rewrite Rabs_Ropp in Y; apply Rabs_le; lra.
 Qed.
 
-(** A positive number below each of a list: [least [a; b; c]]. *)
+(** A positive number that is at most two others. *)
 Lemma two_least a b : 0 < a -> 0 < b -> exists m, 0 < m /\ m <= a /\ m <= b.
 Proof. intros; exists (Rmin a b); split; [apply Rmin_glb_lt; assumption | split; [apply Rmin_l | apply Rmin_r]]. Qed.
 

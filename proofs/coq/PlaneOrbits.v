@@ -1,4 +1,4 @@
-(** * Proof of Theorem 1 in the plane, for all words and for one impact *)
+(** * For maps of the plane the signs of (52) and (64) decide which words over finitely many lengths have orbits *)
 
 From Coq Require Import Reals Arith Lra Lia.
 From Grazing Require Import Defs Algebra StatementOrbits StatementOrbitsPlane

@@ -83,7 +83,7 @@ E
 mutant sections-weakened 'File "./ConsequencesAreas' --pin Statement.v <<'E'
 /S4_section_statement/,/^$/ s/0 < r < 1 ->/1 \/ 2 < r < 1 ->/
 E
-mutant orbit-not-strict 'File "./Consequences' --pin Defs.v <<'E'
+mutant orbit-not-strict 'File "./(Consequences|OrbitZ)' --pin Defs.v <<'E'
 s/sgn emu \* b a1 a2 n k > 0/sgn emu * b a1 a2 n k >= 0/
 E
 mutant period-2-for-small-a2 'File "./Consequences' --pin StatementPlane.v <<'E'
