@@ -151,6 +151,9 @@ Qed.
 Hypothesis first : first_upper a1 a2 K.
 Let dec := decided_everywhere a1 a2 K first.
 
+Lemma times_sign x t y : 0 < t -> x * t = - y -> (y < 0 -> 0 < x) /\ (0 < y -> x < 0).
+Proof. clear; intros Ht E; split; intros H; apply Rnot_le_lt; intros L; nra. Qed.
+
 Lemma mediant i j w : path a1 a2 K w i j -> let n := (i + j)%nat in
   (u a1 a2 n < 0 -> N a1 a2 n j < 0 -> member a1 a2 Plus n) /\ (u a1 a2 n > 0 -> N a1 a2 n i > 0 -> member a1 a2 Plus n) /\
   (u a1 a2 n < 0 -> N a1 a2 n j > 0 -> ends a1 a2 i j) /\ (u a1 a2 n > 0 -> N a1 a2 n i < 0 -> ends a1 a2 i j) /\
@@ -159,12 +162,13 @@ Proof.
   intros Hp n; destruct (path_sides a1 a2 K first w i j Hp) as [Si Sj]; destruct (DU a1 a2 i j Si Sj) as (t & Ht & E & E'); fold n in E, E'.
   destruct (W5_neighbours a1 a2 K w i j first Hp) as (A & B & C & D); fold n in A, B, C, D; cbn [on] in *; unfold ends; fold n.
   assert (X : forall x, u a1 a2 n = x -> member a1 a2 Plus n -> x <> 0) by (intros x <- [Y _]; exact Y).
+  destruct (times_sign _ _ _ Ht E) as [P1 P2], (times_sign _ _ _ Ht E') as [Q1 Q2].
   split; [|split; [|split; [|split]]].
-  - intros Hu HNn; apply A; nra.
-  - intros Hu HNn; apply B; nra.
-  - intros Hu HNn; assert (p a1 a2 i < q a1 a2 j) by nra; split; [|split; [lra|]]; [intros M; assert (p a1 a2 i > q a1 a2 j) by (apply A; auto); lra|].
+  - intros Hu HNn; apply A; specialize (P1 HNn); lra.
+  - intros Hu HNn; apply B; specialize (Q2 HNn); lra.
+  - intros Hu HNn; specialize (P2 HNn); split; [|split; [lra|]]; [intros M; assert (p a1 a2 i > q a1 a2 j) by (apply A; auto); lra|].
     intros F; apply D in F; lra.
-  - intros Hu HNn; assert (p a1 a2 j > q a1 a2 i) by nra; split; [|split; [|lra]]; [intros M; assert (p a1 a2 j < q a1 a2 i) by (apply B; auto); lra|].
+  - intros Hu HNn; specialize (Q1 HNn); split; [|split; [|lra]]; [intros M; assert (p a1 a2 j < q a1 a2 i) by (apply B; auto); lra|].
     intros F; apply C in F; lra.
   - intros Hu; assert (NM : ~ member a1 a2 Plus n) by (intros M; apply (X 0 Hu M); reflexivity); split; [exact NM|]; intros L.
     split; [exact NM|]; split; intros F; [apply C in F | apply D in F]; lra.

@@ -171,7 +171,8 @@ Proof.
   pose proof (circle_first s ltac:(unfold s; lra)) as F; assert (P2 : 0 < t ^ 2 < 1) by (split; [apply pow_lt|]; lra).
   assert (AL : at_least (patterns (trace 1 s) (1 ^ 2) Plus Minus) (- ln t)).
   { apply (minus_at_least s a); [unfold s; lra | unfold s; lra | lra | unfold a; lia|]; apply (Rmult_le_reg_r (1 - t ^ 2)); [lra|]; unfold Rdiv.
-    replace ((t - t ^ (2 * a + 1)) * / (1 - t ^ 2) * (1 + t ^ 2) * (1 - t ^ 2)) with ((t - t ^ (2 * a + 1)) * (1 + t ^ 2)) by (field; lra); nra. }
+    replace ((t - t ^ (2 * a + 1)) * / (1 - t ^ 2) * (1 + t ^ 2) * (1 - t ^ 2)) with ((t - t ^ (2 * a + 1)) * (1 + t ^ 2)) by (field; lra).
+    assert (t ^ (2 * a + 1) * (1 + t ^ 2) <= t ^ (2 * a + 1) * 2) by (apply Rmult_le_compat_l; [apply pow_le|]; lra); lra. }
   rewrite pow1 in F, AL; exists (trace 1 s), 2%nat; split; [exact F | apply (at_least_less _ (- ln t)); [exact AL | lra]].
 Qed.
 
@@ -307,7 +308,9 @@ Proof.
     { unfold Rdiv; apply Rmult_le_0_lt_compat; try lra; [left; apply Rinv_0_lt_compat; lra | apply Rinv_lt_contravar; [apply Rmult_lt_0_compat; lra | lra]]. }
     assert (F2 : z ^ 2 / (1 - z ^ 3) < t ^ 2 / (1 - t ^ 3)).
     { unfold Rdiv; apply Rmult_le_0_lt_compat; try lra; [left; apply Rinv_0_lt_compat; lra | apply Rinv_lt_contravar; [apply Rmult_lt_0_compat; lra | lra]]. }
-    assert (0 < z ^ 3 / (1 - z ^ 4) + z ^ 2 / (1 - z ^ 3)) by (apply (Rmult_lt_reg_l (1 + z ^ 4)); [lra|]; lra); nra. }
+    assert (0 < z ^ 3 / (1 - z ^ 4) + z ^ 2 / (1 - z ^ 3)) by (apply (Rmult_lt_reg_l (1 + z ^ 4)); [lra|]; lra).
+    set (f := z ^ 3 / (1 - z ^ 4) + z ^ 2 / (1 - z ^ 3)) in *; set (f' := t ^ 3 / (1 - t ^ 4) + t ^ 2 / (1 - t ^ 3)); assert (f < f') by (unfold f, f'; lra).
+    assert ((1 + z ^ 4) * f < (1 + t ^ 4) * f') by (apply Rmult_le_0_lt_compat; lra); lra. }
   pose proof (P 4%nat t ltac:(lia) ltac:(lra)) as P4; pose proof (P 3%nat t ltac:(lia) ltac:(lra)) as P3.
   set (d := (1 - t ^ 4) / 2); destruct (small_power t ((1 + t ^ 4) * (t ^ 3 / (1 - t ^ 4) + t ^ 2 / (1 - t ^ 3)) - 1) d ltac:(lra) ltac:(unfold d; lra)) as [n Hnn]; set (a := n).
   set (g := (1 + t ^ 4) * (t ^ 3 / (1 - t ^ 4) + t ^ 2 / (1 - t ^ 3)) - 1) in *.

@@ -104,7 +104,7 @@ E
 mutant theorem-dropped 'assumptions.txt and what was found differ' '' Main.v <<'E'
 /^Theorem S4 :/d
 E
-mutant theorem-dropped-and-pinned 'S4_statement has no theorem' --pin Main.v <<'E'
+mutant theorem-dropped-and-pinned 'S4_statement of Statement.v has no theorem' --pin Main.v <<'E'
 /^Theorem S4 :/d
 E
 
