@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Pow, Signed, ToPrimitive, Zero};
+use num_traits::{Pow, Signed, ToPrimitive};
 
 use super::{Lines, row};
 use crate::search::range::{RangeEffort, RangeEnd};
@@ -117,20 +117,17 @@ pub(crate) fn inwards(end: &BigRational, inner: &BigRational, digits: i32) -> St
     if !within {
         return end.to_string();
     }
-    decimal(&whole.to_integer(), places)
+    decimal(&value, places)
 }
 
-/// n · 10^−places.
-fn decimal(n: &BigInt, places: i32) -> String {
-    if n.is_zero() {
-        return "0".into();
-    }
-    let sign = if n.is_negative() { "-" } else { "" };
-    let digits = n.abs().to_string();
-    let places = usize::try_from(places).unwrap_or(0);
-    let digits = if places == 0 { digits } else { format!("{digits:0>width$}", width = places + 1) };
+/// A number of at most so many places after the point.
+fn decimal(value: &BigRational, places: i32) -> String {
+    let places = places.max(0) as usize;
+    let scaled = (value.abs() * BigRational::from(BigInt::from(10).pow(places as u32))).to_integer();
+    let digits = format!("{scaled:0>width$}", width = places + 1);
     let (whole, part) = digits.split_at(digits.len() - places);
     let part = part.trim_end_matches('0');
+    let sign = if value.is_negative() { "-" } else { "" };
     if part.is_empty() { format!("{sign}{whole}") } else { format!("{sign}{whole}.{part}") }
 }
 
@@ -156,6 +153,6 @@ mod tests {
         ] {
             assert_eq!(inwards(&at(end), &at(inner), 3), shown, "{end} {inner}");
         }
-        assert_eq!(decimal(&(-12).into(), 4), "-0.0012");
+        assert_eq!(decimal(&at("-3/2500"), 4), "-0.0012");
     }
 }
