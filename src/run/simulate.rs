@@ -59,8 +59,8 @@ row! {
         pub method: &'static str,
         /// The condition number of a machine's modes; absent where they do not exist or forces are formulas.
         pub condition: Option<f64>,
-        /// How many modes oscillate.
-        pub oscillating: usize,
+        /// How many modes of a machine oscillate.
+        pub oscillating: Option<usize>,
         /// Impacts after the transient; contacts with compliant stops count.
         pub impacts: u64,
         /// Minima of a gap within the minimum depth, of which no impact or contact was made.
@@ -93,7 +93,7 @@ pub struct SimulationFindings {
     /// The motion in numbers.
     #[serde(flatten)]
     pub moved: Moved,
-    /// The slowest modes, at most ten; where forces are formulas, of the machine linearised at rest.
+    /// The slowest modes of a machine, at most ten; where forces are formulas, of the machine linearised at rest.
     pub modes: Vec<ModeRow>,
     /// What happened at each stop, after the transient.
     pub stops: Vec<StopRow>,
@@ -241,7 +241,7 @@ impl SimulationFindings {
             period: of.period,
             method,
             condition: None,
-            oscillating: 0,
+            oscillating: None,
             impacts: 0,
             tangencies: 0,
             rests: 0,
@@ -268,7 +268,7 @@ impl SimulationFindings {
     /// The slowest of the modes that oscillate, each a frequency in cycles per unit of time and a damping
     /// ratio.
     pub(super) fn oscillating(&mut self, modes: &[(f64, f64)]) {
-        self.moved.oscillating = modes.len();
+        self.moved.oscillating = Some(modes.len());
         let row = |&(frequency, damping_ratio)| ModeRow { frequency, damping_ratio };
         self.modes = modes.iter().take(LISTED).map(row).collect();
     }

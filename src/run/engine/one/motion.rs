@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     error::Result,
-    motion::{Contact, Event, Flow, RunEnd, System, Time},
+    motion::{Contact, Event, Flow, RunEnd, Time},
     one::simulate::{self, Run},
     scene::simulate::SimulateTask,
 };
@@ -51,8 +51,7 @@ pub(super) fn simulate(
     let run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
     let depth = simulator.settings().minimum_depth;
     let method = if job.is_linear() { "closed form" } else { "Taylor series" };
-    let mut found = SimulationFindings::new(task, (&of, &vec![false; of.stops.len()]), method, depth);
-    found.oscillating(&modes(engine.system));
+    let found = SimulationFindings::new(task, (&of, &vec![false; of.stops.len()]), method, depth);
     let mut motion = Motion { run, stops, mass: job.scene.mass()?, found, keeper };
     let end = follow(task, start.t, &mut motion, job.monitor)?;
     let Motion { run, mut found, .. } = motion;
@@ -60,14 +59,6 @@ pub(super) fn simulate(
     let bend = simulator.flow().acceleration(state);
     found.ended((end, run.time()), [vec![state.q], vec![state.u], vec![bend]]);
     Ok(found)
-}
-
-/// Natural frequency and damping ratio where the linear part oscillates; none where a force is a formula.
-fn modes(system: &System<f64>) -> Vec<(f64, f64)> {
-    let frequency = system.stiffness.sqrt();
-    let ratio = system.damping / (2.0 * frequency);
-    let oscillates = system.smooth.is_none() && system.stiffness > 0.0 && ratio.abs() < 1.0;
-    if oscillates { vec![(frequency / TAU, ratio)] } else { Vec::new() }
 }
 
 impl SampledMotion for Motion<'_> {
