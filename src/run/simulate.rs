@@ -93,7 +93,8 @@ pub struct SimulationFindings {
     /// The motion in numbers.
     #[serde(flatten)]
     pub moved: Moved,
-    /// The slowest modes of a machine, at most ten; where forces are formulas, of the machine linearised at rest.
+    /// The slowest modes of a machine, at most ten; where forces are formulas, of the machine linearised at
+    /// rest.
     pub modes: Vec<ModeRow>,
     /// What happened at each stop, after the transient.
     pub stops: Vec<StopRow>,
