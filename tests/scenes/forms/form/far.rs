@@ -2,7 +2,7 @@
 
 use toml::{Table, Value};
 
-use super::{Form, Level, form, is_integrated};
+use super::{Form, Level, form, is_integrated, tasks};
 use crate::forms::{
     report::FAR,
     scene::{coordinates, is_machine, list},
@@ -63,6 +63,9 @@ pub(super) fn far_stop(base: &Table) -> Option<Form> {
     if let Some(name) = only {
         name_walls(&mut form.scene, if is_machine(base) { "stops" } else { "walls" }, &name);
     }
+    // Of a proof for all values of a parameter some reach it.
+    let endless = |task: &Value| task.get("parameter").is_some() && task.get("to").is_none();
+    tasks(&mut form.scene).retain(|task| task["kind"].as_str() != Some("chaos") || !endless(task));
     // What is said of a second wall of a proof is said of this one.
     form.other.extend(["effects", "largest_gap", "ceiling"]);
     Some(form)

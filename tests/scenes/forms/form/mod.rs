@@ -57,7 +57,7 @@ pub struct Form {
 }
 
 /// Tasks that a form has not, and why: printed with every run.
-pub const BY_DESIGN: [(&str, &str, &str); 27] = [
+pub const BY_DESIGN: [(&str, &str, &str); 28] = [
     ("machine of formulas", "criticality", "no normal form is computed through formulas of machines"),
     ("machine of formulas", "what a record's residual could move", "it is told of linear machines"),
     ("machine", "columns that one format has", "each is compared between forms of its own format"),
@@ -74,6 +74,7 @@ pub const BY_DESIGN: [(&str, &str, &str); 27] = [
     ("machine", "refuted", "what is proved of machines refutes nothing: undecided"),
     ("mirrored", "the point shown of a basin's attractor", "that of the first start, which is another"),
     ("machine", "map crisis chaos", "tasks of format 1 only"),
+    ("a stop that is never met", "chaos without `to`", "some value of the parameter reaches any stop"),
     ("machine", "validate with event", "bifurcations of machines are not proved"),
     ("machine", "grazing of an orbit with impacts", "machines graze from the motion without impacts"),
     ("machine", "a frame", "planes of machines have gaps in its place"),
