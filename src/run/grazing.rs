@@ -278,6 +278,10 @@ impl GrazingReport {
 const HALF: &str =
     "of half a period, then the mirror: a stop and its mirror are grazed; patterns count halves";
 
+/// Why nothing further is looked for.
+const NO_THEORY: &str = "the local theory does not apply";
+const NEVER_OPENS: &str = "no change of the parameter opens the gap";
+
 /// What the word theorem needs.
 const NEEDS: &str = "that needs a2 > 0 and gamma, e other than 0";
 
@@ -302,15 +306,15 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
     let (at, mut born, mut undecided) = (point.report(), Vec::new(), 0);
     let (mut chaos, mut chaos_open) = (None, None);
     if at.open.is_none() {
-        (chaos, chaos_open) = asked_for_chaos(task, job, &point, &at)?;
         let (map, size) = (point.map()?, point.size()?);
+        (chaos, chaos_open) = asked_for_chaos(task, job, (&point, size), &at)?;
         let theory = point.theory(&map)?;
         let patterns = (1..=task.max_period).flat_map(|period| Patterns::of_period(period.into()));
         for pattern in patterns.filter(Pattern::is_primitive) {
             job.check()?;
             let verdict = theory(pattern.periods());
             if verdict.side().is_some() || verdict.is_open() {
-                born.push(born_at(task.distance_at(size), &point, &at, &pattern, &verdict)?);
+                born.push(born_at(task, (&point, size), &at, &pattern, &verdict)?);
             }
             undecided += usize::from(verdict.is_open());
         }
@@ -319,23 +323,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
     let seen = seen_open.is_none().then(|| point.seen(at.e, &LOOK)).transpose()?;
     let proofs = seen.as_ref().filter(|_| task.prove);
     let proofs = proofs.map(|seen| seen::proofs(seen, task, job, engine)).transpose()?;
-    let effort = task.range.0.as_ref().map(|keys| RangeEffort(keys.effort));
-    let (mut range, mut range_open, mut certificates) = (None, None, Vec::new());
-    match effort.filter(|_| at.open.is_none()).map(|effort| point.ranges(effort)).transpose()? {
-        Some(Ok(sides)) => {
-            let keep = |SideRange { mut row, text }| {
-                if let Some(text) = text {
-                    let file = format!("{}-{}.certificate", job.task.name, row.side);
-                    row.certificate = Some(file.clone());
-                    certificates.push((file, text));
-                }
-                row
-            };
-            range = Some(sides.into_iter().map(keep).collect());
-        }
-        Some(Err(why)) => range_open = Some(why),
-        None => {}
-    }
+    let (range, range_open, certificates) = asked_for_ranges(task, job, &point, &at)?;
     Ok(GrazingFindings::Found(Box::new(GrazingReport {
         at,
         chaos,
@@ -359,18 +347,49 @@ fn not_seen(task: &GrazingTask, job: &Job, at: &GrazingMap) -> Option<&'static s
         None if !job.is_linear() => {
             Some("a force is a formula or a stop gives way, which takes long: `seen = true` asks for it")
         }
-        _ if at.open.is_some() => Some("the local theory does not apply"),
-        _ if at.e == 0.0 => Some("no change of the parameter opens the gap"),
+        _ if at.open.is_some() => Some(NO_THEORY),
+        _ if at.e == 0.0 => Some(NEVER_OPENS),
         _ if !attracts => Some("the motion that touches does not attract, even before the touch"),
         _ => None,
     }
 }
 
-/// Whether chaos is born, or why that is not decided.
-fn asked_for_chaos<G: GrazingPoint>(
+/// What is proved of both sides, or why nothing was looked for, and the certificates: file and text.
+type Ranges = (Option<Vec<RangeRow>>, Option<String>, Vec<(String, String)>);
+
+/// How far what is born is proved to go on, if that is asked for.
+fn asked_for_ranges(
     task: &GrazingTask,
     job: &Job,
-    point: &G,
+    point: &impl GrazingPoint,
+    at: &GrazingMap,
+) -> Result<Ranges> {
+    let Some(keys) = &task.range.0 else { return Ok((None, None, Vec::new())) };
+    let sides = match &at.open {
+        Some(_) => Err(NO_THEORY.to_string()),
+        None if at.e == 0.0 => Err(NEVER_OPENS.to_string()),
+        None => point.ranges(keys.effort.map_or_else(RangeEffort::default, RangeEffort))?,
+    };
+    let mut certificates = Vec::new();
+    let keep = |SideRange { mut row, text }| {
+        if let Some(text) = text {
+            let file = format!("{}-{}.certificate", job.task.name, row.side);
+            row.certificate = Some(file.clone());
+            certificates.push((file, text));
+        }
+        row
+    };
+    Ok(match sides {
+        Ok(sides) => (Some(sides.into_iter().map(keep).collect()), None, certificates),
+        Err(why) => (None, Some(why), certificates),
+    })
+}
+
+/// Whether chaos is born, or why that is not decided.
+fn asked_for_chaos(
+    task: &GrazingTask,
+    job: &Job,
+    (point, size): (&impl GrazingPoint, f64),
     at: &GrazingMap,
 ) -> Result<(Option<Vec<ChaosRow>>, Option<String>)> {
     let Some(plane) = point.plane() else {
@@ -382,22 +401,22 @@ fn asked_for_chaos<G: GrazingPoint>(
         );
         return Ok((None, Some(why)));
     };
-    let side = |positive: bool| side_of(at, positive == (at.e > 0.0));
+    let side = |positive: bool| side_of(at, positive == (at.e > 0.0), size);
     let chaos = all_patterns(plane, side, job.monitor)?;
     let open = chaos.is_none().then(|| NEEDS.to_string());
     Ok((chaos, open))
 }
 
 /// A side of the bifurcation.
-fn side_of(at: &GrazingMap, above: bool) -> String {
-    format!("{} {} {}", at.varied, if above { '>' } else { '<' }, shown(at.parameter))
+fn side_of(at: &GrazingMap, above: bool, size: f64) -> String {
+    format!("{} {} {}", at.varied, if above { '>' } else { '<' }, shown(at.parameter, size / at.e.abs()))
 }
 
 /// A row: what the local theory says of a pattern, and the orbit of the true system at the distance asked
 /// for.
 fn born_at(
-    distance: f64,
-    point: &impl GrazingPoint,
+    task: &GrazingTask,
+    (point, size): (&impl GrazingPoint, f64),
     at: &GrazingMap,
     pattern: &Pattern,
     verdict: &Verdict,
@@ -418,10 +437,11 @@ fn born_at(
         row.side = side_open(verdict).into();
         return Ok(row);
     };
+    let distance = task.distance_at(size);
     let (periods, away) = (pattern.periods(), if side { distance } else { -distance } / at.e);
     row.coefficient =
         point.leading(periods, verdict).map(|leading| leading / at.e.powi(periods.len() as i32));
-    row.side = side_of(at, away > 0.0);
+    row.side = side_of(at, away > 0.0, size);
     let parameter = match beside(&at.varied, at.parameter, away) {
         Ok(parameter) => parameter,
         Err(error) => return Ok(BornRow { reason: Some(error.to_string()), ..row }),
@@ -462,7 +482,12 @@ fn side_open(verdict: &Verdict) -> &'static str {
     }
 }
 
-/// A parameter value for reading: rounding's leavings at 0 left out.
-fn shown(value: f64) -> String {
-    if value.abs() < 1e-14 { "0".into() } else { format!("{value:.6}") }
+/// A parameter value for reading: rounding's leavings at 0 left out, of what moves the gap by the size of the
+/// motion.
+fn shown(value: f64, unit: f64) -> String {
+    match value.abs() {
+        size if unit.is_finite() && size <= 1e-14 * unit => "0".into(),
+        size if (1e-3..1e9).contains(&size) => format!("{value:.6}"),
+        _ => format!("{value:.6e}"),
+    }
 }

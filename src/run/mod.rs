@@ -34,6 +34,7 @@ mod crisis;
 mod diagram;
 mod engine;
 mod event;
+mod follow;
 mod grazing;
 mod map;
 mod orbit;
@@ -83,7 +84,7 @@ pub use status::{Place, Status};
 pub use swept::{HysteresisRow, JumpRow, SweepFindings, SweptRow};
 pub(crate) use table::row;
 pub use table::{Complex, Judgement, Lines, Row, Shown, Tabular};
-pub use validate::{ProofRow, UnprovedRow, ValidateFindings, validate};
+pub use validate::{ProofRow, Proved, UnprovedRow, ValidateFindings, validate};
 
 use crate::{
     attractor::Keep,

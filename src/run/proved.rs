@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use serde::{Serialize, Serializer};
 
 use super::{
-    Job, Judgement, Lines, ProofRow, Status,
+    Job, Judgement, Lines, Proved, Status,
     engine::{Engine, Proof, Prover},
     row,
 };
@@ -23,7 +23,7 @@ use crate::{
 const BITS: u32 = 128;
 
 row! {
-    /// A periodic attractor, and what is proved of it: as of an orbit by a task `validate`.
+    /// A periodic attractor, and what is proved of it.
     pub struct ProvedRow {
         /// Where it was seen: which way the parameter was swept, or on which side of a touch.
         pub seen: String,
@@ -31,28 +31,10 @@ row! {
         pub value: f64,
         /// What was seen.
         pub motion: String,
-        /// "proved", "refuted" or "undecided".
-        pub verdict: &'static str,
-        /// Whether the orbit is stable; "marginal" if that is undecided.
-        pub stable: Option<Judgement>,
-        /// The impact pattern; absent where there is none.
-        pub pattern: Option<String>,
-        /// The certain digits of the phases.
-        pub phases: Option<Vec<String>>,
-        /// Of the speeds.
-        pub speeds: Option<Vec<String>>,
-        /// Half the side of the box in which there is no other solution.
-        pub only_within: Option<f64>,
-        /// The certain digits of λ₁ + λ₂.
-        pub trace: Option<String>,
-        /// Of λ₁λ₂.
-        pub det: Option<String>,
-        /// Why it is not proved.
-        pub reason: Option<String>,
-        /// The file of its certificate.
-        pub certificate: Option<String>,
-        /// Why it has none.
-        pub no_certificate: Option<String>,
+        with {
+            /// What is proved.
+            pub proved: Proved
+        }
     }
 }
 
@@ -117,24 +99,22 @@ impl<E: Engine> Proving<'_, E> {
         job.monitor.begin(periodic().count() as u64, "attractors");
         for (seen, value, on) in periodic() {
             job.monitor.advance(1)?;
-            let Proof { row: mut proof, certificate } = match self.one(value, on) {
-                Ok(found) => found,
+            let (mut proved, certificate) = match self.one(value, on) {
+                Ok(Proof { row, certificate }) => (row.proved, certificate),
                 Err(error) if error.is_interrupted() => return Err(error),
-                Err(error) => {
-                    let open = Verdict::<()>::Undecided(error.to_string());
-                    Proof { row: ProofRow::of(&open, String::new(), Vec::new()), certificate: None }
-                }
+                Err(error) => (Proved::of(&Verdict::<()>::Undecided(error.to_string()), None), None),
             };
             match certificate {
                 Some(Ok(text)) => {
                     let file = format!("{}-{}.certificate", self.task, certificates.len() + 1);
-                    proof.certificate = Some(file.clone());
+                    proved.certificate = Some(file.clone());
                     certificates.push((file, text));
                 }
-                Some(Err(error)) => proof.no_certificate = Some(error.to_string()),
+                Some(Err(error)) => proved.no_certificate = Some(error.to_string()),
                 None => {}
             }
-            rows.push(ProvedRow::of(proof, seen, Plain::ratio(value, &()).0, on.portrait.words()));
+            let (seen, value) = (seen.to_string(), Plain::ratio(value, &()).0);
+            rows.push(ProvedRow { seen, value, motion: on.portrait.words(), proved });
         }
         let others = all.len() - rows.len();
         Ok(AttractorProofs { rows, others, certificates })
@@ -158,29 +138,9 @@ impl<E: Engine> Proving<'_, E> {
 }
 
 impl ProvedRow {
-    fn of(proof: ProofRow, seen: &str, value: f64, motion: String) -> ProvedRow {
-        let ProofRow { verdict, stable, pattern, phases, speeds, only_within, trace, det, .. } = proof;
-        ProvedRow {
-            seen: seen.to_string(),
-            value,
-            motion,
-            verdict,
-            stable,
-            pattern: Some(pattern).filter(|pattern| !pattern.is_empty()),
-            phases,
-            speeds,
-            only_within,
-            trace,
-            det,
-            reason: proof.reason,
-            certificate: proof.certificate,
-            no_certificate: proof.no_certificate,
-        }
-    }
-
     /// Why it is not proved to be a stable orbit, if it is not.
     fn open(&self) -> Option<String> {
-        let ProvedRow { verdict, reason, stable, no_certificate, .. } = self;
+        let Proved { verdict, reason, stable, no_certificate, .. } = &self.proved;
         let stable = match stable {
             Some(Judgement::Yes) => None,
             Some(Judgement::No) => Some("the orbit that is proved is not stable".to_string()),

@@ -5,7 +5,10 @@ use num_rational::BigRational;
 use num_traits::{Pow, Signed, ToPrimitive};
 
 use super::{Lines, row};
-use crate::search::range::{RangeEffort, RangeEnd};
+use crate::{
+    number::parse_rational,
+    search::range::{RangeEffort, RangeEnd},
+};
 
 row! {
     /// One side of a touch.
@@ -88,9 +91,10 @@ impl RangeRow {
         lines.say_known("certificate", &self.certificate);
     }
 
+    /// Whether the range is that of greater values.
     fn ends_above(&self) -> bool {
-        let float = |text: &Option<String>| text.as_ref().and_then(|text| text.parse::<f64>().ok());
-        float(&self.end) > float(&self.touch)
+        let number = |text: &Option<String>| text.as_ref().and_then(|text| parse_rational(text).ok());
+        number(&self.end) > number(&self.touch)
     }
 }
 
@@ -107,7 +111,7 @@ pub(crate) fn why(end: &RangeEnd, effort: RangeEffort) -> String {
 /// A number of so many digits from an end of a range towards its inner side, as a decimal; the end itself, as
 /// a fraction, where that would leave the range.
 pub(crate) fn inwards(end: &BigRational, inner: &BigRational, digits: i32) -> String {
-    let size = end.abs().to_f64().filter(|size| *size > 0.0).map_or(0.0, f64::log10);
+    let size = end.abs().to_f64().filter(|size| *size > 0.0 && size.is_finite()).map_or(0.0, f64::log10);
     let places = digits - 1 - size.floor() as i32;
     let ten = |power: i32| BigRational::from(BigInt::from(10).pow(power.unsigned_abs()));
     let scaled = if places >= 0 { end * ten(places) } else { end / ten(places) };

@@ -114,9 +114,10 @@ impl<'a> RunReport<'a> {
     }
 }
 
-/// The names of files, many certificates by the first and the last.
+/// The names of files, many numbered certificates by the first and the last.
 fn told(files: &[String]) -> Vec<String> {
-    let is_one = |file: &&String| file.ends_with(".certificate");
+    let stem = |file: &&String| file.strip_suffix(".certificate").map(str::to_string);
+    let is_one = |file: &&String| stem(file).is_some_and(|stem| stem.ends_with(|c: char| c.is_ascii_digit()));
     let certificates: Vec<&String> = files.iter().filter(is_one).collect();
     match certificates[..] {
         [first, _, _, .., last] => {

@@ -19,25 +19,14 @@ use crate::{
 const DIGITS: u32 = 20;
 
 row! {
-    /// A solution, and what is proved of it.
-    pub struct ProofRow {
+    /// What is proved of an orbit, or of one at a bifurcation.
+    pub struct Proved {
         /// "proved", "refuted" or "undecided".
         pub verdict: &'static str,
-        /// The impact pattern.
-        pub pattern: String,
-        /// About where the solution is: its phases and speeds, t_1, V_1, …, and last the parameter of an
-        /// event.
-        pub solution: Vec<f64>,
+        /// The impact pattern; absent if there is no orbit to prove.
+        pub pattern: Option<String>,
         /// Why it is not proved.
         pub reason: Option<String>,
-        /// The certain digits of the parameter of an event.
-        pub parameter: Option<String>,
-        /// The width of its enclosure.
-        pub width: Option<f64>,
-        /// The least value that the certificate leaves to it, exactly.
-        pub lower: Option<String>,
-        /// The greatest.
-        pub upper: Option<String>,
         /// The certain digits of the phases.
         pub phases: Option<Vec<String>>,
         /// Of the speeds.
@@ -54,6 +43,27 @@ row! {
         pub certificate: Option<String>,
         /// Why it has none.
         pub no_certificate: Option<String>,
+    }
+}
+
+row! {
+    /// A solution, and what is proved of it.
+    pub struct ProofRow {
+        with {
+            /// What is proved.
+            pub proved: Proved
+        }
+        /// About where the solution is: its phases and speeds, t_1, V_1, …, and last the parameter of an
+        /// event.
+        pub solution: Vec<f64>,
+        /// The certain digits of the parameter of an event.
+        pub parameter: Option<String>,
+        /// The width of its enclosure.
+        pub width: Option<f64>,
+        /// The least value that the certificate leaves to it, exactly.
+        pub lower: Option<String>,
+        /// The greatest.
+        pub upper: Option<String>,
     }
 }
 
@@ -84,10 +94,11 @@ pub struct ValidateFindings {
 impl Finding for ValidateFindings {
     fn status(&self) -> Status {
         let said = |row: &ProofRow| {
-            let reason = row.reason.as_deref().unwrap_or_default();
-            format!("pattern {} near {:?}: {reason}", row.pattern, row.solution)
+            let text = |text: &Option<String>| text.clone().unwrap_or_default();
+            let Proved { pattern, reason, .. } = &row.proved;
+            format!("pattern {} near {:?}: {}", text(pattern), row.solution, text(reason))
         };
-        let first = |verdict: &str| self.proofs.iter().find(|row| row.verdict == verdict).map(said);
+        let first = |verdict: &str| self.proofs.iter().find(|row| row.proved.verdict == verdict).map(said);
         match (first("refuted"), first("undecided")) {
             (Some(which), _) => Status::refuted(which),
             (None, Some(which)) => Status::undecided(which),
@@ -136,7 +147,7 @@ fn of<E: Engine>(task: &ValidateTask, job: &Job, engine: &E) -> Result<ValidateF
         let Proof { mut row, certificate } = prover.prove(&orbit)?;
         match certificate {
             Some(Ok(text)) => found.certify(&mut row, &job.task.name, text),
-            Some(Err(error)) => row.no_certificate = Some(error.to_string()),
+            Some(Err(error)) => row.proved.no_certificate = Some(error.to_string()),
             None => {}
         }
         found.proofs.push(row);
@@ -166,22 +177,18 @@ pub(super) fn starts<E: Engine>(
     }
 }
 
-impl ProofRow {
-    pub(super) fn of<T>(verdict: &Verdict<T>, pattern: String, solution: Vec<f64>) -> ProofRow {
+impl Proved {
+    /// What a verdict says by itself.
+    pub(super) fn of<T>(verdict: &Verdict<T>, pattern: Option<String>) -> Proved {
         let (verdict, reason) = match verdict {
             Verdict::Proved(_) => ("proved", None),
             Verdict::Refuted(why) => ("refuted", Some(why.clone())),
             Verdict::Undecided(why) => ("undecided", Some(why.clone())),
         };
-        ProofRow {
+        Proved {
             verdict,
             pattern,
-            solution,
             reason,
-            parameter: None,
-            width: None,
-            lower: None,
-            upper: None,
             phases: None,
             speeds: None,
             only_within: None,
@@ -194,11 +201,18 @@ impl ProofRow {
     }
 }
 
+impl ProofRow {
+    pub(super) fn of<T>(verdict: &Verdict<T>, pattern: String, solution: Vec<f64>) -> ProofRow {
+        let proved = Proved::of(verdict, Some(pattern));
+        ProofRow { proved, solution, parameter: None, width: None, lower: None, upper: None }
+    }
+}
+
 impl ValidateFindings {
     /// Adds the certificate of the row that comes next.
     pub(super) fn certify(&mut self, row: &mut ProofRow, task: &str, text: String) {
         let file = format!("{task}-{}.certificate", self.proofs.len() + 1);
-        row.certificate = Some(file.clone());
+        row.proved.certificate = Some(file.clone());
         self.certificates.push((file, text));
     }
 

@@ -83,6 +83,10 @@ impl ChaosTask {
     /// # Errors
     /// As [`Normal::of`]; also where a wall or a force depends on a parameter of the cell.
     pub fn normal(&self, scene: &Scene) -> Result<Normal> {
+        self.normal_form(scene).map_err(|error| error.context("kind \"chaos\""))
+    }
+
+    fn normal_form(&self, scene: &Scene) -> Result<Normal> {
         let cell = &self.cell.0;
         let in_cell = |name: &String| cell.iter().find(|(other, _)| other == name).map(|(_, range)| range);
         let varies = |name: &String| self.parameter.as_ref() == Some(name);
@@ -105,7 +109,7 @@ impl ChaosTask {
             let (one, other) = (lower.restitution.to_string(), upper.restitution.to_string());
             if one != other {
                 return Err(Error::input(format!(
-                    "kind \"chaos\": with a cell both walls' restitutions must be given by the same expression, not {one} and {other}, or side must say which wall is met"
+                    "with a cell both walls' restitutions must be given by the same expression, not {one} and {other}, or side must say which wall is met"
                 )));
             }
         }
@@ -118,7 +122,7 @@ impl ChaosTask {
             .chain([&system.force, &system.cubic]);
         if let Some(expression) = others.find(|expression| expression.mentions(&ranged)) {
             return Err(Error::input(format!(
-                "kind \"chaos\": {expression} depends on a parameter of the cell; only damping, stiffness and restitution may"
+                "{expression} depends on a parameter of the cell; only damping, stiffness and restitution may"
             )));
         }
         let wide = |lo: &BigRational, hi: &BigRational| {
@@ -152,7 +156,7 @@ impl ChaosTask {
             }
             let value = expression.evaluate(&intervals, &())?;
             let bounds = value.exact_bounds().map(|(lo, hi)| [lo, hi]);
-            bounds.ok_or_else(|| Error::input(format!("kind \"chaos\": {expression} is not bounded")))
+            bounds.ok_or_else(|| Error::input(format!("{expression} is not bounded")))
         });
         let [damping, stiffness, restitution] = measured;
         Normal::of(&varied, Some([damping?, stiffness?, restitution?]), self.side())

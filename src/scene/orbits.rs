@@ -16,7 +16,6 @@ use crate::{
     motion::{Side, System},
     number::parse_rational_within,
     one::orbit::{Itinerary, Orbit, Oscillator, Strike, find, search, search_obstacle},
-    search::range::RangeEffort,
     source::hint,
 };
 
@@ -238,8 +237,8 @@ keys! {
 keys! {
     /// How far a range is followed.
     pub struct RangeKeys {
-        /// legs that may be evaluated for a side, some 5 µs each
-        effort: u64 = "400000",
+        /// legs that may be evaluated for a side, some 5 µs each; without it 400000
+        effort: Option<u64>,
     }
 }
 
@@ -259,7 +258,7 @@ impl Value for RangeKey {
     fn read(entry: &Entry) -> Result<Self> {
         Ok(RangeKey(match entry.item.as_bool() {
             Some(false) => None,
-            Some(true) => Some(RangeKeys { effort: RangeEffort::default().0 }),
+            Some(true) => Some(RangeKeys { effort: None }),
             None => Some(RangeKeys::read(entry)?),
         }))
     }

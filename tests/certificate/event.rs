@@ -502,7 +502,7 @@ fn a_scene_proves_the_grazing_of_its_motion_without_impacts() {
     assert_eq!((found.proofs.len(), found.certificates.len()), (1, 1));
     let row = &found.proofs[0];
     let [from, to] = [&row.lower, &row.upper].map(|end| number(end.as_ref().unwrap()));
-    assert_eq!((row.verdict, row.pattern.as_str()), ("proved", "free 1"));
+    assert_eq!((row.proved.verdict, row.proved.pattern.as_deref()), ("proved", Some("free 1")));
     assert!(from <= number("3/4") && number("3/4") <= to && to - from < number("1e-17"));
     let checked = check(&found.certificates[0].1).unwrap();
     assert_eq!((checked.kind, checked.statement), ("event", certificate::event::STATEMENT_2));

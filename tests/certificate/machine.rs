@@ -213,7 +213,7 @@ fn chains_are_proved_and_the_simulator_follows_them() {
         let scene = Scene::from_toml(&chain(n, "2"), "chain.toml").unwrap();
         let reports = run(&scene, Surroundings::default(), &mut ()).unwrap();
         let Findings::Validate(found) = reports[0].findings.as_ref().unwrap() else { panic!() };
-        let rows: Vec<_> = found.proofs.iter().filter(|row| row.verdict == "proved").collect();
+        let rows: Vec<_> = found.proofs.iter().filter(|row| row.proved.verdict == "proved").collect();
         assert!(!rows.is_empty(), "{n}: {:?}", found.proofs);
         assert_eq!(rows.len(), found.certificates.len());
         for (row, (_, text)) in rows.iter().zip(&found.certificates) {
@@ -222,10 +222,10 @@ fn chains_are_proved_and_the_simulator_follows_them() {
             let digits = |list: &Option<Vec<String>>| -> f64 { list.as_ref().unwrap()[0].parse().unwrap() };
             // 20 digits agree with the float solution to rounding.
             assert!(
-                (digits(&row.phases) - row.solution[0]).rem_euclid(1.0).min(1.0) < 1e-9
-                    || (row.solution[0] - digits(&row.phases)).rem_euclid(1.0) < 1e-9
+                (digits(&row.proved.phases) - row.solution[0]).rem_euclid(1.0).min(1.0) < 1e-9
+                    || (row.solution[0] - digits(&row.proved.phases)).rem_euclid(1.0) < 1e-9
             );
-            assert!((digits(&row.speeds) - row.solution[1]).abs() < 1e-9 * row.solution[1]);
+            assert!((digits(&row.proved.speeds) - row.solution[1]).abs() < 1e-9 * row.solution[1]);
             follow(&scene, text);
         }
     }

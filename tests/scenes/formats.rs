@@ -4,10 +4,12 @@
 use std::{fs, path::Path};
 
 use grazing::{
+    Result,
     num_rational::BigRational,
-    run::{Surroundings, run},
+    run::{Job, Keeper, SeriesOf, SeriesPoint, StopEvent, Surroundings, run_task},
     scene::{Body, Engine, EngineKey, Scene, SceneFormat},
 };
+use serde_json::Value;
 
 /// All scenes among examples and test data.
 fn files() -> Vec<(String, String)> {
@@ -228,21 +230,81 @@ fn masses_and_rows_are_made_into_the_oscillator_exactly() {
     assert!(system.lower.is_none());
 }
 
-/// The same scene by either engine: the same motion.
+/// All that a series is kept of.
+#[derive(Default)]
+struct Kept {
+    of: Option<SeriesOf>,
+    points: Vec<f64>,
+    events: Vec<StopEvent>,
+}
+
+impl Keeper for Kept {
+    fn begin(&mut self, of: &SeriesOf) -> Result<()> {
+        self.of = Some(of.clone());
+        Ok(())
+    }
+
+    fn sample(&mut self, point: &SeriesPoint) -> Result<()> {
+        self.points.extend([point.time.periods(), point.q[0], point.u[0]]);
+        self.points.extend(point.gaps.as_flattened());
+        Ok(())
+    }
+
+    fn event(&mut self, event: &StopEvent) -> Result<()> {
+        self.events.push(*event);
+        Ok(())
+    }
+}
+
+/// The same scene by either engine: the same motion, and the same told of it, with the mass in its impulses.
 #[test]
 fn both_engines_read_one_grammar() {
     let rest = "[system]\nmass = 2\ndamping = 0.5\nstiffness = 1\ncubic = 0.25\nforce = \"0.1*u\"\nforcing = [{ cos = 3 }]\n\
                 [[stops]]\nside = \"upper\"\noffset = 0.5\nharmonics = [{ sin = 0.25 }]\nrestitution = 0.75\n\
                 [[tasks]]\nname = \"m\"\nkind = \"simulate\"\nstart = { q = 0, u = 1 }\nperiods = 3\n";
-    let ends = ["one", "many"].map(|engine| {
+    let [(one, kept), (many, other)] = ["one", "many"].map(|engine| {
         let scene = Scene::from_toml(&scene(&format!("engine = \"{engine}\"\n{rest}")), "s.toml").unwrap();
         assert_eq!(matches!(scene.body, Body::Oscillator(_)), engine == "one");
-        let report =
-            serde_json::to_value(&run(&scene, Surroundings::default(), &mut ()).unwrap()[0]).unwrap();
-        let number = |key: &str| report[key].as_f64().or(report[key][0].as_f64()).unwrap();
-        let impacts = report["impacts"].as_u64().or(report["stops"][0]["impacts"].as_u64()).unwrap();
-        (impacts, number("q"), number("u"))
+        let job = Job::new(&scene, &scene.tasks[0], Surroundings::default()).unwrap();
+        let mut kept = Kept::default();
+        (serde_json::to_value(&run_task(&job, &mut kept)).unwrap(), kept)
     });
-    let [(a, q, u), (b, p, v)] = ends;
-    assert!(a == b && a > 2 && (q - p).abs() < 1e-8 && (u - v).abs() < 1e-8, "{ends:?}");
+    let near = |a: f64, b: f64, what: &str| assert!((a - b).abs() < 1e-8, "{what}: {a} {b}");
+    for key in ["q", "u", "extent"] {
+        let numbers = |report: &Value| -> Vec<f64> {
+            report[key].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
+        };
+        assert_eq!(numbers(&one).len(), numbers(&many).len(), "{one} {many}");
+        numbers(&one).iter().zip(numbers(&many)).for_each(|(a, b)| near(*a, b, key));
+    }
+    let (row, known) = (&one["stops"][0], &many["stops"][0]);
+    assert!(row["impacts"].as_u64() > Some(2) && one["impacts"] == many["impacts"], "{one} {many}");
+    for (name, value) in row.as_object().unwrap() {
+        match value.as_f64() {
+            Some(x) => near(x, known[name].as_f64().unwrap(), name),
+            None => assert_eq!(value, &known[name], "{name}"),
+        }
+    }
+    assert_eq!(kept.of, other.of);
+    assert_eq!((kept.points.len(), kept.events.len()), (other.points.len(), other.events.len()));
+    kept.points.iter().zip(&other.points).for_each(|(a, b)| near(*a, *b, "a point"));
+    for (a, b) in kept.events.iter().zip(&other.events) {
+        assert_eq!(
+            (a.event, a.stop, a.together, a.order_matters),
+            (b.event, b.stop, b.together, b.order_matters)
+        );
+        near(a.time.periods(), b.time.periods(), "time");
+        let numbers =
+            |event: &StopEvent| [event.velocity, event.leaving, event.impulse, event.gap, event.rest];
+        for (x, y) in numbers(a).into_iter().zip(numbers(b)) {
+            assert_eq!(x.is_some(), y.is_some(), "{a:?} {b:?}");
+            x.zip(y).into_iter().for_each(|(x, y)| near(x, y, a.event));
+        }
+        let place = |event: &StopEvent| event.place.unwrap();
+        place(a).iter().zip(place(b)).for_each(|(x, y)| near(*x, y, "the stop's place"));
+        // The impulse of one impact is the mass times what the velocity changes by.
+        if let (Some(v), Some(w), Some(impulse)) = (a.velocity, a.leaving, a.impulse) {
+            near(impulse, 2.0 * (w - v), "impulse");
+        }
+    }
 }

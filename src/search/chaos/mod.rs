@@ -214,7 +214,7 @@ pub fn holds(certificate: &Certificate) -> std::result::Result<(), String> {
 
 /// What is not covered.
 fn fail<T>(message: &str) -> Result<T> {
-    Err(Error::input(format!("kind \"chaos\": {message}")))
+    Err(Error::input(message))
 }
 
 /// A certificate's decimal.

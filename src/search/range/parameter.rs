@@ -7,7 +7,7 @@
 //! this is exact; where it cannot be shown, the range is shorter or there is none.
 
 use num_rational::BigRational;
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, Zero};
 
 use crate::{
     error::{Error, Result},
@@ -22,7 +22,7 @@ pub type SystemOver<'a> = &'a dyn Fn(&BigRational, &BigRational) -> Result<Syste
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct ParameterRange {
-    /// Between these the motion without the wall touches it, once.
+    /// Between these the motion without the wall touches it, once; one number, if that is where.
     pub touch: [BigRational; 2],
     /// For every p from the touch, not included, to here, included, the depth is above 0 and at most as
     /// given, and it increases away from the touch.
@@ -58,7 +58,7 @@ impl Touching {
 }
 
 fn fail(message: &str) -> Error {
-    Error::input(format!("range: {message}"))
+    Error::input(message)
 }
 
 /// How many times a step is doubled or halved.
@@ -103,6 +103,8 @@ pub fn parameter_range(
         if on_side(&ratio(&middle)?) { hi = middle } else { lo = middle }
     }
     let touch = if lo < hi { [lo.clone(), hi.clone()] } else { [hi.clone(), lo.clone()] };
+    let short = simplest(&touch[0], &touch[1]);
+    let touch = if ratio(&short)? == one { [short.clone(), short] } else { touch };
     if !inside(&ratio(&hi)?) {
         return Ok(None);
     }
@@ -116,6 +118,21 @@ pub fn parameter_range(
         end = shorter(&hi, &end);
     }
     Ok(None)
+}
+
+/// The fraction of the least denominator from lo to hi.
+fn simplest(lo: &BigRational, hi: &BigRational) -> BigRational {
+    if hi.is_negative() {
+        return -simplest(&-hi, &-lo);
+    }
+    if !lo.is_positive() {
+        return BigRational::zero();
+    }
+    let whole = lo.floor();
+    match lo.ceil() {
+        above if above <= *hi => above,
+        _ => &whole + simplest(&(hi - &whole).recip(), &(lo - &whole).recip()).recip(),
+    }
 }
 
 /// A number about halfway.
@@ -147,4 +164,33 @@ fn farthest(
         if inside(&middle)? { good = middle } else { bad = middle }
     }
     Ok(good)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::simplest;
+    use crate::number::parse_rational;
+
+    #[test]
+    fn the_simplest_fraction_is_the_first_by_denominator() {
+        let at = |text: &str| parse_rational(text).unwrap();
+        for (lo, hi) in [
+            ("1/3", "2/5"),
+            ("0.3141", "0.3142"),
+            ("-7/5", "-4/3"),
+            ("-1", "1/7"),
+            ("22/7", "22/7"),
+            ("2.5", "9"),
+        ] {
+            let (lo, hi) = (at(lo), at(hi));
+            let least = (1..).find_map(|q: i64| {
+                let q = num_rational::BigRational::from_integer(q.into());
+                let p = (&lo * &q).ceil();
+                (&p / &q <= hi).then(|| p / q)
+            });
+            let found = simplest(&lo, &hi);
+            assert!(lo <= found && found <= hi);
+            assert_eq!(found.denom(), least.unwrap().denom(), "{lo} {hi}");
+        }
+    }
 }

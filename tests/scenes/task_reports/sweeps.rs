@@ -220,7 +220,7 @@ fn attractors_of_a_sweep_are_proved() {
         let proofs = found.sweep.as_ref().unwrap().proofs.as_ref().unwrap();
         assert_eq!((proofs.rows.len(), proofs.certificates.len(), proofs.others), (4, 4, 0), "{report}");
         for (row, (file, text)) in proofs.rows.iter().zip(&proofs.certificates) {
-            let proof = row;
+            let proof = &row.proved;
             assert_eq!(
                 (proof.verdict, proof.stable, proof.certificate.as_ref()),
                 ("proved", Some(Judgement::Yes), Some(file))

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use super::{
     super::super::{
         Job, Keeper, MeasuredEffect, SeriesOf, SeriesPoint, SeriesStop, SimulationFindings, StopEvent,
-        series::{SampledMotion, follow},
+        follow::{SampledMotion, follow},
     },
     Machines,
 };

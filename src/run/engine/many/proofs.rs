@@ -2,7 +2,7 @@
 
 use super::{
     super::super::{
-        Job, Judgement, ProofRow,
+        Job, Judgement, ProofRow, Proved,
         engine::{Proof, Prover},
         validate::digits,
     },
@@ -38,7 +38,7 @@ impl Prover<MachineOrbit> for MachineProver<'_> {
         let solution = numbers.flat_map(|(t, v)| [t, v]).collect();
         let mut row = ProofRow::of(&verdict, named(&orbit.pattern, &self.machine), solution);
         let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
-        fill(&mut row, &proof, &self.period)?;
+        fill(&mut row.proved, &proof, &self.period)?;
         Ok(Proof { row, certificate: Some(Ok(proof.text)) })
     }
 }
@@ -58,7 +58,7 @@ impl MachineProver<'_> {
 }
 
 /// What was proved, in the scene's units.
-fn fill(row: &mut ProofRow, proof: &ProvedMachineOrbit, period: &Bounds) -> Result<()> {
+fn fill(row: &mut Proved, proof: &ProvedMachineOrbit, period: &Bounds) -> Result<()> {
     let precision = Precision::new(192);
     let turn = Ball::pi(&precision) * &Ball::integer(2, &precision);
     let rate = turn / &Ball::between(&period[0], &period[1], &precision);

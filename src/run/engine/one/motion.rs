@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::{
     super::super::{
         Keeper, SeriesOf, SeriesPoint, SeriesStop, SimulationFindings, StopEvent,
-        series::{SampledMotion, follow},
+        follow::{SampledMotion, follow},
     },
     Oscillators,
 };

@@ -46,12 +46,12 @@ impl Prover<Orbit> for OrbitProver<'_> {
         let solution = guess.iter().flat_map(|impact| [turn(impact.phase), impact.velocity]).collect();
         let mut row = ProofRow::of(&verdict, pattern, solution);
         let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
-        row.phases = Some(all(&turns(&proof.phases, precision)));
-        row.speeds = Some(all(&proof.velocities));
-        row.only_within = proof.radius.to_f64();
-        row.trace = digits(&proof.trace);
-        row.det = digits(&proof.determinant);
-        row.stable = Some(match proof.stability {
+        row.proved.phases = Some(all(&turns(&proof.phases, precision)));
+        row.proved.speeds = Some(all(&proof.velocities));
+        row.proved.only_within = proof.radius.to_f64();
+        row.proved.trace = digits(&proof.trace);
+        row.proved.det = digits(&proof.determinant);
+        row.proved.stable = Some(match proof.stability {
             Some(Stability::Stable) => Judgement::Yes,
             Some(Stability::Unstable) => Judgement::No,
             None => Judgement::Marginal,
@@ -128,15 +128,15 @@ pub(super) fn events(
             }
             row.parameter = digits(&proof.parameter);
             row.width = (&hi - &lo).to_f64();
-            row.phases = Some(all(&turns(&proof.phases, &precision)));
-            row.speeds = Some(all(&proof.velocities));
-            row.only_within = proof.radius.to_f64();
+            row.proved.phases = Some(all(&turns(&proof.phases, &precision)));
+            row.proved.speeds = Some(all(&proof.velocities));
+            row.proved.only_within = proof.radius.to_f64();
             match family_of().and_then(|system| orbit::event_certificate(&system, name, &proof)) {
                 Ok((text, [lower, upper])) => {
                     (row.lower, row.upper) = (Some(lower), Some(upper));
                     found.certify(&mut row, &job.task.name, text);
                 }
-                Err(error) => row.no_certificate = Some(error.to_string()),
+                Err(error) => row.proved.no_certificate = Some(error.to_string()),
             }
             known.push((lo + hi) / BigRational::from_integer(2.into()));
         }

@@ -59,7 +59,8 @@ pub(super) fn ranges(
     let touching =
         functions(point, &(at - unit), &(at + unit)).and_then(|system| Touching::of(&system, None));
     let touching = match touching {
-        Ok(touching) => touching,
+        Ok(touching) if touching.parameters[2].is_positive() => touching,
+        Ok(_) => return Ok(Err("ranges are proved for a restitution above 0".into())),
         Err(error) => return Ok(Err(error.to_string())),
     };
     let near = Near { point, effort, touching, start };
@@ -119,8 +120,8 @@ impl Near<'_> {
 
     /// A proof over depths as one over the parameter.
     fn proved(&self, behind: bool, proof: RangeProof) -> Result<SideRange> {
-        let ([at, unit], system) =
-            (&self.start, |from: &BigRational, to: &BigRational| functions(self.point, from, to));
+        let [at, unit] = &self.start;
+        let system = |from: &BigRational, to: &BigRational| functions(self.point, from, to);
         let reason = Some(why(&proof.end, self.effort));
         let row = match parameter_range(&system, None, [at, unit], &proof.depth, behind) {
             Err(error) if error.is_interrupted() => return Err(error),
@@ -129,13 +130,15 @@ impl Near<'_> {
                 let why = "the depth is not shown to increase with the parameter from the touch on";
                 RangeRow::open(behind, "undecided", Some(why.into()))
             }
+            Ok(Some(range)) if range.touch[0].is_positive() != range.touch[1].is_positive() => {
+                RangeRow::open(behind, "undecided", Some("the touch is not told from 0".into()))
+            }
             Ok(Some(range)) => {
                 let [lo, hi] = &range.touch;
                 let inner = if range.end > *hi { hi } else { lo };
                 let width = (&range.end - inner) / inner.abs().max(unit.clone());
                 RangeRow {
-                    touch: certain_digits(lo, hi, 17)
-                        .or_else(|| Some(format!("{:?}", self.point.event.parameter))),
+                    touch: certain_digits(lo, hi, 17),
                     end: Some(inwards(&range.end, inner, DIGITS)),
                     share: width.abs().to_f64().filter(|_| inner.abs() > *unit),
                     depth: Some(proof.depth.to_string()),

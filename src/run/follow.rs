@@ -1,0 +1,68 @@
+//! How a motion is followed for its time series: a transient passes, then it goes from one point to the next.
+
+use std::f64::consts::TAU;
+
+use crate::{
+    error::Result,
+    monitor::Monitor,
+    motion::{RunEnd, Time},
+    scene::simulate::SimulateTask,
+};
+
+/// A motion whose points and events are kept.
+pub(super) trait SampledMotion {
+    /// Periods between two looks at whether to go on.
+    const CHUNK: u64;
+
+    /// Passes to a time, keeping nothing.
+    fn pass(&mut self, until: Time) -> RunEnd;
+
+    /// Follows the motion to a time, keeping its events.
+    ///
+    /// # Errors
+    /// The keeper's.
+    fn record(&mut self, until: Time) -> Result<RunEnd>;
+
+    /// Keeps the point where the motion is.
+    ///
+    /// # Errors
+    /// The keeper's.
+    fn sample(&mut self, at: Time) -> Result<()>;
+}
+
+/// Follows a motion that begins at `phase` through the transient and the periods of a task; the end is why it
+/// was followed no farther, [`RunEnd::Reached`] if all of it was.
+///
+/// # Errors
+/// The motion's; the monitor's.
+pub(super) fn follow<M: SampledMotion>(
+    task: &SimulateTask,
+    phase: f64,
+    motion: &mut M,
+    monitor: &dyn Monitor,
+) -> Result<RunEnd> {
+    let (mut end, mut passed) = (RunEnd::Reached, 0);
+    while passed < task.transient && end == RunEnd::Reached {
+        let next = (passed + M::CHUNK).min(task.transient);
+        end = motion.pass(Time::new(next as i64, phase));
+        monitor.advance(next - passed)?;
+        passed = next;
+    }
+    let samples = u64::from(task.samples);
+    for sample in 0..=u64::from(task.periods) * samples {
+        if end != RunEnd::Reached {
+            break;
+        }
+        let (period, part) = (sample / samples, sample % samples);
+        if part == 0 && period > 0 && period.is_multiple_of(M::CHUNK) {
+            monitor.advance(M::CHUNK)?;
+        }
+        let until =
+            Time::new((task.transient + period) as i64, phase + TAU * part as f64 / f64::from(task.samples));
+        end = motion.record(until)?;
+        if end == RunEnd::Reached {
+            motion.sample(until)?;
+        }
+    }
+    Ok(end)
+}
