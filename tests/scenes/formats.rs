@@ -267,7 +267,7 @@ fn both_engines_read_one_grammar() {
         assert_eq!(matches!(scene.body, Body::Oscillator(_)), engine == "one");
         let job = Job::new(&scene, &scene.tasks[0], Surroundings::default()).unwrap();
         let mut kept = Kept::default();
-        (serde_json::to_value(&run_task(&job, &mut kept)).unwrap(), kept)
+        (serde_json::to_value(run_task(&job, &mut kept)).unwrap(), kept)
     });
     let near = |a: f64, b: f64, what: &str| assert!((a - b).abs() < 1e-8, "{what}: {a} {b}");
     for key in ["q", "u", "extent"] {
