@@ -4,7 +4,7 @@ mod common;
 
 use std::{fs, path::Path, process::Command};
 
-use common::{CHAOS_12, RANGE_1, RANGE_12, RANGE_13, answer, rejected, with};
+use common::{CHAOS_12, RANGE_1, RANGE_12, RANGE_13, answer, nth, rejected, with};
 use grazing_check::range::STATEMENT;
 
 #[test]
@@ -31,19 +31,6 @@ fn what_is_written_passes_and_is_named() {
         let said = answer(text).unwrap().to_string();
         assert!(said.starts_with("proved, range of chaos\n  claim: chaos: paths branch"), "{said}");
     }
-}
-
-/// The text with the `at`-th line that begins so (from 0) in place of another.
-fn nth(text: &str, start: &str, at: usize, line: &str) -> String {
-    let mut seen = 0;
-    let lines = text.lines().map(|old| {
-        let here = old.starts_with(start) && seen == at;
-        seen += usize::from(old.starts_with(start));
-        if here { line } else { old }
-    });
-    let all: Vec<&str> = lines.collect();
-    assert!(seen > at, "{start}: line {at} is not there");
-    all.join("\n") + "\n"
 }
 
 /// README's machine at a touch: one letter, one cell.

@@ -373,7 +373,7 @@ fn asked_for_ranges(
     let mut certificates = Vec::new();
     let keep = |SideRange { mut row, text }| {
         if let Some(text) = text {
-            let file = format!("{}-{}.certificate", job.task.name, row.side);
+            let file = format!("{}-{}.certificate", job.task.name, row.ending());
             row.certificate = Some(file.clone());
             certificates.push((file, text));
         }

@@ -17,6 +17,9 @@ row! {
         pub side: &'static str,
         /// "proved", "nothing born" or "undecided".
         pub verdict: &'static str,
+        /// Of what: "all" that is certain to be born there; "part", all but one letter, and what needs it,
+        /// where that goes farther; "orbit", of one impact.
+        pub of: &'static str,
         /// The periods of the graph whose paths are motions.
         pub periods: Vec<u64>,
         /// Whether this is the whole graph that is born there.
@@ -29,12 +32,26 @@ row! {
         pub share: Option<f64>,
         /// ν there is at most this, exactly.
         pub depth: Option<String>,
+        /// Where nothing is born: within so many periods of the forcing every motion, in whatever state it
+        /// begins, meets the stop farther from the touch than `zone`.
+        pub leaves: Option<u64>,
+        /// How far, in fractions of the period, from ν = 1/100 on; less below it.
+        pub zone: Option<f64>,
         /// Why it goes no further, or why nothing is proved.
         pub reason: Option<String>,
         /// The file of its certificate.
         pub certificate: Option<String>,
     }
 }
+
+/// Two of the verdicts.
+pub(crate) const PROVED: &str = "proved";
+pub(crate) const NOTHING: &str = "nothing born";
+
+/// What a row is of.
+pub(crate) const ALL: &str = "all";
+pub(crate) const PART: &str = "part";
+pub(crate) const ORBIT: &str = "orbit";
 
 /// What is proved of one side.
 pub(crate) struct SideRange {
@@ -50,14 +67,26 @@ impl RangeRow {
         RangeRow {
             side: if behind { "beyond" } else { "before" },
             verdict,
+            of: ALL,
             periods: Vec::new(),
             whole: false,
             touch: None,
             end: None,
             share: None,
             depth: None,
+            leaves: None,
+            zone: None,
             reason,
             certificate: None,
+        }
+    }
+
+    /// What its certificate's name ends with.
+    pub(super) fn ending(&self) -> String {
+        match (self.of, &self.periods[..]) {
+            (ORBIT, [n]) => format!("{}-{n}", self.side),
+            (PART, _) => format!("{}-part", self.side),
+            _ => self.side.to_string(),
         }
     }
 
@@ -67,25 +96,47 @@ impl RangeRow {
 
     pub(super) fn lines(&self, varied: &str, lines: &mut Lines) {
         let (side, reason) = (self.side, self.reason.as_deref().unwrap_or_default());
+        let periods: Vec<String> = self.periods.iter().map(u64::to_string).collect();
+        let orbit = format!("the orbit of one impact in {} periods", periods.join(", "));
+        let orbit = if self.periods == [1] { "the orbit of one impact a period".into() } else { orbit };
         let (Some(touch), Some(end)) = (&self.touch, &self.end) else {
-            let why =
-                if self.is_undecided() { format!("none proved: {reason}") } else { "nothing is born".into() };
+            let of = if self.of == ORBIT { format!(" of {orbit}") } else { String::new() };
+            let why = match self.verdict {
+                "undecided" => format!("none proved{of}: {reason}"),
+                _ if reason.is_empty() => "nothing is born".into(),
+                _ => format!("nothing is born; that no motion stays near is not proved: {reason}"),
+            };
             return lines.say("range", format!("{side} the touch, {why}"));
         };
-        let periods: Vec<String> = self.periods.iter().map(u64::to_string).collect();
         let above = if self.ends_above() {
             format!("{touch} < {varied} <= {end}")
         } else {
             format!("{end} <= {varied} < {touch}")
         };
         let part = self.share.map_or(String::new(), |share| format!(" ({:.2} %)", 100.0 * share));
-        let which = if self.whole { "" } else { ", a part of those that are born," };
+        if let (Some(periods), Some(zone)) = (self.leaves, self.zone) {
+            lines.say(
+                "range",
+                format!(
+                    "{side} the touch, nothing is born; proved for {above}{part}: within {periods} periods every motion meets the stop more than {zone:.4} periods from the phase of the touch (less for nu < 1/100)"
+                ),
+            );
+            lines.say("range_ends", reason);
+            return lines.say_known("certificate", &self.certificate);
+        }
+        let which = match self.of {
+            _ if self.whole => "",
+            PART => ", the part that goes farther,",
+            _ => ", a part of those that are born,",
+        };
+        let what = if self.of == ORBIT {
+            orbit
+        } else {
+            format!("every path of the graph of the periods {}{which}", periods.join(", "))
+        };
         lines.say(
             "range",
-            format!(
-                "{side} the touch, proved for {above}{part}: every path of the graph of the periods {}{which} is exactly one motion",
-                periods.join(", ")
-            ),
+            format!("{side} the touch, proved for {above}{part}: {what} is exactly one motion"),
         );
         lines.say("range_ends", reason);
         lines.say_known("certificate", &self.certificate);

@@ -1,6 +1,6 @@
 //! Ranges of random oscillators from their touch on, against where their orbits of one impact end in floats.
-//! `GRAZING_TRIALS=60 cargo test --test certificate range_random -- --nocapture` prints the table of
-//! docs/ranges.md.
+//! A sample for `cargo test`; `benches/ranges.rs` makes the table of docs/ranges.md, against words of several
+//! impacts.
 
 use std::f64::consts::TAU;
 

@@ -1,9 +1,7 @@
 //! The checker's arithmetic against known digits and rational numbers; its derivatives against differences.
 
 use super::{
-    Interval,
-    only::ends,
-    proof,
+    Interval, proof,
     text::{Certificate, read},
     words::detail,
 };
@@ -11,6 +9,7 @@ use crate::{
     lines::Lines,
     touch::{
         flow::{EXPONENTIALS, Flow, circle},
+        near::ends,
         wall::Wall,
     },
 };

@@ -10,6 +10,7 @@ use crate::{
     touch::{
         flow::Matrix,
         legs::{Cell, Parts},
+        near::Near,
     },
 };
 
@@ -92,6 +93,11 @@ impl<'a> Work<'a> {
     /// E over so many periods, or half periods.
     pub fn turns(&self, periods: u64) -> Matrix {
         self.turns[periods as usize]
+    }
+
+    /// Motions near, with strengths from these, cut into so many parts; their legs are as long as E is known.
+    pub fn near(&self, strengths: Interval, parts: u64) -> Near<'_> {
+        Near { cell: &self.cell, turns: &self.turns, strengths, parts }
     }
 
     /// The s of all impacts between two letters.

@@ -1,13 +1,14 @@
-//! A linear oscillator with a rigid wall, near the touch: what certificates of kinds `chaos` and `range` are
-//! about, in the normal form of `docs/chaos.md`.
+//! A linear oscillator with a rigid wall, near the touch: what certificates of kinds `chaos`, `range` and
+//! `nothing` are about, in the normal form of `docs/chaos.md`.
 //!
 //! The free motion is `flow`, the wall `wall`, impacts and the legs between them `legs`, the graph of letters
-//! `graph`; `text` reads what both kinds write alike. What is proved of all this is said and done by the
-//! kinds.
+//! `graph`, what motions near the touch can do `near`; `text` reads what the kinds write alike. What is
+//! proved of all this is said and done by the kinds.
 
 pub(crate) mod flow;
 pub(crate) mod graph;
 pub(crate) mod legs;
+pub(crate) mod near;
 pub(crate) mod text;
 pub(crate) mod wall;
 

@@ -18,6 +18,7 @@ pub const CHAOS_MIRRORED_BEFORE: &str = include_str!("../data/chaos-mirrored-bef
 pub const RANGE_1: &str = include_str!("../data/range-1.txt");
 pub const RANGE_12: &str = include_str!("../data/range-12.txt");
 pub const RANGE_13: &str = include_str!("../data/range-13.txt");
+pub const NOTHING: &str = include_str!("../data/nothing.txt");
 pub const WORD: &str = include_str!("../data/word.txt");
 pub const ENTROPY: &str = include_str!("../data/entropy.txt");
 pub const WORD_BY_THEOREM: &str = include_str!("../data/word-by-theorem.txt");
@@ -36,6 +37,131 @@ pub fn with(text: &str, start: &str, lines: &str) -> String {
     let at = text.lines().position(|line| line.starts_with(start)).expect("the line is there");
     let all = text.lines().enumerate().map(|(i, line)| if i == at { lines } else { line });
     all.filter(|line| !line.is_empty()).map(|line| format!("{line}\n")).collect()
+}
+
+/// The text with the `at`-th line that begins so (from 0) in place of another.
+pub fn nth(text: &str, start: &str, at: usize, line: &str) -> String {
+    let mut seen = 0;
+    let lines = text.lines().map(|old| {
+        let here = old.starts_with(start) && seen == at;
+        seen += usize::from(old.starts_with(start));
+        if here { line } else { old }
+    });
+    let all: Vec<&str> = lines.collect();
+    assert!(seen > at, "{start}: line {at} is not there");
+    all.join("\n") + "\n"
+}
+
+/// A fraction or a decimal.
+pub fn float(word: &str) -> f64 {
+    match word.split_once('/') {
+        Some((p, q)) => p.parse::<f64>().unwrap() / q.parse::<f64>().unwrap(),
+        None => word.parse().unwrap(),
+    }
+}
+
+/// E₁₁, E₁₂, E₂₁, E₂₂ of q″ = −c q′ − k q over a time.
+pub fn flow([c, k]: [f64; 2], t: f64) -> [f64; 4] {
+    let d = k - c * c / 4.0;
+    let (wave, sine) = match d {
+        d if d > 1e-12 => ((d.sqrt() * t).cos(), (d.sqrt() * t).sin() / d.sqrt()),
+        d if d < -1e-12 => (((-d).sqrt() * t).cosh(), ((-d).sqrt() * t).sinh() / (-d).sqrt()),
+        _ => (1.0, t),
+    };
+    let decay = (-c * t / 2.0).exp();
+    let (a, b) = (decay * (wave + c / 2.0 * sine), decay * sine);
+    [a, b, -k * b, a - c * b]
+}
+
+/// Numbers that look random, the same in every run (Knuth's MMIX generator).
+pub struct Random(pub u64);
+
+impl Random {
+    /// From 0 to `below` − 1.
+    pub fn below(&mut self, below: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        ((u128::from(self.0 >> 16) * below as u128) >> 48) as usize
+    }
+
+    /// From 0 to 1.
+    pub fn part(&mut self) -> f64 {
+        self.below(1 << 30) as f64 / f64::from(1 << 30)
+    }
+}
+
+/// Σ xᵢ columnᵢ = right.
+pub fn eliminate(mut columns: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
+    let n = right.len();
+    for i in 0..n {
+        let pivot = (i..n).max_by(|&a, &b| columns[i][a].abs().total_cmp(&columns[i][b].abs()))?;
+        columns.iter_mut().for_each(|column| column.swap(i, pivot));
+        right.swap(i, pivot);
+        if columns[i][i] == 0.0 {
+            return None;
+        }
+        for row in i + 1..n {
+            let factor = columns[i][row] / columns[i][i];
+            columns.iter_mut().for_each(|column| column[row] -= factor * column[i]);
+            right[row] -= factor * right[i];
+        }
+    }
+    for i in (0..n).rev() {
+        right[i] /= columns[i][i];
+        for row in 0..i {
+            right[row] -= columns[i][row] * right[i];
+        }
+    }
+    Some(right)
+}
+
+/// One damage: a word replaced, or a line moved, lost or doubled.
+pub fn damage(random: &mut Random, text: &str) -> String {
+    let mut lines: Vec<String> = text.lines().map(String::from).collect();
+    let at = 3 + random.below(lines.len() - 3);
+    match random.below(12) {
+        0 => drop(lines.remove(at)),
+        1 => lines.insert(at, lines[at].clone()),
+        2 => {
+            let other = 3 + random.below(lines.len() - 3);
+            lines.swap(at, other);
+        }
+        _ => {
+            let mut words: Vec<String> = lines[at].split(' ').map(String::from).collect();
+            let j = random.below(words.len());
+            words[j] = changed(random, &words[j], &lines);
+            lines[at] = words.join(" ");
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+/// Another word: a digit changed, the sign, nearby by a thousandth or a tenth, or a word from elsewhere.
+fn changed(random: &mut Random, word: &str, lines: &[String]) -> String {
+    let short = |x: f64| {
+        let text = format!("{x:.9}");
+        text.trim_end_matches('0').trim_end_matches('.').to_string()
+    };
+    match (random.below(6), word.parse::<f64>()) {
+        (0, _) => word.strip_prefix('-').map_or(format!("-{word}"), String::from),
+        (1 | 2, Ok(x)) => {
+            let size = [1e-4, 1e-3, 1e-2, 1e-1, 1.0][random.below(5)];
+            short(x + (random.below(2001) as f64 - 1000.0) / 1000.0 * size * x.abs().max(1e-3))
+        }
+        (3, _) => {
+            let line = &lines[3 + random.below(lines.len() - 3)];
+            let words: Vec<&str> = line.split(' ').collect();
+            words[random.below(words.len())].to_string()
+        }
+        _ => {
+            let digits: Vec<usize> =
+                word.bytes().enumerate().filter(|(_, byte)| byte.is_ascii_digit()).map(|(i, _)| i).collect();
+            if digits.is_empty() {
+                return format!("{word}1");
+            }
+            let at = digits[random.below(digits.len())];
+            format!("{}{}{}", &word[..at], random.below(10), &word[at + 1..])
+        }
+    }
 }
 
 /// The text with the digest that belongs to its system.

@@ -59,7 +59,7 @@ pub fn born(
 }
 
 /// What is left of a graph where every letter is followed and preceded, its letters by increasing periods.
-fn endless(mut graph: LetterGraph) -> Option<LetterGraph> {
+pub(super) fn endless(mut graph: LetterGraph) -> Option<LetterGraph> {
     let mut order: Vec<usize> = (0..graph.letters.len()).collect();
     order.sort_by_key(|&v| graph.letters[v]);
     graph = sorted(graph.part(&order));

@@ -32,9 +32,14 @@ pub(super) struct Budget {
 }
 
 impl Budget {
-    fn take(&mut self, legs: u64) -> Option<()> {
+    pub fn take(&mut self, legs: u64) -> Option<()> {
         self.spent += legs;
         (self.spent <= self.most).then_some(())
+    }
+
+    /// Whether no more is allowed.
+    pub fn is_spent(&self) -> bool {
+        self.spent >= self.most
     }
 }
 

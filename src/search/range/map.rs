@@ -82,6 +82,11 @@ impl Edges {
         }
         Edges { letters, edges, legs }
     }
+
+    /// No edges.
+    pub fn none() -> Edges {
+        Edges { letters: Vec::new(), edges: Vec::new(), legs: Vec::new() }
+    }
 }
 
 impl Oscillator {
@@ -101,6 +106,11 @@ impl Oscillator {
 }
 
 impl Depths {
+    /// The trace and the determinant of E(2π).
+    pub fn invariants(&self) -> [Span; 2] {
+        self.cell.invariants()
+    }
+
     /// The strengths at depth 0 of the impacts of each edge, which do not depend on their neighbours.
     pub fn born(&self, edges: &Edges) -> Option<Vec<f64>> {
         let still = self.cell.impact(Span::point(0.0))?;

@@ -3,9 +3,10 @@
 //!
 //! docs/ranges.md has the theorem. [`prove`] follows the motions cell by cell: ranges of strengths that the
 //! map keeps are found in plain floats (`map`, `close`), and the checker judges each cell. What is proved is
-//! what it accepts as a whole. Which graph is born at the
-//! touch says [`born`]. Which values of a machine's
-//! parameter have these depths says [`parameter_range`]. Not here: reports.
+//! what it accepts as a whole. Which graph is born at the touch says [`born`]; where that is nothing,
+//! [`prove_nothing`] proves that no motion stays near; what of it goes farther than all of it,
+//! [`single_orbits`] and [`prove_farther`]. Which values of a machine's parameter have these depths says
+//! [`parameter_range`]. Not here: reports.
 //!
 //! ```
 //! use grazing::certificate;
@@ -30,7 +31,9 @@
 mod born;
 mod close;
 mod map;
+mod nothing;
 mod parameter;
+mod parts;
 mod write;
 
 use num_rational::BigRational;
@@ -38,7 +41,9 @@ use num_traits::ToPrimitive;
 
 pub use self::{
     born::{Born, born},
+    nothing::{NothingProblem, NothingProof, prove_nothing},
     parameter::{ParameterRange, SystemOver, Touching, parameter_range},
+    parts::{prove_farther, single_orbits},
 };
 use self::{
     close::{Budget, Closed, close},
@@ -172,14 +177,11 @@ struct Search<'a> {
 
 impl<'a> Search<'a> {
     fn new(problem: &'a RangeProblem, effort: RangeEffort) -> Result<Search<'a>> {
-        let float = |x: &BigRational| x.to_f64().unwrap_or(f64::NAN);
-        let parameters = problem.ranges.each_ref().map(|[lo, hi]| Span::new(float(lo), float(hi)));
-        let side = if problem.behind { 1.0 } else { -1.0 };
-        let profile = std::rc::Rc::new(Profile::new(&problem.harmonics));
-        let window = window(&profile);
+        let oscillator = oscillator(&problem.ranges, problem.behind, &problem.harmonics);
+        let window = window(&oscillator.profile);
         Ok(Search {
             problem,
-            oscillator: Oscillator { parameters, side, profile },
+            oscillator,
             edges: Edges::new(&problem.graph),
             certificate: write::head(problem, window)?,
             budget: Budget { spent: 0, most: effort.0 },
@@ -214,7 +216,7 @@ impl<'a> Search<'a> {
                 }
                 Some(end) => end,
             };
-            if self.budget.spent >= self.budget.most {
+            if self.budget.is_spent() {
                 return Ok(RangeEnd::Work);
             }
             step = 0.5 * step.min(next - self.depth);
@@ -261,6 +263,14 @@ impl<'a> Search<'a> {
         }
         Ok(Err(reason))
     }
+}
+
+/// The oscillator in floats.
+fn oscillator(ranges: &[[BigRational; 2]; 3], behind: bool, harmonics: &[Term]) -> Oscillator {
+    let float = |x: &BigRational| x.to_f64().unwrap_or(f64::NAN);
+    let parameters = ranges.each_ref().map(|[lo, hi]| Span::new(float(lo), float(hi)));
+    let side = if behind { 1.0 } else { -1.0 };
+    Oscillator { parameters, side, profile: std::rc::Rc::new(Profile::new(harmonics)) }
 }
 
 /// A window on which the wall is convex.

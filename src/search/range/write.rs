@@ -5,15 +5,15 @@ use num_rational::BigRational;
 use super::{RangeProblem, close::Closed};
 use crate::{
     certificate::range::{Cell, Certificate, Decimal, Edge, Fraction, Harmonic, Letter},
-    error::{Error, Result},
+    error::Result,
     search::chaos::{
-        LetterGraph,
+        LetterGraph, Term,
         write::{decimal, fraction, places},
     },
 };
 
 /// Into how many pieces a window and a time between are cut.
-const PIECES: u64 = 32;
+pub(super) const PIECES: u64 = 32;
 
 /// No greater contraction is written.
 const MOST: f64 = 0.999;
@@ -37,24 +37,35 @@ fn rates(graph: &LetterGraph) -> (f64, f64, Vec<f64>) {
     (low.max(1.0), rate + margin, vector)
 }
 
+fn fractions([lo, hi]: &[BigRational; 2]) -> Result<[Fraction; 2]> {
+    Ok([fraction(lo)?, fraction(hi)?])
+}
+
+/// The ranges of c, k, τ.
+pub(super) fn ranges(
+    [damping, stiffness, restitution]: &[[BigRational; 2]; 3],
+) -> Result<[[Fraction; 2]; 3]> {
+    Ok([fractions(damping)?, fractions(stiffness)?, fractions(restitution)?])
+}
+
+/// The wall's harmonics.
+pub(super) fn harmonics(all: &[Term]) -> Result<Vec<Harmonic>> {
+    all.iter()
+        .map(|(order, [a, b])| Ok(Harmonic { order: *order, parts: [fractions(a)?, fractions(b)?] }))
+        .collect()
+}
+
 /// All but the cells.
 pub(super) fn head(problem: &RangeProblem, window: f64) -> Result<Certificate> {
     let (low, high, vector) = rates(&problem.graph);
-    let fractions =
-        |[lo, hi]: &[BigRational; 2]| -> Result<[Fraction; 2]> { Ok([fraction(lo)?, fraction(hi)?]) };
-    let ranges = problem.ranges.iter().map(fractions).collect::<Result<Vec<_>>>()?;
-    let harmonics = problem
-        .harmonics
-        .iter()
-        .map(|(order, [a, b])| Ok(Harmonic { order: *order, parts: [fractions(a)?, fractions(b)?] }));
     let graph = &problem.graph;
     let letters = graph.letters.iter().zip(&graph.next).zip(vector).map(|((&periods, next), growth)| {
         Ok(Letter { periods, growth: decimal(growth, 13)?, next: next.clone() })
     });
     Ok(Certificate {
-        ranges: ranges.try_into().map_err(|_| Error::input("three ranges"))?,
+        ranges: ranges(&problem.ranges)?,
         behind: problem.behind,
-        harmonics: harmonics.collect::<Result<_>>()?,
+        harmonics: harmonics(&problem.harmonics)?,
         window: decimal(window, 3)?,
         pieces: PIECES,
         letters: letters.collect::<Result<_>>()?,
@@ -76,8 +87,12 @@ pub(super) fn cell(closed: &Closed, depth: f64) -> Result<Cell> {
             weight: decimal(closed.weights[edge], 12)?,
         })
     });
-    let (p, q) = parts(depth);
-    Ok(Cell { depth: Fraction { p, q }, parts: closed.parts, steps: 0, edges: edges.collect::<Result<_>>()? })
+    Ok(Cell {
+        depth: depth_fraction(depth),
+        parts: closed.parts,
+        steps: 0,
+        edges: edges.collect::<Result<_>>()?,
+    })
 }
 
 /// A decimal of about seven digits.
@@ -89,6 +104,12 @@ fn short(x: f64) -> Result<Decimal> {
 pub(super) fn depth(x: f64) -> f64 {
     let (p, q) = parts(x);
     p as f64 / q as f64
+}
+
+/// The same as a fraction.
+pub(super) fn depth_fraction(x: f64) -> Fraction {
+    let (p, q) = parts(x);
+    Fraction { p, q }
 }
 
 fn parts(x: f64) -> (i128, i128) {

@@ -14,8 +14,8 @@ use crate::{
 enum Ending {
     /// This.
     Fixed(&'static str),
-    /// A minus, a number and this.
-    Numbered(&'static str),
+    /// The first, a minus, a number and the second.
+    Numbered(&'static str, &'static str),
     /// That of a picture.
     Picture,
     /// A minus, a number and that.
@@ -37,7 +37,7 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             Fixed("-windows.csv"),
             Fixed("-jumps.csv"),
             Fixed("-proofs.csv"),
-            Numbered(".certificate"),
+            Numbered("", ".certificate"),
             State(".checkpoint"),
         ],
         Kind::DiagramTask(task) if task.sweep.is_some() => {
@@ -50,15 +50,19 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             Fixed("-seen.csv"),
             Fixed("-proofs.csv"),
             Fixed("-before.certificate"),
+            Fixed("-before-part.certificate"),
+            Numbered("-before", ".certificate"),
             Fixed("-beyond.certificate"),
-            Numbered(".certificate"),
+            Fixed("-beyond-part.certificate"),
+            Numbered("-beyond", ".certificate"),
+            Numbered("", ".certificate"),
         ],
         Kind::GrazingTask(_) => &[Fixed(".csv"), Fixed("-seen.csv")],
         Kind::BranchTask(_) => {
-            &[Fixed(".json"), Numbered(".json"), Picture, Fixed(".csv"), Fixed("-points.csv")]
+            &[Fixed(".json"), Numbered("", ".json"), Picture, Fixed(".csv"), Fixed("-points.csv")]
         }
         Kind::CrisisTask(_) => &[Fixed(".csv"), Fixed("-simulated.csv")],
-        Kind::ValidateTask(_) => &[Fixed(".csv"), Numbered(".certificate")],
+        Kind::ValidateTask(_) => &[Fixed(".csv"), Numbered("", ".certificate")],
         Kind::ChaosTask(_) => &[Fixed(".csv"), Fixed(".certificate")],
     }
 }
@@ -104,7 +108,9 @@ pub(super) fn task(
             Ending::Fixed(end) => one(end, FileUse::Write),
             Ending::State(end) => one(end, FileUse::Continue),
             Ending::Picture => one(&picture, FileUse::Write),
-            Ending::Numbered(end) => files.claim_series(&role, folder, &task.name, end),
+            Ending::Numbered(first, end) => {
+                files.claim_series(&role, folder, &format!("{}{first}", task.name), end)
+            }
             Ending::Pictures => files.claim_series(&role, folder, &task.name, &picture),
         }
         .map_err(clashes)?;

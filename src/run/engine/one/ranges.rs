@@ -1,10 +1,12 @@
 //! How far from the touch of the motion without impacts what is born goes on, proved: for the task `grazing`.
 
+use std::f64::consts::TAU;
+
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
 use super::{
-    super::super::range::{RangeRow, SideRange, inwards, why},
+    super::super::range::{ALL, NOTHING, ORBIT, PART, PROVED, RangeRow, SideRange, inwards, why},
     grazing::OscillatorGrazing,
 };
 use crate::{
@@ -12,8 +14,11 @@ use crate::{
     motion::System,
     number::{Real, certain_digits},
     search::{
-        chaos::RationalFunction,
-        range::{Born, RangeEffort, RangeProblem, RangeProof, Touching, born, parameter_range, prove},
+        chaos::{LetterGraph, RationalFunction, Term},
+        range::{
+            Born, NothingProblem, NothingProof, RangeEffort, RangeEnd, RangeProblem, RangeProof, Touching,
+            born, parameter_range, prove, prove_farther, prove_nothing, single_orbits,
+        },
     },
 };
 
@@ -23,6 +28,8 @@ const LONGEST: u64 = 30;
 const DEEPEST: [f64; 2] = [4.0, 0.999];
 /// A small step of the parameter: it opens the gap by this part of the motion's size.
 const STEP: f64 = 1e-6;
+/// Of the effort of all that is born, what each orbit of one impact has of its own.
+const SHARE: u64 = 4;
 /// Digits of ends.
 const DIGITS: i32 = 12;
 
@@ -35,7 +42,8 @@ struct Near<'a> {
     start: [BigRational; 2],
 }
 
-/// Both sides, before the touch first; or why no range is looked for.
+/// Both sides, before the touch first, of each first what is proved of all that is born, then of a part that
+/// goes farther, then of each orbit of one impact; or why no range is looked for.
 ///
 /// # Errors
 /// An interruption.
@@ -64,7 +72,8 @@ pub(super) fn ranges(
         Err(error) => return Ok(Err(error.to_string())),
     };
     let near = Near { point, effort, touching, start };
-    [false, true].into_iter().map(|behind| near.side(behind)).collect::<Result<_>>().map(Ok)
+    let sides = [near.side(false)?, near.side(true)?];
+    Ok(Ok(sides.into_iter().flatten().collect()))
 }
 
 /// The scene's system for all values of the task's parameter above one number, up to another.
@@ -86,52 +95,107 @@ fn functions(
 }
 
 impl Near<'_> {
-    fn side(&self, behind: bool) -> Result<SideRange> {
+    fn side(&self, behind: bool) -> Result<Vec<SideRange>> {
         let open = |verdict, reason: Option<&str>| {
             let row = RangeRow::open(behind, verdict, reason.map(String::from));
-            Ok(SideRange { row, text: None })
+            Ok(vec![SideRange { row, text: None }])
         };
         let [damping, stiffness, _] = &self.touching.parameters;
         let (graph, whole) = match born([damping, stiffness], behind, LONGEST, self.point.job.monitor)? {
             None => return open("undecided", Some("the word theorem does not apply")),
-            Some(Born { graph: None, whole: true }) => return open("nothing born", None),
+            Some(Born { graph: None, whole: true }) if behind => return Ok(vec![self.nothing()?]),
+            Some(Born { graph: None, whole: true }) => return open(NOTHING, None),
             Some(Born { graph: None, whole: false }) => {
                 return open("undecided", Some("it is not decided what is born"));
             }
             Some(Born { graph: Some(graph), whole }) => (graph, whole),
         };
-        let periods = graph.letters.clone();
-        let [one, zero] = [1, 0].map(|n| BigRational::from_integer(n.into()));
-        let both = |x: &BigRational| [x.clone(), x.clone()];
         let problem = RangeProblem {
-            ranges: self.touching.parameters.each_ref().map(both),
+            ranges: self.ranges(),
             behind,
-            harmonics: vec![(1, [both(&one), both(&zero)])],
+            harmonics: cosine(),
             graph,
             deepest: DEEPEST[usize::from(behind)],
         };
-        let mut found = match prove(&problem, self.effort, self.point.job.monitor)? {
-            Ok(proof) => self.proved(behind, proof)?,
-            Err(end) => return open("undecided", Some(&why(&end, self.effort))),
+        let monitor = self.point.job.monitor;
+        let part = RangeEffort(self.effort.0 / SHARE);
+        let found = prove(&problem, self.effort, monitor)?;
+        let depth = found.as_ref().map_or(0.0, |proof| proof.depth.to_f64().unwrap_or(0.0));
+        let mut all = vec![self.judged(behind, (ALL, &problem.graph, whole), found, self.effort)?];
+        if let Some((graph, proof)) = prove_farther(&problem, depth, self.effort, monitor)? {
+            all.push(self.judged(behind, (PART, &graph, false), Ok(proof), self.effort)?);
+        }
+        for graph in single_orbits(&problem.graph) {
+            let alone = RangeProblem { graph, ..problem.clone() };
+            let found = prove(&alone, part, monitor)?;
+            all.push(self.judged(behind, (ORBIT, &alone.graph, false), found, part)?);
+        }
+        Ok(all)
+    }
+
+    /// c, k and τ, known exactly.
+    fn ranges(&self) -> [[BigRational; 2]; 3] {
+        self.touching.parameters.each_ref().map(|x| [x.clone(), x.clone()])
+    }
+
+    /// Beyond the touch, where nothing is born: that no motion stays near.
+    fn nothing(&self) -> Result<SideRange> {
+        let deepest = DEEPEST[1];
+        let problem = NothingProblem { ranges: self.ranges(), harmonics: cosine(), deepest };
+        let (mut row, text) = match prove_nothing(&problem, self.effort, self.point.job.monitor)? {
+            Err(end) => (RangeRow::open(true, NOTHING, Some(why(&end, self.effort))), None),
+            Ok(NothingProof { depth, text, periods, zone, end, .. }) => {
+                let mut row = self.over(true, &depth, why(&end, self.effort))?;
+                if row.verdict == PROVED {
+                    (row.leaves, row.zone) = (Some(periods), Some(zone / TAU));
+                }
+                (row, Some(text))
+            }
         };
-        (found.row.periods, found.row.whole) = (periods, whole);
+        let text = text.filter(|_| row.verdict == PROVED);
+        (row.verdict, row.whole) = (NOTHING, true);
+        Ok(SideRange { row, text })
+    }
+
+    /// What is found of a graph.
+    fn judged(
+        &self,
+        behind: bool,
+        (of, graph, whole): (&'static str, &LetterGraph, bool),
+        found: std::result::Result<RangeProof, RangeEnd>,
+        effort: RangeEffort,
+    ) -> Result<SideRange> {
+        let mut found = match found {
+            Ok(proof) => self.proved(behind, proof, effort)?,
+            Err(end) => {
+                let row = RangeRow::open(behind, "undecided", Some(why(&end, effort)));
+                SideRange { row, text: None }
+            }
+        };
+        (found.row.of, found.row.periods, found.row.whole) = (of, graph.letters.clone(), whole);
         Ok(found)
     }
 
     /// A proof over depths as one over the parameter.
-    fn proved(&self, behind: bool, proof: RangeProof) -> Result<SideRange> {
+    fn proved(&self, behind: bool, proof: RangeProof, effort: RangeEffort) -> Result<SideRange> {
+        let row = self.over(behind, &proof.depth, why(&proof.end, effort))?;
+        let text = (row.verdict == PROVED).then_some(proof.text);
+        Ok(SideRange { row, text })
+    }
+
+    /// The values of the parameter with depths up to one.
+    fn over(&self, behind: bool, depth: &BigRational, reason: String) -> Result<RangeRow> {
         let [at, unit] = &self.start;
         let system = |from: &BigRational, to: &BigRational| functions(self.point, from, to);
-        let reason = Some(why(&proof.end, self.effort));
-        let row = match parameter_range(&system, None, [at, unit], &proof.depth, behind) {
+        let open = |why: String| RangeRow::open(behind, "undecided", Some(why));
+        Ok(match parameter_range(&system, None, [at, unit], depth, behind) {
             Err(error) if error.is_interrupted() => return Err(error),
-            Err(error) => RangeRow::open(behind, "undecided", Some(error.to_string())),
+            Err(error) => open(error.to_string()),
             Ok(None) => {
-                let why = "the depth is not shown to increase with the parameter from the touch on";
-                RangeRow::open(behind, "undecided", Some(why.into()))
+                open("the depth is not shown to increase with the parameter from the touch on".into())
             }
             Ok(Some(range)) if range.touch[0].is_positive() != range.touch[1].is_positive() => {
-                RangeRow::open(behind, "undecided", Some("the touch is not told from 0".into()))
+                open("the touch is not told from 0".into())
             }
             Ok(Some(range)) => {
                 let [lo, hi] = &range.touch;
@@ -141,12 +205,16 @@ impl Near<'_> {
                     touch: certain_digits(lo, hi, 17),
                     end: Some(inwards(&range.end, inner, DIGITS)),
                     share: width.abs().to_f64().filter(|_| inner.abs() > *unit),
-                    depth: Some(proof.depth.to_string()),
-                    ..RangeRow::open(behind, "proved", reason)
+                    depth: Some(depth.to_string()),
+                    ..RangeRow::open(behind, PROVED, Some(reason))
                 }
             }
-        };
-        let text = (row.verdict == "proved").then_some(proof.text);
-        Ok(SideRange { row, text })
+        })
     }
+}
+
+/// The wall that a machine with one harmonic has, seen from the motion without it: g(t) = cos t.
+fn cosine() -> Vec<Term> {
+    let [one, zero] = [1, 0].map(|n| BigRational::from_integer(n.into()));
+    vec![(1, [[one.clone(), one], [zero.clone(), zero]])]
 }
