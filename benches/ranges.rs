@@ -217,9 +217,8 @@ fn eliminate(mut rows: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<(Vec<f64>, 
         sign *= rows[i][i].signum();
         for j in i + 1..n {
             let factor = rows[j][i] / rows[i][i];
-            for k in i..n {
-                rows[j][k] -= factor * rows[i][k];
-            }
+            let (above, below) = rows.split_at_mut(j);
+            below[0][i..].iter_mut().zip(&above[i][i..]).for_each(|(x, y)| *x -= factor * y);
             right[j] -= factor * right[i];
         }
     }

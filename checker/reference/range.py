@@ -9,6 +9,8 @@ and the wall are those of chaos.py, the second reader of kind chaos: nothing of 
 """
 import sys
 from fractions import Fraction
+from itertools import product
+from types import SimpleNamespace
 
 import chaos
 from chaos import ONE, PI, TWO, ZERO, Flow, Range, Wall, decimal, fraction, need, number, whole
@@ -26,6 +28,11 @@ STATEMENT = (
     "With the same m, paths whose periods differ somewhere have different motions; on the set of the states (q, q') at "
     "t = pi of all these motions, for all m, the map to t = 3 pi has a topological entropy between the logarithms of "
     "the growth rates.")
+STATEMENT_2 = STATEMENT + (
+    " If a cell has a line others with a strength S, then for its nu every motion that meets the wall at arbitrarily "
+    "early and late times, and only within W of multiples of 2 pi where |g'| <= nu S/2, is one of these, and so is, "
+    "if c and k are positive, every bounded motion that meets the wall only there; and S is above |s| in the ranges "
+    "of all its edges.")
 
 
 class Sum:
@@ -36,11 +43,11 @@ class Sum:
 
 class Cell:
     """A cell of depths, or one depth, with the strengths of all edges cut into parts."""
-    def __init__(self, file, low, high, strengths, parts):
+    def __init__(self, file, nu, strengths, parts):
         self.file, self.wall = file, file.wall
         c, k, self.tau = (number(*ends) for ends in file.ranges)
         self.flow, self.sigma = Flow(c, k), ONE if file.side == 1 else -ONE
-        self.nu = number(low, high)
+        self.nu = nu
         self.mid = self.nu.middle()
         self.early, self.late = TWO / (ONE + self.tau), TWO * self.tau / (ONE + self.tau)
         self.turns = [self.flow.closed(PI.times(2 * n)) for n in range(max(x.periods for x in file.letters) + 1)]
@@ -220,13 +227,58 @@ class Edge:
     """A line edge."""
 
 
+class Alone(chaos.Others):
+    """That no other motions are near: C1 to C3, whatever the letters, and then F."""
+    def __init__(self, file, nu, bound, parts, lines):
+        c, k, tau = (number(*ends) for ends in file.ranges)
+        near = SimpleNamespace(mirrored=False, wall=file.wall, side=file.side, letters=[], longest=lambda: file.most,
+                               complete=(bound, file.most, parts, file.rounds))
+        super().__init__(chaos.Cell(near, (c, k, ZERO, tau, nu)))
+        self.file, self.nu, self.lines, self.left = file, nu, lines, file.rounds
+
+    def none(self):
+        periods = [letter.periods for letter in self.file.letters]
+        need(len(set(periods)) == len(periods), "letters of one period (C)")
+        need(all(max(abs(x.low), abs(x.high)) < self.bound for x in self.lines), "a strength is not below S (C)")
+        self.letter = {n: v for v, n in enumerate(periods)}
+        super().none()
+
+    def done(self, known):
+        self.left -= 1
+        if self.left:
+            return False
+        edges, sets = self.file.edges, [number(x.low, x.high) for x in self.lines]
+        for m, n in product(known, repeat=2):
+            s = self.between(known, m, n)
+            if s:
+                edge = self.letter.get(m), self.letter.get(n)
+                need(edge in edges, "there may be an impact that is no edge's (C)")
+                sets[edges.index(edge)] = s
+        for _ in range(self.rounds):
+            if self.inside(sets):
+                return True
+            work = Cell(self.file, self.nu, sets, self.parts)
+            for e in range(len(sets)):
+                image = None
+                for i in range(self.parts):
+                    for one, _ in work.images(e, i, self.lines):
+                        image = one if image is None else image.hull(one)
+                sets[e] = sets[e].both(image) if not sets[e].both(image).empty() else sets[e]
+        return self.inside(sets)
+
+    def inside(self, sets):
+        return all(s.inside(number(x.low), number(x.high)) for s, x in zip(sets, self.lines))
+
+
 class File(chaos.File):
     """A certificate, read and held to its form."""
     def __init__(self, text):
         self.lines = [line.removesuffix("\r") for line in text.removesuffix("\n").split("\n")]
         need(self.take() == "grazing-certificate 1", "not a certificate")
-        need(self.take() == "kind range", "not of kind range")
-        need(self.take() == "statement " + STATEMENT, "another statement")
+        kind = self.take()
+        need(kind in ("kind range", "kind range 2"), "not of kind range")
+        self.second = kind == "kind range 2"
+        need(self.take() == "statement " + (STATEMENT_2 if self.second else STATEMENT), "another statement")
         need(all(len(line.encode()) <= 2000 for line in self.lines), "a line is too long")
         self.ranges = [self.ordered(self.words(name, 2), fraction) for name in ("damping", "stiffness", "restitution")]
         need(self.ranges[2][0] > 0, "restitution must be positive")
@@ -241,6 +293,8 @@ class File(chaos.File):
         contraction = decimal(self.words("contraction", 1)[0], True)
         need(contraction < 1, "the contraction must be below 1")
         self.contraction = number(contraction)
+        if self.second:
+            self.most, self.rounds = (whole(self.words(name, 1)[0], 1, 100) for name in ("longest", "rounds"))
         self.edges = [(u, v) for u, letter in enumerate(self.letters) for v in letter.next]
         self.pairs = [(d, e) for d, (_, u) in enumerate(self.edges) for e, (v, _) in enumerate(self.edges) if u == v]
         self.read_cells()
@@ -267,6 +321,7 @@ class File(chaos.File):
             depth, parts, steps = fraction(depth), whole(parts, 1, 64), whole(steps, 0, 1000)
             need(last < depth, "depths increase")
             need(index > 0 or steps == 0, "the first cell has no steps")
+            others = self.read_others() if self.second else None
             lines = []
             for _ in self.edges:
                 low, high, m, w = self.words("edge", 4)
@@ -274,8 +329,15 @@ class File(chaos.File):
                 edge.low, edge.high = self.increasing((low, high))
                 edge.m, edge.w = number(decimal(m)), number(decimal(w, True))
                 lines.append(edge)
-            self.cells.append((depth, parts, steps, lines))
+            self.cells.append((depth, parts, steps, lines, others))
             last = depth
+
+    def read_others(self):
+        words = self.words("others")
+        if words == ["no"]:
+            return None
+        need(len(words) == 3 and self.side == 1, "others no, or three numbers for side 1")
+        return decimal(words[0], True), whole(words[1], 1, 64), whole(words[2], 1, 1000)
 
     def cost(self):
         """In exponentials, as the form says."""
@@ -291,6 +353,10 @@ class File(chaos.File):
         total, before = (j + 2) * h, self.cells[0]
         for cell in self.cells:
             total += map(cell[1]) + 23 * h * count + gaps + cell[2] * map(before[1])
+            if cell[4]:
+                (_, k, d), n, q = cell[4], self.most, self.rounds
+                near = n + 1 + 23 * h + q * n**2 * k * 36 * h + (n + (q - 1) * n**3) * k**2 * (n + 5)
+                total += d * (near + q * map(k))
             before = cell
         return total
 
@@ -300,18 +366,22 @@ class File(chaos.File):
         self.wall = Wall(self.harmonics, self.window, self.pieces)
         least, former = Fraction(0), None
         for cell in self.cells:
-            depth, parts, steps, lines = cell
+            depth, parts, steps, lines, others = cell
             if former:
                 self.linked(least, former, lines, steps)
             strengths = [number(x.low, x.high) for x in lines]
-            work = Cell(self, least, depth, strengths, parts)
+            work = Cell(self, number(least, depth), strengths, parts)
             work.holds(lines)
             work.gaps(strengths)
+            if others:
+                bound, cut, slices = others
+                for nu in number(least, depth).cut(slices):
+                    Alone(self, nu, bound, cut, lines).none()
             least, former = depth, cell
         return "range of chaos" if self.rates[0] > 1 else "range of orbits"
 
     def linked(self, depth, former, lines, steps):
-        _, parts, _, old = former
+        _, parts, _, old, _ = former
         sets = [number(x.low, x.high) for x in old]
 
         def inside():
@@ -319,7 +389,7 @@ class File(chaos.File):
         for _ in range(steps):
             if inside():
                 return
-            work = Cell(self, depth, depth, sets, parts)
+            work = Cell(self, number(depth), sets, parts)
             for e in range(len(sets)):
                 image = None
                 for i in range(parts):

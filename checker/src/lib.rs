@@ -41,7 +41,7 @@
 //! | `orbit`, `orbit 2` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not; 2: for all coefficients in intervals | [`orbit`] |
 //! | `event`, `event 2` | that such an orbit bifurcates (saddle-node, flip) or grazes at a parameter in an interval; 2: for all coefficients in intervals | [`event`] |
 //! | `chaos 3`, `chaos 4` | that every bi-infinite path of a graph of letters, each of so many periods, is an orbit of an oscillator, over ranges of parameters; 4: between two walls, each the other's mirror image, both met | [`chaos`] |
-//! | `range` | the motions that are born where an oscillator touches its wall, for every bi-infinite path of a graph, from the touch to a distance | [`range`] |
+//! | `range`, `range 2` | the motions that are born where an oscillator touches its wall, for every bi-infinite path of a graph, from the touch to a distance; 2: and that no others are near | [`range`] |
 //! | `nothing` | that beyond the touch nothing is born and no motion stays near, to a distance | [`nothing`] |
 //! | `entropy` | by the word theorem, for all r ≤ 1, s and eµ > 0: the least upper bounds of the entropy | [`entropy`], a line by hand |
 //! | `machine-orbit` | that a periodic orbit of a machine with any number of coordinates and stops exists, is unique in a box, admissible, stable or not | [`machine`] |
@@ -104,7 +104,7 @@ use lines::Lines;
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 14] = [
+const KINDS: [Kind; 15] = [
     Kind::first(theorem2::KIND, theorem2::STATEMENT, theorem2::check),
     Kind::first(cover::KIND, cover::STATEMENT, cover::check),
     Kind::first(orbit::KIND, orbit::STATEMENT, orbit::check::<orbit::Fraction>),
@@ -115,7 +115,8 @@ const KINDS: [Kind; 14] = [
     Kind::first(event::KIND, event::STATEMENT_2, event::check::<event::RangeQuotient>).version(" 2"),
     Kind::first(chaos::KIND, chaos::STATEMENT_3, chaos::check::<false>).version(" 3"),
     Kind::first(chaos::KIND, chaos::STATEMENT_4, chaos::check::<true>).version(" 4"),
-    Kind::first(range::KIND, range::STATEMENT, range::check),
+    Kind::first(range::KIND, range::STATEMENT, range::check::<false>),
+    Kind::first(range::KIND, range::STATEMENT_2, range::check::<true>).version(" 2"),
     Kind::first(nothing::KIND, nothing::STATEMENT, nothing::check),
     Kind::first(entropy::KIND, entropy::STATEMENT, entropy::check),
     Kind::first(machine::KIND, machine::STATEMENT, machine::check),

@@ -17,8 +17,8 @@ use std::{
 };
 
 use common::{
-    CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, GRAZING, NOTHING, ORBIT_4, RANGE_1, SADDLE_NODE,
-    THEOREM2, WORD, WORD_BY_THEOREM, answer, resealed, with,
+    CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, GRAZING, NOTHING, ORBIT_4, RANGE_1, RANGE_ALONE,
+    SADDLE_NODE, THEOREM2, WORD, WORD_BY_THEOREM, answer, resealed, with,
 };
 use grazing_check::{Checked, Rejection, kinds};
 
@@ -37,6 +37,7 @@ fn samples() -> [Vec<String>; 3] {
         owned(&[ORBIT_4, RANGES, SADDLE_NODE, GRAZING, RESPONSE, &ball]),
         owned(&[
             RANGE_1,
+            RANGE_ALONE,
             NOTHING,
             CHAOS_12,
             CHAOS_MIRRORED_BEFORE,

@@ -5,7 +5,7 @@ mod common;
 
 use std::{f64::consts::TAU, fs, path::Path, process::Command};
 
-use common::{NOTHING, Random, answer, damage, eliminate, float, flow, nth, rejected, with};
+use common::{Beyond, NOTHING, Random, answer, damage, float, nth, rejected, with};
 use grazing_check::nothing::STATEMENT;
 
 #[test]
@@ -221,19 +221,13 @@ impl Claim {
     }
 }
 
-/// An oscillator above the wall ν − 1 + cos jt.
-struct Oscillator {
-    parameters: [f64; 3],
-    order: f64,
-    depth: f64,
+/// What is looked at in motions.
+trait Motions {
+    fn wall(&self, t: f64) -> [f64; 2];
+    fn stays(&self, start: [f64; 2], t: f64, zone: [f64; 2], periods: f64) -> Option<f64>;
 }
 
-impl Oscillator {
-    fn after(&self, [q, u]: [f64; 2], time: f64) -> [f64; 2] {
-        let [a, b, c, d] = flow([self.parameters[0], self.parameters[1]], time);
-        [a * q + b * u, c * q + d * u]
-    }
-
+impl Motions for Beyond {
     /// The wall and its velocity.
     fn wall(&self, t: f64) -> [f64; 2] {
         let (sin, cos) = (self.order * t).sin_cos();
@@ -284,61 +278,6 @@ impl Oscillator {
         }
         Some(periods)
     }
-
-    /// The phase of an impact of strength s, and its place over ν.
-    fn impact(&self, s: f64) -> [f64; 2] {
-        let t = -(self.depth * s / (2.0 * self.order)).asin() / self.order;
-        [t, 1.0 - (1.0 - (self.order * t).cos()) / self.depth]
-    }
-
-    /// The velocities over ν of legs round a word, whose impacts have these strengths.
-    fn velocities(&self, word: &[f64], s: &[f64]) -> Vec<[f64; 2]> {
-        let leg = |i: usize| {
-            let ([t, place], [u, last]) = (self.impact(s[i]), self.impact(s[(i + 1) % s.len()]));
-            let e = flow([self.parameters[0], self.parameters[1]], TAU * word[i] + u - t);
-            let after = (last - e[0] * place) / e[1];
-            [after, e[2] * place + e[3] * after]
-        };
-        (0..s.len()).map(leg).collect()
-    }
-
-    fn wrong(&self, word: &[f64], s: &[f64]) -> Vec<f64> {
-        let (legs, tau, count) = (self.velocities(word, s), self.parameters[2], s.len());
-        let strength = |i: usize| 2.0 * (legs[i][0] + tau * legs[(i + count - 1) % count][1]) / (1.0 + tau);
-        (0..count).map(|i| s[i] - strength(i)).collect()
-    }
-
-    /// Whether Newton's method finds a motion round a word with |s| ≤ S.
-    fn has(&self, word: &[f64], bound: f64, start: f64) -> bool {
-        let mut s = vec![start * bound; word.len()];
-        for _ in 0..40 {
-            let wrong = self.wrong(word, &s);
-            if wrong.iter().any(|x| !x.is_finite()) {
-                return false;
-            }
-            if wrong.iter().all(|x| x.abs() < 1e-9) {
-                let legs = self.velocities(word, &s);
-                let fast = legs.iter().zip(&s).all(|([a, _], s)| *a > s / 2.0 + 1e-6);
-                let clear = (0..word.len()).all(|i| {
-                    let [t, place] = self.impact(s[i]);
-                    (1..word[i] as usize)
-                        .all(|k| self.after([place, legs[i][0]], TAU * k as f64 - t)[0] > 1.0)
-                });
-                return fast && clear && s.iter().all(|s| s.abs() <= bound);
-            }
-            let column = |i: usize| {
-                let at = |by: f64| {
-                    let mut moved = s.clone();
-                    moved[i] += by;
-                    self.wrong(word, &moved)
-                };
-                at(1e-6).iter().zip(at(-1e-6)).map(|(right, left)| (right - left) / 2e-6).collect()
-            };
-            let Some(change) = eliminate((0..s.len()).map(column).collect(), wrong) else { return false };
-            s.iter_mut().zip(change).for_each(|(s, change)| *s -= change);
-        }
-        false
-    }
 }
 
 /// What is false about a certificate, as far as floats, short words and some motions tell.
@@ -351,11 +290,14 @@ fn lie(text: &str, motions: usize) -> Option<String> {
         for share in [0.01, 0.5, 1.0] {
             let depth = least + share * (greatest - least);
             for parameters in claim.parameters {
-                let at = Oscillator { parameters, order: claim.order, depth };
+                let at = Beyond { parameters, order: claim.order, depth };
                 for &n in &lengths {
                     let words = lengths.iter().map(|&m| vec![n, m]).chain([vec![n]]);
                     for word in words {
-                        if [-0.5, -0.1, 0.1, 0.5].iter().any(|&start| at.has(&word, *strength, start)) {
+                        if [-0.5, -0.1, 0.1, 0.5]
+                            .iter()
+                            .any(|&start| at.orbit(&word, *strength, start).is_some())
+                        {
                             return Some(format!("an orbit {word:?} at depth {depth}"));
                         }
                     }

@@ -4,8 +4,8 @@ mod common;
 
 use std::{fs, path::Path, process::Command};
 
-use common::{CHAOS_12, RANGE_1, RANGE_12, RANGE_13, answer, nth, rejected, with};
-use grazing_check::range::STATEMENT;
+use common::{CHAOS_12, RANGE_1, RANGE_12, RANGE_13, RANGE_ALONE, answer, nth, rejected, with};
+use grazing_check::range::{STATEMENT, STATEMENT_2};
 
 #[test]
 fn what_is_written_passes_and_is_named() {
@@ -53,6 +53,10 @@ fn weaker_claims_pass() {
         with(RANGE_1, "window", "window 0.8"),
         with(&one("-1", "1", "1/100", "2 2.5 1 1"), "damping", "damping 99/1000 1/10"),
         with(RANGE_12, "contraction", "contraction 0.95"),
+        with(RANGE_ALONE, "others", "others no"),
+        with(RANGE_ALONE, "longest", "longest 4"),
+        with(RANGE_ALONE, "rounds", "rounds 9"),
+        nth(RANGE_ALONE, "others", 0, "others 2.9 2 2"),
     ] {
         assert!(answer(&text).is_ok(), "{:?}: {text}", answer(&text));
     }
@@ -170,6 +174,26 @@ fn forgeries() -> Vec<(String, &'static str)> {
     ));
     link.push(nth(RANGE_1, "cell ", 1, "cell 37/800 1 0"));
     add("(link)", link);
+    // Version 2: there are others, or more than is shown.
+    let others = |at: usize, line: &str| nth(RANGE_ALONE, "others", at, &format!("others {line}"));
+    let first = ["1.4 2 1", "1.5 2 1", "9 2 1", "20 2 1", "60 1 1", "200 2 1"];
+    let mut alone: Vec<String> = first.map(|line| others(0, line)).into();
+    alone.extend(["1.3 2 1", "9 4 1", "22 2 1", "3 1 1"].map(|line| others(1, line)));
+    let lines = [("longest", "longest 1"), ("rounds", "rounds 1"), ("rounds", "rounds 2")];
+    alone.extend(lines.map(|(start, line)| with(RANGE_ALONE, start, line)));
+    // Without one letter, or an edge, what it is part of is another motion.
+    let second = |text: &str, strength: &str| {
+        let start = "kind range\nstatement ".to_string() + STATEMENT;
+        let text = text.replace(&start, &("kind range 2\nstatement ".to_string() + STATEMENT_2));
+        let text = text.replace("\ncells", "\nlongest 4\nrounds 6\ncells");
+        let lines = text.lines().map(|line| match line.starts_with("cell ") {
+            true => format!("{line}\nothers {strength} 2 1\n"),
+            false => format!("{line}\n"),
+        });
+        lines.collect::<String>()
+    };
+    alone.extend([second(RANGE_12, "1"), second(RANGE_12, "0.87")]);
+    add("(C)", alone);
     all
 }
 
@@ -177,7 +201,8 @@ fn forgeries() -> Vec<(String, &'static str)> {
 fn malformed() -> Vec<(String, &'static str)> {
     let change = |(start, line, reason)| (with(RANGE_1, start, line), reason);
     let lines = [
-        ("kind", "kind range 2", "expected a line"),
+        ("kind", "kind range 2", "word for word"),
+        ("kind", "kind range 3", "expected a line"),
         ("statement", "statement This oscillator is chaotic.", "word for word"),
         ("damping", "damping 2/20 2/20", "lowest terms"),
         ("damping", "damping 1/10 1/20", "must not decrease"),
@@ -224,6 +249,24 @@ fn malformed() -> Vec<(String, &'static str)> {
         ("edge", "edge 2 2.3 1", "decimal"),
     ];
     let mut all: Vec<(String, &'static str)> = lines.into_iter().map(change).collect();
+    let others = [
+        ("kind", "kind range", "longer than"),
+        ("longest", "longest 0", "at least 1"),
+        ("longest", "longest 101", "100"),
+        ("rounds", "rounds 0", "at least 1"),
+        ("rounds", "rounds 101", "100"),
+        ("others", "others 0 2 1", "positive"),
+        ("others", "others -1 2 1", "positive"),
+        ("others", "others 40 0 1", "at least 1"),
+        ("others", "others 40 65 1", "64"),
+        ("others", "others 40 2 0", "at least 1"),
+        ("others", "others 40 2 1001", "1000"),
+        ("others", "others 40 2", "expected"),
+        ("others", "others no 2 1", "unexpected"),
+        ("others", "others 3 64 1000", "exponentials"),
+        ("side", "side -1", "for side 1"),
+    ];
+    all.extend(others.map(|(start, line, reason)| (with(RANGE_ALONE, start, line), reason)));
     // Nothing is checked of letters that nothing precedes or follows, or of a graph without a cycle: each
     // letter must have both, and so there is one.
     let both = |one: &str, other: &str| {
@@ -276,6 +319,9 @@ fn two_readers_agree() {
         one("-1", "1", "1/100", "2 2.5 1 1"),
         one("-1", "3", "1/100", "1.9 2.2 1 1"),
         nth(RANGE_1, "cell ", 1, "cell 37/800 2 10"),
+        RANGE_ALONE.to_string(),
+        with(RANGE_ALONE, "others", "others no"),
+        nth(RANGE_ALONE, "others", 0, "others 2.9 2 2"),
     ]);
     let wrong = forgeries().into_iter().chain(malformed()).map(|(text, _)| text);
     let all: Vec<(String, bool)> =

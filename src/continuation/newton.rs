@@ -47,7 +47,8 @@ pub struct Root {
 /// of rounding.
 ///
 /// # Errors
-/// An input error if F is not defined at `start`, ∂F/∂z is singular on the way, or 60 steps do not do.
+/// An input error if F is not defined at `start`, ∂F/∂z is singular on the way, or it does not converge in 60
+/// steps.
 pub fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linearised>) -> Result<Root> {
     let mut z = start;
     let mut here = equations(&z)?;
@@ -73,7 +74,7 @@ pub fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linearised>)
                 _ => factor /= 2.0,
             }
             if factor < 1e-6 {
-                return Err(Error::input(format!("Newton's method stalled with residual {size:.1e}")));
+                return Err(unended(size, steps));
             }
         };
         // At the level of rounding a step that lowers |F| no more is the end.
@@ -90,7 +91,12 @@ pub fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linearised>)
     if size <= 4.0 * f64::EPSILON * (1.0 + norm(&z)) {
         return Ok(Root { z, residual: size, steps: STEPS });
     }
-    Err(Error::input(format!("Newton's method did not end in {STEPS} steps; residual {size:.1e}")))
+    Err(unended(size, STEPS))
+}
+
+/// It comes no nearer, or too slowly: which of the two depends on the unknowns, and says nothing.
+fn unended(size: f64, steps: usize) -> Error {
+    Error::input(format!("Newton's method did not converge: residual {size:.1e} after {steps} steps"))
 }
 
 /// The largest |x_i|; NaN counts as infinite.

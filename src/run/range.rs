@@ -32,6 +32,8 @@ row! {
         pub share: Option<f64>,
         /// ν there is at most this, exactly.
         pub depth: Option<String>,
+        /// Up to where there are no other motions near, exactly: rounded inwards.
+        pub alone: Option<String>,
         /// Where nothing is born: within so many periods of the forcing every motion, in whatever state it
         /// begins, meets the stop farther from the touch than `zone`.
         pub leaves: Option<u64>,
@@ -74,6 +76,7 @@ impl RangeRow {
             end: None,
             share: None,
             depth: None,
+            alone: None,
             leaves: None,
             zone: None,
             reason,
@@ -138,6 +141,10 @@ impl RangeRow {
             "range",
             format!("{side} the touch, proved for {above}{part}: {what} is exactly one motion"),
         );
+        if let Some(alone) = &self.alone {
+            let way = if self.ends_above() { "<=" } else { ">=" };
+            lines.say("alone", format!("for {varied} {way} {alone} no other motion stays as near as these"));
+        }
         lines.say("range_ends", reason);
         lines.say_known("certificate", &self.certificate);
     }

@@ -2,7 +2,7 @@
 //!
 //! The table is in the head of `mod.rs`; that no check takes more exponentials than this says is a test.
 
-use super::text::Certificate;
+use super::text::{Alone, Cell, Certificate};
 
 /// Exponentials, for each harmonic, of an impact whose phase is an interval: two phases with at most 10
 /// shapes each, the wall's two bends there, and its drop.
@@ -33,10 +33,16 @@ impl Certificate {
             let legs = pairs * LEG * parts.pow(2) + triples * parts.pow(3);
             longest + 1 + count * harmonics * BOTH * parts + legs
         };
+        let others = |cell: &Cell| {
+            let (Some(Alone { longest, rounds }), Some(others)) = (self.alone, cell.others) else { return 0 };
+            let impacts = IMPACT * harmonics + rounds * longest.pow(2) * others.parts * BOTH * harmonics;
+            let legs = (longest + (rounds - 1) * longest.pow(3)) * others.parts.pow(2) * (LEG + longest);
+            others.slices * (longest + 1 + impacts + legs + rounds * map(others.parts))
+        };
         let before = self.cells.first().into_iter().chain(&self.cells);
         let cells = self.cells.iter().zip(before).map(|(cell, before)| {
             let whole = count * harmonics * IMPACT + flights;
-            map(cell.parts) + whole + cell.steps * map(before.parts)
+            map(cell.parts) + whole + cell.steps * map(before.parts) + others(cell)
         });
         cells.fold((pieces + 2) * harmonics, u64::saturating_add)
     }

@@ -19,18 +19,31 @@ pub(super) fn same(
     [parts, steps]: [u64; 2],
     go_on: GoOn,
 ) -> Result<(), Fault> {
-    let mut sets: Vec<Interval> = former.iter().map(|own| own.ends.all()).collect();
-    let linked = |sets: &[Interval]| sets.iter().zip(latter).all(|(&set, own)| own.ends.holds(set));
+    let sets = former.iter().map(|own| own.ends.all()).collect();
+    let linked = within(problem, depth, sets, [former, latter], [parts, steps], go_on)?;
+    claim(linked, "its motions may not be those of the cell before (link)")
+}
+
+/// Whether the fixed points of the former's F in these sets at some depths lie in the latter's ranges.
+pub(super) fn within(
+    problem: &Problem,
+    depths: Interval,
+    mut sets: Vec<Interval>,
+    [former, latter]: [&[Numbers]; 2],
+    [parts, steps]: [u64; 2],
+    go_on: GoOn,
+) -> Result<bool, Fault> {
+    let inside = |sets: &[Interval]| sets.iter().zip(latter).all(|(&set, own)| own.ends.holds(set));
     for _ in 0..steps {
-        if linked(&sets) {
-            return Ok(());
+        if inside(&sets) {
+            return Ok(true);
         }
-        let work =
-            Work::new(&problem.graph, [problem.cell(depth), problem.cell(depth)], &sets, parts, go_on)?;
+        let cells = [problem.cell(depths), problem.cell(depths.middle())];
+        let work = Work::new(&problem.graph, cells, &sets, parts, go_on)?;
         let images = work.images(&work.legs(go_on)?, former, go_on)?;
         for (set, image) in sets.iter_mut().zip(images) {
             *set = set.meet(image);
         }
     }
-    claim(linked(&sets), "its motions may not be those of the cell before (link)")
+    Ok(inside(&sets))
 }

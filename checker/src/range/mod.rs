@@ -1,7 +1,8 @@
 //! Certificates of kind `range`: the motions that are born where a linear impact oscillator touches its wall,
 //! one for every bi-infinite path of a graph, from the touch to a given distance.
 //!
-//! The theorem with its proof is in `docs/ranges.md`. The oscillator is that of kind `chaos`
+//! The theorem with its proof is in `docs/ranges.md`. Version 2 says besides, for σ = 1, that there are no
+//! other motions near. The oscillator is that of kind `chaos`
 //! ([`super::chaos`]; `touch` has what both need), but a path is given by the strengths s of its impacts
 //! alone, of which every edge of the graph has a range, and the depth ν runs from 0, the touch, through cells
 //! that each have their own ranges. What is checked in a cell is E1 to E3 (`map`) and H4 (`gaps`), and
@@ -30,10 +31,14 @@
 //! growth LO HI               the paths of T periods grow at least like LO^T and at most like HI^T;
 //!                            1 ≤ LO < HI
 //! contraction K              0 < K < 1
+//! longest N                  of version 2: 1 to 100
+//! rounds Q                   of version 2: 1 to 100
 //! cells M                    1 to 10000, then M blocks
 //! cell NU S R                ν from that of the block before, at first 0/1, to NU, a larger fraction; each
 //!                            edge's range is cut into S parts (1 to 64); that the motions are those of the
 //!                            block before takes up to R steps (0 to 1000; of the first block 0)
+//! others S K D               of version 2: no others with |g′| ≤ νS/2 at all impacts; strengths are cut into
+//!                            K parts (1 to 64), the cell's depths into D (1 to 1000). Or: others no
 //! edge A B m w               one line for each edge of the graph, in the order of its first letter and then
 //!                            of its second: s lies from A to B, A < B; a factor; a weight > 0
 //! ```
@@ -64,6 +69,11 @@
 //! At the depth that two cells share let X be all ranges of the former; up to R times replace each by what it
 //! has in common with F of them all. Once each lies in the latter's range the cells are linked. The growth
 //! vector and the periods are as kind `chaos` wants them.
+//!
+//! For a line others σ = 1, the letters' periods are different, and S is above |s| in the edges' ranges. In
+//! each of D parts of the cell C1 and C2 of `touch::near` hold with S and N; after Q rounds of C3 only
+//! impacts of edges are left, with strengths in some ranges X; and X, up to Q times replaced by what it has
+//! in common with F of it, comes to lie in the edges' ranges.
 //!
 //! # Example
 //!
@@ -102,6 +112,8 @@
 //!     and              23 H E                      impacts as wholes
 //!     for each letter  p f ((2n + 1) J (2 + 2 H) + n)    gaps
 //!     for each step    the first four again, with the parts S of the cell before
+//!     others S K D     D (N + 1 + 23 H + Q N² K 36 H + (N + (Q − 1) N³) K² (N + 5)) and D Q times the first
+//!                      four with the parts K
 //! ```
 //!
 //! Memory: the certificate, and the parts and legs of a cell.
@@ -111,6 +123,7 @@ mod gaps;
 mod legs;
 mod link;
 mod map;
+mod others;
 mod proof;
 #[cfg(test)]
 mod tests;
@@ -128,7 +141,7 @@ use super::{
     },
 };
 
-pub use text::{Cell, Certificate, Decimal, Edge, Fraction, Harmonic, Letter, Range};
+pub use text::{Alone, Cell, Certificate, Decimal, Edge, Fraction, Harmonic, Letter, Others, Range};
 
 /// The word in the header.
 pub const KIND: &str = "range";
@@ -153,6 +166,24 @@ nu = 0. With the same m, paths whose periods differ somewhere have different mot
 states (q, q') at t = pi of all these motions, for all m, the map to t = 3 pi has a topological entropy \
 between the logarithms of the growth rates.";
 
+/// What a certificate of version 2 proves.
+pub const STATEMENT_2: &str = "For all c, k, tau in the listed ranges, for g(t) the sum of the listed \
+harmonics a cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, and for \
+every nu > 0 up to the last cell's, the oscillator q'' = -c q' - k q above the wall sigma nu - 1 + g(t), \
+sigma the listed side, with restitution tau: for every bi-infinite path of the listed graph of letters \
+and every integer m there is exactly one motion whose impacts, one between two letters, have times \
+within W of multiples of 2 pi, as many periods 2 pi apart as the letters say, the impact before letter 0 \
+within W of 2 pi m, each at a phase where g' = nu s/2 with s in the range that the cell of nu has for \
+the edge between its letters. It has no other impacts, all are at positive speed, and between them the \
+gap is positive. Where nu is in two cells both have the same motion, and with c, k, tau, g, the path and \
+m held fixed the times and velocities of its impacts depend continuously on nu, from where it is born at \
+nu = 0. With the same m, paths whose periods differ somewhere have different motions; on the set of the \
+states (q, q') at t = pi of all these motions, for all m, the map to t = 3 pi has a topological entropy \
+between the logarithms of the growth rates. If a cell has a line others with a strength S, then for its \
+nu every motion that meets the wall at arbitrarily early and late times, and only within W of multiples of \
+2 pi where |g'| <= nu S/2, is one of these, and so is, if c and k are positive, every bounded motion that \
+meets the wall only there; and S is above |s| in the ranges of all its edges.";
+
 /// Whether the conditions hold in one cell, from 0, and it is linked to the one before: for a search, which
 /// finds cell after cell. What is proved is what [`check`](crate::check) accepts as a whole.
 ///
@@ -165,9 +196,20 @@ pub fn cell_holds(certificate: &Certificate, cell: usize) -> Result<(), String> 
     })
 }
 
-/// Checks everything after the kind line.
-pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
-    let certificate = text::read(lines)?;
+/// Whether one cell's claim that there are no others holds, from 0: for a search.
+///
+/// # Errors
+/// The condition that fails.
+pub fn others_hold(certificate: &Certificate, cell: usize) -> Result<(), String> {
+    proof::alone(certificate, cell, &mut || Ok(())).map_err(|fault| match fault {
+        Fault::Malformed(reason) | Fault::False(reason) => reason,
+        Fault::Interrupted => "interrupted".into(),
+    })
+}
+
+/// Checks everything after the kind line, of version 1 or 2.
+pub(super) fn check<const SECOND: bool>(lines: &mut Lines) -> Result<Proved, Rejection> {
+    let certificate = text::read(lines, SECOND)?;
     let letters = certificate.letters.iter();
     let letters =
         letters.map(|letter| Vertex { periods: letter.periods, growth: letter.growth, next: &letter.next });

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::{
-    Fault, Interval, Lines, Rejection, gaps, link,
+    Fault, Interval, Lines, Rejection, gaps, link, others,
     text::{Cell as Block, Certificate},
     work::{Graph, Numbers, Work, numbers},
 };
@@ -23,12 +23,40 @@ pub(super) struct Problem<'a> {
     contraction: Interval,
 }
 
-impl Problem<'_> {
+impl<'a> Problem<'a> {
+    fn new(certificate: &Certificate, wall: &'a Wall) -> Problem<'a> {
+        Problem {
+            graph: Graph::new(certificate),
+            wall,
+            parameters: certificate.ranges.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed())),
+            side: if certificate.behind { Interval::ONE } else { -Interval::ONE },
+            pieces: certificate.pieces,
+            contraction: certificate.contraction.enclosed(),
+        }
+    }
+
     /// At these depths.
     pub fn cell(&self, depth: Interval) -> Cell<'_> {
         let [damping, stiffness, restitution] = self.parameters;
         let parameters = [damping, stiffness, Interval::ZERO, restitution, depth];
         Cell::new(false, parameters, self.side, self.wall)
+    }
+
+    /// That there are no others at these depths, if that is claimed.
+    fn alone(
+        &self,
+        certificate: &Certificate,
+        depths: Interval,
+        block: &Block,
+        numbers: &[Numbers],
+        go_on: GoOn,
+    ) -> Result<(), Fault> {
+        match (&certificate.alone, &block.others) {
+            (Some(alone), Some(claim)) => (0..claim.slices).try_for_each(|slice| {
+                others::none(self, depths.part(slice, claim.slices), numbers, (alone, claim), go_on)
+            }),
+            _ => Ok(()),
+        }
     }
 
     /// All conditions in a cell of these depths.
@@ -50,19 +78,8 @@ pub(super) fn run(certificate: &Certificate, lines: &mut Lines) -> Result<(), Re
 
 /// Proves everything in some cells, the first of them being linked to the one before it.
 pub(super) fn cells(certificate: &Certificate, which: Range<usize>, go_on: GoOn) -> Result<(), Fault> {
-    let harmonics = certificate.harmonics.iter();
-    let harmonics =
-        harmonics.map(|one| (one.order, one.parts.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed()))));
-    let (window, pieces) = (certificate.window.enclosed(), certificate.pieces);
-    let wall = Wall::new(harmonics.collect(), window, pieces, go_on)?;
-    let problem = Problem {
-        graph: Graph::new(certificate),
-        wall: &wall,
-        parameters: certificate.ranges.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed())),
-        side: if certificate.behind { Interval::ONE } else { -Interval::ONE },
-        pieces,
-        contraction: certificate.contraction.enclosed(),
-    };
+    let wall = wall(certificate, go_on)?;
+    let problem = Problem::new(certificate, &wall);
     for index in which {
         let block = &certificate.cells[index];
         let latter = numbers(block);
@@ -72,10 +89,28 @@ pub(super) fn cells(certificate: &Certificate, which: Range<usize>, go_on: GoOn)
                 least = before.depth.enclosed();
                 link::same(&problem, least, [&numbers(before), &latter], [before.parts, block.steps], go_on)?;
             }
-            problem.holds(least.hull(block.depth.enclosed()), block, &latter, go_on)
+            let depths = least.hull(block.depth.enclosed());
+            problem.holds(depths, block, &latter, go_on)?;
+            problem.alone(certificate, depths, block, &latter, go_on)
         };
         let place = format!("cell {} of {}", index + 1, certificate.cells.len());
         prove().map_err(|fault| fault.at(place))?;
     }
     Ok(())
+}
+
+/// Proves of one cell that there are no others, if that is claimed.
+pub(super) fn alone(certificate: &Certificate, index: usize, go_on: GoOn) -> Result<(), Fault> {
+    let wall = wall(certificate, go_on)?;
+    let block = &certificate.cells[index];
+    let before = index.checked_sub(1).map(|before| certificate.cells[before].depth.enclosed());
+    let depths = before.unwrap_or(Interval::ZERO).hull(block.depth.enclosed());
+    Problem::new(certificate, &wall).alone(certificate, depths, block, &numbers(block), go_on)
+}
+
+fn wall(certificate: &Certificate, go_on: GoOn) -> Result<Wall, Fault> {
+    let harmonics = certificate.harmonics.iter();
+    let harmonics =
+        harmonics.map(|one| (one.order, one.parts.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed()))));
+    Wall::new(harmonics.collect(), certificate.window.enclosed(), certificate.pieces, go_on)
 }

@@ -14,6 +14,7 @@ use crate::{
 
 const RANGE_1: &str = include_str!("../../tests/data/range-1.txt");
 const RANGE_12: &str = include_str!("../../tests/data/range-12.txt");
+const RANGE_ALONE: &str = include_str!("../../tests/data/range-alone.txt");
 const RANGE_13: &str = include_str!("../../tests/data/range-13.txt");
 
 fn ratio(p: i128, q: i128) -> Interval {
@@ -87,14 +88,17 @@ fn the_cost_bounds_the_exponentials() {
         (RANGE_1.to_string(), 12),
         (RANGE_12.to_string(), 6),
         (RANGE_13.to_string(), 4),
+        (RANGE_ALONE.to_string(), 30),
         (RANGE_13.replace("pieces 32", "pieces 1000"), 2),
         (RANGE_13.replace(" 1 0\nedge", " 9 0\nedge"), 6),
         (RANGE_13.replace(plain, &many).replace("3/100", "1/100"), 4),
     ];
     for (text, share) in cases {
         let text: String = text.lines().skip(2).map(|line| format!("{line}\n")).collect();
-        let certificate: Certificate = read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false))
-            .unwrap_or_else(|why| panic!("{why}"));
+        let second = text.contains("\nothers ");
+        let certificate: Certificate =
+            read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false), second)
+                .unwrap_or_else(|why| panic!("{why}"));
         EXPONENTIALS.set(0);
         let proved = proof::run(&certificate, &mut Lines::after(0, &mut &b""[..], &mut || false));
         let (taken, cost) = (EXPONENTIALS.get(), certificate.cost());

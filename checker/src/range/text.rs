@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{CELLS, COST, Lines, Rejection, STATEMENT};
+use super::{CELLS, COST, Lines, Rejection, STATEMENT, STATEMENT_2};
 use crate::{
     header::expect_statement,
     lines::Words,
@@ -23,6 +23,11 @@ const PERIODS: u64 = 1000;
 const PIECES: u64 = 1000;
 /// The most parts of a range of strengths.
 const PARTS: u64 = 64;
+/// The longest leg of other motions, and the most rounds.
+const LONGEST: u64 = 100;
+const ROUNDS: u64 = 100;
+/// The most parts of a cell's depths.
+const SLICES: u64 = 1000;
 /// The most steps from one cell to the next.
 const STEPS: u64 = 1000;
 /// The most lines edge.
@@ -61,8 +66,30 @@ pub struct Cell {
     pub parts: u64,
     /// After at most so many steps the motions at its least ν are those of the cell before.
     pub steps: u64,
+    /// That there are no other motions near, if that is claimed of it.
+    pub others: Option<Others>,
     /// For each edge, in the order of its first letter, then of its second.
     pub edges: Vec<Edge>,
+}
+
+/// That there are no other motions near at a cell's depths.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Others {
+    /// S: near is where the wall's speed is at most νS/2.
+    pub strength: Decimal,
+    /// Into how many parts strengths are cut.
+    pub parts: u64,
+    /// Into how many parts the cell's depths are cut.
+    pub slices: u64,
+}
+
+/// What a proof that there are no others takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Alone {
+    /// N: no leg between impacts near is longer.
+    pub longest: u64,
+    /// After so many rounds all strengths are in the edges' ranges.
+    pub rounds: u64,
 }
 
 /// All that a certificate of this kind holds.
@@ -84,6 +111,8 @@ pub struct Certificate {
     pub growth: Range<Decimal>,
     /// κ < 1.
     pub contraction: Decimal,
+    /// Of version 2, what its proofs that there are no others take.
+    pub alone: Option<Alone>,
     /// The cells, their depths increasing.
     pub cells: Vec<Cell>,
 }
@@ -121,7 +150,8 @@ impl Certificate {
 /// The text of the certificate, header included.
 impl fmt::Display for Certificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}\nkind {}\nstatement {STATEMENT}\n", crate::FORMAT, super::KIND)?;
+        let (version, statement) = if self.alone.is_some() { (" 2", STATEMENT_2) } else { ("", STATEMENT) };
+        write!(f, "{}\nkind {}{version}\nstatement {statement}\n", crate::FORMAT, super::KIND)?;
         for (name, [lo, hi]) in RANGES.iter().zip(self.ranges) {
             writeln!(f, "{name} {lo} {hi}")?;
         }
@@ -140,9 +170,20 @@ impl fmt::Display for Certificate {
             writeln!(f)?;
         }
         let [lo, hi] = self.growth;
-        writeln!(f, "growth {lo} {hi}\ncontraction {}\ncells {}", self.contraction, self.cells.len())?;
-        for Cell { depth, parts, steps, edges } in &self.cells {
+        writeln!(f, "growth {lo} {hi}\ncontraction {}", self.contraction)?;
+        if let Some(Alone { longest, rounds }) = self.alone {
+            writeln!(f, "longest {longest}\nrounds {rounds}")?;
+        }
+        writeln!(f, "cells {}", self.cells.len())?;
+        for Cell { depth, parts, steps, others, edges } in &self.cells {
             writeln!(f, "cell {depth} {parts} {steps}")?;
+            match others {
+                Some(Others { strength, parts, slices }) => {
+                    writeln!(f, "others {strength} {parts} {slices}")?
+                }
+                None if self.alone.is_some() => writeln!(f, "others no")?,
+                None => {}
+            }
             for Edge { strengths: [lo, hi], factor, weight } in edges {
                 writeln!(f, "edge {lo} {hi} {factor} {weight}")?;
             }
@@ -162,6 +203,26 @@ fn edge(words: &mut Words) -> Result<Edge, String> {
     Ok(Edge { strengths: decimals(words)?, factor: decimal(words)?, weight: positive(words, "a weight")? })
 }
 
+fn others(words: &mut Words) -> Result<Option<Others>, String> {
+    let mut probe = words.clone();
+    if probe.word("no, or a strength")? == "no" {
+        words.word("no")?;
+        return Ok(None);
+    }
+    let (strength, parts) = (positive(words, "a strength")?, words.number("the number of parts", PARTS)?);
+    let slices = words.number("the number of slices", SLICES)?;
+    ensure(parts > 0 && slices > 0, "there is at least 1 part and 1 slice")?;
+    Ok(Some(Others { strength, parts, slices }))
+}
+
+/// The longest leg, and the rounds.
+fn read_alone(lines: &mut Lines) -> Result<Alone, Rejection> {
+    let longest = line(lines, "longest", |words| words.number("the longest leg", LONGEST))?;
+    let rounds = line(lines, "rounds", |words| words.number("the number of rounds", ROUNDS))?;
+    lines.form(longest > 0 && rounds > 0, "the longest leg and the rounds are at least 1")?;
+    Ok(Alone { longest, rounds })
+}
+
 /// The letters, and what may follow each.
 fn read_letters(lines: &mut Lines) -> Result<Vec<Letter>, Rejection> {
     let count = line(lines, "letters", |words| words.number("the number of letters", LETTERS))?;
@@ -179,7 +240,7 @@ fn read_letters(lines: &mut Lines) -> Result<Vec<Letter>, Rejection> {
 }
 
 /// The cells, each from the end of the one before.
-fn read_cells(lines: &mut Lines, edges: u64) -> Result<Vec<Cell>, Rejection> {
+fn read_cells(lines: &mut Lines, edges: u64, alone: bool) -> Result<Vec<Cell>, Rejection> {
     let count = line(lines, "cells", |words| words.number("the number of cells", CELLS))?;
     lines.form(count > 0, "there must be at least 1 cell")?;
     let few = count.saturating_mul(edges) <= EDGES;
@@ -192,8 +253,11 @@ fn read_cells(lines: &mut Lines, edges: u64) -> Result<Vec<Cell>, Rejection> {
             let parts = words.number("the number of parts", PARTS)?;
             ensure(parts > 0, "there is at least 1 part")?;
             let steps = words.number("the number of steps", STEPS)?;
-            Ok(Cell { depth, parts, steps, edges: Vec::new() })
+            Ok(Cell { depth, parts, steps, others: None, edges: Vec::new() })
         })?;
+        if alone {
+            cell.others = line(lines, "others", others)?;
+        }
         lines.form(last.p * cell.depth.q < cell.depth.p * last.q, "the depths of cells increase, from 0")?;
         let linked = !cells.is_empty() || cell.steps == 0;
         lines.form(linked, "the first cell has no other before it: its steps are 0")?;
@@ -207,8 +271,8 @@ fn read_cells(lines: &mut Lines, edges: u64) -> Result<Vec<Cell>, Rejection> {
 }
 
 /// Reads everything after the kind line.
-pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
-    expect_statement(lines, STATEMENT)?;
+pub(super) fn read(lines: &mut Lines, second: bool) -> Result<Certificate, Rejection> {
+    expect_statement(lines, if second { STATEMENT_2 } else { STATEMENT })?;
     let mut ranges = [[Fraction::ZERO; 2]; 3];
     for (range, name) in ranges.iter_mut().zip(RANGES) {
         *range = line(lines, name, fractions)?;
@@ -224,10 +288,15 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
     lines.form(growth[0].parts() >= ONE, "a growth rate is at least 1")?;
     let contraction = line(lines, "contraction", |words| positive(words, "a contraction"))?;
     lines.form(contraction.parts() < ONE, "a contraction must be below 1")?;
+    let alone = if second { Some(read_alone(lines)?) } else { None };
     let edges = letters.iter().map(|letter| letter.next.len() as u64).sum();
-    let cells = read_cells(lines, edges)?;
+    let cells = read_cells(lines, edges, second)?;
+    lines.form(
+        behind || cells.iter().all(|cell| cell.others.is_none()),
+        "that there are no others is for side 1",
+    )?;
     let certificate =
-        Certificate { ranges, behind, harmonics, window, pieces, letters, growth, contraction, cells };
+        Certificate { ranges, behind, harmonics, window, pieces, letters, growth, contraction, alone, cells };
     let cost = certificate.cost();
     let reason = format_args!(
         "the check would cost {cost} exponentials, more than {COST}: fewer cells, parts, steps, pieces, letters or harmonics"

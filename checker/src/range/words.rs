@@ -32,8 +32,23 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     all.push(("contraction", format!("at most {}", certificate.contraction)));
     let [lo, hi] = certificate.growth;
     all.push(("entropy", format!("per period between log {lo} and log {hi}")));
-    all.push(("others", "not excluded: there may be other orbits near".to_string()));
+    all.push(("others", others(certificate)));
     all
+}
+
+/// Up to which depth there are none, in the cells from the touch on, with the least S.
+fn others(certificate: &Certificate) -> String {
+    let claimed = certificate.cells.iter().map_while(|cell| Some((cell.depth, cell.others?.strength)));
+    let less = |one: Decimal, other: Decimal| if other.parts() < one.parts() { other } else { one };
+    match claimed.reduce(|(_, one), (depth, other)| (depth, less(one, other))) {
+        None => "not excluded: there may be other orbits near".into(),
+        Some((depth, strength)) => {
+            format!(
+                "none near for nu <= {}: none with |g'| <= nu S/2 at all impacts, S = {strength} or more",
+                plain(depth)
+            )
+        }
+    }
 }
 
 /// For each edge, between which numbers s lies at any depth.

@@ -2,6 +2,8 @@
 
 #![allow(dead_code)]
 
+use std::f64::consts::TAU;
+
 use grazing_check::{Checked, Rejection, check};
 
 pub const THEOREM2: &str = include_str!("../data/theorem2.txt");
@@ -18,6 +20,7 @@ pub const CHAOS_MIRRORED_BEFORE: &str = include_str!("../data/chaos-mirrored-bef
 pub const RANGE_1: &str = include_str!("../data/range-1.txt");
 pub const RANGE_12: &str = include_str!("../data/range-12.txt");
 pub const RANGE_13: &str = include_str!("../data/range-13.txt");
+pub const RANGE_ALONE: &str = include_str!("../data/range-alone.txt");
 pub const NOTHING: &str = include_str!("../data/nothing.txt");
 pub const WORD: &str = include_str!("../data/word.txt");
 pub const ENTROPY: &str = include_str!("../data/entropy.txt");
@@ -161,6 +164,77 @@ fn changed(random: &mut Random, word: &str, lines: &[String]) -> String {
             let at = digits[random.below(digits.len())];
             format!("{}{}{}", &word[..at], random.below(10), &word[at + 1..])
         }
+    }
+}
+
+/// An oscillator beyond its touch, above the wall ν − 1 + cos jt.
+pub struct Beyond {
+    /// c, k, τ.
+    pub parameters: [f64; 3],
+    pub order: f64,
+    pub depth: f64,
+}
+
+impl Beyond {
+    /// (q, q′) a time later.
+    pub fn after(&self, [q, u]: [f64; 2], time: f64) -> [f64; 2] {
+        let [a, b, c, d] = flow([self.parameters[0], self.parameters[1]], time);
+        [a * q + b * u, c * q + d * u]
+    }
+
+    /// The phase of an impact of strength s, and its place over ν.
+    fn impact(&self, s: f64) -> [f64; 2] {
+        let t = -(self.depth * s / (2.0 * self.order)).asin() / self.order;
+        [t, 1.0 - (1.0 - (self.order * t).cos()) / self.depth]
+    }
+
+    /// The velocities over ν of legs round a word, whose impacts have these strengths.
+    fn velocities(&self, word: &[f64], s: &[f64]) -> Vec<[f64; 2]> {
+        let leg = |i: usize| {
+            let ([t, place], [u, last]) = (self.impact(s[i]), self.impact(s[(i + 1) % s.len()]));
+            let e = flow([self.parameters[0], self.parameters[1]], TAU * word[i] + u - t);
+            let after = (last - e[0] * place) / e[1];
+            [after, e[2] * place + e[3] * after]
+        };
+        (0..s.len()).map(leg).collect()
+    }
+
+    fn wrong(&self, word: &[f64], s: &[f64]) -> Vec<f64> {
+        let (legs, tau, count) = (self.velocities(word, s), self.parameters[2], s.len());
+        let strength = |i: usize| 2.0 * (legs[i][0] + tau * legs[(i + count - 1) % count][1]) / (1.0 + tau);
+        (0..count).map(|i| s[i] - strength(i)).collect()
+    }
+
+    /// The strengths of a motion round a word with |s| ≤ S, if Newton's method finds one.
+    pub fn orbit(&self, word: &[f64], bound: f64, start: f64) -> Option<Vec<f64>> {
+        let mut s = vec![start * bound; word.len()];
+        for _ in 0..40 {
+            let wrong = self.wrong(word, &s);
+            if wrong.iter().any(|x| !x.is_finite()) {
+                return None;
+            }
+            if wrong.iter().all(|x| x.abs() < 1e-9) {
+                let legs = self.velocities(word, &s);
+                let fast = legs.iter().zip(&s).all(|([a, _], s)| *a > s / 2.0 + 1e-6);
+                let clear = (0..word.len()).all(|i| {
+                    let [t, place] = self.impact(s[i]);
+                    (1..word[i] as usize)
+                        .all(|k| self.after([place, legs[i][0]], TAU * k as f64 - t)[0] > 1.0)
+                });
+                return (fast && clear && s.iter().all(|s| s.abs() <= bound)).then_some(s);
+            }
+            let column = |i: usize| {
+                let at = |by: f64| {
+                    let mut moved = s.clone();
+                    moved[i] += by;
+                    self.wrong(word, &moved)
+                };
+                at(1e-6).iter().zip(at(-1e-6)).map(|(right, left)| (right - left) / 2e-6).collect()
+            };
+            let change = eliminate((0..s.len()).map(column).collect(), wrong)?;
+            s.iter_mut().zip(change).for_each(|(s, change)| *s -= change);
+        }
+        None
     }
 }
 

@@ -4,9 +4,9 @@
 //! docs/ranges.md has the theorem. [`prove`] follows the motions cell by cell: ranges of strengths that the
 //! map keeps are found in plain floats (`map`, `close`), and the checker judges each cell. What is proved is
 //! what it accepts as a whole. Which graph is born at the touch says [`born`]; where that is nothing,
-//! [`prove_nothing`] proves that no motion stays near; what of it goes farther than all of it,
-//! [`single_orbits`] and [`prove_farther`]. Which values of a machine's parameter have these depths says
-//! [`parameter_range`]. Not here: reports.
+//! [`prove_nothing`] proves that no motion stays near; that there is nothing else near, [`prove_alone`]; what
+//! of it goes farther than all of it, [`single_orbits`] and [`prove_farther`]. Which values of a machine's
+//! parameter have these depths says [`parameter_range`]. Not here: reports.
 //!
 //! ```
 //! use grazing::certificate;
@@ -32,6 +32,7 @@ mod born;
 mod close;
 mod map;
 mod nothing;
+mod others;
 mod parameter;
 mod parts;
 mod write;
@@ -91,6 +92,8 @@ pub struct RangeProof {
     pub text: String,
     /// The greatest ν.
     pub depth: BigRational,
+    /// The greatest ν up to which there are no other motions near, if that is proved.
+    pub alone: Option<BigRational>,
     /// Why it goes no further.
     pub end: RangeEnd,
     /// How many legs were evaluated.
@@ -146,7 +149,8 @@ pub fn prove(
         match crate::certificate::check(&mut text.as_bytes()) {
             Ok(_) => {
                 let end = refused.map_or(end, RangeEnd::Refused);
-                return Ok(Ok(RangeProof { certificate, text, depth, end, legs: budget.spent }));
+                let alone = None;
+                return Ok(Ok(RangeProof { certificate, text, depth, alone, end, legs: budget.spent }));
             }
             Err(_) if certificate.contraction != loose => certificate.contraction = loose,
             Err(rejection) => {
@@ -157,6 +161,38 @@ pub fn prove(
         monitor.advance(0)?;
     }
     Ok(Err(refused.map_or(end, RangeEnd::Refused)))
+}
+
+/// The same proof with claims that there are no other motions near, where they are found; as it was else. For
+/// a graph that is all that is born, beyond the touch.
+///
+/// Cost: `effort`, a leg being one of C3.
+///
+/// # Errors
+/// An interruption; numbers of more digits than a certificate holds.
+pub fn prove_alone(
+    problem: &RangeProblem,
+    proof: RangeProof,
+    effort: RangeEffort,
+    monitor: &dyn Monitor,
+) -> Result<RangeProof> {
+    let oscillator = oscillator(&problem.ranges, problem.behind, &problem.harmonics);
+    let mut budget = Budget { spent: 0, most: effort.0 };
+    let Some(mut found) = others::alone(&proof.certificate, &oscillator, &mut budget, monitor)? else {
+        return Ok(proof);
+    };
+    // As a whole it may cost too much: then the last cells do without.
+    while let Some(last) = found.cells.iter().rposition(|cell| cell.others.is_some()) {
+        let text = found.to_string();
+        if crate::certificate::check(&mut text.as_bytes()).is_ok() {
+            let depth = found.cells[last].depth;
+            let alone = Some(BigRational::new(depth.p.into(), depth.q.into()));
+            return Ok(RangeProof { certificate: found, text, alone, ..proof });
+        }
+        found.cells[last / 2..].iter_mut().for_each(|cell| cell.others = None);
+        monitor.advance(0)?;
+    }
+    Ok(proof)
 }
 
 /// The cells so far.

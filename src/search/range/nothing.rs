@@ -148,7 +148,7 @@ pub fn prove_nothing(
 }
 
 /// The longest leg that the trace and the determinant of E(2π) allow, by C2 in floats.
-fn longest(oscillator: &Oscillator) -> Option<u64> {
+pub(super) fn longest(oscillator: &Oscillator) -> Option<u64> {
     let depths = oscillator.depths(Span::point(0.0), &Edges::none());
     let [trace, determinant] = depths.invariants().map(Span::middle);
     let mut ratio = trace;

@@ -71,6 +71,7 @@ pub(super) fn head(problem: &RangeProblem, window: f64) -> Result<Certificate> {
         letters: letters.collect::<Result<_>>()?,
         growth: [decimal(low, 12)?, decimal(high, 12)?],
         contraction: contraction(MOST)?,
+        alone: None,
         cells: Vec::new(),
     })
 }
@@ -91,6 +92,7 @@ pub(super) fn cell(closed: &Closed, depth: f64) -> Result<Cell> {
         depth: depth_fraction(depth),
         parts: closed.parts,
         steps: 0,
+        others: None,
         edges: edges.collect::<Result<_>>()?,
     })
 }
@@ -120,4 +122,9 @@ fn parts(x: f64) -> (i128, i128) {
     let divisor = num_integer::gcd(p, q);
     (p, q) = (p / divisor, q / divisor);
     (p, q)
+}
+
+/// A certificate's decimal.
+pub(super) fn float(x: Decimal) -> f64 {
+    x.to_string().parse().unwrap_or(f64::INFINITY)
 }

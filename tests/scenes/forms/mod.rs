@@ -280,7 +280,7 @@ impl Own {
             let settled = !moved || one.unsettled() == other.unsettled();
             // The unknowns of a machine are others, and so are the steps from afar.
             let met = [one, other].map(Reported::no_orbits);
-            let strays = form.texts == Texts::Presence && matches!(met, [Some(a), Some(b)] if a != b);
+            let strays = form.texts == Texts::Presence && matches!(met, [Some(a), Some(b)] if a + b > 0);
             if strays || far != there || !settled || one.many_harmonics() != other.many_harmonics() {
                 found.left_out.push(name.clone());
             } else if far {

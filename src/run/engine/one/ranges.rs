@@ -17,7 +17,7 @@ use crate::{
         chaos::{LetterGraph, RationalFunction, Term},
         range::{
             Born, NothingProblem, NothingProof, RangeEffort, RangeEnd, RangeProblem, RangeProof, Touching,
-            born, parameter_range, prove, prove_farther, prove_nothing, single_orbits,
+            born, parameter_range, prove, prove_alone, prove_farther, prove_nothing, single_orbits,
         },
     },
 };
@@ -120,6 +120,10 @@ impl Near<'_> {
         let monitor = self.point.job.monitor;
         let part = RangeEffort(self.effort.0 / SHARE);
         let found = prove(&problem, self.effort, monitor)?;
+        let found = match found {
+            Ok(proof) if behind && whole => Ok(prove_alone(&problem, proof, self.effort, monitor)?),
+            found => found,
+        };
         let depth = found.as_ref().map_or(0.0, |proof| proof.depth.to_f64().unwrap_or(0.0));
         let mut all = vec![self.judged(behind, (ALL, &problem.graph, whole), found, self.effort)?];
         if let Some((graph, proof)) = prove_farther(&problem, depth, self.effort, monitor)? {
@@ -178,7 +182,10 @@ impl Near<'_> {
 
     /// A proof over depths as one over the parameter.
     fn proved(&self, behind: bool, proof: RangeProof, effort: RangeEffort) -> Result<SideRange> {
-        let row = self.over(behind, &proof.depth, why(&proof.end, effort))?;
+        let mut row = self.over(behind, &proof.depth, why(&proof.end, effort))?;
+        if let Some(depth) = proof.alone.filter(|_| row.verdict == PROVED) {
+            row.alone = self.over(behind, &depth, String::new())?.end;
+        }
         let text = (row.verdict == PROVED).then_some(proof.text);
         Ok(SideRange { row, text })
     }

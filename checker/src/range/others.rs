@@ -1,0 +1,67 @@
+//! That there are no other motions near at a cell's depths: C1 and C2, and after some rounds of C3 (`near`)
+//! the impacts that are left are the edges'. What is known of their strengths then is narrowed by F, as
+//! between cells (`link`), until it lies in the edges' ranges. So the motion solves the equations of a path
+//! of the graph there, and they have one solution.
+
+use super::{
+    Fault, Interval, link,
+    proof::Problem,
+    text::{Alone, Others},
+    work::{Graph, Numbers},
+};
+use crate::{
+    rejection::{GoOn, claim},
+    touch::{
+        flow::Matrix,
+        near::{Known, Near, anything},
+    },
+};
+
+/// Proves it at some depths, with these numbers of the edges.
+pub(super) fn none(
+    problem: &Problem,
+    depths: Interval,
+    numbers: &[Numbers],
+    (alone, others): (&Alone, &Others),
+    go_on: GoOn,
+) -> Result<(), Fault> {
+    let (graph, cell) = (&problem.graph, problem.cell(depths));
+    let periods = &graph.periods;
+    let holds = (1..periods.len()).all(|n| !periods[..n].contains(&periods[n]));
+    claim(holds, "letters of one period are told apart by more than that (C)")?;
+    let strength = others.strength.enclosed();
+    let below = |own: &Numbers| own.ends.all().magnitude().is_below(strength);
+    claim(numbers.iter().all(below), "a strength of an edge is not below S (C)")?;
+    let turns: Vec<Matrix> = (0..=alone.longest).map(|n| cell.turned(n)).collect();
+    let near =
+        Near { cell: &cell, turns: &turns, strengths: (-strength).hull(strength), parts: others.parts };
+    near.bounded(alone.longest)?;
+    let mut known = anything(alone.longest);
+    for round in 0..alone.rounds {
+        known = near.narrowed(&known, round == 0, go_on)?;
+    }
+    let sets = impacts(graph, &near, &known, numbers).map_err(Fault::False)?;
+    let known = link::within(problem, depths, sets, [numbers; 2], [others.parts, alone.rounds], go_on)?;
+    claim(known, "there may be other impacts between the letters (C)")
+}
+
+/// The strengths that are left at each edge, or an impact that may be no edge's. Where none are left at an
+/// edge its own range stands for them.
+fn impacts(graph: &Graph, near: &Near, known: &Known, numbers: &[Numbers]) -> Result<Vec<Interval>, String> {
+    let place = |n: usize| graph.periods.iter().position(|&periods| periods == n as u64 + 1);
+    let mut sets: Vec<Interval> = numbers.iter().map(|own| own.ends.all()).collect();
+    for (m, n) in (0..known.len()).flat_map(|m| (0..known.len()).map(move |n| (m, n))) {
+        let Some(s) = near.between(known, m, n) else { continue };
+        let edge =
+            place(m).zip(place(n)).and_then(|(u, v)| graph.edges.iter().position(|edge| *edge == [u, v]));
+        let Some(edge) = edge else {
+            return Err(format!(
+                "there may be an impact between legs of {} and {} periods (C)",
+                m + 1,
+                n + 1
+            ));
+        };
+        sets[edge] = s;
+    }
+    Ok(sets)
+}
