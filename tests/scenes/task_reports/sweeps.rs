@@ -10,7 +10,7 @@ use std::{
 use grazing::{
     Error, Monitor, Result,
     certificate::check,
-    run::{Findings, Judgement, Status, Surroundings, TaskReport, run},
+    run::{Findings, GrazingFindings, Judgement, Status, Surroundings, TaskReport, run},
     scene::Scene,
 };
 use serde_json::Value;
@@ -217,7 +217,7 @@ fn attractors_of_a_sweep_are_proved() {
         let report = asked(MACHINE[format], "F = 0.5", task, Surroundings::default()).unwrap();
         assert_eq!(report.status, Status::Done, "{report}");
         let Some(Findings::Diagram(found)) = &report.findings else { panic!("{report}") };
-        let proofs = found.sweep.as_ref().unwrap().proofs.as_ref().unwrap();
+        let proofs = found.proofs.as_ref().unwrap();
         assert_eq!((proofs.rows.len(), proofs.certificates.len(), proofs.others), (4, 4, 0), "{report}");
         for (row, (file, text)) in proofs.rows.iter().zip(&proofs.certificates) {
             let proof = &row.proved;
@@ -240,26 +240,65 @@ fn attractors_of_a_sweep_are_proved() {
     }
 }
 
-/// A motion without impacts has no certificate, which is said: the other is proved all the same.
+/// Without a sweep, too: both attractors where there are two, each seen from its start.
 #[test]
-fn what_is_seen_beside_a_touch_is_proved_where_it_has_impacts() {
+fn attractors_of_a_diagram_are_proved() {
+    for format in [0, 1] {
+        let task = "kind = \"diagram\"\nparameter = \"F\"\nrange = [0.5, 0.6]\ncount = 2\n\
+                    starts = [{ q = 0 }, { q = -6, u = 1 }]\npoints = 20\ntransient = 300\nprove = true";
+        let report = asked(MACHINE[format], "F = 0.5", task, Surroundings::default()).unwrap();
+        assert_eq!(report.status, Status::Done, "{report}");
+        let Some(Findings::Diagram(found)) = &report.findings else { panic!("{report}") };
+        let proofs = found.proofs.as_ref().unwrap();
+        let told: Vec<_> = proofs
+            .rows
+            .iter()
+            .map(|row| (row.seen.as_str(), row.value, row.proved.pattern.as_deref().unwrap_or_default()))
+            .collect();
+        let patterns = [("start 1", 0.5, "free 1"), ("start 1", 0.6, "free 1"), ("start 2", 0.6, "1")];
+        assert_eq!(told, patterns, "{report}");
+        // As many as the diagram has seen, each proved and stable.
+        assert_eq!(found.slices.iter().map(|slice| slice.motions.len()).sum::<usize>(), 3, "{report}");
+        assert!(proofs.rows.iter().all(|row| row.proved.stable == Some(Judgement::Yes)), "{report}");
+        assert_eq!((proofs.certificates.len(), proofs.others), (3, 0), "{report}");
+        for (_, text) in &proofs.certificates {
+            check(&mut text.as_bytes()).unwrap();
+        }
+        let json = serde_json::to_value(&report).unwrap();
+        assert_eq!(json["proofs"].as_array().map(Vec::len), Some(3), "{json}");
+    }
+}
+
+/// A motion without impacts and one with, each with its certificate.
+#[test]
+fn what_is_seen_beside_a_touch_is_proved() {
     for format in [0, 1] {
         let report =
             asked(MACHINE[format], "F = 0.5", &format!("{GRAZING}\nprove = true"), Surroundings::default())
                 .unwrap();
-        let Status::Undecided { reason } = &report.status else { panic!("{report}") };
-        assert!(reason.contains("before") && reason.contains("no impact"), "{reason}");
-        let json = serde_json::to_value(&report).unwrap();
-        let proofs = json["proofs"].as_array().unwrap();
+        assert_eq!(report.status, Status::Done, "{report}");
+        let Some(Findings::Grazing(found)) = &report.findings else { panic!("{report}") };
+        let GrazingFindings::Found(found) = &**found else { panic!("{report}") };
+        let proofs = found.proofs.as_ref().unwrap();
         let told: Vec<_> = proofs
+            .rows
             .iter()
-            .map(|row| (row["seen"].as_str().unwrap(), row["verdict"].as_str().unwrap(), &row["stable"]))
+            .map(|row| (row.seen.as_str(), row.proved.pattern.as_deref().unwrap_or_default()))
             .collect();
-        let (none, yes) = (Value::Null, Value::Bool(true));
-        assert_eq!(
-            told,
-            [("before", "undecided", &none), ("beyond", "proved", &yes), ("back", "undecided", &none)]
-        );
+        assert_eq!(told, [("before", "free 1"), ("beyond", "1"), ("back", "free 1")], "{report}");
+        for (row, (_, text)) in proofs.rows.iter().zip(&proofs.certificates) {
+            assert_eq!((row.proved.verdict, row.proved.stable), ("proved", Some(Judgement::Yes)));
+            let checked = check(&mut text.as_bytes()).unwrap();
+            assert_eq!(checked.kind, ["orbit", "machine-orbit"][format]);
+            let free = row.seen != "beyond";
+            assert_eq!(text.contains("\norbit 0 stable\n"), free, "{text}");
+            // Of the motion that touches, (1, 0) at its turn, the multipliers are those of the free flow.
+            if let Some(trace) = row.proved.trace.as_ref().filter(|_| free) {
+                let omega = (0.3_f64 - 0.05 * 0.05).sqrt();
+                let of_the_flow = 2.0 * (-0.1 * PI).exp() * (2.0 * PI * omega).cos();
+                near(trace.parse().unwrap(), of_the_flow, 1e-12);
+            }
+        }
     }
 }
 
@@ -267,13 +306,11 @@ fn what_is_seen_beside_a_touch_is_proved_where_it_has_impacts() {
 #[test]
 fn proofs_of_what_no_certificate_holds_are_refused() {
     let sweep = sweep("up") + "\nprove = true";
-    let alone = sweep.replace("sweep = \"up\"\n", "");
     let cubic = MACHINE[0].replace("stiffness", "cubic = 1\nstiffness");
     let soft = MACHINE[1].replace("restitution = 0.8", "stiffness = 100");
     let blind = format!("{GRAZING}\nseen = false\nprove = true");
     for (system, task, why) in [
-        (MACHINE[0], alone.as_str(), "goes with `sweep`"),
-        (&cubic, &sweep, "cubic must be 0"),
+        (cubic.as_str(), sweep.as_str(), "cubic must be 0"),
         (&soft, &sweep, "stop stop is another"),
         (MACHINE[0], &blind, "`seen = false` leaves out"),
     ] {
