@@ -178,6 +178,45 @@ fn an_overdamped_motion_stays_near() {
     assert!(seen[1]["motion"].as_str().unwrap().contains("impact"), "{found}");
 }
 
+/// The same seen from the forcing: the mass rests before a stop that moves, and has no width of its own. What
+/// it does beyond the touch is measured by how the gap moves, in either format.
+#[test]
+fn a_mass_at_rest_before_a_moving_stop_stays_near() {
+    for format in [0, 1] {
+        let moving = [
+            "offset = 1\nharmonics = [{ k = 1, cos = \"-F\" }]",
+            "offset = -1\nharmonics = [{ k = 1, cos = \"F\" }]",
+        ];
+        let still = MACHINE[format].replace("forcing = [{ cos = \"F\" }]\n", "");
+        let system = still.replace("\"1/10\"", "2").replace("\"3/10\"", "\"1/2\"");
+        let system = system.replace(["offset = 1", "offset = -1"][format], moving[format]);
+        let found = report(&system, "F = 0.9", GRAZING, Surroundings::default());
+        let seen = found["seen"].as_array().unwrap_or_else(|| panic!("{found}"));
+        let what: Vec<_> = seen.iter().map(|row| row["what"].as_str().unwrap()).collect();
+        assert_eq!(what, ["stays", "stays"], "{found}");
+        near(number(&found["parameter"]), 1.0, 1e-9);
+        assert!(seen[1]["motion"].as_str().unwrap().contains("impact"), "{found}");
+        assert!(!seen[1]["motion"].as_str().unwrap().contains("no impact"), "{found}");
+    }
+}
+
+/// Weak damping is waited for: a disturbance of the motion without impacts shrinks by e^(−π/500) per period,
+/// to a 23rd in 500 of them, and what is seen is its amplitude F/|k − 1 + ic| all the same.
+#[test]
+fn a_motion_that_settles_slowly_is_waited_for() {
+    let system = MACHINE[0].replace("\"1/10\"", "\"1/500\"");
+    let found = report(&system, "F = 0.5", GRAZING, Surroundings::default());
+    let seen = found["seen"].as_array().unwrap_or_else(|| panic!("{found}"));
+    let free: Vec<_> =
+        seen.iter().filter(|row| row["motion"].as_str() == Some("period 1, no impact")).collect();
+    assert_eq!(free.len(), 2, "{found}");
+    for (row, within) in free.iter().zip([1e-9, 1e-3]) {
+        let amplitude = number(&row["value"]) / 0.7_f64.hypot(0.002);
+        near(number(&row["extent"][0]), -amplitude, within);
+        near(number(&row["extent"][1]), amplitude, within);
+    }
+}
+
 /// Between two stops no motion goes farther than they are: it is by its impacts that it has jumped.
 #[test]
 fn a_jump_between_two_stops_is_told_by_the_impacts() {
