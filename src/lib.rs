@@ -17,9 +17,9 @@
 //!   [`search::cover`] and proved by [`certificate::cover`], and by polynomial identities in regions 2 and 4.
 //! - For a linear oscillator with walls: that an exact periodic orbit with a given impact pattern exists, is
 //!   the only one in a box, touches no wall else, and is stable or not; and where in a parameter orbits meet,
-//!   double their period or graze ([`search::orbit`]). The same of orbits of linear machines with rigid stops
-//!   ([`search::machine`]). All have certificates ([`certificate::orbit`], [`certificate::event`],
-//!   [`certificate::machine`]).
+//!   double their period or graze ([`search::orbit`]); of the motion without impacts that it is alone and
+//!   clear of every wall. The same of linear machines with rigid stops ([`search::machine`]). All have
+//!   certificates ([`certificate::orbit`], [`certificate::event`], [`certificate::machine`]).
 //! - That every word over an alphabet of return times is an orbit of an oscillator, for a range of µ with 0
 //!   at its end: chaos ([`search::chaos`], [`certificate::chaos`]). That what is born at a touch goes on,
 //!   word by word, from the touch to a distance ([`search::range`], [`certificate::range`]).

@@ -38,13 +38,13 @@
 //! | `cover` | Conjecture 1 for a range of periods, r ≤ r_max < 1 | [`cover`], with a block by hand |
 //! | `word` | at a point (a₁, a₂) or in a box: which periods can occur between impacts, up to a last one, and which may follow which | [`word`], two by hand |
 //! | `word-by-theorem` | the signs that the word theorem asks for there, and so all periods | [`word`] |
-//! | `orbit`, `orbit 2` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not; 2: for all coefficients in intervals | [`orbit`] |
+//! | `orbit`, `orbit 2`, `orbit 3` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not; 2: for all coefficients in intervals; 3: the same of the motion without impacts, which is clear of every wall | [`orbit`] |
 //! | `event`, `event 2` | that such an orbit bifurcates (saddle-node, flip) or grazes at a parameter in an interval; 2: for all coefficients in intervals | [`event`] |
 //! | `chaos 3`, `chaos 4` | that every bi-infinite path of a graph of letters, each of so many periods, is an orbit of an oscillator, over ranges of parameters; 4: between two walls, each the other's mirror image, both met | [`chaos`] |
 //! | `range`, `range 2` | the motions that are born where an oscillator touches its wall, for every bi-infinite path of a graph, from the touch to a distance; 2: and that no others are near | [`range`] |
 //! | `nothing` | that beyond the touch nothing is born and no motion stays near, to a distance | [`nothing`] |
 //! | `entropy` | by the word theorem, for all r ≤ 1, s and eµ > 0: the least upper bounds of the entropy | [`entropy`], a line by hand |
-//! | `machine-orbit` | that a periodic orbit of a machine with any number of coordinates and stops exists, is unique in a box, admissible, stable or not | [`machine`] |
+//! | `machine-orbit`, `machine-orbit 2` | that a periodic orbit of a machine with any number of coordinates and stops exists, is unique in a box, admissible, stable or not; 2: the same of the motion without impacts | [`machine`] |
 //!
 //! # Use
 //!
@@ -104,7 +104,7 @@ use lines::Lines;
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 15] = [
+const KINDS: [Kind; 17] = [
     Kind::first(theorem2::KIND, theorem2::STATEMENT, theorem2::check),
     Kind::first(cover::KIND, cover::STATEMENT, cover::check),
     Kind::first(orbit::KIND, orbit::STATEMENT, orbit::check::<orbit::Fraction>),
@@ -120,6 +120,8 @@ const KINDS: [Kind; 15] = [
     Kind::first(nothing::KIND, nothing::STATEMENT, nothing::check),
     Kind::first(entropy::KIND, entropy::STATEMENT, entropy::check),
     Kind::first(machine::KIND, machine::STATEMENT, machine::check),
+    Kind::first(orbit::KIND, orbit::STATEMENT_3, orbit::check_free).version(" 3"),
+    Kind::first(machine::KIND, machine::STATEMENT_2, machine::check_free).version(" 2"),
 ];
 
 /// The kind lines that were proved once and are refused now, with the reason.

@@ -85,8 +85,21 @@ pub fn settle<D: Attraction>(
     monitor: &dyn Monitor,
 ) -> Result<Option<OnAttractor<D::Start>>> {
     let Ok(run) = dynamics.begin(from) else { return Ok(None) };
-    let seen = D::observe(vec![(dynamics, run)], observation, monitor)?.pop();
-    let Some(Ok(Observed { settled: start, cycle, undecided, points, .. })) = seen else { return Ok(None) };
+    match D::observe(vec![(dynamics, run)], observation, monitor)?.pop() {
+        Some(Ok(seen)) => looked_at(dynamics, seen),
+        _ => Ok(None),
+    }
+}
+
+/// The same of a motion that was observed.
+///
+/// # Errors
+/// Those of [`Motion::pass`].
+pub(super) fn looked_at<D: Attraction>(
+    dynamics: &D,
+    seen: Observed<D::Start, D::Point>,
+) -> Result<Option<OnAttractor<D::Start>>> {
+    let Observed { settled: start, cycle, undecided, points, .. } = seen;
     let period = cycle.map(|cycle| cycle.period() as u32);
     let looked = period.unwrap_or(SEEN);
     let Ok(mut run) = dynamics.begin(&start) else { return Ok(None) };

@@ -18,7 +18,7 @@ use crate::{
         diagram::{self, DiagramMotion, DiagramPlan, Look, Slice, SweepStep},
         observe::Attraction,
     },
-    error::Result,
+    error::{Error, Result},
     number::{Plain, Real},
     output::Journal,
     scene::{
@@ -77,6 +77,8 @@ pub struct DiagramFindings {
     /// What a sweep comes to, in place of `windows` and `coexisting`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sweep: Option<SweepFindings>,
+    /// What is proved of the attractors, if that was asked for.
+    pub proofs: Option<AttractorProofs>,
     /// All points, value by value. Not in JSON: they are the task's CSV file.
     #[serde(skip)]
     pub slices: Vec<Slice>,
@@ -95,11 +97,7 @@ impl Finding for DiagramFindings {
             ));
         }
         match self.slices.iter().any(|slice| !slice.motions.is_empty()) {
-            true => self
-                .sweep
-                .as_ref()
-                .and_then(|sweep| sweep.proofs.as_ref())
-                .map_or(Status::Done, AttractorProofs::status),
+            true => self.proofs.as_ref().map_or(Status::Done, AttractorProofs::status),
             false => Status::nothing("at no value does a start lead to an attractor: all are lost"),
         }
     }
@@ -118,6 +116,9 @@ impl Finding for DiagramFindings {
         }
         if !self.not_settled.is_empty() {
             lines.say("not_settled", self.not_settled.len());
+        }
+        if let Some(proofs) = &self.proofs {
+            proofs.lines(lines);
         }
     }
 }
@@ -174,7 +175,45 @@ pub fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
         return swept(task, sweep, job);
     }
     let slices = slices(task, job, 0..task.count.into(), job.checkpoint().as_deref())?;
-    Ok(gather(task, job, slices))
+    with_proofs(task, job, gather(task, job, slices))
+}
+
+/// The findings with what is proved of the attractors, if that is asked for.
+fn with_proofs(task: &DiagramTask, job: &Job, found: DiagramFindings) -> Result<DiagramFindings> {
+    if !task.prove {
+        return Ok(found);
+    }
+    let proofs = by_engine!(job, engine => prove_slices(task, job, &engine, &found.slices))?;
+    Ok(DiagramFindings { proofs: Some(proofs), ..found })
+}
+
+/// Proves the attractors at each value: motions are followed again, to have a state on each.
+fn prove_slices<E: Engine>(
+    task: &DiagramTask,
+    job: &Job,
+    engine: &E,
+    slices: &[Slice],
+) -> Result<AttractorProofs> {
+    let states = engine.states(&task.starts)?;
+    let plan = plan(task, engine.begun(&states), 0..0);
+    let mut found = Vec::new();
+    job.monitor.begin(slices.len() as u64, "values");
+    for (slice, i) in slices.iter().zip(0..) {
+        let dynamics = engine.dynamics(&states, Some((&task.parameter, slice.value)), &task.plane)?;
+        let seen = diagram::attractors(&plan, &dynamics, slice.motions.len(), job.monitor)?;
+        if seen.len() != slice.motions.len() {
+            let [before, now] = [slice.motions.len(), seen.len()];
+            let what = format!("{before} attractors were seen at {}, and {now} seen again", slice.value);
+            return Err(Error::input(format!("{what}: proofs need the machine on which they were seen")));
+        }
+        let named =
+            |(start, on): (usize, _)| (format!("start {}", start + 1), exact(&task.range, i, task.count), on);
+        found.extend(seen.into_iter().map(named));
+        job.monitor.advance(1)?;
+    }
+    let proving = Proving { engine, task: &job.task.name, parameter: &task.parameter, look: &plan.look };
+    let all = found.iter().map(|(seen, value, on)| (seen.as_str(), value.clone(), on));
+    proving.all(&all.collect::<Vec<_>>(), job)
 }
 
 /// The numbers of the values of a sweep in its order, with whether it goes up there.
@@ -219,13 +258,11 @@ fn sweep_over<E: Engine>(
             legs.push(Leg { up, steps, jumps });
         }
     }
-    let (mut found, slices) = (SweepFindings::of(&legs), steps.iter().map(slice).collect());
-    if task.prove {
-        found.proofs = Some(prove(task, job, engine, &plan.look, ways, &steps)?);
-    }
+    let (found, slices) = (SweepFindings::of(&legs), steps.iter().map(slice).collect());
+    let proofs = task.prove.then(|| prove(task, job, engine, &plan.look, ways, &steps)).transpose()?;
     let mut findings = gather(task, job, slices);
     (findings.windows, findings.coexisting) = (Vec::new(), Vec::new());
-    Ok(DiagramFindings { sweep: Some(found), upwards, ..findings })
+    Ok(DiagramFindings { sweep: Some(found), proofs, upwards, ..findings })
 }
 
 /// Proves the attractors of a sweep.
@@ -271,7 +308,7 @@ pub(super) fn joined(task: &DiagramTask, job: &Job, slices: &[String]) -> Result
             false => Err(foreign(number, &"no run comes to it")),
         }
     };
-    Ok(gather(task, job, slices.iter().enumerate().map(read).collect::<Result<_>>()?))
+    with_proofs(task, job, gather(task, job, slices.iter().enumerate().map(read).collect::<Result<_>>()?))
 }
 
 fn slices(task: &DiagramTask, job: &Job, values: Range<u64>, file: Option<&Path>) -> Result<Vec<Slice>> {
@@ -315,6 +352,7 @@ fn gather(task: &DiagramTask, job: &Job, slices: Vec<Slice>) -> DiagramFindings 
         coexisting,
         not_settled,
         sweep: None,
+        proofs: None,
         slices,
         upwards: 0,
     }

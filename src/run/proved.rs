@@ -25,7 +25,8 @@ const BITS: u32 = 128;
 row! {
     /// A periodic attractor, and what is proved of it.
     pub struct ProvedRow {
-        /// Where it was seen: which way the parameter was swept, or on which side of a touch.
+        /// Where it was seen: which way the parameter was swept, from which start, or on which side of a
+        /// touch.
         pub seen: String,
         /// The value of the parameter.
         pub value: f64,
@@ -126,9 +127,6 @@ impl<E: Engine> Proving<'_, E> {
     /// Why there is nothing to prove; an interruption.
     fn one(&self, value: &BigRational, on: &OnAttractor<StartOf<E>>) -> Result<Proof> {
         let Proving { engine, parameter, look, .. } = *self;
-        if on.portrait.impacts == 0 {
-            return Err(Error::input("it has no impact: there is no certificate of such an orbit"));
-        }
         let system = engine.system(Some((parameter, Plain::ratio(value, &()).0)))?;
         let (phase, longest) = (look.phase, look.longest as usize);
         let detection = Detection { phase, transient: 0, longest, ..Detection::default() };

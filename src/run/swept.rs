@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{AttractorProofs, Lines, row};
+use super::{Lines, row};
 use crate::{
     attractor::{
         diagram::{Jump, SweepStep},
@@ -80,8 +80,6 @@ pub struct SweepFindings {
     pub hysteresis: Option<Vec<HysteresisRow>>,
     /// Values at which the motion leaves every bound or begins behind a stop; the next begins anew.
     pub lost: Vec<f64>,
-    /// What is proved of the attractors, if that was asked for.
-    pub proofs: Option<AttractorProofs>,
 }
 
 /// Two attractors whose extents differ by more than this part of their widths are told apart.
@@ -152,7 +150,6 @@ impl SweepFindings {
             jumps: legs.iter().flat_map(Leg::jumps).collect(),
             hysteresis: leg(true).zip(leg(false)).map(|(up, down)| hysteresis(up, down)),
             lost: legs.iter().flat_map(lost).collect(),
-            proofs: None,
         }
     }
 
@@ -164,9 +161,6 @@ impl SweepFindings {
         }
         if !self.lost.is_empty() {
             lines.say("lost", self.lost.len());
-        }
-        if let Some(proofs) = &self.proofs {
-            proofs.lines(lines);
         }
     }
 }

@@ -54,7 +54,7 @@ row! {
             pub proved: Proved
         }
         /// About where the solution is: its phases and speeds, t_1, V_1, …, and last the parameter of an
-        /// event.
+        /// event; of a motion without impacts its displacements, then its velocities at phase 0.
         pub solution: Vec<f64>,
         /// The certain digits of the parameter of an event.
         pub parameter: Option<String>,

@@ -137,8 +137,8 @@ keys! {
         starts: Vec<Start>,
         /// which way the parameter is swept: each motion goes on from what was settled on at the value before
         sweep: Option<SweepWay>,
-        /// whether to prove of each periodic attractor of a sweep that it is a stable orbit, with a
-        /// certificate for each, as a task `validate` does
+        /// whether to prove of each periodic attractor at each value that it is a stable orbit, with a
+        /// certificate for each, as a task `validate` does; without a sweep motions are followed twice
         prove: bool = "false",
         /// when to look, as a fraction of the forcing period
         phase: BigRational = "0",

@@ -45,7 +45,7 @@ fn turn() -> Bounds {
 
 /// An oscillator as a machine of one coordinate, its walls as stops with the rows 1 and −1, made as a
 /// certificate lists it.
-fn as_machine(case: &Case) -> (Machine<Bounds>, Vec<Side>) {
+pub(crate) fn as_machine(case: &Case) -> (Machine<Bounds>, Vec<Side>) {
     let system = &case.system;
     let zero = BigRational::zero();
     let mut sides = Vec::new();
@@ -94,14 +94,16 @@ fn as_machine(case: &Case) -> (Machine<Bounds>, Vec<Side>) {
     (machine, sides)
 }
 
+/// What follows the motions of the least of each coefficient, in floats.
+pub(crate) fn plainly(machine: &Machine<Bounds>) -> MachineSimulator {
+    let plain = machine.try_map(|x| Ok::<f64, ()>(x[0].to_f64().unwrap())).unwrap();
+    MachineSimulator::new(&plain, &MachineSettings { minimum_depth: 1e-12, ..MachineSettings::default() })
+        .unwrap()
+}
+
 /// The orbit of a case in floats, found from what the proof in balls says.
 fn near(case: &Case, machine: &Machine<Bounds>, sides: &[Side], known: &ProvedOrbit) -> MachineOrbit {
-    let plain = machine.try_map(|x| Ok::<f64, ()>(x[0].to_f64().unwrap())).unwrap();
-    let simulator = MachineSimulator::new(
-        &plain,
-        &MachineSettings { minimum_depth: 1e-12, ..MachineSettings::default() },
-    )
-    .unwrap();
+    let simulator = plainly(machine);
     let strike = |impact: &grazing::search::orbit::ExpectedImpact| StopStrike {
         stop: sides.iter().position(|&side| side == impact.side).unwrap(),
         periods: impact.periods,

@@ -10,6 +10,7 @@ mod chaos;
 mod check;
 mod cover;
 mod event;
+mod free;
 mod machine;
 mod orbit;
 mod overflow;

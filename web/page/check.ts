@@ -42,7 +42,7 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
     `At ${detail.get("point") ?? detail.get("box") ?? "the place listed"} it is decided which periods occur between impacts.`,
   "word-by-theorem": (_, detail) =>
     `At ${detail.get("point") ?? detail.get("box") ?? "the place listed"} the signs hold that decide every period.`,
-  orbit: ([n], detail) => `The oscillator has a periodic orbit of ${several(n)}, ${stability(detail)}.`,
+  orbit: ([n], detail) => orbit("oscillator", n, detail),
   event: ([n], detail) =>
     `A periodic orbit of ${several(n)} has an event: ${detail.get("event") ?? "the one listed"} (${detail.get("parameter") ?? ""}).`,
   chaos: (_, detail, title) => {
@@ -52,14 +52,16 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
   range: (_, _detail, title) =>
     `From the touch to the depth listed, each path of its letters is exactly one motion of the oscillator${title === "chaos" ? ", and it is chaotic" : ""}.`,
   entropy: () => "Words of periods between impacts have no more entropy than is listed, wherever they are born.",
-  "machine-orbit": ([n], detail) => `The machine has a periodic orbit of ${several(n)}, ${stability(detail)}.`,
+  "machine-orbit": ([n], detail) => orbit("machine", n, detail),
 };
 
-function stability(detail: Map<string, string>): string {
+/** An orbit with impacts is the only one in its box; without impacts there is no box. */
+function orbit(system: string, n: number, detail: Map<string, string>): string {
   const word = detail.get("stability") ?? "";
-  return word === "stable" || word === "unstable"
-    ? `the only one in its box, and it is ${word}`
-    : "the only one in its box; its stability is left open";
+  const stability = word === "stable" || word === "unstable" ? `, and it is ${word}` : "; its stability is left open";
+  return detail.has("box")
+    ? `The ${system} has a periodic orbit of ${several(n)}, the only one in its box${stability}.`
+    : `The ${system} has a motion without impacts of ${several(n)}, the only one, clear of every stop${stability}.`;
 }
 
 /** The verdict as a heading, and what it means. */

@@ -165,7 +165,7 @@ impl Equations for Cycle<'_> {
 }
 
 /// The flow of differences of states.
-fn state_part(flow: &Matrix) -> Matrix {
+pub(super) fn state_part(flow: &Matrix) -> Matrix {
     let n = flow.len() - 1;
     flow[..n].iter().map(|row| row[..n].to_vec()).collect()
 }

@@ -71,13 +71,31 @@
 //! `impact 1 1 1.0197267436954502 1.7039299541846926 -3.141592653589793` is near one orbit, and with a minus
 //! before phase and displacement near the other. `checker/tests/machine.rs` checks both.
 //!
+//! # Version 2: without impacts
+//!
+//! The motion that meets no stop, the response to the forcing. After `kind machine-orbit 2` the machine is as
+//! in version 1, and then there are only
+//!
+//! ```text
+//! orbit 0 CLAIM                no impact; stable, unstable, or open
+//! scales S …                   2N decimals above 0: the units in which powers of the flow shrink
+//! flight J                     J ≥ 1, and J lines: the period from phase 0 on
+//! until T                      the times at which the pieces end; the last is not before 2π
+//! ```
+//!
+//! K must certainly be regular, no harmonic of the force may be in undamped resonance, and 1 must certainly
+//! be no multiplier of the flow over a period, so that no other motion without impacts has that period. On
+//! every piece, m its middle and r half its length, z(m) + z′(m)[−r, r] + z″[0, r²/2] > 0 for the gap z to
+//! every stop. Stability is asked of the powers of the flow over a period.
+//!
 //! # Cost
 //!
-//! In exponentials of 2 × 2 matrices, with J harmonics in all, P pieces and M impacts: e
-//! (8P + 20M) + (1 + 2J)(4P + 12M) may be at most 1,000,000, e = (2N + 1)³/4 rounded up. Memory: the
-//! certificate.
+//! In version 2 M counts as 1. In exponentials of 2 × 2 matrices, with J harmonics in all, P pieces and M
+//! impacts: e (8P + 20M) + (1 + 2J)(4P + 12M) may be at most 1,000,000, e = (2N + 1)³/4 rounded up. Memory:
+//! the certificate.
 
 mod cycle;
+mod free;
 mod linear;
 mod motion;
 mod proof;
@@ -92,6 +110,8 @@ pub use super::motion::{
     text::{Decimal, Harmonic},
 };
 pub use super::orbit::Claim;
+pub use free::FreeCertificate;
+pub(super) use free::check as check_free;
 pub use text::{Certificate, Impact, Load, Machine, Stop};
 
 /// The word in the header.
@@ -105,6 +125,13 @@ listed ones: the equations of the pattern have exactly one solution there, at it
 other stop, strictly between impacts every gap to a stop is positive, and no smaller number of periods than that of all listed \
 impacts is a period of the orbit. If the claim is stable, all multipliers of that orbit lie strictly inside the unit circle; if \
 unstable, one lies strictly outside.";
+
+/// What a certificate of version 2 proves.
+pub const STATEMENT_2: &str = "For every choice of one number in each interval, the machine of this digest, M q'' + C q' + K q = f(t) \
+with rigid stops, has a positive definite M and exactly one motion without impacts that comes back after one period of the \
+forcing: its equation of motion has exactly one solution of that period, and at all times every gap of that solution to a stop is \
+positive. If the claim is stable, all multipliers of that motion lie strictly inside the unit circle; if unstable, one lies \
+strictly outside.";
 
 /// Checks everything after the kind line.
 pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {

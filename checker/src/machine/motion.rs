@@ -146,6 +146,27 @@ impl Motion {
         sum(&apply(flow, start)[..2 * self.size], &self.steady(t))
     }
 
+    /// The displacements at rest under the constant force, K̂⁻¹f̂₀; `None` where K may be singular.
+    pub fn rest(&self) -> Option<Vector> {
+        let force = transposed(std::slice::from_ref(&self.constant));
+        let solved = linear::solve(&self.stiffness, &force, true)?;
+        Some(transposed(&solved.solution).swap_remove(0))
+    }
+
+    /// The gap to a stop with its first two derivatives, of the motion without impacts about these
+    /// displacements: the response to the harmonics, which is a sum of harmonics itself.
+    pub fn free_gap(&self, stop: usize, rest: &[Interval], t: Interval) -> [Interval; 3] {
+        let contact = &self.contacts[stop];
+        let [place, speed, bend] = contact.place(t).map(|x| -x);
+        let still = [dot(&contact.row, rest) + place, speed, bend];
+        self.response.iter().fold(still, |[value, slope, bend], (k, alpha, beta)| {
+            let (cos, sin) = circle(*k, t);
+            let [a, b] = [alpha, beta].map(|x| dot(&contact.row, x));
+            let here = a * cos + b * sin;
+            [value + here, slope + *k * (b * cos - a * sin), bend - *k * *k * here]
+        })
+    }
+
     /// q″.
     fn acceleration(&self, state: &[Interval], t: Interval) -> Vector {
         let (q, u) = state.split_at(self.size);

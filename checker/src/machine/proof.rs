@@ -99,18 +99,29 @@ impl<'a> Proof<'a> {
         })
     }
 
-    /// Stable: some power of the map once round has a norm below 1, in the certificate's units.
-    /// Unstable: |det| > 1, or det(1 − P) < 0, so that the characteristic polynomial, positive far out, has a
-    /// root above 1, or det(1 + P) < 0, so that it has one below −1.
+    /// The claim about the multipliers, the certificate's scales being the units.
     fn stability(&self, x: &[Interval], go_on: GoOn) -> Result<(), Fault> {
-        let wanted = self.certificate.claim;
-        if wanted == Claim::Open {
+        if self.certificate.claim == Claim::Open {
             return Ok(());
         }
         let map = self.cycle.monodromy(x, go_on)?;
-        let n = map.len();
-        let holds = if wanted == Claim::Stable {
-            let units = &self.boxes.units[1..=n];
+        multipliers_are(self.certificate.claim, &map, &self.boxes.units[1..=map.len()], go_on)
+    }
+}
+
+/// Whether the eigenvalues of a matrix are as is claimed.
+/// Stable: some power of it has a norm below 1, in these units.
+/// Unstable: |det| > 1, or det(1 − P) < 0, so that the characteristic polynomial, positive far out, has a
+/// root above 1, or det(1 + P) < 0, so that it has one below −1.
+pub(super) fn multipliers_are(
+    wanted: Claim,
+    map: &Matrix,
+    units: &[Interval],
+    go_on: GoOn,
+) -> Result<(), Fault> {
+    let holds = match wanted {
+        Claim::Open => true,
+        Claim::Stable => {
             let in_units = |row: &Vector, unit: Interval| -> Vector {
                 row.iter().zip(units).map(|(&x, &other)| (x * other).over(unit)).collect()
             };
@@ -125,15 +136,25 @@ impl<'a> Proof<'a> {
                 power = linear::times(&power, &power);
             }
             shrinks
-        } else {
-            let one = linear::identity(n);
-            let det = |a: &Matrix| linear::solve(a, &one, true).map(|Solved { determinant, .. }| determinant);
-            let minus: Matrix = one.iter().zip(&map).map(|(a, b)| linear::difference(a, b)).collect();
-            let plus: Matrix = one.iter().zip(&map).map(|(a, b)| linear::sum(a, b)).collect();
+        }
+        Claim::Unstable => {
+            let one = linear::identity(map.len());
+            let plus: Matrix = one.iter().zip(map).map(|(a, b)| linear::sum(a, b)).collect();
             let below = |x: Option<Interval>| x.is_some_and(|x| (-x).is_positive());
-            let beyond = det(&map).is_some_and(|x| (x.squared() - Interval::ONE).is_positive());
-            beyond || below(det(&minus)) || below(det(&plus))
-        };
-        claim(holds, format_args!("the orbit is not certainly {wanted}"))
-    }
+            let beyond = determinant(map).is_some_and(|x| (x.squared() - Interval::ONE).is_positive());
+            beyond || below(without_one(map)) || below(determinant(&plus))
+        }
+    };
+    claim(holds, format_args!("the orbit is not certainly {wanted}"))
+}
+
+/// det P; `None` where P may be singular.
+fn determinant(matrix: &Matrix) -> Option<Interval> {
+    linear::solve(matrix, &linear::identity(matrix.len()), true).map(|Solved { determinant, .. }| determinant)
+}
+
+/// det(1 − P), which is not 0 unless 1 is an eigenvalue of P; `None` where it may be 0.
+pub(super) fn without_one(map: &Matrix) -> Option<Interval> {
+    let one = linear::identity(map.len());
+    determinant(&one.iter().zip(map).map(|(a, b)| linear::difference(a, b)).collect())
 }

@@ -120,13 +120,13 @@ impl Machine {
         sha256(self.to_string().as_bytes())
     }
 
-    fn harmonics(&self) -> u64 {
+    pub(super) fn harmonics(&self) -> u64 {
         (self.forcing.len() + self.stops.iter().map(|stop| stop.harmonics.len()).sum::<usize>()) as u64
     }
 }
 
 /// Words separated by spaces, after the first.
-struct List<'a, T>(&'a [T]);
+pub(super) struct List<'a, T>(pub &'a [T]);
 
 impl<T: fmt::Display> fmt::Display for List<'_, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -173,7 +173,7 @@ impl fmt::Display for Certificate {
 /// A bound of the work of a check, in exponentials of 2 × 2 matrices: one of a (2n + 1) × (2n + 1) matrix
 /// counts as (2n + 1)³/4, or 7 at least. It is (8P + 20M) of those, and (1 + 2J)(4P + 12M) for the harmonics;
 /// J harmonics in all, P pieces and M impacts.
-fn work(size: u64, harmonics: u64, pieces: u64, impacts: u64) -> u64 {
+pub(super) fn work(size: u64, harmonics: u64, pieces: u64, impacts: u64) -> u64 {
     let one = (2 * size + 1).pow(3).div_ceil(4);
     one * (8 * pieces + 20 * impacts) + (1 + 2 * harmonics) * (4 * pieces + 12 * impacts)
 }
@@ -214,7 +214,7 @@ fn read_stop(lines: &mut Lines, n: usize) -> Result<Stop, Rejection> {
     Ok(Stop { row, offset, restitution, harmonics })
 }
 
-fn read_machine(lines: &mut Lines) -> Result<Machine, Rejection> {
+pub(super) fn read_machine(lines: &mut Lines) -> Result<Machine, Rejection> {
     let size = lines.line("coordinates", |words| words.number("the number of coordinates", COORDINATES))?;
     lines.form(size > 0, "a machine has at least one coordinate")?;
     let n = size as usize;
@@ -237,6 +237,13 @@ fn read_machine(lines: &mut Lines) -> Result<Machine, Rejection> {
     Ok(Machine { period, unit, mass, damping, stiffness, force, forcing, stops })
 }
 
+/// Reads a unit for each displacement and each velocity.
+pub(super) fn read_scales(lines: &mut Lines, n: usize) -> Result<Vec<Decimal>, Rejection> {
+    let scales = lines.line_within(LONGEST, "scales", |words| decimals(words, 2 * n))?;
+    lines.form(scales.iter().all(|scale| scale.digits > 0), "scales are above 0")?;
+    Ok(scales)
+}
+
 /// Reads everything after the kind line.
 pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
     let machine = read_digested(lines, STATEMENT, "machine", read_machine)?;
@@ -244,8 +251,7 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
     let most = UNKNOWNS / (2 * size + 1);
     let (m, claim) = lines
         .line("orbit", |words| Ok((words.number("the number of impacts", most)?, Claim::read(words)?)))?;
-    let scales = lines.line_within(LONGEST, "scales", |words| decimals(words, 2 * n))?;
-    lines.form(scales.iter().all(|scale| scale.digits > 0), "scales are above 0")?;
+    let scales = read_scales(lines, n)?;
     let impact = |words: &mut Words| {
         let stop = words.number("a stop", machine.stops.len() as u64)?;
         ensure(stop > 0, "stops are counted from 1")?;

@@ -3,7 +3,7 @@
 use super::{
     super::motion::words::{Spoken, alone, list, pattern, place, sum},
     Range,
-    text::{Certificate, Stop},
+    text::{Certificate, Machine, Stop},
 };
 
 /// Names and values: what is claimed, the pattern, the impacts, the box, the machine, its stops and its
@@ -21,6 +21,19 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
         list(&certificate.scales, |x| *x),
         certificate.within
     );
+    let orbit = [
+        ("stability", certificate.claim.said().to_string()),
+        ("pattern", pattern(&strikes)),
+        ("phases", list(impacts, |i| i.phase)),
+        ("displacements", states(0)),
+        ("velocities", states(n)),
+        ("box", only),
+    ];
+    orbit.into_iter().chain(self::machine(machine)).collect()
+}
+
+/// The machine, its stops and its digest.
+pub(super) fn machine(machine: &Machine) -> [(&'static str, String); 7] {
     let unit =
         if machine.unit == 0 { String::new() } else { format!(", all in units of 10^{}", machine.unit) };
     let matrix = |rows: &[Vec<Range>]| list(rows, |one| row(one));
@@ -30,19 +43,13 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
         forces.push(format!("{} sin {} t", row(&load.sin), load.k));
     }
     let stops: Vec<String> = (1..).zip(&machine.stops).map(|(i, stop)| said(i, stop)).collect();
-    vec![
-        ("stability", certificate.claim.said().to_string()),
-        ("pattern", pattern(&strikes)),
-        ("phases", list(impacts, |i| i.phase)),
-        ("displacements", states(0)),
-        ("velocities", states(n)),
-        ("box", only),
+    [
         ("period", alone(&machine.period, "")),
         ("mass", format!("lower triangle {}{unit}", matrix(&machine.mass))),
         ("damping", matrix(&machine.damping)),
         ("stiffness", matrix(&machine.stiffness)),
         ("force", forces.join(" + ")),
-        ("stops", stops.join("; ")),
+        ("stops", if stops.is_empty() { "none".into() } else { stops.join("; ") }),
         ("digest", machine.digest()),
     ]
 }

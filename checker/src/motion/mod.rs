@@ -14,7 +14,7 @@ pub(crate) mod cycle;
 pub(crate) mod exponential;
 pub(crate) mod krawczyk;
 pub(crate) mod number;
-mod oscillator;
+pub(crate) mod oscillator;
 pub(crate) mod pattern;
 pub(crate) mod range;
 #[cfg(test)]

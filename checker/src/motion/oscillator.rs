@@ -136,6 +136,15 @@ impl<N: Number> Oscillator<N> {
         Flight { phase, start: [rest, N::ZERO] }
     }
 
+    /// The gap of the periodic response, a sum of harmonics itself, with its derivatives. Nothing is known of
+    /// it where the stiffness may be 0 and the force is not.
+    pub fn free_gap(&self, side: Side, t: N) -> Motion<N> {
+        let Flight { start: [rest, _], .. } = self.steady(t);
+        let [response, slope, curvature] = sum(&self.response, t);
+        let [position, speed, bend] = self.wall_motion(side, t);
+        [rest + response - position, slope - speed, curvature - bend].map(|x| side.inward(x))
+    }
+
     /// Whether no other motion without impacts comes back after 2π: 1 is no multiplier of it.
     pub fn is_alone(&self) -> bool {
         let turn = self.ring.exp(N::constant(Interval::PI + Interval::PI));

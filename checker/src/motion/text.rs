@@ -198,11 +198,13 @@ pub(crate) fn write_proof(
         row.iter().try_for_each(|c| write!(f, " {c}"))?;
         writeln!(f)?;
     }
-    for flight in flights {
-        writeln!(f, "flight {}", flight.len())?;
-        flight.iter().try_for_each(|end| writeln!(f, "until {end}"))?;
-    }
-    Ok(())
+    flights.iter().try_for_each(|flight| write_flight(f, flight))
+}
+
+/// The lines of the pieces of one flight.
+pub(crate) fn write_flight(f: &mut fmt::Formatter<'_>, ends: &[Decimal]) -> fmt::Result {
+    writeln!(f, "flight {}", ends.len())?;
+    ends.iter().try_for_each(|end| writeln!(f, "until {end}"))
 }
 
 /// Reads a decimal.

@@ -54,11 +54,29 @@
 //! being the sum of all N_i, some impact i differs from impact i + d in its wall, in its speed, or in that
 //! the time between them is not 2π d N/M. So an orbit listed twice is no orbit of twice the period.
 //!
+//! # Version 3: without impacts
+//!
+//! The motion that meets no wall, the response to the forcing. After `kind orbit 3` the system is as in
+//! version 2, and then there are only
+//!
+//! ```text
+//! orbit 0 CLAIM                no impact; stable, unstable, or open
+//! flight J                     J ≥ 1, and J lines: the period from phase 0 on
+//! until T                      the times at which the pieces end; the last is not before 2π
+//! ```
+//!
+//! The response is F/k + Σ (α cos νt + β sin νt) with (k − ν²) α + νcβ = a and (k − ν²) β − νcα = b, so that
+//! k must certainly differ from 0, and no ν may be in undamped resonance. c must certainly differ from 0, or
+//! k from every ν², so that 1 is no multiplier and no other motion without impacts has that period. On every
+//! piece, m its middle and r half its length, z(m) + z′(m)[−r, r] + z″[0, r²/2] > 0 for the gap z to every
+//! wall. It is stable if c > 0 and k > 0, and unstable if c < 0 or k < 0. The restitutions decide nothing.
+//!
 //! # Cost
 //!
-//! With J harmonics in all, P pieces and M impacts, (1 + 2J)(4P + 24M) may be at most 1,000,000, which bounds
-//! the exponentials taken. Memory: the certificate.
+//! In version 3 M counts as 0. With J harmonics in all, P pieces and M impacts, (1 + 2J)(4P + 24M) may be at
+//! most 1,000,000, which bounds the exponentials taken. Memory: the certificate.
 
+mod free;
 mod proof;
 mod text;
 mod words;
@@ -74,6 +92,8 @@ pub use super::motion::{
     range::Range,
     text::{Decimal, Fraction, Harmonic, Impact, Side, System, Wall},
 };
+pub use free::FreeCertificate;
+pub(super) use free::check as check_free;
 pub use text::{Certificate, Claim};
 
 /// The word in the header.
@@ -94,6 +114,13 @@ and the periods to the next) whose phases and incoming relative speeds all lie w
 of the pattern have exactly one solution there, at it every impact has positive speed, strictly between impacts every \
 gap to a wall is positive, and no smaller number of periods than that of all listed impacts is a period of the orbit. If \
 the claim is stable, both multipliers of that orbit lie strictly inside the unit circle; if unstable, one lies strictly \
+outside.";
+
+/// What a certificate of version 3 proves.
+pub const STATEMENT_3: &str = "Each coefficient of the system of this digest is an interval. Every oscillator whose coefficients lie in \
+these intervals has exactly one motion without impacts that comes back after one period of the forcing: its equation of motion \
+has exactly one solution of period 2 pi, and at all times every gap of that solution to a wall is positive. \
+If the claim is stable, both multipliers of that motion lie strictly inside the unit circle; if unstable, one lies strictly \
 outside.";
 
 /// What a coefficient is, which is what the versions differ in.

@@ -47,7 +47,7 @@ pub struct Certificate<C = Fraction> {
 ///
 /// A piece takes two motions for each of at most two walls, and Krawczyk's test, twice, and the multipliers
 /// take at most 12 for each impact. A motion is one exponential, and at most two for each harmonic.
-fn work(harmonics: u64, pieces: u64, impacts: u64) -> u64 {
+pub(super) fn work(harmonics: u64, pieces: u64, impacts: u64) -> u64 {
     (1 + 2 * harmonics) * (4 * pieces + 24 * impacts)
 }
 

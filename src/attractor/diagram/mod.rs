@@ -23,6 +23,7 @@ use super::{
     cycle::Cycle,
     dynamics::SectionState,
     observe::{Attraction, Observation, Observed},
+    portrait::{OnAttractor, looked_at},
 };
 use crate::{Monitor, error::Result, motion::State};
 
@@ -142,17 +143,13 @@ impl<S> DiagramPlan<S> {
 
     /// What motions that go on amount to at a value.
     fn slice<P: SectionState>(&self, value: f64, all: Vec<Observed<S, P>>) -> Slice {
-        let (mut cycles, mut motions) = (Vec::<(Option<Cycle<P>>, bool)>::new(), Vec::new());
+        let (mut known, mut motions) = (Known::default(), Vec::new());
         let lost = (self.starts.len() - all.len()) as u32;
-        for Observed { cycle, undecided, points, impacts, .. } in all {
-            let known = |(old, before): &(Option<Cycle<P>>, bool)| match (old, &cycle) {
-                (Some(old), Some(cycle)) => old.is(cycle),
-                (old, cycle) => old.is_none() && cycle.is_none() && *before == undecided,
-            };
-            if !cycles.iter().any(known) {
-                let period = cycle.as_ref().map(|cycle| cycle.period() as u32);
+        for seen in all {
+            if known.is_new(&seen) {
+                let Observed { cycle, undecided, points, impacts, .. } = seen;
+                let period = cycle.map(|cycle| cycle.period() as u32);
                 motions.push(DiagramMotion { points, period, undecided, impacts });
-                cycles.push((cycle, undecided));
             }
         }
         Slice { value, motions, lost }
@@ -179,6 +176,58 @@ impl<S> DiagramPlan<S> {
             && slice.motions.len() + slice.lost as usize <= self.starts.len()
             && slice.motions.iter().all(motion)
     }
+}
+
+/// Attractors at a value that have been seen: all that are not periodic count as one, all that are not
+/// decided as another.
+struct Known<P>(Vec<(Option<Cycle<P>>, bool)>);
+
+impl<P> Default for Known<P> {
+    fn default() -> Known<P> {
+        Known(Vec::new())
+    }
+}
+
+impl<P: SectionState> Known<P> {
+    /// Whether it is none of them; then it is one from now on.
+    fn is_new<S>(&mut self, seen: &Observed<S, P>) -> bool {
+        let same = |(old, undecided): &(Option<Cycle<P>>, bool)| match (old, &seen.cycle) {
+            (Some(old), Some(cycle)) => old.is(cycle),
+            (old, cycle) => old.is_none() && cycle.is_none() && *undecided == seen.undecided,
+        };
+        let is_new = !self.0.iter().any(same);
+        if is_new {
+            self.0.push((seen.cycle.clone(), seen.undecided));
+        }
+        is_new
+    }
+}
+
+/// The attractors at one value, in the order of a [`Slice`], each with the index of the start that leads
+/// there first and with a state on it. Cost: that of the slice again, up to the last start that leads to
+/// another one of these `most` attractors.
+///
+/// # Errors
+/// Those of the simulator; an interruption.
+pub fn attractors<D: Attraction>(
+    plan: &DiagramPlan<D::Start>,
+    dynamics: &D,
+    most: usize,
+    monitor: &dyn Monitor,
+) -> Result<Vec<(usize, OnAttractor<D::Start>)>> {
+    let (mut known, mut found) = (Known::default(), Vec::new());
+    for (index, start) in plan.starts.iter().enumerate() {
+        if found.len() == most {
+            break;
+        }
+        let Ok(run) = dynamics.begin(start) else { continue };
+        if let Some(Ok(seen)) = D::observe(vec![(dynamics, run)], &plan.observation(), monitor)?.pop()
+            && known.is_new(&seen)
+        {
+            found.extend(looked_at(dynamics, seen)?.map(|on| (index, on)));
+        }
+    }
+    Ok(found)
 }
 
 /// The slices at some values: the motions of all of them are followed together.

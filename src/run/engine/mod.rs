@@ -240,6 +240,9 @@ pub(crate) struct StartPlane<D: Dynamics> {
     pub size: f64,
 }
 
+/// Why a motion without impacts is not proved.
+const SEVERAL_PERIODS: &str = "of motions without impacts the one that comes back after one period is proved";
+
 /// What proves orbits of one system.
 pub(crate) trait Prover<O> {
     /// What is proved of the orbit near an approximation.

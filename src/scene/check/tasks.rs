@@ -232,10 +232,6 @@ impl Checked<'_> {
             );
         }
         if task.prove {
-            if task.sweep.is_none() {
-                return self
-                    .fail("prove", "goes with `sweep`; orbits of one value are proved by kind \"validate\"");
-            }
             self.provable("prove")?;
         }
         for (i, start) in (1..).zip(&task.starts) {

@@ -4,14 +4,16 @@
 //! kind `machine-orbit` needs is looked for: the box, the preconditioner, the pieces of time. None of that is
 //! a proof. What is called proved is what the checker of certificates has proved from the certificate's text,
 //! with code and formulas of its own: here time is in the state (`linear`), there the response to the forcing
-//! is subtracted. Up to 8 coordinates and 16 stops.
+//! is subtracted. The motion without impacts has its own certificate (`free`). Up to 8 coordinates, 16 stops.
 
+mod free;
 mod linear;
 mod motion;
 mod orbit;
 mod pieces;
 mod write;
 
+pub use free::{ProvedFreeMachine, free_motion};
 pub use orbit::{ProvedMachineOrbit, orbit};
 pub use write::listed;
 

@@ -118,10 +118,14 @@ pub fn orbit(
     for i in 0..equations.strikes.len() {
         match pieces(&equations.flight(i, &centre)) {
             Ok(ends) => certificate.flights[i] = ends.iter().map(decimal).collect::<Result<_>>()?,
-            Err(why) => return undecided(&why),
+            Err(doubt) => return undecided(&format!("{doubt} after an impact")),
         }
     }
-    if let Some(why) = cut_until_accepted(&mut certificate, stop)? {
+    let mut flights = std::mem::take(&mut certificate.flights);
+    let text = |flights: &[_]| Certificate { flights: flights.to_vec(), ..certificate.clone() }.to_string();
+    let refused = cut_until_accepted(&mut flights, &text, stop)?;
+    certificate.flights = flights;
+    if let Some(why) = refused {
         return undecided(&format!("the checker does not accept the orbit: {why}"));
     }
     // What can be said of the multipliers besides.
@@ -137,7 +141,7 @@ pub fn orbit(
 }
 
 /// Why the checker does not accept a certificate.
-fn refusal(text: &str, stop: &mut dyn FnMut() -> bool) -> Result<Option<String>> {
+pub(super) fn refusal(text: &str, stop: &mut dyn FnMut() -> bool) -> Result<Option<String>> {
     match certificate::check_until(&mut text.as_bytes(), stop) {
         Ok(_) => Ok(None),
         Err(certificate::Rejection::Interrupted { .. }) => {
@@ -148,15 +152,16 @@ fn refusal(text: &str, stop: &mut dyn FnMut() -> bool) -> Result<Option<String>>
 }
 
 /// Cuts the piece that the checker doubts in two, until it doubts none; else why it does not accept the
-/// certificate.
-fn cut_until_accepted(
-    certificate: &mut Certificate,
+/// certificate, whose `text` is that of these flights.
+pub(super) fn cut_until_accepted(
+    flights: &mut [Vec<Decimal>],
+    text: &dyn Fn(&[Vec<Decimal>]) -> String,
     stop: &mut dyn FnMut() -> bool,
 ) -> Result<Option<String>> {
     for _ in 0..CUTS {
-        let Some(why) = refusal(&certificate.to_string(), stop)? else { return Ok(None) };
+        let Some(why) = refusal(&text(flights), stop)? else { return Ok(None) };
         let Some((piece, flight)) = doubted(&why) else { return Ok(Some(why)) };
-        let Some(ends) = certificate.flights.get_mut(flight - 1) else { return Ok(Some(why)) };
+        let Some(ends) = flights.get_mut(flight - 1) else { return Ok(Some(why)) };
         let to = exact(&ends[piece - 1]);
         let from = if piece > 1 { exact(&ends[piece - 2]) } else { BigRational::default() };
         let middle = rounded(&((&from + &to) / BigRational::from_integer(2.into())), 14);
@@ -165,7 +170,7 @@ fn cut_until_accepted(
         }
         ends.insert(piece - 1, decimal(&middle)?);
     }
-    refusal(&certificate.to_string(), stop)
+    refusal(&text(flights), stop)
 }
 
 /// `… on piece P of flight F is not certainly positive`.
@@ -176,7 +181,7 @@ fn doubted(why: &str) -> Option<(usize, usize)> {
 }
 
 /// The power of ten nearest to a positive number.
-fn power_of_ten(x: f64) -> BigRational {
+pub(super) fn power_of_ten(x: f64) -> BigRational {
     let power = num_traits::pow(BigRational::from_integer(10.into()), x.log10().round().abs() as usize);
     if x < 1.0 { power.recip() } else { power }
 }
@@ -345,7 +350,7 @@ impl Equations {
         let y = motion.lifted(&state, &point(x[0]), x[0].abs());
         let start = motion.kicked(self.strikes[i].0, &y);
         let duration = TAU * f64::from(self.strikes[i].1) + nearest(&centre[next * block]) - x[0];
-        Flight { motion, start, left: self.strikes[i].0, met: self.strikes[next].0, duration }
+        Flight { motion, start, stops: Some([self.strikes[i].0, self.strikes[next].0]), duration }
     }
 
     /// Phases as fractions of the period and speeds, in the smaller box.

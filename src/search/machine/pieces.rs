@@ -15,12 +15,11 @@ const FINEST: f64 = 1e-9;
 /// The most pieces of a flight.
 const MOST: usize = 50_000;
 
-/// A flight: what it starts from, the stops it leaves and meets, how long it lasts.
+/// A flight: what it starts from, the stops it leaves and meets, if it does, how long it lasts.
 pub(super) struct Flight {
     pub motion: Motion<FloatInterval>,
     pub start: Vec<FloatInterval>,
-    pub left: usize,
-    pub met: usize,
+    pub stops: Option<[usize; 2]>,
     pub duration: f64,
 }
 
@@ -37,10 +36,7 @@ pub(super) fn pieces(flight: &Flight) -> Result<Vec<BigRational>, String> {
             continue;
         };
         if to - from < FINEST || ends.len() > MOST {
-            return Err(format!(
-                "the gap to stop {} cannot be told from 0 {from:.6} after an impact",
-                stop + 1
-            ));
+            return Err(format!("the gap to stop {} cannot be told from 0 {from:.6}", stop + 1));
         }
         // Few decimals, near the middle.
         let places = (1..12).find(|&places| to - from > 8.0 * 10f64.powi(-places)).unwrap_or(12);
@@ -79,8 +75,9 @@ impl Flight {
             let slope = rate + &(bend * &away);
             let square = FloatInterval::from_bounds(0.0, half * half / 2.0 * (1.0 + 1e-12));
             let gap = gap + &(rate * &away) + &(bend * &square);
-            let leaves = from == 0.0 && stop == self.left && (positive(&slope, 0.0) || positive(&bend, 0.0));
-            let meets = last && stop == self.met && slope.hi() < 0.0;
+            let is = |i: usize| self.stops.is_some_and(|stops| stops[i] == stop);
+            let leaves = from == 0.0 && is(0) && (positive(&slope, 0.0) || positive(&bend, 0.0));
+            let meets = last && is(1) && slope.hi() < 0.0;
             !(positive(&gap, 0.0) || leaves || meets)
         })
     }

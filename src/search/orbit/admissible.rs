@@ -20,7 +20,7 @@ use super::{
 use crate::{
     error::Result,
     motion::Side,
-    number::{Ball, Real, Sign},
+    number::{Ball, Elementary, Real, Sign},
 };
 
 /// A tangency that is known: in which flight, with which wall, when.
@@ -53,17 +53,20 @@ pub(super) fn prove(
     let mut all = Vec::new();
     let legs = match touch {
         Some(touch) if equations.impacts.is_empty() => vec![equations.free(&touch.phase)?],
+        // From phase 0 on.
+        None if equations.impacts.is_empty() => vec![equations.free(&Jet::pi(equations.linear.precision))?],
         _ => equations.legs(unknowns)?,
     };
     for (index, leg) in legs.iter().enumerate() {
+        let after = match (equations.impacts.is_empty(), touch.is_some()) {
+            (false, _) => format!("after impact {}", index + 1),
+            (true, false) => "after phase 0".into(),
+            (true, true) => "after half a period before the contact".into(),
+        };
         match pieces(equations, leg, touch.filter(|touch| touch.flight == index))? {
             Verdict::Proved(ends) => all.push(ends),
-            Verdict::Refuted(why) => {
-                return Ok(Verdict::Refuted(format!("{why} after impact {}", index + 1)));
-            }
-            Verdict::Undecided(why) => {
-                return Ok(Verdict::Undecided(format!("{why} after impact {}", index + 1)));
-            }
+            Verdict::Refuted(why) => return Ok(Verdict::Refuted(format!("{why} {after}"))),
+            Verdict::Undecided(why) => return Ok(Verdict::Undecided(format!("{why} {after}"))),
         }
     }
     Ok(Verdict::Proved(all))

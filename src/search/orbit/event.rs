@@ -157,7 +157,7 @@ fn pattern<'a>(
 }
 
 /// Whether no other motion without impacts comes back after 2π.
-fn is_alone(linear: &Linear) -> bool {
+pub(super) fn is_alone(linear: &Linear) -> bool {
     let turn = Jet::pi(linear.precision) * &Jet::integer(2, linear.precision);
     let [[a, b], [c, d]] = linear.propagator(&turn);
     let determinant = a.clone() * &d - &(b * &c);

@@ -4,7 +4,8 @@
 //! Krawczyk's test over balls with first derivatives proves that the equations of an impact pattern, extended
 //! by the event's condition where one is asked for, have exactly one solution in a box. Approximations serve
 //! to choose the box only. Proved orbits and events are written as certificates, which `grazing check` proves
-//! again. Not here: continuation and approximate orbits.
+//! again. The motion without impacts (`free`) is in closed form and needs no test. Not here: continuation
+//! and approximate orbits.
 //!
 //! ```
 //! use grazing::number::Precision;
@@ -27,6 +28,7 @@
 mod admissible;
 mod equations;
 mod event;
+mod free;
 mod jet;
 mod krawczyk;
 mod linear;
@@ -36,11 +38,12 @@ mod solution;
 mod write;
 
 pub use event::{Condition, ProvedEvent, event, event_in};
+pub use free::{ProvedFreeMotion, free_motion};
 pub use jet::Jet;
 pub(crate) use krawczyk::{radii, rounded};
 pub use quotient::Quotient;
 pub use solution::{ExpectedImpact, ProvedOrbit, Stability, orbit, solution_in};
-pub use write::{certificate, event_certificate};
+pub use write::{certificate, event_certificate, free_certificate};
 pub(crate) use write::{decimal, range_of};
 
 use crate::error::Result;

@@ -169,7 +169,7 @@ pub(super) fn admitted(
 
 /// Jury's conditions: both eigenvalues are inside the unit circle iff D < 1, 1 + D > |T|; one is outside if
 /// D > 1 or 1 + D < |T|.
-fn stability(trace: &Ball, determinant: &Ball, precision: &Precision) -> Option<Stability> {
+pub(super) fn stability(trace: &Ball, determinant: &Ball, precision: &Precision) -> Option<Stability> {
     let one = Ball::integer(1, precision);
     let sum = one.clone() + determinant;
     let signs = [one - determinant, sum.clone() - trace, sum + trace].map(|x| x.sign());

@@ -4,11 +4,14 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
-use super::{Condition, ProvedEvent, ProvedOrbit, Quotient, Stability, krawczyk};
+use super::{Condition, ProvedEvent, ProvedFreeMotion, ProvedOrbit, Quotient, Stability, krawczyk};
 use crate::{
     certificate::{
         self, event,
-        orbit::{Certificate, Claim, Decimal, Fraction, Harmonic, Impact, Range, Side, System, Wall},
+        orbit::{
+            Certificate, Claim, Decimal, Fraction, FreeCertificate, Harmonic, Impact, Range, Side, System,
+            Wall,
+        },
     },
     error::{Error, Result},
     motion,
@@ -55,11 +58,7 @@ fn accepted<C: certificate::orbit::Version>(system: System<C>, orbit: &ProvedOrb
     };
     let mut certificate = Certificate {
         system,
-        claim: match orbit.stability {
-            Some(Stability::Stable) => Claim::Stable,
-            Some(Stability::Unstable) => Claim::Unstable,
-            None => Claim::Open,
-        },
+        claim: claim(orbit.stability),
         impacts: impacts(&orbit.impacts, &centre)?,
         radius: decimal(&orbit.radius)?,
         within: decimal(&within)?,
@@ -76,6 +75,29 @@ fn accepted<C: certificate::orbit::Version>(system: System<C>, orbit: &ProvedOrb
         }
     }
     Err(Error::input(format!("the checker does not accept this orbit: {last}")))
+}
+
+/// The text of a certificate of kind `orbit` of a motion without impacts, version 3, which has passed the
+/// check. It holds coefficients in intervals, one number each where that is a decimal of up to 34 digits.
+///
+/// # Errors
+/// An input error: a coefficient of 2³⁰ or more, or that the checker does not accept it.
+pub fn free_certificate(system: &motion::System<BigRational>, motion: &ProvedFreeMotion) -> Result<String> {
+    let pieces = motion.pieces.iter().map(decimal).collect::<Result<_>>()?;
+    let certificate =
+        FreeCertificate { system: converted(system, &range)?, claim: claim(motion.stability), pieces };
+    let text = certificate.to_string();
+    let refused = |why| Err(Error::input(format!("the checker does not accept this motion: {why}")));
+    refusal(&text).map_or(Ok(text), refused)
+}
+
+/// What is claimed of the multipliers.
+fn claim(stability: Option<Stability>) -> Claim {
+    match stability {
+        Some(Stability::Stable) => Claim::Stable,
+        Some(Stability::Unstable) => Claim::Unstable,
+        None => Claim::Open,
+    }
 }
 
 /// The text of a certificate of kind `event`, and the ends of the parameter's interval that it proves, in

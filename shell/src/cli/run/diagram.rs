@@ -38,9 +38,11 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
 }
 
 fn tables(found: &DiagramFindings, job: &Job) -> Result<Vec<String>> {
-    let Some(sweep) = &found.sweep else { return Ok(vec![job.csv(&found.windows, "-windows.csv")?]) };
-    let mut files = vec![job.csv(&sweep.windows, "-windows.csv")?, job.csv(&sweep.jumps, "-jumps.csv")?];
-    files.extend(proofs(sweep.proofs.as_ref(), job)?);
+    let mut files = match &found.sweep {
+        Some(sweep) => vec![job.csv(&sweep.windows, "-windows.csv")?, job.csv(&sweep.jumps, "-jumps.csv")?],
+        None => vec![job.csv(&found.windows, "-windows.csv")?],
+    };
+    files.extend(proofs(found.proofs.as_ref(), job)?);
     Ok(files)
 }
 

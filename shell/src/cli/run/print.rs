@@ -1,5 +1,5 @@
-//! Reports in LaTeX: orbits, events and chaos as blocks of two columns, name and value, which fit any page.
-//! A certificate is cited by its SHA-256.
+//! Reports in LaTeX: orbits, events, chaos, ranges and attractors that are proved, as blocks of two columns,
+//! name and value, which fit any page. A certificate is cited by its SHA-256.
 
 use std::{io::Write, path::Path};
 
@@ -7,7 +7,7 @@ use crate::{
     cli::cite,
     error::Result,
     output::{latex, latex_numbers},
-    run::{Findings, Tabular, TaskReport},
+    run::{Findings, GrazingFindings, Tabular, TaskReport},
 };
 
 /// Names of columns that print has other words for.
@@ -37,7 +37,12 @@ pub(super) fn reports(scene: &str, all: &[TaskReport], out: &mut dyn Write) -> R
         "% grazing-run 4: \\input this file after \\usepackage{{amsmath,array,booktabs,longtable}}"
     )?;
     for report in all {
+        let beside = match &report.findings {
+            Some(Findings::Grazing(found)) => proved_beside(found),
+            _ => None,
+        };
         let (blocks, certificates) = match &report.findings {
+            _ if beside.is_some() => beside.unwrap_or_default(),
             Some(Findings::Validate(found)) => (blocks(&found.proofs), found.certificates.clone()),
             Some(Findings::Orbit(found)) => (blocks(&found.orbits), Vec::new()),
             Some(Findings::Event(found)) => (blocks(&found.found), Vec::new()),
@@ -59,6 +64,11 @@ pub(super) fn reports(scene: &str, all: &[TaskReport], out: &mut dyn Write) -> R
                 let all = std::iter::once(head).chain(blocks(&found.letters)).collect();
                 (all, found.text.clone().into_iter().collect())
             }
+            Some(Findings::Diagram(found)) if found.proofs.is_some() => {
+                let proofs = found.proofs.iter();
+                let certificates = proofs.clone().flat_map(|x| x.certificates.clone());
+                (proofs.flat_map(|x| blocks(&x.rows)).collect(), certificates.collect())
+            }
             _ => {
                 writeln!(out, "% task {} of kind {}: no table in LaTeX", report.task, report.kind)?;
                 continue;
@@ -67,6 +77,17 @@ pub(super) fn reports(scene: &str, all: &[TaskReport], out: &mut dyn Write) -> R
         table(scene, report, &blocks, &certificates, out)?;
     }
     Ok(())
+}
+
+/// What is proved beside a touch, how far what is born goes on and what attracts, with the certificates; none
+/// if neither was asked for.
+fn proved_beside(found: &GrazingFindings) -> Option<(Blocks, Vec<(String, String)>)> {
+    let GrazingFindings::Found(found) = found else { return None };
+    let (ranges, attractors) = (found.range.iter(), found.proofs.iter());
+    let certificates = found.certificates.iter().chain(attractors.clone().flat_map(|x| &x.certificates));
+    let asked = found.range.is_some() || found.proofs.is_some();
+    let blocks = ranges.flat_map(blocks).chain(attractors.flat_map(|x| blocks(&x.rows))).collect();
+    asked.then(|| (blocks, certificates.cloned().collect()))
 }
 
 /// Name and value of each column that is not empty, row by row.
@@ -108,6 +129,7 @@ fn table(
             let heading = NAMES.iter().find(|known| known.0 == name);
             let heading = heading.map_or_else(|| latex(&name.replace('_', " ")), |known| known.1.to_string());
             let value = match name.as_str() {
+                "pattern" if value.starts_with("free") => "no impact".to_string(),
                 "pattern" => format!("$({})$", value.replace(' ', "")),
                 "certificate" => cited(value, certificates),
                 _ => latex_numbers(value),

@@ -3,7 +3,7 @@
 use super::{
     super::super::{
         Job, Judgement, ProofRow, Proved,
-        engine::{Proof, Prover},
+        engine::{Proof, Prover, SEVERAL_PERIODS},
         validate::digits,
     },
     admissible, named, phases, speeds,
@@ -33,7 +33,10 @@ pub(super) struct MachineProver<'e> {
 
 impl Prover<MachineOrbit> for MachineProver<'_> {
     fn prove(&self, orbit: &MachineOrbit) -> Result<Proof> {
-        let verdict = self.verdict(orbit)?;
+        if orbit.pattern.strikes().is_empty() {
+            return self.free(orbit);
+        }
+        let verdict = self.verdict(orbit, machine::orbit)?;
         let numbers = phases(orbit).into_iter().zip(speeds(orbit, self.machine.rate()));
         let solution = numbers.flat_map(|(t, v)| [t, v]).collect();
         let mut row = ProofRow::of(&verdict, named(&orbit.pattern, &self.machine), solution);
@@ -43,9 +46,26 @@ impl Prover<MachineOrbit> for MachineProver<'_> {
     }
 }
 
+/// What finds the proof of an orbit.
+type Search<T> = fn(&ListedMachine, &MachineOrbit, &mut dyn FnMut() -> bool) -> Result<Verdict<T>>;
+
 impl MachineProver<'_> {
+    /// What is proved of the motion without impacts.
+    fn free(&self, orbit: &MachineOrbit) -> Result<Proof> {
+        let verdict = match orbit.pattern.periods() {
+            1 => self.verdict(orbit, machine::free_motion)?,
+            _ => Verdict::Undecided(SEVERAL_PERIODS.into()),
+        };
+        let (q, u) = (&orbit.state.q, &orbit.state.u);
+        let solution = q.iter().copied().chain(u.iter().map(|u| u * self.machine.rate())).collect();
+        let mut row = ProofRow::of(&verdict, named(&orbit.pattern, &self.machine), solution);
+        let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
+        row.proved.stable = Some(judged(proof.certificate.claim));
+        Ok(Proof { row, certificate: Some(Ok(proof.text)) })
+    }
+
     /// Of an orbit that the simulator does not refuse.
-    fn verdict(&self, orbit: &MachineOrbit) -> Result<Verdict<ProvedMachineOrbit>> {
+    fn verdict<T>(&self, orbit: &MachineOrbit, search: Search<T>) -> Result<Verdict<T>> {
         if let MachineAdmissibility::No(_) = orbit.admissibility {
             let (_, why) = admissible(orbit, None);
             return Ok(Verdict::Undecided(format!(
@@ -53,7 +73,16 @@ impl MachineProver<'_> {
                 why.unwrap_or_default()
             )));
         }
-        machine::orbit(&self.listed, orbit, &mut || self.job.check().is_err())
+        search(&self.listed, orbit, &mut || self.job.check().is_err())
+    }
+}
+
+/// A claim as a judgement.
+fn judged(claim: Claim) -> Judgement {
+    match claim {
+        Claim::Stable => Judgement::Yes,
+        Claim::Unstable => Judgement::No,
+        Claim::Open => Judgement::Marginal,
     }
 }
 
@@ -66,10 +95,6 @@ fn fill(row: &mut Proved, proof: &ProvedMachineOrbit, period: &Bounds) -> Result
     row.phases = Some(proof.phases.iter().map(shown).collect());
     row.speeds = Some(proof.speeds.iter().map(|speed| shown(&(speed.clone() * &rate))).collect());
     row.only_within = Some(proof.radius());
-    row.stable = Some(match proof.certificate.claim {
-        Claim::Stable => Judgement::Yes,
-        Claim::Unstable => Judgement::No,
-        Claim::Open => Judgement::Marginal,
-    });
+    row.stable = Some(judged(proof.certificate.claim));
     Ok(())
 }

@@ -8,7 +8,7 @@ use num_traits::ToPrimitive;
 use super::{
     super::super::{
         Job, Judgement, ProofRow, ValidateFindings,
-        engine::{Proof, Prover},
+        engine::{Proof, Prover, SEVERAL_PERIODS},
         validate::{all, digits, starts},
     },
     Oscillators, named, speeds, turn,
@@ -36,9 +36,39 @@ pub(super) struct OrbitProver<'e> {
     pub precision: Precision,
 }
 
+impl OrbitProver<'_> {
+    /// What is proved of the motion without impacts.
+    fn free(&self, approximation: &Orbit) -> Result<Proof> {
+        let OrbitProver { job, system, precision } = self;
+        let pattern = named(&approximation.itinerary, job);
+        let verdict = match approximation.itinerary.periods() {
+            1 => timed(job.monitor, Rung::Ball(precision.bits()), || orbit::free_motion(system, precision))?,
+            _ => Verdict::Undecided(SEVERAL_PERIODS.into()),
+        };
+        let mut row = ProofRow::of(&verdict, pattern, approximation.z.clone());
+        let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
+        row.proved.trace = digits(&proof.trace);
+        row.proved.det = digits(&proof.determinant);
+        row.proved.stable = Some(judged(proof.stability));
+        Ok(Proof { row, certificate: Some(orbit::free_certificate(system, &proof)) })
+    }
+}
+
+/// Where the multipliers are, as a judgement.
+fn judged(stability: Option<Stability>) -> Judgement {
+    match stability {
+        Some(Stability::Stable) => Judgement::Yes,
+        Some(Stability::Unstable) => Judgement::No,
+        None => Judgement::Marginal,
+    }
+}
+
 impl Prover<Orbit> for OrbitProver<'_> {
     fn prove(&self, approximation: &Orbit) -> Result<Proof> {
         let OrbitProver { job, system, precision } = self;
+        if approximation.itinerary.strikes().is_empty() {
+            return self.free(approximation);
+        }
         let guess = impacts(&approximation.itinerary, &approximation.z);
         let verdict =
             timed(job.monitor, Rung::Ball(precision.bits()), || orbit::orbit(system, &guess, precision))?;
@@ -51,11 +81,7 @@ impl Prover<Orbit> for OrbitProver<'_> {
         row.proved.only_within = proof.radius.to_f64();
         row.proved.trace = digits(&proof.trace);
         row.proved.det = digits(&proof.determinant);
-        row.proved.stable = Some(match proof.stability {
-            Some(Stability::Stable) => Judgement::Yes,
-            Some(Stability::Unstable) => Judgement::No,
-            None => Judgement::Marginal,
-        });
+        row.proved.stable = Some(judged(proof.stability));
         Ok(Proof { row, certificate: Some(orbit::certificate(system, &proof)) })
     }
 }
