@@ -4,7 +4,7 @@ From Coq Require Import Reals ZArith Lra Lia Bool Machin.
 From Grazing Require Import ChaosInterval.
 Open Scope R_scope.
 
-(** ** exp: (1 + x/2^14)^(2^14) <= exp x <= (1 - x/2^14)^(-2^14) *)
+(** ** exp: (1 + x/2^12)^(2^12) <= exp x <= (1 - x/2^12)^(-2^12) *)
 
 (** Named, so that they are computed once. *)
 Definition unit : itv := constant 1 1.
@@ -14,15 +14,15 @@ Definition c30 : itv := constant 1 30.
 Definition c56 : itv := constant 1 56.
 Definition c8 : itv := constant 1 8.
 Definition c128 : itv := constant 1 128.
-Definition c16384 : itv := constant 1 16384.
+Definition c4096 : itv := constant 1 4096.
 
 Fixpoint squares (n : nat) (X : itv) : itv := match n with O => X | S n => squares n (times X X) end.
 Definition join (X Y : itv) : itv := match X, Y with
   | Some (a, _), Some (_, d) => Some (a, d) | _, _ => None end.
 Definition exponential (X : itv) : itv :=
-  let Y := times X c16384 in
+  let Y := times X c4096 in
   let I := unit in
-  if positive (minus I Y) then squares 14 (join (plus I Y) (inverse (minus I Y))) else None.
+  if positive (minus I Y) then squares 12 (join (plus I Y) (inverse (minus I Y))) else None.
 
 Lemma mem_join X Y x y z : mem X x -> mem Y y -> x <= z <= y -> mem (join X Y) z.
 Proof.
@@ -44,12 +44,12 @@ Proof. pose proof (mem_constant 1 1) as H; replace (1 / 1) with 1 in H by field;
 Lemma mem_exponential X x : mem X x -> mem (exponential X) (exp x).
 Proof.
   intros Hx; unfold exponential.
-  pose proof (mem_times _ _ _ _ Hx (mem_constant 1 16384)) as HY; set (Y := times _ _) in *.
-  set (y := x * (1 / 16384)) in *.
+  pose proof (mem_times _ _ _ _ Hx (mem_constant 1 4096)) as HY; set (Y := times _ _) in *.
+  set (y := x * (1 / 4096)) in *.
   pose proof (mem_plus _ _ _ _ mem_1 HY) as P; pose proof (mem_minus _ _ _ _ mem_1 HY) as M.
   cbv zeta; destruct (positive _) eqn:Hp; [|exact I].
   pose proof (positive_lt _ _ Hp M) as Hy.
-  apply mem_squares; replace (x / 2 ^ 14) with y by (unfold y; cbn; field).
+  apply mem_squares; replace (x / 2 ^ 12) with y by (unfold y; cbn; field).
   apply (mem_join _ _ _ _ _ P (mem_inverse _ _ M)); split; [apply exp_ineq1_le|].
   rewrite <- (Ropp_involutive y), exp_Ropp, Ropp_involutive; apply Rinv_le_contravar; [lra|].
   pose proof (exp_ineq1_le (- y)); lra.
@@ -84,10 +84,11 @@ Proof.
   intros Hy; pose proof PI2_3_2 as HP; destruct (cos_bound y 1) as [L U]; [lra|lra|].
   cbn [Nat.mul Nat.add] in L, U; unfold cos_approx in *; cbn [sum_f_R0] in *; unfold cos_term in *.
   cbn [Nat.mul Nat.add] in *.
+  rewrite (fact_simpl 7), (fact_simpl 6), !mult_INR in U.
+  replace (INR 8) with 8 in U by (cbn; ring); replace (INR 7) with 7 in U by (cbn; ring).
   replace (INR (fact 0)) with 1 in * by reflexivity; replace (INR (fact 2)) with 2 in * by (cbn; ring).
   replace (INR (fact 4)) with 24 in * by (cbn; ring).
   replace (INR (fact 6)) with 720 in * by (rewrite INR_IZR_INZ; reflexivity).
-  replace (INR (fact 8)) with 40320 in * by (rewrite INR_IZR_INZ; reflexivity).
   unfold cos_sum, cos_step; split; [eapply Rle_trans; [|exact L] | eapply Rle_trans; [exact U|]]; right;
     field.
 Qed.
@@ -182,12 +183,12 @@ Qed.
 
 (** ** pi, from its series; sin x = cos (pi/2 - x) *)
 
-Definition pi : itv := join (constant 31415926535 10000000000) (constant 31415926536 10000000000).
+Definition pi : itv := join (constant 314159265 100000000) (constant 314159266 100000000).
 
 Lemma mem_pi : mem pi PI.
 Proof.
-  apply (mem_join _ _ _ _ _ (mem_constant 31415926535 10000000000) (mem_constant 31415926536 10000000000)).
-  pose proof (PI_2_3_7_ineq 5) as H; cbn [sum_f_R0 Nat.mul Nat.add] in H.
+  apply (mem_join _ _ _ _ _ (mem_constant 314159265 100000000) (mem_constant 314159266 100000000)).
+  pose proof (PI_2_3_7_ineq 4) as H; cbn [sum_f_R0 Nat.mul Nat.add] in H.
   unfold tg_alt, PI_2_3_7_tg, Ratan_seq in H; rewrite !INR_IZR_INZ in H.
   cbn [Nat.mul Nat.add Z.of_nat Pos.of_succ_nat Pos.succ] in H; cbn [pow] in H; lra.
 Qed.

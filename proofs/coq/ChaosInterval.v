@@ -1,13 +1,13 @@
 (** * Intervals with integer ends contain the results of arithmetic and the square root
 
-    An interval is a pair of integers in units of 2^-32, or None, of which nothing is known. Each operation
+    An interval is a pair of integers in units of 2^-28, or None, of which nothing is known. Each operation
     rounds outwards; [mem_...] says so. The kernel computes with them. *)
 
 From Coq Require Import Reals ZArith Lra Lia Bool.
 Open Scope R_scope.
 
 Definition itv : Type := option (Z * Z).
-Definition one : Z := 4294967296.
+Definition one : Z := 268435456.
 Definition mem (X : itv) (x : R) : Prop :=
   match X with Some (l, h) => IZR l <= x * IZR one <= IZR h | None => True end.
 
@@ -16,12 +16,12 @@ Proof. apply IZR_lt; reflexivity. Qed.
 
 (** ** Arithmetic *)
 
-Definition down (z : Z) : Z := Z.shiftr z 32.
+Definition down (z : Z) : Z := Z.shiftr z 28.
 Definition up (z : Z) : Z := (- down (- z))%Z.
 
 Lemma down_le z : IZR (down z) * IZR one <= IZR z.
 Proof.
-  unfold down; rewrite Z.shiftr_div_pow2 by lia; change (2 ^ 32)%Z with one.
+  unfold down; rewrite Z.shiftr_div_pow2 by lia; change (2 ^ 28)%Z with one.
   rewrite <- mult_IZR; apply IZR_le; rewrite Z.mul_comm; apply Z.mul_div_le; reflexivity.
 Qed.
 

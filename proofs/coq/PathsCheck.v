@@ -41,8 +41,7 @@ Definition at_point (z : Z) : itv := Some (z, z).
 (** About cos t and sin t for small t, not trusted. *)
 Definition about (t : Z) : Z * Z :=
   let z := down (t * t) in let step x q := (one - down (z * x) / q)%Z in
-  (step (step (step (step (step one 90) 56) 30) 12) 2, down (t * step (step (step (step (step one 110) 72)
-    42) 20) 6))%Z.
+  (step (step (step one 30) 12) 2, down (t * step (step (step one 42) 20) 6))%Z.
 Definition slope_and_bend (t : Z) : Z * Z := fold_right (fun '(j, (A, B)) s =>
   let '(co, si) := about (Z.pos j * t) in let a := middle A in let b := middle B in
   (fst s + Z.pos j * down (b * co - a * si), snd s + Z.pos j * Z.pos j * down (a * co + b * si)))%Z (0,
@@ -58,7 +57,7 @@ Definition phase_off (off : Z) (Y : itv) : itv := match Y with
   | None => None end.
 Definition phaseI (N S : itv) : itv :=
   let Y := times (times N S) half in
-  match phase_off (one / 1000000) Y with Some X => Some X | None => phase_off (one / 5000) Y end.
+  match phase_off (one / 100000) Y with Some X => Some X | None => phase_off (one / 5000) Y end.
 
 Definition hull (X Y : itv) : itv := match X, Y with
   | Some (a, b), Some (c, d) => Some (Z.min a c, Z.max b d) | _, _ => None end.

@@ -199,7 +199,7 @@ Lemma found_phase N S s : mem N nu -> mem S s -> phaseI D N S <> None ->
   lies M w s (phase M w s) /\ mem (phaseI D N S) (phase M w s).
 Proof.
   intros HN HS; pose proof (mem_y _ _ _ HN HS) as HY; unfold phaseI; cbv zeta; intros X.
-  destruct (phase_off D (one / 1000000) (times (times N S) half)) as [[a b]|] eqn:E1;
+  destruct (phase_off D (one / 100000) (times (times N S) half)) as [[a b]|] eqn:E1;
     [|destruct (phase_off D (one / 5000) (times (times N S) half)) as [[a b]|] eqn:E2; [|congruence]];
     [destruct (off_phase _ _ _ _ _ HY E1) as [L B] | destruct (off_phase _ _ _ _ _ HY E2) as [L B]];
     (split; [exact L|]; apply (mem_join _ _ _ _ _ (mem_at_point a) (mem_at_point b) B)).

@@ -1,8 +1,9 @@
-(* A reader of certificates of kinds theorem2, word, word-by-theorem and chaos 3: one answer per file named on the
-   command line, "proved", "refused: line N: ..." or "not read: ...". Of chaos 3 "proved" is said of the motions alone.
-   What a file claims is decided by the proved functions of StatementReaders.v, StatementReaderWords.v and
-   StatementPaths.v; here files are cut into lines and words, numbers are read, and the form is checked, as the heads
-   of checker/src/theorem2/mod.rs, checker/src/word/mod.rs and checker/src/chaos/mod.rs have it. *)
+(* A reader of certificates of kinds theorem2, word, word-by-theorem and chaos 3: one answer per file named on
+   the command line, "proved", "refused: line N: ..." or "not read: ...". Of chaos 3 "proved" is said of the
+   motions alone. What a file claims is decided by the proved functions of StatementReaders.v,
+   StatementReaderWords.v and PathsCheck.v; here files are cut into lines and words, numbers are read, and the
+   form is checked, as the heads of mod.rs in checker/src/theorem2, checker/src/word and checker/src/chaos
+   have it. *)
 open Decide
 
 exception Refused of string
@@ -280,7 +281,8 @@ let chaos =
 (* A number below 2^15 in size, of at most 15 digits, as n/d in lowest terms. *)
 let quotient p q = { qnum = p; qden = q }
 let denominator = function Zpos q -> q | _ -> refuse "expected a denominator from 1"
-let limited word = need (canonical word && String.length word <= 15) "expected a number of at most 15 digits"; word
+let limited word =
+  need (canonical word && String.length word <= 15) "expected a number of at most 15 digits"; word
 let sign word =
   let negative = word <> "" && word.[0] = '-' in
   (negative, if negative then String.sub word 1 (String.length word - 1) else word)
@@ -365,8 +367,9 @@ let read_chaos lines =
     { Letter.periods; after; before; weights; next = List.map (fun v -> natural (v - 1)) next }) letters in
   let contraction = above_0 (one decimal (named lines "contraction")) in
   let harmonics = List.map (fun (n, ranges) -> (positive n, ranges)) harmonics in
-  need (check { Certificate.damping; stiffness; restitution; depth; cells; behind; harmonics; window; contraction; letters })
-    "not proved"
+  let certificate = { Certificate.damping; stiffness; restitution; depth; cells; behind; harmonics; window;
+    contraction; letters } in
+  need (check certificate) "not proved"
 
 let read lines =
   need (expect lines "the format" = "grazing-certificate 1") "no certificate of this format";
