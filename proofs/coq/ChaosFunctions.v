@@ -1,17 +1,27 @@
-(** * exp, cos, sin and asin of an interval with integer ends lie in the intervals computed for them *)
+(** * exp, cos and sin of an interval with integer ends lie in the intervals computed for them *)
 
-From Coq Require Import Reals ZArith Lra Lia Bool.
+From Coq Require Import Reals ZArith Lra Lia Bool Machin.
 From Grazing Require Import ChaosInterval.
 Open Scope R_scope.
 
 (** ** exp: (1 + x/2^12)^(2^12) <= exp x <= (1 - x/2^12)^(-2^12) *)
 
+(** Named, so that they are computed once. *)
+Definition unit : itv := constant 1 1.
+Definition half : itv := constant 1 2.
+Definition c12 : itv := constant 1 12.
+Definition c30 : itv := constant 1 30.
+Definition c56 : itv := constant 1 56.
+Definition c8 : itv := constant 1 8.
+Definition c128 : itv := constant 1 128.
+Definition c4096 : itv := constant 1 4096.
+
 Fixpoint squares (n : nat) (X : itv) : itv := match n with O => X | S n => squares n (times X X) end.
 Definition join (X Y : itv) : itv := match X, Y with
   | Some (a, _), Some (_, d) => Some (a, d) | _, _ => None end.
 Definition exponential (X : itv) : itv :=
-  let Y := times X (constant 1 4096) in
-  let I := constant 1 1 in
+  let Y := times X c4096 in
+  let I := unit in
   if positive (minus I Y) then squares 12 (join (plus I Y) (inverse (minus I Y))) else None.
 
 Lemma mem_join X Y x y z : mem X x -> mem Y y -> x <= z <= y -> mem (join X Y) z.
@@ -45,36 +55,42 @@ Proof.
   pose proof (exp_ineq1_le (- y)); lra.
 Qed.
 
-(** ** cos: its series at x/64, then six times cos 2x = 2 cos^2 x - 1, about the middle *)
+(** ** cos: its series at x/8 or x/128, then cos 2x = 2 cos^2 x - 1 three times or seven, about the middle *)
+
+(** Twice. *)
+Definition double (X : itv) : itv := match X with Some (l, h) => Some (2 * l, 2 * h)%Z | None => None end.
 
 Fixpoint doubled (n : nat) (X : itv) : itv := match n with
-  | O => X | S n => doubled n (minus (times (constant 2 1) (times X X)) (constant 1 1)) end.
+  | O => X | S n => doubled n (minus (double (times X X)) unit) end.
 Definition cos_small (Y : itv) : itv :=
   let Z := times Y Y in
-  join (minus (plus (minus (constant 1 1) (times (constant 1 2) Z)) (times (constant 1 24) (times Z Z)))
-              (times (constant 1 720) (times (times Z Z) Z)))
-       (plus (minus (constant 1 1) (times (constant 1 2) Z)) (times (constant 1 24) (times Z Z))).
-Definition cosine (X : itv) : itv := match X with
+  let step q X := minus unit (times (times Z q) X) in
+  let series X := step half (step c12 (step c30 X)) in
+  join (series unit) (series (minus unit (times Z c56))).
+Definition cosine_by (n : nat) (k : BinNums.positive) (K : itv) (X : itv) : itv := match X with
   | Some (l, h) =>
     let m := Z.shiftr (l + h) 1 in
-    if (Z.abs m <=? 64 * one)%Z then
-      plus (doubled 6 (cos_small (times (Some (m, m)) (constant 1 64)))) (Some (m - h, h - m)%Z)
+    if (Z.abs m <=? Z.pos k * one)%Z then
+      plus (doubled n (cos_small (times (Some (m, m)) K))) (Some (m - h, h - m)%Z)
     else None
   | None => None end.
+Definition cosine_middle (X : itv) : itv :=
+  match cosine_by 3 8 c8 X with Some Y => Some Y | None => cosine_by 7 128 c128 X end.
 
-Lemma cos_series y : -1 <= y <= 1 ->
-  1 - 1 / 2 * (y * y) + 1 / 24 * (y * y * (y * y)) - 1 / 720 * (y * y * (y * y) * (y * y)) <= cos y <=
-  1 - 1 / 2 * (y * y) + 1 / 24 * (y * y * (y * y)).
+Definition cos_step (z q x : R) : R := 1 - z * (1 / q) * x.
+Definition cos_sum (z x : R) : R := cos_step z 2 (cos_step z 12 (cos_step z 30 x)).
+Lemma cos_series y : -1 <= y <= 1 -> cos_sum (y * y) 1 <= cos y <= cos_sum (y * y) (1 - y * y * (1 / 56)).
 Proof.
-  intros Hy; pose proof PI2_3_2 as HP.
-  destruct (cos_bound y 0) as [_ U]; [lra|lra|]; destruct (cos_bound y 1) as [L _]; [lra|lra|].
+  intros Hy; pose proof PI2_3_2 as HP; destruct (cos_bound y 1) as [L U]; [lra|lra|].
   cbn [Nat.mul Nat.add] in L, U; unfold cos_approx in *; cbn [sum_f_R0] in *; unfold cos_term in *.
   cbn [Nat.mul Nat.add] in *.
-  replace (INR (fact 0)) with 1 in * by reflexivity.
-  replace (INR (fact 2)) with 2 in * by (cbn; ring).
+  rewrite (fact_simpl 7), (fact_simpl 6), !mult_INR in U.
+  replace (INR 8) with 8 in U by (cbn; ring); replace (INR 7) with 7 in U by (cbn; ring).
+  replace (INR (fact 0)) with 1 in * by reflexivity; replace (INR (fact 2)) with 2 in * by (cbn; ring).
   replace (INR (fact 4)) with 24 in * by (cbn; ring).
   replace (INR (fact 6)) with 720 in * by (rewrite INR_IZR_INZ; reflexivity).
-  split; [eapply Rle_trans; [|exact L] | eapply Rle_trans; [exact U|]]; right; field.
+  unfold cos_sum, cos_step; split; [eapply Rle_trans; [|exact L] | eapply Rle_trans; [exact U|]]; right;
+    field.
 Qed.
 
 Lemma cos_lipschitz x y : Rabs (cos x - cos y) <= Rabs (x - y).
@@ -98,22 +114,25 @@ Proof.
   - rewrite Rabs_R1; pose proof (SIN_bound ((x + y) / 2)); apply Rabs_le; lra.
 Qed.
 
+Lemma mem_double X x : mem X x -> mem (double X) (2 * x).
+Proof. destruct X as [[l h]|]; [|trivial]; cbn [mem double]; rewrite !mult_IZR; lra. Qed.
 Lemma mem_doubled n X x : mem X (cos (x / 2 ^ n)) -> mem (doubled n X) (cos x).
 Proof.
   revert X; induction n as [|n IH]; intros X H; cbn [doubled].
   - replace (x / 2 ^ 0) with x in H by (cbn; field); exact H.
   - apply IH; replace (x / 2 ^ n) with (2 * (x / 2 ^ S n)) by (cbn; field; apply pow_nonzero; lra).
-    rewrite cos_2a_cos, Rmult_assoc.
-    apply mem_minus; [|exact mem_1]; apply mem_times; [|apply mem_times; exact H].
-    pose proof (mem_constant 2 1) as H2; replace (2 / 1) with 2 in H2 by field; exact H2.
+    rewrite cos_2a_cos, Rmult_assoc; apply mem_minus; [apply mem_double, mem_times; exact H | exact mem_1].
 Qed.
 
 Lemma mem_cos_small Y y : -1 <= y <= 1 -> mem Y y -> mem (cos_small Y) (cos y).
 Proof.
-  intros Hy HY; unfold cos_small; cbv zeta.
-  eapply mem_join; [| |exact (cos_series y Hy)];
-    repeat first [exact HY | apply mem_minus | apply mem_plus | apply mem_times | apply mem_constant | exact
-      mem_1].
+  intros Hy HY; unfold cos_small; cbv zeta beta.
+  assert (HS : forall q X x, mem X x -> mem (minus unit (times (times (times Y Y) (constant 1 q)) X))
+    (cos_step (y * y) (IZR (Z.pos q)) x)).
+  { intros q X x HX; unfold cos_step; repeat first [exact HX | exact HY | apply mem_minus | apply mem_times |
+      apply mem_constant | exact mem_1]. }
+  eapply mem_join; [| |exact (cos_series y Hy)]; unfold cos_sum; repeat (apply HS); [exact mem_1|].
+  apply mem_minus; [exact mem_1 | repeat apply mem_times; try exact HY; apply (mem_constant 1 56)].
 Qed.
 
 Lemma middle x y h m o c l : y * o = m -> 0 < o -> l <= x * o <= h -> 2 * m <= l + h ->
@@ -126,20 +145,25 @@ Proof.
   nra.
 Qed.
 
-Lemma mem_cosine X x : mem X x -> mem (cosine X) (cos x).
+Lemma mem_cosine_by n k K X x : IZR (Z.pos k) = 2 ^ n -> K = constant 1 k -> mem X x ->
+  mem (cosine_by n k K X) (cos x).
 Proof.
-  destruct X as [[l h]|]; [|trivial]; intros Hx; cbn [cosine].
-  set (m := Z.shiftr (l + h) 1); destruct (Z.leb_spec (Z.abs m) (64 * one)) as [Hm|]; [|exact I].
-  pose proof one_pos as H1.
+  intros Hk ->; destruct X as [[l h]|]; [|trivial]; intros Hx; cbn [cosine_by].
+  set (m := Z.shiftr (l + h) 1); destruct (Z.leb_spec (Z.abs m) (Z.pos k * one)) as [Hm|]; [|exact I].
+  pose proof one_pos as H1; assert (Pk : 0 < IZR (Z.pos k)) by (apply IZR_lt; reflexivity).
   assert (exists y, y * IZR one = IZR m) as [y Ey] by (exists (IZR m / IZR one); field; lra).
   assert (Hy : mem (Some (m, m)) y) by (cbn [mem]; lra).
-  pose proof (mem_times _ _ _ _ Hy (mem_constant 1 64)) as HY.
-  assert (B : -1 <= y * (1 / 64) <= 1).
-  { assert (A1 : IZR m <= IZR (64 * one)) by (apply IZR_le; lia).
-    assert (A2 : IZR (- (64 * one)) <= IZR m) by (apply IZR_le; lia).
-    rewrite opp_IZR in A2; rewrite mult_IZR in A1, A2; split; nra. }
+  pose proof (mem_times _ _ _ _ Hy (mem_constant 1 k)) as HY.
+  assert (B : -1 <= y * (1 / IZR (Z.pos k)) <= 1).
+  { assert (A1 : IZR m <= IZR (Z.pos k * one)) by (apply IZR_le; lia).
+    assert (A2 : IZR (- (Z.pos k * one)) <= IZR m) by (apply IZR_le; lia).
+    rewrite opp_IZR in A2; rewrite mult_IZR in A1, A2.
+    assert (A : - IZR (Z.pos k) <= y <= IZR (Z.pos k)) by (split; apply (Rmult_le_reg_r (IZR one)); lra).
+    split; apply (Rmult_le_reg_r (IZR (Z.pos k))); trivial;
+      replace (y * (1 / IZR (Z.pos k)) * IZR (Z.pos k)) with y by (field; lra); lra. }
   pose proof (mem_cos_small _ _ B HY) as C.
-  replace (y * (1 / 64)) with (y / 2 ^ 6) in C by (cbn; field); apply mem_doubled in C.
+  replace (y * (1 / IZR (Z.pos k))) with (y / 2 ^ n) in C by (rewrite <- Hk; field; lra);
+    apply mem_doubled in C.
   replace (cos x) with (cos y + (cos x - cos y)) by ring; apply mem_plus; [exact C|].
   pose proof (cos_lipschitz x y) as L.
   assert (Hmid : (l + h - 1 <= 2 * m <= l + h)%Z).
@@ -151,103 +175,23 @@ Proof.
   exact (middle _ _ _ _ _ _ _ Ey H1 Hx A L).
 Qed.
 
-(** ** pi, from cos (pi/3) = 1/2; sin x = cos (pi/2 - x) *)
-
-Definition pi : itv := join (constant 31413 10000) (constant 31419 10000).
-
-Lemma cos_sign x : 0 <= x <= PI -> (cos (PI / 3) < cos x -> x <= PI / 3) /\ (cos x < cos (PI / 3) ->
-  PI / 3 <= x).
+Lemma mem_cosine_middle X x : mem X x -> mem (cosine_middle X) (cos x).
 Proof.
-  intros Hx; pose proof PI_RGT_0; split; intros H0; apply Rnot_lt_le; intros L;
-    apply cos_decreasing_1 in L; lra.
+  intros H; unfold cosine_middle; pose proof (mem_cosine_by 3 8 c8 X x ltac:(cbn; ring) eq_refl H) as A.
+  destruct (cosine_by 3 8 c8 X); [exact A | apply mem_cosine_by; [cbn; ring | reflexivity | exact H]].
 Qed.
 
-Lemma third_lo : 10471 / 10000 <= PI / 3.
-Proof.
-  pose proof PI2_3_2; apply (cos_sign (10471 / 10000)); [lra|].
-  rewrite cos_PI3; apply Rminus_gt_0_lt.
-  apply (positive_lt (minus (cosine (constant 10471 10000)) (constant 1 2))); [vm_compute; reflexivity|].
-  apply mem_minus; [apply mem_cosine|]; apply mem_constant.
-Qed.
+(** ** pi, from its series; sin x = cos (pi/2 - x) *)
 
-Lemma third_hi : PI / 3 <= 10473 / 10000.
-Proof.
-  pose proof PI2_3_2; apply (cos_sign (10473 / 10000)); [lra|].
-  rewrite cos_PI3; apply Rminus_gt_0_lt.
-  apply (positive_lt (minus (constant 1 2) (cosine (constant 10473 10000)))); [vm_compute; reflexivity|].
-  apply mem_minus; [|apply mem_cosine]; apply mem_constant.
-Qed.
+Definition pi : itv := join (constant 314159265 100000000) (constant 314159266 100000000).
 
 Lemma mem_pi : mem pi PI.
 Proof.
-  pose proof third_lo; pose proof third_hi.
-  apply (mem_join _ _ _ _ _ (mem_constant 31413 10000) (mem_constant 31419 10000)); lra.
+  apply (mem_join _ _ _ _ _ (mem_constant 314159265 100000000) (mem_constant 314159266 100000000)).
+  pose proof (PI_2_3_7_ineq 4) as H; cbn [sum_f_R0 Nat.mul Nat.add] in H.
+  unfold tg_alt, PI_2_3_7_tg, Ratan_seq in H; rewrite !INR_IZR_INZ in H.
+  cbn [Nat.mul Nat.add Z.of_nat Pos.of_succ_nat Pos.succ] in H; cbn [pow] in H; lra.
 Qed.
-
-Definition sine (X : itv) : itv := cosine (minus (times pi (constant 1 2)) X).
-
-Lemma mem_sine X x : mem X x -> mem (sine X) (sin x).
-Proof.
-  intros Hx; rewrite <- cos_shift; apply mem_cosine, mem_minus; [|exact Hx].
-  replace (PI / 2) with (PI * (1 / 2)) by field; apply mem_times; [exact mem_pi | apply mem_constant].
-Qed.
-
-(** sin of small numbers, by its series. *)
-Definition sine_small (Y : itv) : itv :=
-  let Z := times Y Y in
-  let R := times (size (times Y (times Z (times Z Z)))) (constant 1 5040) in
-  plus (plus (minus Y (times (constant 1 6) (times Y Z))) (times (constant 1 120) (times Y (times Z Z))))
-       (join (opp R) R).
-
-Lemma sin_series y : -1 <= y <= 1 ->
-  Rabs (sin y - (y - 1 / 6 * (y * (y * y)) + 1 / 120 * (y * (y * y * (y * y))))) <=
-  Rabs (y * (y * y * (y * y * (y * y)))) * (1 / 5040).
-Proof.
-  assert (H : forall y, 0 <= y <= 1 ->
-    - (y * (y * y * (y * y * (y * y))) * (1 / 5040)) <=
-    sin y - (y - 1 / 6 * (y * (y * y)) + 1 / 120 * (y * (y * y * (y * y)))) <= 0).
-  { clear y; intros y Hy; pose proof PI2_3_2 as HP.
-    destruct (sin_bound y 0) as [_ U]; [lra|lra|]; destruct (sin_bound y 1) as [L _]; [lra|lra|].
-    cbn [Nat.mul Nat.add] in L, U; unfold sin_approx in *; cbn [sum_f_R0] in *; unfold sin_term in *.
-    cbn [Nat.mul Nat.add] in *.
-    replace (INR (fact 1)) with 1 in * by reflexivity.
-    replace (INR (fact 3)) with 6 in * by (cbn; ring).
-    replace (INR (fact 5)) with 120 in * by (rewrite INR_IZR_INZ; reflexivity).
-    replace (INR (fact 7)) with 5040 in * by (rewrite INR_IZR_INZ; reflexivity).
-    cbn [pow] in *; lra. }
-  intros Hy; destruct (Rle_lt_dec 0 y) as [Hp|Hn].
-  - specialize (H y ltac:(lra)); set (r := y * (y * y * (y * y * (y * y)))) in *.
-    rewrite (Rabs_pos_eq r) by lra; apply Rabs_le; lra.
-  - specialize (H (- y) ltac:(lra)); rewrite sin_neg in H.
-    replace (- y * (- y * - y * (- y * - y * (- y * - y)))) with (- (y * (y * y * (y * y * (y * y)))))
-      in H by ring.
-    set (r := y * (y * y * (y * y * (y * y)))) in *.
-    rewrite (Rabs_left1 r) by lra; apply Rabs_le; lra.
-Qed.
-
-Lemma mem_sine_small Y y : -1 <= y <= 1 -> mem Y y -> mem (sine_small Y) (sin y).
-Proof.
-  intros Hy HY; unfold sine_small; cbv zeta; pose proof (sin_series y Hy) as H.
-  set (R := times _ (constant 1 5040)).
-  assert (HR : mem R (Rabs (y * (y * y * (y * y * (y * y)))) * (1 / 5040))).
-  { unfold R; apply mem_times; [|apply mem_constant]; apply mem_size;
-      repeat first [exact HY | apply mem_times]. }
-  set (r := Rabs _ * _) in *; set (P := y - _ + _) in *.
-  replace (sin y) with (P + (sin y - P)) by ring; apply mem_plus.
-  - unfold P; repeat first [exact HY | apply mem_minus | apply mem_plus | apply mem_times | apply
-    mem_constant].
-  - apply (mem_join _ _ _ _ _ (mem_opp _ _ HR) HR).
-    revert H; unfold Rabs; destruct Rcase_abs; lra.
-Qed.
-
-(** cos and sin on [0, pi]: there cos decreases, and sin x = sqrt (1 - cos^2 x). *)
-Definition circle (X : itv) : itv * itv := match X with
-  | Some (l, h) =>
-    if (0 <=? l)%Z && below X pi then
-      let c := join (cosine (Some (h, h))) (cosine (Some (l, l))) in
-      (c, root (minus (constant 1 1) (times c c)))
-    else (None, None)
-  | None => (None, None) end.
 
 Lemma mem_point m : mem (Some (m, m)) (IZR m / IZR one).
 Proof. pose proof one_pos; cbn [mem]; replace (IZR m / IZR one * IZR one) with (IZR m) by (field; lra);
@@ -258,6 +202,53 @@ Proof.
   pose proof one_pos; cbn [mem]; intros Hx.
   split; apply (Rmult_le_reg_r (IZR one)); trivial; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra.
 Qed.
+
+(** cos decreases on [0, pi], and cos (- x) = cos x. *)
+Definition cosine (X : itv) : itv := match X with
+  | Some (l, h) =>
+    let a := Z.max 0 (Z.max l (- h)) in let b := Z.max (- l) h in
+    if (h - l <? one / 1000000)%Z then cosine_middle X else
+    if below (Some (b, b)) pi then join (cosine_middle (Some (b, b))) (cosine_middle (Some (a, a)))
+    else cosine_middle X
+  | None => None end.
+
+Lemma mem_cosine X x : mem X x -> mem (cosine X) (cos x).
+Proof.
+  destruct X as [[l h]|]; [|trivial]; intros Hx; cbn [cosine]; set (a := Z.max 0 _); set (b := Z.max (- l) h).
+  destruct (h - l <? one / 1000000)%Z; [apply mem_cosine_middle, Hx|].
+  destruct (below (Some (b, b)) pi) eqn:HP; [|apply mem_cosine_middle, Hx].
+  pose proof (below_le _ _ _ _ HP (mem_point b) mem_pi) as Hb; pose proof one_pos as H1.
+  pose proof (mem_size _ _ Hx) as HS; cbn [size] in HS; fold b in HS; apply ends in HS.
+  assert (A : IZR a / IZR one <= Rabs x).
+  { apply (Rmult_le_reg_r (IZR one)); trivial; unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    replace (Rabs x * IZR one) with (Rabs (x * IZR one)) by (rewrite Rabs_mult, (Rabs_pos_eq (IZR one)); lra).
+    cbn [mem] in Hx; unfold a; apply Z.max_case_strong; intros _; [apply Rabs_pos|].
+    apply Z.max_case_strong; intros _; [pose proof (Rle_abs (x * IZR one)); lra|].
+    rewrite opp_IZR; pose proof (Rle_abs (- (x * IZR one))); rewrite Rabs_Ropp in *; lra. }
+  assert (A0 : 0 <= IZR a / IZR one).
+  { apply Rmult_le_pos; [apply IZR_le, Z.le_max_l | left; apply Rinv_0_lt_compat, H1]. }
+  replace (cos x) with (cos (Rabs x)) by (unfold Rabs; destruct Rcase_abs; [apply cos_neg | reflexivity]).
+  apply (mem_join _ _ _ _ _ (mem_cosine_middle _ _ (mem_point b)) (mem_cosine_middle _ _ (mem_point a))).
+  pose proof (Rabs_pos x); split; apply cos_decr_1; lra.
+Qed.
+
+Definition right : itv := times pi half.
+Definition sine (X : itv) : itv := cosine (minus right X).
+
+Lemma mem_sine X x : mem X x -> mem (sine X) (sin x).
+Proof.
+  intros Hx; rewrite <- cos_shift; apply mem_cosine, mem_minus; [|exact Hx].
+  replace (PI / 2) with (PI * (1 / 2)) by field; apply mem_times; [exact mem_pi | apply mem_constant].
+Qed.
+
+(** cos and sin on [0, pi]: there cos decreases, and sin x = sqrt (1 - cos^2 x). *)
+Definition circle (X : itv) : itv * itv := match X with
+  | Some (l, h) =>
+    if (0 <=? l)%Z && below X pi then
+      let c := join (cosine (Some (h, h))) (cosine (Some (l, l))) in
+      (c, root (minus unit (times c c)))
+    else (None, None)
+  | None => (None, None) end.
 
 Lemma mem_circle X x : mem X x -> mem (fst (circle X)) (cos x) /\ mem (snd (circle X)) (sin x).
 Proof.
@@ -278,40 +269,11 @@ Proof.
     replace (1 - cos x * cos x) with (sin x * sin x) by lra; apply sqrt_square, sin_ge_0; lra.
 Qed.
 
-(** ** asin: a guess 1/5000 off, confirmed by sin *)
-
-Definition guess (y : Z) : Z :=
-  let z := down (y * y) in
-  (y + down (down (y * z) * (one / 6 + down (z * (3 * one / 40 + down (z * (15 * one / 336)))))))%Z.
-Definition arcsine (X : itv) : itv := match X with
-  | Some (l, h) =>
-    let a := (guess l - one / 5000)%Z in let b := (guess h + one / 5000)%Z in
-    if ((- one <=? a) && (a <=? one) && (- one <=? b) && (b <=? one) && (- one <=? l) && (h <=? one))%Z &&
-       below (sine_small (Some (a, a))) (Some (l, l)) && below (Some (h, h)) (sine_small (Some (b, b)))
-    then Some (a, b) else None
-  | None => None end.
-
-Lemma div_le a b : 0 < b -> - b <= a <= b -> -1 <= a / b <= 1.
+(** The same of any x. *)
+Definition angle (X : itv) : itv * itv := match circle X with
+  | (Some C, Some D) => (Some C, Some D) | _ => (cosine X, sine X) end.
+Lemma mem_angle X x : mem X x -> mem (fst (angle X)) (cos x) /\ mem (snd (angle X)) (sin x).
 Proof.
-  intros Hb Ha; split; apply (Rmult_le_reg_r b); trivial; replace (a / b * b) with a by (field; lra); lra.
-Qed.
-
-Lemma mem_arcsine X x : mem X x -> mem (arcsine X) (asin x).
-Proof.
-  destruct X as [[l h]|]; [|trivial]; intros Hx; cbn [arcsine].
-  set (a := (guess l - _)%Z); set (b := (guess h + _)%Z); cbv zeta.
-  destruct (_ && _ && _) eqn:H; [|exact I].
-  rewrite !andb_true_iff, !Z.leb_le in H; destruct H as [[[[[[[Ha Ha'] Hb'] Hb] Hl] Hh] Sa] Sb].
-  apply IZR_le in Ha, Ha', Hb', Hb, Hl, Hh; rewrite opp_IZR in Ha, Hb', Hl; pose proof one_pos as H1.
-  pose proof (div_le (IZR a) _ H1 (conj Ha Ha')) as Ba; pose proof (div_le (IZR b) _ H1 (conj Hb' Hb)) as Bb.
-  pose proof (below_le _ _ _ _ Sa (mem_sine_small _ _ Ba (mem_point a)) (mem_point l)) as La.
-  pose proof (below_le _ _ _ _ Sb (mem_point h) (mem_sine_small _ _ Bb (mem_point b))) as Lb.
-  cbn [mem] in *.
-  pose proof (ends _ _ _ Hx) as Hx1.
-  assert (Hx2 : -1 <= x <= 1) by (split; apply (Rmult_le_reg_r (IZR one)); lra).
-  pose proof PI2_3_2 as HP; pose proof (asin_bound x) as HB; pose proof (sin_asin x Hx2) as Hs.
-  assert (A : IZR a / IZR one <= asin x) by (apply sin_incr_0; lra).
-  assert (B : asin x <= IZR b / IZR one) by (apply sin_incr_0; lra).
-  apply (Rmult_le_compat_r (IZR one)) in A, B; try lra.
-  unfold Rdiv in A, B; rewrite Rmult_assoc, Rinv_l in A, B; lra.
+  intros H; unfold angle; pose proof (mem_circle _ _ H) as [A B]; revert A B.
+  destruct (circle X) as [[C|] [D|]]; cbn [fst snd]; auto using mem_cosine, mem_sine.
 Qed.

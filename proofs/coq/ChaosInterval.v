@@ -61,16 +61,21 @@ Definition opp (X : itv) : itv := match X with Some (a, b) => Some (- b, - a)%Z 
 Definition minus (X Y : itv) : itv := plus X (opp Y).
 Definition times (X Y : itv) : itv := match X, Y with
   | Some (a, b), Some (c, d) =>
-    if ((0 <=? a) && (0 <=? c))%Z then Some (down (a * c), up (b * d))%Z else
-                                Some (down (Z.min (Z.min (a * c) (a * d)) (Z.min (b * c) (b * d))),
-                                      up (Z.max (Z.max (a * c) (a * d)) (Z.max (b * c) (b * d))))
+    if (0 <=? a)%Z then Some (down ((if 0 <=? c then a else b) * c), up ((if 0 <=? d then b else a) * d))%Z
+      else
+    if (0 <=? c)%Z then Some (down (a * d), up ((if 0 <=? b then d else c) * b))%Z else
+    Some (down (Z.min (Z.min (a * c) (a * d)) (Z.min (b * c) (b * d))),
+          up (Z.max (Z.max (a * c) (a * d)) (Z.max (b * c) (b * d))))
   | _, _ => None end.
 (** The greatest magnitude from 0 on. *)
 Definition size (X : itv) : itv := match X with
   | Some (a, b) => Some (0, Z.max (- a) b)%Z | None => None end.
-(** Only of positive numbers. *)
-Definition inverse (X : itv) : itv := match X with
+(** Of positive numbers, then of negative. *)
+Definition inverse_positive (X : itv) : itv := match X with
   | Some (a, b) => if (0 <? a)%Z then Some (one * one / b, - (- (one * one) / a))%Z else None
+  | None => None end.
+Definition inverse (X : itv) : itv := match X with
+  | Some (_, b) => if (b <? 0)%Z then opp (inverse_positive (opp X)) else inverse_positive X
   | None => None end.
 Definition root (X : itv) : itv := match X with
   | Some (a, b) => if (0 <=? a)%Z then Some (Z.sqrt (a * one), Z.sqrt (b * one) + 1)%Z else None
@@ -98,11 +103,18 @@ Lemma mem_times X Y x y : mem X x -> mem Y y -> mem (times X Y) (x * y).
 Proof.
   destruct X as [[a b]|], Y as [[c d]|]; cbn [mem times]; trivial; intros Hx Hy.
   pose proof one_pos as H1.
-  destruct (_ && _) eqn:S.
-  { apply andb_prop in S; destruct S as [Sa Sc]; apply Z.leb_le, IZR_le in Sa, Sc.
-    pose proof (down_le (a * c)) as L; pose proof (up_ge (b * d)) as U; rewrite mult_IZR in L, U.
+  assert (B : forall u v, IZR u <= (x * IZR one) * (y * IZR one) <= IZR v ->
+    IZR (down u) <= x * y * IZR one <= IZR (up v)).
+  { intros u v H; pose proof (down_le u); pose proof (up_ge v).
     split; apply (Rmult_le_reg_r (IZR one)); trivial; nra. }
-  set (m := Z.min _ _); set (M := Z.max _ _).
+  destruct (Z.leb_spec 0 a) as [Sa|Sa]; [|destruct (Z.leb_spec 0 c) as [Sc|Sc]].
+  - apply IZR_le in Sa; apply B; destruct (Z.leb_spec 0 c) as [Sc|Sc], (Z.leb_spec 0 d) as [Sd|Sd];
+      (apply IZR_le in Sc || apply IZR_lt in Sc); (apply IZR_le in Sd || apply IZR_lt in Sd);
+      rewrite !mult_IZR; split; nra.
+  - apply IZR_lt in Sa; apply IZR_le in Sc; apply B; destruct (Z.leb_spec 0 b) as [Sb|Sb];
+      (apply IZR_le in Sb || apply IZR_lt in Sb); rewrite !mult_IZR; split; nra.
+  - clear B.
+    set (m := Z.min _ _); set (M := Z.max _ _).
   assert (L : IZR m <= (x * IZR one) * (y * IZR one)).
   { apply (corner _ _ _ _ _ _ _ Hx Hy); rewrite <- mult_IZR; apply IZR_le; unfold m; lia. }
   assert (U : - IZR M <= (- (x * IZR one)) * (y * IZR one)).
@@ -124,9 +136,9 @@ Proof.
   rewrite opp_IZR in *; apply Rabs_le; lra.
 Qed.
 
-Lemma mem_inverse X x : mem X x -> mem (inverse X) (/ x).
+Lemma mem_inverse_positive X x : mem X x -> mem (inverse_positive X) (/ x).
 Proof.
-  destruct X as [[a b]|]; cbn [mem inverse]; trivial; intros [Ha Hb].
+  destruct X as [[a b]|]; cbn [mem inverse_positive]; trivial; intros [Ha Hb].
   destruct (Z.ltb_spec 0 a) as [Ha'|]; [|exact I].
   apply IZR_lt in Ha'; pose proof one_pos as H1.
   assert (Hx : 0 < x) by nra.
@@ -141,6 +153,14 @@ Proof.
   - apply (fun H => Rle_trans _ _ _ H P'), (Rmult_le_reg_r (IZR a * x)); [nra|].
     replace (IZR one * IZR one / IZR a * (IZR a * x)) with (IZR one * (x * IZR one)) by (field; lra).
     replace (/ x * IZR one * (IZR a * x)) with (IZR one * IZR a) by (field; lra); nra.
+Qed.
+
+Lemma mem_inverse X x : mem X x -> mem (inverse X) (/ x).
+Proof.
+  intros H; pose proof (mem_inverse_positive _ _ H) as P.
+  pose proof (mem_opp _ _ (mem_inverse_positive _ _ (mem_opp _ _ H))) as N; rewrite Rinv_opp,
+    Ropp_involutive in N.
+  destruct X as [[a b]|]; [cbn [inverse]; destruct (b <? 0)%Z; assumption | exact I].
 Qed.
 
 Lemma mem_root X x : mem X x -> mem (root X) (sqrt x).
@@ -209,4 +229,46 @@ Proof.
   apply (all_one _ _ _ _ _ H); split; [lra|]; apply (Rle_trans _ (IZR h)); [lra|]; apply IZR_le.
   destruct k as [|k]; [discriminate|].
   pose proof (Z.mul_div_le (l - h) (Z.of_nat (S k))); lia.
+Qed.
+
+(** ** Halving intervals until a check passes, at most some times *)
+
+Definition halves (X : itv) : itv * itv := match X with
+  | Some (l, h) => let m := Z.shiftr (l + h) 1 in (Some (l, m), Some (m, h)) | None => (X, X) end.
+Fixpoint cover (n : nat) (f : itv -> bool) (X : itv) : bool := if f X then true else match n with
+  | O => false | S n => if cover n f (fst (halves X)) then cover n f (snd (halves X)) else false end.
+(** Three in turn. *)
+Fixpoint cover3 (n : nat) (f : itv -> itv -> itv -> bool) (X Y Z : itv) : bool :=
+  if f X Y Z then true else match n with
+  | O => false
+  | S n => let g X := cover3 n (fun Y Z X => f X Y Z) Y Z X in
+    if g (fst (halves X)) then g (snd (halves X)) else false end.
+
+Lemma mem_halves X x : mem X x -> mem (fst (halves X)) x \/ mem (snd (halves X)) x.
+Proof.
+  destruct X as [[l h]|]; [|left; exact I]; cbn [halves fst snd]; set (m := Z.shiftr _ _); cbn [mem];
+    intros Hx.
+  destruct (Rle_lt_dec (x * IZR one) (IZR m)); [left | right]; lra.
+Qed.
+
+Lemma cover_one n f X x : cover n f X = true -> mem X x -> exists Y, f Y = true /\ mem Y x.
+Proof.
+  revert X; induction n as [|n IH]; intros X H Hx; cbn [cover] in H; (destruct (f X) eqn:E; [exists X;
+    auto|]).
+  - discriminate.
+  - destruct (cover n f (fst _)) eqn:H1; [|discriminate]; destruct (mem_halves _ _ Hx) as [M|M];
+      [apply (IH _ H1 M) | apply (IH
+      _ H M)].
+Qed.
+
+Lemma cover3_one n f X Y Z x y z : cover3 n f X Y Z = true -> mem X x -> mem Y y -> mem Z z ->
+  exists X Y Z, f X Y Z = true /\ mem X x /\ mem Y y /\ mem Z z.
+Proof.
+  revert f X Y Z x y z; induction n as [|n IH]; intros f X Y Z x y z H Hx Hy Hz; cbn [cover3] in H;
+    (destruct (f X Y Z) eqn:E; [exists X, Y, Z; auto|]).
+  - discriminate.
+  - cbv zeta beta in H; destruct (cover3 n _ Y Z (fst (halves X))) eqn:H1; [|discriminate].
+    destruct (mem_halves _ _ Hx) as [M|M];
+      [destruct (IH _ _ _ _ _ _ _ H1 Hy Hz M) as (Y' & Z' & X' & A & B & C & D) |
+       destruct (IH _ _ _ _ _ _ _ H Hy Hz M) as (Y' & Z' & X' & A & B & C & D)]; exists X', Y', Z'; auto.
 Qed.

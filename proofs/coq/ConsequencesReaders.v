@@ -90,3 +90,41 @@ Proof.
   intros H; destruct (polarZ (9, 10)%Z (37, 100)%Z (-13691, 10000)%Z (-1369, 1000)%Z) as [B|] eqn:E; [|vm_compute in E; discriminate].
   pose proof (H _ _ _ _ B E) as I; vm_compute in E; injection E as <-; unfold in_box, fraction in I; cbn [fst snd] in I; lra.
 Qed.
+
+(** A certificate with one letter, slow impacts one period apart; and what its one motion does at nu = 1/2. *)
+From Coq Require Import ZArith QArith Qreals.
+From Grazing Require StatementPaths.
+Section Paths.
+Import StatementPaths.
+Definition slow : Certificate.t := {|
+  Certificate.damping := (12 # 49, 12 # 49)%Q; Certificate.stiffness := (100 # 2401, 100 # 2401)%Q;
+  Certificate.restitution := (1, 1)%Q; Certificate.depth := (0, 1)%Q; Certificate.cells := (1, 1, 1, 1)%nat;
+  Certificate.behind := true; Certificate.harmonics := [(1%positive, ((1, 1), (0, 0)))]%Q;
+  Certificate.window := (6 # 5)%Q; Certificate.contraction := (7 # 8)%Q; Certificate.letters := [{|
+  Letter.periods := 1; Letter.after := (89 # 1000, 244 # 1000)%Q; Letter.before := (-1582 # 10000,
+    -612 # 10000)%Q;
+  Letter.weights := (264 # 1000, 82 # 1000)%Q; Letter.next := [0%nat] |}] |}.
+Lemma a_path check : Paths_statement check -> check slow = true -> exists t v,
+  89 / 2000 <= v 0%Z (t 0%Z) <= 244 / 2000 /\
+  Rabs (t 1%Z - 2 * PI) < 6 / 5 /\ v 1%Z (t 1%Z) + sin (t 1%Z) = - (v 0%Z (t 1%Z) + sin (t 1%Z)).
+Proof.
+  intros H HX; set (M := {| Machine.c := 12 / 49; Machine.k := 100 / 2401; Machine.tau := 1; Machine.sigma :=
+    1;
+    Machine.nu := 1 / 2; Machine.harmonics := [(1%positive, (1, 0))] |}).
+  assert (W : forall t, g M t = cos t /\ g1 M t = - sin t).
+  { intros t; unfold g, g1; cbn [M Machine.harmonics total]; rewrite !(Rmult_1_l t); split; ring. }
+  destruct (H slow M (fun _ => nth 0 (Certificate.letters slow) {| Letter.periods := 1; Letter.after := (0,
+    0)%Q;
+    Letter.before := (0, 0)%Q; Letter.weights := (0, 0)%Q; Letter.next :=
+      [] |}) (fun i => i) HX) as (t & y & v & HM & HB & _).
+  - assert (G : g M 0 = 1 /\ g1 M 0 = 0) by (destruct (W 0) as [-> ->]; rewrite cos_0, sin_0; lra).
+    unfold covers, within; do 7 (split; [cbn; unfold Q2R; cbn; try lra|]); [|exact G].
+    constructor; [|constructor]; cbn; unfold Q2R; cbn; repeat split; lra.
+  - intros i; split; [left; reflexivity | exists 0%nat; split; [left; reflexivity | reflexivity]].
+  - intros i; reflexivity.
+  - exists t, v; destruct (HB 0%Z 1%Z eq_refl) as [[A A'] _]; unfold Q2R in A, A'; cbn in A, A'.
+    destruct (HM 0%Z 1%Z eq_refl) as (_ & _ & _ & _ & _ & _ & _ & V), (HM 1%Z 2%Z eq_refl) as (_ & T & _).
+    rewrite (proj2 (W _)) in V; cbn [M Machine.tau] in V; unfold Q2R in T; cbn in T.
+    split; [split; lra|]; split; [|lra]; replace (t 1%Z - 2 * PI) with (t 1%Z - 2 * PI * 1) by ring; lra.
+Qed.
+End Paths.

@@ -4,7 +4,7 @@
     impact and the other has none. So separated orbits are counted by words of 0 and 1 without 00. *)
 
 From Coq Require Import Reals ZArith List Arith Lra Lia Classical.
-From Grazing Require Import Statement StatementChaos Chaos ChaosContinuous ChaosFlow Count GoldenWords StatementEntropy.
+From Grazing Require Import Statement StatementChaos Derivatives Chaos ChaosContinuous Count GoldenWords StatementEntropy.
 Import ListNotations. Open Scope R_scope.
 
 (** ** Close and far *)
@@ -324,7 +324,7 @@ Proof.
   { clear - M M'; intros i i' Et Ev; destruct (M i _ eq_refl) as (F & _ & Lt & Y & Yn & Above & _ & V).
     destruct (M' i' _ eq_refl) as (F' & _ & Lt' & Y' & Yn' & Above' & _ & V').
     assert (Eq : forall x, y i x = y' i' x /\ v i x = v' i' x).
-    { intros x; destruct (free_moved _ _ (t i) x F) as [A A'], (free_moved _ _ (t' i') x F') as [C C'].
+    { intros x; destruct (paper_moved _ _ (t i) x F) as [A A'], (paper_moved _ _ (t' i') x F') as [C C'].
       rewrite A, A', C, C', Ev, Y, Y', Et; split; reflexivity. }
     assert (Et' : t (i + 1)%Z = t' (i' + 1)%Z).
     { destruct (Rtotal_order (t (i + 1)%Z) (t' (i' + 1)%Z)) as [L|[L|L]]; [exfalso | assumption | exfalso].

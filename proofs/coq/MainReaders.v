@@ -1,7 +1,8 @@
 (** * The theorems about the readers of certificates, by name *)
 
-From Grazing Require Import StatementReaders StatementReaderWords ReaderCircle ReaderWords
-  ReaderPolar.
+From Grazing Require Import StatementReaders StatementReaderWords StatementPaths ReaderCircle ReaderWords
+  ReaderPolar PathsCheck.
+From Grazing Require PathsChecked.
 
 Theorem Circle_reader : Circle_reader_statement. Proof. exact ReaderCircle.Circle_reader. Qed.
 Theorem Words_readers : Word_reader_statement /\ Region_reader_statement /\ Path_reader_statement /\
@@ -9,3 +10,4 @@ Theorem Words_readers : Word_reader_statement /\ Region_reader_statement /\ Path
 Proof.
   exact (conj Word_reader (conj Region_reader (conj Path_reader (conj Below_reader (conj Lonely_reader Polar_reader))))).
 Qed.
+Theorem Paths_reader : Paths_statement check. Proof. exact PathsChecked.Paths. Qed.

@@ -256,6 +256,12 @@ E
 mutant reader-with-a-wrong-cosine 'File "./(ConsequencesReaders|ReaderCircle)' --pin StatementReaders.v <<'E'
 s/Z.odd ((floorZ (2 \* n) h + 1) \/ 2)/Z.odd (floorZ (2 * n) h \/ 2)/
 E
+mutant path-without-the-law-of-impact 'File "./(ConsequencesReaders|Paths)' --pin StatementPaths.v <<'E'
+s/= - Machine.tau M \* (v i (t j) - g1 M (t j))\./= v j (t j) - g1 M (t j)./
+E
+mutant three-periods-at-any-speed 'File "./Consequences' --pin StatementChaos.v <<'E'
+s/169 \/ 10 \* mu <= v i (t i)/0 * mu <= v i (t i)/
+E
 
 # How fast words grow.
 mutant words-of-a-graph-without-a-bound 'File "./ConsequencesNumbers' --pin StatementGraphs.v <<'E'

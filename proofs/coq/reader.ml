@@ -1,7 +1,9 @@
-(* A reader of certificates of kinds theorem2, word and word-by-theorem: one answer per file named on the command line,
-   "proved", "refused: line N: ..." or "not read: ...". What a file claims is decided by the proved functions of
-   StatementReaders.v and StatementReaderWords.v; here files are cut into lines and words, numbers are read, and the
-   form is checked, as the heads of checker/src/theorem2/mod.rs and checker/src/word/mod.rs have it. *)
+(* A reader of certificates of kinds theorem2, word, word-by-theorem and chaos 3: one answer per file named on
+   the command line, "proved", "refused: line N: ..." or "not read: ...". Of chaos 3 "proved" is said of the
+   motions alone. What a file claims is decided by the proved functions of StatementReaders.v,
+   StatementReaderWords.v and PathsCheck.v; here files are cut into lines and words, numbers are read, and the
+   form is checked, as the heads of mod.rs in checker/src/theorem2, checker/src/word and checker/src/chaos
+   have it. *)
 open Decide
 
 exception Refused of string
@@ -259,6 +261,116 @@ let read_words lines statement read =
     | Some _ -> refuse "expected a line word + or word -, or the end" in
   go []
 
+(* ---- kind chaos 3: the motions, without what the lines reach, growth and complete claim ---- *)
+let chaos =
+  "For all c, k, f, tau and nu > 0 in the listed ranges, and for g(t) the sum of the listed harmonics a \
+   cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, the oscillator \
+   q'' = -c q' - k q + f above the wall sigma nu - 1 + g(t), sigma the listed side, with restitution \
+   tau: for every bi-infinite path of the listed graph of letters and every integer m there is exactly \
+   one motion whose impacts, one between two letters, have times within W of multiples of 2 pi, as many \
+   periods 2 pi apart as the letters say, the impact before letter 0 within W of 2 pi m, and \
+   velocities, divided by nu, after the first and before the last impact of each letter in its ranges. \
+   It has no other impacts, all are at positive speed, between them the gap is positive, and q/nu stays \
+   below the reach. With the same m, paths whose periods differ somewhere have different motions; on \
+   the set of the states (q, q') at t = pi of all these motions, for all m, the map to t = 3 pi has a \
+   topological entropy between the logarithms of the growth rates. If the line complete has a strength \
+   S, every motion that meets the wall at arbitrarily early and arbitrarily late times, and only within \
+   W of multiples of 2 pi where |g'| <= nu S/2, is one of these; if c and k are positive, so is every \
+   bounded motion for all time that meets it only there."
+
+(* A number below 2^15 in size, of at most 15 digits, as n/d in lowest terms. *)
+let quotient p q = { qnum = p; qden = q }
+let denominator = function Zpos q -> q | _ -> refuse "expected a denominator from 1"
+let limited word =
+  need (canonical word && String.length word <= 15) "expected a number of at most 15 digits"; word
+let sign word =
+  let negative = word <> "" && word.[0] = '-' in
+  (negative, if negative then String.sub word 1 (String.length word - 1) else word)
+let signed negative p = need (not (negative && p = Z0)) "no -0"; if negative then Z.opp p else p
+let below p q = not (qle_bool q p)
+let small_enough p = need (below p (quotient (whole 32768) XH)) "a number is 2^15 or more"
+let ratio word =
+  match String.split_on_char '/' word with
+  | [ p; q ] ->
+      let negative, p = sign p in
+      let p = large (limited p) and q = large (limited q) in
+      need (prime p q) "expected a fraction in lowest terms";
+      small_enough (quotient p (denominator q));
+      quotient (signed negative p) (denominator q)
+  | _ -> refuse "expected a fraction P/Q"
+let decimal word =
+  let negative, size = sign word in
+  let whole_part, digits = match String.split_on_char '.' size with
+    | [ w ] -> (w, "")
+    | [ w; d ] -> need (d <> "" && d.[String.length d - 1] <> '0') "expected no last 0"; (w, d)
+    | _ -> refuse "expected a decimal number" in
+  need (canonical whole_part && String.length (whole_part ^ digits) <= 15) "expected a decimal number";
+  need (String.for_all (fun c -> '0' <= c && c <= '9') digits) "expected a decimal number";
+  let p = large (whole_part ^ digits) in
+  let q = String.fold_left (fun q _ -> Z.mul ten q) (whole 1) digits in
+  small_enough (quotient p (denominator q));
+  quotient (signed negative p) (denominator q)
+let named lines name = match words (expect ~longest:2000 lines name) with
+  | word :: rest when word = name -> rest
+  | _ -> refuse ("expected a line " ^ name ^ " ...")
+let ends in_order f = function
+  | [ a; b ] -> let a = f a in let b = f b in need (in_order a b) "the ends are not in order"; (a, b)
+  | _ -> refuse "expected two numbers"
+let ratios = ends qle_bool ratio
+let decimals = ends below decimal
+let one f = function [ a ] -> f a | _ -> refuse "expected one number"
+let nothing = quotient Z0 XH
+let above_0 q = need (below nothing q) "expected a positive number"; q
+let count what least most word = let n = small what most word in need (n >= least) ("too few: " ^ what); n
+
+let read_chaos lines =
+  expect_statement lines chaos;
+  let range name = ratios (named lines name) in
+  let damping = range "damping" in let stiffness = range "stiffness" in let force = range "force" in
+  if force <> (nothing, nothing) then raise (Not_read "a force");
+  let restitution = range "restitution" in let depth = range "depth" in
+  let behind = match named lines "side" with [ "1" ] -> true | [ "-1" ] -> false | _ -> refuse "expected 1 or -1" in
+  let rec times n f = if n = 0 then [] else let x = f () in x :: times (n - 1) f in
+  let harmonics = times (one (count "harmonics" 1 100) (named lines "harmonics")) (fun () ->
+    match named lines "harmonic" with
+    | [ n; a; a'; b; b' ] ->
+        let n = count "an order" 1 100 n in
+        let a = ratios [ a; a' ] in let b = ratios [ b; b' ] in (n, (a, b))
+    | _ -> refuse "expected an order and four numbers") in
+  let rec increasing = function (i, _) :: ((j, _) :: _ as rest) -> i < j && increasing rest | _ -> true in
+  need (increasing harmonics) "the orders increase";
+  let cells = match named lines "cells" with
+    | [ c; k; f; t; n ] ->
+        let part = count "parts" 1 10_000 in
+        let c = part c in let k = part k in let f = part f in let t = part t in let n = part n in
+        if c * k * t * n > 100 || f > 1 then raise (Not_read "more than 100 cells");
+        (((natural c, natural k), natural t), natural n)
+    | _ -> refuse "expected five numbers" in
+  let window = above_0 (one decimal (named lines "window")) in
+  ignore (one (count "pieces" 1 1000) (named lines "pieces"));
+  let number = one (count "letters" 1 400) (named lines "letters") in
+  if number > 20 then raise (Not_read "more than 20 letters");
+  let letters = times number (fun () ->
+    match named lines "letter" with
+    | [ n; a; a'; p; p'; alpha; beta; gamma; parts ] ->
+        let n = count "periods" 1 1000 n in
+        if n > 30 then raise (Not_read "a letter of more than 30 periods");
+        let after = decimals [ a; a' ] in let before = decimals [ p; p' ] in
+        let alpha = above_0 (decimal alpha) in let beta = above_0 (decimal beta) in
+        ignore (decimal gamma); ignore (count "parts" 1 64 parts);
+        (positive n, after, before, (alpha, beta))
+    | _ -> refuse "expected a letter") in
+  let letters = List.map (fun (periods, after, before, weights) ->
+    let next = List.map (fun v -> count "a letter" 1 number v) (named lines "next") in
+    let rec increasing = function i :: (j :: _ as rest) -> i < j && increasing rest | _ -> true in
+    need (next <> [] && increasing next) "the letters that follow increase";
+    { Letter.periods; after; before; weights; next = List.map (fun v -> natural (v - 1)) next }) letters in
+  let contraction = above_0 (one decimal (named lines "contraction")) in
+  let harmonics = List.map (fun (n, ranges) -> (positive n, ranges)) harmonics in
+  let certificate = { Certificate.damping; stiffness; restitution; depth; cells; behind; harmonics; window;
+    contraction; letters } in
+  need (check certificate) "not proved"
+
 let read lines =
   need (expect lines "the format" = "grazing-certificate 1") "no certificate of this format";
   match expect lines "the kind" with
@@ -269,7 +381,8 @@ let read lines =
         let region = value lines "region" 34 in
         need (regionZ place.box (whole region)) "not all of the set lies in this region";
         by_path lines place bits region)
-  | _ -> raise (Not_read "a kind that is not theorem2, word or word-by-theorem")
+  | "kind chaos 3" -> read_chaos lines
+  | _ -> raise (Not_read "a kind that is not theorem2, word, word-by-theorem or chaos 3")
 
 let text_of file =
   let channel = open_in_bin file in
