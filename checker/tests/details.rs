@@ -208,8 +208,8 @@ fn is_the_horseshoe(checked: &Checked) -> bool {
     boxes && of_two && rates[0] <= golden && golden <= rates[1] && reach > highest && contraction < 1.0
 }
 
-/// README's machine, c = 1/10, k = 3/10, τ = 4/5 or near, before the touch: at a phase t its orbit of one
-/// period has ν = −sin t (tan(t/2) − 2/κ), s = −κ/(1 − (κ/2) tan(t/2)), which are within what is printed.
+/// A machine's orbit of one period near its touch: at a phase t it has ν = σ sin t (tan(t/2) − 2/κ), s =
+/// σκ/(1 − (κ/2) tan(t/2)), which are within what is printed; σκ > 0 of those tried, so that t < 0.
 fn is_born(checked: &Checked) -> bool {
     let middle = |name: &str| {
         let ends: Vec<f64> =
@@ -223,6 +223,7 @@ fn is_born(checked: &Checked) -> bool {
     let a = decay * (omega * TAU).cos() + c / 2.0 * b;
     let alpha = (1.0 - a) / b;
     let kappa = 2.0 * (alpha + tau * (-k * b + (a - c * b) * alpha)) / (1.0 + tau);
+    let side = if detail(checked, "motion").contains("wall -nu") { -1.0 } else { 1.0 };
     let depth = fraction(detail(checked, "depth").split("nu <= ").nth(1).unwrap().split(',').next().unwrap());
     let said = numbers(detail(checked, "impacts").split_once("1: from").unwrap().1);
     // From the touch to that depth, which the curve reaches before its fold.
@@ -230,11 +231,11 @@ fn is_born(checked: &Checked) -> bool {
     for i in 1..10_000 {
         let t = -f64::from(i) * 1e-4;
         let before = nu;
-        nu = -t.sin() * ((t / 2.0).tan() - 2.0 / kappa);
+        nu = side * t.sin() * ((t / 2.0).tan() - 2.0 / kappa);
         if nu > depth || nu <= before {
             break;
         }
-        let s = -kappa / (1.0 - kappa / 2.0 * (t / 2.0).tan());
+        let s = side * kappa / (1.0 - kappa / 2.0 * (t / 2.0).tan());
         inside &= said[0] < s && s < said[1];
     }
     inside && nu > depth && numbers(detail(checked, "contraction"))[0] < 1.0
@@ -278,9 +279,11 @@ fn follows(sample: &Checked, changed: &Checked, mirrored: bool) -> bool {
             changed.title == title && right && others(changed) <= others(sample)
         }
         "range" => {
-            let same = ["claim", "motion", "letters", "others"];
+            let same = ["claim", "motion", "letters"];
             let same = same.iter().all(|name| detail(changed, name) == detail(sample, name));
-            same && changed.title == sample.title && is_born(changed)
+            // Whether there are others is looked at in `range_damage.rs`.
+            let others = |checked| detail(checked, "others").starts_with("none near");
+            same && others(changed) <= others(sample) && changed.title == sample.title && is_born(changed)
         }
         // Whether motions do so is looked at in `nothing.rs`.
         "nothing" => {

@@ -6,7 +6,10 @@ use grazing::{
     number::{Real, parse_rational},
     search::{
         chaos::{LetterGraph, RationalFunction, Term},
-        range::{RangeEffort, RangeEnd, RangeProblem, RangeProof, Touching, born, parameter_range, prove},
+        range::{
+            NothingProblem, RangeEffort, RangeEnd, RangeProblem, RangeProof, Touching, born, parameter_range,
+            prove, prove_alone, prove_nothing,
+        },
     },
 };
 use num_rational::BigRational;
@@ -102,6 +105,65 @@ fn the_whole_graph_is_proved() {
     let two = problem(PAPER, true, LetterGraph::full(&[1, 2]), 0.999);
     let proof = range(&two, 10_000).unwrap();
     assert_eq!((proof.depth, proof.end), (parse_rational("999/1000").unwrap(), RangeEnd::Asked));
+}
+
+/// Beyond its touch the paper's oscillator has no other motions near, as far as {1, 2, 3} is proved; beside
+/// {1, 2} alone there are, and before a touch nothing is claimed.
+#[test]
+fn what_is_born_is_all_that_is_near() {
+    let alone = |problem: &RangeProblem| {
+        let proof = range(problem, 20_000).unwrap();
+        let found = prove_alone(problem, proof.clone(), RangeEffort(200_000), &()).unwrap();
+        assert_eq!(
+            (found.depth, certificate::check(&mut found.text.as_bytes()).unwrap().kind),
+            (proof.depth, "range")
+        );
+        (found.alone, found.text)
+    };
+    let all = problem(PAPER, true, LetterGraph::full(&[1, 2, 3]), 1.0);
+    let (depth, text) = alone(&all);
+    assert_eq!(depth, Some(range(&all, 20_000).unwrap().depth));
+    assert!(!text.contains("others no") && text.contains("kind range 2\n"), "{text}");
+    let (depth, text) = alone(&problem(PAPER, true, LetterGraph::full(&[1, 2]), 0.01));
+    assert!(depth.is_none() && text.contains("kind range\n"), "{depth:?}");
+    let (depth, _) = alone(&problem(README, false, LetterGraph::full(&[1]), 0.01));
+    assert_eq!(depth, None);
+}
+
+/// README's machine is left by every motion at any amplitude beyond its touch, and by the sooner the fewer
+/// rounds; where something is born that is not claimed.
+#[test]
+fn where_nothing_is_born_no_motion_stays() {
+    let asked = |parameters: [&str; 3], deepest: f64| {
+        let problem = NothingProblem { ranges: parameters.map(at), harmonics: cosine(), deepest };
+        prove_nothing(&problem, RangeEffort(100_000), &()).unwrap()
+    };
+    let proof = asked(README, 0.999).unwrap();
+    assert_eq!(
+        (proof.depth, proof.periods, proof.end),
+        (parse_rational("999/1000").unwrap(), 18, RangeEnd::Asked)
+    );
+    assert!(0.05 < proof.zone && proof.zone < 0.5, "{}", proof.zone);
+    assert_eq!(certificate::check(&mut proof.text.as_bytes()).unwrap().kind, "nothing");
+    // A range of parameters, and an end before what could be.
+    let wide = NothingProblem {
+        ranges: [
+            [at("99/1000")[0].clone(), at("1/10")[0].clone()],
+            at("3/10"),
+            [at("1/2")[0].clone(), at("9/10")[0].clone()],
+        ],
+        harmonics: cosine(),
+        deepest: 0.25,
+    };
+    assert_eq!(
+        prove_nothing(&wide, RangeEffort(100_000), &()).unwrap().unwrap().depth,
+        parse_rational("1/4").unwrap()
+    );
+    let why = asked(PAPER, 0.5).unwrap_err();
+    assert!(matches!(&why, RangeEnd::Refused(why) if why.contains("(T)")), "{why:?}");
+    // Without a second swing no leg's length is bounded.
+    assert_eq!(asked(["3", "1/10", "4/5"], 0.5).unwrap_err(), RangeEnd::Map);
+    assert_eq!(prove_nothing(&wide, RangeEffort(1), &()).unwrap().unwrap_err(), RangeEnd::Work);
 }
 
 /// A wall of two harmonics, and a graph that is not connected: 3 may follow 1, but not 1 follow 3.

@@ -256,6 +256,27 @@ impl Keeper for Kept {
     }
 }
 
+/// Where a stop stands at an impact and how fast it moves is told in the scene's own time, whatever the
+/// period.
+#[test]
+fn a_stop_moves_in_the_scenes_own_time() {
+    let rest = "[system]\nperiod = 0.25\nmass = 2\ndamping = 3\nstiffness = 900\nforcing = [{ cos = 500 }]\n\
+                [[stops]]\nside = \"upper\"\noffset = 0.25\nharmonics = [{ sin = 0.125 }]\nrestitution = 0.75\n\
+                [[tasks]]\nname = \"m\"\nkind = \"simulate\"\nstart = { q = 0, u = 1 }\nperiods = 5\n";
+    let scene = Scene::from_toml(&scene(rest), "s.toml").unwrap();
+    let job = Job::new(&scene, &scene.tasks[0], Surroundings::default()).unwrap();
+    let mut kept = Kept::default();
+    run_task(&job, &mut kept);
+    assert!(kept.events.len() > 3, "{:?}", kept.events);
+    for event in &kept.events {
+        let (sin, cos) = (std::f64::consts::TAU * event.time.periods()).sin_cos();
+        let expected = [0.25 + 0.125 * sin, 0.125 * std::f64::consts::TAU / 0.25 * cos];
+        for (told, expected) in event.place.unwrap().into_iter().zip(expected) {
+            assert!((told - expected).abs() < 1e-9 * expected.abs().max(1.0), "{told} {expected} {event:?}");
+        }
+    }
+}
+
 /// The same scene by either engine: the same motion, and the same told of it, with the mass in its impulses.
 #[test]
 fn both_engines_read_one_grammar() {
