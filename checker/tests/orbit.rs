@@ -212,7 +212,7 @@ fn intervals_have_one_form() {
     }
     let why = rejected(&with(&in_intervals(), "lower", "lower -1..-1 -0.1..1 1"));
     assert!(why.contains("malformed: a restitution is at least 0"), "{why}");
-    for line in ["kind orbit 1", "kind orbit 3", "kind orbit  2", "kind theorem2 2", "kind orbit 2 "] {
+    for line in ["kind orbit 1", "kind orbit 4", "kind orbit  2", "kind theorem2 2", "kind orbit 2 "] {
         assert!(
             rejected(&with(ORBIT_4, "kind", line))
                 .contains("line 2: malformed: expected a line \"kind theorem2\"")

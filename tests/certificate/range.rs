@@ -108,7 +108,7 @@ fn the_whole_graph_is_proved() {
 }
 
 /// Beyond its touch the paper's oscillator has no other motions near, as far as {1, 2, 3} is proved; beside
-/// {1, 2} alone there are, and before a touch nothing is claimed.
+/// {1, 2} alone there are, farther off; and before a touch nothing is claimed.
 #[test]
 fn what_is_born_is_all_that_is_near() {
     let alone = |problem: &RangeProblem| {
@@ -124,8 +124,13 @@ fn what_is_born_is_all_that_is_near() {
     let (depth, text) = alone(&all);
     assert_eq!(depth, Some(range(&all, 20_000).unwrap().depth));
     assert!(!text.contains("others no") && text.contains("kind range 2\n"), "{text}");
-    let (depth, text) = alone(&problem(PAPER, true, LetterGraph::full(&[1, 2]), 0.01));
-    assert!(depth.is_none() && text.contains("kind range\n"), "{depth:?}");
+    // Impacts between legs of 1 and 3 periods have |s| > 15: of the motions over {1, 2} it is said how near.
+    let (_, text) = alone(&problem(PAPER, true, LetterGraph::full(&[1, 2]), 0.01));
+    let near: Vec<f64> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("others ")?.split(' ').next()?.parse().ok())
+        .collect();
+    assert!(!near.is_empty() && near.iter().all(|&s| s < 15.0), "{near:?}");
     let (depth, _) = alone(&problem(README, false, LetterGraph::full(&[1]), 0.01));
     assert_eq!(depth, None);
 }

@@ -118,6 +118,10 @@ pub fn prove_nothing(
         )?;
         if found.certificate.cells.is_empty() {
             end = found.end;
+            // That no zone mends.
+            if matches!(&end, RangeEnd::Refused(reason) if born(reason)) {
+                break;
+            }
         } else if best.as_ref().is_none_or(|best| found.depth > WORTH * best.depth) {
             best = Some(found);
         }
@@ -161,6 +165,11 @@ pub(super) fn longest(oscillator: &Oscillator) -> Option<u64> {
     None
 }
 
+/// Whether the checker refuses because something may be born.
+fn born(reason: &str) -> bool {
+    reason.contains("(T)")
+}
+
 /// Cell after cell in a zone, each as deep as the checker accepts.
 fn over(
     start: &Certificate,
@@ -200,6 +209,9 @@ fn over(
             }
             Err(reason) => {
                 certificate.cells.pop();
+                if born(&reason) {
+                    break RangeEnd::Refused(reason);
+                }
                 if level + 1 < PARTS.len() {
                     level += 1;
                 } else if depth == 0.0 || step < LAST {
