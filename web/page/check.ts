@@ -49,8 +49,11 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
     const each = `Every path of its letters is a motion of the oscillator: ${detail.get("letters") ?? ""}.`;
     return title === "chaos" ? `The oscillator is chaotic. ${each}` : `${each} That it is chaotic is not proved.`;
   },
-  range: (_, _detail, title) =>
-    `From the touch to the depth listed, each path of its letters is exactly one motion of the oscillator${title === "chaos" ? ", and it is chaotic" : ""}.`,
+  range: (_, detail, title) =>
+    `From the touch to the depth listed, each path of its letters is exactly one motion of the oscillator${title === "range of chaos" ? ", and it is chaotic" : ""}.` +
+    (detail.get("others")?.startsWith("none near") ? " No other motions are near." : ""),
+  nothing: (_, detail) =>
+    `Beyond its touch, to the depth listed, nothing is born, and no motion of the oscillator stays near: ${detail.get("leaves") ?? ""}.`,
   entropy: () => "Words of periods between impacts have no more entropy than is listed, wherever they are born.",
   "machine-orbit": ([n], detail) => orbit("machine", n, detail),
 };
