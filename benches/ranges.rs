@@ -31,7 +31,7 @@ const DEEPEST: [f64; 2] = [4.0, 0.999];
 const LONGEST: u64 = 30;
 /// The most impacts of a word, and how many words are followed.
 const IMPACTS: usize = 6;
-const WORDS: usize = 300;
+const WORDS: usize = 100;
 
 /// c, k, τ as decimals.
 struct Machine([String; 3]);
@@ -149,7 +149,7 @@ impl Floats {
             }
             let [t, u] = [from, to].map(|s| self.phase(depth, s));
             let time = std::f64::consts::TAU * word[i] as f64 + u - t;
-            let steps = 128 * word[i];
+            let steps = 24 * word[i];
             let open = (1..steps).all(|j| {
                 let after = time * j as f64 / steps as f64;
                 let [e11, e12, ..] = self.flow(after);

@@ -278,10 +278,7 @@ impl Own {
             let Some(other) = other.0.iter().find(|other| other.report.task == *name) else { continue };
             let [far, there] = [one, other].map(|one| reaches && one.beyond_reach());
             let settled = !moved || one.unsettled() == other.unsettled();
-            // The unknowns of a machine are others, and so are the steps from afar.
-            let met = [one, other].map(Reported::no_orbits);
-            let strays = form.texts == Texts::Presence && matches!(met, [Some(a), Some(b)] if a + b > 0);
-            if strays || far != there || !settled || one.many_harmonics() != other.many_harmonics() {
+            if far != there || !settled || one.many_harmonics() != other.many_harmonics() {
                 found.left_out.push(name.clone());
             } else if far {
                 found.told.push(name.clone());

@@ -218,13 +218,6 @@ impl Reported {
         ["event", "grazing"].contains(&self.report.kind) && reason.contains("beyond reach")
     }
 
-    /// Of a task that asks for orbits, how many solutions of its equations it has, if none is an orbit.
-    pub fn no_orbits(&self) -> Option<usize> {
-        let findings = serde_json::to_value(&self.report.findings).expect("a value");
-        let orbits = findings.get("orbits").filter(|_| self.report.kind == "orbit")?.as_array()?;
-        orbits.iter().all(|orbit| orbit["admissible"] == false).then_some(orbits.len())
-    }
-
     /// Times in periods and speeds of the impacts of a motion, as its format has them.
     pub fn impacts(&self) -> Vec<[f64; 2]> {
         let impact = |(word, time, _, speed): &(&str, f64, usize, f64)| {

@@ -198,8 +198,10 @@ fn place_by_search(scene: &Table, orbit: &Value, set: &Table) -> Option<[f64; 4]
     let mut at = [0.0; 4];
     let numbers =
         |key: &str| good[key].as_array().into_iter().flatten().filter_map(serde_json::Value::as_f64);
+    // Reports have fractions of the period, format 1 radians.
+    let turn = if is_machine(scene) { 1.0 } else { TAU };
     for (i, (phase, speed)) in numbers("phases").zip(numbers("speeds")).take(2).enumerate() {
-        at[2 * i..2 * i + 2].copy_from_slice(&[phase, speed]);
+        at[2 * i..2 * i + 2].copy_from_slice(&[phase * turn, speed]);
     }
     Some(at)
 }
