@@ -1,5 +1,4 @@
-//! How far ranges are proved of random oscillators, and how far the motions go on in truth: the table of
-//! docs/ranges.md.
+//! How far ranges are proved of random oscillators, and how far the motions go on in truth.
 //!
 //!     cargo bench --bench ranges -- 500 [SEED] [EFFORT] >ranges.csv
 //!
@@ -8,7 +7,8 @@
 //! for the whole graph that is born, and one for each orbit of one impact. The truth is followed in floats,
 //! by other formulas than the library's: periodic words of up to six impacts, from the touch to where the
 //! first of them is no motion or no longer alone (a fold, a flip). The summary goes to standard error.
-//! Without a number of oscillators it does nothing. Cost: some 3 s for an oscillator.
+//! Without a number of oscillators it does nothing. Cost: some 6 s of processor time for an
+//! oscillator.
 
 use std::env;
 

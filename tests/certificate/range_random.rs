@@ -1,5 +1,5 @@
 //! Ranges of random oscillators from their touch on, against where their orbits of one impact end in floats.
-//! A sample for `cargo test`; `benches/ranges.rs` makes the table of docs/ranges.md, against words of several
+//! A sample for `cargo test`; `benches/ranges.rs` does it for as many as one likes, against words of several
 //! impacts.
 
 use std::f64::consts::TAU;
