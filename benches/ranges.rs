@@ -337,6 +337,7 @@ fn said(end: &RangeEnd) -> String {
         RangeEnd::Asked => "asked".into(),
         RangeEnd::Map => "map".into(),
         RangeEnd::Work => "work".into(),
+        RangeEnd::Unbounded => "unbounded".into(),
         RangeEnd::Refused(why) => why.split(['(', ')']).nth(1).unwrap_or("refused").to_string(),
     }
 }

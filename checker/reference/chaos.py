@@ -671,13 +671,18 @@ def fraction(word):
     return Fraction(p, q)
 
 
-if __name__ == "__main__":
+def main(kind):
+    """Prints the verdict on each file named, read as this kind of file; the exit code says if one is rejected."""
     good = True
     for name in sys.argv[1:]:
         try:
             with open(name, encoding="utf-8", newline="") as stream:
-                print(f"{name}: proved, {File(stream.read()).check()}")
+                print(f"{name}: proved, {kind(stream.read()).check()}")
         except ValueError as reason:
             good = False
             print(f"{name}: rejected: {reason}")
     sys.exit(not good)
+
+
+if __name__ == "__main__":
+    main(File)

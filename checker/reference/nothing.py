@@ -6,7 +6,6 @@ usage: nothing.py FILE…   prints "FILE: proved, nothing born" or "FILE: reject
 Written from the form (the head of checker/src/nothing/mod.rs) and from docs/ranges.md alone. Numbers, the free motion,
 the wall and C1 to C3 are those of chaos.py, the second reader of kind chaos: nothing of the checker's.
 """
-import sys
 from fractions import Fraction
 
 import chaos
@@ -87,12 +86,4 @@ class File(chaos.File):
 
 
 if __name__ == "__main__":
-    good = True
-    for name in sys.argv[1:]:
-        try:
-            with open(name, encoding="utf-8", newline="") as stream:
-                print(f"{name}: proved, {File(stream.read()).check()}")
-        except ValueError as reason:
-            good = False
-            print(f"{name}: rejected: {reason}")
-    sys.exit(not good)
+    chaos.main(File)

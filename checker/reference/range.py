@@ -7,7 +7,6 @@ usage: range.py FILE…     prints "FILE: proved, range of chaos", "FILE: proved
 Written from the form (the head of checker/src/range/mod.rs) and from docs/ranges.md alone. Numbers, the free motion
 and the wall are those of chaos.py, the second reader of kind chaos: nothing of the checker's.
 """
-import sys
 from fractions import Fraction
 from itertools import product
 from types import SimpleNamespace
@@ -401,12 +400,4 @@ class File(chaos.File):
 
 
 if __name__ == "__main__":
-    good = True
-    for name in sys.argv[1:]:
-        try:
-            with open(name, encoding="utf-8", newline="") as stream:
-                print(f"{name}: proved, {File(stream.read()).check()}")
-        except ValueError as reason:
-            good = False
-            print(f"{name}: rejected: {reason}")
-    sys.exit(not good)
+    chaos.main(File)

@@ -57,10 +57,23 @@ impl Fault {
             Fault::Interrupted => Fault::Interrupted,
         }
     }
+
+    /// Its reason.
+    pub fn reason(self) -> String {
+        match self {
+            Fault::Malformed(reason) | Fault::False(reason) => reason,
+            Fault::Interrupted => "the check was ended before it was done".into(),
+        }
+    }
 }
 
 /// Asked now and then whether the work should go on.
 pub(crate) type GoOn<'a> = &'a mut dyn FnMut() -> Result<(), Fault>;
+
+/// Goes on unless it is `stopped`.
+pub(crate) fn unless(stopped: bool) -> Result<(), Fault> {
+    if stopped { Err(Fault::Interrupted) } else { Ok(()) }
+}
 
 /// The reason, unless what it denies `holds`.
 pub(crate) fn ensure(holds: bool, reason: impl fmt::Display) -> Result<(), String> {

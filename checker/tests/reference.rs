@@ -3,25 +3,8 @@
 
 mod common;
 
-use std::{fs, path::Path, process::Command};
-
-use common::{THEOREM2, answer};
+use common::{Random, THEOREM2, answer, second_reader};
 use grazing_check::theorem2::header;
-
-/// Numbers that look random, the same in every run (Knuth's MMIX generator).
-struct Random(u64);
-
-impl Random {
-    /// From 0 to `below` − 1.
-    fn below(&mut self, below: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        ((u128::from(self.0 >> 16) * below as u128) >> 48) as usize
-    }
-
-    fn pick<'a, T: ?Sized>(&mut self, list: &[&'a T]) -> &'a T {
-        list[self.below(list.len())]
-    }
-}
 
 /// A certificate of the periods from `first` to `last`, out of the sample.
 fn part(first: usize, last: usize) -> Vec<String> {
@@ -139,33 +122,20 @@ fn damage(random: &mut Random, mut lines: Vec<String>) -> Vec<u8> {
 
 #[test]
 fn two_readers_of_the_format_agree() {
-    if let Err(error) = Command::new("python3").arg("--version").output() {
-        assert!(std::env::var_os("GRAZING_REQUIRE_PYTHON").is_none(), "python3 is missing: {error}");
-        println!("SKIPPED: no python3 to run reference/theorem2.py with ({error})");
-        return;
-    }
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("reference-{}", std::process::id()));
-    fs::create_dir_all(&folder).unwrap();
     let parts =
         [(1, 1), (1, 3), (2, 2), (3, 5), (4, 4), (6, 6), (8, 8), (9, 9), (14, 14)].map(|(a, b)| part(a, b));
     let mut random = Random(1);
     let (mut accepted, mut rejected) = (0, 0);
     for round in 0..10 {
-        let mut files = Vec::new();
+        let mut texts = Vec::new();
         for i in 0..1000 {
             let lines = parts[random.below(parts.len())].clone();
             let text =
                 if i == 0 { (lines.join("\n") + "\n").into_bytes() } else { damage(&mut random, lines) };
-            let path = folder.join(i.to_string());
-            fs::write(&path, &text).unwrap();
-            files.push((path, text));
+            texts.push(text);
         }
-        let script = concat!(env!("CARGO_MANIFEST_DIR"), "/reference/theorem2.py");
-        let output =
-            Command::new("python3").arg(script).args(files.iter().map(|(path, _)| path)).output().unwrap();
-        let verdicts = String::from_utf8(output.stdout).unwrap();
-        assert_eq!(verdicts.lines().count(), files.len(), "{}", String::from_utf8_lossy(&output.stderr));
-        for ((_, text), line) in files.iter().zip(verdicts.lines()) {
+        let Some(verdicts) = second_reader("theorem2.py", &texts) else { return };
+        for (text, line) in texts.iter().zip(&verdicts) {
             let theirs = line.ends_with(": proved");
             let ours = grazing_check::check(&mut &text[..]);
             let shown = String::from_utf8_lossy(text);
@@ -173,7 +143,6 @@ fn two_readers_of_the_format_agree() {
             *(if theirs { &mut accepted } else { &mut rejected }) += 1;
         }
     }
-    fs::remove_dir_all(folder).unwrap();
     println!("{accepted} accepted by both, {rejected} rejected by both");
     assert!(accepted > 500 && rejected > 8000, "{accepted} accepted, {rejected} rejected");
     assert!(answer(THEOREM2).is_ok());

@@ -255,8 +255,9 @@ impl GrazingReport {
         if let Some(reason) = &self.chaos_open {
             lines.say("chaos", format!("not decided: {reason}"));
         }
-        for row in self.range.iter().flatten() {
-            row.lines(&at.varied, lines);
+        let rows = self.range.as_deref().unwrap_or_default();
+        for alike in rows.chunk_by(RangeRow::is_told_with) {
+            RangeRow::lines(alike, &at.varied, lines);
         }
         if let Some(why) = &self.range_open {
             lines.say("range", format!("none: {why}"));

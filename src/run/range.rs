@@ -97,7 +97,28 @@ impl RangeRow {
         self.verdict == "undecided"
     }
 
-    pub(super) fn lines(&self, varied: &str, lines: &mut Lines) {
+    /// Whether the next row is told in one line with this: of orbits none of which is proved, for one reason.
+    pub(super) fn is_told_with(&self, next: &RangeRow) -> bool {
+        let open = |row: &RangeRow| row.of == ORBIT && row.is_undecided();
+        open(self) && open(next) && (self.side, &self.reason) == (next.side, &next.reason)
+    }
+
+    /// Tells rows that [are told](Self::is_told_with) together, which are at least one.
+    pub(super) fn lines(rows: &[RangeRow], varied: &str, lines: &mut Lines) {
+        if let [row] = rows {
+            return row.own_lines(varied, lines);
+        }
+        let Some(RangeRow { side, reason, .. }) = rows.first() else { return };
+        let periods: Vec<String> = rows.iter().flat_map(|row| &row.periods).map(u64::to_string).collect();
+        let reason = reason.as_deref().unwrap_or_default();
+        let what = format!(
+            "{side} the touch, none proved of the orbits of one impact in {} periods",
+            periods.join(", ")
+        );
+        lines.say("range", format!("{what}: {reason}"));
+    }
+
+    fn own_lines(&self, varied: &str, lines: &mut Lines) {
         let (side, reason) = (self.side, self.reason.as_deref().unwrap_or_default());
         let periods: Vec<String> = self.periods.iter().map(u64::to_string).collect();
         let orbit = format!("the orbit of one impact in {} periods", periods.join(", "));
@@ -121,7 +142,7 @@ impl RangeRow {
             lines.say(
                 "range",
                 format!(
-                    "{side} the touch, nothing is born; proved for {above}{part}: within {periods} periods every motion meets the stop more than {zone:.4} periods from the phase of the touch (less for nu < 1/100)"
+                    "{side} the touch, nothing is born; proved for {above}{part}: within {periods} periods every motion meets the stop more than {zone} periods from the phase of the touch (less for nu < 1/100)"
                 ),
             );
             lines.say("range_ends", reason);
@@ -156,13 +177,24 @@ impl RangeRow {
     }
 }
 
+/// What a decimal that is small begins with.
+const SMALL: &str = "00000";
+
+/// A positive number downwards, to four digits.
+pub(crate) fn downwards(x: f64) -> f64 {
+    let scale = 10f64.powi(3 - x.log10().floor() as i32);
+    // Below what rounding made of it.
+    (x * (1.0 - 1e-12) * scale).floor() / scale
+}
+
 /// Why a range ends, in words.
 pub(crate) fn why(end: &RangeEnd, effort: RangeEffort) -> String {
     match end {
         RangeEnd::Asked => "no more is looked at".into(),
         RangeEnd::Map => "next to it no ranges of strengths are found that the map keeps: this ends the proof, not the motions".into(),
         RangeEnd::Refused(why) => format!("next to it the checker refuses: {why}"),
-        RangeEnd::Work => format!("the work allowed is done, {} legs: raise `effort`", effort.0),
+        RangeEnd::Work => format!("the work allowed is done, {} legs and steps: raise `effort`", effort.0),
+        RangeEnd::Unbounded => "no bound is found for how long motions near stay off the stop".into(),
     }
 }
 
@@ -182,7 +214,7 @@ pub(crate) fn inwards(end: &BigRational, inner: &BigRational, digits: i32) -> St
     decimal(&value, places)
 }
 
-/// A number of at most so many places after the point.
+/// A number of at most so many places after the point; a small one by its exponent.
 fn decimal(value: &BigRational, places: i32) -> String {
     let places = places.max(0) as usize;
     let scaled = (value.abs() * BigRational::from(BigInt::from(10).pow(places as u32))).to_integer();
@@ -190,12 +222,18 @@ fn decimal(value: &BigRational, places: i32) -> String {
     let (whole, part) = digits.split_at(digits.len() - places);
     let part = part.trim_end_matches('0');
     let sign = if value.is_negative() { "-" } else { "" };
+    if whole == "0" && part.starts_with(SMALL) {
+        let digits = part.trim_start_matches('0');
+        let (first, rest) = digits.split_at(1);
+        let point = if rest.is_empty() { "" } else { "." };
+        return format!("{sign}{first}{point}{rest}e-{}", part.len() - digits.len() + 1);
+    }
     if part.is_empty() { format!("{sign}{whole}") } else { format!("{sign}{whole}.{part}") }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{decimal, inwards};
+    use super::{decimal, downwards, inwards};
     use crate::number::parse_rational;
 
     #[test]
@@ -212,9 +250,16 @@ mod tests {
             // What is left between the two has more digits.
             ("2/3", "2001/3001", "2/3"),
             ("0", "1", "0"),
+            ("1/3000000", "1", "3.34e-7"),
+            ("-1/3000000", "1", "-3.33e-7"),
+            ("1/40000000000000000000000", "0", "2.5e-23"),
+            ("1/50000", "0", "0.00002"),
         ] {
             assert_eq!(inwards(&at(end), &at(inner), 3), shown, "{end} {inner}");
         }
         assert_eq!(decimal(&at("-3/2500"), 4), "-0.0012");
+        for (x, shown) in [(0.009_187_9, 0.009_187), (0.3, 0.2999), (1.0, 0.9999), (2.5e-9, 2.499e-9)] {
+            assert!(downwards(x) < x && (downwards(x) / shown - 1.0).abs() < 1e-12, "{x}");
+        }
     }
 }

@@ -237,7 +237,7 @@ keys! {
 keys! {
     /// How far a range is followed.
     pub struct RangeKeys {
-        /// legs that may be evaluated for a side, some 5 µs each; without it 400000
+        /// legs and steps of the checker allowed a side, some 10 µs each; without it 400000
         effort: Option<u64>,
     }
 }

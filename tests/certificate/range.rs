@@ -148,7 +148,7 @@ fn where_nothing_is_born_no_motion_stays() {
         (proof.depth, proof.periods, proof.end),
         (parse_rational("999/1000").unwrap(), 18, RangeEnd::Asked)
     );
-    assert!(0.05 < proof.zone && proof.zone < 0.5, "{}", proof.zone);
+    assert!(0.05 < proof.slope && proof.slope < 0.5, "{}", proof.slope);
     assert_eq!(certificate::check(&mut proof.text.as_bytes()).unwrap().kind, "nothing");
     // A range of parameters, and an end before what could be.
     let wide = NothingProblem {
@@ -167,7 +167,7 @@ fn where_nothing_is_born_no_motion_stays() {
     let why = asked(PAPER, 0.5).unwrap_err();
     assert!(matches!(&why, RangeEnd::Refused(why) if why.contains("(T)")), "{why:?}");
     // Without a second swing no leg's length is bounded.
-    assert_eq!(asked(["3", "1/10", "4/5"], 0.5).unwrap_err(), RangeEnd::Map);
+    assert_eq!(asked(["3", "1/10", "4/5"], 0.5).unwrap_err(), RangeEnd::Unbounded);
     assert_eq!(prove_nothing(&wide, RangeEffort(1), &()).unwrap().unwrap_err(), RangeEnd::Work);
 }
 

@@ -76,7 +76,7 @@ mod text;
 use super::{
     Proved, Rejection,
     lines::Lines,
-    rejection::Fault,
+    rejection::{Fault, unless},
     touch::{
         Interval,
         text::{plain, wall_in_words},
@@ -102,15 +102,17 @@ is at least 1 after each whole period between; there is no infinite sequence of 
 whenever n follows m. Every n is up to N.";
 
 /// Whether the conditions hold in one cell, from 0: for a search, which finds cell after cell. What is proved
-/// is what [`check`](crate::check) accepts as a whole.
+/// is what [`check`](crate::check) accepts as a whole. `stop` is asked after every microsecond or few of work
+/// whether to end.
 ///
 /// # Errors
-/// The condition that fails.
-pub fn cell_holds(certificate: &Certificate, cell: usize) -> Result<(), String> {
-    proof::cells(certificate, cell..cell + 1, &mut || Ok(())).map_err(|fault| match fault {
-        Fault::Malformed(reason) | Fault::False(reason) => reason,
-        Fault::Interrupted => "interrupted".into(),
-    })
+/// The condition that fails, or that it was stopped.
+pub fn cell_holds(
+    certificate: &Certificate,
+    cell: usize,
+    stop: &mut dyn FnMut() -> bool,
+) -> Result<(), String> {
+    proof::cells(certificate, cell..cell + 1, &mut || unless(stop())).map_err(Fault::reason)
 }
 
 /// Checks everything after the kind line.

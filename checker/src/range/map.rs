@@ -40,9 +40,11 @@ impl Work<'_> {
         let mut all = Vec::new();
         for &[from, letter, to] in &self.graph.legs {
             let mut legs = Vec::new();
-            for first in &self.parts[from] {
+            for (first, last) in
+                self.parts[from].iter().flat_map(|first| self.parts[to].iter().map(move |last| (first, last)))
+            {
                 go_on()?;
-                legs.extend(self.parts[to].iter().map(|last| self.leg(letter, first, last)));
+                legs.push(self.leg(letter, first, last));
             }
             all.push(legs);
         }
@@ -77,13 +79,21 @@ impl Work<'_> {
 
     /// F at an edge's impacts of one part, over all neighbours; with the greatest |F_s| w + |F_s⁻| w⁻ +
     /// |F_s⁺| w⁺.
-    fn image(&self, impacts: &Impacts, edge: usize, part: usize, numbers: &Numbers) -> [Interval; 2] {
+    fn image(
+        &self,
+        impacts: &Impacts,
+        edge: usize,
+        part: usize,
+        numbers: &Numbers,
+        go_on: GoOn,
+    ) -> Result<[Interval; 2], Fault> {
         let [c1, c2] = self.cell.shares;
         let (m, one) = (numbers.factor, Interval::ONE);
         let [impact, middle] = &self.parts[edge][part];
         let apart = impact.s - middle.s;
         let mut found: Option<[Interval; 2]> = None;
         for a in &impacts.after {
+            go_on()?;
             for p in &impacts.before {
                 let mean = |x: Interval, y: Interval| c1 * x + c2 * y;
                 let slope = (one - m) + m * mean(a.own, p.own);
@@ -93,7 +103,7 @@ impl Work<'_> {
                 found = Some(found.map_or([value, size], |[x, y]| [x.hull(value), y.hull(size)]));
             }
         }
-        found.unwrap_or([Interval::WHOLE; 2])
+        Ok(found.unwrap_or([Interval::WHOLE; 2]))
     }
 
     /// Whether at every impact of the part the speed is certainly positive, given that s = c₁ a + c₂ p: s/2
@@ -127,7 +137,7 @@ impl Work<'_> {
             for part in 0..self.parts[edge].len() {
                 go_on()?;
                 let impacts = self.velocities(legs, edge, part, numbers);
-                let [image, size] = self.image(&impacts, edge, part, own);
+                let [image, size] = self.image(&impacts, edge, part, own, go_on)?;
                 shown(own.ends.holds(image), "the map may leave the range (E1)")?;
                 let holds = size.is_up_to(contraction * own.weight);
                 shown(holds, "the map may not contract (E2)")?;
@@ -146,7 +156,7 @@ impl Work<'_> {
             for part in 0..self.parts[edge].len() {
                 go_on()?;
                 let impacts = self.velocities(legs, edge, part, numbers);
-                let [here, _] = self.image(&impacts, edge, part, own);
+                let [here, _] = self.image(&impacts, edge, part, own, go_on)?;
                 image = Some(image.map_or(here, |image| image.hull(here)));
             }
             all.push(image.unwrap_or(Interval::WHOLE));

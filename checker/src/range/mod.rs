@@ -134,7 +134,7 @@ mod work;
 use super::{
     Proved, Rejection,
     lines::Lines,
-    rejection::Fault,
+    rejection::{Fault, unless},
     touch::{
         Interval,
         graph::{Vertex, grows},
@@ -151,8 +151,10 @@ const CELLS: u64 = 10_000;
 /// The most that a check may cost, in exponentials.
 const COST: u64 = 6_000_000;
 
-/// What a certificate proves.
-pub const STATEMENT: &str = "For all c, k, tau in the listed ranges, for g(t) the sum of the listed \
+/// What certificates of both versions prove.
+macro_rules! statement {
+    () => {
+        "For all c, k, tau in the listed ranges, for g(t) the sum of the listed \
 harmonics a cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, and for \
 every nu > 0 up to the last cell's, the oscillator q'' = -c q' - k q above the wall sigma nu - 1 + g(t), \
 sigma the listed side, with restitution tau: for every bi-infinite path of the listed graph of letters \
@@ -164,47 +166,47 @@ gap is positive. Where nu is in two cells both have the same motion, and with c,
 m held fixed the times and velocities of its impacts depend continuously on nu, from where it is born at \
 nu = 0. With the same m, paths whose periods differ somewhere have different motions; on the set of the \
 states (q, q') at t = pi of all these motions, for all m, the map to t = 3 pi has a topological entropy \
-between the logarithms of the growth rates.";
-
-/// What a certificate of version 2 proves.
-pub const STATEMENT_2: &str = "For all c, k, tau in the listed ranges, for g(t) the sum of the listed \
-harmonics a cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, and for \
-every nu > 0 up to the last cell's, the oscillator q'' = -c q' - k q above the wall sigma nu - 1 + g(t), \
-sigma the listed side, with restitution tau: for every bi-infinite path of the listed graph of letters \
-and every integer m there is exactly one motion whose impacts, one between two letters, have times \
-within W of multiples of 2 pi, as many periods 2 pi apart as the letters say, the impact before letter 0 \
-within W of 2 pi m, each at a phase where g' = nu s/2 with s in the range that the cell of nu has for \
-the edge between its letters. It has no other impacts, all are at positive speed, and between them the \
-gap is positive. Where nu is in two cells both have the same motion, and with c, k, tau, g, the path and \
-m held fixed the times and velocities of its impacts depend continuously on nu, from where it is born at \
-nu = 0. With the same m, paths whose periods differ somewhere have different motions; on the set of the \
-states (q, q') at t = pi of all these motions, for all m, the map to t = 3 pi has a topological entropy \
-between the logarithms of the growth rates. If a cell has a line others with a strength S, then for its \
-nu every motion that meets the wall at arbitrarily early and late times, and only within W of multiples of \
-2 pi where |g'| <= nu S/2, is one of these, and so is, if c and k are positive, every bounded motion that \
-meets the wall only there; and S is above |s| in the ranges of all its edges.";
-
-/// Whether the conditions hold in one cell, from 0, and it is linked to the one before: for a search, which
-/// finds cell after cell. What is proved is what [`check`](crate::check) accepts as a whole.
-///
-/// # Errors
-/// The condition that fails.
-pub fn cell_holds(certificate: &Certificate, cell: usize) -> Result<(), String> {
-    proof::cells(certificate, cell..cell + 1, &mut || Ok(())).map_err(|fault| match fault {
-        Fault::Malformed(reason) | Fault::False(reason) => reason,
-        Fault::Interrupted => "interrupted".into(),
-    })
+between the logarithms of the growth rates."
+    };
 }
 
-/// Whether one cell's claim that there are no others holds, from 0: for a search.
+/// What a certificate proves.
+pub const STATEMENT: &str = statement!();
+
+/// What a certificate of version 2 proves.
+pub const STATEMENT_2: &str = concat!(
+    statement!(),
+    " If a cell has a line others with a strength S, then for its \
+nu every motion that meets the wall at arbitrarily early and late times, and only within W of multiples of \
+2 pi where |g'| <= nu S/2, is one of these, and so is, if c and k are positive, every bounded motion that \
+meets the wall only there; and S is above |s| in the ranges of all its edges."
+);
+
+/// Whether the conditions hold in one cell, from 0, and it is linked to the one before: for a search, which
+/// finds cell after cell. What is proved is what [`check`](crate::check) accepts as a whole. `stop` is asked
+/// after every microsecond or few of work whether to end.
 ///
 /// # Errors
-/// The condition that fails.
-pub fn others_hold(certificate: &Certificate, cell: usize) -> Result<(), String> {
-    proof::alone(certificate, cell, &mut || Ok(())).map_err(|fault| match fault {
-        Fault::Malformed(reason) | Fault::False(reason) => reason,
-        Fault::Interrupted => "interrupted".into(),
-    })
+/// The condition that fails, or that it was stopped.
+pub fn cell_holds(
+    certificate: &Certificate,
+    cell: usize,
+    stop: &mut dyn FnMut() -> bool,
+) -> Result<(), String> {
+    proof::cells(certificate, cell..cell + 1, &mut || unless(stop())).map_err(Fault::reason)
+}
+
+/// Whether one cell's claim that there are no others holds, from 0: for a search, as
+/// [`cell_holds`].
+///
+/// # Errors
+/// The condition that fails, or that it was stopped.
+pub fn others_hold(
+    certificate: &Certificate,
+    cell: usize,
+    stop: &mut dyn FnMut() -> bool,
+) -> Result<(), String> {
+    proof::alone(certificate, cell, &mut || unless(stop())).map_err(Fault::reason)
 }
 
 /// Checks everything after the kind line, of version 1 or 2.

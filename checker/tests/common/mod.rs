@@ -2,7 +2,7 @@
 
 #![allow(dead_code)]
 
-use std::f64::consts::TAU;
+use std::{f64::consts::TAU, fs, path::Path, process::Command};
 
 use grazing_check::{Checked, Rejection, check};
 
@@ -42,6 +42,30 @@ pub fn with(text: &str, start: &str, lines: &str) -> String {
     let at = text.lines().position(|line| line.starts_with(start)).expect("the line is there");
     let all = text.lines().enumerate().map(|(i, line)| if i == at { lines } else { line });
     all.filter(|line| !line.is_empty()).map(|line| format!("{line}\n")).collect()
+}
+
+/// What a second reader in Python, of this name, says of each text; none where there is no Python, unless
+/// that must be there.
+pub fn second_reader(script: &str, texts: impl IntoIterator<Item = impl AsRef<[u8]>>) -> Option<Vec<String>> {
+    if let Err(error) = Command::new("python3").arg("--version").output() {
+        assert!(std::env::var_os("GRAZING_REQUIRE_PYTHON").is_none(), "python3 is missing: {error}");
+        println!("SKIPPED: no python3 to run reference/{script} with ({error})");
+        return None;
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{script}-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let mut files = Vec::new();
+    for text in texts {
+        let file = folder.join(files.len().to_string());
+        fs::write(&file, text).unwrap();
+        files.push(file);
+    }
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("reference").join(script);
+    let output = Command::new("python3").arg(script).args(&files).output().unwrap();
+    let verdicts: Vec<String> = String::from_utf8(output.stdout).unwrap().lines().map(String::from).collect();
+    assert_eq!(verdicts.len(), files.len(), "{}", String::from_utf8_lossy(&output.stderr));
+    fs::remove_dir_all(folder).unwrap();
+    Some(verdicts)
 }
 
 /// The text with the `at`-th line that begins so (from 0) in place of another.
@@ -86,6 +110,10 @@ impl Random {
     pub fn below(&mut self, below: usize) -> usize {
         self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         ((u128::from(self.0 >> 16) * below as u128) >> 48) as usize
+    }
+
+    pub fn pick<'a, T: ?Sized>(&mut self, list: &[&'a T]) -> &'a T {
+        list[self.below(list.len())]
     }
 
     /// From 0 to 1.

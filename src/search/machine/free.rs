@@ -39,8 +39,10 @@ pub fn free_motion(
     if state.iter().any(|x| !x.is_finite()) {
         return Ok(Verdict::Undecided("the motion without impacts is not finite".into()));
     }
-    let largest = state.iter().fold(1e-12, |most: f64, x| most.max(x.abs()));
-    let scale = |x: &f64| decimal(&power_of_ten(x.abs().clamp(largest * 1e-3, 1e6)));
+    // Only their ratios count.
+    let largest = state.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let part = |x: &f64| if largest > 0.0 { (x.abs() / largest).max(1e-3) } else { 1.0 };
+    let scale = |x: &f64| decimal(&power_of_ten(part(x)));
     let scales = state.iter().map(scale).collect::<Result<Vec<Decimal>>>()?;
     let motion = Motion::new(machine)?.intervals();
     let point = |x: f64| FloatInterval::from_bounds(x, x);

@@ -37,6 +37,11 @@ impl Budget {
         (self.spent <= self.most).then_some(())
     }
 
+    /// Counts what a checker does that asks whether to end; whether it should.
+    pub fn stops(&mut self) -> bool {
+        self.take(1).is_none()
+    }
+
     /// Whether no more is allowed.
     pub fn is_spent(&self) -> bool {
         self.spent >= self.most

@@ -72,7 +72,7 @@ pub struct RangeProblem {
     pub deepest: f64,
 }
 
-/// How much may be spent: legs that are evaluated, some 5 µs each.
+/// How much may be spent: legs that the search evaluates, and steps of the checker, which are some as long.
 #[derive(Debug, Clone, Copy)]
 pub struct RangeEffort(pub u64);
 
@@ -111,6 +111,8 @@ pub enum RangeEnd {
     Refused(String),
     /// The work that may be spent is spent.
     Work,
+    /// No bound is found for how long the legs of motions near are.
+    Unbounded,
 }
 
 /// Into how many parts strengths are cut, one after the other.
@@ -284,7 +286,7 @@ impl<'a> Search<'a> {
         for steps in if first { vec![0] } else { vec![10, 100] } {
             cell.steps = steps;
             self.certificate.cells.push(cell.clone());
-            match cell_holds(&self.certificate, at) {
+            match cell_holds(&self.certificate, at, &mut || self.budget.stops()) {
                 Ok(()) => {
                     self.strengths = closed.strengths.iter().map(|span| span.middle()).collect();
                     self.contraction = self.contraction.max(closed.contraction);

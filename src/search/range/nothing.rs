@@ -43,9 +43,9 @@ pub struct NothingProof {
     pub depth: BigRational,
     /// Within so many of the wall's periods every motion meets it elsewhere.
     pub periods: u64,
-    /// How far in phase the zone reaches at least, in radians, from the depth [`NothingProof::FROM`] on,
-    /// below which it is smaller; if that is not reached, in the last cell.
-    pub zone: f64,
+    /// Near are at least all phases within the window at which |g′| is up to this, at depths from
+    /// [`NothingProof::FROM`] on; fewer below it. If that is not reached, in the last cell.
+    pub slope: f64,
     /// Why it goes no further.
     pub end: RangeEnd,
 }
@@ -78,7 +78,7 @@ const CELLS: usize = 1000;
 struct Found {
     certificate: Certificate,
     depth: f64,
-    zone: f64,
+    slope: f64,
     end: RangeEnd,
 }
 
@@ -94,7 +94,7 @@ pub fn prove_nothing(
     monitor: &dyn Monitor,
 ) -> Result<std::result::Result<NothingProof, RangeEnd>> {
     let oscillator = oscillator(&problem.ranges, true, &problem.harmonics);
-    let Some(longest) = longest(&oscillator) else { return Ok(Err(RangeEnd::Map)) };
+    let Some(longest) = longest(&oscillator) else { return Ok(Err(RangeEnd::Unbounded)) };
     let start = Certificate {
         ranges: write::ranges(&problem.ranges)?,
         harmonics: write::harmonics(&problem.harmonics)?,
@@ -133,7 +133,7 @@ pub fn prove_nothing(
     // The fewest rounds that do say the soonest by when a motion leaves.
     for rounds in ROUNDS {
         let fewer = Certificate { rounds, ..best.certificate.clone() };
-        if let Ok(()) = (0..fewer.cells.len()).try_for_each(|cell| cell_holds(&fewer, cell)) {
+        if let Ok(()) = (0..fewer.cells.len()).try_for_each(|cell| cell_holds(&fewer, cell, &mut || false)) {
             best.certificate = fewer;
             break;
         }
@@ -145,8 +145,8 @@ pub fn prove_nothing(
         Ok(_) => {
             let last = best.certificate.cells[best.certificate.cells.len() - 1].depth;
             let depth = BigRational::new(last.p.into(), last.q.into());
-            let (periods, zone, end) = (best.certificate.periods(), best.zone, best.end);
-            Ok(Ok(NothingProof { certificate: best.certificate, text, depth, periods, zone, end }))
+            let (periods, slope, end) = (best.certificate.periods(), best.slope, best.end);
+            Ok(Ok(NothingProof { certificate: best.certificate, text, depth, periods, slope, end }))
         }
     }
 }
@@ -179,8 +179,7 @@ fn over(
     monitor: &dyn Monitor,
 ) -> Result<Found> {
     let mut certificate = start.clone();
-    let (longest, rounds) = (start.longest, start.rounds);
-    let (mut depth, mut step, mut level, mut zone) = (0.0, STEP, 0, f64::INFINITY);
+    let (mut depth, mut step, mut level, mut least) = (0.0, STEP, 0, f64::INFINITY);
     let mut next = FIRST.min(deepest);
     let end = loop {
         monitor.advance(0)?;
@@ -195,20 +194,20 @@ fn over(
         let strength = (height * (8.0 / next).sqrt()).min(2.0 * slope / next);
         let written = decimal((strength * 1000.0).floor() / 1000.0, 3)?;
         let parts = PARTS[level];
-        if budget.take(longest.pow(3) * parts.pow(2) * rounds).is_none() {
-            break RangeEnd::Work;
-        }
         let at = certificate.cells.len();
         certificate.cells.push(Cell { depth: write::depth_fraction(next), strength: written, parts });
-        match cell_holds(&certificate, at) {
+        match cell_holds(&certificate, at, &mut || budget.stops()) {
             Ok(()) => {
-                let here = (depth * strength / 2.0).min(1.0).asin();
-                zone = if depth > NothingProof::FROM { zone.min(here) } else { here };
+                let here = depth.max(NothingProof::FROM).min(next) * write::float(written) / 2.0;
+                least = if depth > NothingProof::FROM { least.min(here) } else { here };
                 depth = next;
                 next = depth * step;
             }
             Err(reason) => {
                 certificate.cells.pop();
+                if budget.is_spent() {
+                    break RangeEnd::Work;
+                }
                 if born(&reason) {
                     break RangeEnd::Refused(reason);
                 }
@@ -223,5 +222,5 @@ fn over(
             }
         }
     };
-    Ok(Found { certificate, depth, zone, end })
+    Ok(Found { certificate, depth, slope: least, end })
 }

@@ -33,29 +33,26 @@ pub(super) fn alone(
     let mut found = Certificate { alone: Some(Alone { longest, rounds: ROUNDS }), ..certificate.clone() };
     let mut first = [0, 0];
     for cell in 0..found.cells.len() {
-        let ways = (first[1]..PARTS.len()).flat_map(|j| (first[0]..WIDER.len()).map(move |i| [i, j]));
-        let mut ways = ways.collect::<Vec<_>>().into_iter();
-        let held = loop {
-            let Some([wide, cut]) = ways.next() else { break false };
-            let [parts, slices] = PARTS[cut];
-            if budget
-                .take((longest.pow(3) + periods.len().pow(3) as u64) * parts.pow(2) * slices * ROUNDS)
-                .is_none()
-            {
-                break false;
-            }
+        let ways =
+            (first[1]..PARTS.len()).flat_map(|cut| (first[0]..WIDER.len()).map(move |wide| [wide, cut]));
+        let mut held = None;
+        for [wide, cut] in ways {
             monitor.advance(0)?;
             let strength = decimal((greatest(&found, cell) * WIDER[wide] * 1000.0).ceil() / 1000.0, 3)?;
+            let [parts, slices] = PARTS[cut];
             found.cells[cell].others = Some(Others { strength, parts, slices });
-            if others_hold(&found, cell).is_ok() {
-                first = [wide, cut];
-                break true;
+            if others_hold(&found, cell, &mut || budget.stops()).is_ok() {
+                held = Some([wide, cut]);
             }
-        };
-        if !held {
+            if held.is_some() || budget.is_spent() {
+                break;
+            }
+        }
+        let Some(way) = held else {
             found.cells[cell].others = None;
             break;
-        }
+        };
+        first = way;
     }
     Ok(found.cells[0].others.is_some().then_some(found))
 }

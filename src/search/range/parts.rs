@@ -1,6 +1,8 @@
 //! What goes farther than the whole graph that is born: each orbit of one impact by itself, and the graph
 //! without the letter that ends first.
 
+use num_traits::ToPrimitive;
+
 use super::{RangeEffort, RangeProblem, RangeProof, born::endless, prove};
 use crate::{error::Result, monitor::Monitor, search::chaos::LetterGraph};
 
@@ -45,8 +47,7 @@ pub fn prove_farther(
         }
         let part = RangeProblem { graph: graph.clone(), ..problem.clone() };
         if let Ok(proof) = prove(&part, RangeEffort(effort.0 / count as u64), monitor)? {
-            let depth =
-                proof.certificate.cells.last().map_or(0.0, |cell| cell.depth.p as f64 / cell.depth.q as f64);
+            let depth = proof.depth.to_f64().unwrap_or(0.0);
             let least = best.as_ref().map_or(FARTHER * whole, |(.., depth)| *depth);
             if depth > least {
                 best = Some((graph, proof, depth));

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
 use super::{
-    super::super::range::{ALL, NOTHING, ORBIT, PART, PROVED, RangeRow, SideRange, inwards, why},
+    super::super::range::{ALL, NOTHING, ORBIT, PART, PROVED, RangeRow, SideRange, downwards, inwards, why},
     grazing::OscillatorGrazing,
 };
 use crate::{
@@ -28,7 +28,7 @@ const LONGEST: u64 = 30;
 const DEEPEST: [f64; 2] = [4.0, 0.999];
 /// A small step of the parameter: it opens the gap by this part of the motion's size.
 const STEP: f64 = 1e-6;
-/// Of the effort of all that is born, what each orbit of one impact has of its own.
+/// Of the effort of all that is born, what each orbit of one impact has of its own; less where they are more.
 const SHARE: u64 = 4;
 /// Digits of ends.
 const DIGITS: i32 = 12;
@@ -118,7 +118,6 @@ impl Near<'_> {
             deepest: DEEPEST[usize::from(behind)],
         };
         let monitor = self.point.job.monitor;
-        let part = RangeEffort(self.effort.0 / SHARE);
         let found = prove(&problem, self.effort, monitor)?;
         let found = match found {
             Ok(proof) if behind && whole => Ok(prove_alone(&problem, proof, self.effort, monitor)?),
@@ -129,7 +128,9 @@ impl Near<'_> {
         if let Some((graph, proof)) = prove_farther(&problem, depth, self.effort, monitor)? {
             all.push(self.judged(behind, (PART, &graph, false), Ok(proof), self.effort)?);
         }
-        for graph in single_orbits(&problem.graph) {
+        let orbits = single_orbits(&problem.graph);
+        let part = RangeEffort(self.effort.0 / SHARE.max(orbits.len() as u64));
+        for graph in orbits {
             let alone = RangeProblem { graph, ..problem.clone() };
             let found = prove(&alone, part, monitor)?;
             all.push(self.judged(behind, (ORBIT, &alone.graph, false), found, part)?);
@@ -148,10 +149,11 @@ impl Near<'_> {
         let problem = NothingProblem { ranges: self.ranges(), harmonics: cosine(), deepest };
         let (mut row, text) = match prove_nothing(&problem, self.effort, self.point.job.monitor)? {
             Err(end) => (RangeRow::open(true, NOTHING, Some(why(&end, self.effort))), None),
-            Ok(NothingProof { depth, text, periods, zone, end, .. }) => {
+            Ok(NothingProof { depth, text, periods, slope, end, .. }) => {
                 let mut row = self.over(true, &depth, why(&end, self.effort))?;
                 if row.verdict == PROVED {
-                    (row.leaves, row.zone) = (Some(periods), Some(zone / TAU));
+                    // Of g = cos t, |g′| is up to that where |t| is up to its arcsine.
+                    (row.leaves, row.zone) = (Some(periods), Some(downwards(slope.asin() / TAU)));
                 }
                 (row, Some(text))
             }
