@@ -226,11 +226,18 @@ impl<'s> Local<'s> {
     }
 }
 
+/// How far beside an eigenvalue inverse iteration begins, as parts of it: where rounding makes the matrix
+/// singular all the same, the next does.
+const SHIFTS: [f64; 3] = [1e-13, 3e-13, 1e-12];
+
 /// The eigenvector of length 1 whose eigenvalue is nearest to this, by inverse iteration.
 fn eigenvector(a: &ComplexMatrix, eigenvalue: Complex<f64>) -> Option<ComplexVector> {
+    SHIFTS.iter().find_map(|by| nearest(a, eigenvalue * (1.0 + by)))
+}
+
+/// The same, for a number that is no eigenvalue.
+fn nearest(a: &ComplexMatrix, shift: Complex<f64>) -> Option<ComplexVector> {
     let n = a.nrows();
-    // Beside the eigenvalue itself, where the matrix would be singular.
-    let shift = eigenvalue * (1.0 + 1e-13);
     let lu = (a - ComplexMatrix::identity(n, n) * shift).lu();
     let mut x = ComplexVector::from_fn(n, |i, _| Complex::new(1.0 + (i as f64 * 0.618).fract(), 0.0));
     for _ in 0..4 {
@@ -242,4 +249,21 @@ fn eigenvector(a: &ComplexMatrix, eigenvalue: Complex<f64>) -> Option<ComplexVec
         x /= Complex::new(norm, 0.0);
     }
     Some(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Complex, ComplexMatrix, SHIFTS, eigenvector};
+
+    /// Rounding puts an eigenvalue exactly where the iteration begins.
+    #[test]
+    fn an_eigenvector_is_found_where_the_shifted_matrix_is_singular() {
+        for by in SHIFTS[..2].iter().chain(&[0.0]) {
+            let number = |x: f64| Complex::new(x, 0.0);
+            let at = number(-1.0) * (1.0 + by);
+            let a = ComplexMatrix::from_row_slice(2, 2, &[at, number(1.0), number(0.0), number(-0.997)]);
+            let x = eigenvector(&a, number(-1.0)).expect("an eigenvector");
+            assert!((x[0].norm() - 1.0).abs() < 1e-12 && x[1].norm() < 1e-9, "{by}: {x}");
+        }
+    }
 }
