@@ -92,7 +92,7 @@ fn the_whole_graph_is_proved() {
     let graph = LetterGraph { letters: vec![1, 2, 3], next: vec![vec![0, 1, 2], vec![0, 2], vec![0, 2]] };
     assert_eq!(before.graph, Some(graph));
     assert!(before.whole);
-    let proved = depth(&problem(README, false, before.graph.unwrap(), 4.0), 20_000);
+    let proved = depth(&problem(README, false, before.graph.unwrap(), 4.0), 60_000);
     assert!((0.07..0.12).contains(&proved), "{proved}");
     assert_eq!(ranges(README, true).graph, None);
     let beyond = ranges(PAPER, true);

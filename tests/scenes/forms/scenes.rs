@@ -71,17 +71,39 @@ impl Question {
     }
 }
 
-/// An example of format 3 in the older format in which forms are made. None of them names stops of orbits.
+/// An example in the older format in which forms are made.
 fn older(mut scene: Table) -> Table {
-    if scene["format"].as_str() == Some("grazing-scene 3") {
-        let units = ["mass", "modes"].iter().any(|key| scene["system"].get(key).is_some());
-        let format = if units { "grazing-scene 2" } else { "grazing-scene 1" };
-        scene.insert("format".into(), format.into());
-        if let Some(stops) = scene.remove("stops") {
-            scene.insert("walls".into(), stops);
-        }
+    let units = ["mass", "modes"].iter().any(|key| scene["system"].get(key).is_some());
+    let format = if units { "grazing-scene 2" } else { "grazing-scene 1" };
+    assert_eq!(scene.insert("format".into(), format.into()), Some("grazing-scene 3".into()));
+    if let Some(stops) = scene.remove("stops") {
+        scene.insert("walls".into(), stops);
     }
+    scene.iter_mut().for_each(|(_, value)| older_orbits(value, if units { 1.0 / TAU } else { 1.0 }));
     scene
+}
+
+/// Orbits name walls for stops, and what begins at angles, which the older formats write as numbers of
+/// `radians`, or of what one is in them.
+fn older_orbits(value: &mut Value, radian: f64) {
+    match value {
+        Value::Array(all) => all.iter_mut().for_each(|value| older_orbits(value, radian)),
+        Value::Table(table) => {
+            if table.contains_key("pattern") {
+                if let Some(stops) = table.remove("stops") {
+                    table.insert("walls".into(), stops);
+                }
+                for phase in table.get_mut("start").and_then(Value::as_array_mut).into_iter().flatten() {
+                    if let Some(angle) = phase.as_str() {
+                        let angle = angle.strip_suffix(" rad").expect("an angle").parse::<f64>();
+                        *phase = Value::Float(angle.expect("a number") * radian);
+                    }
+                }
+            }
+            table.iter_mut().for_each(|(_, value)| older_orbits(value, radian));
+        }
+        _ => {}
+    }
 }
 
 /// Examples are made to be looked at: their motions are long, their grids fine. How many impacts a chatter

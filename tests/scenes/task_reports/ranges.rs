@@ -40,7 +40,7 @@ fn number(text: &Option<String>) -> BigRational {
 /// Before the touch at F = √½ all paths of 1, 2, 3 are motions down to √½/(1 + ν); beyond it none is born.
 #[test]
 fn what_is_born_is_proved_from_the_touch_to_a_number() {
-    let (found, code) = asked(&stop("upper", 1), "range = { effort = 20000 }");
+    let (found, code) = asked(&stop("upper", 1), "range = { effort = 60000 }");
     assert_eq!(code, 0);
     let rows = found.range.unwrap();
     let [before, .., beyond] = &rows[..] else { panic!("two sides") };
@@ -64,7 +64,7 @@ fn what_is_born_is_proved_from_the_touch_to_a_number() {
         assert!(text.lines().any(|known| known == line), "{line}\n{text}");
     }
     // The same beside a stop on the other side, and with the same work the same text.
-    let (mirrored, _) = asked(&stop("lower", -1), "range = { effort = 20000 }");
+    let (mirrored, _) = asked(&stop("lower", -1), "range = { effort = 60000 }");
     assert_eq!(mirrored.range.unwrap(), rows);
     assert_eq!(mirrored.certificates, found.certificates);
     // Each row with a certificate names it, and no two the same.
@@ -172,7 +172,7 @@ fn why_there_is_no_range_is_said() {
 #[test]
 fn a_range_begins_where_a_fraction_is_the_touch() {
     let paper = include_str!("../../../examples/scenes/nordmark-2001.toml");
-    let asked = "kind = \"grazing\"\nrange = { effort = 20000 }\nseen = false\n";
+    let asked = "kind = \"grazing\"\nrange = { effort = 60000 }\nseen = false\n";
     let scene = Scene::from_toml(&paper.replacen("kind = \"grazing\"\n", asked, 1), "paper.toml").unwrap();
     let task = scene.tasks.iter().find(|task| task.name == "grazing").unwrap();
     let report = run_task(&Job::new(&scene, task, Surroundings::default()).unwrap(), &mut ());
@@ -199,7 +199,7 @@ fn a_touch_of_any_size_is_named() {
             "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nF = \"{unit}/2\"\n[system]\ndamping = 0.1\n\
              stiffness = 0.3\nforcing = [{{ cos = \"F\" }}]\n[[stops]]\nside = \"upper\"\noffset = \"{unit}\"\n\
              restitution = 0.8\n[[tasks]]\nname = \"g\"\nkind = \"grazing\"\nparameter = \"F\"\nseen = false\n\
-             max_period = 1\nrange = {{ effort = 2000 }}\n"
+             max_period = 1\nrange = {{ effort = 10000 }}\n"
         );
         let scene = Scene::from_toml(&text, "size.toml").unwrap();
         let report = run(&scene, Surroundings::default(), &mut ()).unwrap().remove(0);
