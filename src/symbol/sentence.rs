@@ -22,7 +22,8 @@ use super::print::{Format, prefix};
 use super::{Polynomial, chebyshev_roots};
 use crate::error::{Error, Result};
 
-/// The largest period for which sentences are written: far beyond what the tools decide (`docs/solvers.md`).
+/// The largest period for which sentences are written: far beyond what the tools decide
+/// (`docs/conjecture1.md`).
 pub const MAX_SENTENCE_PERIOD: usize = 50;
 
 /// Where a sentence speaks: region 4 or the half-cell on one side of s = m/n.

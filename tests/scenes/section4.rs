@@ -1,10 +1,11 @@
-//! docs/section4.md: its numbers are those of the commands it names, and round to the paper's.
+//! Section 4 of the paper in docs/branches.md: its numbers are those of the commands it names, and round to
+//! the paper's.
 
 use std::{env, path::PathBuf, process::Command};
 
 use serde_json::Value;
 
-const PAGE: &str = include_str!("../../docs/section4.md");
+const PAGE: &str = include_str!("../../docs/branches.md");
 
 /// The report of a scene's group section-4; with the exit code expected.
 fn report(scene: &str, code: i32) -> Value {
@@ -84,7 +85,7 @@ fn the_page_has_the_digits_of_the_commands_and_of_the_paper() {
     }
     assert_eq!(rows, 22);
     if env::var_os("GRAZING_BLESS").is_some() {
-        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/section4.md"), &page).unwrap();
+        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/branches.md"), &page).unwrap();
     } else {
         assert_eq!(page, PAGE, "write it anew with GRAZING_BLESS=1 cargo test --test scenes section4::");
     }

@@ -1,7 +1,7 @@
 //! The sentences put to z3, cvc5 and QEPCAD, whichever are installed.
 //!
-//! What each proves in what time is in `docs/solvers.md`. With `GRAZING_REQUIRE_SOLVER=1` it is a failure if
-//! none of them is installed.
+//! What each proves in what time is in `docs/conjecture1.md`. With `GRAZING_REQUIRE_SOLVER=1` it is a failure
+//! if none of them is installed.
 
 use std::{
     env,

@@ -69,7 +69,7 @@ test("the paper's oscillator: sliders by keyboard, numbers, theory", async () =>
   assert.deepEqual(names, ["d", "w", "tau", "mu", "offset"]);
   await root.getByLabel("displacement at the start").fill("2");
   await root.getByLabel("displacement at the start").press("Tab");
-  // µ = −0.05 and this start: the stable orbit of period 4 with one impact (docs/section4.md).
+  // µ = −0.05 and this start: the stable orbit of period 4 with one impact (docs/branches.md).
   await number(root, "period found", /^4 forcing periods$/);
   assert.match(await number(root, "periodic orbit", /pattern/), /\(4\), stable/);
   // The multipliers are those that the command line finds by a search.

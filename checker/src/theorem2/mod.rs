@@ -77,7 +77,7 @@
 //! # Cost
 //!
 //! O(1) per line, O(n) steps of two additions each for an `orbit` or `boundary` line, of which a true block
-//! has about n. Memory: one line. What long blocks take is measured in docs/reliability.md.
+//! has about n. Memory: one line. What long blocks take is measured in docs/trust.md.
 
 mod claim;
 mod intervals;

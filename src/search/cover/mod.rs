@@ -217,7 +217,7 @@ pub fn units(options: &CoverOptions) -> Result<Vec<Unit>> {
 /// done before; `record` is told of every further one as it is done, from any thread. One unit of progress
 /// each. On an interruption, what is not reached is missing.
 ///
-/// Cost: for each n about n^1.3 leaves (docs/covers.md), O(n) for each box met.
+/// Cost: for each n about n^1.3 leaves (docs/conjecture1.md), O(n) for each box met.
 ///
 /// # Errors
 /// An input error if a period or r_max is out of bounds, or trees are known that are none; whatever `record`
