@@ -18,8 +18,8 @@ use grazing::{
     search::{
         chaos::LetterGraph,
         range::{
-            Born, NothingProblem, RangeEffort, RangeEnd, RangeProblem, born, prove, prove_farther,
-            prove_nothing, single_orbits,
+            Born, NothingProblem, RangeEffort, RangeEnd, RangeProblem, born, prove, prove_alone,
+            prove_farther, prove_nothing, single_orbits,
         },
     },
 };
@@ -53,7 +53,10 @@ struct Line {
     reached: f64,
     proof_ends: String,
     motion_ends: &'static str,
+    /// How far the graph without a letter goes, where that is farther.
     part: f64,
+    /// How far it is all that stays near.
+    alone: f64,
 }
 
 fn random(state: &mut u64) -> f64 {
@@ -265,24 +268,28 @@ fn lines(index: usize, machine: &Machine, effort: RangeEffort) -> Vec<Line> {
         let side = if behind { "beyond" } else { "before" };
         let (deepest, floats) =
             (DEEPEST[usize::from(behind)], Floats { c, k, tau, side: if behind { 1.0 } else { -1.0 } });
-        let mut line =
-            |what: String, proved: f64, reached: (f64, &'static str), proof_ends: String, part: f64| {
-                all.push(Line {
-                    machine: index,
-                    side,
-                    what,
-                    proved,
-                    reached: reached.0,
-                    proof_ends,
-                    motion_ends: reached.1,
-                    part,
-                });
-            };
+        let mut line = |what: String,
+                        proved: f64,
+                        reached: (f64, &'static str),
+                        proof_ends: String,
+                        [part, alone]: [f64; 2]| {
+            all.push(Line {
+                machine: index,
+                side,
+                what,
+                proved,
+                reached: reached.0,
+                proof_ends,
+                motion_ends: reached.1,
+                part,
+                alone,
+            });
+        };
         let harmonics = vec![(1, [both(&one), both(&zero)])];
         let ranges = exact.each_ref().map(both);
         let known = born([&exact[0], &exact[1]], behind, LONGEST, &()).expect("no interruption");
-        let graph = match known {
-            Some(Born { graph: Some(graph), .. }) => graph,
+        let (graph, whole) = match known {
+            Some(Born { graph: Some(graph), whole }) => (graph, whole),
             Some(Born { graph: None, whole: true, .. }) => {
                 let problem = NothingProblem { ranges, harmonics, deepest };
                 let (proved, end) = match prove_nothing(&problem, effort, &()).expect("no interruption") {
@@ -290,25 +297,28 @@ fn lines(index: usize, machine: &Machine, effort: RangeEffort) -> Vec<Line> {
                     Ok(proof) => (proof.depth.to_f64().unwrap_or(0.0), said(&proof.end)),
                     Err(end) => (0.0, said(&end)),
                 };
-                line("nothing".into(), proved, (0.0, ""), end, 0.0);
+                line("nothing".into(), proved, (0.0, ""), end, [0.0; 2]);
                 continue;
             }
             _ => {
-                line("open".into(), 0.0, (0.0, ""), String::new(), 0.0);
+                line("open".into(), 0.0, (0.0, ""), String::new(), [0.0; 2]);
                 continue;
             }
         };
         let problem = RangeProblem { ranges, behind, harmonics, graph, deepest };
-        let judge = |problem: &RangeProblem, effort: RangeEffort| match prove(problem, effort, &())
-            .expect("no interruption")
-        {
-            Ok(proof) => {
-                let last = proof.certificate.cells.last().expect("a cell").depth;
-                (last.p as f64 / last.q as f64, said(&proof.end))
-            }
-            Err(end) => (0.0, said(&end)),
-        };
-        let (proved, end) = judge(&problem, effort);
+        let depth = |x: &BigRational| x.to_f64().unwrap_or(0.0);
+        let judge =
+            |problem: &RangeProblem, effort: RangeEffort, whole: bool| match prove(problem, effort, &())
+                .expect("no interruption")
+            {
+                Ok(proof) if whole => {
+                    let proof = prove_alone(problem, proof, effort, &()).expect("no interruption");
+                    (depth(&proof.depth), said(&proof.end), proof.alone.as_ref().map_or(0.0, depth))
+                }
+                Ok(proof) => (depth(&proof.depth), said(&proof.end), 0.0),
+                Err(end) => (0.0, said(&end), 0.0),
+            };
+        let (proved, end, alone) = judge(&problem, effort, whole);
         let least = words(&problem.graph)
             .iter()
             .map(|word| floats.end(word, deepest))
@@ -316,17 +326,16 @@ fn lines(index: usize, machine: &Machine, effort: RangeEffort) -> Vec<Line> {
             .expect("a cycle");
         let what = if problem.graph.letters.len() == 1 { "one" } else { "chaos" };
         let part = prove_farther(&problem, proved, effort, &()).expect("no interruption");
-        let part = part.map_or(0.0, |(_, proof)| {
-            let last = proof.certificate.cells.last().expect("a cell").depth;
-            last.p as f64 / last.q as f64
-        });
-        line(what.into(), proved, least, end, part);
-        for graph in single_orbits(&problem.graph) {
+        let part = part.map_or(0.0, |(_, proof)| depth(&proof.depth));
+        line(what.into(), proved, least, end, [part, alone]);
+        let orbits = single_orbits(&problem.graph);
+        let share = RangeEffort(effort.0 / 4.max(orbits.len() as u64));
+        for graph in orbits {
             let n = graph.letters[0];
-            let (proved, end) = judge(&RangeProblem { graph, ..problem.clone() }, RangeEffort(effort.0 / 8));
+            let (proved, end, _) = judge(&RangeProblem { graph, ..problem.clone() }, share, false);
             let (first, then) = (floats.end(&[n], deepest), floats.end(&[n, n], deepest));
             let reached = if then.0 < first.0 { (then.0, "flip") } else { first };
-            line(n.to_string(), proved, reached, end, 0.0);
+            line(n.to_string(), proved, reached, end, [0.0; 2]);
         }
     }
     all
@@ -362,9 +371,11 @@ fn main() {
     let effort = RangeEffort(numbers.get(2).copied().unwrap_or(RangeEffort::default().0));
     let one = |i: u64| lines(i as usize, &machine(seed.wrapping_mul(1_000_003).wrapping_add(i)), effort);
     let all: Vec<Line> = (0..count).into_par_iter().flat_map_iter(one).collect();
-    println!("machine,side,what,proved,reached,proof_ends,motion_ends,part");
-    for Line { machine, side, what, proved, reached, proof_ends, motion_ends, part } in &all {
-        println!("{machine},{side},{what},{proved:e},{reached:e},{proof_ends},{motion_ends},{part:e}");
+    println!("machine,side,what,proved,reached,proof_ends,motion_ends,part,alone");
+    for Line { machine, side, what, proved, reached, proof_ends, motion_ends, part, alone } in &all {
+        println!(
+            "{machine},{side},{what},{proved:e},{reached:e},{proof_ends},{motion_ends},{part:e},{alone:e}"
+        );
     }
     for side in ["before", "beyond"] {
         for what in ["chaos", "one", "nothing", "open", "orbits"] {
@@ -403,6 +414,16 @@ fn main() {
             let farther = some.iter().filter(|line| line.part > line.proved).count();
             if farther > 0 {
                 eprintln!("    a part goes farther: {farther}");
+            }
+            let alone: Vec<f64> =
+                some.iter().filter(|line| line.proved > 0.0).map(|line| line.alone / line.proved).collect();
+            if alone.iter().any(|&x| x > 0.0) {
+                let from = alone.iter().filter(|&&x| x > 0.0).count();
+                eprintln!(
+                    "    alone from the touch on: {from}/{}; of the range proved: {}",
+                    some.len(),
+                    quantiles(alone)
+                );
             }
         }
     }

@@ -157,6 +157,12 @@ def roots(x):
     return (c - s * d.times(1, 2)).wide(up(bend, 24)), (s + slope * d).wide(up(bend, 120))
 
 
+def root(units):
+    """The square root of so many units."""
+    least = isqrt(units << BITS)
+    return Range(least, least + 1)
+
+
 def exponential(x):
     """exp x at both ends."""
     def point(v):
@@ -438,23 +444,26 @@ class Others:
         most = (number(self.bound / 2) + width * k * deep) / room
         acceleration = c * most + k * (deep + width * most)
         need(bend.lo > (cell.nu * acceleration).hi, "there may be two contacts in a window (C1)")
-        # C2: the ratios' upper bounds r_1, r_2, …
-        e = cell.turns[1]
-        final = flow.last(e)
-        trace, determinant = (e[0] + final).hi, (e[0] * final + flow.k * e[1].square()).lo
+        # C3
+        known = self.legs(t, place)
+        for turn in range(self.rounds):
+            known = self.narrowed(known, turn == 0)
+            if self.done(known):
+                return
+        need(False, "there may be other legs (C3)")
+
+    def legs(self, t, place):
+        """C2, by the ratios' upper bounds r_1, r_2, …; nothing is known of legs then but how long they are."""
+        e = self.cell.turns[1]
+        final = self.cell.flow.last(e)
+        trace, determinant = (e[0] + final).hi, (e[0] * final + self.cell.flow.k * e[1].square()).lo
         need(place.lo > 0 and determinant > 0, "a leg may be longer (C2)")
         ratio, j = trace, 1
         while ratio > 0 and j < self.longest:
             ratio = (Range(trace) - Range(determinant) / Range(ratio)).hi
             j += 1
         need(ratio <= 0 and j < self.longest, "a leg may be longer (C2)")
-        # C3
-        known = {n: (EVERYTHING, EVERYTHING) for n in range(1, self.longest + 1)}
-        for turn in range(self.rounds):
-            known = self.narrowed(known, turn == 0)
-            if self.done(known):
-                return
-        need(False, "there may be other legs (C3)")
+        return {n: (EVERYTHING, EVERYTHING) for n in range(1, self.longest + 1)}
 
     def between(self, known, m, n):
         """The strengths of impacts after a leg of m periods and before one of n; None if there can be none."""
@@ -480,9 +489,18 @@ class Others:
 
     def possible(self, known, m, n, x, start, stop):
         cell, tau = self.cell, self.cell.tau
-        a, p, _, _ = cell.leg(n, start, stop)
-        (s, t, _, place), (s_last, *_) = start[0], stop[0]
-        a, p = a.both(known[n][0]), p.both(known[n][1])
+        (s, t, _, place), (s_last, t_last, _, place_last) = start[0], stop[0]
+        e = cell.flow.product(cell.turns[n], cell.flow.exp(t_last - t))
+        a, p = known[n]
+        if e[1].lo <= 0 <= e[1].hi:
+            # Not known from the places: where does what is known of a lead?
+            q, u = cell.flow.move(e, place, a)
+            if q.both(place_last).empty():
+                return None
+            p = p.both(u)
+        else:
+            own = cell.leg(n, start, stop)
+            a, p = a.both(own[0]), p.both(own[1])
         a, p = a.both(Range(s.times(1, 2).lo, FAR)), p.both(Range(-FAR, s_last.times(1, 2).hi))
         # s = 2(a + τp)/(1 + τ) with the neighbours' velocities.
         a = a.both((s * (ONE + tau)).times(1, 2) - tau * known[m][1])

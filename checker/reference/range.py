@@ -12,7 +12,7 @@ from itertools import product
 from types import SimpleNamespace
 
 import chaos
-from chaos import ONE, PI, TWO, ZERO, Flow, Range, Wall, decimal, fraction, need, number, whole
+from chaos import ONE, PI, TWO, ZERO, Flow, Range, Wall, decimal, exponential, fraction, need, number, root, whole
 
 STATEMENT = (
     "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b in "
@@ -29,9 +29,9 @@ STATEMENT = (
     "the growth rates.")
 STATEMENT_2 = STATEMENT + (
     " If a cell has a line others with a strength S, then for its nu every motion that meets the wall at arbitrarily "
-    "early and late times, and only within W of multiples of 2 pi where |g'| <= nu S/2, is one of these, and so is, "
-    "if c and k are positive, every bounded motion that meets the wall only there; and S is above |s| in the ranges "
-    "of all its edges.")
+    "early and late times, only within W of multiples of 2 pi where |g'| <= nu S/2, and is bounded if sigma is -1, is "
+    "one of these. If c and k are positive, every bounded motion that meets the wall, and only there, is one of these "
+    "or, if sigma is -1, has a last impact. S is above |s| in the ranges of all its edges.")
 
 
 class Sum:
@@ -242,6 +242,40 @@ class Alone(chaos.Others):
         self.letter = {n: v for v, n in enumerate(periods)}
         super().none()
 
+    def legs(self, t, place):
+        """For sigma = -1: what is known of the legs of bounded motions, instead of C2."""
+        if self.file.side == 1:
+            return super().legs(t, place)
+        c, k, tau = (number(*ends) for ends in self.file.ranges)
+        least, spread = Range(c.lo), Range((k - c.square().times(1, 4)).lo)
+        need(least.lo > 0 and spread.lo > 0, "V does not decay (C)")
+        c, k, tau, deep = (Range(x.size()) for x in (c, k, tau, place))
+        half = number(self.bound / 2)
+        still = k * deep.square()
+        slow = half.square() + c * half * deep + still
+
+        def decay(n):
+            """e to −cT, T as short as a leg of n periods can be."""
+            return exponential(-(least * (PI.times(2 * n) - Range(2 * t.size()))))
+
+        def last(n, speed):
+            """√R − c/2 from above; None if R < 0."""
+            fast = speed.square() - least * speed + still
+            left = (decay(n) * Range(max(fast.hi, slow.hi)) - spread).hi
+            return None if left < 0 else (root(left) - least.times(1, 2)).hi
+        factor = tau * root(decay(1).hi)
+        need((ONE - factor).lo > 0, "no bound of velocities (C)")
+        speed = Range(((half * (ONE + tau) + factor * root(slow.hi)) / (ONE - factor)).hi)
+        for _ in range(200):
+            speed = Range(min(speed.hi, (half * (ONE + tau) + tau * Range(max(last(1, speed) or 0, 0))).hi))
+        need(last(self.longest + 1, speed) is None, "a leg may be longer (C)")
+        known = {}
+        for n in range(1, self.longest + 1):
+            slowest = last(n, speed)
+            if slowest is not None and -slowest <= half.hi:
+                known[n] = Range(-half.hi, speed.hi), Range(-slowest, half.hi)
+        return known
+
     def done(self, known):
         self.left -= 1
         if self.left:
@@ -299,7 +333,7 @@ class File(chaos.File):
         self.read_cells()
         need(not self.lines, "the file goes on")
         need(len(self.pairs) * max(cell[1] for cell in self.cells)**2 <= 100_000, "a cell has too many legs")
-        need(self.cost() <= 6_000_000, "the check would cost too much")
+        need(self.cost() <= 50_000_000, "the check would cost too much")
 
     def read_letters(self):
         count = whole(self.words("letters", 1)[0], 1, 400)
@@ -335,7 +369,7 @@ class File(chaos.File):
         words = self.words("others")
         if words == ["no"]:
             return None
-        need(len(words) == 3 and self.side == 1, "others no, or three numbers for side 1")
+        need(len(words) == 3, "others no, or three numbers")
         return decimal(words[0], True), whole(words[1], 1, 64), whole(words[2], 1, 1000)
 
     def cost(self):
@@ -354,7 +388,7 @@ class File(chaos.File):
             total += map(cell[1]) + 23 * h * count + gaps + cell[2] * map(before[1])
             if cell[4]:
                 (_, k, d), n, q = cell[4], self.most, self.rounds
-                near = n + 1 + 23 * h + q * n**2 * k * 36 * h + (n + (q - 1) * n**3) * k**2 * (n + 5)
+                near = 2 * n + 3 + 23 * h + q * n**2 * k * 36 * h + (n + (q - 1) * n**3) * k**2 * (n + 5)
                 total += d * (near + q * map(k))
             before = cell
         return total

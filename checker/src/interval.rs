@@ -25,6 +25,17 @@ impl Fixed<48> {
     /// The same: ⌊π·2⁴⁸⌋ and one more.
     pub const PI: Self = Fixed { lo: 0x3243f6a8885a3, hi: 0x3243f6a8885a4 };
 
+    /// Between these numbers the root of its greatest number is; the whole line if that is below 0 or not
+    /// known.
+    pub fn root(self) -> Self {
+        if self.is_whole() || self.hi < 0 {
+            return Self::WHOLE;
+        }
+        // √(x 2⁻⁴⁸) = √(x 2⁴⁸) 2⁻⁴⁸, and x < 2⁶³.
+        let root = (self.hi << 48).isqrt();
+        Self::new(root, root + 1)
+    }
+
     /// The `i`-th of `n` parts of it from the left; they overlap at most by rounding and leave nothing out.
     pub fn part(self, i: u64, n: u64) -> Self {
         if self.is_whole() {

@@ -5,7 +5,7 @@ mod common;
 
 use std::f64::consts::TAU;
 
-use common::{Beyond, NOTHING, Random, answer, damage, float, nth, rejected, second_reader, with};
+use common::{NOTHING, Random, Touching, answer, damage, float, nth, rejected, second_reader, with};
 use grazing_check::nothing::STATEMENT;
 
 #[test]
@@ -212,7 +212,7 @@ trait Motions {
     fn stays(&self, start: [f64; 2], t: f64, zone: [f64; 2], periods: f64) -> Option<f64>;
 }
 
-impl Motions for Beyond {
+impl Motions for Touching {
     /// The wall and its velocity.
     fn wall(&self, t: f64) -> [f64; 2] {
         let (sin, cos) = (self.order * t).sin_cos();
@@ -275,7 +275,7 @@ fn lie(text: &str, motions: usize) -> Option<String> {
         for share in [0.01, 0.5, 1.0] {
             let depth = least + share * (greatest - least);
             for parameters in claim.parameters {
-                let at = Beyond { parameters, order: claim.order, depth };
+                let at = Touching { parameters, side: 1.0, order: claim.order, depth };
                 for &n in &lengths {
                     let words = lengths.iter().map(|&m| vec![n, m]).chain([vec![n]]);
                     for word in words {

@@ -3,7 +3,8 @@
 mod common;
 
 use common::{
-    CHAOS_12, RANGE_1, RANGE_12, RANGE_13, RANGE_ALONE, answer, nth, rejected, second_reader, with,
+    CHAOS_12, RANGE_1, RANGE_12, RANGE_13, RANGE_ALONE, RANGE_BEFORE, answer, nth, rejected, second_reader,
+    with,
 };
 use grazing_check::range::{STATEMENT, STATEMENT_2};
 
@@ -57,6 +58,11 @@ fn weaker_claims_pass() {
         with(RANGE_ALONE, "longest", "longest 4"),
         with(RANGE_ALONE, "rounds", "rounds 9"),
         nth(RANGE_ALONE, "others", 0, "others 2.9 2 2"),
+        with(RANGE_BEFORE, "others", "others no"),
+        with(RANGE_BEFORE, "others", "others 6 2 2"),
+        with(RANGE_BEFORE, "longest", "longest 15"),
+        with(RANGE_BEFORE, "longest", "longest 10"),
+        with(RANGE_BEFORE, "damping", "damping 99999/1000000 1/10"),
     ] {
         assert!(answer(&text).is_ok(), "{:?}: {text}", answer(&text));
     }
@@ -192,7 +198,25 @@ fn forgeries() -> Vec<(String, &'static str)> {
         });
         lines.collect::<String>()
     };
-    alone.extend([second(RANGE_12, "1"), second(RANGE_12, "0.87")]);
+    alone.extend([
+        second(RANGE_12, "1"),
+        second(RANGE_12, "0.87"),
+        second(RANGE_1, "6"),
+        second(RANGE_13, "9"),
+    ]);
+    // Before the touch: a strength above S, longer legs, more than is shown, no letter 2, no damping.
+    let lines = [
+        ("others", "others 5.8 2 2"),
+        ("others", "others 60 2 2"),
+        ("longest", "longest 9"),
+        ("longest", "longest 1"),
+        ("rounds", "rounds 1"),
+    ];
+    alone.extend(lines.map(|(start, line)| with(RANGE_BEFORE, start, line)));
+    let undamped = one("-1", "1", "1/100", "0 3 1 1");
+    let undamped = with(&undamped, "damping", "damping 0/1 0/1");
+    assert!(answer(&with(&one("-1", "1", "1/100", "2 2.5 1 1"), "damping", "damping 99/1000 1/10")).is_ok());
+    alone.push(second(&undamped, "6"));
     add("(C)", alone);
     all
 }
@@ -315,6 +339,8 @@ fn two_readers_agree() {
         RANGE_ALONE.to_string(),
         with(RANGE_ALONE, "others", "others no"),
         nth(RANGE_ALONE, "others", 0, "others 2.9 2 2"),
+        RANGE_BEFORE.to_string(),
+        with(RANGE_BEFORE, "others", "others 6 2 2"),
     ]);
     let wrong = forgeries().into_iter().chain(malformed()).map(|(text, _)| text);
     let all: Vec<(String, bool)> =

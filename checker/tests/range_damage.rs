@@ -6,7 +6,8 @@ mod common;
 use std::f64::consts::TAU;
 
 use common::{
-    Beyond, RANGE_1, RANGE_12, RANGE_13, RANGE_ALONE, Random, answer, damage, eliminate, float, flow,
+    RANGE_1, RANGE_12, RANGE_13, RANGE_ALONE, RANGE_BEFORE, Random, Touching, answer, damage, eliminate,
+    float, flow,
 };
 
 /// A certificate's numbers, its harmonics being cosines of one order.
@@ -214,7 +215,12 @@ fn stranger(text: &str) -> Option<String> {
     for (([least, greatest], strengths), bound) in claim.cells.iter().zip(&claim.others) {
         let Some(bound) = *bound else { continue };
         for (share, parameters) in [(0.01, claim.parameters[0]), (0.6, claim.parameters[1])] {
-            let at = Beyond { parameters, order: claim.order, depth: least + share * (greatest - least) };
+            let at = Touching {
+                parameters,
+                side: claim.side,
+                order: claim.order,
+                depth: least + share * (greatest - least),
+            };
             let lengths: Vec<f64> = (1..=claim.longest).map(|n| n as f64).collect();
             let pairs = lengths.iter().flat_map(|&n| lengths.iter().map(move |&m| vec![n, m]));
             for word in pairs.chain(lengths.iter().map(|&n| vec![n])) {
@@ -241,7 +247,7 @@ fn stranger(text: &str) -> Option<String> {
 #[test]
 fn what_is_accepted_of_damaged_certificates_is_true() {
     let trials = std::env::var("GRAZING_TRIALS").ok().and_then(|n| n.parse().ok()).unwrap_or(600);
-    for (seed, text) in [(1, RANGE_1), (2, RANGE_12), (3, RANGE_13), (6, RANGE_ALONE)] {
+    for (seed, text) in [(1, RANGE_1), (2, RANGE_12), (3, RANGE_13), (6, RANGE_ALONE), (7, RANGE_BEFORE)] {
         assert_eq!((lie(text), stranger(text)), (None, None));
         let mut random = Random(seed);
         let (mut accepted, mut refused) = (0, 0);
@@ -276,6 +282,12 @@ fn floats_notice_lies() {
     let some = RANGE_12
         .replace("contraction", "longest 4\ncontraction")
         .replace("\nedge 0.0522", "\nothers 40 1 1\nedge 0.0522");
+    let found = stranger(&some).unwrap_or_default();
+    assert!(found.contains("3.0"), "{found}");
+    // README's machine has one of three periods before the touch, too.
+    let some = RANGE_1
+        .replace("contraction", "longest 9\ncontraction")
+        .replace("\nedge 2.08", "\nothers 4 1 1\nedge 2.08");
     let found = stranger(&some).unwrap_or_default();
     assert!(found.contains("3.0"), "{found}");
     // README's machine beyond the touch has a leg of two periods that passes through the wall.

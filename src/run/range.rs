@@ -164,7 +164,11 @@ impl RangeRow {
         );
         if let Some(alone) = &self.alone {
             let way = if self.ends_above() { "<=" } else { ">=" };
-            lines.say("alone", format!("for {varied} {way} {alone} no other motion stays as near as these"));
+            let others = match self.side {
+                "beyond" => "no other motion stays as near as these",
+                _ => "no other bounded motion meets the stop as near as these again and again",
+            };
+            lines.say("alone", format!("for {varied} {way} {alone} {others}"));
         }
         lines.say("range_ends", reason);
         lines.say_known("certificate", &self.certificate);

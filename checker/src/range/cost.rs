@@ -37,7 +37,7 @@ impl Certificate {
             let (Some(Alone { longest, rounds }), Some(others)) = (self.alone, cell.others) else { return 0 };
             let impacts = IMPACT * harmonics + rounds * longest.pow(2) * others.parts * BOTH * harmonics;
             let legs = (longest + (rounds - 1) * longest.pow(3)) * others.parts.pow(2) * (LEG + longest);
-            others.slices * (longest + 1 + impacts + legs + rounds * map(others.parts))
+            others.slices * (2 * longest + 3 + impacts + legs + rounds * map(others.parts))
         };
         let before = self.cells.first().into_iter().chain(&self.cells);
         let cells = self.cells.iter().zip(before).map(|(cell, before)| {

@@ -1,8 +1,8 @@
 //! Certificates of kind `range`: the motions that are born where a linear impact oscillator touches its wall,
 //! one for every bi-infinite path of a graph, from the touch to a given distance.
 //!
-//! The theorem with its proof is in `docs/ranges.md`. Version 2 says besides, for σ = 1, that there are no
-//! other motions near. The oscillator is that of kind `chaos`
+//! The theorem with its proof is in `docs/ranges.md`. Version 2 says besides that there are no other motions
+//! near; for σ = −1 of bounded ones. The oscillator is that of kind `chaos`
 //! ([`super::chaos`]; `touch` has what both need), but a path is given by the strengths s of its impacts
 //! alone, of which every edge of the graph has a range, and the depth ν runs from 0, the touch, through cells
 //! that each have their own ranges. What is checked in a cell is E1 to E3 (`map`) and H4 (`gaps`), and
@@ -70,10 +70,10 @@
 //! has in common with F of them all. Once each lies in the latter's range the cells are linked. The growth
 //! vector and the periods are as kind `chaos` wants them.
 //!
-//! For a line others σ = 1, the letters' periods are different, and S is above |s| in the edges' ranges. In
-//! each of D parts of the cell C1 and C2 of `touch::near` hold with S and N; after Q rounds of C3 only
-//! impacts of edges are left, with strengths in some ranges X; and X, up to Q times replaced by what it has
-//! in common with F of it, comes to lie in the edges' ranges.
+//! For a line others the letters' periods are different, and S is above |s| in the edges' ranges. In each of
+//! D parts of the cell C1 and C2 of `touch::near` hold with S and N, for σ = −1 what is in `touch::settled`
+//! for C2; after Q rounds of C3 only impacts of edges are left, with strengths in some ranges X; and X, up to
+//! Q times replaced by what it has in common with F of it, comes to lie in the edges' ranges.
 //!
 //! # Example
 //!
@@ -99,9 +99,9 @@
 //!
 //! # Cost
 //!
-//! Counted are exponentials, and what takes as long; at most 6,000,000. The wall takes one for each harmonic:
-//! H. With E edges, J pieces, the longest letter L, and for each letter of n periods p predecessors and f
-//! followers, in S parts and R steps:
+//! Counted are exponentials, and what takes as long; at most 50,000,000. The wall takes one for each
+//! harmonic: H. With E edges, J pieces, the longest letter L, and for each letter of n periods p predecessors
+//! and f followers, in S parts and R steps:
 //!
 //! ```text
 //! (J + 2) H                                        the wall
@@ -112,8 +112,8 @@
 //!     and              23 H E                      impacts as wholes
 //!     for each letter  p f ((2n + 1) J (2 + 2 H) + n)    gaps
 //!     for each step    the first four again, with the parts S of the cell before
-//!     others S K D     D (N + 1 + 23 H + Q N² K 36 H + (N + (Q − 1) N³) K² (N + 5)) and D Q times the first
-//!                      four with the parts K
+//!     others S K D     D (2 N + 3 + 23 H + Q N² K 36 H + (N + (Q − 1) N³) K² (N + 5)), and D Q times the
+//!                      first four with the parts K
 //! ```
 //!
 //! Memory: the certificate, and the parts and legs of a cell.
@@ -149,7 +149,7 @@ pub const KIND: &str = "range";
 /// The most cells.
 const CELLS: u64 = 10_000;
 /// The most that a check may cost, in exponentials.
-const COST: u64 = 6_000_000;
+const COST: u64 = 50_000_000;
 
 /// What certificates of both versions prove.
 macro_rules! statement {
@@ -177,9 +177,10 @@ pub const STATEMENT: &str = statement!();
 pub const STATEMENT_2: &str = concat!(
     statement!(),
     " If a cell has a line others with a strength S, then for its \
-nu every motion that meets the wall at arbitrarily early and late times, and only within W of multiples of \
-2 pi where |g'| <= nu S/2, is one of these, and so is, if c and k are positive, every bounded motion that \
-meets the wall only there; and S is above |s| in the ranges of all its edges."
+nu every motion that meets the wall at arbitrarily early and late times, only within W of multiples of \
+2 pi where |g'| <= nu S/2, and is bounded if sigma is -1, is one of these. If c and k are positive, every \
+bounded motion that meets the wall, and only there, is one of these or, if sigma is -1, has a last impact. \
+S is above |s| in the ranges of all its edges."
 );
 
 /// Whether the conditions hold in one cell, from 0, and it is linked to the one before: for a search, which

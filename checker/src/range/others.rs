@@ -1,7 +1,7 @@
-//! That there are no other motions near at a cell's depths: C1 and C2, and after some rounds of C3 (`near`)
-//! the impacts that are left are the edges'. What is known of their strengths then is narrowed by F, as
-//! between cells (`link`), until it lies in the edges' ranges. So the motion solves the equations of a path
-//! of the graph there, and they have one solution.
+//! That there are no other motions near at a cell's depths: C1 and C2, of bounded ones before the touch, and
+//! after some rounds of C3 (`near`) the impacts that are left are the edges'. What is known of their
+//! strengths then is narrowed by F, as between cells (`link`), until it lies in the edges' ranges. So the
+//! motion solves the equations of a path of the graph there, and they have one solution.
 
 use super::{
     Fault, Interval, link,
@@ -35,8 +35,12 @@ pub(super) fn none(
     let turns: Vec<Matrix> = (0..=alone.longest).map(|n| cell.turned(n)).collect();
     let near =
         Near { cell: &cell, turns: &turns, strengths: (-strength).hull(strength), parts: others.parts };
-    near.bounded(alone.longest)?;
-    let mut known = anything(alone.longest);
+    let mut known = if problem.is_behind() {
+        near.bounded(alone.longest)?;
+        anything(alone.longest)
+    } else {
+        near.settled(alone.longest)?
+    };
     for round in 0..alone.rounds {
         known = near.narrowed(&known, round == 0, go_on)?;
     }

@@ -15,6 +15,7 @@ use crate::{
 /// What is the same in all cells.
 pub(super) struct Problem<'a> {
     pub graph: Graph,
+    behind: bool,
     wall: &'a Wall,
     /// c, k, τ.
     parameters: [Interval; 3],
@@ -27,12 +28,18 @@ impl<'a> Problem<'a> {
     fn new(certificate: &Certificate, wall: &'a Wall) -> Problem<'a> {
         Problem {
             graph: Graph::new(certificate),
+            behind: certificate.behind,
             wall,
             parameters: certificate.ranges.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed())),
             side: if certificate.behind { Interval::ONE } else { -Interval::ONE },
             pieces: certificate.pieces,
             contraction: certificate.contraction.enclosed(),
         }
+    }
+
+    /// Whether σ = 1.
+    pub fn is_behind(&self) -> bool {
+        self.behind
     }
 
     /// At these depths.

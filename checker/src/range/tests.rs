@@ -15,6 +15,7 @@ use crate::{
 const RANGE_1: &str = include_str!("../../tests/data/range-1.txt");
 const RANGE_12: &str = include_str!("../../tests/data/range-12.txt");
 const RANGE_ALONE: &str = include_str!("../../tests/data/range-alone.txt");
+const RANGE_BEFORE: &str = include_str!("../../tests/data/range-before.txt");
 const RANGE_13: &str = include_str!("../../tests/data/range-13.txt");
 
 fn ratio(p: i128, q: i128) -> Interval {
@@ -89,6 +90,7 @@ fn the_cost_bounds_the_exponentials() {
         (RANGE_12.to_string(), 6),
         (RANGE_13.to_string(), 4),
         (RANGE_ALONE.to_string(), 30),
+        (RANGE_BEFORE.to_string(), 120),
         (RANGE_13.replace("pieces 32", "pieces 1000"), 2),
         (RANGE_13.replace(" 1 0\nedge", " 9 0\nedge"), 6),
         (RANGE_13.replace(plain, &many).replace("3/100", "1/100"), 4),

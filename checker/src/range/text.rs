@@ -291,10 +291,6 @@ pub(super) fn read(lines: &mut Lines, second: bool) -> Result<Certificate, Rejec
     let alone = if second { Some(read_alone(lines)?) } else { None };
     let edges = letters.iter().map(|letter| letter.next.len() as u64).sum();
     let cells = read_cells(lines, edges, second)?;
-    lines.form(
-        behind || cells.iter().all(|cell| cell.others.is_none()),
-        "that there are no others is for side 1",
-    )?;
     let certificate =
         Certificate { ranges, behind, harmonics, window, pieces, letters, growth, contraction, alone, cells };
     let cost = certificate.cost();

@@ -2,13 +2,14 @@
 //! `nothing` are about, in the normal form of `docs/chaos.md`.
 //!
 //! The free motion is `flow`, the wall `wall`, impacts and the legs between them `legs`, the graph of letters
-//! `graph`, what motions near the touch can do `near`; `text` reads what the kinds write alike. What is
-//! proved of all this is said and done by the kinds.
+//! `graph`, what motions near the touch can do `near` and, before it, `settled`; `text` reads what the kinds
+//! write alike. What is proved of all this is said and done by the kinds.
 
 pub(crate) mod flow;
 pub(crate) mod graph;
 pub(crate) mod legs;
 pub(crate) mod near;
+mod settled;
 pub(crate) mod text;
 pub(crate) mod wall;
 

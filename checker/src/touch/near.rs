@@ -9,12 +9,15 @@
 //! - C3: what is known of the velocities a, p of legs of n ≤ M periods, at first nothing, is narrowed by G
 //!   itself, by the law of impact s = 2(a + τp)/(1 + τ), by a ≥ s/2 ≥ p, and by q̂ ≥ σ at 2πk for 0 < k < n.
 //!
-//! The proofs are in `docs/chaos.md`. What is left in the end is judged by the kinds.
+//! Where the place of rest is free, σ = −1, bounded motions have bounded velocities and legs instead of C2
+//! (`settled`). The proofs are in `docs/chaos.md` and `docs/ranges.md`. What is left in the end is judged by
+//! the kinds.
 
 use super::{
     Interval,
     flow::Matrix,
     legs::{Cell, Impact},
+    settled,
 };
 use crate::rejection::{Fault, GoOn, claim};
 
@@ -49,6 +52,16 @@ impl Near<'_> {
         claim(self.once(&all), "there may be two contacts in one window (C)")?;
         let holds = all.place.is_positive() && ends(self.cell.flow.invariants(self.turns[1]), longest);
         claim(holds, format_args!("a leg may be longer than {longest} periods (C)"))
+    }
+
+    /// C1, and what is known of legs of up to so many periods of bounded motions for σ = −1: there are no
+    /// longer ones, and of all of them the legs of one period have the widest sets.
+    pub fn settled(&self, longest: u64) -> Result<Known, Fault> {
+        let Some(all) = self.cell.impact(self.strengths) else { return Err(outside()) };
+        claim(self.once(&all), "there may be two contacts in one window (C)")?;
+        let (cell, time) = (self.cell, |n| self.cell.time(n));
+        let known = settled::velocities(cell.flow, cell.shares, &all, time, longest);
+        known.ok_or_else(|| Fault::False(format!("a leg may be longer than {longest} periods (C)")))
     }
 
     /// C1. With D the width of the phases and |q̂(0)| ≤ Q: |q̂′| ≤ M, |q̂″| ≤ A = |c|M + |k|(Q + DM) and M ≤
@@ -117,7 +130,14 @@ impl Near<'_> {
         let (cell, periods) = (self.cell, n as u64 + 1);
         let ([own_after, own_before], [_, before], [after, _]) = (known[n]?, known[m]?, known[k]?);
         let leg = cell.leg(self.turns[periods as usize], periods, [&from[0], &to[0]], [&from[1], &to[1]]);
-        let (a, p) = (leg.after.common(own_after)?, leg.before.common(own_before)?);
+        let (a, mut p) = (leg.after.common(own_after)?, leg.before.common(own_before)?);
+        if !leg.after.is_known() {
+            // E₁₂ may be 0: where does what is known of a lead?
+            let e = cell.matrix(self.turns[periods as usize], &from[0], &to[0]);
+            let (place, speed) = cell.flow.apply(e, from[0].place, a);
+            place.common(to[0].place)?;
+            p = p.common(speed)?;
+        }
         // Relative speeds are at least 0.
         let a = a.at_least(from[0].s.half())?;
         let p = -((-p).at_least(-to[0].s.half())?);

@@ -23,6 +23,7 @@ pub const RANGE_1: &str = include_str!("../data/range-1.txt");
 pub const RANGE_12: &str = include_str!("../data/range-12.txt");
 pub const RANGE_13: &str = include_str!("../data/range-13.txt");
 pub const RANGE_ALONE: &str = include_str!("../data/range-alone.txt");
+pub const RANGE_BEFORE: &str = include_str!("../data/range-before.txt");
 pub const NOTHING: &str = include_str!("../data/nothing.txt");
 pub const WORD: &str = include_str!("../data/word.txt");
 pub const ENTROPY: &str = include_str!("../data/entropy.txt");
@@ -197,15 +198,17 @@ fn changed(random: &mut Random, word: &str, lines: &[String]) -> String {
     }
 }
 
-/// An oscillator beyond its touch, above the wall ν − 1 + cos jt.
-pub struct Beyond {
+/// An oscillator near its touch, above the wall σν − 1 + cos jt.
+pub struct Touching {
     /// c, k, τ.
     pub parameters: [f64; 3],
+    /// σ.
+    pub side: f64,
     pub order: f64,
     pub depth: f64,
 }
 
-impl Beyond {
+impl Touching {
     /// (q, q′) a time later.
     pub fn after(&self, [q, u]: [f64; 2], time: f64) -> [f64; 2] {
         let [a, b, c, d] = flow([self.parameters[0], self.parameters[1]], time);
@@ -215,7 +218,7 @@ impl Beyond {
     /// The phase of an impact of strength s, and its place over ν.
     fn impact(&self, s: f64) -> [f64; 2] {
         let t = -(self.depth * s / (2.0 * self.order)).asin() / self.order;
-        [t, 1.0 - (1.0 - (self.order * t).cos()) / self.depth]
+        [t, self.side - (1.0 - (self.order * t).cos()) / self.depth]
     }
 
     /// The velocities over ν of legs round a word, whose impacts have these strengths.
@@ -249,7 +252,7 @@ impl Beyond {
                 let clear = (0..word.len()).all(|i| {
                     let [t, place] = self.impact(s[i]);
                     (1..word[i] as usize)
-                        .all(|k| self.after([place, legs[i][0]], TAU * k as f64 - t)[0] > 1.0)
+                        .all(|k| self.after([place, legs[i][0]], TAU * k as f64 - t)[0] > self.side)
                 });
                 return (fast && clear && s.iter().all(|s| s.abs() <= bound)).then_some(s);
             }

@@ -111,6 +111,12 @@ impl Depths {
         self.cell.invariants()
     }
 
+    /// How far from 0 the phases and places of impacts of strengths up to this are.
+    pub fn reach(&self, strength: f64) -> Option<[f64; 2]> {
+        let impact = self.cell.impact(Span::new(-strength, strength))?;
+        Some([impact.phase.magnitude(), impact.place.magnitude()])
+    }
+
     /// The strengths at depth 0 of the impacts of each edge, which do not depend on their neighbours.
     pub fn born(&self, edges: &Edges) -> Option<Vec<f64>> {
         let still = self.cell.impact(Span::point(0.0))?;

@@ -166,7 +166,7 @@ pub fn prove(
 }
 
 /// The same proof with claims that there are no other motions near, where they are found; as it was else. For
-/// a graph that is all that is born, beyond the touch.
+/// a graph that is all that is born.
 ///
 /// Cost: `effort`, a leg being one of C3.
 ///

@@ -120,7 +120,7 @@ impl Near<'_> {
         let monitor = self.point.job.monitor;
         let found = prove(&problem, self.effort, monitor)?;
         let found = match found {
-            Ok(proof) if behind && whole => Ok(prove_alone(&problem, proof, self.effort, monitor)?),
+            Ok(proof) if whole => Ok(prove_alone(&problem, proof, self.effort, monitor)?),
             found => found,
         };
         let depth = found.as_ref().map_or(0.0, |proof| proof.depth.to_f64().unwrap_or(0.0));
