@@ -288,7 +288,6 @@ fn malformed() -> Vec<(String, &'static str)> {
         ("others", "others 40 2", "expected"),
         ("others", "others no 2 1", "unexpected"),
         ("others", "others 3 64 1000", "exponentials"),
-        ("side", "side -1", "for side 1"),
     ];
     all.extend(others.map(|(start, line, reason)| (with(RANGE_ALONE, start, line), reason)));
     // Nothing is checked of letters that nothing precedes or follows, or of a graph without a cycle: each
@@ -310,7 +309,10 @@ fn malformed() -> Vec<(String, &'static str)> {
     all.push((nth(RANGE_1, "cell ", 3, "cell 37/800 1 10"), "increase, from 0"));
     all.push((nth(RANGE_1, "cell ", 3, "cell 1029/16000 1 10"), "increase, from 0"));
     all.push((nth(RANGE_1, "cell ", 3, "cell 1/100 1 10"), "increase, from 0"));
-    all.push((nth(RANGE_12, "cell ", 0, "cell 999/2000 64 0"), "exponentials"));
+    all.push((
+        nth(&nth(RANGE_12, "cell ", 0, "cell 999/2000 64 0"), "cell ", 1, "cell 999/1000 1 1000"),
+        "exponentials",
+    ));
     all.push((with(CHAOS_12, "kind", "kind range"), "word for word"));
     all
 }
