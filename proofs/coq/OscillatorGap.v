@@ -26,7 +26,7 @@ Lemma near_stop t z : exists y, facing m y = facing m z /\ (forall mu x, G mu (x
 Proof.
   destruct (nearest (t - T * IZR z)) as [i Hi], (whole_turns i) as (j & E1 & E2); exists (z + j)%Z.
   rewrite Z.add_0_r in E1; rewrite facing_plus, E1, plus_IZR, Rmult_plus_distr_l, E2; split; [ring | split].
-  - intros mu x; rewrite <- (G_turn O HO i mu (x - _)); f_equal; ring.
+  - intros mu x; rewrite <- (whole_periods (G mu) i (x - _) (period _ HO mu)); f_equal; ring.
   - replace (t - (T * IZR z + 2 * PI * IZR i)) with (t - T * IZR z - 2 * PI * IZR i) by ring; exact Hi.
 Qed.
 

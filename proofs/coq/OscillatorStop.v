@@ -18,16 +18,6 @@ Notation G := (Oscillator.G O).
 Notation G1 := (Oscillator.G1 O).
 Notation G2 := (Oscillator.G2 O).
 
-Lemma G_turn z mu t : G mu (t + 2 * PI * IZR z) = G mu t.
-Proof.
-  assert (P : forall j t, G mu (t + 2 * PI * INR j) = G mu t).
-  { induction j as [|j IH]; intros y; [cbn; f_equal; ring|].
-    rewrite <- (IH y), <- (period _ HO mu (y + 2 * PI * INR j)), S_INR; f_equal; ring. }
-  destruct (Z_le_gt_dec 0 z) as [L|L].
-  - replace (IZR z) with (INR (Z.to_nat z)) by (rewrite INR_IZR_INZ, Z2Nat.id by lia; reflexivity); apply P.
-  - rewrite <- (P (Z.to_nat (- z)) (t + 2 * PI * IZR z)), INR_IZR_INZ, Z2Nat.id, opp_IZR by lia; f_equal; ring.
-Qed.
-
 Lemma G_low t : Rabs t <= PI -> 0 <= G 0 t.
 Proof.
   intros Ht; apply le_abs in Ht; pose proof PI_RGT_0; destruct (Rtotal_order t 0) as [L|[->|L]].
