@@ -92,21 +92,6 @@ Proof.
   ring.
 Qed.
 
-Lemma u_eigenvalues p q k : (p - q) * u (p + q) (p * q) k = p ^ k - q ^ k.
-Proof.
-  induction k using two_step; [rewrite u_0; cbn; ring | rewrite u_1; cbn; ring |].
-  rewrite u_SS; cbn.
-  transitivity ((p + q) * ((p - q) * u (p + q) (p * q) (S k))
-    - p * q * ((p - q) * u (p + q) (p * q) k)); [ring|].
-  rewrite IHk, IHk0; cbn; ring.
-Qed.
-
-Lemma u_equal_eigenvalues p k : u (p + p) (p * p) (S k) = INR (S k) * p ^ k.
-Proof.
-  induction k as [|k IH]; [rewrite u_1; cbn; ring |].
-  rewrite u_step, IH, (S_INR (S k)); cbn [pow]; ring.
-Qed.
-
 Lemma v_eigenvalues p q k : v (p + q) (p * q) k = p ^ k + q ^ k.
 Proof.
   induction k using two_step; [rewrite v_0; cbn; ring | rewrite v_1; cbn; ring |].
@@ -152,9 +137,3 @@ Proof.
   replace (n - k + k)%nat with n in H by lia.
   rewrite H; field; assumption.
 Qed.
-
-Lemma b_first a1 a2 n : u a1 a2 n <> 0 -> b a1 a2 n 0 = 0.
-Proof. intros; rewrite b_is_1_plus_x, x_0 by (lia || assumption); ring. Qed.
-
-Lemma b_last a1 a2 n : u a1 a2 n <> 0 -> b a1 a2 n n = 0.
-Proof. intros; rewrite b_is_1_plus_x, x_n by (lia || assumption); ring. Qed.

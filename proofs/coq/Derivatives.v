@@ -1,5 +1,5 @@
 (** * Derivatives, absolute values and the mean value theorem, as the files on differential equations use them *)
-From Coq Require Import Reals Lra Lia.
+From Coq Require Import Reals ZArith Lra Lia.
 Open Scope R_scope.
 
 Lemma D_ext f f' x l l' : derivable_pt_lim f x l -> (forall y, f y = f' y) -> l = l' -> derivable_pt_lim f' x l'.
@@ -104,6 +104,21 @@ Proof.
   intros x Hx; apply le_abs in Hx; specialize (A x Hx); specialize (B x Hx).
   pose proof (Rle_abs (f a)); pose proof (Rle_abs (- f b)) as Y; rewrite Rabs_Ropp in Y; apply Rabs_le; lra.
 Qed.
+
+(** A function of period 2 pi, any number of periods later. *)
+Lemma whole_periods f z t : (forall t, f (t + 2 * PI) = f t) -> f (t + 2 * PI * IZR z) = f t :> R.
+Proof.
+  intros H; assert (P : forall j t, f (t + 2 * PI * INR j) = f t).
+  { induction j as [|j IH]; intros y; [cbn; f_equal; ring|].
+    rewrite <- (IH y), <- (H (y + 2 * PI * INR j)), S_INR; f_equal; ring. }
+  destruct (Z_le_gt_dec 0 z) as [L|L].
+  - replace (IZR z) with (INR (Z.to_nat z)) by (rewrite INR_IZR_INZ, Z2Nat.id by lia; reflexivity); apply P.
+  - rewrite <- (P (Z.to_nat (- z)) (t + 2 * PI * IZR z)), INR_IZR_INZ, Z2Nat.id, opp_IZR by lia; f_equal; ring.
+Qed.
+Lemma cos_periods z t : cos (t + 2 * PI * IZR z) = cos t.
+Proof. apply whole_periods; intros y; rewrite <- (cos_period y 1); f_equal; cbn; ring. Qed.
+Lemma sin_periods z t : sin (t + 2 * PI * IZR z) = sin t.
+Proof. apply whole_periods; intros y; rewrite <- (sin_period y 1); f_equal; cbn; ring. Qed.
 
 (** A positive number that is at most two others. *)
 Lemma two_least a b : 0 < a -> 0 < b -> exists m, 0 < m /\ m <= a /\ m <= b.

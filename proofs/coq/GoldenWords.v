@@ -11,8 +11,6 @@ Proof.
   assert (E : sqrt 5 * sqrt 5 = 5) by (apply sqrt_sqrt; lra); pose proof (sqrt_pos 5); unfold golden; split; nra.
 Qed.
 
-Lemma golden_pow k : 0 < golden ^ k.
-Proof. apply pow_lt; pose proof golden_facts; lra. Qed.
 Lemma golden_SS k : golden ^ S (S k) = golden ^ S k + golden ^ k.
 Proof. destruct golden_facts as [_ E]; cbn [pow] in *; rewrite <- Rmult_assoc; replace (golden * golden) with (golden + 1) by lra; ring. Qed.
 

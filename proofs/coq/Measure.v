@@ -48,7 +48,7 @@ Lemma shares n : (3 <= n)%nat ->
 Proof.
   intros Hn; assert (Hn3 : 3 <= INR n) by (apply le_INR in Hn; simpl in Hn; lra).
   unfold coprimes; destruct n as [|n]; [lia|]; cbn [seq filter].
-  replace (Nat.gcd 1 (S n)) with 1%nat by (symmetry; apply Nat.gcd_1_l); cbn [Nat.eqb sum_over fold_right].
+  replace (Nat.gcd 1 (S n)) with 1%nat by (symmetry; apply Nat.divide_1_r, Nat.gcd_divide_l); cbn [Nat.eqb sum_over fold_right].
   assert (H : forall l, (forall k, In k l -> (2 <= k)%nat) ->
     sum_over (share (S n)) l = / INR (S n) * sum_over (fun k => / INR k) l).
   { induction l as [|k l IH]; intros Hl; cbn [sum_over fold_right]; [lra|].

@@ -14,20 +14,13 @@ Proof.
     rewrite cos_2PI in D; lra.
 Qed.
 
-Lemma whole_periods z t : cos (t - 2 * PI * IZR z) = cos t /\ sin (t - 2 * PI * IZR z) = sin t.
-Proof.
-  assert (P : forall k y, cos (y + 2 * PI * INR k) = cos y /\ sin (y + 2 * PI * INR k) = sin y).
-  { intros k y; rewrite <- (cos_period y k), <- (sin_period y k); split; f_equal; ring. }
-  destruct (Z_le_gt_dec 0 z) as [L|L].
-  - destruct (P (Z.to_nat z) (t - 2 * PI * IZR z)) as [<- <-]; rewrite INR_IZR_INZ, Z2Nat.id by lia; split;
-      f_equal; ring.
-  - destruct (P (Z.to_nat (- z)) t) as [<- <-]; rewrite INR_IZR_INZ, Z2Nat.id, opp_IZR by lia; split; f_equal; ring.
-Qed.
+Lemma periods_back z t : cos (t - 2 * PI * IZR z) = cos t /\ sin (t - 2 * PI * IZR z) = sin t.
+Proof. rewrite <- (cos_periods (- z) t), <- (sin_periods (- z) t), opp_IZR; split; f_equal; ring. Qed.
 
 Lemma Nordmark_touching d w tau : touching (Nordmark d w tau).
 Proof.
   constructor; cbn.
-  - intros mu t; destruct (whole_periods (-1) t) as [E _]; replace (t + 2 * PI) with (t - 2 * PI * -1) by ring;
+  - intros mu t; destruct (periods_back (-1) t) as [E _]; replace (t + 2 * PI) with (t - 2 * PI * -1) by ring;
       rewrite E; reflexivity.
   - intros mu t; derive_by fail; ring.
   - intros mu t; derive_by fail; ring.
@@ -71,9 +64,9 @@ Proof.
       cbn [Nordmark Oscillator.c Oscillator.k Oscillator.G Oscillator.G1
       Oscillator.tau turn facing].
     assert (E : forall z x f, 1 * f + - mu + (1 - - mu) * (1 - cos (x - 2 * PI * IZR z)) = f - ((1 + mu) * cos x - 1))
-      by (intros; rewrite (proj1 (whole_periods _ _)); ring).
+      by (intros; rewrite (proj1 (periods_back _ _)); ring).
     assert (F : forall z x f, 1 * f + (1 - - mu) * sin (x - 2 * PI * IZR z) = f + (1 + mu) * sin x)
-      by (intros; rewrite (proj2 (whole_periods _ _)); ring).
+      by (intros; rewrite (proj2 (periods_back _ _)); ring).
     split; intros H i j Hj; destruct (H i j Hj) as (H1 & H2 & H3 & H4 & H5 & H6 & H7 & H8).
     + rewrite E in H4, H5; rewrite F in H7; rewrite !F in H8; split; [exact H1|]; split; [exact H2|]; split;
         [exact H3|].
@@ -101,7 +94,7 @@ Qed.
 Lemma harmonics_period l : forall j t, harmonics j l (t + 2 * PI) = harmonics j l t.
 Proof.
   induction l as [|[a b] l IH]; intros j t; [reflexivity|]; cbn [harmonics]; rewrite IH.
-  destruct (whole_periods (- Z.of_nat j) (INR j * t)) as [C D]; rewrite opp_IZR, <- INR_IZR_INZ in C, D.
+  destruct (periods_back (- Z.of_nat j) (INR j * t)) as [C D]; rewrite opp_IZR, <- INR_IZR_INZ in C, D.
   replace (INR j * (t + 2 * PI)) with (INR j * t - 2 * PI * - INR j) by ring; rewrite C, D; reflexivity.
 Qed.
 

@@ -35,12 +35,6 @@ Proof.
   - unfold diff1, Rminus; apply triangle2; [|rewrite Rabs_Ropp]; assumption.
 Qed.
 
-Lemma bounded_sym e x y x' y' : bounded e (diff x x') (diff1 y y') -> bounded e (diff x' x) (diff1 y' y).
-Proof.
-  intros H j; destruct (H j) as [Hx Hy]; split; [apply within_sym, Hx|].
-  unfold diff1; rewrite Rabs_minus_sym; exact Hy.
-Qed.
-
 Lemma bounded_plus e e' x y x' y' : bounded e (diff x x') (diff1 y y') -> bounded e' x' y' ->
   bounded (e + e') x y.
 Proof.

@@ -35,9 +35,6 @@ Proof.
   rewrite Rabs_Ropp; apply Rplus_le_compat; auto.
 Qed.
 
-Lemma within_sym e x y : within e (minus x y) -> within e (minus y x).
-Proof. intros H i Hi; unfold minus; rewrite Rabs_minus_sym; apply H, Hi. Qed.
-
 (** Every vector has a bound. *)
 Lemma within_exists x : exists e, 0 <= e /\ within e x.
 Proof.

@@ -1,7 +1,7 @@
 (** * The gaps are open strictly between two impacts: any q with |q|, |q'|, |q''| <= K |mu|, off the stops that it
       passes by kappa |mu| *)
 From Coq Require Import Reals ZArith Lra Lia.
-From Grazing Require Import Defs StatementOscillator Derivatives OscillatorTurns OscillatorStop.
+From Grazing Require Import Defs StatementOscillator Derivatives Flow OscillatorTurns OscillatorStop.
 Open Scope R_scope.
 
 Section Gap.
@@ -20,43 +20,38 @@ Proof.
 Qed.
 
 (** Of the stops that are at the same place at all times, one touches within half a period of t. *)
-Lemma near_stop t z : exists y, facing m y = facing m z /\ (forall mu x, G mu (x - T * IZR y) = G mu (x - T * IZR z)) /\
+Lemma near_stop t z : exists y, facing m y = facing m z /\ (forall mu x, G mu (x - T * IZR y) = G mu (x - T * IZR
+  z)) /\
   Rabs (t - T * IZR y) <= PI.
 Proof.
   destruct (nearest (t - T * IZR z)) as [i Hi], (whole_turns i) as (j & E1 & E2); exists (z + j)%Z.
   rewrite Z.add_0_r in E1; rewrite facing_plus, E1, plus_IZR, Rmult_plus_distr_l, E2; split; [ring | split].
-  - intros mu x; rewrite <- (G_turn O HO i mu (x - _)); f_equal; ring.
+  - intros mu x; rewrite <- (whole_periods (G mu) i (x - _) (period _ HO mu)); f_equal; ring.
   - replace (t - (T * IZR z + 2 * PI * IZR i)) with (t - T * IZR z - 2 * PI * IZR i) by ring; exact Hi.
 Qed.
 
 Lemma D_gap mu z q v t : derivable_pt_lim q t (v t) -> derivable_pt_lim (gap O m mu z q) t (speed O m mu z v t).
-Proof.
-  intros H; unfold gap, speed; eapply D_value; [apply D_plus; [apply D_plus;
-    [apply D_scale, H | apply (D_const mu)]|]|].
-  - apply (D_of (fun t => t - T * IZR z) (G mu)); [apply D_shift | apply (slope _ HO)].
-  - ring.
-Qed.
+Proof. intros H; unfold gap, speed; derive_by ltac:(first [exact H | apply D_at, (slope _ HO)]); ring. Qed.
 Lemma D_speed mu z v w t : derivable_pt_lim v t (w t) ->
   derivable_pt_lim (speed O m mu z v) t (facing m z * w t + G2 mu (t - T * IZR z)).
-Proof.
-  intros H; unfold speed; eapply D_value; [apply D_plus; [apply D_scale, H|]|].
-  - apply (D_of (fun t => t - T * IZR z) (Oscillator.G1 O mu)); [apply D_shift | apply (bend _ HO)].
-  - ring.
-Qed.
+Proof. intros H; unfold speed; derive_by ltac:(first [exact H | apply D_at, (bend _ HO)]); ring. Qed.
 
 Lemma side_bounds z x B : Rabs x <= B -> - B <= facing m z * x <= B.
 Proof. intros H; apply le_abs; rewrite Rabs_mult, side_abs; lra. Qed.
 
-Lemma gap_open h K kappa : 0 <= h -> 0 < K -> 0 < kappa -> exists mu0, 0 < mu0 /\
-  forall mu n q v w phi psi, 0 < Rabs mu < mu0 -> (1 <= n)%nat ->
+(** Every gap is open strictly between two impacts at the phases phi and psi. *)
+Definition opens (h K kappa mu : R) : Prop := forall n q v w phi psi, (1 <= n)%nat ->
   (forall t, derivable_pt_lim q t (v t)) -> (forall t, derivable_pt_lim v t (w t)) ->
   (forall t, -1 <= t <= T * INR n + 1 -> Rabs (q t) <= K * Rabs mu /\ Rabs (v t) <= K * Rabs mu /\
     Rabs (w t) <= K * Rabs mu) ->
-  Rabs phi <= h * Rabs mu -> Rabs (psi - T * INR n) <= h * Rabs mu ->
-  gap O m mu 0 q phi = 0 -> gap O m mu (Z.of_nat n) q psi = 0 ->
-  0 <= speed O m mu 0 v phi -> speed O m mu (Z.of_nat n) v psi <= 0 ->
+  Rabs phi <= h * Rabs mu -> Rabs psi <= h * Rabs mu ->
+  gap O m mu 0 q phi = 0 -> gap O m mu (Z.of_nat n) q (T * INR n + psi) = 0 ->
+  0 <= speed O m mu 0 v phi -> speed O m mu (Z.of_nat n) v (T * INR n + psi) <= 0 ->
   (forall j, (1 <= j <= n - 1)%nat -> kappa * Rabs mu <= facing m (Z.of_nat j) * q (T * INR j) + mu) ->
-  forall z t, phi < t < psi -> 0 < gap O m mu z q t.
+  forall z t, phi < t < T * INR n + psi -> 0 < gap O m mu z q t.
+
+Lemma gap_open h K kappa : 0 <= h -> 0 < K -> 0 < kappa -> exists mu0, 0 < mu0 /\
+  forall mu, 0 < Rabs mu < mu0 -> opens h K kappa mu.
 Proof.
   intros Hh HK Hkap; pose proof (turn_large m) as HT; pose proof PI2_3_2 as HP; pose proof (g_pos O HO) as Pg.
   destruct (curved O HO) as (r1 & Hr1 & Cv), (steady_with O HO) as (B & HB & St).
@@ -70,13 +65,13 @@ Proof.
   destruct (two_least e1 (r / 2) E1 ltac:(lra)) as (e & Ee & F1 & F2).
   set (X := h + K + B + 1); assert (HX : 1 <= X) by (unfold X; lra).
   destruct (two_least 1 (e / X) ltac:(lra) ltac:(apply Rdiv_lt_0_compat; lra)) as (mu0 & M0 & M1 & M2).
-  exists mu0; split; [exact M0|]; intros mu n q v w phi psi Hmu Hn Dq Dv Bd Hphi Hpsi Ep Es Vp Vs Mid z t Ht.
+  exists mu0; split; [exact M0|]; intros mu Hmu n q v w phi psi' Hn Dq Dv Bd Hphi Hpsi Ep Es Vp Vs Mid z t Ht.
   set (a := Rabs mu) in *.
   assert (Xa : X * a <= e) by (apply (Rle_trans _ (X * (e / X))); [apply Rmult_le_compat_l; lra | right; field; lra]).
   assert (0 <= h * a /\ 0 <= K * a /\ 0 <= B * a) as (P1 & P2 & P3) by (repeat split; apply Rmult_le_pos; lra).
   assert (Sum : h * a + K * a + B * a + a <= e) by (replace (_ + a) with (X * a) by (unfold X; ring); exact Xa).
   assert (Hm : - a <= mu <= a) by (apply le_abs; unfold a; lra).
-  apply le_abs in Hphi, Hpsi.
+  apply le_abs in Hphi, Hpsi; remember (T * INR n + psi') as psi eqn:Hp.
   assert (Inside : forall y, phi <= y <= psi \/ Rabs y <= r \/ Rabs (y - T * INR n) <= r -> -1 <= y <= T * INR n + 1).
   { assert (0 <= T * INR n) by (apply Rmult_le_pos; [lra | apply pos_INR]).
     intros y [Hy|[Hy|Hy]]; try apply le_abs in Hy; lra. }

@@ -14,8 +14,7 @@ Notation g := (Oscillator.G2 O 0 0).
 Notation e11 := (e11 c S V).
 Notation turned := (turned m).
 Notation T := (turn m).
-Notation place := (place O).
-Notation chord := (chord O).
+Notation newton := (newton O).
 Notation aft0 := (aft0 c m S V).
 Notation bef0 := (bef0 c k m S V).
 Hypothesis HO : touching O.
@@ -23,283 +22,258 @@ Hypothesis Htau : 0 <= tau.
 Hypothesis HS : flow c k S V.
 Variables (n_max : nat) (K : R).
 Hypothesis HK : bounds c k m S V n_max K.
+Notation L := (6 * K ^ 5).
 
-(** Velocities just after an impact at the time mu x, before the one n turns and mu y later, and the place j turns
-    on the way; in units of mu. *)
-Definition aft n mu x y := aft_leg c m S V n (mu * (y - x)) (place mu x) (place mu y).
-Definition bef n mu x y := bef_leg c k m S V n (mu * (y - x)) (place mu x) (place mu y).
-Definition mid n j mu x y := turned e11 j (- (mu * x)) * place mu x + turned S j (- (mu * x)) * aft n mu x y.
+(** The place of an impact at the phase x; velocities just after it and before the one n turns later, at the phase
+    y; and the place j turns on the way. For mu -> 0 the legs from -1 to -1, times mu. *)
+Definition place mu x : R := - mu - G mu x.
+Definition aft n mu x y := aft_leg c m S V n (y - x) (place mu x) (place mu y).
+Definition bef n mu x y := bef_leg c k m S V n (y - x) (place mu x) (place mu y).
+Definition mid n j mu x y := turned e11 j (- x) * place mu x + turned S j (- x) * aft n mu x y.
 Definition mid0 n j := turned e11 j 0 * -1 + turned S j 0 * aft0 n.
 
 Definition regular (n : nat) : Prop := (1 <= n <= n_max)%nat /\ turned S n 0 <> 0.
 
-Record leg_near (n : nat) (eps mu x y : R) : Prop := {
-  near_S : turned S n (mu * (y - x)) <> 0;
-  near_aft : Rabs (aft n mu x y - aft0 n) <= eps;
-  near_bef : Rabs (bef n mu x y - bef0 n) <= eps;
-  near_place : Rabs (place mu x) <= 2;
-  near_mid : forall j, (j <= n_max)%nat -> Rabs (mid n j mu x y - mid0 n j) <= eps }.
+Lemma same x e : 0 <= e -> Rabs (x - x) <= e.
+Proof. rewrite Rminus_eq_0, Rabs_R0; trivial. Qed.
+Lemma large : 6 <= L.
+Proof. pose proof (pow_R1_Rle K 5 (proj1 HK)); lra. Qed.
 
-Lemma legs_near : exists B, 0 <= B /\ forall h eps, 0 <= h -> 0 < eps -> exists d, 0 < d <= 1 /\
-  forall n mu x y, regular n -> 0 < Rabs mu <= d -> Rabs x <= h -> Rabs y <= h ->
-  leg_near n eps mu x y /\ Rabs (chord mu x) <= B + eps /\
-  forall x' y' r, Rabs x' <= h -> Rabs y' <= h -> Rabs (x - x') <= r -> Rabs (y - y') <= r ->
-  Rabs (aft n mu x y - aft n mu x' y') <= eps * r /\ Rabs (bef n mu x y - bef n mu x' y') <= eps * r /\
-  Rabs (chord mu x - chord mu x') <= eps * r.
+(** Legs between the phases x and y, and x' and y', all at most d, which are e apart. *)
+Lemma legs_beside z d mu n x y x' y' e : 0 <= z <= 1 -> 2 * d <= / K ->
+  (forall x x', Rabs x <= d -> Rabs x' <= d -> Rabs (G mu x - G mu x') <= z * Rabs (x - x')) ->
+  regular n -> Rabs x <= d -> Rabs y <= d -> Rabs x' <= d -> Rabs y' <= d -> Rabs (x - x') <= e -> Rabs (y - y') <=
+    e ->
+  let w := Rabs mu + z * d in turned S n (y - x) <> 0 /\
+  beside (L * w) (L * (w * (2 * e) + z * e)) (aft n mu x y) (aft n mu x' y') /\
+  beside (L * w) (L * (w * (2 * e) + z * e)) (bef n mu x y) (bef n mu x' y').
 Proof.
-  destruct (places O HO) as (B & HB & P); exists B; split; [exact HB|]; intros h eps Hh He.
-  assert (K1 : 1 <= K) by apply HK; assert (IK : 0 < / K) by (apply Rinv_0_lt_compat; lra).
-  set (L := 18 * K ^ 5); assert (HL : 18 <= L) by (unfold L; pose proof (pow_R1_Rle K 5 K1); lra).
-  destruct (two_least eps (/ K) He IK) as (e0 & E0 & L1 & L2).
-  set (Y := (h + 1) * (K * (3 + 3 * L))); assert (HY : 0 < Y) by (unfold Y; repeat apply Rmult_lt_0_compat; lra).
-  set (e := e0 / Y); assert (Ee : 0 < e) by (apply Rdiv_lt_0_compat; lra).
-  set (z := e * (h + 1)); assert (Ez : z * (K * (3 + 3 * L)) = e0).
-  { replace (z * (K * (3 + 3 * L))) with (e0 / Y * Y) by (unfold z, e, Y; ring); field; lra. }
-  assert (eh : 0 <= e * h) by (apply Rmult_le_pos; lra); assert (Zp : 0 < z /\ e <= z /\ e * h <= z) by (unfold z;
-    lra).
-  assert (ZK : z <= K * z) by (rewrite <- (Rmult_1_l z) at 1; apply Rmult_le_compat_r; lra).
-  assert (Lz : 18 * z <= L * z) by (apply Rmult_le_compat_r; lra).
-  assert (ZL : L * z <= K * (L * z)) by (rewrite <- (Rmult_1_l (L * z)) at 1; apply Rmult_le_compat_r; lra).
-  assert (Sum : 3 * (K * z) + 3 * (K * (L * z)) = e0) by (rewrite <- Ez; ring).
-  destruct (P h e Hh Ee) as (d1 & D1 & P1); destruct (two_least d1 (e / 2) ltac:(lra) ltac:(lra))
-    as (d & Hd & D2 & D3).
-  exists d; split; [lra|]; intros n mu x y [Hn HSn] Hmu Hx Hy.
-  assert (Time : forall x y, Rabs x <= h -> Rabs y <= h -> Rabs (mu * (y - x)) <= z).
-  { intros a b Ha Hb; apply (Rle_trans _ (e / 2 * (h + h))); [|lra]; apply product; [lra|].
-    pose proof (apart b a); lra. }
-  assert (Place : forall x, Rabs x <= h -> Rabs (place mu x - -1) <= z /\ Rabs (place mu x) <= 2).
-  { intros a Ha; destruct (P1 mu a a ltac:(lra) Ha Ha) as (_ & Q & _);
-      replace (place mu a - -1) with (place mu a + 1) by ring.
-    split; [lra|]; replace (place mu a) with (place mu a + 1 - 1) by ring.
-    pose proof (apart (place mu a + 1) 1) as A; rewrite Rabs_R1 in A; assert (/ K <= 1); [|lra].
-    rewrite <- Rinv_1; apply Rinv_le_contravar; lra. }
-  destruct (Place x Hx) as [Px Px2], (Place y Hy) as [Py Py2]; pose proof (Time x y Hx Hy) as Tx.
-  assert (T0 : Rabs 0 <= / K) by (rewrite Rabs_R0; lra).
-  destruct (two_legs c k m S V n_max K HK n (mu * (y - x)) 0 (place mu x) (place mu y) (-1) (-1) z) as (N & A & A');
-    trivial; try lra; [lia | rewrite Rminus_0_r; exact Tx|].
-  assert (Aft : Rabs (aft n mu x y - aft0 n) <= L * z) by exact A;
-    assert (Bef : Rabs (bef n mu x y - bef0 n) <= L * z) by exact A'.
-  split; [constructor|split].
-  - exact N.
-  - lra.
-  - lra.
-  - exact Px2.
-  - intros j Hj; unfold mid, mid0; assert (Sx : Rabs (- (mu * x) - 0) <= z).
-    { rewrite Rminus_0_r, Rabs_Ropp; pose proof (Time 0 x ltac:(rewrite Rabs_R0; lra) Hx) as Q.
-      rewrite Rminus_0_r in Q; exact Q. }
-    assert (S2 : Rabs (- (mu * x)) <= 2) by (rewrite Rminus_0_r in Sx; assert (/ K <= 1); [|lra];
-      rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
-    assert (Z2 : Rabs 0 <= 2) by (rewrite Rabs_R0; lra).
-    destruct (turned_bounds c k m S V n_max K HK e11 j (- (mu * x)) 0 ltac:(left;
-      reflexivity) Hj S2 Z2) as (_ & B1 & B2).
-    destruct (turned_bounds c k m S V n_max K HK S j (- (mu * x)) 0 ltac:(right; left;
-      reflexivity) Hj S2 Z2) as (B3 & _ & B4).
-    destruct (one_leg c k m S V n_max K HK n 0 0 1 (-1) (-1)) as (_ & B5 & _); trivial; try lia;
-      try (rewrite Rabs_left; lra).
-    change (aft_leg c m S V n 0 (-1) (-1)) with (aft0 n) in B5.
-    set (a := aft n mu x y) in *; set (t := - (mu * x)) in *.
-    replace (_ - _) with ((turned e11 j t - turned e11 j 0) * place mu x + turned e11 j 0 * (place mu x - -1) +
-      (turned S j t * (a - aft0 n) + (turned S j t - turned S j 0) * aft0 n)) by ring.
-    assert (Q : K * Rabs (t - 0) <= K * z) by (apply Rmult_le_compat_l; lra).
-    assert (Q2 : Rabs (turned e11 j t - turned e11 j 0) <= K * z) by lra.
-    assert (Q4 : Rabs (turned S j t - turned S j 0) <= K * z) by lra.
-    assert (Q5 : Rabs (aft0 n) <= L) by (unfold L; pose proof (pow_R1_Rle K 5 K1); lra).
-    pose proof (product _ _ _ _ Q2 Px2); pose proof (product _ _ _ _ B1 Px); pose proof (product _ _ _ _ B3 Aft).
-    pose proof (product _ _ _ _ Q4 Q5).
-    eapply Rle_trans; [apply Rabs_triang|]; eapply Rle_trans; [apply Rplus_le_compat; apply Rabs_triang|]; lra.
-  - destruct (P1 mu x x ltac:(lra) Hx Hx) as (_ & _ & _ & Q); lra.
-  - intros x' y' r Hx' Hy' Rx Ry; destruct (P1 mu x x' ltac:(lra) Hx Hx') as (Qx & _ & C & _).
-    destruct (P1 mu y y' ltac:(lra) Hy Hy') as (Qy & _).
-    assert (Hr : 0 <= r) by (eapply Rle_trans; [apply Rabs_pos | exact Rx]).
-    assert (e * Rabs (x - x') <= e * r) by (apply Rmult_le_compat_l; lra).
-    assert (e * Rabs (y - y') <= e * r) by (apply Rmult_le_compat_l; lra).
-    assert (Dt : Rabs (mu * (y - x) - mu * (y' - x')) <= e * r).
-    { replace (_ - _) with (mu * ((y - y') - (x - x'))) by ring; apply (Rle_trans _ (e / 2 * (r + r))); [|lra].
-      apply product; [lra|]; pose proof (apart (y - y') (x - x')); lra. }
-    destruct (two_legs c k m S V n_max K HK n (mu * (y - x)) (mu * (y' - x')) (place mu x) (place mu y)
-      (place mu x') (place mu y') (e * r)) as (_ & D & D'); trivial; try lra;
-        [lia | pose proof (Time x' y' Hx' Hy'); lra|].
-    fold L in D, D'; assert (L * (e * r) <= eps * r).
-    { rewrite <- Rmult_assoc; apply Rmult_le_compat_r; [exact Hr|].
-      apply (Rle_trans _ (L * z)); [apply Rmult_le_compat_l; lra | lra]. }
-    assert (e * r <= eps * r) by (apply Rmult_le_compat_r; lra).
-    unfold aft, bef; repeat split; lra.
+  intros Hz Hd HG [Hn HSn] Hx Hy Hx' Hy' Ex Ey w; unfold aft, bef.
+  assert (Pd : 0 <= d) by (eapply Rle_trans; [apply Rabs_pos | exact Hx]).
+  assert (P : forall p, Rabs p <= d -> Rabs (place mu p) <= w).
+  { intros p Hp; unfold place; eapply Rle_trans; [apply apart|]; rewrite Rabs_Ropp; apply Rplus_le_compat_l.
+    pose proof (HG p 0 Hp ltac:(rewrite Rabs_R0; exact Pd)) as H; rewrite (touch _ HO), !Rminus_0_r in H.
+    eapply Rle_trans; [exact H | apply Rmult_le_compat_l; lra]. }
+  assert (Q : forall p p', Rabs p <= d -> Rabs p' <= d -> Rabs (p - p') <= e ->
+    beside w (z * e) (place mu p) (place mu p')).
+  { intros p p' Hp Hp' He; repeat split; [apply P, Hp | apply P, Hp'|]; unfold place.
+    replace (_ - _) with (G mu p' - G mu p) by ring; rewrite Rabs_minus_sym.
+    eapply Rle_trans; [apply HG; assumption | apply Rmult_le_compat_l; lra]. }
+  apply (legs c k m S V n_max K HK); auto; try lia; try (eapply Rle_trans; [apply apart | lra]).
+  replace (_ - _) with ((y - y') - (x - x')) by ring; eapply Rle_trans; [apply apart | lra].
 Qed.
 
-(** ** The law: phases mu (x i) are those of a motion *)
-Definition law (n : Z -> nat) (mu : R) (x : Z -> R) : Prop := forall i, (1 + tau) * (G1 mu (mu * x i) / mu) =
+Record leg_near (n : nat) (eps mu x y : R) : Prop := {
+  near_S : turned S n (y - x) <> 0;
+  near_aft : Rabs (aft n mu x y - mu * aft0 n) <= eps * Rabs mu;
+  near_bef : Rabs (bef n mu x y - mu * bef0 n) <= eps * Rabs mu;
+  near_place : Rabs (place mu x) <= 2 * Rabs mu;
+  bound_aft : Rabs (aft n mu x y) <= 2 * L * Rabs mu;
+  near_mid : forall j, (j <= n_max)%nat -> Rabs (mid n j mu x y - mu * mid0 n j) <= eps * Rabs mu }.
+
+(** Legs between phases of the size of mu. *)
+Lemma legs_near h eps : 0 <= h -> 0 < eps -> exists d, 0 < d /\ forall n mu x y, regular n -> Rabs mu <= d ->
+  Rabs x <= h * Rabs mu -> Rabs y <= h * Rabs mu -> leg_near n eps mu x y.
+Proof.
+  intros Hh He; pose proof large as HL; pose proof (inverse_K c k m S V n_max K HK) as IK; assert (K1 := proj1 HK).
+  set (Q := 8 * K * L); assert (HQ : 0 < Q) by (apply Rmult_lt_0_compat; lra).
+  destruct (two_least (/ K / 2) (eps / Q) ltac:(lra) ltac:(apply Rdiv_lt_0_compat; lra)) as (z & Hz & Z1 & Z2).
+  apply (Rmult_le_compat_l Q) in Z2; [|lra]; replace (Q * (eps / Q)) with eps in Z2 by (field; lra).
+  set (q := z / (h + 1)); assert (Eq : q * (h + 1) = z) by (unfold q; field; lra).
+  assert (Pq : 0 < q) by (apply Rdiv_lt_0_compat; lra); destruct (flat O HO q Pq) as (d0 & D0 & F).
+  destruct (two_least (d0 / (h + 1)) q ltac:(apply Rdiv_lt_0_compat; lra) Pq) as (d & Hd & D1 & D2).
+  apply (Rmult_le_compat_r (h + 1)) in D1; [|lra]; replace (d0 / (h + 1) * (h + 1)) with d0 in D1 by (field; lra).
+  apply (Rmult_le_compat_r (h + 1)) in D2; [|lra]; assert (Hhd : 0 <= h * d) by (apply Rmult_le_pos; lra).
+  exists d; split; [exact Hd|]; intros n mu x y [Hn HSn] Hmu Hx Hy; pose proof (Rabs_pos mu) as Pm.
+  assert (hd : h * Rabs mu <= h * d) by (apply Rmult_le_compat_l; lra).
+  assert (small : forall p, Rabs p <= h * Rabs mu ->
+    Rabs p <= z /\ beside (2 * Rabs mu) (z * Rabs mu) (place mu p) (- mu)).
+  { intros p Hp; split; [lra|]; assert (A : Rabs (place mu p - - mu) <= z * Rabs mu).
+    { unfold place; replace (_ - _) with (- G mu p) by ring; rewrite Rabs_Ropp.
+      destruct (F mu p 0) as [A _]; [lra | lra | rewrite Rabs_R0; lra|]; rewrite (touch _ HO), !Rminus_0_r in A.
+      eapply Rle_trans; [exact A|]; apply (Rle_trans _ (q * (h * Rabs mu))); [apply Rmult_le_compat_l; lra|].
+      rewrite <- Eq, <- Rmult_assoc; apply Rmult_le_compat_r; lra. }
+    assert (z * Rabs mu <= 1 * Rabs mu) by (apply Rmult_le_compat_r; lra).
+    pose proof (from _ _ _ A) as B; rewrite Rabs_Ropp in B; repeat split; rewrite ?Rabs_Ropp; lra. }
+  destruct (small x Hx) as [Zx Bx], (small y Hy) as [Zy By].
+  assert (Ht : Rabs (y - x - 0) <= 2 * z) by (rewrite Rminus_0_r; eapply Rle_trans; [apply apart | lra]).
+  destruct (legs c k m S V n_max K HK n (y - x) 0 _ _ _ _ _ _ _ (proj2 Hn) HSn ltac:(rewrite Rminus_0_r in Ht; lra)
+    ltac:(rewrite Rabs_R0; lra) Ht Bx By) as (N & A & B).
+  assert (Ea : aft_leg c m S V n 0 (- mu) (- mu) = mu * aft0 n).
+  { unfold OscillatorTurns.aft0, aft_leg, aft_of, Rdiv; ring. }
+  assert (Eb : bef_leg c k m S V n 0 (- mu) (- mu) = mu * bef0 n).
+  { unfold OscillatorTurns.bef0, bef_leg, bef_of, aft_of, Rdiv; ring. }
+  rewrite Ea in A; rewrite Eb in B.
+  assert (Small : 5 * (L * (z * Rabs mu)) <= eps * Rabs mu /\ K * (3 * (z * Rabs mu) + 7 * (L * (z * Rabs mu))) <=
+    eps * Rabs mu).
+  { assert (0 <= z * Rabs mu) as Pz by (apply Rmult_le_pos; lra); assert (P6 := Rmult_le_compat_r _ _ _ Pz HL).
+    assert (Q * (z * Rabs mu) <= eps * Rabs mu) as PQ by (rewrite <- Rmult_assoc; apply Rmult_le_compat_r; lra).
+    assert (1 * (L * (z * Rabs mu)) <= K * (L * (z * Rabs mu))) by (apply Rmult_le_compat_r; lra).
+    assert (K * (6 * (z * Rabs mu)) <= K * (L * (z * Rabs mu))) by (apply Rmult_le_compat_l; lra).
+    unfold Q in PQ; lra. }
+  constructor.
+  - exact N.
+  - destruct A as (_ & _ & A); eapply Rle_trans; [exact A | lra].
+  - destruct B as (_ & _ & B); eapply Rle_trans; [exact B | lra].
+  - apply Bx.
+  - eapply Rle_trans; [apply A | lra].
+  - intros j Hj; assert (E : forall f, entry c k S V f -> beside K (K * z) (turned f j (- x)) (turned f j 0)).
+    { intros f Hf; apply (turned_beside c k m S V n_max K HK); trivial; rewrite ?Rminus_0_r, ?Rabs_Ropp, ?Rabs_R0;
+        lra. }
+    pose proof (beside_plus _ _ _ _ _ _ _ _ (beside_times _ _ _ _ _ _ _ _ (E e11 ltac:(left; reflexivity)) Bx)
+      (beside_times _ _ _ _ _ _ _ _ (E S ltac:(right; left; reflexivity)) A)) as (_ & _ & M).
+    unfold mid, mid0; fold (aft n mu x y) in M.
+    replace (mu * _) with (turned e11 j 0 * - mu + turned S j 0 * (mu * aft0 n)) by ring.
+    eapply Rle_trans; [exact M | lra].
+Qed.
+
+(** ** The law: phases x i are those of a motion *)
+Definition law (n : Z -> nat) (mu : R) (x : Z -> R) : Prop := forall i, (1 + tau) * G1 mu (x i) =
   - (aft (n i) mu (x i) (x (i + 1)%Z) + tau * bef (n (i - 1)%Z) mu (x (i - 1)%Z) (x i)).
-Definition next (n : Z -> nat) (mu : R) (x : Z -> R) (i : Z) : R := chord mu (x i) -
+Definition next (n : Z -> nat) (mu : R) (x : Z -> R) (i : Z) : R := newton mu (x i) -
   (aft (n i) mu (x i) (x (i + 1)%Z) + tau * bef (n (i - 1)%Z) mu (x (i - 1)%Z) (x i)) / ((1 + tau) * g).
 
 Lemma law_fixed n mu x : law n mu x <-> forall i, next n mu x i = x i.
 Proof.
-  pose proof (g_pos O HO) as P; unfold law, next, OscillatorStop.chord.
-  assert (E : forall f s y, y - f / g - s / ((1 + tau) * g) - y = - ((1 + tau) * f + s) / ((1 + tau) * g))
+  pose proof (g_pos O HO) as P; assert (N : 0 < (1 + tau) * g) by (apply Rmult_lt_0_compat; lra).
+  assert (E : forall f s y, y - / g * f - s / ((1 + tau) * g) = y - ((1 + tau) * f + s) * / ((1 + tau) * g))
     by (intros; field; lra).
-  assert (N : 0 < (1 + tau) * g) by (apply Rmult_lt_0_compat; lra).
-  split; intros H i; specialize (H i).
-  - apply Rminus_diag_uniq; rewrite E, H; field; lra.
-  - apply Rminus_diag_eq in H; rewrite E in H; apply (f_equal (fun y => y * ((1 + tau) * g))) in H.
-    unfold Rdiv in H; rewrite Rmult_assoc, Rinv_l in H; lra.
+  unfold law, next, OscillatorStop.newton; split; intros H i; specialize (H i); rewrite E in *.
+  - rewrite H; ring.
+  - assert (Z : ((1 + tau) * G1 mu (x i) + (aft (n i) mu (x i) (x (i + 1)%Z) +
+      tau * bef (n (i - 1)%Z) mu (x (i - 1)%Z) (x i))) * / ((1 + tau) * g) = 0) by lra.
+    apply Rmult_integral in Z; pose proof (Rinv_0_lt_compat _ N); lra.
 Qed.
 
 Lemma weigh a b A : Rabs a <= A -> Rabs b <= A -> Rabs ((a + tau * b) / ((1 + tau) * g)) <= A / g.
 Proof.
   intros Ha Hb; pose proof (g_pos O HO) as P; assert (N : 0 < (1 + tau) * g) by (apply Rmult_lt_0_compat; lra).
-  unfold Rdiv at 1; rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq ((1 + tau) * g)) by lra.
-  apply (Rle_trans _ (((1 + tau) * A) * / ((1 + tau) * g))); [|right; field; lra].
-  apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, N|].
-  eapply Rle_trans; [apply Rabs_triang|]; rewrite Rabs_mult, (Rabs_pos_eq tau) by lra.
-  assert (tau * Rabs b <= tau * A) by (apply Rmult_le_compat_l; lra); lra.
+  replace (A / g) with ((1 + tau) * A * / ((1 + tau) * g)) by (field; lra); apply product.
+  - eapply Rle_trans; [apply Rabs_triang|]; pose proof (product tau b _ _ (Rle_refl _) Hb) as Q.
+    rewrite (Rabs_pos_eq tau) in Q by exact Htau; lra.
+  - pose proof (Rinv_0_lt_compat _ N); rewrite Rabs_pos_eq; lra.
 Qed.
 
-Lemma same x : Rabs (x - x) <= 0.
-Proof. rewrite Rminus_eq_0, Rabs_R0; lra. Qed.
-
-Theorem one_solution : exists h0, 0 <= h0 /\ forall h, h0 <= h -> exists d, 0 < d <= 1 /\ forall n mu,
-  (forall i, regular (n i)) -> 0 < Rabs mu <= d -> exists x, (forall i, Rabs (x i) <= h) /\ law n mu x /\
-  forall x', (forall i, Rabs (x' i) <= h) -> law n mu x' -> forall i, x' i = x i.
+(** One d for all words and mu, and the phases have the size of mu. *)
+Theorem one_solution : exists d mu0 C, 0 < d <= 1 /\ 2 * d <= / K /\ 0 < mu0 /\ 0 <= C /\ forall n mu,
+  (forall i, regular (n i)) -> Rabs mu <= mu0 -> exists x, (forall i, Rabs (x i) <= C * Rabs mu) /\ law n mu x /\
+  forall x', (forall i, Rabs (x' i) <= d) -> law n mu x' -> forall i, x' i = x i.
 Proof.
-  pose proof (g_pos O HO) as P; destruct legs_near as (B & HB & Near).
-  assert (K1 : 1 <= K) by apply HK; pose proof (pow_R1_Rle K 5 K1) as K5;
-    assert (Pi : 0 < / g) by (apply Rinv_0_lt_compat, P).
-  set (M := 6 * K ^ 5); assert (Mg : 0 <= (M + 1) / g) by (apply Rmult_le_pos; unfold M; lra).
-  assert (HM : forall n, regular n -> Rabs (aft0 n) <= M /\ Rabs (bef0 n) <= M).
-  { intros n [Hn HSn]; destruct (one_leg c k m S V n_max K HK n 0 0 1 (-1) (-1)) as (_ & A & A' & _); trivial;
-      try lia;
-      try (rewrite ?Rabs_R0, ?Rabs_Ropp, ?Rabs_R1; (lra || left; apply Rinv_0_lt_compat; lra));
-      try (rewrite Rabs_left; lra).
-    fold M in A, A'; rewrite Rmult_1_r in A, A'; split; assumption. }
-  exists (B + (M + 1) / g + 1); split; [lra|]; intros h Hh.
-  destruct (two_least (1 / 4) (g / 4) ltac:(lra) ltac:(lra)) as (eps & He & He1 & He2).
-  destruct (Near h eps ltac:(lra) He) as (d & Hd & Leg); exists d; split; [exact Hd|]; intros n mu Hn Hmu.
-  assert (Heg : eps / g <= 1 / 4) by (apply (Rmult_le_reg_r g); [exact P|]; unfold Rdiv at 1;
-    rewrite Rmult_assoc, Rinv_l; lra).
-  set (lo := fun _ : Z => - h); set (hi := fun _ : Z => h).
-  assert (small : forall x, inside lo hi x <-> forall i, Rabs (x i) <= h).
-  { intros x; unfold inside, lo, hi; split; intros H j; specialize (H j); [apply Rabs_le; lra | apply le_abs, H]. }
-  destruct (one_fixed_point lo hi (fun _ => 1) (next n mu) (1 / 2) (2 * h)) as (x & I & F & U).
-  - intros i; unfold lo, hi; lra.
-  - intros; lra.
+  pose proof (g_pos O HO) as P; destruct (steady_with O HO) as (B & HB & St); pose proof large as HL.
+  pose proof (inverse_K c k m S V n_max K HK) as IK; pose proof (Rinv_0_lt_compat _ P) as Pi.
+  set (Q := 20 * L); assert (HQ : 0 < Q) by (unfold Q; lra).
+  destruct (two_least (1 / 4) (g / Q) ltac:(lra) ltac:(apply Rdiv_lt_0_compat; lra)) as (z & Hz & Z1 & Z2).
+  apply (Rmult_le_compat_l Q) in Z2; [|lra]; replace (Q * (g / Q)) with g in Z2 by (field; lra).
+  destruct (flat O HO z Hz) as (d0 & D0 & F), (two_least d0 (/ K / 2) ltac:(lra) ltac:(lra)) as (d & Hd & D1 & D2).
+  set (C := (B + L) / g); assert (HC : 0 <= C) by (apply Rmult_le_pos; lra).
+  destruct (two_least d z Hd Hz) as (d1 & E1 & E2 & E3).
+  destruct (two_least d1 (d / (2 * (C + 1))) E1 ltac:(apply Rdiv_lt_0_compat; lra)) as (mu0 & M0 & M1 & M2).
+  apply (Rmult_le_compat_l (2 * (C + 1))) in M2; [|lra].
+  replace (2 * (C + 1) * (d / (2 * (C + 1)))) with d in M2 by (field; lra).
+  exists d, mu0, (2 * C); repeat (split; [lra|]); intros n mu Hn Hmu; pose proof (Rabs_pos mu) as Pm.
+  assert (Cd : C * Rabs mu <= C * mu0) by (apply Rmult_le_compat_l; lra).
+  assert (Leg : forall n x y x' y' e, regular n -> Rabs x <= d -> Rabs y <= d -> Rabs x' <= d -> Rabs y' <= d ->
+    Rabs (x - x') <= e -> Rabs (y - y') <= e -> Rabs (aft n mu x y - aft n mu x' y') <= g / 4 * e /\
+    Rabs (bef n mu x y - bef n mu x' y') <= g / 4 * e).
+  { intros j x y x' y' e Hj Hx Hy Hx' Hy' Ex Ey; assert (Pe : 0 <= e) by (eapply Rle_trans;
+      [apply Rabs_pos | exact Ex]).
+    destruct (legs_beside z d mu j x y x' y' e) as (_ & (_ & _ & A) & (_ & _ & A')); trivial; try lra.
+    { intros p p' Hp Hp'; apply F; lra. }
+    assert (zd : z * d <= z * 1) by (apply Rmult_le_compat_l; lra).
+    assert ((Rabs mu + z * d) * (2 * e) <= 2 * z * (2 * e)) by (apply Rmult_le_compat_r; lra).
+    assert (L * ((Rabs mu + z * d) * (2 * e) + z * e) <= L * (5 * (z * e))) by (apply Rmult_le_compat_l; lra).
+    assert (Q * z * e <= g * e) as PQ by (apply Rmult_le_compat_r; lra); unfold Q in PQ; lra. }
+  assert (Start : forall i, Rabs (next n mu (fun _ => 0) i) <= C * Rabs mu).
+  { intros i; unfold next; assert (A : forall n, regular n ->
+      Rabs (aft n mu 0 0) <= L * Rabs mu /\ Rabs (bef n mu 0 0) <= L * Rabs mu).
+    { intros j [Hj HSj]; assert (E : beside (Rabs mu) 0 (place mu 0) (place mu 0)).
+      { unfold place; rewrite (touch _ HO), Rminus_0_r, <- (Rabs_Ropp mu); repeat split; try lra; apply same; lra. }
+      destruct (legs c k m S V n_max K HK j (0 - 0) (0 - 0) _ _ _ _ _ _ 0 (proj2 Hj) HSj ltac:(apply same; lra)
+        ltac:(apply same; lra) ltac:(apply same; lra) E E) as (_ & A & A'); split; [apply A | apply A']. }
+    pose proof (weigh _ _ _ (proj1 (A _ (Hn i))) (proj2 (A _ (Hn (i - 1)%Z)))) as W; eapply Rle_trans; [apply apart|].
+    destruct (St mu 0 ltac:(lra)) as (_ & S1 & _); rewrite (G1_0 O HO), Rminus_0_r in S1.
+    unfold OscillatorStop.newton; replace (0 - / g * G1 mu 0) with (- / g * G1 mu 0) by ring.
+    pose proof (product (- / g) _ _ _ (Rle_refl _) S1) as N; rewrite Rabs_Ropp, (Rabs_pos_eq (/ g)) in N by lra.
+    replace (C * Rabs mu) with (/ g * (B * Rabs mu) + L * Rabs mu / g) by (unfold C; field; lra); lra. }
+  pose proof (contraction Z (fun _ => True) (next n mu) d) as H; cbv zeta in H; destruct H as (x & Hx & Fx & U).
   - lra.
-  - unfold lo, hi; split; [lra | intros; lra].
-  - intros x I; rewrite small in *; intros i; unfold next.
-    destruct (Leg (n i) mu (x i) (x (i + 1)%Z) (Hn i) Hmu (I i) (I (i + 1)%Z)) as ([_ A _ _ _] & C & _).
-    destruct (Leg (n (i - 1)%Z) mu (x (i - 1)%Z) (x i) (Hn _) Hmu (I _) (I _)) as ([_ _ A' _ _] & _).
-    apply from in A, A'; pose proof (HM _ (Hn i)); pose proof (HM _ (Hn (i - 1)%Z)).
-    eapply Rle_trans; [apply apart|].
-    pose proof (weigh (aft (n i) mu (x i) (x (i + 1)%Z)) (bef (n (i - 1)%Z) mu (x (i - 1)%Z) (x i)) (M + 1)
-      ltac:(lra) ltac:(lra)); lra.
-  - intros r x x' Hr I I' D i; rewrite small in I, I'.
-    assert (D' : forall i, Rabs (x i - x' i) <= r) by (intros j; specialize (D j); lra).
-    destruct (Leg (n i) mu (x i) (x (i + 1)%Z) (Hn i) Hmu (I i) (I _)) as (_ & _ & Q).
-    destruct (Q (x' i) (x' (i + 1)%Z) r) as (A & _ & C); auto.
-    destruct (Leg (n (i - 1)%Z) mu (x (i - 1)%Z) (x i) (Hn _) Hmu (I _) (I _)) as (_ & _ & Q').
-    destruct (Q' (x' (i - 1)%Z) (x' i) r) as (_ & A' & _); auto.
+  - intros e y y' Hy Hy' He i _; assert (Pe : 0 <= e) by (eapply Rle_trans;
+      [apply Rabs_pos | exact (He 0%Z Logic.I)]).
+    assert (near : forall y, near Z (fun _ => True) d y (fun _ => 0) -> forall j, Rabs (y j) <= d)
+      by (intros s Hs j; specialize (Hs j Logic.I); rewrite Rminus_0_r in Hs; exact Hs).
+    specialize (near _ Hy) as N; specialize (near _ Hy') as N'; assert (D : forall j, Rabs (y j - y' j) <= e) by auto.
+    destruct (Leg (n i) _ _ _ _ e (Hn i) (N i) (N (i + 1)%Z) (N' i) (N' (i + 1)%Z) (D _) (D _)) as [A _].
+    destruct (Leg (n (i - 1)%Z) _ _ _ _ e (Hn _) (N (i - 1)%Z) (N i) (N' (i - 1)%Z) (N' i) (D _) (D _)) as [_ A'].
+    destruct (F mu (y i) (y' i)) as [_ Nw]; [lra | eapply Rle_trans; [apply N | lra] |
+      eapply Rle_trans; [apply N' | lra] |].
     pose proof (weigh _ _ _ A A') as W; unfold next.
-    match goal with |- Rabs (?e - ?f / ?q - (?e' - ?f' / _)) <= _ =>
-      replace (e - f / q - (e' - f' / q)) with ((e - e') - ((f - f') / q)) by (unfold Rdiv; ring) end.
-    eapply Rle_trans; [apply apart|].
-    match type of W with Rabs (?f / _) <= _ => match goal with |- _ + Rabs (?f' / _)
-      <= _ => replace f' with f by ring end end.
-    assert (eps * r / g <= 1 / 4 * r).
-    { replace (eps * r / g) with (eps / g * r) by (field; lra); apply Rmult_le_compat_r; lra. }
-    assert (eps * r <= 1 / 4 * r) by (apply Rmult_le_compat_r; lra); lra.
-  - exists x; split; [exact (proj1 (small x) I)|]; split; [apply law_fixed, F|].
-    intros x' I' L'; apply U; [exact (proj2 (small x') I') | apply law_fixed, L'].
+    match type of W with Rabs ((?a - ?a' + tau * (?b - ?b')) / ?q) <= _ => match goal with |- Rabs (?f - _ - (?f' -
+      _)) <= _ =>
+      replace (f - _ - (f' - _)) with (f - f' - (a - a' + tau * (b - b')) / q) by (unfold Rdiv; ring) end end.
+    eapply Rle_trans; [apply apart|]; assert (z * Rabs (y i - y' i) <= 1 / 4 * e)
+      by (apply Rmult_le_compat; [lra | apply Rabs_pos | exact Z1 | apply D]).
+    replace (g / 4 * e / g) with (e / 4) in W by (field; lra); lra.
+  - intros i _; rewrite Rminus_0_r; specialize (Start i); lra.
+  - exists x; split; [|split; [apply law_fixed; auto|]].
+    + intros i; specialize (U (fun _ => 0) (C * Rabs mu)); unfold near in U.
+      rewrite <- (Rminus_0_r (x i)), Rmult_assoc; apply U; [intros; apply same; lra | | exact Logic.I].
+      intros j _; rewrite Rminus_0_r; apply Start.
+    + intros x' Hx' L' i; rewrite law_fixed in L'; symmetry; apply Rminus_diag_uniq, Rabs_zero.
+      rewrite <- (Rmult_0_r 2); apply (U x' 0); [|intros j _; rewrite L'; apply same; lra | exact Logic.I].
+      intros j _; rewrite Rminus_0_r; apply Hx'.
 Qed.
 
 (** ** What a motion says about its phases, whatever they are *)
 Definition phase (N : Z -> Z) (t : Z -> R) (i : Z) : R := t i - T * IZR (N i).
 
-Lemma motion_leg mu d N n t q v i : motion O m mu d N t q v -> N (i + 1)%Z = (N i + Z.of_nat n)%Z ->
-  let p j := phase N t j in let W j := - mu - G mu (p j) in
-  let a := facing m (N i) * v i (t i) in let a' := facing m (N (i + 1)%Z) * v (i + 1)%Z (t (i + 1)%Z) in
-  let b := facing m (N (i + 1)%Z) * v i (t (i + 1)%Z) in
-  let s := p (i + 1)%Z - p i in
-  Rabs (p i) <= d /\ q i (t i) = facing m (N i) * W i /\
-  W (i + 1)%Z = turned e11 n s * W i + turned S n s * a /\ b = turned (e21 k S) n s * W i + turned V n s * a /\
-  b + G1 mu (p (i + 1)%Z) < 0 /\ a' + G1 mu (p (i + 1)%Z) = - tau * (b + G1 mu (p (i + 1)%Z)).
+Section Motion.
+Variables (mu d : R) (N : Z -> Z) (n : Z -> nat) (t : Z -> R) (q v : Z -> R -> R).
+Hypothesis HM : motion O m mu d N t q v.
+Hypothesis Hd : 2 * d <= / K.
+Hypothesis HN : forall i, N (i + 1)%Z = (N i + Z.of_nat (n i))%Z /\ regular (n i).
+Let x := phase N t.
+Let a i := aft (n i) mu (x i) (x (i + 1)%Z).
+Let b i := bef (n i) mu (x i) (x (i + 1)%Z).
+
+Lemma motion_leg i : Rabs (x i) <= d /\ q i (t i) = facing m (N i) * place mu (x i) /\
+  v i (t i) = facing m (N i) * a i /\ facing m (N (i + 1)%Z) * v i (t (i + 1)%Z) = b i.
 Proof.
-  intros H HN p W a a' b s; destruct (H i _ eq_refl) as (Hf & Hd & _ & Q0 & Q1 & _ & V1 & V2).
+  assert (Ph : forall j, Rabs (x j) <= d) by (intros j; apply (HM j _ eq_refl)).
+  destruct (HM i _ eq_refl) as (Hf & _ & _ & Q0 & Q1 & _), (HN i) as (E & Hn & HSn); split; [apply Ph|].
   destruct (free_moved c k S V HS _ _ (t i) (t (i + 1)%Z) Hf) as [A B]; unfold moved, moving in A, B.
-  unfold gap in Q0, Q1; unfold speed in V1, V2; fold (phase N t i) (phase N t (i + 1)%Z) in Q0, Q1, V1, V2;
-    fold (p i) (p (i + 1)%Z) in Q0, Q1, V1, V2.
-  assert (ET : t (i + 1)%Z - t i = T * INR n + s).
-  { unfold s, p, phase; rewrite HN, plus_IZR, <- INR_IZR_INZ; ring. }
-  rewrite ET in A, B; pose proof (side_square m (N i)) as Sq.
-  assert (E0 : q i (t i) = facing m (N i) * W i).
-  { replace (W i) with (facing m (N i) * q i (t i)) by (unfold W; lra); rewrite <- Rmult_assoc, Sq; ring. }
-  rewrite E0 in A, B; rewrite HN, facing_plus in *.
-  assert (Ea : v i (t i) = facing m (N i) * a) by (unfold a; rewrite <- Rmult_assoc, Sq; ring).
-  rewrite Ea in A, B; unfold OscillatorTurns.turned.
-  set (si := facing m (N i)) in *; set (sn := facing m (Z.of_nat n)) in *.
-  assert (out : forall f f' y z, si * sn * (f * (si * y) + f' * (si * z)) = sn * f * y + sn * f' * z).
-  { intros f f' y z; replace (si * sn * _) with (si * si * (sn * f * y + sn * f' * z)) by ring; rewrite Sq; ring. }
-  split; [exact Hd|]; split; [exact E0|]; split; [|split; [|split]].
-  - rewrite <- out, <- A; unfold W; lra.
-  - rewrite <- out, <- B; unfold b; rewrite HN, facing_plus; reflexivity.
-  - unfold b; rewrite HN, facing_plus; exact V1.
-  - unfold a', b; rewrite HN, facing_plus; exact V2.
+  unfold gap in Q0, Q1; fold (phase N t i) (phase N t (i + 1)%Z) in Q0, Q1; fold x in Q0, Q1.
+  assert (ET : t (i + 1)%Z - t i = T * INR (n i) + (x (i + 1)%Z - x i)).
+  { unfold x, phase; rewrite E, plus_IZR, <- INR_IZR_INZ; ring. }
+  set (s := x (i + 1)%Z - x i) in *; assert (NS : turned S (n i) s <> 0).
+  { intros Z; pose proof (proj2 (proj2 HK) (n i) s (proj2 Hn) HSn) as P; rewrite Z, Rabs_R0 in P.
+    pose proof (inverse_K c k m S V n_max K HK); pose proof (Ph i); pose proof (Ph (i + 1)%Z);
+      pose proof (apart (x (i + 1)%Z) (x i)) as Q; fold s in P, Q; lra. }
+  set (f := facing m (N i)) in *; assert (Sq : f * f = 1) by apply side_square.
+  assert (E0 : q i (t i) = f * place mu (x i)).
+  { replace (place mu (x i)) with (f * q i (t i)) by (unfold place; lra); rewrite <- Rmult_assoc, Sq; ring. }
+  rewrite E, facing_plus in Q1 |- *; fold f in Q1 |- *; set (h := facing m (Z.of_nat (n i))) in *.
+  rewrite ET, E0 in A, B.
+  assert (out : forall y y' z z', f * h * (y * (f * z) + y' * z') = h * y * z + h * y' * (f * z')).
+  { intros; replace (_ * (_ + _)) with (f * f * (h * y * z) + h * y' * (f * z')) by ring; rewrite Sq; ring. }
+  assert (Ea : f * v i (t i) = a i).
+  { unfold a, aft, aft_leg, aft_of; fold s; apply (Rmult_eq_reg_r (turned S (n i) s)); [|exact NS].
+    unfold Rdiv; rewrite (Rmult_assoc _ (/ _)), Rinv_l by exact NS.
+    replace (place mu (x (i + 1)%Z)) with (f * h * q i (t (i + 1)%Z)) by (unfold place; lra).
+    rewrite A, out; unfold OscillatorTurns.turned; fold h; ring. }
+  split; [exact E0|]; split; [rewrite <- Ea, <- Rmult_assoc, Sq; ring|]; unfold b, bef, bef_leg, bef_of; fold s.
+  change (aft_of _ _ _ _) with (a i); rewrite <- Ea, B, out; reflexivity.
 Qed.
 
-Lemma phases_small : exists d C, 0 < d /\ 0 <= C /\ forall mu N n t q v, Rabs mu <= 1 ->
-  (forall i, N (i + 1)%Z = (N i + Z.of_nat (n i))%Z /\ regular (n i)) ->
-  motion O m mu d N t q v -> forall i, Rabs (phase N t i) <= C * Rabs mu.
+Lemma motion_law : law n mu x /\ forall i, b i < a (i + 1)%Z.
 Proof.
-  pose proof (g_pos O HO) as P; destruct (steady_with O HO) as (B & HB & St).
-  assert (K1 : 1 <= K) by apply HK; pose proof (pow_R1_Rle K 5 K1) as K5;
-    assert (IK : 0 < / K) by (apply Rinv_0_lt_compat; lra).
-  set (L := 6 * K ^ 5); assert (HL : 6 <= L) by (unfold L; lra).
-  assert (HG4 : 0 < g / (4 * L)) by (apply Rdiv_lt_0_compat; lra).
-  assert (G0 : 0 < 2 / g) by (apply Rdiv_lt_0_compat; lra).
-  destruct (near_top O HO (g / (4 * L)) HG4) as (d1 & H1 & Near).
-  destruct (two_least (/ K / 2) d1 ltac:(lra) H1) as (d & Hd & Hd1 & Hd2).
-  set (C := 2 * (2 / g * (L * (1 + B) + B))); assert (C0 : 0 <= C).
-  { unfold C; repeat apply Rmult_le_pos; try lra; apply Rplus_le_le_0_compat; [apply Rmult_le_pos|]; lra. }
-  exists d, C; split; [exact Hd|]; split; [exact C0|].
-  intros mu N n t q v Hmu Hn HM; set (p := phase N t) in *.
-  assert (Le : forall j, Rabs (p j) <= d) by (intros j; apply (motion_leg mu d N (n j) t q v j HM), Hn).
-  assert (Step : forall D, (forall j, Rabs (p j) <= D) -> forall i, Rabs (p i) <= C / 2 * Rabs mu + D / 2).
-  { intros D HD i; set (w := (1 + B) * Rabs mu + g / (4 * L) * D).
-    assert (HW : forall j, Rabs (- mu - G mu (p j)) <= w).
-    { intros j; eapply Rle_trans; [apply apart|]; rewrite Rabs_Ropp; destruct (St mu (p j) Hmu) as (S0 & _).
-      apply from in S0; destruct (Near (p j) ltac:(specialize (Le j); lra)) as [Q _].
-      assert (g / (4 * L) * Rabs (p j) <= g / (4 * L) * D) by (apply Rmult_le_compat_l; [lra | apply HD]);
-        unfold w; lra. }
-    assert (Leg : forall j, Rabs (facing m (N j) * v j (t j)) <= L * w /\
-      Rabs (facing m (N (j + 1)%Z) * v j (t (j + 1)%Z)) <= L * w).
-    { intros j; destruct (Hn j) as (HN & Hj & HSj).
-      destruct (motion_leg mu d N (n j) t q v j HM HN) as (_ & _ & X & Y & _); fold p in X, Y.
-      assert (Hs : Rabs (p (j + 1)%Z - p j) <= / K).
-      { eapply Rle_trans; [apply apart|]; pose proof (Le j); pose proof (Le (j + 1)%Z); lra. }
-      destruct (one_leg c k m S V n_max K HK (n j) _ _ w _ _ (proj2 Hj) HSj Hs Hs (HW j) (HW (j + 1)%Z))
-        as (NS & A & A' & _).
-      fold L in A, A'; set (a := facing m (N j) * v j (t j)) in *.
-      assert (Ea : aft_leg c m S V (n j) (p (j + 1)%Z - p j) (- mu - G mu (p j)) (- mu - G mu (p (j + 1)%Z)) = a).
-      { unfold aft_leg, aft_of; rewrite X; field; exact NS. }
-      rewrite Ea in A; split; [exact A|]; rewrite Y.
-      unfold bef_leg, bef_of in A'; change (aft_of _ _ _ _) with (aft_leg c m S V (n j) (p (j + 1)%Z - p j)
-        (- mu - G mu (p j)) (- mu - G mu (p (j + 1)%Z))) in A'; rewrite Ea in A'; exact A'. }
-    replace i with (i - 1 + 1)%Z by lia; set (j := (i - 1)%Z).
-    destruct (motion_leg mu d N (n j) t q v j HM (proj1 (Hn j))) as (_ & _ & _ & _ & _ & Law); fold p in Law.
-    destruct (Leg j) as [_ LB], (Leg (j + 1)%Z) as [LA _].
-    set (x := p (j + 1)%Z) in *; set (a := facing m (N (j + 1)%Z) * v (j + 1)%Z _) in *;
-      set (b := facing m _ * v j _) in *.
-    assert (X : Rabs (G1 mu x) <= L * w).
-    { apply (Rmult_le_reg_l (1 + tau)); [lra|]; rewrite <- (Rabs_pos_eq (1 + tau)) at 1 by lra; rewrite <- Rabs_mult.
-      replace ((1 + tau) * G1 mu x) with (- a - tau * b) by lra; eapply Rle_trans; [apply apart|].
-      rewrite Rabs_Ropp, Rabs_mult, (Rabs_pos_eq tau) by lra.
-      assert (tau * Rabs b <= tau * (L * w)) by (apply Rmult_le_compat_l; lra); lra. }
-    destruct (Near x) as [_ N2]; [unfold x; specialize (Le (j + 1)%Z); lra|].
-    destruct (St mu x Hmu) as (_ & S1 & _); rewrite Rabs_minus_sym in S1; apply from in S1.
-    apply (Rle_trans _ (2 / g * (L * w + B * Rabs mu))).
-    - eapply Rle_trans; [exact N2|]; apply Rmult_le_compat_l; lra.
-    - right; unfold w, C; field; lra. }
-  intros i; apply (squeeze _ _ d); intros j; revert i; induction j as [|j IH]; intros i.
-  - cbn [pow]; rewrite div_1; specialize (Le i); assert (0 <= C * Rabs mu) by (apply Rmult_le_pos;
-      [exact C0 | apply Rabs_pos]); lra.
-  - eapply Rle_trans; [apply (Step _ IH)|]; right; cbn [pow]; field; apply pow_nonzero; lra.
+  assert (Imp : forall i, b i + G1 mu (x (i + 1)%Z) < 0 /\
+    a (i + 1)%Z + G1 mu (x (i + 1)%Z) = - tau * (b i + G1 mu (x (i + 1)%Z))).
+  { intros i; destruct (HM i _ eq_refl) as (_ & _ & _ & _ & _ & _ & V1 & V2); unfold speed in V1, V2.
+    destruct (motion_leg i) as (_ & _ & _ & B), (motion_leg (i + 1)) as (_ & _ & A & _).
+    rewrite A, <- Rmult_assoc, side_square, Rmult_1_l, B in V2; rewrite B in V1; auto. }
+  split; intros i.
+  - destruct (Imp (i - 1)%Z) as [_ E]; unfold a, b in E; replace (i - 1 + 1)%Z with i in E by lia; lra.
+  - destruct (Imp i) as [A E]; pose proof (Rmult_le_compat_l tau _ 0 Htau (Rlt_le _ _ A)); lra.
 Qed.
+End Motion.
 End Law.

@@ -22,55 +22,31 @@ Proof. pose proof PI2_3_2; destruct m; cbn [turn]; lra. Qed.
 Definition aft_of f11 f12 x y : R := (y - f11 * x) / f12.
 Definition bef_of f11 f12 f21 f22 x y : R := f21 * x + f22 * aft_of f11 f12 x y.
 
-Lemma leg_bounds K d w x y f11 f12 f21 f22 g11 g12 g21 g22 : 1 <= K -> 0 <= d -> Rabs x <= w -> Rabs y <= w ->
-  (forall f g, f = f11 /\ g = g11 \/ f = f12 /\ g = g12 \/ f = f21 /\ g = g21 \/ f = f22 /\ g = g22 ->
-   Rabs f <= K /\ Rabs g <= K /\ Rabs (f - g) <= K * d) -> / K <= Rabs f12 -> / K <= Rabs g12 ->
-  let L := 6 * K ^ 5 in Rabs (aft_of f11 f12 x y) <= L * w /\ Rabs (bef_of f11 f12 f21 f22 x y) <= L * w /\
-  Rabs (aft_of f11 f12 x y - aft_of g11 g12 x y) <= L * w * d /\
-  Rabs (bef_of f11 f12 f21 f22 x y - bef_of g11 g12 g21 g22 x y) <= L * w * d.
+(** |f|, |g| <= B and |f - g| <= e. *)
+Definition beside (B e f g : R) : Prop := Rabs f <= B /\ Rabs g <= B /\ Rabs (f - g) <= e.
+Lemma beside_plus B e f g B' e' f' g' : beside B e f g -> beside B' e' f' g' ->
+  beside (B + B') (e + e') (f + f') (g + g').
 Proof.
-  intros HK Hd Hx Hy HF H1 H2 L.
-  destruct (HF f11 g11 ltac:(auto)) as (F11 & G11 & D11), (HF f12 g12 ltac:(auto)) as (F12 & G12 & D12),
-    (HF f21 g21 ltac:(auto)) as (F21 & G21 & D21), (HF f22 g22 ltac:(auto 6)) as (F22 & G22 & D22).
-  assert (IK : 0 < / K) by (apply Rinv_0_lt_compat; lra).
-  assert (N1 : f12 <> 0) by (intros E; rewrite E, Rabs_R0 in H1; lra).
-  assert (N2 : g12 <> 0) by (intros E; rewrite E, Rabs_R0 in H2; lra).
-  assert (inv : forall f, / K <= Rabs f -> Rabs (/ f) <= K).
-  { intros f H; rewrite Rabs_inv, <- (Rinv_inv K); apply Rinv_le_contravar; assumption. }
-  apply inv in H1; apply inv in H2.
-  assert (Hw : 0 <= w) by (eapply Rle_trans; [apply Rabs_pos | exact Hx]).
-  assert (up : forall z, 0 <= z -> z <= K * z) by (intros z Hz; rewrite <- (Rmult_1_l z) at 1;
-    apply Rmult_le_compat_r; lra).
-  assert (pos : forall z, 0 <= z -> 0 <= K * z) by (intros; apply Rmult_le_pos; lra).
-  set (a := aft_of f11 f12 x y); set (a' := aft_of g11 g12 x y).
-  assert (A : Rabs a <= 2 * (K * (K * w))).
-  { unfold a, aft_of, Rdiv; pose proof (product _ _ _ _ F11 Hx) as P; pose proof (apart y (f11 * x)).
-    pose proof (up w Hw); assert (Q : Rabs (y - f11 * x) <= 2 * (K * w)) by lra.
-    pose proof (product _ _ _ _ Q H1); lra. }
-  assert (DA : Rabs (a - a') <= 3 * (K * (K * (K * (K * (w * d)))))).
-  { replace (a - a') with ((a * (g12 - f12) - (f11 - g11) * x) * / g12) by (unfold a, a', aft_of; field; auto).
-    rewrite Rabs_minus_sym in D12; pose proof (product _ _ _ _ A D12) as P; pose proof (product _ _ _ _ D11 Hx) as P'.
-    pose proof (apart (a * (g12 - f12)) ((f11 - g11) * x)).
-    assert (0 <= w * d) by (apply Rmult_le_pos; lra); pose proof (up (K * (w * d)) ltac:(auto)).
-    pose proof (up (K * (K * (w * d))) ltac:(auto)).
-    assert (Q : Rabs (a * (g12 - f12) - (f11 - g11) * x) <= 3 * (K * (K * (K * (w * d))))) by lra.
-    pose proof (product _ _ _ _ Q H2); lra. }
-  assert (0 <= w * d) by (apply Rmult_le_pos; lra).
-  assert (chain : forall z, 0 <= z -> z <= K * z /\ K * z <= K * (K * z) /\ K * (K * z) <= K * (K * (K * z)) /\
-    K * (K * (K * z)) <= K * (K * (K * (K * z))) /\ K * (K * (K * (K * z))) <= K * (K * (K * (K * (K * z))))).
-  { intros z Hz; repeat split; apply up; auto 6. }
-  assert (EL : forall z, L * z = 6 * (K * (K * (K * (K * (K * z)))))) by (intros; unfold L; ring).
-  pose proof (chain w Hw); pose proof (chain (w * d) ltac:(assumption)).
-  rewrite !Rmult_assoc; fold L; rewrite !EL; split; [|split; [|split]].
-  - lra.
-  - unfold bef_of; fold a; pose proof (product _ _ _ _ F21 Hx); pose proof (product _ _ _ _ F22 A).
-    eapply Rle_trans; [apply Rabs_triang | lra].
-  - lra.
-  - unfold bef_of; fold a a'.
-    replace (f21 * x + f22 * a - (g21 * x + g22 * a')) with ((f21 - g21) * x + (f22 - g22) * a + g22 * (a - a'))
-      by ring.
-    pose proof (product _ _ _ _ D21 Hx); pose proof (product _ _ _ _ D22 A); pose proof (product _ _ _ _ G22 DA).
-    eapply Rle_trans; [apply Rabs_triang|]; eapply Rle_trans; [apply Rplus_le_compat_r, Rabs_triang | lra].
+  intros (F & G & D) (F' & G' & D'); unfold beside; replace (f + f' - (g + g')) with (f - g + (f' - g')) by ring.
+  repeat split; (eapply Rle_trans; [apply Rabs_triang | lra]).
+Qed.
+Lemma beside_times B e f g B' e' f' g' : beside B e f g -> beside B' e' f' g' ->
+  beside (B * B') (B * e' + e * B') (f * f') (g * g').
+Proof.
+  intros (F & G & D) (F' & G' & D'); repeat split; [apply product; assumption..|].
+  replace (f * f' - g * g') with (f * (f' - g') + (f - g) * g') by ring.
+  eapply Rle_trans; [apply Rabs_triang | apply Rplus_le_compat; apply product; assumption].
+Qed.
+Lemma beside_over K e f g : 0 < K -> / K <= Rabs f -> / K <= Rabs g -> Rabs (f - g) <= e ->
+  beside K (K * K * e) (/ f) (/ g).
+Proof.
+  intros HK Hf Hg D; pose proof (Rinv_0_lt_compat K HK) as IK.
+  assert (inv : forall f, / K <= Rabs f -> f <> 0 /\ Rabs (/ f) <= K).
+  { intros y H; rewrite Rabs_inv, <- (Rinv_inv K); split; [intros ->; rewrite Rabs_R0 in H; lra|].
+    apply Rinv_le_contravar; assumption. }
+  destruct (inv f Hf) as [Nf If], (inv g Hg) as [Ng Ig]; repeat split; [exact If | exact Ig|].
+  replace (/ f - / g) with (/ f * / g * (g - f)) by (field; auto); rewrite Rabs_minus_sym in D.
+  apply product; [apply product|]; assumption.
 Qed.
 
 Section Turns.
@@ -173,54 +149,44 @@ Proof.
   set (X := T * INR n_max + 2); assert (HX : 2 <= X).
   { unfold X; pose proof (turn_large m); pose proof (pos_INR n_max);
       assert (0 <= T * INR n_max) by (apply Rmult_le_pos; lra); lra. }
-  destruct (continuous_bounded S X ltac:(lra)) as (B1 & P1 & H1); [intros; eapply D_continuous, (D_S c k S V HS)|].
-  destruct (continuous_bounded V X ltac:(lra)) as (B2 & P2 & H2); [intros; eapply D_continuous, (D_V c k S V HS)|].
-  destruct (margin (fun n _ => turned S n 0) (1 + n_max)) as (g & Hg & Mg).
-  set (B := B1 + B2); set (K0 := (1 + Rabs c + Rabs k) * B).
-  pose proof (Rabs_pos c) as Pc; pose proof (Rabs_pos k) as Pk.
-  assert (Q1 : 0 <= Rabs c * B) by (apply Rmult_le_pos; unfold B; lra).
-  assert (Q2 : 0 <= Rabs k * B) by (apply Rmult_le_pos; unfold B; lra).
-  assert (PB : 0 <= B) by (unfold B; lra).
-  assert (E0 : K0 = B + Rabs c * B + Rabs k * B) by (unfold K0; ring).
-  assert (bS : forall t, Rabs t <= X -> Rabs (S t) <= B) by (intros t Ht; specialize (H1 t Ht); unfold B; lra).
-  assert (bV : forall t, Rabs t <= X -> Rabs (V t) <= B) by (intros t Ht; specialize (H2 t Ht); unfold B; lra).
-  assert (bc : forall a t f, (forall t, Rabs t <= X -> Rabs (f t) <= B) -> Rabs t <= X ->
-    Rabs (a * f t) <= Rabs a * B).
-  { intros a t f Hf Ht; apply product; [lra | auto]. }
-  assert (all : forall f, entry f -> exists f', (forall t, derivable_pt_lim f t (f' t)) /\
-    forall t, Rabs t <= X -> Rabs (f t) <= K0 /\ Rabs (f' t) <= K0).
-  { intros f [->|[->|[->| ->]]].
-    - exists e21; split; [apply (D_e11 c k S V HS)|]; intros t Ht; unfold Flow.e11, Flow.e21.
-      pose proof (bc c t S bS Ht); pose proof (bc (- k) t S bS Ht); rewrite Rabs_Ropp in *.
-      pose proof (Rabs_triang (V t) (c * S t)); specialize (bV t Ht); split; lra.
-    - exists V; split; [apply (D_S c k S V HS)|]; intros t Ht; specialize (bS t Ht); specialize (bV t Ht); split; lra.
-    - exists (fun t => - k * V t); split; [apply (D_e21 c k S V HS)|]; intros t Ht; unfold Flow.e21.
-      pose proof (bc (- k) t S bS Ht); pose proof (bc (- k) t V bV Ht); rewrite Rabs_Ropp in *; split; lra.
-    - exists (fun t => - c * V t - k * S t); split; [apply (D_V c k S V HS)|]; intros t Ht.
-      pose proof (bc k t S bS Ht); pose proof (bc (- c) t V bV Ht); rewrite Rabs_Ropp in *.
-      pose proof (apart (- c * V t) (k * S t)); specialize (bV t Ht); split; lra. }
-  assert (K0p : 0 <= K0) by lra.
-  assert (G1 : 0 < / g) by (apply Rinv_0_lt_compat, Hg); assert (G2 : 0 <= K0 * / g) by (apply Rmult_le_pos; lra).
-  set (K := 1 + K0 + 2 * / g + 2 * (K0 * / g)); assert (HK : 1 <= K) by (unfold K; lra).
-  exists K; split; [exact HK | split].
-  - intros f Hf t t' Ht Ht'; destruct (all f Hf) as (f' & D & Bd); split.
-    + destruct (Bd t Ht); unfold K; lra.
-    + apply (Rle_trans _ (K0 * Rabs (t - t'))); [|apply Rmult_le_compat_r; [apply Rabs_pos | unfold K; lra]].
-      apply (mvt_ball f f' X); trivial; intros; apply Bd; assumption.
-  - intros n t Hn HSn Ht; assert (IK : 0 < / K) by (apply Rinv_0_lt_compat; lra).
-    assert (IK1 : / K <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
-    assert (Eg : K * g >= 2 + 2 * K0).
-    { replace (K * g) with (g + K0 * g + 2 + 2 * K0) by (unfold K; field; lra).
-      assert (0 <= K0 * g) by (apply Rmult_le_pos; lra); lra. }
-    assert (Hgk : (1 + K0) * / K <= g / 2).
+  assert (one : forall f f' f'', (forall t, derivable_pt_lim f t (f' t)) -> (forall t, derivable_pt_lim f' t (f''
+    t)) ->
+    exists B, 0 <= B /\ forall t, Rabs t <= X -> Rabs (f t) <= B /\ Rabs (f' t) <= B).
+  { intros f f' f'' D D'.
+    destruct (continuous_bounded f X ltac:(lra) (fun t => D_continuous _ _ _ (D t))) as (B & P & H).
+    destruct (continuous_bounded f' X ltac:(lra) (fun t => D_continuous _ _ _ (D' t))) as (B' & P' & H').
+    exists (B + B'); split; [lra|]; intros t Ht; specialize (H t Ht); specialize (H' t Ht); lra. }
+  pose proof (D_S c k S V HS) as DS; pose proof (D_V c k S V HS) as DV; pose proof (D_e11 c k S V HS) as D1;
+    pose proof (D_e21 c k S V HS) as D2.
+  destruct (one _ _ _ D1 D2) as (B1 & P1 & H1), (one _ _ _ DS DV) as (B2 & P2 & H2).
+  destruct (one _ _ _ D2 (fun t => D_scale V t _ (- k) (DV t))) as (B3 & P3 & H3).
+  destruct (one _ _ _ DV (fun t => D_minus _ _ t _ _ (D_scale V t _ (- c) (DV t)) (D_scale S t _ k (DS t))))
+    as (B4 & P4 & H4).
+  set (B := B1 + B2 + B3 + B4); assert (all : forall f, entry f -> exists f', (forall t, derivable_pt_lim f t (f'
+    t)) /\
+    forall t, Rabs t <= X -> Rabs (f t) <= B /\ Rabs (f' t) <= B).
+  { intros f [->|[->|[->| ->]]]; eexists; (split; [first [exact D1 | exact DS | exact D2 | exact DV]|]); intros t Ht;
+      specialize (H1 t Ht); specialize (H2 t Ht); specialize (H3 t Ht); specialize (H4 t Ht); unfold B; lra. }
+  destruct (margin (fun n _ => turned S n 0) (1 + n_max)) as (g & Hg & Mg); pose proof (Rinv_0_lt_compat g Hg) as G1.
+  assert (HB : 0 <= B * / g) by (apply Rmult_le_pos; unfold B; lra).
+  set (K := 1 + B + 2 * / g + 2 * (B * / g)); assert (HK : 1 <= K /\ 0 <= B <= K) by (unfold K, B in *; lra).
+  exists K; split; [apply HK | split].
+  - intros f Hf t t' Ht Ht'; destruct (all f Hf) as (f' & D & Bd); split; [destruct (Bd t Ht); lra|].
+    apply (Rle_trans _ (B * Rabs (t - t'))); [|apply Rmult_le_compat_r; [apply Rabs_pos | lra]].
+    apply (mvt_ball f f' X); trivial; intros; apply Bd; assumption.
+  - intros n t Hn HSn Ht; assert (IK1 : / K <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
+    assert (Eg : K * g >= 2 + 2 * B).
+    { replace (K * g) with (g + B * g + 2 + 2 * B) by (unfold K; field; lra).
+      assert (0 <= B * g) by (apply Rmult_le_pos; lra); lra. }
+    assert (Hgk : (1 + B) * / K <= g / 2).
     { apply (Rmult_le_reg_r K); [lra|]; rewrite Rmult_assoc, Rinv_l; lra. }
     destruct (all S ltac:(right; left; reflexivity)) as (f' & D & Bd).
-    pose proof (mvt_ball S f' X K0 (T * INR n + 0) (T * INR n + t) D (fun x Hx => proj2 (Bd x Hx))
+    pose proof (mvt_ball S f' X B (T * INR n + 0) (T * INR n + t) D (fun x Hx => proj2 (Bd x Hx))
       (turns_in n n_max 0 Hn ltac:(rewrite Rabs_R0; lra)) (turns_in n n_max t Hn ltac:(lra))) as L.
     apply from in L; rewrite <- (turned_abs S n 0), <- (turned_abs S n t) in L.
     replace (T * INR n + 0 - (T * INR n + t)) with (- t) in L by ring; rewrite Rabs_Ropp in L.
     pose proof (Mg n 0%nat ltac:(lia) ltac:(lia) HSn).
-    assert (K0 * Rabs t <= K0 * / K) by (apply Rmult_le_compat_l; lra); lra.
+    assert (B * Rabs t <= B * / K) by (apply Rmult_le_compat_l; lra); lra.
 Qed.
 
 (** A leg of n turns and the time t, from the place x to y. *)
@@ -231,51 +197,54 @@ Section Bounded.
 Variables (n_max : nat) (K : R).
 Hypothesis HK : bounds n_max K.
 
-Lemma turned_bounds f n t t' : entry f -> (n <= n_max)%nat -> Rabs t <= 2 -> Rabs t' <= 2 ->
-  Rabs (turned f n t) <= K /\ Rabs (turned f n t') <= K /\ Rabs (turned f n t - turned f n t') <= K * Rabs (t - t').
+Lemma inverse_K : 0 < / K <= 1.
 Proof.
-  destruct HK as (_ & B & _); intros Hf Hn Ht Ht'; pose proof (turns_in n n_max t Hn Ht) as I;
-    pose proof (turns_in n n_max t' Hn Ht') as I'.
-  rewrite (turned_abs f n t), (turned_abs f n t'); destruct (B f Hf _ _ I I') as [B1 B2]; split; [exact B1|];
-    split; [apply (B f Hf _ _ I' I)|].
-  unfold turned; rewrite <- Rmult_minus_distr_l, Rabs_mult, side_abs, Rmult_1_l.
-  replace (t - t') with (T * INR n + t - (T * INR n + t')) by ring; exact B2.
+  destruct HK; split; [apply Rinv_0_lt_compat; lra | rewrite <- Rinv_1; apply Rinv_le_contravar; lra].
 Qed.
 
-Lemma one_leg n t t' w x y : (n <= n_max)%nat -> turned S n 0 <> 0 -> Rabs t <= / K -> Rabs t' <= / K ->
-  Rabs x <= w -> Rabs y <= w -> let L := 6 * K ^ 5 in turned S n t <> 0 /\
-  Rabs (aft_leg n t x y) <= L * w /\ Rabs (bef_leg n t x y) <= L * w /\
-  Rabs (aft_leg n t x y - aft_leg n t' x y) <= L * w * Rabs (t - t') /\
-  Rabs (bef_leg n t x y - bef_leg n t' x y) <= L * w * Rabs (t - t').
+Lemma turned_beside f n t t' e : entry f -> (n <= n_max)%nat -> Rabs t <= 2 -> Rabs t' <= 2 -> Rabs (t - t') <= e ->
+  beside K (K * e) (turned f n t) (turned f n t').
 Proof.
-  intros Hn HSn Ht Ht' Hx Hy L; destruct HK as (K1 & _ & B).
-  assert (IK1 : 0 < / K <= 1) by (split; [apply Rinv_0_lt_compat; lra | rewrite <- Rinv_1; apply Rinv_le_contravar;
-    lra]).
-  split; [intros E; specialize (B n t Hn HSn Ht); rewrite E, Rabs_R0 in B; lra|].
-  apply leg_bounds; auto using Rabs_pos.
-  intros f g [[-> ->]|[[-> ->]|[[-> ->]|[-> ->]]]]; apply turned_bounds; unfold entry; auto; lra.
+  destruct HK as (K1 & B & _); intros Hf Hn Ht Ht' He; pose proof (turns_in n n_max t Hn Ht) as I;
+    pose proof (turns_in n n_max t' Hn Ht') as I'; unfold beside.
+  rewrite (turned_abs f n t), (turned_abs f n t'); destruct (B f Hf _ _ I I') as [B1 B2]; split; [exact B1|];
+    split; [apply (B f Hf _ _ I' I)|].
+  unfold turned; rewrite <- Rmult_minus_distr_l, Rabs_mult, side_abs, Rmult_1_l; eapply Rle_trans; [exact B2|].
+  replace (T * INR n + t - (T * INR n + t')) with (t - t') by ring; apply Rmult_le_compat_l; lra.
 Qed.
 
 (** Two legs near each other, in all of their data. *)
-Lemma two_legs n t t' x y x' y' d : (n <= n_max)%nat -> turned S n 0 <> 0 -> Rabs t <= / K -> Rabs t' <= / K ->
-  Rabs x <= 2 -> Rabs y <= 2 -> Rabs (t - t') <= d -> Rabs (x - x') <= d -> Rabs (y - y') <= d ->
-  let L := 18 * K ^ 5 in turned S n t <> 0 /\ Rabs (aft_leg n t x y - aft_leg n t' x' y') <= L * d /\
-  Rabs (bef_leg n t x y - bef_leg n t' x' y') <= L * d.
+Lemma legs n t t' x y x' y' w e r : (n <= n_max)%nat -> turned S n 0 <> 0 -> Rabs t <= / K -> Rabs t' <= / K ->
+  Rabs (t - t') <= r -> beside w e x x' -> beside w e y y' -> let L := 6 * K ^ 5 in turned S n t <> 0 /\
+  beside (L * w) (L * (w * r + e)) (aft_leg n t x y) (aft_leg n t' x' y') /\
+  beside (L * w) (L * (w * r + e)) (bef_leg n t x y) (bef_leg n t' x' y').
 Proof.
-  intros Hn HSn Ht Ht' Hx Hy Dt Dx Dy L.
-  destruct (one_leg n t t' 2 x y Hn HSn Ht Ht' Hx Hy) as (N & _ & _ & A & B).
-  destruct (one_leg n t' t' d (x - x') (y - y') Hn HSn Ht' Ht' Dx Dy) as (N' & A' & B' & _).
-  assert (P : 0 <= 6 * K ^ 5) by (apply Rmult_le_pos; [lra | apply pow_le; destruct HK; lra]).
-  assert (6 * K ^ 5 * 2 * Rabs (t - t') <= 6 * K ^ 5 * 2 * d) by (apply Rmult_le_compat_l; lra).
-  split; [exact N|]; split.
-  - replace (aft_leg n t x y - aft_leg n t' x' y') with
-      ((aft_leg n t x y - aft_leg n t' x y) + aft_leg n t' (x - x') (y - y'))
-      by (unfold aft_leg, aft_of; field; auto).
-    eapply Rle_trans; [apply Rabs_triang | unfold L; lra].
-  - replace (bef_leg n t x y - bef_leg n t' x' y') with
-      ((bef_leg n t x y - bef_leg n t' x y) + bef_leg n t' (x - x') (y - y'))
-      by (unfold bef_leg, bef_of, aft_of; field; auto).
-    eapply Rle_trans; [apply Rabs_triang | unfold L; lra].
+  intros Hn HSn Ht Ht' Hr Hx Hy L; pose proof inverse_K as IK; destruct HK as (K1 & _ & low).
+  pose proof (low n t Hn HSn Ht) as N; pose proof (low n t' Hn HSn Ht') as N'.
+  assert (F : forall f, entry f -> beside K (K * r) (turned f n t) (turned f n t'))
+    by (intros f Hf; apply turned_beside; trivial; lra).
+  pose proof (beside_over K _ _ _ ltac:(lra) N N' (proj2 (proj2 (F S ltac:(unfold entry; auto))))) as Q.
+  pose proof (beside_times _ _ _ _ _ _ _ _ (F e11 ltac:(unfold entry; auto)) Hx) as P.
+  assert (P' : beside (K * w) (K * e + K * r * w) (- (turned e11 n t * x)) (- (turned e11 n t' * x'))).
+  { destruct P as (A & B & D); unfold beside; rewrite !Rabs_Ropp; repeat split; trivial.
+    replace (_ - _) with (turned e11 n t' * x' - turned e11 n t * x) by ring; rewrite Rabs_minus_sym; exact D. }
+  pose proof (beside_times _ _ _ _ _ _ _ _ (beside_plus _ _ _ _ _ _ _ _ Hy P') Q) as A.
+  pose proof (beside_plus _ _ _ _ _ _ _ _ (beside_times _ _ _ _ _ _ _ _ (F e21 ltac:(unfold entry; auto)) Hx)
+    (beside_times _ _ _ _ _ _ _ _ (F V ltac:(unfold entry; auto 6)) A)) as B.
+  assert (up : forall z, 0 <= z -> z <= K * z) by (intros z Hz; rewrite <- (Rmult_1_l z) at 1;
+    apply Rmult_le_compat_r; lra).
+  assert (pos : forall z, 0 <= z -> 0 <= K * z) by (intros; apply Rmult_le_pos; lra).
+  assert (chain : forall z, 0 <= z -> z <= K * z /\ K * z <= K * (K * z) /\ K * (K * z) <= K * (K * (K * z)) /\
+    K * (K * (K * z)) <= K * (K * (K * (K * z))) /\ K * (K * (K * (K * z))) <= K * (K * (K * (K * (K * z))))).
+  { intros z Hz; repeat split; apply up; auto 6. }
+  assert (Pw : 0 <= w) by (eapply Rle_trans; [apply Rabs_pos | apply Hx]).
+  assert (Pe : 0 <= e) by (eapply Rle_trans; [apply Rabs_pos | apply Hx]).
+  assert (Pr : 0 <= w * r) by (apply Rmult_le_pos; [exact Pw | eapply Rle_trans; [apply Rabs_pos | exact Hr]]).
+  pose proof (chain _ Pw); pose proof (chain _ Pe); pose proof (chain _ Pr); split; [intros E;
+    rewrite E, Rabs_R0 in N; lra|].
+  unfold aft_leg, bef_leg, bef_of, aft_of, Rdiv, Rminus; fold L.
+  destruct A as (A1 & A2 & A3), B as (B1 & B2 & B3); unfold beside, L; repeat split;
+    (eapply Rle_trans; [eassumption | lra]).
 Qed.
 End Bounded.
 End Turns.

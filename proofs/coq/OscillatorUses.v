@@ -95,6 +95,21 @@ Qed.
 Lemma damping_of r T : 0 < r -> 0 < T -> exp (- (- (2 * ln r / T)) / 2 * T) = r.
 Proof. intros Hr HT; replace (- _ / 2 * T) with (ln r) by (field; lra); apply exp_ln, Hr. Qed.
 
+Lemma reached m a1 a2 : 0 < a2 -> 2 * sqrt a2 <= facing m 1 * a1 -> exists c k gamma, matrix c k m a1 a2 gamma /\
+  0 < facing m 1 * gamma.
+Proof.
+  intros H2 H1; pose proof (sqrt_lt_R0 a2 H2) as Hr; pose proof (sqrt_sqrt a2 ltac:(lra)) as E2;
+    set (r := sqrt a2) in *.
+  pose proof (turn_large m) as HT; pose proof (side_square m 1) as Sq; set (f := facing m 1) in *.
+  destruct (undamped_reaches (turn m) (f * a1 / (2 * r)) ltac:(lra)) as (D & o & w & H & Ew & Po).
+  { apply (Rmult_le_reg_r (2 * r)); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
+  pose proof (matrix_damped (- (2 * ln r / turn m)) D m o w H) as M; cbv zeta in M.
+  rewrite (damping_of r (turn m) Hr ltac:(lra)), Ew, E2 in M; fold f in M.
+  replace (2 * r * (f * (f * a1 / (2 * r)))) with (f * f * a1) in M by (field; lra); rewrite Sq, Rmult_1_l in M.
+  eexists _, _, _; split; [exact M|]; replace (f * (r * (f * o (turn m)))) with (f * f * (r * o (turn m))) by ring.
+  rewrite Sq, Rmult_1_l; apply Rmult_lt_0_compat; assumption.
+Qed.
+
 Theorem Reach : Reach_statement.
 Proof.
   pose proof PI_RGT_0 as HP; split; [|split; [|split; [|split]]].
@@ -114,49 +129,23 @@ Proof.
     eexists _, _, _; split; [replace (r ^ 2) with (r * r) by ring; rewrite <- (Rmult_1_l (cos _)); exact M|].
     replace (sgn g * _) with (r * (/ f * sin (2 * PI * s))) by (destruct g; cbn [sgn]; ring).
     apply Rmult_lt_0_compat; [exact Hr|]; apply Rmult_lt_0_compat; [apply Rinv_0_lt_compat, Hf | exact Hsin].
-  - intros a1 a2 H2 H1; pose proof (sqrt_lt_R0 a2 H2) as Hr; pose proof (sqrt_sqrt a2 ltac:(lra)) as E2;
-      set (r := sqrt a2) in *.
-    destruct (undamped_reaches (2 * PI) (a1 / (2 * r)) ltac:(lra)) as (D & o & w & H & Ew & Po).
-    { apply (Rmult_le_reg_r (2 * r)); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
-    pose proof (matrix_damped (- (2 * ln r / (2 * PI))) D Plus o w H) as M; cbv zeta in M; cbn [turn facing] in M.
-    rewrite (damping_of r (2 * PI) Hr ltac:(lra)), Ew, E2 in M.
-    replace (2 * r * (1 * (a1 / (2 * r)))) with a1 in M by (field; lra).
-    eexists _, _, _; split; [exact M | apply Rmult_lt_0_compat; lra].
-  - intros c k a1 a2 gamma HM Hg; set (E := exp (- c / 2 * turn Plus)); assert (P : 0 < E) by apply exp_pos.
-    assert (ES : sqrt (E * E) = E) by (apply sqrt_square; lra);
-      assert (P2 : 0 < E * E) by (apply Rmult_lt_0_compat; lra).
-    destruct (Rle_lt_dec (k - c * c / 4) 0) as [L|L].
-    + destruct (undamped_exists (k - c * c / 4)) as (o & w & H & Pos);
-        destruct (Pos L (2 * PI) ltac:(lra)) as [Po Pw].
-      pose proof (matrix_damped c _ Plus o w H) as M; cbv zeta in M;
-        replace (c * c / 4 + (k - c * c / 4)) with k in M by ring.
-      fold E in M; cbn [turn facing] in M; destruct (matrix_unique _ _ _ _ _ _ _ _ _ HM M) as (-> & -> & ->);
-        rewrite ES.
-      assert (2 * E * 1 <= 2 * E * w (2 * PI)) by (apply Rmult_le_compat_l; lra).
-      split; [exact P2|]; split; [lra|]; intros _; apply Rmult_lt_0_compat; lra.
-    + pose proof (sqrt_lt_R0 _ L) as Hf; pose proof (undamped_circular _ (Rgt_not_eq _ _ Hf)) as H;
-        rewrite sqrt_sqrt in H by lra.
-      pose proof (matrix_damped c _ Plus _ _ H) as M; cbv zeta in M;
-        replace (c * c / 4 + (k - c * c / 4)) with k in M by ring.
-      fold E in M; cbn [turn facing] in M; destruct (matrix_unique _ _ _ _ _ _ _ _ _ HM M) as (-> & -> & Eg);
-        rewrite ES.
-      set (f := sqrt _) in *; pose proof (sin2_cos2 (f * (2 * PI))) as SC; unfold Rsqr in SC.
-      set (si := sin _) in *; set (co := cos _) in *.
-      assert (Hsi : si <> 0) by (intros Z; apply Hg; rewrite Eg, Z; ring).
-      assert (Psi : 0 < si * si) by (destruct (Rtotal_order si 0) as [?|[?|?]];
-        [replace (si * si) with (- si * - si) by ring|contradiction|];
-        apply Rmult_lt_0_compat; lra).
-      assert (Hco : -1 < co < 1).
-      { assert (B := COS_bound (f * (2 * PI))); fold co in B; split; destruct (Req_dec co 1) as [Z|Z];
-          destruct (Req_dec co (-1)) as [Z'|Z']; try rewrite Z in SC; try rewrite Z' in SC; lra. }
-      assert (E * -1 < E * co < E * 1) by (split; apply Rmult_lt_compat_l; lra).
-      split; [exact P2|]; split; [lra | intros X; lra].
-  - intros a1 a2 H2 H1; pose proof (sqrt_lt_R0 a2 H2) as Hr; pose proof (sqrt_sqrt a2 ltac:(lra)) as E2;
-      set (r := sqrt a2) in *.
-    destruct (undamped_reaches PI (- a1 / (2 * r)) ltac:(lra)) as (D & o & w & H & Ew & Po).
-    { apply (Rmult_le_reg_r (2 * r)); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
-    pose proof (matrix_damped (- (2 * ln r / PI)) D Minus o w H) as M; cbv zeta in M; cbn [turn] in M.
-    replace (facing Minus 1) with (-1) in M by reflexivity; rewrite (damping_of r PI Hr HP), Ew, E2 in M.
-    replace (2 * r * (-1 * (- a1 / (2 * r)))) with a1 in M by (field; lra).
-    eexists _, _, _; split; [exact M|]; assert (0 < r * o PI) by (apply Rmult_lt_0_compat; lra); lra.
+  - intros a1 a2 H2 H1; destruct (reached Plus a1 a2 H2) as (c & k & gamma & M & P); cbn [facing] in *; [lra|].
+    rewrite Rmult_1_l in P; eauto.
+  - intros c k a1 a2 gamma HM Hg; destruct (undamped_exists (k - c * c / 4)) as (o & w & H & Pos).
+    pose proof (matrix_damped c _ Plus o w H) as M; cbv zeta in M;
+      replace (c * c / 4 + (k - c * c / 4)) with k in M by ring.
+    destruct (matrix_unique _ _ _ _ _ _ _ _ _ HM M) as (-> & -> & Eg);
+      pose proof (undamped_energy _ o w (2 * PI) H) as En.
+    set (E := exp (- c / 2 * turn Plus)) in *; assert (P : 0 < E) by apply exp_pos; cbn [turn facing] in *.
+    rewrite (sqrt_square E) by lra; assert (P2 : 0 < E * E) by (apply Rmult_lt_0_compat; lra).
+    split; [exact P2|]; destruct (Rle_lt_dec (k - c * c / 4) 0) as [L|L].
+    + destruct (Pos L (2 * PI) ltac:(lra)) as [Po Pw]; pose proof (Rmult_le_compat_l E _ _ ltac:(lra) Pw).
+      split; [lra|]; intros _; rewrite Eg, Rmult_1_l; apply Rmult_lt_0_compat; assumption.
+    + assert (No : o (2 * PI) <> 0) by (intros Z; apply Hg; rewrite Eg, Z; ring).
+      assert (0 < (k - c * c / 4) * (o (2 * PI) * o (2 * PI))) by (apply Rmult_lt_0_compat;
+        [exact L | apply Rsqr_pos_lt, No]).
+      assert (W : -1 < w (2 * PI) < 1) by (split; apply Rnot_le_lt; intros Z; nra).
+      assert (E * -1 < E * w (2 * PI) < E * 1) by (split; apply Rmult_lt_compat_l; lra); split; [lra | intros; lra].
+  - intros a1 a2 H2 H1; destruct (reached Minus a1 a2 H2) as (c & k & gamma & M & P); cbn in *; [lra|].
+    exists c, k, gamma; split; [exact M | lra].
 Qed.

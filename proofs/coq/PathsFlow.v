@@ -43,15 +43,7 @@ Proof.
 Qed.
 
 Lemma turned z x : cos (2 * PI * IZR z + x) = cos x /\ sin (2 * PI * IZR z + x) = sin x.
-Proof.
-  assert (P : forall k y, cos (2 * PI * INR k + y) = cos y /\ sin (2 * PI * INR k + y) = sin y).
-  { intros k y; rewrite <- (cos_period y k), <- (sin_period y k); split; f_equal; ring. }
-  destruct (Z_le_gt_dec 0 z) as [L|L].
-  - replace (IZR z) with (INR (Z.to_nat z)) by (rewrite INR_IZR_INZ, Z2Nat.id by lia; reflexivity); apply P.
-  - destruct (P (Z.to_nat (- z)) (2 * PI * IZR z + x)) as [C S].
-    replace (2 * PI * INR (Z.to_nat (- z)) + (2 * PI * IZR z + x)) with x in C, S; [auto|].
-    rewrite INR_IZR_INZ, Z2Nat.id, opp_IZR by lia; ring.
-Qed.
+Proof. rewrite Rplus_comm, cos_periods, sin_periods; auto. Qed.
 Lemma g_turned z x : g (2 * PI * IZR z + x) = g x /\ g1 (2 * PI * IZR z + x) = g1 x.
 Proof.
   split; apply total_ext; intros (j & a & b);

@@ -4,21 +4,13 @@
     x_0 = x_n = -1, is written -r^k cos (al + k th) / cos al. *)
 
 From Coq Require Import Reals ZArith Lra Lia.
-From Grazing Require Import Defs Polar LnCos Convex Lattice.
+From Grazing Require Import Defs Derivatives Polar LnCos Convex Lattice.
 Open Scope R_scope.
 
 (** ** Periodicity over Z *)
 
 Lemma periods_Z x l : cos (x - IZR l * (2 * PI)) = cos x /\ sin (x - IZR l * (2 * PI)) = sin x.
-Proof.
-  destruct (Z_le_gt_dec 0 l) as [Hl|Hl].
-  - set (y := x - IZR l * (2 * PI)).
-    replace x with (y + 2 * INR (Z.to_nat l) * PI); [now rewrite cos_period, sin_period|].
-    rewrite INR_IZR_INZ, Z2Nat.id by lia; unfold y; ring.
-  - replace (x - IZR l * (2 * PI)) with (x + 2 * INR (Z.to_nat (- l)) * PI);
-      [now rewrite cos_period, sin_period|].
-    rewrite INR_IZR_INZ, Z2Nat.id, opp_IZR by lia; ring.
-Qed.
+Proof. rewrite <- (cos_periods (- l) x), <- (sin_periods (- l) x), opp_IZR; split; f_equal; ring. Qed.
 
 Lemma periods_nat x k : cos (x - INR k * (2 * PI)) = cos x /\ sin (x - INR k * (2 * PI)) = sin x.
 Proof. rewrite INR_IZR_INZ; apply periods_Z. Qed.

@@ -12,8 +12,6 @@ Proof.
   - apply HP; [left; reflexivity | exact H1].
   - apply IH; [exact H2 | intros; apply HP; [right|]; assumption].
 Qed.
-Lemma Forall2_in {A B} (P : A -> B -> Prop) l l' : Forall2 P l l' -> forall y, In y l' -> exists x, In x l /\ P x y.
-Proof. induction 1 as [|x y l l' H _ IH]; intros z []; [subst; exists x; cbn; auto | destruct (IH z H0) as (x' & ? & ?); exists x'; cbn; auto]. Qed.
 
 (** Signs at one point, told by T. *)
 Section Signs.

@@ -150,13 +150,6 @@ Proof.
   unfold Rdiv; rewrite Rmult_0_l, sin_0, Rplus_0_r; lra.
 Qed.
 
-Lemma h_nonpos r : 1 <= INR j * e -> 0 < r <= 1 -> h r <= 0.
-Proof.
-  intros Hje Hr; destruct (Rlt_le_dec r 1); [apply Rlt_le, h_neg; tauto|].
-  destruct Hje as [Hje|Hje]; [apply Rlt_le, h_neg; tauto || lra|].
-  assert (r = 1) as -> by lra; rewrite h_at_end; lra.
-Qed.
-
 End Deciding.
 
 (** The radius above which h > 0. *)

@@ -7,9 +7,6 @@ From Grazing Require Import Defs StatementOrbits StatementOrbitsPlane StatementW
 Import ListNotations.
 Open Scope R_scope.
 
-Lemma edge_follows a1 a2 e g i j : edge a1 a2 e g i j <-> sgn e * sgn g * PlaneLinear.follows a1 a2 i j > 0.
-Proof. reflexivity. Qed.
-
 (** ** Theorem 1 *)
 Lemma closer_motion O m mu d d' N t y v : d <= d' -> motion O m mu d N t y v -> motion O m mu d' N t y v.
 Proof. intros Hd H i j Hj; destruct (H i j Hj) as (A & B & C); split; [exact A|]; split; [lra | exact C]. Qed.

@@ -72,10 +72,6 @@ Proof.
   apply power_ext; [|exact Hi]; intros l _; unfold zero, Rdiv; ring.
 Qed.
 
-Lemma through_ext k : forall w x y, (forall i, (i < N)%nat -> x i = y i) -> forall i, (i < N)%nat ->
-  through M k w x i = through M k w y i.
-Proof. induction k as [|k IH]; intros w x y E; cbn [through]; [exact E | apply onward_ext, IH, E]. Qed.
-
 Section Word.
 Variables (J : Type) (next prev : J -> J) (n : J -> nat).
 Hypothesis Hnext : forall j, prev (next j) = j /\ next (prev j) = j.

@@ -85,7 +85,7 @@ Proof.
   assert (Hsing : u n = 0 -> (p i = q j <-> a2 = 1) /\ (p j = q i <-> a2 = 1))
     by (intros H0; apply (singular a1 a2 K first i j Hi Hj H0)).
   split; (split; [intros Heq|intros [[Hs H0]|[H0 H1]]]).
-  - assert (H0 : N a1 a2 n j = 0) by (replace (p i - q j) with 0 in E by lra; lra).
+  - assert (H0 : N a1 a2 n j = 0) by (rewrite Heq, Rminus_eq_0 in E; clear - E; lra).
     destruct (Rtotal_order (u n) 0) as [Hs|[Hs|Hs]]; [left | right; tauto | exfalso].
     + destruct (Hb ltac:(lra)) as [_ E2]; split; [assumption | apply (zero_factor _ (u n)); lra].
     + destruct (Hb ltac:(lra)) as [E1 E2]; assert (b n j = 0) by (apply (zero_factor _ (u n)); lra).
@@ -93,9 +93,9 @@ Proof.
       assert (HV : member Plus n) by (apply Hdown; lra).
       destruct HV as [_ HV]; specialize (HV j ltac:(unfold n; lia)); cbn [sgn] in HV; lra.
   - destruct (Hb ltac:(lra)) as [_ E2]; rewrite H0 in E2.
-    enough (p i - q j = 0) by lra; apply (zero_factor _ t); lra.
+    apply Rminus_diag_uniq, (zero_factor _ t); lra.
   - apply Hsing; assumption.
-  - assert (H0 : N a1 a2 n i = 0) by (replace (p j - q i) with 0 in E' by lra; lra).
+  - assert (H0 : N a1 a2 n i = 0) by (rewrite Heq, Rminus_eq_0 in E'; clear - E'; lra).
     destruct (Rtotal_order (u n) 0) as [Hs|[Hs|Hs]]; [exfalso | right; tauto | left].
     + destruct (Hb ltac:(lra)) as [E1 E2]; assert (b n i = 0) by (apply (zero_factor _ (u n)); lra).
       assert (0 < b n j) by (apply Rnot_le_lt; intros ?; apply Hnb; lra).
@@ -103,7 +103,7 @@ Proof.
       destruct HV as [_ HV]; specialize (HV i ltac:(unfold n; lia)); cbn [sgn] in HV; lra.
     + destruct (Hb ltac:(lra)) as [E1 _]; split; [assumption | apply (zero_factor _ (u n)); lra].
   - destruct (Hb ltac:(lra)) as [E1 _]; rewrite H0 in E1.
-    enough (p j - q i = 0) by lra; apply (zero_factor _ t); lra.
+    apply Rminus_diag_uniq, (zero_factor _ t); lra.
   - apply Hsing; assumption.
 Qed.
 
