@@ -29,7 +29,7 @@ pub enum Criticality {
 
 impl Criticality {
     /// Its name.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Criticality::Supercritical => "supercritical",
             Criticality::Subcritical => "subcritical",
@@ -52,7 +52,7 @@ impl Derivatives {
     /// Each coefficient times a factor of its own, in the order of [`Cubic::of`], the first row's before the
     /// second's.
     #[must_use]
-    pub fn scaled(self, factors: &[f64]) -> Derivatives {
+    pub(crate) fn scaled(self, factors: &[f64]) -> Derivatives {
         let mut factors = factors.iter();
         let mut next = |x: f64| factors.next().map_or(x, |factor| factor * x);
         Derivatives(self.0.map(|row| Cubic::of(row.coefficients().map(&mut next))))
@@ -110,26 +110,26 @@ impl Derivatives {
     }
 
     /// a at a multiplier 1.
-    pub fn fold(&self) -> Option<f64> {
+    pub(crate) fn fold(&self) -> Option<f64> {
         let (q, p) = self.eigenvectors([1.0, 0.0])?;
         Some(dot(p, self.second(q, q))[0] / 2.0).filter(|a| a.is_finite())
     }
 
     /// a at a multiplier 1, the direction of q chosen so that it does not jump along a curve of folds (but
     /// where a column of A − I vanishes).
-    pub fn fold_along(&self) -> Option<f64> {
+    pub(crate) fn fold_along(&self) -> Option<f64> {
         let (a, (q, _)) = (self.linear(), self.eigenvectors([1.0, 0.0])?);
         let (along, fold) = (q[0][0] * a[0][1] + q[1][0] * (1.0 - a[0][0]), self.fold()?);
         Some(fold.copysign(fold * along))
     }
 
     /// p, the left eigenvector of the multiplier 1.
-    pub fn fold_normal(&self) -> Option<[f64; 2]> {
+    pub(crate) fn fold_normal(&self) -> Option<[f64; 2]> {
         Some(self.eigenvectors([1.0, 0.0])?.1.map(|x| x[0]))
     }
 
     /// c at a multiplier 1 where a = 0.
-    pub fn pitchfork(&self) -> Option<f64> {
+    pub(crate) fn pitchfork(&self) -> Option<f64> {
         let (q, p) = self.eigenvectors([1.0, 0.0])?;
         let bent = self.second(q, q);
         // B(q, q) less its part along q is an eigenvector of the other multiplier.
@@ -142,7 +142,7 @@ impl Derivatives {
     }
 
     /// b at a multiplier −1.
-    pub fn flip(&self) -> Option<f64> {
+    pub(crate) fn flip(&self) -> Option<f64> {
         let (q, p) = self.eigenvectors([-1.0, 0.0])?;
         let h = self.resolve([1.0, 0.0], self.second(q, q))?;
         self.cubic(q, p, h)
@@ -154,7 +154,7 @@ impl Derivatives {
     }
 
     /// Re d at multipliers e^{±iθ}, θ not 0, π, 2π/3 or π/2.
-    pub fn torus(&self) -> Option<f64> {
+    pub(crate) fn torus(&self) -> Option<f64> {
         let a = self.linear();
         let cos = (a[0][0] + a[1][1]) / 2.0;
         let eigenvalue = [cos, (1.0 - cos * cos).max(0.0).sqrt()];

@@ -19,7 +19,7 @@ pub struct Linearised {
 impl Linearised {
     /// The same with lengths and speeds measured by `unit`, an unknown of 1 being `own` of its number.
     #[must_use]
-    pub fn measured(mut self, unit: f64, own: impl Fn(usize) -> f64) -> Linearised {
+    pub(crate) fn measured(mut self, unit: f64, own: impl Fn(usize) -> f64) -> Linearised {
         self.residual.iter_mut().chain(&mut self.slope).for_each(|x| *x /= unit);
         for row in &mut self.jacobian {
             row.iter_mut().enumerate().for_each(|(i, x)| *x *= own(i) / unit);
@@ -49,7 +49,7 @@ pub struct Root {
 /// # Errors
 /// An input error if F is not defined at `start`, ∂F/∂z is singular on the way, or it does not converge in 60
 /// steps.
-pub fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linearised>) -> Result<Root> {
+pub(crate) fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linearised>) -> Result<Root> {
     let mut z = start;
     let mut here = equations(&z)?;
     let mut size = norm(&here.residual);

@@ -106,7 +106,7 @@ impl Coexistence {
     }
 
     /// N.
-    pub fn order(&self) -> u64 {
+    pub(crate) fn order(&self) -> u64 {
         self.order
     }
 

@@ -31,7 +31,7 @@ use crate::{
 };
 
 /// The orbits of one pattern of a machine over a parameter.
-pub type MachineOrbits<'a> = PatternCurve<'a, MachinePatterns<'a>>;
+pub(crate) type MachineOrbits<'a> = PatternCurve<'a, MachinePatterns<'a>>;
 /// The orbits of one pattern of a machine at which one event happens, over two parameters.
 pub type MachineEvents<'a> = EventCurve<'a, MachinePlane<'a>>;
 /// A branch of orbits of a machine.

@@ -52,7 +52,7 @@ impl<'m> Analysis<'m> {
     }
 
     /// The map.
-    pub fn map(&self) -> &Map {
+    pub(crate) fn map(&self) -> &Map {
         self.map
     }
 

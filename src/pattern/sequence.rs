@@ -44,7 +44,7 @@ impl Pattern {
     }
 
     /// How many times it runs through a primitive pattern.
-    pub fn repeats(&self) -> usize {
+    pub(crate) fn repeats(&self) -> usize {
         self.repeats
     }
 }

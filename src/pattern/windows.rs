@@ -59,13 +59,13 @@ struct Level<T> {
 impl<'m, T: Scalar> Windows<'m, T> {
     /// The empty window of a map with N ≥ 3. Cost of each period more: O(N³ + n N²) operations, and a linear
     /// program in N − 1 rows.
-    pub fn new(map: &'m Coordinates<T>) -> Self {
+    pub(crate) fn new(map: &'m Coordinates<T>) -> Self {
         debug_assert!(map.dimension() >= 3);
         Windows { map, quantities: Vec::new(), floats: Vec::new(), levels: Vec::new(), tried: 0 }
     }
 
     /// Windows looked at.
-    pub fn tried(&self) -> u64 {
+    pub(crate) fn tried(&self) -> u64 {
         self.tried
     }
 

@@ -53,7 +53,7 @@ const MOST: u32 = 1000;
 
 /// What stands under `force`.
 #[derive(Debug, Clone, PartialEq)]
-pub enum ForceKey {
+pub(crate) enum ForceKey {
     /// An expression in the parameters.
     Constant(Expression),
     /// One in q, u or t, too.
@@ -77,7 +77,7 @@ impl ForceKey {
 
 /// The forces on the coordinates of a machine, as they are written: how many there are is not known yet.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ForceList {
+pub(crate) struct ForceList {
     /// Each with its key.
     texts: Vec<(String, String)>,
 }

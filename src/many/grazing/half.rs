@@ -26,9 +26,9 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct HalfPeriod {
     /// The map.
-    pub map: MachineLocalMap,
+    pub(crate) map: MachineLocalMap,
     /// The stop that mirrors the one that is grazed.
-    pub mirror: usize,
+    pub(crate) mirror: usize,
 }
 
 /// Phases this near to half a period apart are that.

@@ -30,17 +30,17 @@ pub struct MachineLocalMap {
     /// a_G: the second derivative of the gap there.
     pub acceleration: f64,
     /// τ of the stop that is grazed.
-    pub restitution: f64,
+    pub(crate) restitution: f64,
     /// How fast the rate of the gap at the phase of grazing changes with the parameter.
     pub rate_drift: f64,
     /// The motion's state there.
-    pub state: MachineState,
+    pub(crate) state: MachineState,
     /// Its derivative in the parameter, at that phase.
     pub drift: MachineState,
     /// det A, without cancellation.
     pub determinant: f64,
     /// The eigenvalues of A, by modulus, the largest first.
-    pub eigenvalues: Vec<(f64, f64)>,
+    pub(crate) eigenvalues: Vec<(f64, f64)>,
     /// What A is the flow over, 2π, or the mirror of the flow over, π.
     span: f64,
     /// None where forces are formulas.
@@ -58,7 +58,7 @@ impl MachineLocalMap {
     ///
     /// # Errors
     /// Those of [`LinearFlow::new`]; eigenvalues of A that are not found.
-    pub fn new(motion: &FreeMotion, at: &LeastGap) -> Result<MachineLocalMap> {
+    pub(crate) fn new(motion: &FreeMotion, at: &LeastGap) -> Result<MachineLocalMap> {
         Self::over(motion, at, TAU)
     }
 
@@ -113,7 +113,7 @@ impl MachineLocalMap {
     }
 
     /// √(2a_G): an impact of size y has the speed V = √(2a_G) y.
-    pub fn speed_scale(&self) -> f64 {
+    pub(crate) fn speed_scale(&self) -> f64 {
         (2.0 * self.acceleration).sqrt()
     }
 

@@ -38,7 +38,7 @@ pub struct MachineGrazing {
 impl MachineGrazing {
     /// The map that the local theory is asked about: of half a period if two stops that mirror each other are
     /// grazed, and then patterns count halves.
-    pub fn local(&self) -> &MachineLocalMap {
+    pub(crate) fn local(&self) -> &MachineLocalMap {
         self.half.as_ref().map_or(&self.map, |half| &half.map)
     }
 
@@ -48,7 +48,12 @@ impl MachineGrazing {
     ///
     /// # Errors
     /// An input error if the report, which is of [`local`](Self::local), has no solution.
-    pub fn start(&self, periods: &[u64], report: &Report, away: f64) -> Result<(StopPattern, Vec<f64>)> {
+    pub(crate) fn start(
+        &self,
+        periods: &[u64],
+        report: &Report,
+        away: f64,
+    ) -> Result<(StopPattern, Vec<f64>)> {
         if let Some(half) = &self.half {
             return half.start(&self.at, periods, report, away);
         }
@@ -79,7 +84,7 @@ const TWICE: f64 = 1e-11;
 ///
 /// # Errors
 /// Where the family is not defined.
-pub fn own_reach(family: &dyn MachineFamily, value: f64, near: Option<&MachineState>) -> Result<f64> {
+pub(crate) fn own_reach(family: &dyn MachineFamily, value: f64, near: Option<&MachineState>) -> Result<f64> {
     let (machine, slope) = family.at(value)?;
     // Without a periodic motion there is no gaps' motion.
     let motion = FreeMotion::near(&machine, &slope, near, family.tally());

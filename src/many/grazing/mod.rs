@@ -1,7 +1,7 @@
 //! Grazing bifurcations of the motion without impacts: where it touches a stop as a parameter varies, and the
 //! local map there.
 //!
-//! The motion is known in closed form ([`LinearEquations::response`](super::LinearEquations::response)), and
+//! The motion is known in closed form (`LinearEquations::response`), and
 //! so is its gap to each stop, a trigonometric sum. [`locate`] follows the least gap from one value of the
 //! parameter both ways and finds where it is zero first. The map there is the paper's, with the state x = (q,
 //! q′) less that of the motion, at the phase t_G of grazing, 2n numbers:
@@ -24,4 +24,5 @@ mod smooth;
 pub use free::{FreeMotion, LeastGap};
 pub use half::HalfPeriod;
 pub use local_map::MachineLocalMap;
-pub use locate::{MachineGrazing, MachineSearch, locate, own_reach};
+pub(crate) use locate::own_reach;
+pub use locate::{MachineGrazing, MachineSearch, locate};

@@ -58,7 +58,7 @@ impl StopPattern {
     }
 
     /// Its text, as `3,3`, with the stop's name at each impact if the machine has several.
-    pub fn named(&self, contacts: &[StopContact]) -> String {
+    pub(crate) fn named(&self, contacts: &[StopContact]) -> String {
         self.with_names(&contacts.iter().map(|contact| contact.name.as_str()).collect::<Vec<_>>())
     }
 
