@@ -77,15 +77,6 @@ impl<P: SectionState> Fate<P> {
             Fate::Ended(end) => format!("the motion ended before it settled, {}", end.why()),
         }))
     }
-
-    /// Whether another run ends up on the same attractor; all motions that are not periodic count as one.
-    pub(crate) fn is(&self, other: &Fate<P>) -> bool {
-        match (self, other) {
-            (Fate::Periodic(one), Fate::Periodic(other)) => one.is(other),
-            (Fate::Irregular, Fate::Irregular) | (Fate::Unsettled, Fate::Unsettled) => true,
-            _ => false,
-        }
-    }
 }
 
 /// Passes `count` points of the section, asking `monitor` whether to go on.

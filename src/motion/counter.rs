@@ -160,11 +160,6 @@ impl EffectTally {
         self.0[effect as usize].load(Ordering::Relaxed)
     }
 
-    /// One more.
-    pub(crate) fn count(&self, effect: Effect) {
-        self.add(effect, 1);
-    }
-
     /// That many more.
     pub(crate) fn add(&self, effect: Effect, count: u64) {
         self.0[effect as usize].fetch_add(count, Ordering::Relaxed);

@@ -50,11 +50,6 @@ impl<T: Scalar> Coordinates<T> {
         &self.powers[k as usize]
     }
 
-    /// The greatest k for which [`power`](Self::power) is known.
-    pub(crate) fn last(&self) -> u64 {
-        self.powers.len() as u64 - 1
-    }
-
     /// C A^k B.
     pub(crate) fn response(&self, k: u64) -> &T {
         &self.power(k)[(0, self.dimension() - 1)]

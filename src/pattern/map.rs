@@ -33,11 +33,6 @@ impl Entry {
         Ok(Entry { lo, hi })
     }
 
-    /// The lower and the upper bound.
-    pub(crate) fn bounds(&self) -> (&BigRational, &BigRational) {
-        (&self.lo, &self.hi)
-    }
-
     /// The number, if it is exact.
     pub fn exact(&self) -> Option<&BigRational> {
         (self.lo == self.hi).then_some(&self.lo)

@@ -158,11 +158,6 @@ impl Status {
         matches!(self, Status::Failed { .. })
     }
 
-    /// Whether something is certainly false.
-    pub(crate) fn is_refuted(&self) -> bool {
-        matches!(self, Status::Refuted { .. })
-    }
-
     /// Whether all is done.
     pub fn is_done(&self) -> bool {
         *self == Status::Done

@@ -290,7 +290,7 @@ mod tests {
         };
         // 2*a/w with its sign once, (a + 1)^2, 2*a/w, a.
         assert_eq!(force.coefficients.len(), 4, "{:?}", force.coefficients);
-        assert_eq!(force.text(), "-2*a/w*q+(a+1)^2*sin(q)*3-2*a/w*u+pi*a");
+        assert_eq!(force.text, "-2*a/w*q+(a+1)^2*sin(q)*3-2*a/w*u+pi*a");
     }
 
     #[test]

@@ -29,12 +29,8 @@ pub struct MachineLocalMap {
     pub e: f64,
     /// a_G: the second derivative of the gap there.
     pub acceleration: f64,
-    /// τ of the stop that is grazed.
-    pub(crate) restitution: f64,
     /// How fast the rate of the gap at the phase of grazing changes with the parameter.
     pub rate_drift: f64,
-    /// The motion's state there.
-    pub(crate) state: MachineState,
     /// Its derivative in the parameter, at that phase.
     pub drift: MachineState,
     /// det A, without cancellation.
@@ -100,9 +96,7 @@ impl MachineLocalMap {
             c,
             e,
             acceleration,
-            restitution: contact.restitution,
             rate_drift,
-            state,
             drift: motion.drift.state(at.phase),
             determinant,
             eigenvalues: eigenvalues(&a, determinant)?,
