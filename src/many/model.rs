@@ -200,6 +200,7 @@ impl Machine<f64> {
     /// # Errors
     /// An input error for a period that is not positive, sizes that do not fit, coefficients that are not
     /// finite, M that is not symmetric and positive definite, damping ratios without symmetric K ≥ 0.
+    #[doc(hidden)]
     pub fn equations(&self) -> Result<LinearEquations> {
         if !(self.period > 0.0 && self.period.is_finite()) {
             return Err(Error::input(format!("the period is {}; it must be positive", self.period)));
@@ -293,7 +294,11 @@ impl Machine<f64> {
     }
 
     /// The coordinates q of amplitudes η.
-    pub fn seen(&self, eta: &RealVector) -> RealVector {
+    pub fn displaced(&self, eta: &[f64]) -> Vec<f64> {
+        self.seen(&RealVector::from_column_slice(eta)).as_slice().to_vec()
+    }
+
+    pub(crate) fn seen(&self, eta: &RealVector) -> RealVector {
         self.shape().map_or_else(|| eta.clone(), |shape| shape * eta)
     }
 

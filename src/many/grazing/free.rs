@@ -80,6 +80,7 @@ impl FreeMotion {
     }
 
     /// The motion's displacements over a period.
+    #[doc(hidden)]
     pub fn motion(&self) -> &Periodic {
         &self.motion
     }

@@ -20,11 +20,11 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct MachineLocalMap {
     /// A: ∂(q, q′) after a period by (q, q′) before.
-    pub a: RealMatrix,
+    pub(crate) a: RealMatrix,
     /// B.
-    pub b: RealVector,
+    pub(crate) b: RealVector,
     /// C.
-    pub c: RealVector,
+    pub(crate) c: RealVector,
     /// e: how fast the least gap opens with the parameter (26).
     pub e: f64,
     /// a_G: the second derivative of the gap there.
@@ -104,6 +104,21 @@ impl MachineLocalMap {
             span,
             flow,
         })
+    }
+
+    /// A, row by row.
+    pub fn a(&self) -> Vec<Vec<f64>> {
+        self.a.row_iter().map(|row| row.iter().copied().collect()).collect()
+    }
+
+    /// B.
+    pub fn b(&self) -> &[f64] {
+        self.b.as_slice()
+    }
+
+    /// C.
+    pub fn c(&self) -> &[f64] {
+        self.c.as_slice()
     }
 
     /// √(2a_G): an impact of size y has the speed V = √(2a_G) y.

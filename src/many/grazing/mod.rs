@@ -9,7 +9,7 @@
 //! - A = the flow over one period, (2);
 //! - C = (w, 0): the gap is C x + eµ to first order, (5), (26);
 //! - B = √(2a_G) (1 + τ) (0, M⁻¹wᵀ/(w M⁻¹wᵀ)): an impact of incoming speed V changes the velocities by (1 +
-//!   τ) V M⁻¹wᵀ/(w M⁻¹wᵀ), Newton's law for one stop ([`contact`](super::contact)), and V = √(2a_G) y, (44);
+//!   τ) V M⁻¹wᵀ/(w M⁻¹wᵀ), Newton's law for one stop (`contact`), and V = √(2a_G) y, (44);
 //!   with one degree of freedom B = (0, √(2a_G)(1 + τ));
 //! - e = the rate of the least gap with the parameter, (26).
 //!

@@ -12,7 +12,7 @@
 //!   of it, exceeds the depth. Where rounding of the sum over the modes exceeds the minimum depth, it takes
 //!   its place.
 //! - Stops that are touched at one instant, within the minimum depth, are hit together by Newton's law for
-//!   all of them ([`contact`](super::contact)); `order_matters`
+//!   all of them (`contact`); `order_matters`
 //!   says where that is a choice.
 //! - Bounces on a stop that would be lower than the minimum depth, where it presses, are summed as a
 //!   geometric series and end in rest ([`Event::Stick`]): motion under the constraint that the gap is 0,
@@ -284,16 +284,19 @@ impl MachineSimulator {
     }
 
     /// The flow between impacts; where forces are formulas, that of the machine linearised at rest.
+    #[doc(hidden)]
     pub fn flow(&self) -> &LinearFlow {
         &self.free.flow
     }
 
     /// The equations of motion, the forcing's phase being time.
+    #[doc(hidden)]
     pub fn equations(&self) -> &LinearEquations {
         &self.equations
     }
 
     /// The stops.
+    #[doc(hidden)]
     pub fn contacts(&self) -> &Contacts {
         &self.contacts
     }
