@@ -18,7 +18,7 @@ use crate::{
 /// The local map of the stroboscopic section at the phase of grazing, in coordinates x = (q, q′) less those
 /// of the motion, velocities per radian of the forcing.
 #[derive(Debug, Clone)]
-pub struct MachineLocalMap {
+pub struct LocalMap {
     /// A: ∂(q, q′) after a period by (q, q′) before.
     pub(crate) a: RealMatrix,
     /// B.
@@ -48,22 +48,22 @@ pub struct MachineLocalMap {
 /// How far entries may be off that were computed in floats.
 const ERROR: f64 = 1e-12;
 
-impl MachineLocalMap {
+impl LocalMap {
     /// The map at a minimum of a gap that is zero. An a_G that is not positive is for
     /// [`to_map`](Self::to_map) to refuse.
     ///
     /// # Errors
     /// Those of [`LinearFlow::new`]; eigenvalues of A that are not found.
-    pub(crate) fn new(motion: &FreeMotion, at: &LeastGap) -> Result<MachineLocalMap> {
+    pub(crate) fn new(motion: &FreeMotion, at: &LeastGap) -> Result<LocalMap> {
         Self::over(motion, at, TAU)
     }
 
     /// The same over half a period, after which all is mirrored.
-    pub(super) fn half(motion: &FreeMotion, at: &LeastGap) -> Result<MachineLocalMap> {
+    pub(super) fn half(motion: &FreeMotion, at: &LeastGap) -> Result<LocalMap> {
         Self::over(motion, at, PI)
     }
 
-    fn over(motion: &FreeMotion, at: &LeastGap, span: f64) -> Result<MachineLocalMap> {
+    fn over(motion: &FreeMotion, at: &LeastGap, span: f64) -> Result<LocalMap> {
         let (contact, push) = (&motion.contacts().all()[at.stop], motion.contacts().push(at.stop));
         let n = motion.equations.size();
         let [gap, slope] = &motion.gaps[at.stop];
@@ -87,7 +87,7 @@ impl MachineLocalMap {
         let change = push * (kick / motion.contacts().mobility(at.stop));
         let zero = RealVector::zeros(n);
         let (b, c) = (stacked(&zero, &change), stacked(&contact.row, &zero));
-        Ok(MachineLocalMap {
+        Ok(LocalMap {
             own: match &flow {
                 Some(flow) => [flow.kick(&change), flow.seen(&contact.row, &zero)],
                 None => [b.clone(), c.clone()],

@@ -23,6 +23,6 @@ mod smooth;
 
 pub use free::{FreeMotion, LeastGap};
 pub use half::HalfPeriod;
-pub use local_map::MachineLocalMap;
+pub use local_map::LocalMap;
 pub(crate) use locate::own_reach;
 pub use locate::{MachineGrazing, MachineSearch, locate};

@@ -3,7 +3,7 @@
 
 use grazing::{
     continuation::PatternFamily,
-    many::{MachineState, branch::MachinePatterns, grazing::MachineLocalMap, orbit::find_from},
+    many::{MachineState, branch::MachinePatterns, grazing::LocalMap, orbit::find_from},
     scene::MachineSceneFamily,
 };
 
@@ -92,14 +92,14 @@ fn orbits_and_grazings_by_formulas_are_those_by_modes() {
     println!("{} {}, phases {} {}", a.parameter, b.parameter, a.at.phase, b.at.phase);
     near(a.parameter, b.parameter, "parameter");
     near(a.at.phase, b.at.phase, "phase");
-    let entries = |map: &MachineLocalMap| [&map.a().concat(), map.b(), map.c()].concat();
+    let entries = |map: &LocalMap| [&map.a().concat(), map.b(), map.c()].concat();
     entries(&a.map).into_iter().zip(entries(&b.map)).for_each(|(a, b)| near(a, b, "map"));
     for (x, y) in
         [(a.map.e, b.map.e), (a.map.acceleration, b.map.acceleration), (a.map.rate_drift, b.map.rate_drift)]
     {
         near(x, y, "e, a_G or the drift");
     }
-    let drift = |map: &MachineLocalMap| [map.drift.q(), map.drift.u()].concat();
+    let drift = |map: &LocalMap| [map.drift.q(), map.drift.u()].concat();
     drift(&a.map).into_iter().zip(drift(&b.map)).for_each(|(a, b)| near(a, b, "drift"));
 }
 
