@@ -17,6 +17,7 @@
 //! signs count, sizes go with the coordinates. Not here: the expansion itself (`return_map`).
 
 use super::Cubic;
+use crate::motion::algebra::{add, divide, scale, times};
 
 /// Which way an orbit's bifurcation goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -187,22 +188,6 @@ impl Derivatives {
         ];
         found.iter().flatten().all(|x| x.is_finite()).then_some(found)
     }
-}
-
-fn add(a: Complex, b: Complex) -> Complex {
-    [a[0] + b[0], a[1] + b[1]]
-}
-
-fn scale(a: Complex, factor: f64) -> Complex {
-    [a[0] * factor, a[1] * factor]
-}
-
-fn times(a: Complex, b: Complex) -> Complex {
-    [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
-}
-
-fn divide(a: Complex, b: Complex) -> Complex {
-    scale(times(a, [b[0], -b[1]]), 1.0 / (b[0] * b[0] + b[1] * b[1]))
 }
 
 fn dot(a: [Complex; 2], b: [Complex; 2]) -> Complex {

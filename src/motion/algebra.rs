@@ -11,6 +11,26 @@ pub(crate) fn apply(m: &Matrix2, v: [f64; 2]) -> [f64; 2] {
     [m[0][0] * v[0] + m[0][1] * v[1], m[1][0] * v[0] + m[1][1] * v[1]]
 }
 
+/// a + b.
+pub(crate) fn add(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] + b[0], a[1] + b[1]]
+}
+
+/// `factor` a.
+pub(crate) fn scale(a: [f64; 2], factor: f64) -> [f64; 2] {
+    [a[0] * factor, a[1] * factor]
+}
+
+/// a b, of complex numbers.
+pub(crate) fn times(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
+}
+
+/// a / b, of complex numbers.
+pub(crate) fn divide(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    scale(times(a, [b[0], -b[1]]), 1.0 / (b[0] * b[0] + b[1] * b[1]))
+}
+
 /// A B.
 pub(crate) fn product(a: &Matrix2, b: &Matrix2) -> Matrix2 {
     let column = |j: usize| apply(a, [b[0][j], b[1][j]]);
