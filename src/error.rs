@@ -54,7 +54,7 @@ impl Error {
     }
 
     /// A result does not fit the integer type that was asked for; a wider one (or `BigInt`) would do.
-    pub fn overflow(message: impl Into<String>) -> Self {
+    pub(crate) fn overflow(message: impl Into<String>) -> Self {
         Self::new(Kind::Overflow, message.into(), None)
     }
 
@@ -117,7 +117,7 @@ impl Error {
     }
 
     /// Whether the reader of our output went away, which for a command is no failure.
-    pub fn is_broken_pipe(&self) -> bool {
+    pub(crate) fn is_broken_pipe(&self) -> bool {
         self.0.source.as_ref().is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe)
     }
 }

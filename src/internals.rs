@@ -9,6 +9,15 @@ pub mod rows;
 pub mod output {
     pub use crate::output::*;
 }
+/// The machine's linear algebra, with matrices of a package of others.
+pub mod many {
+    pub use crate::many::{
+        contact::{Contacts, StopContact},
+        equations::{LinearEquations, Periodic},
+        flow::LinearFlow,
+        slope::MachineSlope,
+    };
+}
 /// Text of others on its way out.
 pub mod printable {
     pub use crate::printable::{Printable, csv_field, is_printable};

@@ -27,7 +27,7 @@ pub struct Printable<'a>(pub &'a str);
 
 impl<'a> Printable<'a> {
     /// The text; the same if there is nothing to change.
-    pub fn text(self) -> Cow<'a, str> {
+    pub(crate) fn text(self) -> Cow<'a, str> {
         // Of most text, and the fastest to tell.
         if self.0.bytes().all(|byte| (b' '..=b'~').contains(&byte)) || self.0.chars().all(is_printable) {
             Cow::Borrowed(self.0)

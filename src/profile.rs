@@ -30,7 +30,7 @@ impl Profile {
     }
 
     /// Adds cases and time.
-    pub fn add(&self, method: impl Display, cases: u64, time: Duration) {
+    pub(crate) fn add(&self, method: impl Display, cases: u64, time: Duration) {
         let mut rows = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let row = rows.entry(method.to_string()).or_default();
         row.cases += cases;

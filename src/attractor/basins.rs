@@ -99,7 +99,7 @@ pub fn basins<D: Attraction>(
 ///
 /// # Errors
 /// Those of [`basins`].
-pub fn basin_rows<D: Attraction>(
+pub(crate) fn basin_rows<D: Attraction>(
     (dynamics, place): (&D, &(dyn Fn([f64; 2]) -> D::Start + Sync)),
     grid: &BasinGrid,
     detection: &Detection,
@@ -178,7 +178,7 @@ impl<P: SectionState> Basins<P> {
     ///
     /// # Panics
     /// If a cell of a row is of an attractor that the row does not have.
-    pub fn joined(rows: impl IntoIterator<Item = Basins<P>>) -> Basins<P> {
+    pub(crate) fn joined(rows: impl IntoIterator<Item = Basins<P>>) -> Basins<P> {
         let mut all = Basins { attractors: Vec::new(), cells: Vec::new() };
         for Basins { attractors, cells } in rows {
             let places: Vec<usize> = attractors.into_iter().map(|cycle| all.attractor(cycle)).collect();
@@ -191,7 +191,7 @@ impl<P: SectionState> Basins<P> {
     }
 
     /// Whether a row of the grid can have come to this.
-    pub fn can_be_row(&self, grid: &BasinGrid, detection: &Detection) -> bool {
+    pub(crate) fn can_be_row(&self, grid: &BasinGrid, detection: &Detection) -> bool {
         let cycle = |cycle: &Cycle<P>| {
             (1..=detection.longest).contains(&cycle.points.len())
                 && cycle.points.iter().all(P::is_finite)

@@ -16,7 +16,7 @@ const ANEW: &str = "remove it, or set resume = false in the task, to start anew"
 
 /// Where what is done is kept.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Keep<'a> {
+pub(crate) struct Keep<'a> {
     /// The file; without one nothing is kept.
     pub file: Option<&'a Path>,
     /// Where the work of those who do it is counted: kept with what they find, so that the counts of a

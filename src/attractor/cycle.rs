@@ -14,7 +14,7 @@ pub struct Cycle<P = [f64; 2]> {
     /// Impacts in one time round.
     pub impacts: u64,
     /// States this close to it in every coordinate are on it.
-    pub same: f64,
+    pub(crate) same: f64,
     /// Its multipliers, the largest modulus first; none where they are not known, as the orbit was told by
     /// recurrence to rounding.
     pub multipliers: Vec<(f64, f64)>,
@@ -22,7 +22,7 @@ pub struct Cycle<P = [f64; 2]> {
 
 impl<P: SectionState> Cycle<P> {
     /// Whether a state of the section is one of its points.
-    pub fn passes(&self, state: &P) -> bool {
+    pub(crate) fn passes(&self, state: &P) -> bool {
         self.points.iter().any(|point| point.near(state, self.same))
     }
 

@@ -18,7 +18,7 @@ use crate::{
 
 /// Points of the section this close recur, unless a [`Detection`] says otherwise: relative to the extent of
 /// the motion, the largest difference of one coordinate over a period.
-pub const RECURRENCE: f64 = 1e-7;
+pub(crate) const RECURRENCE: f64 = 1e-7;
 
 /// Points farther apart than this, relative to the extent, are no sign of a period.
 const LIKELY: f64 = 0.1;
@@ -32,7 +32,7 @@ pub struct Detection {
     pub transient: u64,
     /// The longest period looked for, in forcing periods, at least 1. Default 64.
     pub longest: usize,
-    /// Points this close, relative to the extent of the motion, recur. Default [`RECURRENCE`].
+    /// Points this close, relative to the extent of the motion, recur. Default 1e-7.
     pub tolerance: f64,
     /// How many more times round the points must recur, with the same impacts, where Newton's method finds no
     /// orbit, at least 1. Default 2.
@@ -64,7 +64,7 @@ impl<P: SectionState> Fate<P> {
     ///
     /// # Errors
     /// An input error that says what the motion does instead.
-    pub fn periodic(self, detection: &Detection) -> Result<Cycle<P>> {
+    pub(crate) fn periodic(self, detection: &Detection) -> Result<Cycle<P>> {
         let Detection { longest, transient, .. } = detection;
         Err(Error::input(match self {
             Fate::Periodic(cycle) => return Ok(cycle),
@@ -77,22 +77,13 @@ impl<P: SectionState> Fate<P> {
             Fate::Ended(end) => format!("the motion ended before it settled, {}", end.why()),
         }))
     }
-
-    /// Whether another run ends up on the same attractor; all motions that are not periodic count as one.
-    pub fn is(&self, other: &Fate<P>) -> bool {
-        match (self, other) {
-            (Fate::Periodic(one), Fate::Periodic(other)) => one.is(other),
-            (Fate::Irregular, Fate::Irregular) | (Fate::Unsettled, Fate::Unsettled) => true,
-            _ => false,
-        }
-    }
 }
 
 /// Passes `count` points of the section, asking `monitor` whether to go on.
 ///
 /// # Errors
 /// The monitor's; those of [`Motion::pass`].
-pub fn wait<M: Motion>(run: &mut M, phase: f64, count: u64, monitor: &dyn Monitor) -> Result<RunEnd> {
+pub(crate) fn wait<M: Motion>(run: &mut M, phase: f64, count: u64, monitor: &dyn Monitor) -> Result<RunEnd> {
     let mut left = count;
     while left > 0 {
         let some = left.min(M::CHUNK);

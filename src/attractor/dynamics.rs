@@ -35,16 +35,17 @@ pub trait SectionState: Clone + Debug + PartialEq + Send + Sync + Serialize + De
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Range {
     /// The least and the greatest of the first number that is drawn.
-    pub extent: [f64; 2],
+    pub(crate) extent: [f64; 2],
     /// The greatest speed at which a stop is met, if one is.
-    pub speed: Option<f64>,
+    pub(crate) speed: Option<f64>,
     /// The same per radian of the forcing, 0 if none is met: a length, as the extent.
-    pub hit: f64,
+    pub(crate) hit: f64,
 }
 
 impl Range {
     /// Of nothing yet.
-    pub const NONE: Range = Range { extent: [f64::INFINITY, f64::NEG_INFINITY], speed: None, hit: 0.0 };
+    pub(crate) const NONE: Range =
+        Range { extent: [f64::INFINITY, f64::NEG_INFINITY], speed: None, hit: 0.0 };
 
     /// Widened by a place.
     pub fn widen(&mut self, at: f64) {
@@ -52,21 +53,21 @@ impl Range {
     }
 
     /// A stop is met at this speed per radian of the forcing, if one is; `rate` is radians in a unit of time.
-    pub fn meet(&mut self, hit: Option<f64>, rate: f64) {
+    pub(crate) fn meet(&mut self, hit: Option<f64>, rate: f64) {
         self.speed = self.speed.into_iter().chain(hit.map(|hit| hit * rate)).reduce(f64::max);
         self.hit = hit.map_or(self.hit, |hit| self.hit.max(hit));
     }
 
     /// How differently two motions go: the largest difference of the ends of their extents and of their
     /// fastest impacts. Between two stops it is impacts alone that tell.
-    pub fn moved(&self, other: &Range) -> f64 {
+    pub(crate) fn moved(&self, other: &Range) -> f64 {
         let ends = [0, 1].map(|i| (self.extent[i] - other.extent[i]).abs());
         ends[0].max(ends[1]).max((self.hit - other.hit).abs())
     }
 
     /// The same relative to the larger of their widths: 0 for the same, 1 for a motion that moved by its own
     /// width.
-    pub fn apart(&self, other: &Range) -> f64 {
+    pub(crate) fn apart(&self, other: &Range) -> f64 {
         let width = |[low, high]: [f64; 2]| high - low;
         let moved = self.moved(other);
         if moved == 0.0 { 0.0 } else { moved / width(self.extent).max(width(other.extent)) }

@@ -16,7 +16,7 @@ pub struct Exponent {
     /// The mean rate of growth per unit of time; times 2π, per forcing period. −∞ once the oscillator has
     /// come to rest on a wall, where neighbours meet.
     pub rate: f64,
-    /// The standard error of the rate, from the means over [`BATCHES`] equal stretches of the run taken as
+    /// The standard error of the rate, from the means over 20 equal stretches of the run taken as
     /// independent; NaN for a run of one period. It does not see what is slower than a stretch.
     pub standard_error: f64,
     /// The rate over the second half of the run: how far the two differ tells how far the mean has settled.
@@ -28,7 +28,7 @@ pub struct Exponent {
 }
 
 /// Into how many stretches a run is divided, if it has that many periods.
-pub const BATCHES: u64 = 20;
+pub(crate) const BATCHES: u64 = 20;
 
 /// The largest `count` exponents, with multiplicity, the largest first, of the motion from a start, over
 /// `transient` and then `periods` forcing periods. Tangencies and the square root at them are passed as if

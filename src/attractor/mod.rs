@@ -33,4 +33,4 @@ pub mod portrait;
 pub mod section;
 pub mod touch;
 
-pub use checkpoint::Keep;
+pub(crate) use checkpoint::Keep;

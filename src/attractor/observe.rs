@@ -41,7 +41,7 @@ pub struct Observed<S, P> {
 }
 
 /// What was seen of a motion, or why it ended.
-pub type ObservedMotion<S, P> = std::result::Result<Observed<S, P>, RunEnd>;
+pub(crate) type ObservedMotion<S, P> = std::result::Result<Observed<S, P>, RunEnd>;
 
 impl Observation {
     pub(crate) fn detection(&self) -> Detection {

@@ -26,7 +26,7 @@ const SEEN: u32 = 128;
 
 /// What an attractor looks like.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Portrait {
+pub(crate) struct Portrait {
     /// Its period in forcing periods, if it is periodic.
     pub period: Option<u32>,
     /// Whether it was not decided if it is.
@@ -41,7 +41,7 @@ pub struct Portrait {
 
 /// Where a motion has settled, and on what.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct OnAttractor<S> {
+pub(crate) struct OnAttractor<S> {
     /// A state on it.
     pub start: S,
     /// What it looks like.
@@ -78,7 +78,7 @@ impl Portrait {
 ///
 /// # Errors
 /// Those of [`Attraction::observe`]; the monitor's.
-pub fn settle<D: Attraction>(
+pub(crate) fn settle<D: Attraction>(
     dynamics: &D,
     from: &D::Start,
     observation: &Observation,

@@ -10,11 +10,11 @@ use crate::{
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SectionPoint<P = [f64; 2]> {
     /// The forcing period in which it lies.
-    pub period: i64,
+    pub(crate) period: i64,
     /// The state: (q, u) for an oscillator.
-    pub at: P,
+    pub(crate) at: P,
     /// Impacts since the point before, or since the start.
-    pub impacts: u64,
+    pub(crate) impacts: u64,
 }
 
 /// Shows the next `count` points at `phase` ∈ [0, 2π), the first strictly later than the run's time; false

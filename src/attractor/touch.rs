@@ -31,7 +31,7 @@ const STEP: f64 = 1.0 / 64.0;
 
 /// A touch, as what moves there is followed.
 #[derive(Debug, Clone)]
-pub struct Touch<S> {
+pub(crate) struct Touch<S> {
     /// The parameter's value.
     pub parameter: f64,
     /// How fast the least gap opens with the parameter: positive if the touch is reached from above.
@@ -48,7 +48,7 @@ pub struct Touch<S> {
 
 /// What is seen on one side.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Beside<S> {
+pub(crate) struct Beside<S> {
     /// The parameter's value.
     pub parameter: f64,
     /// What the orbit's state leads to there; none where that leaves every bound.
@@ -59,7 +59,7 @@ pub struct Beside<S> {
 
 /// What is seen at a touch.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Seen<S> {
+pub(crate) struct Seen<S> {
     /// How it was looked at.
     pub look: Look,
     /// The orbit that touches, as it is just before.
@@ -101,7 +101,7 @@ fn observation(look: &Look) -> Observation {
 ///
 /// # Errors
 /// Those of the system and of [`settle`].
-pub fn beside<D: Attraction>(
+pub(crate) fn beside<D: Attraction>(
     touch: &Touch<D::Start>,
     look: &Look,
     dynamics: impl Fn(f64) -> Result<D>,
@@ -135,7 +135,7 @@ pub fn beside<D: Attraction>(
 ///
 /// # Errors
 /// As [`beside`].
-pub fn seen<D: Attraction>(
+pub(crate) fn seen<D: Attraction>(
     touch: &Touch<D::Start>,
     look: &Look,
     dynamics: impl Fn(f64) -> Result<D>,

@@ -22,7 +22,7 @@ pub enum Bifurcation {
 
 impl Bifurcation {
     /// All, in the order of a branch's monitors.
-    pub const ALL: [Bifurcation; 6] = [
+    pub(crate) const ALL: [Bifurcation; 6] = [
         Bifurcation::SaddleNode,
         Bifurcation::Crossing,
         Bifurcation::Flip,
@@ -44,7 +44,7 @@ impl Bifurcation {
     }
 
     /// The one with a name.
-    pub fn named(name: &str) -> Option<Bifurcation> {
+    pub(crate) fn named(name: &str) -> Option<Bifurcation> {
         Bifurcation::ALL.into_iter().find(|known| known.name() == name)
     }
 
@@ -119,7 +119,7 @@ pub enum Degeneracy {
 
 impl Degeneracy {
     /// All, in the order of a curve's monitors.
-    pub const ALL: [Degeneracy; 19] = [
+    pub(crate) const ALL: [Degeneracy; 19] = [
         Degeneracy::Cusp,
         Degeneracy::GeneralisedFlip,
         Degeneracy::Chenciner,
@@ -142,7 +142,7 @@ impl Degeneracy {
     ];
 
     /// Its name in tables and labels.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Degeneracy::Cusp => "cusp",
             Degeneracy::GeneralisedFlip => "generalised-flip",

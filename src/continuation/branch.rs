@@ -215,7 +215,7 @@ impl<O: FollowedOrbit> OrbitBranch<O> {
 impl CurvePoint {
     /// The same point, looking back.
     #[must_use]
-    pub fn reversed(&self) -> CurvePoint {
+    pub(crate) fn reversed(&self) -> CurvePoint {
         CurvePoint { tangent: self.tangent.iter().map(|t| -t).collect(), ..self.clone() }
     }
 }
@@ -233,7 +233,7 @@ impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
     ///
     /// # Errors
     /// An input error at a saddle-node, or outside the range.
-    pub fn start_at(&self, orbit: &F::Orbit, parameter: f64, options: &Options) -> Result<CurvePoint> {
+    pub(crate) fn start_at(&self, orbit: &F::Orbit, parameter: f64, options: &Options) -> Result<CurvePoint> {
         self.check_range(parameter)?;
         let own = |(i, z): (usize, &f64)| z * orbit.unit(i) / self.family.unit(&self.itinerary, i);
         let z: Vec<f64> = orbit.unknowns().iter().enumerate().map(own).collect();

@@ -38,11 +38,11 @@ pub enum Sense {
 }
 
 /// Why a point of a branch has no normal form, in a few words.
-pub type NoForm = &'static str;
+pub(crate) type NoForm = &'static str;
 
 /// A number that is computed from an orbit, and how far it may be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Estimate {
+pub(crate) struct Estimate {
     /// The number.
     pub value: f64,
     /// By how much more than this it is not off, as far as can be told.
@@ -139,17 +139,17 @@ impl Estimate {
 }
 
 /// A bifurcation at which the map is not smooth.
-pub const NOT_SMOOTH: NoForm = "none: the map is not smooth here";
+pub(crate) const NOT_SMOOTH: NoForm = "none: the map is not smooth here";
 /// A bifurcation at which a multiplier is double.
 pub const DOUBLE: NoForm = "none: a double multiplier";
 /// A bifurcation at which the derivatives are not found.
-pub const UNKNOWN: NoForm = "none: the derivatives of the map are not found";
+pub(crate) const UNKNOWN: NoForm = "none: the derivatives of the map are not found";
 /// A point of codimension two, or a curve's in two parameters.
-pub const CODIMENSION_TWO: NoForm = "none: of codimension two";
+pub(crate) const CODIMENSION_TWO: NoForm = "none: of codimension two";
 
 impl NormalForm {
     /// Its word.
-    pub fn name(&self) -> &'static str {
+    pub(crate) fn name(&self) -> &'static str {
         match self.kind {
             Sense::Born(criticality) => criticality.name(),
             Sense::Above => "above",

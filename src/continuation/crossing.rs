@@ -13,7 +13,7 @@ use crate::{
 
 /// A point where curves cross.
 #[derive(Debug, Clone)]
-pub struct Crossing {
+pub(crate) struct Crossing {
     /// The point, its tangent that of the curve it was found on.
     pub place: CurvePoint,
     /// The unit tangent of the other curve.
@@ -32,7 +32,7 @@ const ASTRAY: f64 = 1.0;
 
 /// Whether J is so nearly of rank n − 1 at a point that curves cross there or close by: the least singular
 /// value of J with the tangent, to within a factor √n.
-pub fn is_near(curve: &impl Curve, place: &CurvePoint) -> Result<bool> {
+pub(crate) fn is_near(curve: &impl Curve, place: &CurvePoint) -> Result<bool> {
     let mut matrix = curve.equations(&place.u)?.jacobian;
     let scale = matrix.iter().fold(1.0, |most: f64, row| most.max(largest(row)));
     matrix.push(place.tangent.clone());
@@ -45,7 +45,7 @@ pub fn is_near(curve: &impl Curve, place: &CurvePoint) -> Result<bool> {
 ///
 /// # Errors
 /// An input error if there is none: Newton's method does not end, or the tangents are not two.
-pub fn locate(curve: &impl Curve, near: &CurvePoint) -> Result<Crossing> {
+pub(crate) fn locate(curve: &impl Curve, near: &CurvePoint) -> Result<Crossing> {
     let failed = || Error::input("no crossing of two branches here");
     let size = near.u.len();
     let n = size - 1;

@@ -20,26 +20,26 @@ const fn place(i: usize, j: usize) -> usize {
 
 impl Cubic {
     /// A number.
-    pub fn constant(value: f64) -> Cubic {
+    pub(crate) fn constant(value: f64) -> Cubic {
         let mut all = [0.0; TERMS];
         all[0] = value;
         Cubic(all)
     }
 
     /// `value` + x (0) or + y (1).
-    pub fn variable(value: f64, which: usize) -> Cubic {
+    pub(crate) fn variable(value: f64, which: usize) -> Cubic {
         let mut found = Cubic::constant(value);
         found.0[1 + which] = 1.0;
         found
     }
 
     /// Of these coefficients: of 1, x, y, x², xy, y², x³, x²y, xy², y³.
-    pub fn of(coefficients: [f64; 10]) -> Cubic {
+    pub(crate) fn of(coefficients: [f64; 10]) -> Cubic {
         Cubic(coefficients)
     }
 
     /// All coefficients, in the order of [`of`](Self::of).
-    pub fn coefficients(&self) -> &[f64; 10] {
+    pub(crate) fn coefficients(&self) -> &[f64; 10] {
         &self.0
     }
 
@@ -50,31 +50,31 @@ impl Cubic {
 
     /// The polynomial with one coefficient replaced.
     #[must_use]
-    pub fn with(mut self, i: usize, j: usize, value: f64) -> Cubic {
+    pub(crate) fn with(mut self, i: usize, j: usize, value: f64) -> Cubic {
         self.0[place(i, j)] = value;
         self
     }
 
     /// The value at (0, 0).
-    pub fn value(&self) -> f64 {
+    pub(crate) fn value(&self) -> f64 {
         self.0[0]
     }
 
     /// What is left without the value at (0, 0): its powers from the fourth on vanish.
     #[must_use]
-    pub fn without_value(self) -> Cubic {
+    pub(crate) fn without_value(self) -> Cubic {
         self.with(0, 0, 0.0)
     }
 
     /// `factor` times the polynomial.
     #[must_use]
-    pub fn scaled(self, factor: f64) -> Cubic {
+    pub(crate) fn scaled(self, factor: f64) -> Cubic {
         Cubic(self.0.map(|x| factor * x))
     }
 
     /// 1/self; the value at (0, 0) must not be 0.
     #[must_use]
-    pub fn inverse(self) -> Cubic {
+    pub(crate) fn inverse(self) -> Cubic {
         let value = self.value();
         let rest = self.without_value().scaled(-1.0 / value);
         polynomial(&[1.0; 4].map(Cubic::constant), rest).scaled(1.0 / value)
@@ -87,7 +87,7 @@ impl Cubic {
 }
 
 /// Σ c_k x^k by Horner's rule.
-pub fn polynomial(coefficients: &[Cubic], x: Cubic) -> Cubic {
+pub(crate) fn polynomial(coefficients: &[Cubic], x: Cubic) -> Cubic {
     coefficients.iter().rev().fold(Cubic::constant(0.0), |sum, c| sum * x + *c)
 }
 

@@ -94,7 +94,7 @@ impl Corrector {
     ///
     /// # Errors
     /// As [`Corrector::correct`].
-    pub fn step(&self, curve: &impl Curve, place: &CurvePoint, h: f64) -> Result<CurvePoint> {
+    pub(crate) fn step(&self, curve: &impl Curve, place: &CurvePoint, h: f64) -> Result<CurvePoint> {
         let guess: Vec<f64> = place.u.iter().zip(&place.tangent).map(|(u, t)| u + h * t).collect();
         self.correct(curve, &guess, &place.tangent)
     }
@@ -104,7 +104,7 @@ impl Corrector {
     ///
     /// # Errors
     /// As [`Corrector::correct`].
-    pub fn start(&self, curve: &impl Curve, guess: &[f64], fixed: usize) -> Result<CurvePoint> {
+    pub(crate) fn start(&self, curve: &impl Curve, guess: &[f64], fixed: usize) -> Result<CurvePoint> {
         let mut normal = vec![0.0; guess.len()];
         normal[fixed] = 1.0;
         self.correct(curve, guess, &normal)

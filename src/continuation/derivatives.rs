@@ -17,6 +17,7 @@
 //! signs count, sizes go with the coordinates. Not here: the expansion itself (`return_map`).
 
 use super::Cubic;
+use crate::motion::algebra::{add, divide, scale, times};
 
 /// Which way an orbit's bifurcation goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,7 +30,7 @@ pub enum Criticality {
 
 impl Criticality {
     /// Its name.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Criticality::Supercritical => "supercritical",
             Criticality::Subcritical => "subcritical",
@@ -52,7 +53,7 @@ impl Derivatives {
     /// Each coefficient times a factor of its own, in the order of [`Cubic::of`], the first row's before the
     /// second's.
     #[must_use]
-    pub fn scaled(self, factors: &[f64]) -> Derivatives {
+    pub(crate) fn scaled(self, factors: &[f64]) -> Derivatives {
         let mut factors = factors.iter();
         let mut next = |x: f64| factors.next().map_or(x, |factor| factor * x);
         Derivatives(self.0.map(|row| Cubic::of(row.coefficients().map(&mut next))))
@@ -110,26 +111,26 @@ impl Derivatives {
     }
 
     /// a at a multiplier 1.
-    pub fn fold(&self) -> Option<f64> {
+    pub(crate) fn fold(&self) -> Option<f64> {
         let (q, p) = self.eigenvectors([1.0, 0.0])?;
         Some(dot(p, self.second(q, q))[0] / 2.0).filter(|a| a.is_finite())
     }
 
     /// a at a multiplier 1, the direction of q chosen so that it does not jump along a curve of folds (but
     /// where a column of A − I vanishes).
-    pub fn fold_along(&self) -> Option<f64> {
+    pub(crate) fn fold_along(&self) -> Option<f64> {
         let (a, (q, _)) = (self.linear(), self.eigenvectors([1.0, 0.0])?);
         let (along, fold) = (q[0][0] * a[0][1] + q[1][0] * (1.0 - a[0][0]), self.fold()?);
         Some(fold.copysign(fold * along))
     }
 
     /// p, the left eigenvector of the multiplier 1.
-    pub fn fold_normal(&self) -> Option<[f64; 2]> {
+    pub(crate) fn fold_normal(&self) -> Option<[f64; 2]> {
         Some(self.eigenvectors([1.0, 0.0])?.1.map(|x| x[0]))
     }
 
     /// c at a multiplier 1 where a = 0.
-    pub fn pitchfork(&self) -> Option<f64> {
+    pub(crate) fn pitchfork(&self) -> Option<f64> {
         let (q, p) = self.eigenvectors([1.0, 0.0])?;
         let bent = self.second(q, q);
         // B(q, q) less its part along q is an eigenvector of the other multiplier.
@@ -142,7 +143,7 @@ impl Derivatives {
     }
 
     /// b at a multiplier −1.
-    pub fn flip(&self) -> Option<f64> {
+    pub(crate) fn flip(&self) -> Option<f64> {
         let (q, p) = self.eigenvectors([-1.0, 0.0])?;
         let h = self.resolve([1.0, 0.0], self.second(q, q))?;
         self.cubic(q, p, h)
@@ -154,7 +155,7 @@ impl Derivatives {
     }
 
     /// Re d at multipliers e^{±iθ}, θ not 0, π, 2π/3 or π/2.
-    pub fn torus(&self) -> Option<f64> {
+    pub(crate) fn torus(&self) -> Option<f64> {
         let a = self.linear();
         let cos = (a[0][0] + a[1][1]) / 2.0;
         let eigenvalue = [cos, (1.0 - cos * cos).max(0.0).sqrt()];
@@ -187,22 +188,6 @@ impl Derivatives {
         ];
         found.iter().flatten().all(|x| x.is_finite()).then_some(found)
     }
-}
-
-fn add(a: Complex, b: Complex) -> Complex {
-    [a[0] + b[0], a[1] + b[1]]
-}
-
-fn scale(a: Complex, factor: f64) -> Complex {
-    [a[0] * factor, a[1] * factor]
-}
-
-fn times(a: Complex, b: Complex) -> Complex {
-    [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
-}
-
-fn divide(a: Complex, b: Complex) -> Complex {
-    scale(times(a, [b[0], -b[1]]), 1.0 / (b[0] * b[0] + b[1] * b[1]))
 }
 
 fn dot(a: [Complex; 2], b: [Complex; 2]) -> Complex {

@@ -67,7 +67,7 @@ pub trait Followed: Curve {
 }
 
 /// An event: the number of its monitor, the point, what is known of it.
-pub type Settled<V> = Option<(usize, CurvePoint, V)>;
+pub(crate) type Settled<V> = Option<(usize, CurvePoint, V)>;
 
 /// A point that the curve was followed through.
 #[derive(Debug, Clone)]
@@ -124,7 +124,7 @@ pub fn follow<C: Followed>(
 ///
 /// # Errors
 /// As [`follow`].
-pub fn follow_until<C: Followed>(
+pub(crate) fn follow_until<C: Followed>(
     curve: &C,
     start: CurvePoint,
     options: &Options,

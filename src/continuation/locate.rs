@@ -25,7 +25,7 @@ pub struct Located<O> {
 
 /// What was met one way along a branch.
 #[derive(Debug, Clone)]
-pub struct OneWay {
+pub(crate) struct OneWay {
     /// Every bifurcation that was passed, with its parameter.
     pub passed: Vec<(Bifurcation, f64)>,
     /// Why it was followed no further.
@@ -79,11 +79,11 @@ pub enum BranchSearch<O> {
 #[derive(Debug, Clone)]
 pub struct Nothing {
     /// What was looked for.
-    pub bifurcation: Bifurcation,
+    pub(crate) bifurcation: Bifurcation,
     /// How far: see [`SearchReach`].
-    pub reach: f64,
+    pub(crate) reach: f64,
     /// Against the branch's direction, and along it: that of larger parameters at the start.
-    pub sides: [OneWay; 2],
+    pub(crate) sides: [OneWay; 2],
 }
 
 /// The bifurcation of a kind that is nearest along the branch through an orbit: followed both ways, no
@@ -91,7 +91,7 @@ pub struct Nothing {
 ///
 /// # Errors
 /// An input error if the branch cannot be followed at the orbit itself.
-pub fn nearest<F: PatternFamily + ?Sized>(
+pub(crate) fn nearest<F: PatternFamily + ?Sized>(
     family: &F,
     bifurcation: Bifurcation,
     orbit: &F::Orbit,

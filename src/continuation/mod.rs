@@ -1,7 +1,7 @@
 //! Branches of periodic orbits over a parameter: continuation, events, switching, events in two parameters.
 //!
 //! `curve` follows any curve, [`PatternCurve`] is the one of orbits with an impact pattern, [`OrbitBranch`]
-//! what was found along it; `problem` is what they ask of orbits, whichever engine has them. [`newton`]
+//! what was found along it; `problem` is what they ask of orbits, whichever engine has them. `newton`
 //! solves pattern equations, [`Multipliers`] and [`Derivatives`] are those of plane maps. Not here: the
 //! orbits themselves (`one`, `many`), attractors (`attractor`).
 //!
@@ -44,19 +44,25 @@ mod starts;
 
 pub use bifurcation::{Bifurcation, Degeneracy, Singularity};
 pub use branch::{BranchPoint, Direction, OrbitBranch, OrbitCurve};
-pub use criticality::{CODIMENSION_TWO, DOUBLE, Estimate, NOT_SMOOTH, NoForm, NormalForm, Sense, UNKNOWN};
-pub use cubic::{Cubic, polynomial};
+pub(crate) use criticality::{CODIMENSION_TWO, Estimate, NOT_SMOOTH, NoForm, UNKNOWN};
+pub use criticality::{DOUBLE, NormalForm, Sense};
+pub use cubic::Cubic;
+pub(crate) use cubic::polynomial;
 pub use curve::{Corrector, Curve, CurvePoint, Equations};
 pub use derivatives::{Criticality, Derivatives};
-pub use follow::{CurveEnd, Followed, Settled, Step, follow, follow_until};
-pub use locate::{BranchSearch, Located, Nothing, OneWay, SearchReach, nearest};
+pub use follow::{CurveEnd, Followed, Step, follow};
+pub(crate) use locate::nearest;
+pub use locate::{BranchSearch, Located, Nothing, SearchReach};
 pub use multipliers::Multipliers;
-pub use newton::{Linearised, Root, newton};
+pub(crate) use newton::newton;
+pub use newton::{Linearised, Root};
 pub use options::Options;
 pub(crate) use options::with_options;
 pub use orbits::PatternCurve;
 pub(crate) use periods::{counted, halved, natural, sum_of_periods, times_round};
 pub use plane::EventCurve;
-pub use problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternOf, PatternPlane};
-pub use record::{Label, RecordForm, read_label_as, record_as};
+pub(crate) use problem::PatternOf;
+pub use problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternPlane};
+pub(crate) use record::read_label_as;
+pub use record::{Label, RecordForm, record_as};
 pub(crate) use starts::Starts;

@@ -35,7 +35,7 @@ impl Multipliers {
     }
 
     /// (1 + λ₁)(1 + λ₂): 0 where a multiplier is −1, at a flip.
-    pub fn flip(&self) -> f64 {
+    pub(crate) fn flip(&self) -> f64 {
         1.0 + self.trace + self.determinant
     }
 }

@@ -1,5 +1,6 @@
 //! Newton's method, damped: for pattern equations and for the systems that pin down their bifurcations.
 
+use super::curve::largest;
 use crate::{
     error::{Error, Result},
     motion::algebra::solve,
@@ -19,7 +20,7 @@ pub struct Linearised {
 impl Linearised {
     /// The same with lengths and speeds measured by `unit`, an unknown of 1 being `own` of its number.
     #[must_use]
-    pub fn measured(mut self, unit: f64, own: impl Fn(usize) -> f64) -> Linearised {
+    pub(crate) fn measured(mut self, unit: f64, own: impl Fn(usize) -> f64) -> Linearised {
         self.residual.iter_mut().chain(&mut self.slope).for_each(|x| *x /= unit);
         for row in &mut self.jacobian {
             row.iter_mut().enumerate().for_each(|(i, x)| *x *= own(i) / unit);
@@ -49,13 +50,13 @@ pub struct Root {
 /// # Errors
 /// An input error if F is not defined at `start`, ∂F/∂z is singular on the way, or it does not converge in 60
 /// steps.
-pub fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linearised>) -> Result<Root> {
+pub(crate) fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linearised>) -> Result<Root> {
     let mut z = start;
     let mut here = equations(&z)?;
-    let mut size = norm(&here.residual);
+    let mut size = largest(&here.residual);
     for steps in 0..STEPS {
         // At a fold the Jacobian is singular: there F alone has to be small.
-        let solved = size <= 4.0 * f64::EPSILON * (1.0 + norm(&z));
+        let solved = size <= 4.0 * f64::EPSILON * (1.0 + largest(&z));
         let Some(step) = solve(here.jacobian, here.residual.clone()) else {
             return if solved {
                 Ok(Root { z, residual: size, steps })
@@ -63,13 +64,13 @@ pub fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linearised>)
                 Err(Error::input("Newton's method met a singular Jacobian"))
             };
         };
-        let length = norm(&step);
-        let settled = solved || length <= 1e-11 * (1.0 + norm(&z));
+        let length = largest(&step);
+        let settled = solved || length <= 1e-11 * (1.0 + largest(&z));
         let mut factor = (1.0 / length).min(1.0);
         let next = loop {
             let trial: Vec<f64> = z.iter().zip(&step).map(|(z, step)| z - factor * step).collect();
             match equations(&trial) {
-                Ok(found) if norm(&found.residual) < size => break Some((trial, found)),
+                Ok(found) if largest(&found.residual) < size => break Some((trial, found)),
                 _ if settled => break None,
                 _ => factor /= 2.0,
             }
@@ -82,13 +83,13 @@ pub fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linearised>)
             return Ok(Root { z, residual: size, steps });
         };
         (z, here) = (trial, found);
-        size = norm(&here.residual);
+        size = largest(&here.residual);
         if size == 0.0 {
             return Ok(Root { z, residual: size, steps: steps + 1 });
         }
     }
     // Each of these steps may have lowered |F| a little, below what rounding leaves of it.
-    if size <= 4.0 * f64::EPSILON * (1.0 + norm(&z)) {
+    if size <= 4.0 * f64::EPSILON * (1.0 + largest(&z)) {
         return Ok(Root { z, residual: size, steps: STEPS });
     }
     Err(unended(size, STEPS))
@@ -97,9 +98,4 @@ pub fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linearised>)
 /// It comes no nearer, or too slowly: which of the two depends on the unknowns, and says nothing.
 fn unended(size: f64, steps: usize) -> Error {
     Error::input(format!("Newton's method did not converge: residual {size:.1e} after {steps} steps"))
-}
-
-/// The largest |x_i|; NaN counts as infinite.
-fn norm(x: &[f64]) -> f64 {
-    x.iter().fold(0.0, |most, x| if x.is_nan() { f64::INFINITY } else { most.max(x.abs()) })
 }

@@ -40,23 +40,29 @@ impl<'a, F: PatternFamily + ?Sized> PatternCurve<'a, F> {
 
     /// The orbits of a pattern up to `reach` away from a parameter value: lengths are those of times, speeds
     /// and the parameter over `unit`.
-    pub fn around(family: &'a F, itinerary: PatternOf<F::Orbit>, centre: f64, unit: f64, reach: f64) -> Self {
+    pub(crate) fn around(
+        family: &'a F,
+        itinerary: PatternOf<F::Orbit>,
+        centre: f64,
+        unit: f64,
+        reach: f64,
+    ) -> Self {
         PatternCurve { family, itinerary, origin: centre, unit, bounds: (-reach / unit, reach / unit) }
     }
 
     /// The same with another pattern.
     #[must_use]
-    pub fn with(&self, itinerary: PatternOf<F::Orbit>) -> Self {
+    pub(crate) fn with(&self, itinerary: PatternOf<F::Orbit>) -> Self {
         PatternCurve { itinerary, ..*self }
     }
 
     /// The parameter's bounds.
-    pub fn range(&self) -> (f64, f64) {
+    pub(crate) fn range(&self) -> (f64, f64) {
         (self.origin + self.bounds.0 * self.unit, self.origin + self.bounds.1 * self.unit)
     }
 
     /// The parameter at a point.
-    pub fn parameter(&self, u: &[f64]) -> f64 {
+    pub(crate) fn parameter(&self, u: &[f64]) -> f64 {
         self.origin + u[u.len() - 1] * self.unit
     }
 
@@ -66,7 +72,7 @@ impl<'a, F: PatternFamily + ?Sized> PatternCurve<'a, F> {
     }
 
     /// The unknowns of an orbit at a parameter value.
-    pub fn unknowns(&self, z: &[f64], parameter: f64) -> Vec<f64> {
+    pub(crate) fn unknowns(&self, z: &[f64], parameter: f64) -> Vec<f64> {
         z.iter().copied().chain([(parameter - self.origin) / self.unit]).collect()
     }
 

@@ -106,7 +106,7 @@ pub trait FollowedOrbit: Clone {
 const NEUTRAL: f64 = 1e-12;
 
 /// The pattern of the orbits of a family.
-pub type PatternOf<O> = <O as FollowedOrbit>::Pattern;
+pub(crate) type PatternOf<O> = <O as FollowedOrbit>::Pattern;
 
 /// Orbits of any pattern over one parameter.
 pub trait PatternFamily {
@@ -187,7 +187,7 @@ pub trait PatternPlane {
     ) -> Result<Self::Orbit>;
 
     /// The functions whose zeros on a curve of bifurcations are of codimension two, in the order of
-    /// [`Degeneracy::ALL`](super::Degeneracy::ALL); `None` where they are not defined or another curve's.
+    /// `Degeneracy::ALL`; `None` where they are not defined or another curve's.
     /// `tangent` is that of the curve: of the unknowns, then of both parameters. The coefficients of the
     /// Poincaré map's expansion are taken times `factors`, where there are any, to tell what their rounding
     /// does.

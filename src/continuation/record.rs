@@ -14,9 +14,9 @@ use crate::error::{Error, Result};
 #[derive(Debug, Clone, Copy)]
 pub struct RecordForm<'n> {
     /// The format's name and version.
-    pub format: &'static str,
+    pub(crate) format: &'static str,
     /// The names of walls or stops, by number.
-    pub contacts: &'n [&'n str],
+    pub(crate) contacts: &'n [&'n str],
 }
 
 #[derive(Serialize, Deserialize)]
@@ -92,7 +92,7 @@ pub fn record_as<O: FollowedOrbit>(
 /// # Errors
 /// An input error for text of another format, or a label that is not there, with those that are; those of
 /// `pattern`; a contact whose name is not among the form's.
-pub fn read_label_as<P>(
+pub(crate) fn read_label_as<P>(
     text: &str,
     label: &str,
     form: RecordForm,

@@ -105,11 +105,6 @@ impl Coexistence {
         }
     }
 
-    /// N.
-    pub fn order(&self) -> u64 {
-        self.order
-    }
-
     /// For each number of periods from 0 to N: bounds of its probability in units of 2⁻¹⁰⁰.
     pub fn bounds(&self) -> Vec<(u128, u128)> {
         self.classes.iter().map(|&(sum, cells)| (sum, sum + u128::from(cells))).collect()

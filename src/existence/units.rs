@@ -9,11 +9,11 @@ use std::ops::Range;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Unit {
     /// m.
-    pub m: u64,
+    pub(crate) m: u64,
     /// n₊ in 1..n, or 1 for n = 2, with m n₊ ≡ 1 modulo n.
-    pub inverse: u64,
+    pub(crate) inverse: u64,
     /// (m n₊ − 1)/n.
-    pub quotient: u64,
+    pub(crate) quotient: u64,
 }
 
 /// The units of a range, ascending. Memory: O(1).

@@ -29,7 +29,7 @@ impl<T: FareyInteger> Gap<T> {
     }
 
     /// The gap between 0/1 and 1/1, which holds all of F_N but its ends.
-    pub fn unit() -> Self {
+    pub(crate) fn unit() -> Self {
         Gap { left: Ratio::new_raw(T::zero(), T::one()), right: Ratio::new_raw(T::one(), T::one()) }
     }
 

@@ -155,7 +155,7 @@ impl Ladder {
     }
 
     /// The precisions of the ball rungs, lowest first.
-    pub fn precisions(&self) -> impl Iterator<Item = &Precision> {
+    pub(crate) fn precisions(&self) -> impl Iterator<Item = &Precision> {
         (0..self.balls.len()).map(|index| self.precision(index))
     }
 

@@ -247,7 +247,7 @@ impl Plane {
     }
 
     /// u_n. Cost: O(log n) operations.
-    pub fn u<T: Real>(&self, n: u64, context: &T::Context) -> T {
+    pub(crate) fn u<T: Real>(&self, n: u64, context: &T::Context) -> T {
         if self.real {
             let real = Eigenvalues::<T>::new(self, context);
             return real.signed(real.at(n).u, n);
@@ -383,7 +383,7 @@ impl Plane {
     ///
     /// # Errors
     /// As [`Plane::exact_numerator`].
-    pub fn exact_factor(
+    pub(crate) fn exact_factor(
         &self,
         n: u64,
         limit: u64,

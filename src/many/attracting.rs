@@ -21,7 +21,7 @@ use crate::{
 /// # Errors
 /// An input error if it settles on none that is found, or rests on a stop; those of [`find_from`]; the
 /// monitor's.
-pub fn attracting(
+pub(crate) fn attracting(
     planar: &PlanarMachine,
     from: &MachineStart,
     detection: &Detection,

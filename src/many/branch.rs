@@ -23,15 +23,12 @@ use super::{
 use crate::{
     continuation::{
         Bifurcation, Degeneracy, EventCurve, FollowedOrbit, ImpactPattern, Linearised, OrbitBranch,
-        PatternCurve, PatternFamily, PatternPlane, Root, halved,
+        PatternFamily, PatternPlane, Root, halved,
     },
     error::{Error, Result},
     many::LinearFlow,
     motion::EffectTally,
 };
-
-/// The orbits of one pattern of a machine over a parameter.
-pub type MachineOrbits<'a> = PatternCurve<'a, MachinePatterns<'a>>;
 /// The orbits of one pattern of a machine at which one event happens, over two parameters.
 pub type MachineEvents<'a> = EventCurve<'a, MachinePlane<'a>>;
 /// A branch of orbits of a machine.

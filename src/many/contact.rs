@@ -9,7 +9,7 @@
 //! a linear complementarity problem. D is symmetric and positive semidefinite, and positive definite unless
 //! rows are dependent: then the problem has exactly one solution, and otherwise one w⁺. The velocities change
 //! by M⁻¹WᵀΛ. For one stop it is w⁺ = −τ w⁻. For several it is a choice: hits in quick succession, in
-//! whatever order, may end otherwise. [`ImpactLaw::order_matters`] says whether they would.
+//! whatever order, may end otherwise. `ImpactLaw::order_matters` says whether they would.
 
 use super::{LinearEquations, MachineState, RealMatrix, RealVector, SpeedLaw};
 use crate::{
@@ -38,20 +38,20 @@ pub struct StopContact {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SoftContact {
     /// Force per displacement, above 0.
-    pub stiffness: f64,
+    pub(crate) stiffness: f64,
     /// Force per velocity, velocities being per radian of the forcing; at least 0.
-    pub damping: f64,
+    pub(crate) damping: f64,
 }
 
 impl SoftContact {
     /// The force at z and z′, which may be negative: then there is none.
-    pub fn force(&self, [gap, rate]: [f64; 2]) -> f64 {
+    pub(crate) fn force(&self, [gap, rate]: [f64; 2]) -> f64 {
         -(self.stiffness * gap + self.damping * rate)
     }
 
     /// The force that is 1 where it is watched, so that what is watched has the unit of gaps: −z of a stop
     /// without damping, −z′ of one without stiffness.
-    pub fn unit(&self) -> f64 {
+    pub(crate) fn unit(&self) -> f64 {
         self.stiffness.max(self.damping)
     }
 }
@@ -64,12 +64,12 @@ impl StopContact {
     }
 
     /// τ at an impact of speed V; for V < 0 that at 0.
-    pub fn restitution_at(&self, speed: f64) -> f64 {
+    pub(crate) fn restitution_at(&self, speed: f64) -> f64 {
         self.law.as_ref().map_or(self.restitution, |law| law.at(speed.max(0.0))[0])
     }
 
     /// The derivative of V⁺ = τ(V) V by V.
-    pub fn restitution_slope(&self, speed: f64) -> f64 {
+    pub(crate) fn restitution_slope(&self, speed: f64) -> f64 {
         self.law.as_ref().map_or(self.restitution, |law| {
             let v = speed.max(0.0);
             let [tau, slope] = law.at(v);
@@ -97,7 +97,7 @@ impl StopContact {
     }
 
     /// z″ of the motion without any stop.
-    pub fn acceleration(&self, equations: &LinearEquations, at: &MachineState) -> f64 {
+    pub(crate) fn acceleration(&self, equations: &LinearEquations, at: &MachineState) -> f64 {
         self.row.dot(&equations.acceleration(at.t, &at.q, &at.u)) - self.position.at(at.t)[2]
     }
 }
@@ -114,7 +114,7 @@ pub struct Contacts {
 
 /// What happened at an instant.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ImpactLaw {
+pub(crate) struct ImpactLaw {
     /// The impulses, one for each stop asked about.
     pub impulses: Vec<f64>,
     /// The change of velocity.
@@ -125,7 +125,7 @@ pub struct ImpactLaw {
 
 /// Something to be watched on a system: a·q + b·q′ + given(t).
 #[derive(Debug, Clone)]
-pub struct Watch {
+pub(crate) struct Watch {
     /// a.
     pub places: RealVector,
     /// b.
@@ -139,7 +139,7 @@ const MOST_TRIED: usize = 12;
 
 impl Contacts {
     /// The stops of a machine with these equations.
-    pub fn new(equations: &LinearEquations, all: Vec<StopContact>) -> Contacts {
+    pub(crate) fn new(equations: &LinearEquations, all: Vec<StopContact>) -> Contacts {
         let pushes: Vec<RealVector> = all.iter().map(|contact| equations.accelerate(&contact.row)).collect();
         let coupling = RealMatrix::from_fn(all.len(), all.len(), |i, j| all[i].row.dot(&pushes[j]));
         let coupling = (&coupling + coupling.transpose()) * 0.5;
@@ -180,7 +180,7 @@ impl Contacts {
     ///
     /// # Errors
     /// More than 12 stops with dependent rows for which no solution was found.
-    pub fn impact(&self, stops: &[usize], rates: &[f64]) -> Result<ImpactLaw> {
+    pub(crate) fn impact(&self, stops: &[usize], rates: &[f64]) -> Result<ImpactLaw> {
         if let ([stop], [rate]) = (stops, rates) {
             let factor = 1.0 + self.all[*stop].restitution_at(-rate);
             let impulse = -factor * rate.min(0.0) / self.mobility(*stop);

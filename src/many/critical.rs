@@ -6,7 +6,7 @@
 const RANGE: (f64, f64) = (1e-290, 1e290);
 
 /// Π (1 ± λ), one factor |1 ± λ|² for each complex pair.
-pub fn product(multipliers: &[(f64, f64)], sign: f64) -> f64 {
+pub(crate) fn product(multipliers: &[(f64, f64)], sign: f64) -> f64 {
     multipliers.iter().filter(|(_, im)| *im >= 0.0).fold(1.0, |all: f64, &(re, im)| {
         let factor = if im > 0.0 { (1.0 + sign * re).powi(2) + im * im } else { 1.0 + sign * re };
         let next = all * factor;
@@ -16,7 +16,7 @@ pub fn product(multipliers: &[(f64, f64)], sign: f64) -> f64 {
 
 /// Σ_i Π_{j ≠ i} (1 ± λ_j): where one multiplier is ∓1 the product over the others, and smooth where another
 /// joins it.
-pub fn product_of_others(multipliers: &[(f64, f64)], sign: f64) -> f64 {
+pub(crate) fn product_of_others(multipliers: &[(f64, f64)], sign: f64) -> f64 {
     // (product, sum of products without one) over factors, conjugates together: (a + ib)(a − ib) and its
     // derivative 2a.
     let (_, sum) =
@@ -33,7 +33,7 @@ pub fn product_of_others(multipliers: &[(f64, f64)], sign: f64) -> f64 {
 
 /// Two multipliers that are complex conjugates, or real.
 #[derive(Debug, Clone, Copy)]
-pub struct MultiplierPair {
+pub(crate) struct MultiplierPair {
     /// Whether they are complex.
     pub complex: bool,
     /// 1 − λ_iλ_j.
@@ -43,7 +43,7 @@ pub struct MultiplierPair {
 }
 
 /// The complex pairs, and all pairs of real ones.
-pub fn pairs(multipliers: &[(f64, f64)]) -> impl Iterator<Item = MultiplierPair> + '_ {
+pub(crate) fn pairs(multipliers: &[(f64, f64)]) -> impl Iterator<Item = MultiplierPair> + '_ {
     let complex = multipliers.iter().filter(|(_, im)| *im > 0.0).map(|&(re, im)| MultiplierPair {
         complex: true,
         off: 1.0 - (re * re + im * im),
@@ -77,7 +77,7 @@ impl MultiplierPair {
 }
 
 /// The multipliers but for those nearest to these.
-pub fn without(multipliers: &[(f64, f64)], these: &[(f64, f64)]) -> Vec<(f64, f64)> {
+pub(crate) fn without(multipliers: &[(f64, f64)], these: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut all = multipliers.to_vec();
     for (re, im) in these {
         let off = |one: &(f64, f64)| (one.0 - re).hypot(one.1 - im);
@@ -89,7 +89,7 @@ pub fn without(multipliers: &[(f64, f64)], these: &[(f64, f64)]) -> Vec<(f64, f6
 }
 
 /// Π (1 − λ_iλ_j) over all pairs i < j: where two complex multipliers pass the unit circle it changes sign.
-pub fn pairs_product(multipliers: &[(f64, f64)]) -> f64 {
+pub(crate) fn pairs_product(multipliers: &[(f64, f64)]) -> f64 {
     let mut all = 1.0f64;
     for (i, a) in multipliers.iter().enumerate() {
         for b in &multipliers[..i] {
@@ -105,7 +105,7 @@ pub fn pairs_product(multipliers: &[(f64, f64)]) -> f64 {
 }
 
 /// The pair whose product is nearest to 1.
-pub fn nearest_pair(multipliers: &[(f64, f64)]) -> Option<MultiplierPair> {
+pub(crate) fn nearest_pair(multipliers: &[(f64, f64)]) -> Option<MultiplierPair> {
     pairs(multipliers).min_by(|a, b| a.off.abs().total_cmp(&b.off.abs()))
 }
 

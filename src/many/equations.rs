@@ -18,7 +18,7 @@ pub struct LinearEquations {
     /// K, of any kind.
     pub stiffness: RealMatrix,
     /// f.
-    pub force: Periodic,
+    pub(crate) force: Periodic,
     /// L with M = L Lᵀ.
     root: RealMatrix,
 }
@@ -27,9 +27,9 @@ pub struct LinearEquations {
 #[derive(Debug, Clone)]
 pub struct Periodic {
     /// The constant part.
-    pub mean: RealVector,
+    pub(crate) mean: RealVector,
     /// k ≥ 1 with the coefficients of cos kt and sin kt.
-    pub harmonics: Vec<(u32, RealVector, RealVector)>,
+    pub(crate) harmonics: Vec<(u32, RealVector, RealVector)>,
 }
 
 impl Periodic {
@@ -39,7 +39,7 @@ impl Periodic {
     }
 
     /// Adds a harmonic; zeros are left out.
-    pub fn add(&mut self, k: u32, cos: &RealVector, sin: &RealVector) {
+    pub(crate) fn add(&mut self, k: u32, cos: &RealVector, sin: &RealVector) {
         if cos.iter().chain(sin).all(|x| *x == 0.0) {
             return;
         }
@@ -53,7 +53,7 @@ impl Periodic {
     }
 
     /// Adds `direction` times a series.
-    pub fn add_series(&mut self, direction: &RealVector, series: &Series) {
+    pub(crate) fn add_series(&mut self, direction: &RealVector, series: &Series) {
         self.mean += direction * series.mean();
         for h in series.harmonics() {
             self.add(h.k, &(direction * h.cos), &(direction * h.sin));
@@ -61,7 +61,7 @@ impl Periodic {
     }
 
     /// The value at t.
-    pub fn at(&self, t: f64) -> RealVector {
+    pub(crate) fn at(&self, t: f64) -> RealVector {
         let mut sum = self.mean.clone();
         for (k, a, b) in &self.harmonics {
             let (sin, cos) = (f64::from(*k) * t).sin_cos();
@@ -73,20 +73,20 @@ impl Periodic {
 
     /// The function under a linear map.
     #[must_use]
-    pub fn mapped(&self, map: &RealMatrix) -> Periodic {
+    pub(crate) fn mapped(&self, map: &RealMatrix) -> Periodic {
         let harmonics = self.harmonics.iter().map(|(k, a, b)| (*k, map * a, map * b)).collect();
         Periodic { mean: map * &self.mean, harmonics }
     }
 
     /// One functional of it.
-    pub fn series(&self, row: &RealVector) -> Result<Series> {
+    pub(crate) fn series(&self, row: &RealVector) -> Result<Series> {
         let harmonic =
             |(k, a, b): &(u32, RealVector, RealVector)| Harmonic { k: *k, cos: row.dot(a), sin: row.dot(b) };
         Series::new(row.dot(&self.mean), &self.harmonics.iter().map(harmonic).collect::<Vec<_>>())
     }
 
     /// The highest k, 0 for a constant.
-    pub fn order(&self) -> u32 {
+    pub(crate) fn order(&self) -> u32 {
         self.harmonics.iter().map(|known| known.0).max().unwrap_or(0)
     }
 }
@@ -108,26 +108,26 @@ impl LinearEquations {
     }
 
     /// n.
-    pub fn size(&self) -> usize {
+    pub(crate) fn size(&self) -> usize {
         self.mass.nrows()
     }
 
     /// M⁻¹ v.
     #[must_use]
-    pub fn accelerate(&self, v: &RealVector) -> RealVector {
+    pub(crate) fn accelerate(&self, v: &RealVector) -> RealVector {
         let half = self.root.solve_lower_triangular(v).unwrap_or_else(|| v.clone());
         self.root.transpose().solve_upper_triangular(&half).unwrap_or(half)
     }
 
     /// q″.
-    pub fn acceleration(&self, t: f64, q: &RealVector, u: &RealVector) -> RealVector {
+    pub(crate) fn acceleration(&self, t: f64, q: &RealVector, u: &RealVector) -> RealVector {
         self.accelerate(&(self.force.at(t) - &self.damping * u - &self.stiffness * q))
     }
 
     /// The same machine while these soft stops push on it: M q″ + (C + Σ c wᵀw) q′ + (K + Σ k wᵀw) q = f + Σ
     /// wᵀ (k Q + c Q′), Q being where a stop stands.
     #[must_use]
-    pub fn pushed<'c>(&self, contacts: impl Iterator<Item = &'c StopContact>) -> LinearEquations {
+    pub(crate) fn pushed<'c>(&self, contacts: impl Iterator<Item = &'c StopContact>) -> LinearEquations {
         let mut all = self.clone();
         for contact in contacts {
             let Some(soft) = contact.soft else { continue };
@@ -162,7 +162,7 @@ impl LinearEquations {
     ///
     /// # Errors
     /// None in practice: of [`LinearEquations::new`].
-    pub fn constrained(&self, contacts: &[&StopContact]) -> Result<Constrained> {
+    pub(crate) fn constrained(&self, contacts: &[&StopContact]) -> Result<Constrained> {
         let (n, m) = (self.size(), contacts.len());
         let rows = RealMatrix::from_fn(m, n, |i, j| contacts[i].row[j]);
         // Rows in coordinates x = Lᵀq of mass 1: w·q = (L⁻¹wᵀ)·x.
@@ -197,7 +197,7 @@ impl LinearEquations {
 
 /// A machine resting on some stops.
 #[derive(Debug, Clone)]
-pub struct Constrained {
+pub(crate) struct Constrained {
     /// The equations of r.
     pub equations: LinearEquations,
     /// Z, n × (n − m).

@@ -22,7 +22,7 @@
 //! - **Formulas.** A machine on which forces are formulas moves by Taylor series of all coordinates at once
 //!   (`smooth`), and no table of it is made; [`LinearFlow`] then is that of the machine linearised at rest.
 //! - **Impacts.** Newton's law for all stops that are hit at one instant, as a complementarity problem in the
-//!   mass metric ([`contact`]).
+//!   mass metric (`contact`).
 //! - **Simulation.** [`simulate`] promises what that of `one` does, with the same minimum test; far
 //!   from all stops it passes over long stretches at once.
 //! - **Analysis.** The motion without impacts, where it grazes a stop as a parameter varies, and the local
@@ -52,10 +52,10 @@
 mod algebra;
 pub mod attracting;
 pub mod branch;
-pub mod contact;
+pub(crate) mod contact;
 mod critical;
-mod equations;
-mod flow;
+pub(crate) mod equations;
+pub(crate) mod flow;
 pub mod grazing;
 mod model;
 mod modes;
@@ -65,22 +65,24 @@ mod pair;
 mod response;
 pub mod section;
 pub mod simulate;
-mod slope;
+pub(crate) mod slope;
 mod smooth;
 mod speed;
 
-pub use equations::{LinearEquations, Periodic};
-pub use flow::{FlowMethod, LinearFlow};
+pub(crate) use equations::{LinearEquations, Periodic};
+pub use flow::FlowMethod;
+pub(crate) use flow::LinearFlow;
 pub use model::{Load, Machine, Stop, StopLaw};
-pub use slope::{MachineFamily, MachineSlope};
+pub use slope::MachineFamily;
+pub(crate) use slope::MachineSlope;
 pub use smooth::Record;
 pub(crate) use speed::MOST as MOST_POWERS;
 pub use speed::SpeedLaw;
 
 /// Vectors of coordinates, velocities, forces.
-pub type RealVector = nalgebra::DVector<f64>;
+pub(crate) type RealVector = nalgebra::DVector<f64>;
 /// Matrices of any size.
-pub type RealMatrix = nalgebra::DMatrix<f64>;
+pub(crate) type RealMatrix = nalgebra::DMatrix<f64>;
 
 /// A state: displacements q and velocities q′ at phase t in [0, 2π), velocities per radian of the forcing.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,7 +90,24 @@ pub struct MachineState {
     /// The phase.
     pub t: f64,
     /// Displacements.
-    pub q: RealVector,
+    pub(crate) q: RealVector,
     /// Velocities.
-    pub u: RealVector,
+    pub(crate) u: RealVector,
+}
+
+impl MachineState {
+    /// The state with these displacements and velocities, one for each coordinate.
+    pub fn new(t: f64, q: &[f64], u: &[f64]) -> MachineState {
+        MachineState { t, q: RealVector::from_column_slice(q), u: RealVector::from_column_slice(u) }
+    }
+
+    /// The displacements.
+    pub fn q(&self) -> &[f64] {
+        self.q.as_slice()
+    }
+
+    /// The velocities.
+    pub fn u(&self) -> &[f64] {
+        self.u.as_slice()
+    }
 }

@@ -92,7 +92,7 @@ pub enum StopLaw<T> {
 
 impl<T> StopLaw<T> {
     /// Whether it is Newton's.
-    pub fn is_newton(&self) -> bool {
+    pub(crate) fn is_newton(&self) -> bool {
         matches!(self, StopLaw::Newton)
     }
 
@@ -100,7 +100,7 @@ impl<T> StopLaw<T> {
     ///
     /// # Errors
     /// The first error of `convert`.
-    pub fn try_map<U, E>(
+    pub(crate) fn try_map<U, E>(
         &self,
         convert: &mut impl FnMut(&T) -> std::result::Result<U, E>,
     ) -> std::result::Result<StopLaw<U>, E> {
@@ -200,6 +200,7 @@ impl Machine<f64> {
     /// # Errors
     /// An input error for a period that is not positive, sizes that do not fit, coefficients that are not
     /// finite, M that is not symmetric and positive definite, damping ratios without symmetric K ≥ 0.
+    #[doc(hidden)]
     pub fn equations(&self) -> Result<LinearEquations> {
         if !(self.period > 0.0 && self.period.is_finite()) {
             return Err(Error::input(format!("the period is {}; it must be positive", self.period)));
@@ -232,7 +233,7 @@ impl Machine<f64> {
     /// # Errors
     /// Formulas for another number of coordinates; coefficients that are not finite; a constant part that is
     /// no number, as a root of a negative one.
-    pub fn check_forces(&self) -> Result<()> {
+    pub(crate) fn check_forces(&self) -> Result<()> {
         match super::smooth::Smooth::new(self)? {
             Some(smooth) => smooth.flow(&self.equations()?, None).map(drop),
             None => Ok(()),
@@ -287,13 +288,17 @@ impl Machine<f64> {
     }
 
     /// Φ, none for the identity.
-    pub fn shape(&self) -> Option<RealMatrix> {
+    pub(crate) fn shape(&self) -> Option<RealMatrix> {
         let n = self.size;
         (!self.shapes.is_empty()).then(|| RealMatrix::from_fn(self.points(), n, |i, j| self.shapes[i][j]))
     }
 
     /// The coordinates q of amplitudes η.
-    pub fn seen(&self, eta: &RealVector) -> RealVector {
+    pub fn displaced(&self, eta: &[f64]) -> Vec<f64> {
+        self.seen(&RealVector::from_column_slice(eta)).as_slice().to_vec()
+    }
+
+    pub(crate) fn seen(&self, eta: &RealVector) -> RealVector {
         self.shape().map_or_else(|| eta.clone(), |shape| shape * eta)
     }
 
@@ -301,7 +306,7 @@ impl Machine<f64> {
     ///
     /// # Errors
     /// An input error where the shapes at the points do not tell all amplitudes.
-    pub fn coordinates(&self, q: &RealVector) -> Result<RealVector> {
+    pub(crate) fn coordinates(&self, q: &RealVector) -> Result<RealVector> {
         let Some(shape) = self.shape() else { return Ok(q.clone()) };
         if q.iter().all(|x| *x == 0.0) {
             return Ok(RealVector::zeros(self.size));
@@ -316,7 +321,7 @@ impl Machine<f64> {
     ///
     /// # Errors
     /// As [`equations`](Self::equations).
-    pub fn direction(&self, values: &[f64]) -> Result<RealVector> {
+    pub(crate) fn direction(&self, values: &[f64]) -> Result<RealVector> {
         self.vector("direction", values)
     }
 

@@ -45,7 +45,7 @@ const BESIDE: f64 = 1e-4;
 /// Why there is none: at grazing and fading the Poincaré map is not smooth, without impacts it is linear, at
 /// a double multiplier the critical direction is no direction of its own, and the map's derivatives are not
 /// followed through stops that give way, forces that are formulas or a restitution that depends on the speed.
-pub fn normal_form(
+pub(crate) fn normal_form(
     machine: &Machine<f64>,
     slope: &Machine<f64>,
     orbit: &MachineOrbit,

@@ -41,7 +41,7 @@ impl LinearEquations {
     /// # Errors
     /// An input error at a resonance without damping, a motion without stiffness among them: there is no
     /// periodic motion then, or more than one.
-    pub fn response(&self) -> Result<Periodic> {
+    pub(crate) fn response(&self) -> Result<Periodic> {
         let ks = std::iter::once(0).chain(self.force.harmonics.iter().map(|known| known.0));
         self.solve(ks, |k| self.force.amplitude(k))
     }
@@ -51,7 +51,7 @@ impl LinearEquations {
     ///
     /// # Errors
     /// As [`response`](Self::response).
-    pub fn response_slope(&self, motion: &Periodic, slope: &MachineSlope) -> Result<Periodic> {
+    pub(crate) fn response_slope(&self, motion: &Periodic, slope: &MachineSlope) -> Result<Periodic> {
         let both = motion.harmonics.iter().chain(&slope.force.harmonics).map(|known| known.0);
         let mut ks: Vec<u32> = std::iter::once(0).chain(both).collect();
         ks.sort_unstable();

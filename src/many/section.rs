@@ -147,7 +147,7 @@ impl PlanarMachine {
     /// # Errors
     /// An axis that is a gap or its rate; points that do not tell the amplitudes of all modes; lists of
     /// another length.
-    pub fn starting(
+    pub(crate) fn starting(
         self,
         machine: &Machine<f64>,
         axes: &[PlaneAxis; 2],
@@ -183,7 +183,7 @@ impl PlanarMachine {
     }
 
     /// The state with these coordinates, Lᵀq and Lᵀq′, at a phase.
-    pub fn state(&self, whole: &[f64], phase: f64) -> MachineState {
+    pub(crate) fn state(&self, whole: &[f64], phase: f64) -> MachineState {
         let (upper, n) = (self.simulator.equations().root().transpose(), whole.len() / 2);
         let part = |x: &[f64]| {
             let x = RealVector::from_column_slice(x);

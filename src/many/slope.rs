@@ -111,7 +111,7 @@ impl MachineSlope {
     /// The same while these soft stops push: the derivatives of K + Σ k wᵀw and so on
     /// ([`LinearEquations::pushed`]).
     #[must_use]
-    pub fn pushed(&self, contacts: &Contacts, pushing: &[usize]) -> MachineSlope {
+    pub(crate) fn pushed(&self, contacts: &Contacts, pushing: &[usize]) -> MachineSlope {
         let mut all = self.clone();
         for &stop in pushing {
             let (contact, (row_slope, place_slope)) = (&contacts.all()[stop], &self.stops[stop]);

@@ -22,7 +22,7 @@ impl<T> SpeedLaw<T> {
     ///
     /// # Errors
     /// The first error of `convert`.
-    pub fn try_map<U, E>(
+    pub(crate) fn try_map<U, E>(
         &self,
         convert: &mut impl FnMut(&T) -> std::result::Result<U, E>,
     ) -> std::result::Result<SpeedLaw<U>, E> {
@@ -33,14 +33,14 @@ impl<T> SpeedLaw<T> {
 
 impl SpeedLaw<f64> {
     /// τ and dτ/dv.
-    pub fn at(&self, v: f64) -> [f64; 2] {
+    pub(crate) fn at(&self, v: f64) -> [f64; 2] {
         let ([n, n1], [d, d1]) = (value(&self.over, v), value(&self.under, v));
         let tau = n / d;
         [tau, (n1 - tau * d1) / d]
     }
 
     /// The derivative of τ in a parameter in which the coefficients change at the rates `slope`.
-    pub fn slope(&self, slope: &SpeedLaw<f64>, v: f64) -> f64 {
+    pub(crate) fn slope(&self, slope: &SpeedLaw<f64>, v: f64) -> f64 {
         let ([n, _], [d, _]) = (value(&self.over, v), value(&self.under, v));
         let ([change, _], [lower, _]) = (value(&slope.over, v), value(&slope.under, v));
         (change - n / d * lower) / d
@@ -48,7 +48,7 @@ impl SpeedLaw<f64> {
 
     /// The same law of a speed in another unit, of which there are `rate` in the old one.
     #[must_use]
-    pub fn scaled(&self, rate: f64) -> SpeedLaw<f64> {
+    pub(crate) fn scaled(&self, rate: f64) -> SpeedLaw<f64> {
         let powers = |all: &[f64]| (0i32..).zip(all).map(|(i, c)| c * rate.powi(i)).collect();
         SpeedLaw { text: self.text.clone(), over: powers(&self.over), under: powers(&self.under) }
     }
@@ -56,7 +56,7 @@ impl SpeedLaw<f64> {
     /// What [`scaled`](Self::scaled) changes by while the coefficients change at the rates `slope` and the
     /// rate at `faster`.
     #[must_use]
-    pub fn scaled_slope(&self, slope: &SpeedLaw<f64>, rate: f64, faster: f64) -> SpeedLaw<f64> {
+    pub(crate) fn scaled_slope(&self, slope: &SpeedLaw<f64>, rate: f64, faster: f64) -> SpeedLaw<f64> {
         let powers = |all: &[f64], slopes: &[f64]| {
             let one = |(i, (c, slope)): (i32, (&f64, &f64))| {
                 let turned = if i == 0 { 0.0 } else { f64::from(i) * c * rate.powi(i - 1) * faster };
@@ -76,7 +76,7 @@ impl SpeedLaw<f64> {
     ///
     /// # Errors
     /// Such a law, with a place; more than 8 powers of v.
-    pub fn check(&self) -> Result<()> {
+    pub(crate) fn check(&self) -> Result<()> {
         let (over, under) = (exact(&self.over)?, exact(&self.under)?);
         if under.iter().all(Zero::is_zero) {
             return Err(Error::input("restitution: divides by zero"));
@@ -102,7 +102,7 @@ impl SpeedLaw<f64> {
     }
 
     /// A speed at which it is above 1.
-    pub fn above_one(&self) -> Option<f64> {
+    pub(crate) fn above_one(&self) -> Option<f64> {
         let (over, under) = (exact(&self.over).ok()?, exact(&self.under).ok()?);
         let turned = under.iter().find(|c| !c.is_zero()).is_some_and(Signed::is_negative);
         let zero = BigRational::zero();

@@ -49,7 +49,7 @@ impl Contact {
     ///
     /// # Errors
     /// A coefficient that is not finite, a negative restitution, a harmonic with k = 0.
-    pub fn new(side: Side, wall: &Wall<f64>) -> Result<Self> {
+    pub(crate) fn new(side: Side, wall: &Wall<f64>) -> Result<Self> {
         finite("restitution", wall.restitution)?;
         if wall.restitution < 0.0 {
             return Err(Error::input(format!("restitution = {} is negative", wall.restitution)));
@@ -61,7 +61,7 @@ impl Contact {
     /// The walls of a system, lower before upper.
     ///
     /// # Errors
-    /// Those of [`Contact::new`], led by the side.
+    /// Those of `Contact::new`, led by the side.
     pub fn of(system: &System<f64>) -> Result<Vec<Contact>> {
         [(Side::Lower, &system.lower), (Side::Upper, &system.upper)]
             .into_iter()
@@ -79,12 +79,12 @@ impl Contact {
     }
 
     /// z″: the wall presses where it is negative. At a grazing contact it is a_G.
-    pub fn acceleration(&self, flow: &impl Flow, at: State) -> f64 {
+    pub(crate) fn acceleration(&self, flow: &impl Flow, at: State) -> f64 {
         self.side.sign() * (flow.acceleration(at) - self.position.at(at.t)[2])
     }
 
     /// z, z′ and z″, as [`gap`](Self::gap) and [`acceleration`](Self::acceleration) give them.
-    pub fn motion(&self, flow: &impl Flow, at: State) -> [f64; 3] {
+    pub(crate) fn motion(&self, flow: &impl Flow, at: State) -> [f64; 3] {
         let ([place, speed, bend], sign) = (self.position.at(at.t), self.side.sign());
         [sign * (at.q - place), sign * (at.u - speed), sign * (flow.acceleration(at) - bend)]
     }
@@ -98,7 +98,7 @@ impl Contact {
     /// The saltation matrix of an impact that arrives as `at`: ∂(q, u) after, at a fixed time, by (q, u)
     /// before, [[−τ, 0], [(a⁺ + τ a⁻ − (1+τ) Q″) / w, −τ]] with w = u − Q′ ≠ 0 the incoming relative
     /// velocity; determinant τ².
-    pub fn saltation(&self, flow: &impl Flow, at: State) -> Matrix2 {
+    pub(crate) fn saltation(&self, flow: &impl Flow, at: State) -> Matrix2 {
         let (tau, [_, speed, bend]) = (self.restitution, self.position.at(at.t));
         let (before, after) = (flow.acceleration(at), flow.acceleration(self.bounce(at)));
         [[-tau, 0.0], [(after + tau * before - (1.0 + tau) * bend) / (at.u - speed), -tau]]

@@ -113,7 +113,7 @@ impl Counts {
 
     /// What was counted since an earlier state of the same counts.
     #[must_use]
-    pub fn since(&self, earlier: &Counts) -> Counts {
+    pub(crate) fn since(&self, earlier: &Counts) -> Counts {
         Counts(std::array::from_fn(|i| self.0[i].saturating_sub(earlier.0[i])))
     }
 }
@@ -160,25 +160,20 @@ impl EffectTally {
         self.0[effect as usize].load(Ordering::Relaxed)
     }
 
-    /// One more.
-    pub fn count(&self, effect: Effect) {
-        self.add(effect, 1);
-    }
-
     /// That many more.
-    pub fn add(&self, effect: Effect, count: u64) {
+    pub(crate) fn add(&self, effect: Effect, count: u64) {
         self.0[effect as usize].fetch_add(count, Ordering::Relaxed);
     }
 
     /// All that was counted elsewhere.
-    pub fn add_all(&self, counts: &Counts) {
+    pub(crate) fn add_all(&self, counts: &Counts) {
         for (sum, count) in self.0.iter().zip(counts.0) {
             sum.fetch_add(count, Ordering::Relaxed);
         }
     }
 
     /// What is counted so far.
-    pub fn counts(&self) -> Counts {
+    pub(crate) fn counts(&self) -> Counts {
         Counts(self.0.each_ref().map(|count| count.load(Ordering::Relaxed)))
     }
 }

@@ -33,7 +33,7 @@ impl From<Obstacle> for RunEnd {
 
 impl RunEnd {
     /// Why, to follow "ended".
-    pub fn why(self) -> &'static str {
+    pub(crate) fn why(self) -> &'static str {
         match self {
             RunEnd::Reached => "at the time asked for",
             RunEnd::ImpactLimit => "at the limit of impacts",

@@ -23,11 +23,11 @@ impl Place for usize {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shock {
     /// The impulse, in mass times velocity per radian: with one stop −(1 + τ) z′ times the mass felt there.
-    pub impulse: f64,
+    pub(crate) impulse: f64,
     /// How many stops took part: those touched, at rest or not.
-    pub together: usize,
+    pub(crate) together: usize,
     /// Whether impacts one after the other would have ended with other velocities: the outcome is a choice.
-    pub order_matters: bool,
+    pub(crate) order_matters: bool,
 }
 
 /// The next thing that happens.
@@ -114,7 +114,7 @@ pub struct Release<P> {
 
 impl<P: Place> Event<P> {
     /// When it happened, and at which stop; an end has the time that the run has.
-    pub fn at(&self) -> Option<(Time, P)> {
+    pub(crate) fn at(&self) -> Option<(Time, P)> {
         match *self {
             Event::Impact(Impact { time, place, .. })
             | Event::Touch(Touch { time, place, .. })
@@ -136,7 +136,7 @@ impl<P: Place> Event<P> {
     }
 
     /// The gap's rate on arrival, of an impact or a touch.
-    pub fn velocity(&self) -> Option<f64> {
+    pub(crate) fn velocity(&self) -> Option<f64> {
         match *self {
             Event::Impact(Impact { velocity, .. }) | Event::Touch(Touch { velocity, .. }) => Some(velocity),
             _ => None,
@@ -144,7 +144,7 @@ impl<P: Place> Event<P> {
     }
 
     /// Its word in a report.
-    pub fn word(&self) -> &'static str {
+    pub(crate) fn word(&self) -> &'static str {
         match self {
             Event::Impact(_) => "impact",
             Event::Touch(_) => "touch",

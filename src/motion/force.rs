@@ -28,13 +28,8 @@ pub(crate) const U: usize = 1;
 pub(crate) const TIME: usize = 2;
 
 impl<T> SmoothForce<T> {
-    /// The formula, without spaces.
-    pub fn text(&self) -> &str {
-        &self.text
-    }
-
     /// The numbers and parameters in it, as far as they are joined by + − · / alone.
-    pub fn coefficients(&self) -> &[T] {
+    pub(crate) fn coefficients(&self) -> &[T] {
         &self.coefficients
     }
 

@@ -21,14 +21,14 @@ mod series;
 mod state;
 mod time;
 
-pub use algebra::Matrix2;
+pub(crate) use algebra::Matrix2;
 pub(crate) use cell::minimum_within;
 pub use contact::{Contact, Side};
 pub(crate) use counter::Share;
 pub use counter::{Counter, Counts, Effect, EffectTally};
 pub use end::RunEnd;
 pub use equation::{Harmonic, System, Wall};
-pub use event::Event;
+pub(crate) use event::Event;
 pub use force::SmoothForce;
 pub(crate) use force::{Q, TIME, U};
 pub use series::Series;

@@ -13,13 +13,13 @@ pub struct Series {
 
 impl Series {
     /// The function 0.
-    pub const ZERO: Series = Series { mean: 0.0, harmonics: Vec::new() };
+    pub(crate) const ZERO: Series = Series { mean: 0.0, harmonics: Vec::new() };
 
     /// The normal form of a sum; equal k are added up.
     ///
     /// # Errors
     /// A coefficient that is not finite, or k = 0.
-    pub fn new(mean: f64, harmonics: &[Harmonic<f64>]) -> Result<Self> {
+    pub(crate) fn new(mean: f64, harmonics: &[Harmonic<f64>]) -> Result<Self> {
         finite("the mean", mean)?;
         for h in harmonics {
             finite("cos", h.cos)?;
@@ -52,12 +52,12 @@ impl Series {
     }
 
     /// The harmonics, k ascending.
-    pub fn harmonics(&self) -> &[Harmonic<f64>] {
+    pub(crate) fn harmonics(&self) -> &[Harmonic<f64>] {
         &self.harmonics
     }
 
     /// The highest k, 0 for a constant.
-    pub fn order(&self) -> u32 {
+    pub(crate) fn order(&self) -> u32 {
         self.harmonics.last().map_or(0, |h| h.k)
     }
 
@@ -73,7 +73,7 @@ impl Series {
 
     /// Adds the Taylor coefficients of `factor` times the series at t, scaled to the half width `h`: those of
     /// x ↦ series(t + hx).
-    pub fn add_taylor(&self, factor: f64, t: f64, h: f64, coefficients: &mut [f64]) {
+    pub(crate) fn add_taylor(&self, factor: f64, t: f64, h: f64, coefficients: &mut [f64]) {
         let Some(constant) = coefficients.first_mut() else { return };
         *constant += factor * self.mean;
         for harmonic in &self.harmonics {
@@ -93,7 +93,7 @@ impl Series {
 
     /// The derivative, a series again.
     #[must_use]
-    pub fn derivative(&self) -> Series {
+    pub(crate) fn derivative(&self) -> Series {
         let turned = |h: &Harmonic<f64>| {
             let k = f64::from(h.k);
             Harmonic { k: h.k, cos: k * h.sin, sin: -k * h.cos }
@@ -114,7 +114,7 @@ impl Series {
 
     /// Σ kⁿ √(cos² + sin²), but for rounding: no derivative of order n ≥ 1 exceeds it. The same from
     /// whichever phase time is counted, for it stands for sizes, too.
-    pub fn derivative_bound(&self, n: i32) -> f64 {
+    pub(crate) fn derivative_bound(&self, n: i32) -> f64 {
         self.harmonics.iter().map(|h| f64::from(h.k).powi(n) * h.cos.hypot(h.sin)).sum()
     }
 }

@@ -36,7 +36,7 @@ impl<S: Fn(&File) -> io::Result<()> + Copy + Send + 'static> Early<'_, '_, S> {
     ///
     /// # Errors
     /// Its I/O error, which the system tells once: asked again it would say that all is well.
-    pub fn wait(&mut self) -> io::Result<()> {
+    pub(crate) fn wait(&mut self) -> io::Result<()> {
         let Some(under_way) = self.under_way.take() else { return Ok(()) };
         under_way.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     }

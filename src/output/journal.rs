@@ -51,7 +51,7 @@ impl SavedRun {
     }
 
     /// The same, with what a user can do where a state cannot be gone on from.
-    pub fn anew(self, anew: &'static str) -> SavedRun {
+    pub(crate) fn anew(self, anew: &'static str) -> SavedRun {
         SavedRun { anew, ..self }
     }
 
@@ -209,7 +209,7 @@ impl Journal {
     ///
     /// # Errors
     /// An I/O error.
-    pub fn remove(self) -> Result<()> {
+    pub(crate) fn remove(self) -> Result<()> {
         fs::remove_file(&self.target).map_err(|error| Error::io("remove", &self.target, error))
     }
 }

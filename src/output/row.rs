@@ -21,7 +21,7 @@ pub struct RowSetter {
 impl RowSetter {
     /// Appends a row, one cell for each column, to rows set before: in JSON all but the first follow a comma.
     /// Cost: O(1) per digit and letter.
-    pub fn set(&self, rows: &mut Vec<u8>, cells: &[TableCell]) {
+    pub(crate) fn set(&self, rows: &mut Vec<u8>, cells: &[TableCell]) {
         debug_assert_eq!(cells.len(), self.columns.len());
         match self.format {
             TableFormat::Table => self.aligned(rows, cells),

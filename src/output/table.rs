@@ -39,13 +39,13 @@ impl TableFormat {
 #[derive(Debug, Clone)]
 pub struct Column {
     /// The name in CSV, JSON and plain tables.
-    pub name: &'static str,
+    pub(crate) name: &'static str,
     /// The heading in LaTeX.
-    pub latex: &'static str,
+    pub(crate) latex: &'static str,
     /// The least width in a plain table.
-    pub width: usize,
+    pub(crate) width: usize,
     /// How it is set in LaTeX.
-    pub print: Print,
+    pub(crate) print: Print,
 }
 
 /// How a column is set in LaTeX.
@@ -231,7 +231,7 @@ impl<'a> TableWriter<'a> {
     }
 
     /// What sets rows for [`rows_set`](Self::rows_set), in any thread.
-    pub fn setter(&self) -> RowSetter {
+    pub(crate) fn setter(&self) -> RowSetter {
         self.setter.clone()
     }
 
@@ -239,7 +239,7 @@ impl<'a> TableWriter<'a> {
     ///
     /// # Errors
     /// An I/O error from the stream.
-    pub fn rows_set(&mut self, rows: &[u8]) -> Result<()> {
+    pub(crate) fn rows_set(&mut self, rows: &[u8]) -> Result<()> {
         if rows.is_empty() {
             return Ok(());
         }

@@ -51,11 +51,6 @@ impl<'m> Analysis<'m> {
         Analysis { map, last, numbers, float, balls: Default::default(), exact: OnceLock::new() }
     }
 
-    /// The map.
-    pub fn map(&self) -> &Map {
-        self.map
-    }
-
     /// What leaves out the patterns with a beginning that no orbit can have, for either sign of eµ, for
     /// [`Patterns::walks`](super::Patterns::walks): no pattern that exists; of an exact map none that is open
     /// with det D ≠ 0. Of a map with intervals a window may be decided where a pattern is not.

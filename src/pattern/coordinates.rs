@@ -36,12 +36,12 @@ impl<T: Scalar> Coordinates<T> {
     }
 
     /// N.
-    pub fn dimension(&self) -> usize {
+    pub(crate) fn dimension(&self) -> usize {
         self.back.columns()
     }
 
     /// What makes numbers of this rung.
-    pub fn context(&self) -> &T::Context {
+    pub(crate) fn context(&self) -> &T::Context {
         &self.context
     }
 
@@ -50,18 +50,13 @@ impl<T: Scalar> Coordinates<T> {
         &self.powers[k as usize]
     }
 
-    /// The greatest k for which [`power`](Self::power) is known.
-    pub fn last(&self) -> u64 {
-        self.powers.len() as u64 - 1
-    }
-
     /// C A^k B.
-    pub fn response(&self, k: u64) -> &T {
+    pub(crate) fn response(&self, k: u64) -> &T {
         &self.power(k)[(0, self.dimension() - 1)]
     }
 
     /// A vector in the coordinates that the map was given in, or in those of its section change P.
-    pub fn original(&self, vector: &[T]) -> Vec<T> {
+    pub(crate) fn original(&self, vector: &[T]) -> Vec<T> {
         self.back.apply(vector, &self.context)
     }
 }

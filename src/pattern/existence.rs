@@ -34,9 +34,9 @@ impl fmt::Display for PatternExistence {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PatternQuantity {
     /// Which impact.
-    pub i: usize,
+    pub(crate) i: usize,
     /// Which iterate after it.
-    pub k: u64,
+    pub(crate) k: u64,
 }
 
 /// Why a side is left open.
@@ -181,7 +181,7 @@ pub(super) struct Tally {
 
 impl Tally {
     /// Counts a sign; a zero or an unknown one is remembered by its place, the first of each.
-    pub fn add(&mut self, sign: Option<Sign>, place: PatternQuantity) {
+    pub(crate) fn add(&mut self, sign: Option<Sign>, place: PatternQuantity) {
         match sign {
             Some(Sign::Positive) => self.positive = true,
             Some(Sign::Negative) => self.negative = true,
@@ -191,7 +191,7 @@ impl Tally {
     }
 
     /// Counts what another tally did, for impact i.
-    pub fn merge(&mut self, other: &Tally, i: usize) {
+    pub(crate) fn merge(&mut self, other: &Tally, i: usize) {
         let at = |place: Option<PatternQuantity>| place.map(|place| PatternQuantity { i, ..place });
         self.positive |= other.positive;
         self.negative |= other.negative;
@@ -200,12 +200,12 @@ impl Tally {
     }
 
     /// Whether more bits could not change the answer.
-    pub fn is_settled(&self) -> bool {
+    pub(crate) fn is_settled(&self) -> bool {
         self.unknown.is_none() || (self.positive && self.negative)
     }
 
     /// What Theorem 1 says for eµ > 0 or eµ < 0.
-    pub fn side(&self, positive: bool) -> PatternExistence {
+    pub(crate) fn side(&self, positive: bool) -> PatternExistence {
         if if positive { self.negative } else { self.positive } {
             PatternExistence::NoOrbit
         } else if self.zero.is_some() || self.unknown.is_some() {
@@ -216,7 +216,7 @@ impl Tally {
     }
 
     /// The report that these signs amount to.
-    pub fn report(&self, e: Option<Sign>, flat: Option<u64>, orbit: PatternOrbit) -> Report {
+    pub(crate) fn report(&self, e: Option<Sign>, flat: Option<u64>, orbit: PatternOrbit) -> Report {
         let silent = parameter(e);
         let side = |positive| if silent.is_some() { PatternExistence::Open } else { self.side(positive) };
         let (plus, minus) = (side(true), side(false));

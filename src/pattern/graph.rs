@@ -140,18 +140,18 @@ impl Graph {
     }
 
     /// P.
-    pub fn last(&self) -> u64 {
+    pub(crate) fn last(&self) -> u64 {
         self.nodes.len() as u64
     }
 
     /// What (52) says of the period n for a sign of eµ.
-    pub fn node(&self, n: u64, positive: bool) -> PatternExistence {
+    pub(crate) fn node(&self, n: u64, positive: bool) -> PatternExistence {
         self.nodes[n as usize - 1].as_ref().map_or(PatternExistence::Open, |node| node.tally.side(positive))
     }
 
     /// What (52) for both periods and (64) say of an impact between the periods `from` and `to`, for a sign
     /// of eµ. Cost: O(1).
-    pub fn edge(&self, from: u64, to: u64, positive: bool) -> PatternExistence {
+    pub(crate) fn edge(&self, from: u64, to: u64, positive: bool) -> PatternExistence {
         let (Some(a), Some(b), Some(step)) = (
             &self.nodes[from as usize - 1],
             &self.nodes[to as usize - 1],

@@ -33,11 +33,6 @@ impl Entry {
         Ok(Entry { lo, hi })
     }
 
-    /// The lower and the upper bound.
-    pub fn bounds(&self) -> (&BigRational, &BigRational) {
-        (&self.lo, &self.hi)
-    }
-
     /// The number, if it is exact.
     pub fn exact(&self) -> Option<&BigRational> {
         (self.lo == self.hi).then_some(&self.lo)
@@ -50,7 +45,7 @@ impl Entry {
     }
 
     /// Its enclosure on a rung; `None` if the rung is exact and the entry is not.
-    pub fn on<T: Scalar>(&self, context: &T::Context) -> Option<T> {
+    pub(crate) fn on<T: Scalar>(&self, context: &T::Context) -> Option<T> {
         T::between(&self.lo, &self.hi, context)
     }
 }
@@ -86,7 +81,7 @@ const BITS: u32 = 256;
 
 /// Which part of a map breaks a condition: the key of the input file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Key(pub &'static str);
+pub(super) struct Key(pub(crate) &'static str);
 
 impl Map {
     /// The map x ↦ g(f(x, µ), µ) with A = D_x f, B, C = D_x h and e of (26); `section` is P of (12)–(14), in
@@ -192,12 +187,12 @@ impl Map {
     }
 
     /// B.
-    pub fn b(&self) -> &[Entry] {
+    pub(crate) fn b(&self) -> &[Entry] {
         &self.b
     }
 
     /// C.
-    pub fn c(&self) -> &[Entry] {
+    pub(crate) fn c(&self) -> &[Entry] {
         &self.c
     }
 

@@ -14,29 +14,29 @@ pub struct Matrix<T> {
 
 impl<T> Matrix<T> {
     /// The matrix of these rows, all of one length.
-    pub fn from_rows(rows: Vec<Vec<T>>) -> Self {
+    pub(crate) fn from_rows(rows: Vec<Vec<T>>) -> Self {
         let columns = rows.first().map_or(0, Vec::len);
         debug_assert!(rows.iter().all(|row| row.len() == columns));
         Matrix { columns, entries: rows.into_iter().flatten().collect() }
     }
 
     /// The number of rows.
-    pub fn rows(&self) -> usize {
+    pub(crate) fn rows(&self) -> usize {
         self.entries.len().checked_div(self.columns).unwrap_or(0)
     }
 
     /// The number of columns.
-    pub fn columns(&self) -> usize {
+    pub(crate) fn columns(&self) -> usize {
         self.columns
     }
 
     /// One row.
-    pub fn row(&self, index: usize) -> &[T] {
+    pub(crate) fn row(&self, index: usize) -> &[T] {
         &self.entries[index * self.columns..(index + 1) * self.columns]
     }
 
     /// The matrix with `f` applied to every entry.
-    pub fn map<U>(&self, f: impl FnMut(&T) -> U) -> Matrix<U> {
+    pub(crate) fn map<U>(&self, f: impl FnMut(&T) -> U) -> Matrix<U> {
         Matrix { columns: self.columns, entries: self.entries.iter().map(f).collect() }
     }
 }
@@ -70,13 +70,13 @@ pub(super) fn dot<'a, T: Real + 'a>(a: &[T], b: impl IntoIterator<Item = &'a T>,
 
 impl<T: Scalar> Matrix<T> {
     /// The identity.
-    pub fn identity(size: usize, context: &T::Context) -> Self {
+    pub(crate) fn identity(size: usize, context: &T::Context) -> Self {
         let entry = |i, j| T::integer(i32::from(i == j), context);
         Matrix::from_rows((0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect())
     }
 
     /// The product with another matrix. Cost: rows × columns × other columns multiplications.
-    pub fn times(&self, other: &Self, context: &T::Context) -> Self {
+    pub(crate) fn times(&self, other: &Self, context: &T::Context) -> Self {
         let zero = T::integer(0, context);
         let entry = |i, j| dot(self.row(i), other.entries.iter().skip(j).step_by(other.columns), &zero);
         Matrix::from_rows(
@@ -85,7 +85,7 @@ impl<T: Scalar> Matrix<T> {
     }
 
     /// The product with a vector.
-    pub fn apply(&self, vector: &[T], context: &T::Context) -> Vec<T> {
+    pub(crate) fn apply(&self, vector: &[T], context: &T::Context) -> Vec<T> {
         let zero = T::integer(0, context);
         (0..self.rows()).map(|i| dot(self.row(i), vector, &zero)).collect()
     }

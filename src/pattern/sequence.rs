@@ -42,11 +42,6 @@ impl Pattern {
     pub fn is_primitive(&self) -> bool {
         self.repeats == 1
     }
-
-    /// How many times it runs through a primitive pattern.
-    pub fn repeats(&self) -> usize {
-        self.repeats
-    }
 }
 
 impl fmt::Display for Pattern {

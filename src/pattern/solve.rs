@@ -28,9 +28,9 @@ pub struct Solution<T> {
     pub y: Vec<T>,
 }
 
-/// Solves (32) for the pattern `periods`, none of them above [`Coordinates::last`]. On a rung of enclosures
-/// the result contains the solution for every map enclosed, and each of these has one. Cost: O(m N³)
-/// operations, memory O(m N²).
+/// Solves (32) for the pattern `periods`, none of them above the last power of A that is known. On a rung
+/// of enclosures the result contains the solution for every map enclosed, and each of these has one. Cost:
+/// O(m N³) operations, memory O(m N²).
 ///
 /// # Errors
 /// [`Failure`]: det D = 0, or it cannot be told from 0 on this rung.

@@ -43,7 +43,6 @@ pub struct Windows<'m, T: Scalar> {
     /// The same in floats, scaled so that the greatest coefficient is ±1.
     floats: Vec<Vec<f64>>,
     levels: Vec<Level<T>>,
-    tried: u64,
 }
 
 /// What one more period has added.
@@ -59,14 +58,9 @@ struct Level<T> {
 impl<'m, T: Scalar> Windows<'m, T> {
     /// The empty window of a map with N ≥ 3. Cost of each period more: O(N³ + n N²) operations, and a linear
     /// program in N − 1 rows.
-    pub fn new(map: &'m Coordinates<T>) -> Self {
+    pub(crate) fn new(map: &'m Coordinates<T>) -> Self {
         debug_assert!(map.dimension() >= 3);
-        Windows { map, quantities: Vec::new(), floats: Vec::new(), levels: Vec::new(), tried: 0 }
-    }
-
-    /// Windows looked at.
-    pub fn tried(&self) -> u64 {
-        self.tried
+        Windows { map, quantities: Vec::new(), floats: Vec::new(), levels: Vec::new() }
     }
 
     fn free(&self) -> usize {
@@ -177,7 +171,6 @@ impl<'m, T: Scalar> Windows<'m, T> {
 
 impl<T: Scalar> Pruning for Windows<'_, T> {
     fn enter(&mut self, before: Option<u64>, letter: u64) -> bool {
-        self.tried += 1;
         let count = self.quantities.len();
         let (x, search) = match (before, self.levels.last()) {
             (Some(_), Some(level)) => {

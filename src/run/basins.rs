@@ -97,7 +97,7 @@ impl Finding for BasinsFindings {
 ///
 /// # Errors
 /// Those of the simulator; an unusable checkpoint; an interruption.
-pub fn basins(task: &BasinsTask, job: &Job) -> Result<BasinsFindings> {
+pub(crate) fn basins(task: &BasinsTask, job: &Job) -> Result<BasinsFindings> {
     by_engine!(job, engine => {
         let (setup, file) = (Setup::new(task, job, &engine)?, job.checkpoint());
         let rows = setup.find(0..task.u.count as usize, file.as_deref())?;

@@ -142,7 +142,7 @@ impl Finding for BranchFindings {
 ///
 /// # Errors
 /// A start outside the range, a file that cannot be read or has no such label; an interruption.
-pub fn branch(task: &BranchTask, job: &Job) -> Result<BranchFindings> {
+pub(crate) fn branch(task: &BranchTask, job: &Job) -> Result<BranchFindings> {
     by_engine!(job, engine => of(task, job, &engine))
 }
 

@@ -141,7 +141,7 @@ impl Finding for ChaosFindings {
 ///
 /// # Errors
 /// What the normal form does not cover; an interruption.
-pub fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
+pub(crate) fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
     let normal = task.normal(&job.scene)?;
     let mut found = ChaosFindings {
         proved: false,

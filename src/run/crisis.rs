@@ -84,7 +84,7 @@ impl Finding for CrisisFindings {
 ///
 /// # Errors
 /// An input error if there is no saddle or no crisis in the bracket; an interruption.
-pub fn crisis(task: &CrisisTask, job: &Job) -> Result<CrisisFindings> {
+pub(crate) fn crisis(task: &CrisisTask, job: &Job) -> Result<CrisisFindings> {
     let family = job.family(&task.parameter)?;
     let bracket = (task.bracket[0], task.bracket[1]);
     let orbits = task.orbit.orbits(&family.at((bracket.0 + bracket.1) / 2.0)?)?;

@@ -170,7 +170,7 @@ fn follow<D: Attraction<Start: Serialize>>(
 ///
 /// # Errors
 /// Those of the system at a value and of the simulator; an unusable checkpoint; an interruption.
-pub fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
+pub(crate) fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
     if let Some(sweep) = task.sweep {
         return swept(task, sweep, job);
     }

@@ -109,7 +109,7 @@ fn is_known(known: impl IntoIterator<Item = f64>, parameter: f64, start: f64) ->
 ///
 /// # Errors
 /// Where the system is not defined at the start; an interruption.
-pub fn event(task: &EventTask, job: &Job) -> Result<EventFindings> {
+pub(crate) fn event(task: &EventTask, job: &Job) -> Result<EventFindings> {
     by_engine!(job, engine => of(task, job, &engine))
 }
 

@@ -95,7 +95,7 @@ pub fn word(end: MapEnd) -> &'static str {
 ///
 /// # Errors
 /// Those of the system at a point and of the simulator; an unusable checkpoint; an interruption.
-pub fn map(task: &MapTask, job: &Job) -> Result<MapFindings> {
+pub(crate) fn map(task: &MapTask, job: &Job) -> Result<MapFindings> {
     let plan = plan(task, job)?;
     let rows = find(task, job, &plan, 0..plan.rows.len(), job.checkpoint().as_deref())?;
     Ok(findings(task, plan, rows.concat()))

@@ -11,11 +11,11 @@
 //! A kind has a file here of its name with
 //!
 //! 1. `XFindings`, its result: a struct with `Serialize` whose fields are numbers, booleans, words of enums,
-//!    lists of [rows](Row). A row is declared by `row!`: its fields are the columns of tables and the keys in
+//!    lists of rows. A row is declared by `row!`: its fields are the columns of tables and the keys in
 //!    JSON, in their order, whichever engine found it. No field is a text that a program would have to parse:
 //!    complex numbers are [`Complex`], what rounding may decide is a [`Judgement`], an orbit is [`Analysed`];
 //! 2. `impl Finding for XFindings`: its [`Status`] from the data alone, in one place, with a sentence for
-//!    every answer that is not "done"; warnings; what is printed, by [`Lines`];
+//!    every answer that is not "done"; warnings; what is printed, by `Lines`;
 //! 3. `pub fn x(task, job) -> Result<XFindings>`: what [`Job`] holds, and no files but those that it reads
 //!    and its checkpoint. It asks an `Engine`, chosen by `by_engine!`, and no type of one: what oscillators
 //!    and machines answer each in their own way is in `engine`. An error is for what makes the task fail as a
@@ -57,34 +57,47 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 pub use analysed::Analysed;
-pub use basins::{BasinRow, BasinsFindings, basins};
+pub(crate) use basins::basins;
+pub use basins::{BasinRow, BasinsFindings};
 pub use birth::ChaosRow;
+pub(crate) use branch::branch;
 #[doc(hidden)]
 pub use branch::follow;
-pub use branch::{BranchFindings, BranchRow, FoundBranches, StartRow, branch};
-pub use chaos::{ChaosFindings, FailureRow, LetterRow, chaos};
-pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow, crisis};
-pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
+pub use branch::{BranchFindings, BranchRow, FoundBranches, StartRow};
+pub(crate) use chaos::chaos;
+pub use chaos::{ChaosFindings, FailureRow, LetterRow};
+pub(crate) use crisis::crisis;
+pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow};
+pub(crate) use diagram::diagram;
+pub use diagram::{CoexistingRow, DiagramFindings, WindowRow};
 #[doc(hidden)]
 pub use engine::{JudgedOrbit, MachineSource, OrbitSource, OscillatorSource, form};
-pub use event::{EventFindings, EventRow, WithoutRow, event};
-pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport, grazing};
+pub(crate) use event::event;
+pub use event::{EventFindings, EventRow, WithoutRow};
+pub(crate) use grazing::grazing;
+pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport};
+pub(crate) use map::map;
 #[doc(hidden)]
 pub use map::word as map_word;
-pub use map::{MapFindings, MapRow, map};
-pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
+pub use map::{MapFindings, MapRow};
+pub(crate) use orbit::orbit;
+pub use orbit::{OrbitFindings, OrbitRow};
 pub use proved::{AttractorProofs, ProvedRow};
 pub use range::RangeRow;
 pub use report::{RunReport, TaskReport};
-pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet, section};
+pub(crate) use section::section;
+pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet};
 pub use seen::SeenRow;
 pub use series::{SeriesOf, SeriesPoint, SeriesStop, StopEvent};
-pub use simulate::{MeasuredEffect, ModeRow, Moved, SimulationFindings, StopRow, simulate};
+pub use simulate::SimulationFindings;
+pub(crate) use simulate::{MeasuredEffect, simulate};
 pub use status::{Place, Status};
 pub use swept::{HysteresisRow, JumpRow, SweepFindings, SweptRow};
 pub(crate) use table::row;
-pub use table::{Complex, Judgement, Lines, Row, Shown, Tabular};
-pub use validate::{ProofRow, Proved, UnprovedRow, ValidateFindings, validate};
+pub use table::{Complex, Judgement, Tabular};
+pub(crate) use table::{Lines, Row, Shown};
+pub(crate) use validate::validate;
+pub use validate::{ProofRow, Proved, UnprovedRow, ValidateFindings};
 
 use crate::{
     attractor::Keep,
@@ -101,7 +114,7 @@ use crate::{
 };
 
 /// What a task found.
-pub trait Finding: Serialize {
+pub(crate) trait Finding: Serialize {
     /// How the task ended, by what was found.
     fn status(&self) -> Status;
 
@@ -187,12 +200,12 @@ impl<F: Finding> Answer for F {
 
 impl Findings {
     /// How the task ended.
-    pub fn status(&self) -> Status {
+    pub(crate) fn status(&self) -> Status {
         self.get().status()
     }
 
     /// What a reader should know before trusting the numbers.
-    pub fn warnings(&self) -> Vec<String> {
+    pub(crate) fn warnings(&self) -> Vec<String> {
         self.get().warnings()
     }
 
@@ -311,7 +324,7 @@ impl<'a> Job<'a> {
     ///
     /// # Errors
     /// For a machine.
-    pub fn system(&self) -> Result<&System<f64>> {
+    pub(crate) fn system(&self) -> Result<&System<f64>> {
         match &self.model {
             Model::Oscillator(system) => Ok(system),
             Model::Machine(_) => Err(Error::input("the task works on oscillators of one degree of freedom")),
@@ -319,7 +332,7 @@ impl<'a> Job<'a> {
     }
 
     /// What the stop on a side is called, where the engine is `one`.
-    pub fn stop(&self, side: Side) -> String {
+    pub(crate) fn stop(&self, side: Side) -> String {
         let known = self.scene.stops.iter().find(|stop| stop.side == Some(side));
         known.map_or_else(|| side.name().into(), |stop| stop.name.clone())
     }
@@ -328,7 +341,7 @@ impl<'a> Job<'a> {
     ///
     /// # Errors
     /// For a machine; those of [`Settings::sized`].
-    pub fn settings(&self) -> Result<Settings> {
+    pub(crate) fn settings(&self) -> Result<Settings> {
         let system = self.system()?;
         let settings = Settings { tolerance: self.scene.accuracy.tolerance, ..Settings::default() };
         match self.scene.accuracy.minimum_depth {
@@ -361,7 +374,7 @@ impl<'a> Job<'a> {
     ///
     /// # Errors
     /// Those of [`Simulator::new`].
-    pub fn simulator(&self) -> Result<Simulator> {
+    pub(crate) fn simulator(&self) -> Result<Simulator> {
         self.simulator_of(self.system()?)
     }
 
@@ -369,7 +382,7 @@ impl<'a> Job<'a> {
     ///
     /// # Errors
     /// Those of [`Simulator::new`].
-    pub fn simulator_of(&self, system: &System<f64>) -> Result<Simulator> {
+    pub(crate) fn simulator_of(&self, system: &System<f64>) -> Result<Simulator> {
         Ok(Simulator::new(system, &self.settings()?)?.counting(self.tally.clone()))
     }
 
@@ -377,7 +390,7 @@ impl<'a> Job<'a> {
     ///
     /// # Errors
     /// Those of [`Oscillator::new`].
-    pub fn oscillator(&self, system: System<f64>) -> Result<Oscillator> {
+    pub(crate) fn oscillator(&self, system: System<f64>) -> Result<Oscillator> {
         Ok(Oscillator::new(system, self.scene.accuracy.tolerance)?.counting(self.tally.clone()))
     }
 
@@ -385,12 +398,12 @@ impl<'a> Job<'a> {
     ///
     /// # Errors
     /// Those of [`SceneFamily::new`].
-    pub fn family(&self, parameter: &str) -> Result<SceneFamily<'_>> {
+    pub(crate) fn family(&self, parameter: &str) -> Result<SceneFamily<'_>> {
         Ok(SceneFamily::new(&self.scene, parameter)?.counting(self.tally.clone()))
     }
 
     /// The effects that are counted for what it works on.
-    pub fn effects(&self) -> &'static [Effect] {
+    pub(crate) fn effects(&self) -> &'static [Effect] {
         match self.model {
             Model::Oscillator(_) => &Effect::ALL,
             Model::Machine(_) => &Effect::OF_MACHINES,
@@ -401,7 +414,7 @@ impl<'a> Job<'a> {
     ///
     /// # Errors
     /// The interruption.
-    pub fn check(&self) -> Result<()> {
+    pub(crate) fn check(&self) -> Result<()> {
         self.monitor.advance(0)
     }
 
@@ -417,7 +430,7 @@ impl<'a> Job<'a> {
     }
 
     /// The task's checkpoint in the folder, if there is a folder.
-    pub fn checkpoint(&self) -> Option<std::path::PathBuf> {
+    pub(crate) fn checkpoint(&self) -> Option<std::path::PathBuf> {
         Some(self.folder?.join(format!("{}.checkpoint", self.task.name)))
     }
 
@@ -427,7 +440,7 @@ impl<'a> Job<'a> {
     }
 
     /// Where its task stands in the scene's file.
-    pub fn place(&self) -> Place {
+    pub(crate) fn place(&self) -> Place {
         let (file, line) = self.scene.place(self.task);
         Place { file, line }
     }

@@ -41,7 +41,7 @@ pub struct OrbitFindings {
     /// Solutions, by value, then by speed.
     pub orbits: Vec<OrbitRow>,
     /// Values without any.
-    pub missing: Vec<MissingRow>,
+    pub(crate) missing: Vec<MissingRow>,
     /// How many values were asked for.
     #[serde(skip)]
     values: usize,
@@ -74,7 +74,7 @@ impl Finding for OrbitFindings {
 ///
 /// # Errors
 /// Where the system is not defined; an interruption.
-pub fn orbit(task: &OrbitTask, job: &Job) -> Result<OrbitFindings> {
+pub(crate) fn orbit(task: &OrbitTask, job: &Job) -> Result<OrbitFindings> {
     by_engine!(job, engine => of(task, job, &engine))
 }
 

@@ -94,7 +94,7 @@ pub struct SectionFindings {
     /// The admissible orbits of the patterns asked for that are no attractors of the list.
     pub further_orbits: Vec<SectionOrbitRow>,
     /// Why motions of other starts ended, a start each.
-    pub ended: Vec<RunEnd>,
+    pub(crate) ended: Vec<RunEnd>,
     /// The points (q, u) of each attractor and orbit. Not in JSON: they are the task's CSV file.
     #[serde(skip)]
     pub points: Vec<(SectionSet, Vec<[f64; 2]>)>,
@@ -157,7 +157,7 @@ impl Finding for SectionFindings {
 ///
 /// # Errors
 /// Those of the simulator and of the orbits' search; an interruption.
-pub fn section(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
+pub(crate) fn section(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
     by_engine!(job, engine => of(task, job, &engine))
 }
 

@@ -92,15 +92,15 @@ row! {
 pub struct SimulationFindings {
     /// The motion in numbers.
     #[serde(flatten)]
-    pub moved: Moved,
+    pub(crate) moved: Moved,
     /// The slowest modes of a machine, at most ten; where forces are formulas, of the machine linearised at
     /// rest.
-    pub modes: Vec<ModeRow>,
+    pub(crate) modes: Vec<ModeRow>,
     /// What happened at each stop, after the transient.
-    pub stops: Vec<StopRow>,
+    pub(crate) stops: Vec<StopRow>,
     /// What the harmonics of a measured force leave out, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub measured: Option<MeasuredEffect>,
+    pub(crate) measured: Option<MeasuredEffect>,
     /// The accelerations at the end.
     #[serde(skip)]
     pub(super) acceleration: Vec<f64>,
@@ -111,7 +111,7 @@ pub struct SimulationFindings {
 
 /// How well the harmonics of a measured force stand for it, and what of it the motion feels.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct MeasuredEffect {
+pub(crate) struct MeasuredEffect {
     /// The file.
     pub file: String,
     /// The samples used, of so many whole periods; the rest is left out.
@@ -209,7 +209,11 @@ const LISTED: usize = 10;
 ///
 /// # Errors
 /// Those of the simulator; the keeper's; an interruption.
-pub fn simulate(task: &SimulateTask, job: &Job, keeper: &mut dyn Keeper) -> Result<SimulationFindings> {
+pub(crate) fn simulate(
+    task: &SimulateTask,
+    job: &Job,
+    keeper: &mut dyn Keeper,
+) -> Result<SimulationFindings> {
     by_engine!(job, engine => engine.simulate(task, keeper))
 }
 

@@ -101,17 +101,17 @@ impl Status {
     }
 
     /// Nothing found, for this reason.
-    pub fn nothing(reason: impl Into<String>) -> Status {
+    pub(crate) fn nothing(reason: impl Into<String>) -> Status {
         Status::NothingFound { reason: reason.into() }
     }
 
     /// Left open, for this reason.
-    pub fn undecided(reason: impl Into<String>) -> Status {
+    pub(crate) fn undecided(reason: impl Into<String>) -> Status {
         Status::Undecided { reason: reason.into() }
     }
 
     /// Certainly false, for this reason.
-    pub fn refuted(reason: impl Into<String>) -> Status {
+    pub(crate) fn refuted(reason: impl Into<String>) -> Status {
         Status::Refuted { reason: reason.into() }
     }
 
@@ -156,11 +156,6 @@ impl Status {
     /// Whether it could not be done.
     pub fn is_failed(&self) -> bool {
         matches!(self, Status::Failed { .. })
-    }
-
-    /// Whether something is certainly false.
-    pub fn is_refuted(&self) -> bool {
-        matches!(self, Status::Refuted { .. })
     }
 
     /// Whether all is done.

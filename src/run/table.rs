@@ -7,7 +7,7 @@ use serde::{Serialize, Serializer};
 use crate::{motion::RunEnd, printable::Printable};
 
 /// A value as it stands in a report and in a CSV file.
-pub trait Shown {
+pub(crate) trait Shown {
     /// Its text; empty for what is absent.
     fn shown(&self) -> String;
 }
@@ -69,7 +69,7 @@ impl Shown for RunEnd {
 
 /// A complex number: a pair in JSON, in text a number where it is real.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Complex(pub f64, pub f64);
+pub struct Complex(pub(crate) f64, pub(crate) f64);
 
 impl From<(f64, f64)> for Complex {
     fn from((re, im): (f64, f64)) -> Complex {
@@ -120,7 +120,7 @@ impl Shown for Judgement {
 }
 
 /// A row of a table of findings.
-pub trait Row {
+pub(crate) trait Row {
     /// The names of its fields: the columns.
     fn fields() -> Vec<&'static str>;
 
@@ -183,7 +183,7 @@ impl<R: Row> Tabular for Vec<R> {
 
 /// The lines of a report: name and value, or a table under its name.
 #[derive(Debug, Default)]
-pub struct Lines(String);
+pub(crate) struct Lines(String);
 
 impl Lines {
     /// A line.

@@ -124,7 +124,7 @@ impl Finding for ValidateFindings {
 ///
 /// # Errors
 /// Where the system is not defined; an interruption.
-pub fn validate(task: &ValidateTask, job: &Job) -> Result<ValidateFindings> {
+pub(crate) fn validate(task: &ValidateTask, job: &Job) -> Result<ValidateFindings> {
     by_engine!(job, engine => of(task, job, &engine))
 }
 

@@ -227,7 +227,7 @@ keys! {
 
 impl CrisisTask {
     /// How far from the orbit its unstable manifold is entered, where motions have this size.
-    pub fn offsets_at(&self, size: f64) -> Vec<f64> {
+    pub(crate) fn offsets_at(&self, size: f64) -> Vec<f64> {
         if self.offsets.is_empty() {
             [5e-5, 5e-6, 5e-7].map(|x| x * size).to_vec()
         } else {

@@ -73,12 +73,12 @@ impl Value for Alphabet {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Periods {
     /// Twice that number.
-    pub halves: u64,
+    pub(crate) halves: u64,
 }
 
 impl Periods {
     /// How many periods, if that is a whole number.
-    pub fn whole(self) -> Option<u64> {
+    pub(crate) fn whole(self) -> Option<u64> {
         self.halves.is_multiple_of(2).then_some(self.halves / 2)
     }
 }
@@ -109,7 +109,7 @@ impl Value for Periods {
 
 /// Ranges of parameters.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ParameterCell(pub Vec<(String, [BigRational; 2])>);
+pub struct ParameterCell(pub(crate) Vec<(String, [BigRational; 2])>);
 
 impl Value for ParameterCell {
     fn shape() -> String {

@@ -8,7 +8,7 @@ use crate::number::{Plain, Real, Sign};
 
 /// A value and its derivative in one variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Dual {
+pub(crate) struct Dual {
     /// The value.
     pub value: f64,
     /// The derivative.

@@ -138,7 +138,7 @@ impl Expression {
     }
 
     /// Whether one of some parameters, told by their places, stands in it.
-    pub fn mentions(&self, which: &dyn Fn(usize) -> bool) -> bool {
+    pub(crate) fn mentions(&self, which: &dyn Fn(usize) -> bool) -> bool {
         self.root.mentions(which)
     }
 }

@@ -49,7 +49,7 @@ impl<'s> SceneFamily<'s> {
 
     /// The same family, the work of its oscillators added up in `tally`.
     #[must_use]
-    pub fn counting(self, tally: Arc<EffectTally>) -> SceneFamily<'s> {
+    pub(crate) fn counting(self, tally: Arc<EffectTally>) -> SceneFamily<'s> {
         SceneFamily { tally: Some(tally), ..self }
     }
 
@@ -115,7 +115,7 @@ impl<'s> MachineSceneFamily<'s> {
 
     /// The same family, the work on its machines added up in `tally`.
     #[must_use]
-    pub fn counting(self, tally: Arc<EffectTally>) -> MachineSceneFamily<'s> {
+    pub(crate) fn counting(self, tally: Arc<EffectTally>) -> MachineSceneFamily<'s> {
         MachineSceneFamily { tally: Some(tally), ..self }
     }
 

@@ -53,7 +53,7 @@ const MOST: u32 = 1000;
 
 /// What stands under `force`.
 #[derive(Debug, Clone, PartialEq)]
-pub enum ForceKey {
+pub(crate) enum ForceKey {
     /// An expression in the parameters.
     Constant(Expression),
     /// One in q, u or t, too.
@@ -77,7 +77,7 @@ impl ForceKey {
 
 /// The forces on the coordinates of a machine, as they are written: how many there are is not known yet.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ForceList {
+pub(crate) struct ForceList {
     /// Each with its key.
     texts: Vec<(String, String)>,
 }
@@ -290,7 +290,7 @@ mod tests {
         };
         // 2*a/w with its sign once, (a + 1)^2, 2*a/w, a.
         assert_eq!(force.coefficients.len(), 4, "{:?}", force.coefficients);
-        assert_eq!(force.text(), "-2*a/w*q+(a+1)^2*sin(q)*3-2*a/w*u+pi*a");
+        assert_eq!(force.text, "-2*a/w*q+(a+1)^2*sin(q)*3-2*a/w*u+pi*a");
     }
 
     #[test]

@@ -64,7 +64,7 @@ impl SceneFormat {
         [("grazing-scene 1", One), ("grazing-scene 2", Two), ("grazing-scene 3", Three)];
 
     /// Its word in a file.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         SceneFormat::ALL.into_iter().find(|known| known.1 == self).map_or("", |known| known.0)
     }
 

@@ -53,11 +53,11 @@ keys! {
 
 /// Names and values.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Parameters;
+pub(crate) struct Parameters;
 
 /// The tasks, which are read once parameters and stops are known.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Tasks;
+pub(crate) struct Tasks;
 
 impl Value for Parameters {
     fn shape() -> String {

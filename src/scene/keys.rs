@@ -28,7 +28,7 @@ use crate::{
 
 /// What the reference says of a key.
 #[derive(Debug, Clone, Copy)]
-pub struct Key {
+pub(crate) struct Key {
     /// Its name.
     pub name: &'static str,
     /// What may stand there.
@@ -118,12 +118,12 @@ pub(super) trait Value: Sized {
 
 /// A value of the file on its way into the scene.
 pub(super) struct Entry<'a> {
-    pub scope: &'a Scope<'a>,
+    pub(crate) scope: &'a Scope<'a>,
     /// The keys and numbers that lead to it, as in `walls[1].offset`.
-    pub path: String,
+    pub(crate) path: String,
     /// Where it stands.
-    pub span: Option<Range<usize>>,
-    pub item: Item,
+    pub(crate) span: Option<Range<usize>>,
+    pub(crate) item: Item,
 }
 
 /// What every value is read against.
@@ -143,9 +143,9 @@ pub(super) struct Scope<'a> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StopName {
     /// Its name.
-    pub name: String,
+    pub(crate) name: String,
     /// On which side of the one coordinate it stands, where the engine is `one`.
-    pub side: Option<Side>,
+    pub(crate) side: Option<Side>,
 }
 
 /// What of a scene has been read.
@@ -158,7 +158,7 @@ pub(super) struct Seen {
 }
 
 impl<'a> Entry<'a> {
-    pub fn new(scope: &'a Scope<'a>, path: String, span: Option<Range<usize>>, item: Item) -> Self {
+    pub(crate) fn new(scope: &'a Scope<'a>, path: String, span: Option<Range<usize>>, item: Item) -> Self {
         let span = item.span().or(span);
         if let Some(span) = &span {
             scope.seen.places.borrow_mut().insert(path.clone(), span.clone());
@@ -167,7 +167,7 @@ impl<'a> Entry<'a> {
     }
 
     /// `file:line: key = value: message`.
-    pub fn fail(&self, message: &str) -> Error {
+    pub(crate) fn fail(&self, message: &str) -> Error {
         if self.path.is_empty() {
             return self.scope.source.fail(None, message);
         }
@@ -179,12 +179,12 @@ impl<'a> Entry<'a> {
         self.scope.format.path(&self.path)
     }
 
-    pub fn table(&self) -> Result<&dyn TableLike> {
+    pub(crate) fn table(&self) -> Result<&dyn TableLike> {
         self.item.as_table_like().ok_or_else(|| self.fail("is not a table of keys"))
     }
 
     /// The value of a key of this table, if it is there.
-    pub fn get(&self, key: &str) -> Result<Option<Entry<'a>>> {
+    pub(crate) fn get(&self, key: &str) -> Result<Option<Entry<'a>>> {
         let table = self.table()?;
         Ok(table.get(key).map(|item| {
             let span = table.key(key).and_then(toml_edit::Key::span).or(self.span.clone());
@@ -193,7 +193,7 @@ impl<'a> Entry<'a> {
     }
 
     /// The text of a file of at most so many bytes that is named from the scene's folder, and its path.
-    pub fn beside(&self, name: &str, most: u64) -> Result<(PathBuf, String)> {
+    pub(crate) fn beside(&self, name: &str, most: u64) -> Result<(PathBuf, String)> {
         let file = Path::new(self.scope.source.name).parent().unwrap_or(Path::new("")).join(name);
         self.scope.seen.files.borrow_mut().push(file.clone());
         let text = read_text(&file, most).map_err(|error| self.fail(&error.to_string()))?;
@@ -201,7 +201,7 @@ impl<'a> Entry<'a> {
     }
 
     /// The place of another value of the file, by its path, for errors.
-    pub fn at(&self, path: &str) -> Entry<'a> {
+    pub(crate) fn at(&self, path: &str) -> Entry<'a> {
         let span = self.scope.seen.places.borrow().get(path).cloned();
         Entry { scope: self.scope, path: path.to_string(), span, item: Item::None }
     }
@@ -211,7 +211,7 @@ impl<'a> Entry<'a> {
     }
 
     /// Refuses keys that are not among `known`, or that the file's format does not have.
-    pub fn only(&self, known: &[&str]) -> Result<()> {
+    pub(crate) fn only(&self, known: &[&str]) -> Result<()> {
         let (table, format) = (self.table()?, self.scope.format);
         let has = |key: &str| known.contains(&key) && format.has(&self.path, key);
         let Some((key, item)) = table.iter().find(|(key, _)| !has(key)) else { return Ok(()) };
@@ -228,7 +228,7 @@ impl<'a> Entry<'a> {
     }
 
     /// The value of a key, or its default.
-    pub fn field<T: Value>(&self, key: &Key) -> Result<T> {
+    pub(crate) fn field<T: Value>(&self, key: &Key) -> Result<T> {
         if let Some(entry) = self.get(key.name)? {
             return T::read(&entry);
         }
@@ -252,7 +252,7 @@ impl<'a> Entry<'a> {
     }
 
     /// The elements of an array, or of an array of tables.
-    pub fn elements(&self) -> Result<Vec<Entry<'a>>> {
+    pub(crate) fn elements(&self) -> Result<Vec<Entry<'a>>> {
         let items: Vec<Item> = match &self.item {
             Item::Value(toml_edit::Value::Array(array)) => array.iter().cloned().map(Item::Value).collect(),
             Item::ArrayOfTables(tables) => tables.iter().cloned().map(Item::Table).collect(),
@@ -263,17 +263,17 @@ impl<'a> Entry<'a> {
     }
 
     /// An exact number.
-    pub fn number(&self) -> Result<BigRational> {
+    pub(crate) fn number(&self) -> Result<BigRational> {
         let value = self.item.as_value().ok_or_else(|| self.fail("is not a number"))?;
         self.scope.source.exact_within(&self.own_path(), value, LIMIT_BITS)
     }
 
-    pub fn text(&self) -> Result<&str> {
+    pub(crate) fn text(&self) -> Result<&str> {
         self.item.as_str().ok_or_else(|| self.fail("is not text \"…\""))
     }
 
     /// A number or a text: what an expression is written as.
-    pub fn expression(&self) -> Result<String> {
+    pub(crate) fn expression(&self) -> Result<String> {
         let value = self.item.as_value().ok_or_else(|| self.fail("is not an expression"))?;
         let text = self.scope.source.number_text(value);
         text.map(|text| text.to_string())
@@ -281,7 +281,7 @@ impl<'a> Entry<'a> {
     }
 
     /// One of some words.
-    pub fn word<T: Copy>(&self, words: &[(&'static str, T)]) -> Result<T> {
+    pub(crate) fn word<T: Copy>(&self, words: &[(&'static str, T)]) -> Result<T> {
         let text = self.text()?;
         if let Some((_, value)) = words.iter().find(|(word, _)| *word == text) {
             return Ok(*value);

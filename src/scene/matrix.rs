@@ -8,7 +8,7 @@ use crate::error::Result;
 
 /// The nonzero entries of a matrix.
 #[derive(Debug, Clone, PartialEq)]
-pub struct MatrixValue {
+pub(crate) struct MatrixValue {
     /// How many rows.
     pub rows: usize,
     /// How many columns.
@@ -21,7 +21,7 @@ pub struct MatrixValue {
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoordinateList {
     /// The numbers.
-    pub entries: Vec<Expression>,
+    pub(crate) entries: Vec<Expression>,
 }
 
 /// Most rows or columns.

@@ -47,26 +47,26 @@ keys! {
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredForce {
     /// The file.
-    pub file: String,
+    pub(crate) file: String,
     /// The samples used.
-    pub samples: usize,
+    pub(crate) samples: usize,
     /// The samples beyond the last whole period, which are left out.
-    pub left_out: usize,
+    pub(crate) left_out: usize,
     /// Whole periods in the record.
-    pub periods: usize,
+    pub(crate) periods: usize,
     /// The mean, then (cos kt, sin kt) for k = 1, 2, ….
-    pub mean: f64,
+    pub(crate) mean: f64,
     /// The coefficients.
-    pub harmonics: Vec<[f64; 2]>,
+    pub(crate) harmonics: Vec<[f64; 2]>,
     /// The largest difference from a sample.
-    pub residual: f64,
+    pub(crate) residual: f64,
     /// No difference from the record, taken as straight between samples, is larger; of a record taken once,
     /// an eighth of the largest second difference.
-    pub bound: f64,
+    pub(crate) bound: f64,
     /// The record itself, if it is taken once, the step in the scene's unit of time.
-    pub once: Option<Record>,
+    pub(crate) once: Option<Record>,
     /// What a force of 1 is on each coordinate.
-    pub direction: Vec<Expression>,
+    pub(crate) direction: Vec<Expression>,
 }
 
 /// Most harmonics and samples.

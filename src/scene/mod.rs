@@ -45,7 +45,7 @@ pub use crate::formula::Function;
 pub use expression::{Coefficient, Expression};
 pub use family::{MachineSceneFamily, SceneFamily};
 pub use format::SceneFormat;
-pub use keys::{Key, StopName};
+pub use keys::StopName;
 pub use machine::MachineScene;
 pub use matrix::CoordinateList;
 pub use measured::MeasuredForce;
@@ -53,6 +53,7 @@ pub use reference::reference;
 #[doc(hidden)]
 pub use scene::phase;
 pub use scene::{Body, Engine, Scene};
-pub use sections::{BasinsTask, Frame, SectionTask, StartAxis, Values};
+pub(crate) use sections::StartAxis;
+pub use sections::{BasinsTask, Frame, SectionTask, Values};
 pub use system::{Accuracy, EngineKey};
 pub use task::{Kind, Task};

@@ -81,7 +81,7 @@ impl ChaosTask {
     /// The scene's oscillator in the normal form of chaos.md, for all parameters of the task.
     ///
     /// # Errors
-    /// As [`Normal::of`]; also where a wall or a force depends on a parameter of the cell.
+    /// As `Normal::of`; also where a wall or a force depends on a parameter of the cell.
     pub fn normal(&self, scene: &Scene) -> Result<Normal> {
         self.normal_form(scene).map_err(|error| error.context("kind \"chaos\""))
     }

@@ -54,14 +54,14 @@ pub enum StartNumber {
 
 impl StartNumber {
     /// As it stands there.
-    pub fn value(self) -> f64 {
+    pub(crate) fn value(self) -> f64 {
         match self {
             StartNumber::Plain(value) | StartNumber::Radians(value) => value,
         }
     }
 
     /// A time in radians of the forcing.
-    pub fn radians(self) -> f64 {
+    pub(crate) fn radians(self) -> f64 {
         match self {
             StartNumber::Plain(fraction) => fraction * TAU,
             StartNumber::Radians(time) => time,
@@ -103,7 +103,7 @@ impl OrbitKeys {
     ///
     /// # Errors
     /// An input error if the walls do not fit the pattern or the scene.
-    pub fn itinerary(&self, system: &System<f64>) -> Result<Itinerary> {
+    pub(crate) fn itinerary(&self, system: &System<f64>) -> Result<Itinerary> {
         if self.pattern.is_empty() {
             return Itinerary::free(self.period);
         }
@@ -114,7 +114,7 @@ impl OrbitKeys {
     }
 
     /// `start` in the unknowns of the equations, each speed after its time; `speed` converts the speeds.
-    pub fn unknowns(&self, speed: impl Fn(f64) -> f64) -> Vec<f64> {
+    pub(crate) fn unknowns(&self, speed: impl Fn(f64) -> f64) -> Vec<f64> {
         let impacts = !self.pattern.is_empty();
         let unknown = |(i, number): (usize, &StartNumber)| match i % 2 {
             0 if impacts => number.radians(),
@@ -125,7 +125,7 @@ impl OrbitKeys {
     }
 
     /// What is said where no orbit is found.
-    pub fn none(&self) -> String {
+    pub(crate) fn none(&self) -> String {
         let of_the_motion = || "speeds of the size of the motion".to_string();
         let speeds = self.speed.map_or_else(of_the_motion, |speed| format!("speeds up to {speed}"));
         format!("no orbit of the pattern from {} starts with {speeds}", self.starts)
@@ -135,7 +135,7 @@ impl OrbitKeys {
     ///
     /// # Errors
     /// As [`find`].
-    pub fn orbits(&self, oscillator: &Oscillator) -> Result<Vec<Orbit>> {
+    pub(crate) fn orbits(&self, oscillator: &Oscillator) -> Result<Vec<Orbit>> {
         let itinerary = self.itinerary(oscillator.system())?;
         if self.start.is_empty() {
             let speed = self.speed.unwrap_or_else(|| oscillator.unit(&itinerary));
@@ -266,12 +266,12 @@ impl Value for RangeKey {
 
 impl GrazingTask {
     /// How far to look along the branch of an oscillator from an orbit.
-    pub fn extent(&self, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
+    pub(crate) fn extent(&self, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
         extent(self.reach, oscillator, orbit)
     }
 
     /// The distance |eµ| where motions have this size.
-    pub fn distance_at(&self, size: f64) -> f64 {
+    pub(crate) fn distance_at(&self, size: f64) -> f64 {
         self.distance.unwrap_or(1e-6 * size)
     }
 }

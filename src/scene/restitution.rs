@@ -15,7 +15,7 @@ use crate::{
 
 /// What stands under `restitution`.
 #[derive(Debug, Clone, PartialEq)]
-pub enum RestitutionKey {
+pub(crate) enum RestitutionKey {
     /// An expression in the parameters.
     Constant(Expression),
     /// One in v, too.

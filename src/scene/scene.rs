@@ -86,7 +86,7 @@ impl Scene {
     ///
     /// # Errors
     /// Where it is `many`.
-    pub fn system(&self) -> Result<&System<Expression>> {
+    pub(crate) fn system(&self) -> Result<&System<Expression>> {
         match &self.body {
             Body::Oscillator(system) => Ok(system),
             Body::Machine(_) => {
@@ -146,14 +146,14 @@ impl Scene {
     ///
     /// # Errors
     /// Where it is not defined.
-    pub fn mass(&self) -> Result<f64> {
+    pub(crate) fn mass(&self) -> Result<f64> {
         self.mass.as_ref().map_or(Ok(1.0), |mass| self.number(mass))
     }
 
     /// A text of the oscillator: its parameters with their values, and its equation and walls as expressions
     /// in them, without the spaces in them. Scenes with the same text have the same motions; titles, tasks,
     /// comments and the order of keys do not matter.
-    pub fn canonical(&self) -> Result<String> {
+    pub(crate) fn canonical(&self) -> Result<String> {
         let parameters: Vec<(&str, String)> =
             self.parameters.iter().map(|(name, value)| (name.as_str(), value.to_string())).collect();
         Ok(match &self.body {
@@ -225,7 +225,7 @@ impl Scene {
     ///
     /// # Errors
     /// An input error that names where it stands, for a division by zero or a value beyond floats.
-    pub fn number(&self, expression: &Expression) -> Result<f64> {
+    pub(crate) fn number(&self, expression: &Expression) -> Result<f64> {
         let values: Vec<BigRational> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
         let exact = self.value(expression, &values, float, &|| self.point(&values));
         if exact.is_err() && matches!(self.body, Body::Machine(_)) {
@@ -256,7 +256,7 @@ impl Scene {
     ///
     /// # Errors
     /// An input error at `path` for anything else.
-    pub fn start_plane(&self, names: &[String], path: &str) -> Result<[StartAxis; 2]> {
+    pub(crate) fn start_plane(&self, names: &[String], path: &str) -> Result<[StartAxis; 2]> {
         let axis = |name: &String| {
             match name.as_str() {
             "q" | "q1" => Ok(StartAxis::Place),

@@ -115,7 +115,7 @@ impl Value for Frame {
 /// What of an oscillator's start is varied along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum StartAxis {
+pub(crate) enum StartAxis {
     /// The displacement.
     Place,
     /// The velocity.

@@ -47,7 +47,7 @@ keys! {
 
 /// New values of parameters.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Assignments(pub Vec<(String, BigRational)>);
+pub struct Assignments(pub(crate) Vec<(String, BigRational)>);
 
 impl Value for Assignments {
     fn shape() -> String {

@@ -34,7 +34,7 @@ keys! {
 
 impl ValidateTask {
     /// How far to look for the event along the branch of an orbit.
-    pub fn extent(&self, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
+    pub(crate) fn extent(&self, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
         extent(self.reach, oscillator, orbit)
     }
 }

@@ -83,7 +83,7 @@ impl Scene {
     /// # Errors
     /// An input error, naming file, line and key, for an unknown parameter or a value that cannot be
     /// computed; where the engine is `one`.
-    pub fn enclosed_machine(&self, change: Option<(&str, &BigRational)>) -> Result<Machine<Bounds>> {
+    pub(crate) fn enclosed_machine(&self, change: Option<(&str, &BigRational)>) -> Result<Machine<Bounds>> {
         let mut exact: Vec<_> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
         if let Some((name, value)) = change {
             exact[self.parameter(name)?].clone_from(value);
@@ -120,7 +120,12 @@ impl Scene {
     ///
     /// # Errors
     /// An input error at `path` for anything else.
-    pub fn plane(&self, names: &[String], machine: &Machine<f64>, path: &str) -> Result<[PlaneAxis; 2]> {
+    pub(crate) fn plane(
+        &self,
+        names: &[String],
+        machine: &Machine<f64>,
+        path: &str,
+    ) -> Result<[PlaneAxis; 2]> {
         let fail = |message: String| self.fail(path, &message);
         let axis = |name: &String| {
             let digits = |letter: char| name.strip_prefix(letter)?.parse::<usize>().ok();
@@ -212,7 +217,12 @@ impl Scene {
     /// # Errors
     /// An input error that names the key, for lists of the wrong length, values that cannot be computed, and
     /// points of modes that do not tell all their amplitudes.
-    pub fn machine_state(&self, start: &Start, machine: &Machine<f64>, path: &str) -> Result<MachineState> {
+    pub(crate) fn machine_state(
+        &self,
+        start: &Start,
+        machine: &Machine<f64>,
+        path: &str,
+    ) -> Result<MachineState> {
         let part = |given: &CoordinateList, name: &str| -> Result<RealVector> {
             let key = format!("{path}.{name}");
             let points = machine.points();

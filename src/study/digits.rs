@@ -85,9 +85,9 @@ const REFERENCE_BITS: u32 = 1 << 15;
 #[derive(Debug, Clone)]
 pub struct Solved {
     /// The input.
-    pub input: Input,
+    pub(crate) input: Input,
     /// b_{n,k}.
-    pub value: BigRational,
+    pub(crate) value: BigRational,
 }
 
 /// The inputs of a family, from `digits_reference.csv`.

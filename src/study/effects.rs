@@ -211,7 +211,7 @@ impl WithEffect {
     ///
     /// # Errors
     /// None for [`effects`].
-    pub fn time(&self, periods: i64, runs: u32) -> Result<Duration> {
+    pub(crate) fn time(&self, periods: i64, runs: u32) -> Result<Duration> {
         let simulator = Simulator::new(&self.system, &Settings::default())?;
         let mut least = Duration::MAX;
         for _ in 0..runs {

@@ -82,17 +82,17 @@ pub struct ProofCost {
 #[derive(Debug, Clone)]
 pub struct ProofSizes {
     /// Distances 10^−d.
-    pub distances: &'static [u32],
+    pub(crate) distances: &'static [u32],
     /// Periods of orbits.
-    pub periods: &'static [u32],
+    pub(crate) periods: &'static [u32],
     /// Periods of orbits whose coefficients are intervals.
-    pub intervals: &'static [u32],
+    pub(crate) intervals: &'static [u32],
     /// Periods of Theorem 2 and of words.
-    pub exact: &'static [u64],
+    pub(crate) exact: &'static [u64],
     /// Periods of covers.
-    pub covers: &'static [u64],
+    pub(crate) covers: &'static [u64],
     /// Coordinates of machines.
-    pub machines: &'static [u64],
+    pub(crate) machines: &'static [u64],
 }
 
 impl ProofSizes {

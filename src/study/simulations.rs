@@ -27,7 +27,7 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct KnownMotion {
     /// Its name in tables.
-    pub name: &'static str,
+    pub(crate) name: &'static str,
     model: Model,
     start: f64,
     /// Impacts slower than this are not counted: where a motion chatters to rest there is no end of them.

@@ -80,7 +80,7 @@ impl Rectangle {
     /// A box that holds a point as computed and its rounding, a₁ and a₂ being known to 10⁻¹² of the larger of
     /// |a₁| and 1; for a₂ > 1, or where it may be, the images by reversal of time too. None where a₂ may not
     /// be positive.
-    pub fn about(trace: f64, determinant: f64) -> Option<Rectangle> {
+    pub(crate) fn about(trace: f64, determinant: f64) -> Option<Rectangle> {
         let one = BigRational::one();
         let (t, d) = (BigRational::from_float(trace)?, BigRational::from_float(determinant)?);
         let size = t.abs().max(one.clone());
@@ -106,12 +106,12 @@ impl Rectangle {
     }
 
     /// The bounds of a₁.
-    pub fn a1(&self) -> &[BigRational; 2] {
+    pub(crate) fn a1(&self) -> &[BigRational; 2] {
         &self.a1
     }
 
     /// The bounds of a₂.
-    pub fn a2(&self) -> &[BigRational; 2] {
+    pub(crate) fn a2(&self) -> &[BigRational; 2] {
         &self.a2
     }
 
@@ -152,7 +152,7 @@ impl Rectangle {
 
     /// The sign of u_n at every point, if it is certain and not 0. Cost: O(1) products of balls, and ρⁿ as a
     /// fraction, where |a₁| may exceed 1 + a₂.
-    pub fn u(&self, n: u64) -> Option<Sign> {
+    pub(crate) fn u(&self, n: u64) -> Option<Sign> {
         if n == 2 {
             // u_2 = a₁.
             let [lower, upper] = self.a1.each_ref().map(Sign::of);
@@ -166,7 +166,7 @@ impl Rectangle {
     ///
     /// # Panics
     /// Unless 1 ≤ k < n.
-    pub fn numerator(&self, n: u64, k: u64) -> Option<Sign> {
+    pub(crate) fn numerator(&self, n: u64, k: u64) -> Option<Sign> {
         assert!(1 <= k && k < n, "N_{{n,k}} needs 1 ≤ k < n, not n = {n}, k = {k}");
         let i = usize::try_from(n).ok().filter(|&i| i < self.u.len())?;
         let k = k as usize;
@@ -182,7 +182,7 @@ impl Rectangle {
     ///
     /// # Panics
     /// As [`numerator`](Rectangle::numerator).
-    pub fn b(&self, n: u64, k: u64) -> Option<Sign> {
+    pub(crate) fn b(&self, n: u64, k: u64) -> Option<Sign> {
         Some(self.u(n)? * self.numerator(n, k)?)
     }
 

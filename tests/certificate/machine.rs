@@ -256,15 +256,12 @@ fn follow(scene: &Scene, text: &str) {
     let speed = place[1] - contact.row.dot(&u);
     let push = simulator.contacts().push(0)
         * ((1.0 + contact.restitution) * speed / simulator.contacts().mobility(0));
-    let after = grazing::many::MachineState {
-        t: phase.rem_euclid(TAU),
-        q: nalgebra::DVector::from_column_slice(&numbers[1..1 + n]),
-        u: &u + push,
-    };
+    let after =
+        grazing::many::MachineState::new(phase.rem_euclid(TAU), &numbers[1..1 + n], (&u + push).as_slice());
     let step = 1e-3;
     let soon = simulator.flow().after(&after, step);
     let begin = grazing::motion::Time::new(0, phase.rem_euclid(TAU) + step);
-    let mut run = simulator.start(begin, soon.q.as_slice(), soon.u.as_slice()).unwrap();
+    let mut run = simulator.start(begin, soon.q(), soon.u()).unwrap();
     let mut impacts = 0;
     let end = grazing::motion::Time::new(1, phase.rem_euclid(TAU) + step);
     run.record(end, |event| {
@@ -275,7 +272,8 @@ fn follow(scene: &Scene, text: &str) {
     });
     assert_eq!(impacts, 1);
     let state = run.state();
-    assert!((&state.q - &soon.q).amax() < 1e-8 && (&state.u - &soon.u).amax() < 1e-7);
+    let apart = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(apart(state.q(), soon.q()) < 1e-8 && apart(state.u(), soon.u()) < 1e-7);
 }
 
 /// A line of a certificate with its words after the first.

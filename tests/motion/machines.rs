@@ -10,7 +10,7 @@ use std::{
 
 use grazing::{
     many::{
-        FlowMethod, Load, Machine, MachineState, RealVector, Stop, StopLaw,
+        FlowMethod, Load, Machine, MachineState, Stop, StopLaw,
         simulate::{Event, MachineSettings, MachineSimulator},
     },
     motion::{Harmonic, RunEnd, System, Time, Wall},
@@ -24,6 +24,11 @@ mod recorded;
 pub mod second;
 mod soft;
 mod stiff;
+
+/// How far two vectors are apart, at most.
+pub fn apart(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
 
 fn rows(rows: &[Vec<f64>]) -> Vec<&[f64]> {
     rows.iter().map(Vec::as_slice).collect()
@@ -123,16 +128,12 @@ fn motions_without_stops_agree_with_fifty_digits() {
         for (duration, expected) in table.durations.iter().zip(&case.states) {
             let expected: Vec<f64> = expected.iter().map(|x| x.parse().unwrap()).collect();
             let size = expected.iter().fold(1.0f64, |most, x| most.max(x.abs()));
-            let start = MachineState {
-                t: case.t0,
-                q: RealVector::from_column_slice(&case.q),
-                u: RealVector::from_column_slice(&case.u),
-            };
+            let start = MachineState::new(case.t0, &case.q, &case.u);
             let end = flow.after(&start, *duration);
             let mut run = simulator.start(at(case.t0), &case.q, &case.u).unwrap();
             run.finish(at(case.t0).after(*duration));
             for (how, state) in [("at once", end), ("by the run", run.state())] {
-                let (q, u) = (machine.seen(&state.q), machine.seen(&state.u));
+                let (q, u) = (machine.displaced(state.q()), machine.displaced(state.u()));
                 let found = q.iter().chain(&u);
                 assert_eq!(q.len() + u.len(), expected.len(), "{}", case.name);
                 let off = found.zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -316,7 +317,7 @@ fn one_degree_of_freedom_agrees_with_the_engine_for_it() {
         }
         let mut run = other.start(at(0.3), &start[..1], &start[1..]).unwrap();
         run.finish(until);
-        let off = (run.state().q[0] - end.q).abs().max((run.state().u[0] - end.u).abs());
+        let off = (run.state().q()[0] - end.q).abs().max((run.state().u()[0] - end.u).abs());
         assert!(off <= 1e-12 * amplification * 80.0, "{name}: the end is off by {off:e}");
     }
 }
@@ -408,8 +409,8 @@ fn energy_is_kept_by_elastic_impacts() {
     let simulator = simulator(&chain);
     let equations = simulator.equations();
     let energy = |state: &MachineState| {
-        let (kinetic, elastic) = (&equations.mass * &state.u, &equations.stiffness * &state.q);
-        (state.u.dot(&kinetic) + state.q.dot(&elastic)) / 2.0
+        let [q, u] = [state.q(), state.u()].map(nalgebra::DVector::from_column_slice);
+        (u.dot(&(&equations.mass * &u)) + q.dot(&(&equations.stiffness * &q))) / 2.0
     };
     let mut run = simulator.start(at(0.0), &[0.3, 0.2, 0.1], &[1.0, -1.5, 0.5]).unwrap();
     let begin = energy(&run.state());
@@ -573,7 +574,7 @@ fn motions_agree_with_a_second_integrator() {
         );
         let state = run.state();
         for i in 0..q.len() {
-            let off = (state.q[i] - other.q[i]).abs().max((state.u[i] - other.u[i]).abs());
+            let off = (state.q()[i] - other.q[i]).abs().max((state.u()[i] - other.u[i]).abs());
             let bound = if rests > 0 { 1e-6 } else { 1e-11 };
             assert!(off <= bound * amplification, "{name}: the end is off by {off:e}");
         }

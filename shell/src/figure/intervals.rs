@@ -18,17 +18,21 @@ use crate::{
 /// The height of a period's row.
 const HIGH: f64 = 11.0;
 
+/// Refuses periods that no picture of periods 3 to N shows.
+pub(super) fn check_last(last: u64) -> Result<()> {
+    if (3..=40).contains(&last) {
+        return Ok(());
+    }
+    Err(Error::input(format!("--n {last}: this figure shows periods 3 to N, with N from 3 to 40")))
+}
+
 /// Writes the picture and its data: where single-impact orbits exist on r = 1, 3 ≤ n
 /// ≤ `last`.
 ///
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 40; an I/O error.
 pub fn intervals(last: u64, place: &FigurePlace) -> Result<()> {
-    if !(3..=40).contains(&last) {
-        return Err(Error::input(format!(
-            "--n {last}: this figure shows periods 3 to N, with N from 3 to 40"
-        )));
-    }
+    check_last(last)?;
     let mut all = Vec::new();
     for n in 3..=last {
         all.extend(theorem(n)?);

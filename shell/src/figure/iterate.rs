@@ -9,11 +9,12 @@ use super::{
     canvas::{Anchor, At, COLUMN, Canvas, GREY, line},
     colour,
     frame::{Axis, PlotFrame},
+    intervals::check_last,
     label,
     legend::{Legend, ROW},
 };
 use crate::{
-    error::{Error, Result},
+    error::Result,
     existence::{Boundary, Case, Interval, intervals},
     local::Plane,
     number::{Angle, Ball, Circular, Precision, Sign},
@@ -30,11 +31,7 @@ const DECIMALS: u32 = 8;
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 40; an I/O error.
 pub fn iterate_boundaries(last: u64, place: &FigurePlace) -> Result<()> {
-    if !(3..=40).contains(&last) {
-        return Err(Error::input(format!(
-            "--n {last}: this figure shows periods 3 to N, with N from 3 to 40"
-        )));
-    }
+    check_last(last)?;
     let mut curves = Vec::new();
     for n in 3..=last {
         for interval in intervals(n)?.filter(|interval| interval.deciding.is_some()) {

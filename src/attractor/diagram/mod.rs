@@ -10,7 +10,7 @@ mod swept;
 mod windows;
 
 pub(crate) use swept::jump;
-pub use swept::{Jump, SweepStep, jumps, swept};
+pub(crate) use swept::{Jump, SweepStep, jumps, swept};
 pub use windows::{Window, coexisting, windows};
 
 use std::path::Path;
@@ -102,7 +102,7 @@ pub fn sweep<D: Attraction<Start: Serialize>>(
 ///
 /// # Errors
 /// Those of [`sweep`].
-pub fn sweep_counting<D: Attraction<Start: Serialize>>(
+pub(crate) fn sweep_counting<D: Attraction<Start: Serialize>>(
     plan: &DiagramPlan<D::Start>,
     dynamics: impl Fn(f64) -> Result<D> + Sync,
     identity: &str,
@@ -164,7 +164,7 @@ impl<S> DiagramPlan<S> {
     }
 
     /// Whether a slice can be that of the value with this index.
-    pub fn can_be(&self, index: usize, slice: &Slice) -> bool {
+    pub(crate) fn can_be(&self, index: usize, slice: &Slice) -> bool {
         let Look { points, longest, .. } = self.look;
         let most = points.max(longest).max(self.every) as usize;
         let motion = |motion: &DiagramMotion| {
@@ -209,7 +209,7 @@ impl<P: SectionState> Known<P> {
 ///
 /// # Errors
 /// Those of the simulator; an interruption.
-pub fn attractors<D: Attraction>(
+pub(crate) fn attractors<D: Attraction>(
     plan: &DiagramPlan<D::Start>,
     dynamics: &D,
     most: usize,

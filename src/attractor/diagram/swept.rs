@@ -19,7 +19,7 @@ use crate::{
 
 /// A value of a sweep.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SweepStep<S> {
+pub(crate) struct SweepStep<S> {
     /// The value.
     pub value: f64,
     /// What the motion settled on; none where it leaves every bound.
@@ -30,7 +30,7 @@ pub struct SweepStep<S> {
 
 /// A place where a sweep leaves an attractor for another.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Jump<S> {
+pub(crate) struct Jump<S> {
     /// The last value known at which the motion stays.
     pub stays: f64,
     /// The first value known at which it has left.
@@ -62,7 +62,7 @@ const CHANCE: f64 = 2.0;
 ///
 /// # Errors
 /// Those of the system and the simulator; an unusable checkpoint; an interruption, after a last checkpoint.
-pub fn swept<D: Attraction<Start: Serialize + DeserializeOwned>>(
+pub(crate) fn swept<D: Attraction<Start: Serialize + DeserializeOwned>>(
     plan: &DiagramPlan<D::Start>,
     dynamics: impl Fn(f64) -> Result<D>,
     identity: &str,
@@ -107,7 +107,7 @@ pub fn swept<D: Attraction<Start: Serialize + DeserializeOwned>>(
 ///
 /// # Errors
 /// Those of [`settle`].
-pub fn jumps<D: Attraction>(
+pub(crate) fn jumps<D: Attraction>(
     steps: &[SweepStep<D::Start>],
     observation: &Observation,
     dynamics: impl Fn(f64) -> Result<D>,

@@ -123,7 +123,7 @@ impl LinearFlow {
     }
 
     /// What was solved.
-    pub fn equations(&self) -> &LinearEquations {
+    pub(crate) fn equations(&self) -> &LinearEquations {
         &self.equations
     }
 
@@ -143,7 +143,7 @@ impl LinearFlow {
     }
 
     /// 2n: the number of coordinates of y.
-    pub fn dimension(&self) -> usize {
+    pub(crate) fn dimension(&self) -> usize {
         self.to.nrows()
     }
 
@@ -167,7 +167,7 @@ impl LinearFlow {
 
     /// Natural frequencies and damping ratios of the modes that oscillate, in multiples of the forcing's
     /// frequency, ascending; none for one block.
-    pub fn frequencies(&self) -> Vec<(f64, f64)> {
+    pub(crate) fn frequencies(&self) -> Vec<(f64, f64)> {
         let one = |pair: Pair| match pair {
             Pair::Mode { damping, stiffness } if stiffness > 0.0 => {
                 Some((stiffness.sqrt(), damping / (2.0 * stiffness.sqrt())))
@@ -239,7 +239,7 @@ impl LinearFlow {
     }
 
     /// What y gains where a period ends: p(2π) − p(0).
-    pub fn step(&self) -> &RealVector {
+    pub(crate) fn step(&self) -> &RealVector {
         &self.step
     }
 
@@ -287,7 +287,7 @@ impl LinearFlow {
     }
 
     /// y of a change of velocity.
-    pub fn kick(&self, du: &RealVector) -> RealVector {
+    pub(crate) fn kick(&self, du: &RealVector) -> RealVector {
         let n = self.equations.size();
         self.to.columns(n, n) * du
     }
@@ -333,7 +333,7 @@ impl LinearFlow {
     }
 
     /// E(duration), 2n × 2n.
-    pub fn matrix(&self, duration: f64) -> RealMatrix {
+    pub(crate) fn matrix(&self, duration: f64) -> RealMatrix {
         if let Motion::Whole(a, _) = &self.motion {
             return exponential(a, duration);
         }

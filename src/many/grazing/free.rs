@@ -43,7 +43,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// Those of [`Machine::equations`], [`Machine::contacts`], [`MachineSlope::new`] and
-    /// [`LinearEquations::response`]; where forces are formulas, no periodic motion found by Newton's method.
+    /// `LinearEquations::response`; where forces are formulas, no periodic motion found by Newton's method.
     pub fn new(machine: &Machine<f64>, slope: &Machine<f64>) -> Result<FreeMotion> {
         FreeMotion::near(machine, slope, None, None)
     }
@@ -53,7 +53,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// As [`new`](Self::new).
-    pub fn near(
+    pub(crate) fn near(
         machine: &Machine<f64>,
         slope: &Machine<f64>,
         near: Option<&MachineState>,
@@ -80,17 +80,18 @@ impl FreeMotion {
     }
 
     /// The motion's displacements over a period.
+    #[doc(hidden)]
     pub fn motion(&self) -> &Periodic {
         &self.motion
     }
 
     /// The stops.
-    pub fn contacts(&self) -> &Contacts {
+    pub(crate) fn contacts(&self) -> &Contacts {
         &self.contacts
     }
 
     /// The minima of all gaps over a period, by stop. A gap that does not change has one, at phase 0.
-    pub fn minima(&self) -> Vec<LeastGap> {
+    pub(crate) fn minima(&self) -> Vec<LeastGap> {
         let of = |(stop, [gap, _]): (usize, &[Series; 2])| {
             minima(gap).into_iter().map(move |(phase, gap)| LeastGap { stop, phase, gap })
         };
@@ -103,13 +104,13 @@ impl FreeMotion {
     }
 
     /// How fast a minimum of a gap opens with the parameter: at a minimum the phase may be held fixed.
-    pub fn rate(&self, at: &LeastGap) -> f64 {
+    pub(crate) fn rate(&self, at: &LeastGap) -> f64 {
         self.gaps[at.stop][1].at(at.phase)[0]
     }
 
     /// The size of the gap's motion at the stop that it comes nearest to: what is much smaller is rounding. 0
     /// without stops.
-    pub fn scale(&self) -> f64 {
+    pub(crate) fn scale(&self) -> f64 {
         self.least().map_or(0.0, |least| size(&self.gaps[least.stop][0]))
     }
 

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use super::{
     free::{FreeMotion, LeastGap},
-    local_map::MachineLocalMap,
+    local_map::LocalMap,
 };
 use crate::{
     error::Result,
@@ -26,9 +26,9 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct HalfPeriod {
     /// The map.
-    pub map: MachineLocalMap,
+    pub(crate) map: LocalMap,
     /// The stop that mirrors the one that is grazed.
-    pub mirror: usize,
+    pub(crate) mirror: usize,
 }
 
 /// Phases this near to half a period apart are that.
@@ -39,7 +39,7 @@ impl HalfPeriod {
     /// the other is the mirror of the first.
     ///
     /// # Errors
-    /// Those of [`MachineLocalMap::new`].
+    /// Those of [`LocalMap::new`].
     pub(super) fn new(motion: &FreeMotion, at: &LeastGap, others: &[LeastGap]) -> Result<Option<HalfPeriod>> {
         // Of formulas it is not known whether they are their own mirror image.
         if motion.stage.is_some() {
@@ -50,11 +50,11 @@ impl HalfPeriod {
         if other.stop != mirror || (apart - PI).abs() > NEAR {
             return Ok(None);
         }
-        Ok(Some(HalfPeriod { map: MachineLocalMap::half(motion, at)?, mirror }))
+        Ok(Some(HalfPeriod { map: LocalMap::half(motion, at)?, mirror }))
     }
 
     /// The pattern in the machine of one of the map's, and a start for Newton's method there, the stop `at`
-    /// being grazed: see [`MachineLocalMap::start`]. A pattern with an odd number of halves is gone round
+    /// being grazed: see [`LocalMap::start`]. A pattern with an odd number of halves is gone round
     /// twice.
     ///
     /// # Errors

@@ -18,29 +18,25 @@ use crate::{
 /// The local map of the stroboscopic section at the phase of grazing, in coordinates x = (q, q′) less those
 /// of the motion, velocities per radian of the forcing.
 #[derive(Debug, Clone)]
-pub struct MachineLocalMap {
+pub struct LocalMap {
     /// A: ∂(q, q′) after a period by (q, q′) before.
-    pub a: RealMatrix,
+    pub(crate) a: RealMatrix,
     /// B.
-    pub b: RealVector,
+    pub(crate) b: RealVector,
     /// C.
-    pub c: RealVector,
+    pub(crate) c: RealVector,
     /// e: how fast the least gap opens with the parameter (26).
     pub e: f64,
     /// a_G: the second derivative of the gap there.
     pub acceleration: f64,
-    /// τ of the stop that is grazed.
-    pub restitution: f64,
     /// How fast the rate of the gap at the phase of grazing changes with the parameter.
     pub rate_drift: f64,
-    /// The motion's state there.
-    pub state: MachineState,
     /// Its derivative in the parameter, at that phase.
     pub drift: MachineState,
     /// det A, without cancellation.
     pub determinant: f64,
     /// The eigenvalues of A, by modulus, the largest first.
-    pub eigenvalues: Vec<(f64, f64)>,
+    pub(crate) eigenvalues: Vec<(f64, f64)>,
     /// What A is the flow over, 2π, or the mirror of the flow over, π.
     span: f64,
     /// None where forces are formulas.
@@ -52,22 +48,22 @@ pub struct MachineLocalMap {
 /// How far entries may be off that were computed in floats.
 const ERROR: f64 = 1e-12;
 
-impl MachineLocalMap {
+impl LocalMap {
     /// The map at a minimum of a gap that is zero. An a_G that is not positive is for
     /// [`to_map`](Self::to_map) to refuse.
     ///
     /// # Errors
     /// Those of [`LinearFlow::new`]; eigenvalues of A that are not found.
-    pub fn new(motion: &FreeMotion, at: &LeastGap) -> Result<MachineLocalMap> {
+    pub(crate) fn new(motion: &FreeMotion, at: &LeastGap) -> Result<LocalMap> {
         Self::over(motion, at, TAU)
     }
 
     /// The same over half a period, after which all is mirrored.
-    pub(super) fn half(motion: &FreeMotion, at: &LeastGap) -> Result<MachineLocalMap> {
+    pub(super) fn half(motion: &FreeMotion, at: &LeastGap) -> Result<LocalMap> {
         Self::over(motion, at, PI)
     }
 
-    fn over(motion: &FreeMotion, at: &LeastGap, span: f64) -> Result<MachineLocalMap> {
+    fn over(motion: &FreeMotion, at: &LeastGap, span: f64) -> Result<LocalMap> {
         let (contact, push) = (&motion.contacts().all()[at.stop], motion.contacts().push(at.stop));
         let n = motion.equations.size();
         let [gap, slope] = &motion.gaps[at.stop];
@@ -91,7 +87,7 @@ impl MachineLocalMap {
         let change = push * (kick / motion.contacts().mobility(at.stop));
         let zero = RealVector::zeros(n);
         let (b, c) = (stacked(&zero, &change), stacked(&contact.row, &zero));
-        Ok(MachineLocalMap {
+        Ok(LocalMap {
             own: match &flow {
                 Some(flow) => [flow.kick(&change), flow.seen(&contact.row, &zero)],
                 None => [b.clone(), c.clone()],
@@ -100,9 +96,7 @@ impl MachineLocalMap {
             c,
             e,
             acceleration,
-            restitution: contact.restitution,
             rate_drift,
-            state,
             drift: motion.drift.state(at.phase),
             determinant,
             eigenvalues: eigenvalues(&a, determinant)?,
@@ -112,8 +106,23 @@ impl MachineLocalMap {
         })
     }
 
+    /// A, row by row.
+    pub fn a(&self) -> Vec<Vec<f64>> {
+        self.a.row_iter().map(|row| row.iter().copied().collect()).collect()
+    }
+
+    /// B.
+    pub fn b(&self) -> &[f64] {
+        self.b.as_slice()
+    }
+
+    /// C.
+    pub fn c(&self) -> &[f64] {
+        self.c.as_slice()
+    }
+
     /// √(2a_G): an impact of size y has the speed V = √(2a_G) y.
-    pub fn speed_scale(&self) -> f64 {
+    pub(crate) fn speed_scale(&self) -> f64 {
         (2.0 * self.acceleration).sqrt()
     }
 

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use super::{
     HalfPeriod,
     free::{FreeMotion, LeastGap},
-    local_map::MachineLocalMap,
+    local_map::LocalMap,
 };
 use crate::{
     error::{Error, Result},
@@ -30,7 +30,7 @@ pub struct MachineGrazing {
     /// The motion.
     pub motion: Periodic,
     /// The map there.
-    pub map: MachineLocalMap,
+    pub map: LocalMap,
     /// That of half a period, where a symmetric machine grazes a stop and its mirror.
     pub half: Option<HalfPeriod>,
 }
@@ -38,17 +38,22 @@ pub struct MachineGrazing {
 impl MachineGrazing {
     /// The map that the local theory is asked about: of half a period if two stops that mirror each other are
     /// grazed, and then patterns count halves.
-    pub fn local(&self) -> &MachineLocalMap {
+    pub(crate) fn local(&self) -> &LocalMap {
         self.half.as_ref().map_or(&self.map, |half| &half.map)
     }
 
     /// The pattern in the machine of one of the map's, and a start for Newton's method there at the distance
-    /// `away` of the parameter from the grazing: see [`MachineLocalMap::start`]. Of half a period, a pattern
+    /// `away` of the parameter from the grazing: see [`LocalMap::start`]. Of half a period, a pattern
     /// with an odd number of halves is gone round twice.
     ///
     /// # Errors
     /// An input error if the report, which is of [`local`](Self::local), has no solution.
-    pub fn start(&self, periods: &[u64], report: &Report, away: f64) -> Result<(StopPattern, Vec<f64>)> {
+    pub(crate) fn start(
+        &self,
+        periods: &[u64],
+        report: &Report,
+        away: f64,
+    ) -> Result<(StopPattern, Vec<f64>)> {
         if let Some(half) = &self.half {
             return half.start(&self.at, periods, report, away);
         }
@@ -79,7 +84,7 @@ const TWICE: f64 = 1e-11;
 ///
 /// # Errors
 /// Where the family is not defined.
-pub fn own_reach(family: &dyn MachineFamily, value: f64, near: Option<&MachineState>) -> Result<f64> {
+pub(crate) fn own_reach(family: &dyn MachineFamily, value: f64, near: Option<&MachineState>) -> Result<f64> {
     let (machine, slope) = family.at(value)?;
     // Without a periodic motion there is no gaps' motion.
     let motion = FreeMotion::near(&machine, &slope, near, family.tally());
@@ -169,7 +174,7 @@ pub fn locate(
     let tiny = TWICE * scale;
     let mut others = motion.minima();
     others.retain(|other| other.gap.abs() <= tiny && *other != at);
-    let (map, half) = (MachineLocalMap::new(&motion, &at)?, HalfPeriod::new(&motion, &at, &others)?);
+    let (map, half) = (LocalMap::new(&motion, &at)?, HalfPeriod::new(&motion, &at, &others)?);
     let motion = motion.motion().clone();
     Ok(MachineSearch::Found(Box::new(MachineGrazing { parameter, at, scale, others, motion, map, half })))
 }

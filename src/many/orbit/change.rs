@@ -26,7 +26,7 @@ use crate::{
 /// machine under the force f′ and known in closed form. Else it is Duhamel's integral, by Gauss's rule on
 /// panels short against every motion, exact to rounding.
 #[derive(Debug, Clone)]
-pub struct MachineChange {
+pub(crate) struct MachineChange {
     /// f′ − M′M⁻¹f.
     force: Periodic,
     /// By q and by q′; none where M, C and K stay.

@@ -18,7 +18,7 @@ use crate::{
 
 /// The equations at one machine.
 #[derive(Clone, Copy)]
-pub struct StopEquations<'s> {
+pub(crate) struct StopEquations<'s> {
     pub between: Between<'s>,
     pub contacts: &'s Contacts,
     pub pattern: &'s StopPattern,

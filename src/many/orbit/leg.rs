@@ -24,7 +24,7 @@ use crate::{
 
 /// What carries a machine between impacts.
 #[derive(Clone, Copy)]
-pub struct Between<'s> {
+pub(crate) struct Between<'s> {
     pub flow: &'s LinearFlow,
     pub contacts: &'s Contacts,
     /// The machine with its rigid stops passed through, if it has soft ones or its forces are formulas.
@@ -32,7 +32,7 @@ pub struct Between<'s> {
 }
 
 /// Motion without events.
-pub struct LegPiece {
+pub(crate) struct LegPiece {
     pub flow: LinearFlow,
     /// The soft stops that push.
     pub pushing: Vec<usize>,
@@ -45,7 +45,7 @@ pub struct LegPiece {
 }
 
 /// A leg's end, what of a displacement before is left there, and how the end changes with a parameter.
-pub struct LegPassage {
+pub(crate) struct LegPassage {
     pub end: MachineState,
     pub phi: RealMatrix,
     pub slope: RealVector,

@@ -3,7 +3,6 @@
 use crate::{
     continuation::{ImpactPattern, sum_of_periods, times_round},
     error::{Error, Result},
-    many::contact::StopContact,
 };
 
 /// An impact and the periods from its phase to the next one's.
@@ -55,11 +54,6 @@ impl StopPattern {
     /// n, in forcing periods.
     pub fn periods(&self) -> u32 {
         self.periods
-    }
-
-    /// Its text, as `3,3`, with the stop's name at each impact if the machine has several.
-    pub fn named(&self, contacts: &[StopContact]) -> String {
-        self.with_names(&contacts.iter().map(|contact| contact.name.as_str()).collect::<Vec<_>>())
     }
 
     /// The same, given the names of the machine's stops.

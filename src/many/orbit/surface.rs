@@ -20,11 +20,11 @@ const TERMS: usize = 10;
 /// coordinates of [`LinearFlow`] in which motions fall apart: a column for each of x, y, x², xy, y², x³, x²y,
 /// xy², y³.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Surface(pub RealMatrix);
+pub(crate) struct Surface(pub(crate) RealMatrix);
 
 /// An impact beside the orbit's.
 #[derive(Debug, Clone, Copy)]
-pub struct Beside {
+pub(crate) struct Beside {
     /// How much later it happens.
     pub delay: Cubic,
     /// Its incoming speed.
@@ -33,7 +33,7 @@ pub struct Beside {
 
 /// What the Poincaré map makes of a surface.
 #[derive(Debug, Clone)]
-pub struct Image {
+pub(crate) struct Image {
     /// The displacements after the first impact when the orbit is back there.
     pub surface: Surface,
     /// The impacts on the way, by their number in the pattern: the first is the last to come.

@@ -12,7 +12,7 @@
 //!   of it, exceeds the depth. Where rounding of the sum over the modes exceeds the minimum depth, it takes
 //!   its place.
 //! - Stops that are touched at one instant, within the minimum depth, are hit together by Newton's law for
-//!   all of them ([`contact`](super::contact)); [`order_matters`](crate::motion::event::Shock::order_matters)
+//!   all of them (`contact`); `order_matters`
 //!   says where that is a choice.
 //! - Bounces on a stop that would be lower than the minimum depth, where it presses, are summed as a
 //!   geometric series and end in rest ([`Event::Stick`]): motion under the constraint that the gap is 0,
@@ -21,11 +21,11 @@
 //! - A soft stop pushes from where its gap closes until its force would pull ([`Event::Touch`],
 //!   [`Event::Release`]), and again if it would push before the gap is open. In contact the machine is
 //!   another linear one. *Proof* of what is found: where contact begins is the minimum of a gap, as above;
-//!   where it ends, and may begin again, the force over its [unit](super::contact::SoftContact::unit) is
+//!   where it ends, and may begin again, the force over its unit is
 //!   watched as a gap is. There the depth is smaller than the minimum depth by the acceleration of the gap
 //!   that the unit causes, if that is above 1: no push or pull is passed over that accelerates the gap by
 //!   more than the minimum depth per radian².
-//! - A run ends by an [`RunEnd`] that says why.
+//! - A run ends by a [`RunEnd`](crate::motion::RunEnd) that says why.
 //!
 //! The trajectory itself carries rounding errors only, amplified by the condition number of the modes. Where
 //! forces are formulas it is followed by steps of Taylor series whose last terms are below 10⁻¹⁵ of the
@@ -78,7 +78,7 @@ use std::{
 use serde::Serialize;
 
 pub use engine::MachineRun;
-pub use peak::PeakForces;
+pub(crate) use peak::PeakForces;
 pub(crate) use smooth::seen;
 pub(crate) use stage::Stage;
 use stage::{SoftStops, What};
@@ -86,7 +86,6 @@ pub use tangent::MachineTangents;
 
 use super::{LinearEquations, Machine, MachineState, RealVector, contact::Contacts, smooth::Smooth};
 use crate::many::LinearFlow;
-pub use crate::motion::RunEnd;
 use crate::{
     error::{Error, Result},
     motion::{EffectTally, Time},
@@ -207,7 +206,7 @@ impl MachineSimulator {
 
     /// The same machine simulated otherwise.
     #[must_use]
-    pub fn with(self, settings: MachineSettings) -> MachineSimulator {
+    pub(crate) fn with(self, settings: MachineSettings) -> MachineSimulator {
         MachineSimulator { settings, ..self }
     }
 
@@ -239,7 +238,7 @@ impl MachineSimulator {
     /// The same machine, its work added up in `tally`: of runs as each ends, of steps by formulas as they
     /// are made, whatever for.
     #[must_use]
-    pub fn counting(self, tally: Arc<EffectTally>) -> MachineSimulator {
+    pub(crate) fn counting(self, tally: Arc<EffectTally>) -> MachineSimulator {
         if let Some(smooth) = &self.smooth {
             smooth.count_in(&tally);
         }
@@ -248,7 +247,7 @@ impl MachineSimulator {
 
     /// The same where there is a tally.
     #[must_use]
-    pub fn counting_too(self, tally: Option<&Arc<EffectTally>>) -> MachineSimulator {
+    pub(crate) fn counting_too(self, tally: Option<&Arc<EffectTally>>) -> MachineSimulator {
         match tally {
             Some(tally) => self.counting(tally.clone()),
             None => self,
@@ -256,7 +255,7 @@ impl MachineSimulator {
     }
 
     /// Whether forces are formulas.
-    pub fn is_smooth(&self) -> bool {
+    pub(crate) fn is_smooth(&self) -> bool {
         self.smooth.is_some()
     }
 
@@ -285,27 +284,30 @@ impl MachineSimulator {
     }
 
     /// The flow between impacts; where forces are formulas, that of the machine linearised at rest.
+    #[doc(hidden)]
     pub fn flow(&self) -> &LinearFlow {
         &self.free.flow
     }
 
     /// The equations of motion, the forcing's phase being time.
+    #[doc(hidden)]
     pub fn equations(&self) -> &LinearEquations {
         &self.equations
     }
 
     /// The stops.
+    #[doc(hidden)]
     pub fn contacts(&self) -> &Contacts {
         &self.contacts
     }
 
     /// How finely it simulates.
-    pub fn settings(&self) -> &MachineSettings {
+    pub(crate) fn settings(&self) -> &MachineSettings {
         &self.settings
     }
 
     /// Ω: velocities per radian of the forcing times this are per unit of time.
-    pub fn rate(&self) -> f64 {
+    pub(crate) fn rate(&self) -> f64 {
         self.rate
     }
 
@@ -323,7 +325,7 @@ impl MachineSimulator {
     }
 
     /// The same where these stops are met: of their places and motions, too.
-    pub fn scale_at(&self, stops: impl IntoIterator<Item = usize>) -> f64 {
+    pub(crate) fn scale_at(&self, stops: impl IntoIterator<Item = usize>) -> f64 {
         let size = |stop: usize| {
             let GapSize { forced, place, .. } = self.gap_size(stop);
             forced.max(place)
@@ -333,7 +335,7 @@ impl MachineSimulator {
 
     /// The size of the gap to the stop that is nearest, however far that is: what its rounding is relative
     /// to. 0 as of [`scale`](Self::scale).
-    pub fn gap_scale(&self) -> f64 {
+    pub(crate) fn gap_scale(&self) -> f64 {
         self.nearest_stop().map_or(0.0, |stop| {
             let GapSize { forced, place, .. } = self.gap_size(stop);
             forced.max(place)

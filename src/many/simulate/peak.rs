@@ -21,7 +21,7 @@ const DENSITY: f64 = 2.0;
 const STEPS: usize = 30;
 
 /// The largest force of each soft stop so far, in the scene's unit; 0 of those that are not met.
-pub struct PeakForces {
+pub(crate) struct PeakForces {
     stage: Arc<Stage>,
     from: Time,
     state: MachineState,

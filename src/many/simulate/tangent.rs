@@ -48,7 +48,7 @@ const FLOOR: f64 = 1e-14;
 
 impl<'a> MachineTangents<'a> {
     /// The motion with `count` vectors, at least 1 and at most twice the number of coordinates.
-    pub fn new(run: MachineRun<'a>, count: usize) -> MachineTangents<'a> {
+    pub(crate) fn new(run: MachineRun<'a>, count: usize) -> MachineTangents<'a> {
         let simulator = run.simulator();
         let n = simulator.equations().size();
         let (stage, state, now) = (run.stage(), run.state(), run.time());
@@ -62,7 +62,7 @@ impl<'a> MachineTangents<'a> {
     }
 
     /// The motion with a unit vector along each coordinate, in which the mass is 1.
-    pub fn along(run: MachineRun<'a>) -> MachineTangents<'a> {
+    pub(crate) fn along(run: MachineRun<'a>) -> MachineTangents<'a> {
         let simulator = run.simulator();
         let n = 2 * simulator.equations().size();
         let (stage, state, now) = (run.stage(), run.state(), run.time());

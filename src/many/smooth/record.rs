@@ -13,9 +13,9 @@ use crate::{
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Record {
     /// The step between samples: of a [`Machine`](crate::many::Machine) in its unit of time.
-    pub step: f64,
+    pub(crate) step: f64,
     /// The samples.
-    pub values: Vec<f64>,
+    pub(crate) values: Vec<f64>,
 }
 
 /// Knots nearer than this, as a part of a step, are passed.
@@ -26,7 +26,7 @@ impl Record {
     ///
     /// # Errors
     /// Fewer than two samples; a step that is not positive; values that are not finite.
-    pub fn new(step: f64, values: Vec<f64>) -> Result<Record> {
+    pub(crate) fn new(step: f64, values: Vec<f64>) -> Result<Record> {
         if values.len() < 2 || !(step > 0.0 && step.is_finite()) || values.iter().any(|x| !x.is_finite()) {
             return Err(Error::input("a record needs two finite samples or more, a positive time apart"));
         }
@@ -34,19 +34,19 @@ impl Record {
     }
 
     /// Its length, in the unit of the step.
-    pub fn length(&self) -> f64 {
+    pub(crate) fn length(&self) -> f64 {
         self.step * (self.values.len() - 1) as f64
     }
 
     /// The same with time in another unit, of which there are `rate` in the old one.
     #[must_use]
-    pub fn scaled(&self, rate: f64) -> Record {
+    pub(crate) fn scaled(&self, rate: f64) -> Record {
         Record { step: self.step * rate, values: self.values.clone() }
     }
 
     /// Steps being radians: the force at a time, its slope from there on, and how long that stays; before its
     /// beginning and after its end the force is 0.
-    pub fn at(&self, time: Time) -> (f64, f64, f64) {
+    pub(crate) fn at(&self, time: Time) -> (f64, f64, f64) {
         let now = time.period as f64 * TAU + time.phase;
         let place = now / self.step + NEAR;
         let last = self.values.len() - 1;

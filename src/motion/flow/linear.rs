@@ -52,12 +52,12 @@ impl Linear {
     }
 
     /// The particular solution (p, p′) at t; 2π-periodic unless [`step`](Self::step) is not zero.
-    pub fn particular(&self, t: f64) -> [f64; 2] {
+    pub(crate) fn particular(&self, t: f64) -> [f64; 2] {
         self.response.at(t)
     }
 
     /// p(t + 2π) at t = 0 less p(0): zero but for terms near resonance.
-    pub fn step(&self) -> [f64; 2] {
+    pub(crate) fn step(&self) -> [f64; 2] {
         self.response.step()
     }
 

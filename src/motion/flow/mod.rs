@@ -45,11 +45,11 @@ pub(crate) struct Kept {
 }
 
 impl Free {
-    /// The flow of a system without its walls; `tolerance` is that of [`Taylor::new`] and not looked at in
+    /// The flow of a system without its walls; `tolerance` is that of `Taylor::new` and not looked at in
     /// closed form.
     ///
     /// # Errors
-    /// Those of [`Linear::new`] and [`Taylor::new`].
+    /// Those of [`Linear::new`] and `Taylor::new`.
     pub fn new(system: &System<f64>, tolerance: f64) -> Result<Self> {
         let equation = Equation::new(system)?;
         if equation.is_linear() {
@@ -61,7 +61,7 @@ impl Free {
 
     /// The same flow, the steps of its integrator added up in `tally`; the closed form has none.
     #[must_use]
-    pub fn counting(self, tally: Arc<EffectTally>) -> Self {
+    pub(crate) fn counting(self, tally: Arc<EffectTally>) -> Self {
         match self {
             Free::Linear(flow) => Free::Linear(flow),
             Free::Taylor(flow) => Free::Taylor(flow.counting(tally)),
@@ -121,7 +121,7 @@ impl Free {
     /// det of the derivative of [`advance`](Flow::advance), by Liouville: exp ∫ ∂q″/∂q′ dt along the motion,
     /// which keeps its digits where those of the matrix are lost by cancellation. NaN where the motion cannot
     /// be followed. Cost: none if ∂q″/∂q′ is constant, else the motion's and 8 evaluations per step.
-    pub fn determinant(&self, from: State, duration: f64) -> f64 {
+    pub(crate) fn determinant(&self, from: State, duration: f64) -> f64 {
         match (self.equation().constant_divergence(), self) {
             (Some(rate), _) => (rate * duration).exp(),
             (None, Free::Taylor(flow)) => flow.divergence(from, duration).exp(),

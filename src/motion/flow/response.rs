@@ -1,7 +1,10 @@
 //! A particular solution of the forced linear equation that stays moderate at and near resonance.
 
 use super::{Equation, linear::Exponential};
-use crate::motion::{Harmonic, Series, algebra::apply};
+use crate::motion::{
+    Harmonic, Series,
+    algebra::{divide, scale, times},
+};
 use std::f64::consts::TAU;
 
 /// Below this distance of i k from an eigenvalue (of 0 from a stiffness for the constant force) the periodic
@@ -148,16 +151,4 @@ fn sinhc(x: [f64; 2]) -> [f64; 2] {
 fn unit(angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
     [cos, sin]
-}
-
-fn scale(a: [f64; 2], factor: f64) -> [f64; 2] {
-    [a[0] * factor, a[1] * factor]
-}
-
-fn times(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    apply(&[[b[0], -b[1]], [b[1], b[0]]], a)
-}
-
-fn divide(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    scale(times(a, [b[0], -b[1]]), 1.0 / (b[0] * b[0] + b[1] * b[1]))
 }

@@ -134,7 +134,7 @@ impl Scalar for f64 {
 
 /// A value, first, and its derivatives in N − 1 variables.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Gradient<const N: usize>(pub [f64; N]);
+pub(crate) struct Gradient<const N: usize>(pub(crate) [f64; N]);
 
 impl<const N: usize> Gradient<N> {
     /// The variable whose derivative stands at `place`.

@@ -88,7 +88,7 @@ impl Taylor {
     ///
     /// # Errors
     /// A tolerance outside its range, a coefficient that is not finite.
-    pub fn new(system: &System<f64>, tolerance: f64) -> Result<Self> {
+    pub(crate) fn new(system: &System<f64>, tolerance: f64) -> Result<Self> {
         Taylor::of(Equation::new(system)?, tolerance)
     }
 
@@ -106,7 +106,7 @@ impl Taylor {
     /// The same flow, the steps of its motions added up in `tally`; but not those of `expand`, which are for
     /// its caller to count.
     #[must_use]
-    pub fn counting(self, tally: Arc<EffectTally>) -> Self {
+    pub(crate) fn counting(self, tally: Arc<EffectTally>) -> Self {
         Taylor { tally: Some(tally), ..self }
     }
 
@@ -398,7 +398,7 @@ fn is_stuck(h: f64, left: f64) -> bool {
 
 /// The Taylor coefficients of the equation's solutions.
 #[derive(Debug, Clone)]
-pub(crate) struct Recurrence(pub Equation);
+pub(crate) struct Recurrence(pub(crate) Equation);
 
 impl Recurrence {
     /// Fills `q` with the coefficients of x ↦ q(t + hx) and returns those of its square (zeros without a

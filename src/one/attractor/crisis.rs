@@ -27,7 +27,7 @@ use crate::{
 };
 
 /// An unstable orbit on a stroboscopic section, with its directions there.
-pub struct Saddle {
+pub(crate) struct Saddle {
     oscillator: Oscillator,
     simulator: Simulator,
     periods: i64,
@@ -47,13 +47,13 @@ pub struct Saddle {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corner {
     /// The state on the section.
-    pub state: State,
+    pub(crate) state: State,
     /// ε: it is an image of S + εv.
-    pub offset: f64,
+    pub(crate) offset: f64,
     /// Which image, in periods of S.
-    pub image: u32,
+    pub(crate) image: u32,
     /// The least minimum of the gap in the flight from it: what is left of 0.
-    pub gap: f64,
+    pub(crate) gap: f64,
 }
 
 /// One period of S from a state: where it leads, how many impacts there are, the least minimum of the gap

@@ -21,7 +21,7 @@ use crate::{
 
 /// How far and how finely manifolds are followed.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ManifoldPlan {
+pub(crate) struct ManifoldPlan {
     /// The distance from the orbit at which it is left. Default 10⁻⁵.
     pub distance: f64,
     /// How many times the segment is mapped on. Default 30.
@@ -54,7 +54,7 @@ type Traced = (f64, [f64; 2]);
 ///
 /// # Errors
 /// An input error unless one multiplier is real and beyond ±1; the monitor's.
-pub fn unstable_manifold(
+pub(crate) fn unstable_manifold(
     simulator: &Simulator,
     phase: f64,
     periods: u32,
@@ -121,7 +121,7 @@ pub fn unstable_manifold(
 ///
 /// # Errors
 /// As [`Simulator::start`]; an input error if the motion escapes.
-pub fn return_map(
+pub(crate) fn return_map(
     simulator: &Simulator,
     phase: f64,
     periods: u32,
@@ -193,6 +193,6 @@ pub fn reversed(system: &System<f64>) -> Result<System<f64>> {
 }
 
 /// The phase at which the reversed system passes the section at `phase`.
-pub fn reversed_phase(phase: f64) -> f64 {
+pub(crate) fn reversed_phase(phase: f64) -> f64 {
     (-phase).rem_euclid(TAU)
 }

@@ -73,10 +73,12 @@ const CHUNK: usize = 8;
 /// Periods between two looks at whether to go on.
 const PAUSE: u64 = 16;
 
-/// The cells of a map, row by row: those of [`map_rows`] for all of them.
+/// The cells of a map, row by row. With a file, rows that are done are kept there, and those that it
+/// holds of the same plan are not done again; `identity` is what else the result depends on. Cost:
+/// `transient` + `points` periods for each cell.
 ///
 /// # Errors
-/// Those of [`map_rows`].
+/// Those of a system; an unusable checkpoint; an interruption, after what was done is kept.
 pub fn map(
     plan: &MapPlan,
     system: impl Fn(f64, f64) -> Result<Simulator> + Sync,
@@ -94,7 +96,7 @@ pub fn map(
 ///
 /// # Errors
 /// Those of a system; an unusable checkpoint; an interruption, after what was done is kept.
-pub fn map_rows(
+pub(crate) fn map_rows(
     plan: &MapPlan,
     system: impl Fn(f64, f64) -> Result<Simulator> + Sync,
     rows: Range<usize>,
@@ -138,7 +140,7 @@ pub fn map_rows(
 
 impl MapPlan {
     /// Whether these can be the cells of a row.
-    pub fn can_be_row(&self, row: &[MapCell]) -> bool {
+    pub(crate) fn can_be_row(&self, row: &[MapCell]) -> bool {
         let cell = |cell: &MapCell| match cell.end {
             MapEnd::Periodic(period) => (1..=self.look.longest).contains(&period),
             _ => true,

@@ -13,4 +13,4 @@ mod touching;
 
 pub use attracting::attracting;
 pub use lyapunov::lyapunov;
-pub use touching::touching;
+pub(crate) use touching::touching;

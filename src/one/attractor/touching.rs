@@ -11,7 +11,7 @@ const LOOKS: u32 = 100;
 /// The states at `phase` whose motion grazes `wall` within the next period before any impact, as pieces of a
 /// curve: each found from its grazing contact by going back in time. To be drawn: that no wall is in the way
 /// is looked at, not proved.
-pub fn touching(flow: &Free, walls: &[Contact], wall: &Contact, phase: f64) -> Vec<Vec<State>> {
+pub(crate) fn touching(flow: &Free, walls: &[Contact], wall: &Contact, phase: f64) -> Vec<Vec<State>> {
     let mut pieces = vec![Vec::new()];
     for i in 0..=TIMES {
         let duration = TAU * f64::from(i) / f64::from(TIMES);

@@ -93,7 +93,7 @@ pub struct OscillatorPatterns<'a> {
 
 impl<'a> OscillatorPatterns<'a> {
     /// The orbits of a family. Lengths and speeds are measured by the size of the motion at one value of the
-    /// parameter ([`Oscillator::unit`]).
+    /// parameter (`Oscillator::unit`).
     ///
     /// # Errors
     /// Where the system is not defined there.

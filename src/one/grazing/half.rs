@@ -20,7 +20,7 @@ use crate::{
 
 /// Whether S takes the system to itself: the force does, as far as its form tells, and the walls mirror each
 /// other.
-pub fn is_mirrored(oscillator: &Oscillator) -> bool {
+pub(crate) fn is_mirrored(oscillator: &Oscillator) -> bool {
     let System { lower: Some(lower), upper: Some(upper), .. } = oscillator.system() else { return false };
     // Q₂(t + π) = −Q₁(t).
     let amplitude = |wall: &Wall<f64>, k: u32| {
@@ -67,7 +67,7 @@ impl Grazing {
     ///
     /// # Errors
     /// An input error if the report has no solution.
-    pub fn half_start(
+    pub(crate) fn half_start(
         &self,
         map: &LocalMap,
         pattern: &[u64],

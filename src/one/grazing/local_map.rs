@@ -8,7 +8,7 @@ use crate::{
     local::Region,
     motion::{
         Flow,
-        algebra::{Matrix2, apply, product, resolve},
+        algebra::{IDENTITY, Matrix2, add, apply, product, resolve},
     },
     one::orbit::{Itinerary, Leg, Oscillator, Unknowns, flow_determinant},
     pattern::{Entry, Map},
@@ -39,7 +39,7 @@ impl LocalMap {
         let strikes = itinerary.strikes();
         let touch = oscillator.touch(strikes[0].side, z[0])?;
         let (sign, graze) = (touch.wall.side.sign(), touch.leaving(z[0], 0.0));
-        let (mut a, mut shift) = ([[1.0, 0.0], [0.0, 1.0]], [0.0; 2]);
+        let (mut a, mut shift) = (IDENTITY, [0.0; 2]);
         for passage in Unknowns::new(itinerary, z)?.passages(oscillator) {
             let passage = passage?;
             let Leg { matrix, slope, .. } = passage.fly();
@@ -92,7 +92,7 @@ impl LocalMap {
     /// L = Π −C A^{n_i} B / (2 Y_i) of a pattern: the large eigenvalue is L (eµ)^{−m} to leading order (36),
     /// by (57) in floats; `None` on a singular boundary.
     pub fn leading(&self, periods: &[u64]) -> Option<f64> {
-        let power = |n: u64| (0..n).fold([[1.0, 0.0], [0.0, 1.0]], |power, _| product(&self.a, &power));
+        let power = |n: u64| (0..n).fold(IDENTITY, |power, _| product(&self.a, &power));
         let powers: Vec<Matrix2> = periods.iter().map(|&n| power(n)).collect();
         let x = |a: &Matrix2| [-1.0, (a[0][0] - 1.0) / a[0][1]];
         let product: f64 = (0..powers.len())
@@ -125,8 +125,4 @@ impl LocalMap {
         let a = self.a.iter().map(|row| row.iter().map(|&x| wide(x)).collect()).collect::<Result<_>>()?;
         Map::new(a, vec![integer(0), wide(self.kick())?], vec![integer(1), integer(0)], wide(self.e())?, None)
     }
-}
-
-fn add(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] + b[0], a[1] + b[1]]
 }

@@ -51,7 +51,7 @@ impl Grazing {
 /// its time and the parameter the last two unknowns. Quadratic convergence; nothing is differenced.
 ///
 /// # Errors
-/// An input error if the orbit has no minimum of a gap, as [`newton`], or if det(I − A) = 0 there.
+/// An input error if the orbit has no minimum of a gap, as `newton`, or if det(I − A) = 0 there.
 pub fn locate(family: &dyn Family, orbit: &Orbit, parameter: f64) -> Result<Grazing> {
     let least =
         orbit.least.ok_or_else(|| Error::input("the orbit has no minimum of a gap that could graze"))?;
@@ -96,7 +96,7 @@ impl LocalMap {
     ///
     /// # Errors
     /// An input error if it has none, or det(I − A) = 0.
-    pub fn of(oscillator: &Oscillator, orbit: &Orbit) -> Result<LocalMap> {
+    pub(crate) fn of(oscillator: &Oscillator, orbit: &Orbit) -> Result<LocalMap> {
         let least = orbit.least.ok_or_else(|| Error::input("the orbit has no minimum of a gap"))?;
         let (itinerary, z) = with_graze(orbit, least)?;
         LocalMap::new(oscillator, &itinerary, &z)

@@ -24,6 +24,6 @@ mod local_map;
 mod locate;
 mod start;
 
-pub use half::is_mirrored;
+pub(crate) use half::is_mirrored;
 pub use local_map::LocalMap;
 pub use locate::{Grazing, locate};

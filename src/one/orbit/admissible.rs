@@ -40,7 +40,7 @@ impl Admissibility {
 
 /// What admissibility rests on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Check {
+pub(crate) struct Check {
     /// The answer.
     pub admissibility: Admissibility,
     /// The least of the other minima of the gaps; `None` if there is none.
@@ -49,7 +49,7 @@ pub struct Check {
 
 /// Checks a solution z of the pattern equations. Cost: about 16 flows for each period of the fastest rate of
 /// the system.
-pub fn check(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Check {
+pub(crate) fn check(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Check {
     let strikes = itinerary.strikes();
     let mut least: Option<Minimum> = None;
     let mut search = |leg, from, time| {

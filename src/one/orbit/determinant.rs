@@ -19,7 +19,7 @@ impl Multipliers {
     ///
     /// # Errors
     /// Those of [`flow_determinant`].
-    pub fn new(
+    pub(crate) fn new(
         matrix: &Matrix2,
         oscillator: &Oscillator,
         itinerary: &Itinerary,
@@ -45,7 +45,7 @@ impl Multipliers {
 ///
 /// # Errors
 /// An input error if a wall is missing or z has the wrong length.
-pub fn flow_determinant(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Result<f64> {
+pub(crate) fn flow_determinant(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Result<f64> {
     let (flow, period) = (oscillator.flow(), TAU * f64::from(itinerary.periods()));
     if let Some(rate) = flow.equation().constant_divergence() {
         return Ok((rate * period).exp());

@@ -71,7 +71,7 @@ impl Itinerary {
     ///
     /// # Errors
     /// An input error if the period is more than 2³² − 1.
-    pub fn repeated(&self, times: u32) -> Result<Itinerary> {
+    pub(crate) fn repeated(&self, times: u32) -> Result<Itinerary> {
         let periods = times_round(self.periods, times)?;
         Ok(Itinerary { strikes: self.strikes.repeat(times as usize), periods })
     }

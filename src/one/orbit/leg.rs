@@ -15,7 +15,7 @@ pub struct Leg {
 
 /// A wall at one time: where it is, how it moves, and what the parameter does to it.
 #[derive(Debug, Clone, Copy)]
-pub struct Touch<'a> {
+pub(crate) struct Touch<'a> {
     /// The wall.
     pub wall: &'a Contact,
     /// Q, Q′, Q″.

@@ -101,12 +101,12 @@ impl Oscillator {
     /// The same oscillator, its work added up in `tally`: steps of the integrator, and the pieces of legs
     /// that are looked at for admissibility.
     #[must_use]
-    pub fn counting(self, tally: Arc<EffectTally>) -> Oscillator {
+    pub(crate) fn counting(self, tally: Arc<EffectTally>) -> Oscillator {
         Oscillator { flow: self.flow.counting(tally.clone()), tally: Some(tally), ..self }
     }
 
     /// Where its work is counted, if it is.
-    pub fn tally(&self) -> Option<&Arc<EffectTally>> {
+    pub(crate) fn tally(&self) -> Option<&Arc<EffectTally>> {
         self.tally.as_ref()
     }
 
@@ -132,14 +132,14 @@ impl Oscillator {
     /// radian, of the places and motions of these walls, and of the nearest wall unless it is farther away
     /// than ten times all that moves. Scales with the unit of length; 1 if there is none of this. Cost: that
     /// of 16 evaluations of a force that is a formula.
-    pub fn unit(&self, itinerary: &Itinerary) -> f64 {
+    pub(crate) fn unit(&self, itinerary: &Itinerary) -> f64 {
         let struck = |wall: &Contact| itinerary.strikes().iter().any(|strike| strike.side == wall.side);
         size::unit(self.flow.equation(), self.walls.iter(), struck)
     }
 
     /// What changes the system by its own size: a force or a wall by the size of the motion, `unit`, or a
     /// coefficient without a unit by 1. 1 if the parameter changes nothing.
-    pub fn parameter_unit(&self, unit: f64) -> f64 {
+    pub(crate) fn parameter_unit(&self, unit: f64) -> f64 {
         let Some(slope) = &self.slope else { return 1.0 };
         let states = [[0.0, 0.0], [unit, 0.0], [0.0, unit]];
         let looks = (0..16).flat_map(|look| states.map(|at| (TAU * f64::from(look) / 16.0, at)));
@@ -165,7 +165,7 @@ impl Oscillator {
     ///
     /// # Errors
     /// An input error if there is no such wall.
-    pub fn touch(&self, side: Side, t: f64) -> Result<Touch<'_>> {
+    pub(crate) fn touch(&self, side: Side, t: f64) -> Result<Touch<'_>> {
         let wall = self.walls.iter().find(|wall| wall.side == side).ok_or_else(|| {
             Error::input(format!("an impact at the {} wall, but there is no such wall", side.name()))
         })?;
@@ -244,7 +244,7 @@ impl Oscillator {
 
     /// How an impact of incoming speed V ≠ 0 passes on a displacement before it: the saltation matrix, and
     /// what the parameter adds, both at a fixed time.
-    pub fn saltation(&self, touch: &Touch<'_>, t: f64, speed: f64) -> (Matrix2, [f64; 2]) {
+    pub(crate) fn saltation(&self, touch: &Touch<'_>, t: f64, speed: f64) -> (Matrix2, [f64; 2]) {
         let matrix = touch.wall.saltation(&self.flow, touch.leaving(t, -speed));
         let ([place, velocity], factor) = (touch.slope, 1.0 + touch.wall.restitution);
         let kick = touch.restitution_slope * touch.wall.side.sign() * speed;

@@ -21,7 +21,7 @@ pub struct Unknowns<'a> {
 
 /// From one impact of an orbit to the next.
 #[derive(Debug, Clone, Copy)]
-pub struct Passage<'o> {
+pub(crate) struct Passage<'o> {
     /// The impact that it leaves from, counted from 0.
     pub index: usize,
     /// The impact that it arrives at.
@@ -43,7 +43,7 @@ pub struct Passage<'o> {
 
 /// The two equations of a passage: that it arrives at the wall, and with the next impact's speed.
 #[derive(Debug, Clone, Copy)]
-pub struct Arrival {
+pub(crate) struct Arrival {
     /// σ (q − Q(t′)) and σ (u − Q′(t′)) + V′.
     pub residual: [f64; 2],
     /// Their derivatives by (t, V) of the impact that it leaves from, by rows.
@@ -67,32 +67,32 @@ impl<'a> Unknowns<'a> {
     }
 
     /// How many unknowns a pattern has.
-    pub fn count(itinerary: &Itinerary) -> usize {
+    pub(crate) fn count(itinerary: &Itinerary) -> usize {
         (2 * itinerary.strikes().len()).max(2)
     }
 
     /// Whether an unknown is an impact time.
-    pub fn is_time(itinerary: &Itinerary, unknown: usize) -> bool {
+    pub(crate) fn is_time(itinerary: &Itinerary, unknown: usize) -> bool {
         unknown.is_multiple_of(2) && !itinerary.strikes().is_empty()
     }
 
     /// What an unknown of 1 is where lengths and speeds are measured by `unit`: times are in radians.
-    pub fn unit(itinerary: &Itinerary, unknown: usize, unit: f64) -> f64 {
+    pub(crate) fn unit(itinerary: &Itinerary, unknown: usize, unit: f64) -> f64 {
         if Unknowns::is_time(itinerary, unknown) { 1.0 } else { unit }
     }
 
     /// t_{i+1}, i from 0.
-    pub fn phase(&self, i: usize) -> f64 {
+    pub(crate) fn phase(&self, i: usize) -> f64 {
         self.z[2 * i]
     }
 
     /// V_{i+1}, i from 0: positive if the impact comes in.
-    pub fn speed(&self, i: usize) -> f64 {
+    pub(crate) fn speed(&self, i: usize) -> f64 {
         self.z[2 * i + 1]
     }
 
     /// All speeds; none without impacts.
-    pub fn speeds(&self) -> impl Iterator<Item = f64> + use<'a> {
+    pub(crate) fn speeds(&self) -> impl Iterator<Item = f64> + use<'a> {
         self.z.iter().skip(1).step_by(2).take(self.itinerary.strikes().len()).copied()
     }
 
@@ -104,7 +104,7 @@ impl<'a> Unknowns<'a> {
 
     /// The passages in order, from the first impact to itself; none without impacts. Each is an input error
     /// if a wall is missing.
-    pub fn passages<'o>(
+    pub(crate) fn passages<'o>(
         &self,
         oscillator: &'o Oscillator,
     ) -> impl Iterator<Item = Result<Passage<'o>>> + use<'a, 'o> {

@@ -18,7 +18,7 @@ use crate::{
 };
 
 /// The image of (x, y), both counted from the orbit's own point of the section.
-pub type ReturnMap = [Cubic; 2];
+pub(crate) type ReturnMap = [Cubic; 2];
 
 /// A state whose coordinates are polynomials, at a time that is one.
 #[derive(Clone, Copy)]

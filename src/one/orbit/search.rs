@@ -33,7 +33,7 @@ pub fn search(oscillator: &Oscillator, itinerary: &Itinerary, starts: u32, speed
 }
 
 /// Why a search finds nothing, if the motion of one of its first starts cannot be followed.
-pub fn search_obstacle(
+pub(crate) fn search_obstacle(
     oscillator: &Oscillator,
     itinerary: &Itinerary,
     starts: u32,

@@ -32,7 +32,7 @@ pub struct Orbit {
     pub residual: f64,
     /// Newton steps taken.
     pub steps: usize,
-    /// The size of motions that strike its walls ([`Oscillator::unit`]): what lengths and speeds are measured
+    /// The size of motions that strike its walls (`Oscillator::unit`): what lengths and speeds are measured
     /// by where it is decided whether they are 0.
     pub unit: f64,
 }
@@ -51,7 +51,7 @@ pub struct OrbitImpact {
 /// The solution of the pattern equations near `start`, an orbit if [`Orbit::admissibility`] says so.
 ///
 /// # Errors
-/// As [`newton`] and [`linearise`].
+/// As `newton` and [`linearise`].
 pub fn find(oscillator: &Oscillator, itinerary: &Itinerary, start: Vec<f64>) -> Result<Orbit> {
     let unit = oscillator.unit(itinerary);
     let own = |i: usize| Unknowns::unit(itinerary, i, unit);
@@ -133,7 +133,7 @@ impl Orbit {
 
     /// The times t_1, t_2, … of its impacts, in radians, as its pattern counts them: t_1 in [0, 2π), and
     /// impact i + 1 is 2π n_i + t_{i+1} − t_i after impact i.
-    pub fn times(&self) -> Vec<f64> {
+    pub(crate) fn times(&self) -> Vec<f64> {
         let times = self.itinerary.strikes().iter().zip(self.z.chunks(2)).map(|(_, z)| z[0]);
         counted(&times.collect::<Vec<_>>())
     }
@@ -158,7 +158,7 @@ impl Orbit {
     }
 
     /// The period.
-    pub fn period(&self) -> f64 {
+    pub(crate) fn period(&self) -> f64 {
         2.0 * PI * f64::from(self.itinerary.periods())
     }
 }

@@ -84,7 +84,7 @@ pub struct Settings {
     /// q, above 0. Default 1e-12, which suits motions of size 1: [`Settings::sized`] is for others. Where a
     /// trajectory is so large that rounding exceeds it, the rounding error takes its place.
     pub minimum_depth: f64,
-    /// The tolerance of the integrator, where there is one: see [`Taylor::new`]. Default 1e-13.
+    /// The tolerance of the integrator, where there is one: see `Taylor::new`. Default 1e-13.
     pub tolerance: f64,
     /// Whether to integrate a linear system, too, instead of using its closed form. Default false.
     pub integrate: bool,
@@ -183,7 +183,7 @@ impl Simulator {
 
     /// The same as of another whose work is counted there, or is not.
     #[must_use]
-    pub fn counting_too(self, tally: Option<&Arc<EffectTally>>) -> Self {
+    pub(crate) fn counting_too(self, tally: Option<&Arc<EffectTally>>) -> Self {
         match tally {
             Some(tally) => self.counting(tally.clone()),
             None => self,
@@ -191,7 +191,7 @@ impl Simulator {
     }
 
     /// How finely it simulates.
-    pub fn settings(&self) -> &Settings {
+    pub(crate) fn settings(&self) -> &Settings {
         &self.settings
     }
 

@@ -66,34 +66,34 @@ pub trait JudgedOrbit: FollowedOrbit {
 }
 
 /// What a normal form comes to.
-pub type Form = std::result::Result<NormalForm, NoForm>;
+pub(crate) type Form = std::result::Result<NormalForm, NoForm>;
 
 /// What is known of an orbit and of the event at it.
 pub struct AnalysedEvent {
     /// The orbit.
-    pub orbit: Analysed,
+    pub(crate) orbit: Analysed,
     /// The normal form of an event over one parameter.
-    pub form: Option<Form>,
+    pub(crate) form: Option<Form>,
 }
 
 /// Where an orbit touches a stop as it grazes, with its local map where that is known.
 pub struct Grazed {
     /// The parameter there.
-    pub parameter: f64,
+    pub(crate) parameter: f64,
     /// The stop.
-    pub stop: String,
+    pub(crate) stop: String,
     /// The phase, as a fraction of the period.
-    pub phase: f64,
+    pub(crate) phase: f64,
     /// The second derivative of the gap, in the scene's units.
-    pub acceleration: f64,
+    pub(crate) acceleration: f64,
     /// The region of the plane of (a₁, a₂).
-    pub region: Option<String>,
+    pub(crate) region: Option<String>,
     /// γ and e.
-    pub map: Option<[f64; 2]>,
+    pub(crate) map: Option<[f64; 2]>,
     /// Whether it is an orbit but for the tangency, as far as that is known.
-    pub sound: bool,
+    pub(crate) sound: bool,
     /// What is left of the equations.
-    pub residual: f64,
+    pub(crate) residual: f64,
 }
 
 impl AnalysedEvent {
@@ -108,7 +108,7 @@ impl AnalysedEvent {
 }
 
 /// Branches, and what became of every start.
-pub type Branches<O> = (Vec<OrbitBranch<O>>, Vec<super::StartRow>);
+pub(crate) type Branches<O> = (Vec<OrbitBranch<O>>, Vec<super::StartRow>);
 
 /// An engine at work on a job.
 pub(crate) trait Engine {
@@ -251,8 +251,8 @@ pub(crate) trait Prover<O> {
 
 /// What was proved, and if so the certificate, or why there is none.
 pub(crate) struct Proof {
-    pub row: ProofRow,
-    pub certificate: Option<Result<String>>,
+    pub(crate) row: ProofRow,
+    pub(crate) certificate: Option<Result<String>>,
 }
 
 /// The orbits of a scene over a parameter.
@@ -315,7 +315,7 @@ pub trait OrbitSource {
     /// A label of a branch's file.
     ///
     /// # Errors
-    /// Those of [`read_label_as`](crate::continuation::read_label_as).
+    /// Those of `read_label_as`.
     fn label(&self, text: &str, label: &str) -> Result<Label<PatternOf<Self::Orbit>>>;
 
     /// How a pattern is written.

@@ -22,7 +22,7 @@ impl LetterGraph {
     }
 
     /// Whether there is a path from every letter to every other.
-    pub fn is_connected(&self) -> bool {
+    pub(crate) fn is_connected(&self) -> bool {
         self.component(0).len() == self.letters.len()
     }
 
@@ -45,7 +45,7 @@ impl LetterGraph {
     }
 
     /// The graph of some of its letters.
-    pub fn part(&self, keep: &[usize]) -> LetterGraph {
+    pub(crate) fn part(&self, keep: &[usize]) -> LetterGraph {
         let place = |v: usize| keep.iter().position(|&kept| kept == v);
         LetterGraph {
             letters: keep.iter().map(|&v| self.letters[v]).collect(),
@@ -54,7 +54,7 @@ impl LetterGraph {
     }
 
     /// The connected part whose paths grow fastest; none if no letter can follow itself, however late.
-    pub fn richest(&self) -> Option<LetterGraph> {
+    pub(crate) fn richest(&self) -> Option<LetterGraph> {
         let parts = (0..self.letters.len()).map(|v| self.part(&self.component(v)));
         let parts = parts.filter(|part| part.next.iter().all(|next| !next.is_empty()));
         parts.max_by(|a, b| a.growth().0.total_cmp(&b.growth().0))
@@ -158,7 +158,7 @@ impl LetterGraph {
 
 /// The graph at the grazing, ν → 0, in the middle of the ranges: n is a letter if (33) holds strictly, n may
 /// follow m if (64) does. Up to `most` periods, with two walls half periods.
-pub fn born(problem: &Problem, most: u64) -> LetterGraph {
+pub(crate) fn born(problem: &Problem, most: u64) -> LetterGraph {
     let middle = problem.spans().map(|span| Span::point(span.middle()));
     let [damping, stiffness, force, restitution, _] = middle;
     let side = if problem.behind { 1.0 } else { -1.0 };

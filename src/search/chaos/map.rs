@@ -53,7 +53,7 @@ pub(in crate::search) struct Leg {
 }
 
 impl Cell {
-    pub fn new(
+    pub(crate) fn new(
         mirrored: bool,
         [damping, stiffness, force, restitution, depth]: [Span; 5],
         side: f64,
@@ -67,12 +67,12 @@ impl Cell {
     }
 
     /// n periods, or half periods.
-    pub fn time(&self, n: u64) -> Span {
+    pub(crate) fn time(&self, n: u64) -> Span {
         Span::point(if self.mirrored { PI } else { TAU } * n as f64)
     }
 
     /// E over n periods, or (−1)ⁿ E over n half periods.
-    pub fn turned(&self, n: u64) -> Flow {
+    pub(crate) fn turned(&self, n: u64) -> Flow {
         self.signed(n, self.flow(self.time(n)))
     }
 
@@ -81,12 +81,12 @@ impl Cell {
     }
 
     /// s of an impact with these velocities after and before.
-    pub fn strength(&self, after: Span, before: Span) -> Span {
+    pub(crate) fn strength(&self, after: Span, before: Span) -> Span {
         self.shares[0] * after + self.shares[1] * before
     }
 
     /// The impacts of these strengths, if their phases are within π/2.
-    pub fn impact(&self, s: Span) -> Option<Impact> {
+    pub(crate) fn impact(&self, s: Span) -> Option<Impact> {
         let phase = self.profile.phase(-(self.depth * s).times(0.5))?;
         let [bend, ratio] = self.profile.bends(phase);
         let drop = (self.depth * s.squared() * ratio).times(0.25);
@@ -94,21 +94,21 @@ impl Cell {
     }
 
     /// The least −g″ on a window.
-    pub fn least_bend(&self, window: f64, pieces: u64) -> f64 {
+    pub(crate) fn least_bend(&self, window: f64, pieces: u64) -> f64 {
         let whole = Span::new(-window, window);
         let bend = |piece| self.profile.at(whole.part(piece, pieces)).bend.lo;
         (0..pieces).map(bend).fold(f64::INFINITY, f64::min)
     }
 
     /// E₁₁ + E₂₂ and the determinant of E over a period, or half a period.
-    pub fn invariants(&self) -> [Span; 2] {
+    pub(crate) fn invariants(&self) -> [Span; 2] {
         let e = self.turned(1);
         let velocity = self.velocity(e);
         [e.a + velocity, e.a * velocity + self.stiffness * e.b.squared()]
     }
 
     /// Whether no motion meets the wall twice in one window with impacts like these, nor rests on it.
-    pub fn meets_once(&self, all: &Impact) -> bool {
+    pub(crate) fn meets_once(&self, all: &Impact) -> bool {
         let width = 2.0 * all.phase.magnitude();
         let (damping, stiffness) = (self.damping.magnitude(), self.stiffness.magnitude());
         let place = all.place.magnitude();
@@ -120,18 +120,18 @@ impl Cell {
     }
 
     /// q̂ at the middle of the window whose time from the first one's middle has this E.
-    pub fn at_turn(&self, turns: Flow, from: &Impact, after: Span) -> Span {
+    pub(crate) fn at_turn(&self, turns: Flow, from: &Impact, after: Span) -> Span {
         let e = self.product(turns, self.flow(-from.phase));
         e.a * from.place + e.b * after
     }
 
     /// E(t), by the exponential series of a small part of t about the exact value at its middle.
-    pub fn flow(&self, t: Span) -> Flow {
+    pub(crate) fn flow(&self, t: Span) -> Flow {
         let middle = t.middle();
         self.product(self.series(Span::point(middle)), self.series(t - Span::point(middle)))
     }
 
-    pub fn product(&self, x: Flow, y: Flow) -> Flow {
+    pub(crate) fn product(&self, x: Flow, y: Flow) -> Flow {
         let square = x.b * y.b;
         Flow { a: x.a * y.a - self.stiffness * square, b: x.a * y.b + x.b * y.a - self.damping * square }
     }
@@ -154,11 +154,11 @@ impl Cell {
         sum
     }
 
-    pub fn velocity(&self, e: Flow) -> Span {
+    pub(crate) fn velocity(&self, e: Flow) -> Span {
         e.a - self.damping * e.b
     }
 
-    pub fn acceleration(&self, place: Span, velocity: Span) -> Span {
+    pub(crate) fn acceleration(&self, place: Span, velocity: Span) -> Span {
         self.force - self.damping * velocity - self.stiffness * place
     }
 
@@ -171,14 +171,20 @@ impl Cell {
         ]
     }
 
-    pub fn ends(&self, e: Flow, time: Span, from: &Impact, to: &Impact) -> [Span; 2] {
+    pub(crate) fn ends(&self, e: Flow, time: Span, from: &Impact, to: &Impact) -> [Span; 2] {
         let fallen = self.force * time.squared().times(0.5);
         let after = (to.place - e.a * from.place - fallen).over(e.b);
         [after, self.motion(e, time, from.place, after)[1]]
     }
 
     /// A leg of so many periods, `turns` being their E, between these impacts; `middles` lie among them.
-    pub fn leg(&self, turns: Flow, periods: u64, [from, to]: [&Impact; 2], middles: [&Impact; 2]) -> Leg {
+    pub(crate) fn leg(
+        &self,
+        turns: Flow,
+        periods: u64,
+        [from, to]: [&Impact; 2],
+        middles: [&Impact; 2],
+    ) -> Leg {
         let time = |from: &Impact, to: &Impact| self.time(periods) + to.phase - from.phase;
         let e = |from: &Impact, to: &Impact| self.product(turns, self.flow(to.phase - from.phase));
         let whole = e(from, to);
@@ -208,7 +214,7 @@ impl Cell {
 
     /// The greatest q/ν, with two walls |q|/ν, on a leg of n periods from these impacts with these
     /// velocities, and why its gap may not be positive.
-    pub fn gap(
+    pub(crate) fn gap(
         &self,
         periods: u64,
         [from, to]: [&Impact; 2],

@@ -39,7 +39,8 @@ use std::rc::Rc;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-pub use graph::{LetterGraph, born};
+pub use graph::LetterGraph;
+pub(crate) use graph::born;
 pub use normal::Normal;
 use profile::Profile;
 pub use profile::Term;

@@ -51,7 +51,7 @@ impl Normal {
     /// An input error that says what the normal form does not cover: no wall, two that are not each other's
     /// mirror images without `side`, a cubic spring, a motion without the wall that is not unique, a wall
     /// that does not move, a grazing within the range, a dependence too intricate to bound.
-    pub fn of(
+    pub(crate) fn of(
         system: &System<Function>,
         measured: Option<[[BigRational; 2]; 3]>,
         side: Option<Side>,

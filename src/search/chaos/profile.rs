@@ -26,7 +26,7 @@ pub(in crate::search) struct Shape {
 }
 
 impl Profile {
-    pub fn new(terms: &[Term]) -> Profile {
+    pub(crate) fn new(terms: &[Term]) -> Profile {
         let float = |x: &BigRational| x.to_f64().unwrap_or(f64::NAN);
         let span = |[lo, hi]: &[BigRational; 2]| Span::new(float(lo), float(hi));
         let terms: Vec<_> = terms.iter().map(|(j, both)| (*j as f64, both.each_ref().map(span))).collect();
@@ -35,7 +35,7 @@ impl Profile {
     }
 
     /// At every phase of a span; Σ a = 1 and Σ j b = 0 are used, so that what vanishes at 0 does so here.
-    pub fn at(&self, t: Span) -> Shape {
+    pub(crate) fn at(&self, t: Span) -> Shape {
         let zero = Span::point(0.0);
         let mut shape = Shape { drop: zero, slope: zero, bend: zero };
         for &(j, [a, b]) in &self.terms {
@@ -50,7 +50,7 @@ impl Profile {
 
     /// The phases at which −g′ has these values, if they are between the wall's turns of bend about 0 and
     /// within π/2.
-    pub fn phase(&self, y: Span) -> Option<Span> {
+    pub(crate) fn phase(&self, y: Span) -> Option<Span> {
         if !y.is_finite() {
             return None;
         }
@@ -78,7 +78,7 @@ impl Profile {
     }
 
     /// −g″ at these phases, and (1 − g)/g′².
-    pub fn bends(&self, phase: Span) -> [Span; 2] {
+    pub(crate) fn bends(&self, phase: Span) -> [Span; 2] {
         let bend = self.at(phase).bend;
         if self.plain {
             return [bend, Span::point(1.0).over(Span::point(1.0) + bend)];

@@ -37,7 +37,7 @@ impl RationalFunction {
     }
 
     /// Its value if it does not depend on x.
-    pub fn constant(&self) -> Option<BigRational> {
+    pub(crate) fn constant(&self) -> Option<BigRational> {
         // over = c·under, coefficient by coefficient.
         let at = self.under.iter().position(|x| !x.is_zero())?;
         let value = self.over.get(at).cloned().unwrap_or_else(BigRational::zero) / &self.under[at];
@@ -48,7 +48,7 @@ impl RationalFunction {
     }
 
     /// Whether it is certainly ≥ 0 for every x > 0.
-    pub fn is_nonnegative(&self) -> bool {
+    pub(crate) fn is_nonnegative(&self) -> bool {
         let sign = |list: &[BigRational]| {
             let (up, down) = (list.iter().any(Signed::is_positive), list.iter().any(Signed::is_negative));
             match (up, down) {
@@ -60,12 +60,12 @@ impl RationalFunction {
     }
 
     /// Whether it is certainly > 0 for every x > 0.
-    pub fn is_positive(&self) -> bool {
+    pub(crate) fn is_positive(&self) -> bool {
         self.is_nonnegative() && self.over.iter().any(|x| !x.is_zero())
     }
 
     /// Whether it certainly increases, or certainly decreases, with x > 0.
-    pub fn runs_one_way(&self) -> bool {
+    pub(crate) fn runs_one_way(&self) -> bool {
         let slope = |list: &[BigRational]| -> Vec<BigRational> {
             let terms = list.iter().enumerate().skip(1);
             terms.map(|(i, x)| x * BigRational::from_integer(i.into())).collect()
@@ -83,7 +83,7 @@ impl RationalFunction {
     }
 
     /// Its limits as x → 0 and x → ∞, where they are finite.
-    pub fn ends(&self) -> Option<[BigRational; 2]> {
+    pub(crate) fn ends(&self) -> Option<[BigRational; 2]> {
         let limit = |over: &mut dyn Iterator<Item = &BigRational>,
                      under: &mut dyn Iterator<Item = &BigRational>| {
             loop {
@@ -112,7 +112,7 @@ impl RationalFunction {
     }
 
     /// The least and greatest of its limits, if it certainly lies between them.
-    pub fn bounds(&self) -> Option<[BigRational; 2]> {
+    pub(crate) fn bounds(&self) -> Option<[BigRational; 2]> {
         if let Some(value) = self.constant() {
             return Some([value.clone(), value]);
         }

@@ -17,17 +17,17 @@ impl Span {
     pub(in crate::search) const WHOLE: Span = Span { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
 
     /// From one number to another.
-    pub fn new(lo: f64, hi: f64) -> Span {
+    pub(crate) fn new(lo: f64, hi: f64) -> Span {
         if lo <= hi { Span { lo, hi } } else { Span::WHOLE }
     }
 
     /// One number.
-    pub fn point(x: f64) -> Span {
+    pub(crate) fn point(x: f64) -> Span {
         Span::new(x, x)
     }
 
     /// From the least to the greatest of both.
-    pub fn hull(self, other: Span) -> Span {
+    pub(crate) fn hull(self, other: Span) -> Span {
         Span { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
@@ -48,12 +48,12 @@ impl Span {
     }
 
     /// Its middle.
-    pub fn middle(self) -> f64 {
+    pub(crate) fn middle(self) -> f64 {
         0.5 * (self.lo + self.hi)
     }
 
     /// Its length.
-    pub fn width(self) -> f64 {
+    pub(crate) fn width(self) -> f64 {
         self.hi - self.lo
     }
 
@@ -66,7 +66,7 @@ impl Span {
     }
 
     /// Whether it lies in the other.
-    pub fn is_in(self, other: Span) -> bool {
+    pub(crate) fn is_in(self, other: Span) -> bool {
         other.lo <= self.lo && self.hi <= other.hi
     }
 

@@ -77,11 +77,11 @@ pub(super) fn row_ends(r_max: &BigRational) -> Vec<BigRational> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Cell {
     /// The row, from r = 0 up.
-    pub row: u32,
+    pub(crate) row: u32,
     /// i and the level, along r.
-    pub r: (u64, u32),
+    pub(crate) r: (u64, u32),
     /// The same along s.
-    pub s: (u64, u32),
+    pub(crate) s: (u64, u32),
 }
 
 /// An axis to split along.
@@ -97,7 +97,7 @@ impl Cell {
     }
 
     /// The number of splits that made it.
-    pub fn depth(&self) -> u32 {
+    pub(crate) fn depth(&self) -> u32 {
         self.r.1 + self.s.1
     }
 
@@ -129,18 +129,18 @@ pub struct Chart {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
     /// 1 − r at the centre.
-    pub gap: f64,
+    pub(crate) gap: f64,
     /// Half the width in r.
-    pub h: f64,
+    pub(crate) h: f64,
     /// s at the centre, in units of 2⁻⁶⁴ turns.
-    pub turns: u64,
+    pub(crate) turns: u64,
     /// Half the width in s, in turns.
-    pub half_turns: f64,
+    pub(crate) half_turns: f64,
 }
 
 impl Chart {
     /// The chart of a strip up to `r_max`.
-    pub fn new(strip: Strip, r_max: &BigRational) -> Self {
+    pub(crate) fn new(strip: Strip, r_max: &BigRational) -> Self {
         let rows = row_ends(r_max);
         let gaps = rows.iter().map(|r| (BigRational::one() - r).to_f64().unwrap_or(f64::NAN)).collect();
         let turns = [strip.left, strip.right]

@@ -36,7 +36,7 @@ use num_traits::{One, Signed, ToPrimitive};
 use rayon::prelude::*;
 
 pub use chart::{Cell, Chart, Strip, strips};
-pub use tree::walk;
+pub(crate) use tree::walk;
 
 use super::{Instance, compare::differ};
 use crate::{
@@ -77,7 +77,7 @@ impl CoverOptions {
     /// # Errors
     /// An input error if it is not in (0, 1), has more digits than a certificate can hold, or lies below the
     /// lowest points of areas.
-    pub fn r_max(&self, n: u64) -> Result<BigRational> {
+    pub(crate) fn r_max(&self, n: u64) -> Result<BigRational> {
         let cube = BigInt::from(n).pow(3);
         let Some(r_max) = &self.r_max else {
             return Ok(BigRational::one() - BigRational::new(BigInt::one(), cube));

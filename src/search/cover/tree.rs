@@ -54,7 +54,7 @@ pub(super) fn grow(
 ///
 /// # Errors
 /// An input error if the text is no such trees.
-pub fn walk(text: &str, n: u64, chart: &Chart, mut visit: impl FnMut(Leaf, Cell)) -> Result<()> {
+pub(crate) fn walk(text: &str, n: u64, chart: &Chart, mut visit: impl FnMut(Leaf, Cell)) -> Result<()> {
     let malformed = || Error::input("the text is not that of a strip's trees");
     let (mut rest, mut latest) = (text, None);
     for row in 0..chart.rows() {

@@ -19,14 +19,14 @@ const BITS: u32 = 192;
 /// The system over one kind of number.
 pub(super) struct Motion<T: Real> {
     /// n.
-    pub size: usize,
-    pub context: T::Context,
+    pub(crate) size: usize,
+    pub(crate) context: T::Context,
     /// A.
     a: Matrix<T>,
     /// The multiples k.
     multiples: Vec<i32>,
     /// For each stop: the functional that is its gap, and (1 + τ) M⁻¹wᵀ/(w M⁻¹wᵀ).
-    pub stops: Vec<(Vec<T>, Vec<T>)>,
+    pub(crate) stops: Vec<(Vec<T>, Vec<T>)>,
     /// A bound of the norm of A, about.
     norm: f64,
     /// Terms of the exponential's series.
@@ -48,7 +48,7 @@ impl Motion<Ball> {
     ///
     /// # Errors
     /// An input error for a singular mass matrix or a stop that no motion reaches.
-    pub fn new(machine: &listed::Machine) -> Result<Motion<Ball>> {
+    pub(crate) fn new(machine: &listed::Machine) -> Result<Motion<Ball>> {
         let n = machine.size();
         let context = Precision::new(BITS);
         let ball = |x: &BigRational| Ball::ratio(x, &context);
@@ -137,12 +137,12 @@ impl Motion<Ball> {
     }
 
     /// In floats.
-    pub fn plain(&self) -> Motion<Plain> {
+    pub(crate) fn plain(&self) -> Motion<Plain> {
         self.mapped((), |x| Plain(float(x)))
     }
 
     /// In intervals of floats.
-    pub fn intervals(&self) -> Motion<FloatInterval> {
+    pub(crate) fn intervals(&self) -> Motion<FloatInterval> {
         self.mapped((), |x| {
             let Some((lo, hi)) = x.exact_bounds() else { return FloatInterval::WHOLE };
             FloatInterval::from_bounds(
@@ -162,17 +162,17 @@ pub(super) fn float(x: &Ball) -> f64 {
 
 impl<T: Real> Motion<T> {
     /// exp(τA), |τ| being at most about `most`.
-    pub fn flow(&self, tau: &T, most: f64) -> Matrix<T> {
+    pub(crate) fn flow(&self, tau: &T, most: f64) -> Matrix<T> {
         linear::exp(&self.a, tau, self.norm * most, self.terms, &self.context)
     }
 
     /// A Y.
-    pub fn field(&self, y: &[T]) -> Vec<T> {
+    pub(crate) fn field(&self, y: &[T]) -> Vec<T> {
         apply(&self.a, y, &self.context)
     }
 
     /// Y at phase t.
-    pub fn lifted(&self, state: &[T], t: &T, most: f64) -> Vec<T> {
+    pub(crate) fn lifted(&self, state: &[T], t: &T, most: f64) -> Vec<T> {
         let integer = |x: i32| T::integer(x, &self.context);
         let mut y = state.to_vec();
         y.push(integer(1));
@@ -185,13 +185,13 @@ impl<T: Real> Motion<T> {
     }
 
     /// The gap to a stop and its rate.
-    pub fn gap(&self, stop: usize, y: &[T]) -> [T; 2] {
+    pub(crate) fn gap(&self, stop: usize, y: &[T]) -> [T; 2] {
         let gap = &self.stops[stop].0;
         [dot(gap, y, &self.context), dot(gap, &self.field(y), &self.context)]
     }
 
     /// Y just after an impact.
-    pub fn kicked(&self, stop: usize, y: &[T]) -> Vec<T> {
+    pub(crate) fn kicked(&self, stop: usize, y: &[T]) -> Vec<T> {
         let [_, rate] = self.gap(stop, y);
         let mut after = y.to_vec();
         for (u, kick) in after[self.size..2 * self.size].iter_mut().zip(&self.stops[stop].1) {

@@ -37,7 +37,7 @@ pub struct ProvedMachineOrbit {
 impl ProvedMachineOrbit {
     /// The radius of the box in which there is no other orbit of its pattern: of phases in radians of the
     /// forcing, of displacements and velocities in the certificate's scales.
-    pub fn radius(&self) -> f64 {
+    pub(crate) fn radius(&self) -> f64 {
         nearest(&exact(&self.certificate.radius))
     }
 }

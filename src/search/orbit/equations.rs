@@ -18,8 +18,8 @@ use crate::{
 
 /// The equations of a pattern.
 pub(super) struct Equations<'a> {
-    pub linear: &'a Linear<'a>,
-    pub impacts: &'a [ExpectedImpact],
+    pub(crate) linear: &'a Linear<'a>,
+    pub(crate) impacts: &'a [ExpectedImpact],
 }
 
 /// One flight of an orbit: from an impact to the next.
@@ -36,7 +36,7 @@ pub(super) struct Leg {
 
 impl Equations<'_> {
     /// The flights of unknowns that begin with t_1, …, t_m, V_1, …, V_m.
-    pub fn legs(&self, unknowns: &[Jet]) -> Result<Vec<Leg>> {
+    pub(crate) fn legs(&self, unknowns: &[Jet]) -> Result<Vec<Leg>> {
         let (precision, m) = (self.linear.precision, self.impacts.len());
         let turn = Jet::pi(precision) * &Jet::integer(2, precision);
         let leg = |i: usize| {
@@ -57,7 +57,7 @@ impl Equations<'_> {
     }
 
     /// A period of the response without impacts, of which the middle is at phase `t`.
-    pub fn free(&self, t: &Jet) -> Result<Leg> {
+    pub(crate) fn free(&self, t: &Jet) -> Result<Leg> {
         let half = Jet::pi(self.linear.precision);
         let flight = self.linear.steady(&(t.clone() - &half))?;
         let (duration, end) = (half.clone() + &half, t.clone() + &half);
@@ -65,7 +65,7 @@ impl Equations<'_> {
     }
 
     /// The gap at the end of each flight, and the sum of its derivative there and V.
-    pub fn residual(&self, unknowns: &[Jet]) -> Result<Vec<Jet>> {
+    pub(crate) fn residual(&self, unknowns: &[Jet]) -> Result<Vec<Jet>> {
         let m = self.impacts.len();
         let mut values = Vec::with_capacity(2 * m);
         for (i, leg) in self.legs(unknowns)?.iter().enumerate() {
@@ -82,7 +82,7 @@ impl Equations<'_> {
     /// displacement and velocity away from the wall, z the gap just before and after: a perturbed orbit meets
     /// the wall δz/V later. The determinant is that of the factors, Π τ² det E: near grazing the entries grow
     /// like 1/V, and their products would cancel.
-    pub fn multipliers(&self, unknowns: &[Jet]) -> Result<(Jet, Jet)> {
+    pub(crate) fn multipliers(&self, unknowns: &[Jet]) -> Result<(Jet, Jet)> {
         let (linear, m) = (self.linear, self.impacts.len());
         let mut product = [[1, 0], [0, 1]].map(|row| row.map(|x| Jet::integer(x, linear.precision)));
         let mut determinant = Jet::integer(1, linear.precision);

@@ -11,19 +11,19 @@ use crate::number::{Ball, Elementary, Precision, Real, Sign};
 #[derive(Debug, Clone)]
 pub struct Jet {
     /// The number.
-    pub value: Ball,
+    pub(crate) value: Ball,
     /// The derivatives; none at all for a constant.
-    pub slopes: Vec<Ball>,
+    pub(crate) slopes: Vec<Ball>,
 }
 
 impl Jet {
     /// A number that depends on no unknown.
-    pub fn constant(value: Ball) -> Jet {
+    pub(crate) fn constant(value: Ball) -> Jet {
         Jet { value, slopes: Vec::new() }
     }
 
     /// The unknown with this index among `count`.
-    pub fn variable(value: Ball, index: usize, count: usize, precision: &Precision) -> Jet {
+    pub(crate) fn variable(value: Ball, index: usize, count: usize, precision: &Precision) -> Jet {
         let slopes = (0..count).map(|i| Ball::integer(i32::from(i == index), precision)).collect();
         Jet { value, slopes }
     }

@@ -64,7 +64,7 @@ impl<T> Verdict<T> {
     ///
     /// # Errors
     /// Those of `next`.
-    pub fn and_then<U>(self, next: impl FnOnce(T) -> Result<Verdict<U>>) -> Result<Verdict<U>> {
+    pub(crate) fn and_then<U>(self, next: impl FnOnce(T) -> Result<Verdict<U>>) -> Result<Verdict<U>> {
         match self {
             Verdict::Proved(proof) => next(proof),
             Verdict::Refuted(why) => Ok(Verdict::Refuted(why)),

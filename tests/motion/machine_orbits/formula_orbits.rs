@@ -3,7 +3,7 @@
 
 use grazing::{
     continuation::PatternFamily,
-    many::{MachineState, branch::MachinePatterns, orbit::find_from},
+    many::{MachineState, branch::MachinePatterns, grazing::LocalMap, orbit::find_from},
     scene::MachineSceneFamily,
 };
 
@@ -92,17 +92,15 @@ fn orbits_and_grazings_by_formulas_are_those_by_modes() {
     println!("{} {}, phases {} {}", a.parameter, b.parameter, a.at.phase, b.at.phase);
     near(a.parameter, b.parameter, "parameter");
     near(a.at.phase, b.at.phase, "phase");
-    let pairs =
-        a.map.a.iter().chain(&a.map.b).chain(&a.map.c).zip(b.map.a.iter().chain(&b.map.b).chain(&b.map.c));
-    pairs.for_each(|(a, b)| near(*a, *b, "map"));
+    let entries = |map: &LocalMap| [&map.a().concat(), map.b(), map.c()].concat();
+    entries(&a.map).into_iter().zip(entries(&b.map)).for_each(|(a, b)| near(a, b, "map"));
     for (x, y) in
         [(a.map.e, b.map.e), (a.map.acceleration, b.map.acceleration), (a.map.rate_drift, b.map.rate_drift)]
     {
         near(x, y, "e, a_G or the drift");
     }
-    let drift = |map: &grazing::many::grazing::MachineLocalMap| (map.drift.q.clone(), map.drift.u.clone());
-    let ((aq, au), (bq, bu)) = (drift(&a.map), drift(&b.map));
-    aq.iter().chain(&au).zip(bq.iter().chain(&bu)).for_each(|(a, b)| near(*a, *b, "drift"));
+    let drift = |map: &LocalMap| [map.drift.q(), map.drift.u()].concat();
+    drift(&a.map).into_iter().zip(drift(&b.map)).for_each(|(a, b)| near(a, b, "drift"));
 }
 
 fn duffing(_: f64, q: &[f64], _: &[f64]) -> Vec<f64> {
@@ -157,11 +155,11 @@ fn multipliers_of_a_coupled_duffing_pair_are_those_of_differences() {
                     hits.push((hit.time, -hit.velocity));
                 }
             });
-            (&run.state().q - &before.q).amax() < 1e-8
+            apart(run.state().q(), before.q()) < 1e-8
         })
         .expect("periodic");
     assert!(!hits.is_empty());
-    let mut again = simulator.start(Time::new(0, 0.0), before.q.as_slice(), before.u.as_slice()).unwrap();
+    let mut again = simulator.start(Time::new(0, 0.0), before.q(), before.u()).unwrap();
     while after.is_none() {
         if let grazing::many::simulate::Event::Impact(_) = again.next(Time::new(period, 0.0)) {
             after = Some(again.state());
@@ -175,7 +173,7 @@ fn multipliers_of_a_coupled_duffing_pair_are_those_of_differences() {
     let start: Vec<f64> = hits.iter().flat_map(|(time, speed)| [time.phase, *speed]).collect();
     let orbit = find_from(&simulator, &pattern, &start, after.as_ref()).unwrap();
     assert_eq!(orbit.admissibility, MachineAdmissibility::Admissible);
-    let x: Vec<f64> = before.q.iter().chain(&before.u).copied().collect();
+    let x: Vec<f64> = before.q().iter().chain(before.u()).copied().collect();
     let (back, count) = mapped(&machine, &x, period as u32);
     assert_eq!(count, hits.len());
     let off = x.iter().zip(&back).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -214,12 +212,13 @@ fn a_coupled_duffing_pair_grazes_where_its_own_motion_touches() {
     let motion = FreeMotion::new(&machine, &slope).unwrap();
     let state: MachineState = motion.motion().state(0.0);
     machine.stops.clear();
-    let x: Vec<f64> = state.q.iter().chain(&state.u).copied().collect();
+    let x: Vec<f64> = [state.q(), state.u()].concat();
     let (back, _) = mapped(&machine, &x, 1);
     let off = x.iter().zip(&back).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(off < 1e-11, "{off:e}");
     let known = differences(&machine, &x, 1);
-    assert!((known.trace() - found.map.a.trace()).abs() < 1e-7, "{} {}", known.trace(), found.map.a.trace());
+    let trace: f64 = found.map.a().iter().enumerate().map(|(i, row)| row[i]).sum();
+    assert!((known.trace() - trace).abs() < 1e-7, "{} {trace}", known.trace());
     assert!((known.determinant() - found.map.determinant).abs() < 1e-7);
     let mut touching = Motion::new(&machine, &x[..2], &x[2..]);
     touching.load = Some(duffing);

@@ -6,7 +6,7 @@ use grazing::{
 };
 
 use super::{second::Motion, *};
-use grazing::many::{MachineState, RealVector, SpeedLaw, simulate::Event};
+use grazing::many::{MachineState, SpeedLaw, simulate::Event};
 
 fn entries(n: usize, rows: &[f64]) -> Vec<(usize, usize, f64)> {
     rows.iter().enumerate().map(|(k, x)| (k / n, k % n, *x)).collect()
@@ -58,7 +58,7 @@ fn simulator(machine: &Machine<f64>) -> MachineSimulator {
 }
 
 fn state(q: &[f64], u: &[f64]) -> MachineState {
-    MachineState { t: 0.0, q: RealVector::from_column_slice(q), u: RealVector::from_column_slice(u) }
+    MachineState::new(0.0, q, u)
 }
 
 /// Without damping the symmetric motion under F cos t between two soft stops is even about t = 0 and odd
@@ -111,7 +111,7 @@ fn the_symmetric_orbit_of_the_bilinear_oscillator_has_a_closed_form() {
             let start = state(&[q0 * (1.0 + 1e-5)], &[1e-5]);
             let orbit =
                 find_from(&simulator(&machine), &StopPattern::free(1).unwrap(), &[], Some(&start)).unwrap();
-            let off = (orbit.state.q[0] - q0).abs().max(orbit.state.u[0].abs());
+            let off = (orbit.state.q()[0] - q0).abs().max(orbit.state.u()[0].abs());
             println!("k = {k}, stop {stop}: q(0) = {q0}, off by {off:e}, {:?}", orbit.multipliers);
             assert!(off < 1e-10, "{off:e}");
             assert_eq!(orbit.admissibility, MachineAdmissibility::Admissible);
@@ -149,7 +149,7 @@ fn soft_orbits_return_and_their_multipliers_are_those_of_differences() {
             let touched = motion.contacts.len();
             ([motion.q.clone(), motion.u.clone()].concat(), touched)
         };
-        let x: Vec<f64> = orbit.state.q.iter().chain(&orbit.state.u).copied().collect();
+        let x: Vec<f64> = orbit.state.q().iter().chain(orbit.state.u()).copied().collect();
         let (back, touched) = map(&x);
         assert!(touched > 0);
         let off = x.iter().zip(&back).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -203,7 +203,7 @@ fn multipliers_know_how_restitution_changes_with_the_speed() {
                         _ => {}
                     }
                 }
-                (&run.state().q - &before.q).amax() < 1e-7
+                apart(run.state().q(), before.q()) < 1e-7
             })
             .expect("periodic");
         let strikes = (0..hits.len()).map(|i| {
@@ -218,7 +218,7 @@ fn multipliers_know_how_restitution_changes_with_the_speed() {
             motion.follow(TAU * period as f64);
             [motion.q[0], motion.u[0]]
         };
-        let [a, b] = columns(map, [before.q[0], before.u[0]], 1e-5);
+        let [a, b] = columns(map, [before.q()[0], before.u()[0]], 1e-5);
         let (trace, determinant) = (a[0] + b[1], a[0] * b[1] - a[1] * b[0]);
         let [first, second] = [orbit.multipliers[0], orbit.multipliers[1]];
         println!("period {period}, {} impacts: {:?}, {trace} {determinant}", hits.len(), orbit.multipliers);
@@ -358,7 +358,7 @@ fn a_branch_passes_the_grazing_of_a_soft_stop_without_a_label() {
         motion.follow(TAU);
         [motion.q[0], motion.u[0]]
     };
-    let [a, b] = columns(map, [found.state.q[0], found.state.u[0]], 1e-5);
+    let [a, b] = columns(map, [found.state.q()[0], found.state.u()[0]], 1e-5);
     let fold = 1.0 + a[0] + b[1] + a[0] * b[1] - a[1] * b[0];
     println!("grazing at {grazing}, flip at {flip}: {fold:e}");
     assert!(fold.abs() < 1e-5, "{fold:e}");

@@ -70,7 +70,7 @@ fn a_linear_machine_as_formulas_moves_as_by_modes() {
             worst = worst.max((x.2 - y.2).abs());
             assert!((x.2 - y.2).abs() < 1e-11, "{i}: {x:?} {y:?}");
         }
-        let off = (&a.1.q - &b.1.q).amax().max((&a.1.u - &b.1.u).amax());
+        let off = apart(a.1.q(), b.1.q()).max(apart(a.1.u(), b.1.u()));
         if a.0.is_empty() {
             assert!(off < 1e-12, "{i}: {off:e}");
         }
@@ -89,11 +89,7 @@ fn exponents_by_formulas_are_those_by_modes() {
         let simulator = simulator(&machine);
         let axes = [PlaneAxis::Place(0), PlaneAxis::Speed(0)];
         let planar = PlanarMachine::new(&machine, simulator, &axes).unwrap();
-        let start = MachineState {
-            t: 0.0,
-            q: RealVector::from_column_slice(&[0.1, 0.0]),
-            u: RealVector::from_column_slice(&[0.0, 0.2]),
-        };
+        let start = MachineState::new(0.0, &[0.1, 0.0], &[0.0, 0.2]);
         let monitor = ();
         let all = exponents(&planar, &start.start(machine.rate()), 4, 0, 12, &monitor).unwrap();
         all.iter().map(|one| one.rate).collect::<Vec<_>>()
@@ -163,8 +159,7 @@ fn coupled_formulas_agree_with_a_second_integrator() {
         let mut run = simulator.start(at(0.0), &q, &u).unwrap();
         run.finish(at(until));
         let state = run.state();
-        let off = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        let off = off(state.q.as_slice(), &motion.q).max(off(state.u.as_slice(), &motion.u));
+        let off = apart(state.q(), &motion.q).max(apart(state.u(), &motion.u));
         println!("{all:?}: off by {off:e}");
         let impacts: Vec<f64> = all.iter().filter(|event| event.0 == "impact").map(|event| event.2).collect();
         assert!(!impacts.is_empty());
@@ -194,7 +189,7 @@ fn formulas_know_no_unit() {
         let mut run = simulator.start(at(0.0), &[0.0; 2], &[0.0; 2]).unwrap();
         assert_eq!(run.finish(Time::new(2, 0.0)), RunEnd::Reached);
         let state = run.state();
-        state.q.iter().chain(&state.u).map(|x| x / length).collect::<Vec<f64>>()
+        state.q().iter().chain(state.u()).map(|x| x / length).collect::<Vec<f64>>()
     };
     let known = end(1.0, 1.0);
     let scale = known.iter().fold(0.0f64, |most, x| most.max(x.abs()));
@@ -215,7 +210,7 @@ fn a_force_that_is_not_smooth_ends_the_motion_where_it_is_not() {
         let mut run = simulator.start(at(0.0), &[0.0, 0.0], &[1.0, 0.0]).unwrap();
         assert_eq!(run.finish(Time::new(3, 0.0)), RunEnd::NotSmooth, "{force}");
         let (time, state) = (TAU * run.time().periods(), run.state());
-        assert!((time - 1.0).abs() < 1e-5 && (state.q[0] - 1.0).abs() < 1e-5, "{force}: {time} {state:?}");
+        assert!((time - 1.0).abs() < 1e-5 && (state.q()[0] - 1.0).abs() < 1e-5, "{force}: {time} {state:?}");
     }
 }
 

@@ -74,7 +74,7 @@ fn a_run_under_a_record_moves_in_closed_form_from_sample_to_sample() {
             }
             run.finish(at(0.0).after(TAU * (i + 1) as f64 / 59.0 * (1.0 - 1e-15)));
             let state = run.state();
-            let off = (state.q[0] - x[0]).abs().max((state.u[0] * machine.rate() - x[1]).abs() / omega);
+            let off = (state.q()[0] - x[0]).abs().max((state.u()[0] * machine.rate() - x[1]).abs() / omega);
             assert!(off < 1e-12 * (1.0 + f64::from(hits) * 10.0), "{i}: {off:e} after {hits} impacts");
         }
         assert_eq!(run.impacts(), u64::from(u32::try_from(hits).unwrap()));
@@ -116,7 +116,7 @@ fn a_fine_record_of_a_harmonic_is_that_harmonic() {
                 "{body}{formulas}measured = {{ file = \"force.csv\", once = true, direction = [0, 1] }}"
             );
             let found = end(&simulator_of(scene(&folder_of(n), &system, walls).unwrap()));
-            (&found.q - &known.q).amax()
+            apart(found.q(), known.q())
         };
         let (coarse, fine) = (off(100), off(400));
         println!("{coarse:e} {fine:e}");

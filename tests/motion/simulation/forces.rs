@@ -537,7 +537,7 @@ fn steep_motions_agree(case: Steep, start: [f64; 2]) {
     let mut run = simulator.start(at(0.0), &[start[0]], &[start[1]]).unwrap();
     assert_eq!(run.finish(at(UNTIL)), RunEnd::Reached, "{text}");
     let state = run.state();
-    let off = (state.q[0] - expected[0]).hypot(state.u[0] - expected[1]);
+    let off = (state.q()[0] - expected[0]).hypot(state.u()[0] - expected[1]);
     assert!(off < 2e-9 * grown, "{text} as a machine, from {start:?}: off by {off:e}, grown {grown:.1}");
     if case.width >= 0.01 {
         let flow = Free::new(&formula(&text), 1e-13).unwrap();
@@ -590,7 +590,7 @@ fn dry_friction_made_smooth_has_its_known_motion() {
     let mut run = simulator.start(at(0.0), &[0.3], &[0.0]).unwrap();
     assert_eq!(run.finish(Time::new(3, 0.0)), RunEnd::Reached);
     let state = run.state();
-    assert!((state.q[0] - q).abs().max((state.u[0] - u).abs()) < 1e-11, "{state:?}");
+    assert!((state.q()[0] - q).abs().max((state.u()[0] - u).abs()) < 1e-11, "{state:?}");
 }
 
 /// A cubic spring felt only far away: of its series from rest, orders 2, 8, 14, … only are not zero.

@@ -185,7 +185,7 @@ impl<'a> MachineRun<'a> {
     }
 
     /// The stops rested on, ascending.
-    pub fn resting(&self) -> &[usize] {
+    pub(crate) fn resting(&self) -> &[usize] {
         &self.stage.resting
     }
 

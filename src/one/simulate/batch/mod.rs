@@ -151,7 +151,7 @@ impl<'a> Batch<'a> {
     }
 
     /// The forcing period in which it is at the section, or was when it last passed it.
-    pub fn period(&self, motion: usize) -> i64 {
+    pub(crate) fn period(&self, motion: usize) -> i64 {
         match (self.places[motion], &self.scalar[motion]) {
             (Some((group, at)), _) => self.groups[group].periods[at],
             (None, scalar) => scalar.as_ref().map_or(0, |scalar| scalar.period),
@@ -159,7 +159,7 @@ impl<'a> Batch<'a> {
     }
 
     /// The same as [`point`](Self::point), with the phase that rounding makes of the section's.
-    pub fn state(&self, motion: usize) -> State {
+    pub(crate) fn state(&self, motion: usize) -> State {
         match (self.places[motion], &self.scalar[motion]) {
             (Some((group, at)), _) => self.groups[group].state(at),
             (None, Some(Scalar { run, .. })) => State { t: run.time().phase, ..run.state() },

@@ -47,7 +47,7 @@ pub(super) fn bits(mut mask: u64) -> impl Iterator<Item = usize> {
 }
 
 /// Gaps of eight motions on one piece: a coefficient of all in each vector.
-pub(super) struct Gaps<S: Simd>(pub [V<S>; TERMS]);
+pub(super) struct Gaps<S: Simd>(pub(crate) [V<S>; TERMS]);
 
 impl<S: Simd> Gaps<S> {
     /// What rounding may make of the gaps.

@@ -21,7 +21,7 @@ impl Job<'_> {
     ///
     /// # Errors
     /// Those of [`MachineSimulator::new`].
-    pub fn machine_simulator(
+    pub(crate) fn machine_simulator(
         &self,
         machine: &Machine<f64>,
         starts: &[MachineState],
@@ -46,14 +46,14 @@ impl Job<'_> {
     ///
     /// # Errors
     /// Those of [`MachineSceneFamily::new`].
-    pub fn machine_family(&self, parameter: &str) -> Result<MachineSceneFamily<'_>> {
+    pub(crate) fn machine_family(&self, parameter: &str) -> Result<MachineSceneFamily<'_>> {
         Ok(MachineSceneFamily::new(&self.scene, parameter)?.counting(self.tally.clone()))
     }
 
     /// A machine with the plane in which its sections are seen.
     ///
     /// # Errors
-    /// Those of [`machine_simulator`](Self::machine_simulator); a plane that names what the machine does not
+    /// Those of `machine_simulator`; a plane that names what the machine does not
     /// have.
     pub fn planar(
         &self,

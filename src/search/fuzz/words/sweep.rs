@@ -53,7 +53,7 @@ type Span<T> = (T, T);
 
 /// The work space of a sweep, and the powers of one angle.
 #[derive(Debug, Clone)]
-pub struct WordSweep<T> {
+pub(crate) struct WordSweep<T> {
     s: u64,
     cosine: Vec<T>,
     sine: Vec<T>,

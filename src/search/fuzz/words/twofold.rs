@@ -23,7 +23,7 @@ use num_traits::ToPrimitive;
 use crate::number::{Angle, Ball, Circular, FloatInterval, Precision};
 
 /// A number of a sweep: what is promised of its operations is at the head of this file.
-pub trait Rounded:
+pub(crate) trait Rounded:
     Copy
     + PartialOrd
     + Add<Output = Self>
@@ -86,7 +86,7 @@ impl Rounded for f64 {
 
 /// h + l.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
-pub struct Twofold(f64, f64);
+pub(crate) struct Twofold(f64, f64);
 
 /// x + y and its error.
 fn sum(x: f64, y: f64) -> Twofold {
