@@ -289,7 +289,7 @@ fn lines(index: usize, machine: &Machine, effort: RangeEffort) -> Vec<Line> {
         let ranges = exact.each_ref().map(both);
         let known = born([&exact[0], &exact[1]], behind, LONGEST, &()).expect("no interruption");
         let (graph, whole) = match known {
-            Some(Born { graph: Some(graph), whole }) => (graph, whole),
+            Some(Born { graph: Some(graph), whole, .. }) => (graph, whole),
             Some(Born { graph: None, whole: true, .. }) => {
                 let problem = NothingProblem { ranges, harmonics, deepest };
                 let (proved, end) = match prove_nothing(&problem, effort, &()).expect("no interruption") {
