@@ -12,12 +12,14 @@
 //! and takes the signs of C A^k X_i + 1 (33) and Y_i (34). Every sign is certain: enclosures first, exact
 //! fractions where those cannot tell; what stays undecided says why. In two dimensions [`Graph`] does the
 //! same faster: each X_i depends on n_i alone, and the existing patterns are the closed walks of a graph
-//! (64). In more dimensions [`Windows`] leaves out beginnings of patterns that no orbit can have. Not here:
-//! single impacts as functions of (a₁, a₂) (`local`), pictures (the package `grazing-shell`).
+//! (64). In more dimensions [`Windows`] leaves out beginnings of patterns that no orbit can have, and
+//! [`Flights`] says whether one bound serves all patterns. Not here: single impacts as functions of (a₁, a₂)
+//! (`local`), pictures (the package `grazing-shell`).
 
 mod analysis;
 mod coordinates;
 mod existence;
+mod flights;
 mod graph;
 mod input;
 mod leading;
@@ -33,6 +35,7 @@ mod windows;
 pub use analysis::{Analysis, Numbers};
 pub use coordinates::Coordinates;
 pub use existence::{OpenReason, PatternExistence, PatternOrbit, PatternQuantity, Report};
+pub use flights::{Flights, Together};
 pub use graph::{Graph, MAX_GRAPH_PERIOD, PatternTally};
 pub(crate) use leading::{HalfImpact, halves};
 pub use map::{Entry, Map};

@@ -522,6 +522,32 @@ fn existence_lists_counts_and_prunes_alike() {
     );
 }
 
+/// Flights of four dimensions contract; beside a coordinate that grows by itself they do not; in the plane
+/// nothing is left of two, but for the periods whose C AⁿB is 0.
+#[test]
+fn existence_says_whether_one_bound_serves_all_patterns() {
+    let said = |map: &str| {
+        let (code, out, _) = run(&format!("existence {map} --max-period 4 --uniform --format csv"));
+        (code, out.lines().nth(1).unwrap_or_default().to_string())
+    };
+    let (code, row) = said(&example("four-dimensional.toml"));
+    assert!(code == 0 && row.starts_with("\"1,2,3,4\",,contract,"), "{row}");
+    let (code, row) = said(&example("singular.toml"));
+    assert!(code == 0 && row.starts_with("\"1,2,4\",3,contract,"), "{row}");
+    let folder = tempfile::tempdir().unwrap();
+    for (entry, wanted) in [("-1.1", "grow,,1"), ("1", "undecided,,")] {
+        let file = folder.path().join("map.toml");
+        let text = format!(
+            "format = \"grazing-map 1\"\nA = [[0.9, 0, 1], [0, {entry}, 0], [-0.6, 0, 0]]\nB = [0, 0, 1]\n\
+             C = [1, 0, 0]\ne = 1\n"
+        );
+        // A coordinate with the eigenvalue 1 leaves no map to speak of; nearly 1 will do.
+        std::fs::write(&file, text.replace("[0, 1, 0]", "[0, 0.9999999, 0]")).unwrap();
+        let (code, row) = said(&file.display().to_string());
+        assert_eq!((code, row), (if entry == "1" { 3 } else { 0 }, format!("\"1,2,3,4\",,{wanted}")));
+    }
+}
+
 #[test]
 fn existence_draws_graphs_and_orbits() {
     let folder = tempfile::tempdir().unwrap();

@@ -258,7 +258,7 @@ fn cells_are_balanced(what: &str, text: &str) {
 
 /// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a
 /// command of the list writes itself.
-const JSON: [&str; 40] = [
+const JSON: [&str; 41] = [
     "intervals 3..=5",
     "intervals 3..=5 --decimals 4",
     "intervals --pattern 3,5",
@@ -284,6 +284,7 @@ const JSON: [&str; 40] = [
     "existence {root}/examples/maps/singular.toml --max-period 3 --exact",
     "existence {root}/examples/maps/focus.toml --max-period 3 --counts",
     "existence {root}/examples/maps/four-dimensional.toml --max-period 3 --counts",
+    "existence {root}/examples/maps/singular.toml --max-period 3 --uniform",
     "fuzz --cases 100 --n 12",
     "fuzz --words --cases 20",
     "run {root}/tests/data/kinds.toml",

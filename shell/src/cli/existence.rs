@@ -15,12 +15,12 @@ use crate::{
     figure,
     number::{FloatInterval, Sign, certain_digits, parse_integer},
     output::{
-        Caption, Column, FileRegistry, FileUse, LONGEST_SCENE, Print, Setting, TableCell, TableFormat,
-        TableWriter, latex, make_folder, read_text, say,
+        Caption, Column, Destination, FileRegistry, FileUse, LONGEST_SCENE, Print, Setting, TableCell,
+        TableFormat, TableWriter, latex, make_folder, read_text, say,
     },
     pattern::{
-        Analysis, Graph, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, PatternExistence, Patterns, Pruning,
-        Report, Value, Windows,
+        Analysis, Flights, Graph, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, PatternExistence, Patterns,
+        Pruning, Report, Together, Value, Windows,
     },
     word::Entropy,
 };
@@ -60,6 +60,10 @@ pub(super) struct Args {
     /// to it.
     #[arg(long, conflicts_with = "existing")]
     counts: bool,
+    /// Say whether the flights between impacts contract, letter after letter: then one bound, one distance
+    /// from the grazing, serves all patterns of these periods (docs/existence.md).
+    #[arg(long, conflicts_with_all = ["pattern", "existing", "counts", "exact", "dot"])]
+    uniform: bool,
     /// Give exact fractions in place of certain digits.
     #[arg(long)]
     exact: bool,
@@ -204,6 +208,9 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     if args.exact && !map.is_exact() {
         return Err(Error::input(format!("--exact needs a map without intervals; {name} has some")));
     }
+    if args.uniform {
+        return uniform(args, (&map, &name), &destination);
+    }
     let last = args
         .pattern
         .as_ref()
@@ -256,6 +263,31 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
             }),
         };
         table.end(rows)
+    });
+    reported(outcome, written)
+}
+
+/// The one row about flights.
+fn uniform(args: &Args, (map, name): (&Map, &str), destination: &Destination) -> Result<Outcome> {
+    let found = Flights::new(map, args.max_period);
+    let list = |all: &[u64]| all.iter().map(u64::to_string).collect::<Vec<_>>().join(",");
+    let [periods, without] = [&found.periods, &found.without].map(|all| list(all));
+    let nothing = || Cell::Text(String::new());
+    let (verdict, flights, word) = match &found.together {
+        Together::Contract(flights) => ("contract", Cell::Whole(*flights as i64), nothing()),
+        Together::Grow(word) => ("grow", nothing(), Cell::Text(list(word))),
+        _ => ("undecided", nothing(), nothing()),
+    };
+    let cells = [Cell::Text(periods), Cell::Text(without), Cell::Text(verdict.into()), flights, word];
+    let columns = ["periods", "without", "verdict", "flights", "word"];
+    let columns = columns.map(|name| Column::new(name, name, 12)).to_vec();
+    let outcome = if verdict == "undecided" { Outcome::Undecided } else { Outcome::Done };
+    let written = destination.write(|out| {
+        let caption = caption("existence-uniform", UNIFORM, name);
+        let setting = Setting { caption: Some(&caption), ..Setting::default() };
+        let mut table = TableWriter::set(out, args.format, "grazing-existence-uniform 1", columns, setting)?;
+        let row = table.row(&cells.each_ref().map(Cell::set));
+        table.end(row)
     });
     reported(outcome, written)
 }
@@ -313,6 +345,10 @@ the sign of $\\mu$ then, $L$ of the largest eigenvalue $\\Lambda_1 \\sim L (e\\m
 /// What the counts show.
 const COUNTS: &str = "How many patterns there are of each period, for how many there is an orbit, and the growth rate of \
 their number, if it is known";
+
+/// What the row about flights shows.
+const UNIFORM: &str = "Whether the flights of these periods contract, letter after letter: after how many every vector of \
+the plane $Cx = 0$ is halved, or a word that grows";
 
 /// The caption of a table about a map.
 fn caption(name: &str, about: &str, map: &str) -> Caption {
