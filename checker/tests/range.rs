@@ -342,7 +342,6 @@ fn two_readers_agree() {
         with(RANGE_ALONE, "others", "others no"),
         nth(RANGE_ALONE, "others", 0, "others 2.9 2 2"),
         RANGE_BEFORE.to_string(),
-        with(RANGE_BEFORE, "others", "others 6 2 2"),
     ]);
     let wrong = forgeries().into_iter().chain(malformed()).map(|(text, _)| text);
     let all: Vec<(String, bool)> =

@@ -247,7 +247,11 @@ fn stranger(text: &str) -> Option<String> {
 #[test]
 fn what_is_accepted_of_damaged_certificates_is_true() {
     let trials = std::env::var("GRAZING_TRIALS").ok().and_then(|n| n.parse().ok()).unwrap_or(600);
-    for (seed, text) in [(1, RANGE_1), (2, RANGE_12), (3, RANGE_13), (6, RANGE_ALONE), (7, RANGE_BEFORE)] {
+    let all =
+        [(1, RANGE_1, 1), (2, RANGE_12, 1), (3, RANGE_13, 1), (6, RANGE_ALONE, 1), (7, RANGE_BEFORE, 4)];
+    for (seed, text, share) in all {
+        // The longer its legs may be, the longer others are looked for.
+        let trials = trials / share;
         assert_eq!((lie(text), stranger(text)), (None, None));
         let mut random = Random(seed);
         let (mut accepted, mut refused) = (0, 0);
