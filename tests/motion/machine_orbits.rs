@@ -469,7 +469,7 @@ fn tasks_on_a_machine_say_what_they_say_of_the_oscillator() {
     let machine = reports(&format!("{PAPER_MACHINE}{}", tasks.replace("START", "-0.12254931, 1.4032447")));
     let scene = include_str!("../../examples/scenes/nordmark-2001.toml");
     let scene = scene.split("[[tasks]]").next().unwrap();
-    let one = reports(&format!("{scene}{}", tasks.replace("START", "-0.77, 0.67")));
+    let one = reports(&format!("{scene}{}", tasks.replace("START", "\"-0.77 rad\", 0.67")));
     let number = |value: &serde_json::Value| value.as_f64().unwrap_or_else(|| panic!("{value}"));
     let near = |a: &serde_json::Value, b: &serde_json::Value, factor: f64, size: f64| {
         let (a, b) = (number(a), number(b) * factor);
