@@ -7,7 +7,7 @@
 //! for the whole graph that is born, and one for each orbit of one impact. The truth is followed in floats,
 //! by other formulas than the library's: periodic words of up to six impacts, from the touch to where the
 //! first of them is no motion or no longer alone (a fold, a flip). The summary goes to standard error.
-//! Without a number of oscillators it does nothing. Cost: some 6 s of processor time for an
+//! Without a number of oscillators it does nothing. Cost: some 10 s of processor time for an
 //! oscillator.
 
 use std::env;
