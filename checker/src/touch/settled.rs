@@ -173,6 +173,52 @@ mod tests {
         assert!(arrived > 1000 && close > 100, "{arrived} {close}");
     }
 
+    /// A and the bounds of p, by the formulas of `docs/ranges.md` in floats, where each term counts: wide
+    /// phases, a slow start, weak restitution.
+    #[test]
+    fn the_bounds_are_those_of_the_page() {
+        for (numbers, longest) in [
+            ([100, 300, 800, 3300, 20], 9),
+            ([400, 1700, 900, 2000, 700], 7),
+            ([1000, 1500, 100, 3000, 300], 5),
+            ([200, 500, 10, 3000, 20], 3),
+        ] {
+            let known = known(numbers, longest).unwrap();
+            let [c, k, tau, s, nu] = numbers.map(|x| x as f64 / 1000.0);
+            let phase = (nu * s / 2.0).asin();
+            let place = 1.0 + nu * s * s / 4.0 / (1.0 + phase.cos());
+            let spread = k - c * c / 4.0;
+            let slow = s * s / 4.0 + c * s * place / 2.0;
+            let left = |n: usize, a: f64| {
+                let decay = (-c * (std::f64::consts::TAU * n as f64 - 2.0 * phase)).exp();
+                [decay, decay * ((a * a - c * a).max(slow) + k * place * place) - spread]
+            };
+            let factor = tau * left(1, 0.0)[0].sqrt();
+            let rest = (slow + k * place * place).sqrt();
+            let mut most = ((1.0 + tau) * s / 2.0 + factor * rest) / (1.0 - factor);
+            for _ in 0..1000 {
+                let last = (left(1, most)[1].max(0.0).sqrt() - c / 2.0).max(0.0);
+                most = most.min((1.0 + tau) * s / 2.0 + tau * last);
+            }
+            for (n, known) in (1..).zip(&known) {
+                let r = left(n, most)[1];
+                let Some([after, before]) = known else {
+                    assert!(r < 0.0, "{numbers:?} {n}");
+                    continue;
+                };
+                // A root of nearly 0 has half the digits.
+                let half_digits = Interval::ratio(1, 1_000_000);
+                let close = |x: Interval, y: f64| lies(y, x.widened(half_digits));
+                assert!(
+                    close(after.least(), -s / 2.0) && close(after.greatest(), most),
+                    "{numbers:?} {most}"
+                );
+                let least = c / 2.0 - r.sqrt();
+                assert!(close(before.least(), least) && close(before.greatest(), s / 2.0), "{numbers:?} {n}");
+            }
+        }
+    }
+
     /// Without damping, overdamped, where an impact gains what a period loses, and with longer legs than
     /// said.
     #[test]
