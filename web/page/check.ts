@@ -32,6 +32,14 @@ const periods = ([first, last]: [number, number]): string =>
   first === last ? `period n = ${first}` : `every period n from ${first} to ${last}`;
 const several = (count: number): string => (count === 1 ? "1 period" : `${count} periods`);
 
+/** What a range says of other motions, in a sentence. */
+const near = (others: string): string => {
+  if (!others.startsWith("none near")) return "";
+  return others.includes("bounded")
+    ? " No other bounded motion meets the wall near again and again."
+    : " No other motions are near.";
+};
+
 /** What each kind proves, in a sentence. */
 const SENTENCES: Record<string, (range: [number, number], detail: Map<string, string>, title: string) => string> = {
   theorem2: (range) =>
@@ -51,7 +59,7 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
   },
   range: (_, detail, title) =>
     `From the touch to the depth listed, each path of its letters is exactly one motion of the oscillator${title === "range of chaos" ? ", and it is chaotic" : ""}.` +
-    (detail.get("others")?.startsWith("none near") ? " No other motions are near." : ""),
+    near(detail.get("others") ?? ""),
   nothing: (_, detail) =>
     `Beyond its touch, to the depth listed, nothing is born, and no motion of the oscillator stays near: ${detail.get("leaves") ?? ""}.`,
   entropy: () => "Words of periods between impacts have no more entropy than is listed, wherever they are born.",

@@ -43,8 +43,9 @@ fn others(certificate: &Certificate) -> String {
     match claimed.reduce(|(_, one), (depth, other)| (depth, less(one, other))) {
         None => "not excluded: there may be other orbits near".into(),
         Some((depth, strength)) => {
+            let which = if certificate.behind { "" } else { " that is bounded and has no last impact," };
             format!(
-                "none near for nu <= {}: none with |g'| <= nu S/2 at all impacts, S = {strength} or more",
+                "none near for nu <= {}: none{which} with |g'| <= nu S/2 at all impacts, S = {strength} or more",
                 plain(depth)
             )
         }
