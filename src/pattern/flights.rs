@@ -11,7 +11,11 @@
 //! That it is not so is seen by a word with |trace| > N − 2: it has an eigenvalue beyond 1.
 
 use super::{Coordinates, Map, Matrix};
-use crate::number::{FloatInterval, Real, Sign};
+use crate::{
+    error::{Error, Result},
+    monitor::Monitor,
+    number::{FloatInterval, Real, Sign},
+};
 
 /// What is known of the flights of a map.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -29,7 +33,8 @@ pub struct Flights {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Together {
-    /// They contract: after at most so many every vector is halved. One bound serves all words.
+    /// They contract: after at most so many every vector of the plane C x = 0 is halved, by its largest entry
+    /// in coordinates in which C reads off the first and B pushes along the last. One bound serves all words.
     Contract(usize),
     /// They do not: this word, flown again and again, has an eigenvalue beyond 1.
     Grow(Vec<u64>),
@@ -49,11 +54,14 @@ impl Flights {
 
     /// Those of the periods 1 to `last`. Cost: O(`last`·N³), and up to [`Flights::WORK`] products of N³
     /// operations, on `f64` intervals.
-    pub fn new(map: &Map, last: u64) -> Flights {
+    ///
+    /// # Errors
+    /// An interruption.
+    pub fn new(map: &Map, last: u64, monitor: &dyn Monitor) -> Result<Flights> {
         let mut flights = Flights { periods: Vec::new(), without: Vec::new(), together: Together::Open };
         let Some(map) = Coordinates::<FloatInterval>::new(map, last, ()) else {
             flights.without = (1..=last).collect();
-            return flights;
+            return Ok(flights);
         };
         let mut all = Vec::new();
         for n in 1..=last {
@@ -66,18 +74,20 @@ impl Flights {
             }
         }
         if !all.is_empty() {
-            let mut tree = Tree { flights: &all, left: Flights::WORK, deepest: 0 };
+            let mut tree = Tree { flights: &all, left: Flights::WORK, deepest: 0, monitor };
             let alone = all.iter().position(grows).map(|letter| vec![letter]);
-            let found = alone.map_or_else(|| tree.halves(&mut Vec::new(), None), |word| Err(Some(word)));
+            let found =
+                alone.map_or_else(|| tree.halves(&mut Vec::new(), None), |word| Err(Stop::Grows(word)));
             flights.together = match found {
                 Ok(()) => Together::Contract(tree.deepest),
-                Err(Some(word)) => {
+                Err(Stop::Grows(word)) => {
                     Together::Grow(word.into_iter().map(|letter| flights.periods[letter]).collect())
                 }
-                Err(None) => Together::Open,
+                Err(Stop::Work) => Together::Open,
+                Err(Stop::Asked(error)) => return Err(error),
             };
         }
-        flights
+        Ok(flights)
     }
 }
 
@@ -98,25 +108,37 @@ struct Tree<'a> {
     flights: &'a [Matrix<FloatInterval>],
     left: usize,
     deepest: usize,
+    monitor: &'a dyn Monitor,
+}
+
+/// Why the tree is left before its end.
+enum Stop {
+    /// A word has an eigenvalue beyond 1.
+    Grows(Vec<usize>),
+    /// No more is run.
+    Work,
+    /// It was interrupted.
+    Asked(Error),
 }
 
 impl Tree<'_> {
-    /// Whether every word that begins so comes to halve every vector; else a word that grows, if one is seen.
+    /// That every word that begins so comes to halve every vector, or why that is not shown.
     fn halves(
         &mut self,
         word: &mut Vec<usize>,
         product: Option<&Matrix<FloatInterval>>,
-    ) -> Result<(), Option<Vec<usize>>> {
+    ) -> std::result::Result<(), Stop> {
         if word.len() >= DEPTH {
-            return Err(None);
+            return Err(Stop::Work);
         }
         for (letter, flight) in self.flights.iter().enumerate() {
-            self.left = self.left.checked_sub(1).ok_or(None)?;
+            self.left = self.left.checked_sub(1).ok_or(Stop::Work)?;
+            self.monitor.advance(0).map_err(Stop::Asked)?;
             let next = product.map_or_else(|| flight.clone(), |product| flight.times(&square(product), &()));
             word.push(letter);
             self.deepest = self.deepest.max(word.len());
             if word.len() <= LOOKED_AT && grows(&next) {
-                return Err(Some(word.clone()));
+                return Err(Stop::Grows(word.clone()));
             }
             if norm(&next) > 0.5 {
                 self.halves(word, Some(&next))?;
@@ -170,7 +192,8 @@ mod tests {
         let size = a.len();
         let unit = |k: usize| (0..size).map(|i| entry(&if i == k { "1" } else { "0" })).collect();
         let rows = a.iter().map(|row| row.iter().map(entry).collect()).collect();
-        Flights::new(&Map::new(rows, unit(size - 1), unit(0), entry(&"1"), None).unwrap(), last)
+        let map = Map::new(rows, unit(size - 1), unit(0), entry(&"1"), None).unwrap();
+        Flights::new(&map, last, &()).unwrap()
     }
 
     /// In the plane nothing is left after two flights. Beside it a coordinate that no kick moves contracts or

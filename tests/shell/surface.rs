@@ -13,7 +13,7 @@ fn root() -> &'static Path {
 
 /// Every command that writes a LaTeX table, with the awkward texts among them; `{in}` is a folder with the
 /// certificates that are cited.
-const TABLES: [&str; 23] = [
+const TABLES: [&str; 24] = [
     "intervals 3..=9",
     "intervals 3..=9 --decimals 6",
     "intervals --two-impacts 5",
@@ -32,6 +32,7 @@ const TABLES: [&str; 23] = [
     "existence examples/maps/nordmark-2001.toml --max-period 5 --counts",
     "existence examples/maps/four-dimensional.toml --max-period 5",
     "existence examples/maps/singular.toml --max-period 4",
+    "existence examples/maps/singular.toml --max-period 4 --uniform",
     "intervals 3..=5 --cite {in}/theorem_2#.txt --cite {in}/covers.txt",
     "boundary 3..=5 --cite {in}/covers.txt",
     "evaluate --n 5 --s 1/7 --r 0.9",

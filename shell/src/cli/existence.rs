@@ -209,7 +209,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         return Err(Error::input(format!("--exact needs a map without intervals; {name} has some")));
     }
     if args.uniform {
-        return uniform(args, (&map, &name), &destination);
+        return uniform(args, (&map, &name), &destination, interrupt);
     }
     let last = args
         .pattern
@@ -268,8 +268,13 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
 }
 
 /// The one row about flights.
-fn uniform(args: &Args, (map, name): (&Map, &str), destination: &Destination) -> Result<Outcome> {
-    let found = Flights::new(map, args.max_period);
+fn uniform(
+    args: &Args,
+    (map, name): (&Map, &str),
+    destination: &Destination,
+    interrupt: &Interrupt,
+) -> Result<Outcome> {
+    let found = Flights::new(map, args.max_period, interrupt)?;
     let list = |all: &[u64]| all.iter().map(u64::to_string).collect::<Vec<_>>().join(",");
     let [periods, without] = [&found.periods, &found.without].map(|all| list(all));
     let nothing = || Cell::Text(String::new());
