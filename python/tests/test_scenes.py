@@ -63,8 +63,8 @@ def test_a_run_gives_typed_reports():
     assert motion.parameters == {"F": Fraction(4, 5)}
     impacts = motion.data.event_kind == grazing.EVENT_KINDS.index("impact")
     assert impacts.sum() == motion.findings.impacts > 0
-    # The upper wall, met from below.
-    assert (motion.data.event_place[impacts] == 1).all()
+    # The scene's one stop.
+    assert (motion.data.event_place[impacts] == 0).all()
     assert (np.diff(motion.data.event_time) > 0).all()
     assert motion.data.q.max() <= 1 + 1e-9
     assert motion.effects["impacts"] if "impacts" in motion.effects else motion.effects
@@ -240,6 +240,8 @@ def test_every_kind_of_task_gives_its_arrays(root):
 def test_machines_have_a_column_for_each_coordinate(root):
     scene = grazing.Scene(root / "tests/data/kinds-machine.toml")
     motion = scene.run("motion")[0]
-    assert motion.data.q.shape == motion.data.u.shape == (len(motion.data.time), 1)
+    assert motion.data.q.shape == motion.data.u.shape == motion.data.time.shape
+    two = grazing.Scene(root / "examples/machines/two-masses.toml").run("settled")[0]
+    assert two.data.q.shape == two.data.u.shape == (len(two.data.time), 2)
     with pytest.raises(grazing.InputError, match="format"):
         scene.simulate([[0.0, 0.0]], 1)
