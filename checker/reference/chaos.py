@@ -4,7 +4,7 @@
 usage: chaos.py FILE…     prints "FILE: proved, chaos", "FILE: proved, orbits" or "FILE: rejected: reason";
                           exit code 1 if one is rejected.
 
-Written from the form (the head of checker/src/chaos/mod.rs) and from docs/chaos.md alone. Numbers are Python's
+Written from the form (the head of checker/src/chaos/mod.rs) and from proofs/chaos.md alone. Numbers are Python's
 whole numbers in units of 2^-72, every operation rounded outwards. The free motion is in closed form, by the
 functions cos √x and sin √x/√x, which are entire, so that no damping is a case of its own; phases of impacts are
 bracketed by signs of the wall's slope. Slow: a leg takes about a millisecond.

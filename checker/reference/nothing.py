@@ -3,7 +3,7 @@
 
 usage: nothing.py FILE…   prints "FILE: proved, nothing born" or "FILE: rejected: reason"; exit code 1 if one is rejected.
 
-Written from the form (the head of checker/src/nothing/mod.rs) and from docs/ranges.md alone. Numbers, the free motion,
+Written from the form (the head of checker/src/nothing/mod.rs) and from proofs/ranges.md alone. Numbers, the free motion,
 the wall and C1 to C3 are those of chaos.py, the second reader of kind chaos: nothing of the checker's.
 """
 from fractions import Fraction

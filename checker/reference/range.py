@@ -4,7 +4,7 @@
 usage: range.py FILE…     prints "FILE: proved, range of chaos", "FILE: proved, range of orbits" or "FILE: rejected:
                           reason"; exit code 1 if one is rejected.
 
-Written from the form (the head of checker/src/range/mod.rs) and from docs/ranges.md alone. Numbers, the free motion
+Written from the form (the head of checker/src/range/mod.rs) and from proofs/ranges.md alone. Numbers, the free motion
 and the wall are those of chaos.py, the second reader of kind chaos: nothing of the checker's.
 """
 from fractions import Fraction

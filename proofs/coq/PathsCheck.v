@@ -1,4 +1,4 @@
-(** * The conditions H0 to H4 of docs/chaos.md in integers: a function from certificates to yes and no *)
+(** * The conditions H0 to H4 of proofs/chaos.md in integers: a function from certificates to yes and no *)
 
 From Coq Require Import QArith ZArith Bool List.
 From Grazing Require Import StatementPaths ChaosInterval ChaosFunctions.

@@ -1,12 +1,12 @@
 //! Certificates of kind `chaos`: every bi-infinite path of a graph of letters, each of so many periods, is an
 //! orbit of a linear impact oscillator with one wall, or with two that are each other's mirror images.
 //!
-//! The theorem with its proof is in `docs/chaos.md`, with how any linear oscillator with a rigid wall is
-//! brought to the form here; what is checked is its conditions H0 to H4, for every box of parameters
-//! (`proof`, `work`, `gaps`; `touch` has the wall and the legs), the growth rate, and, if it is claimed, that
-//! there are no other orbits near (`only`). The checker works on integers in units of 2⁻⁴⁸ (`interval`); exp,
-//! sin, cos and arcsin all are the exponential of one 2×2 matrix (`touch::flow`). No code is shared with what
-//! finds the proof.
+//! The theorem with its proof is in `proofs/chaos.md`; how any linear oscillator with a rigid wall is
+//! brought to the form here, in `docs/chaos.md`. What is checked is its conditions H0 to H4, for every
+//! box of parameters (`proof`, `work`, `gaps`; `touch` has the wall and the legs), the growth rate, and,
+//! if it is claimed, that there are no other orbits near (`only`). The checker works on integers in units
+//! of 2⁻⁴⁸ (`interval`); exp, sin, cos and arcsin all are the exponential of one 2×2 matrix
+//! (`touch::flow`). No code is shared with what finds the proof.
 //!
 //! # Form
 //!

@@ -1,6 +1,6 @@
 //! That there are no other orbits near: every motion that meets the wall at arbitrarily early and late times,
 //! and always in the window with |g′(t)| ≤ νS/2, is one of the graph's. For σ = 1 and f = 0. The proof with
-//! its words is in `docs/chaos.md`. C1, C2 and the rounds of C3 are in [`near`]; here is what they leave:
+//! its words is in `proofs/chaos.md`. C1, C2 and the rounds of C3 are in [`near`]; here is what they leave:
 //! legs in the letters' boxes, that follow each other as the graph allows.
 
 use super::{Fault, text::Complete, work::Work};

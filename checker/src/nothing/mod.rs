@@ -2,8 +2,8 @@
 //! touch to a given distance.
 //!
 //! The oscillator is that of kind `range` ([`super::range`]) with σ = 1: its place of rest is behind the
-//! wall. The theorem with its proof is in `docs/ranges.md`; C1 to C3, which it rests on, in `docs/chaos.md`.
-//! No code is shared with what finds the proof.
+//! wall. The theorem with its proof is in `proofs/ranges.md`; C1 to C3, which it rests on, are in
+//! `proofs/chaos.md`. No code is shared with what finds the proof.
 //!
 //! # Form
 //!

@@ -1,8 +1,8 @@
 //! Certificates of kind `range`: the motions that are born where a linear impact oscillator touches its wall,
 //! one for every bi-infinite path of a graph, from the touch to a given distance.
 //!
-//! The theorem with its proof is in `docs/ranges.md`. Version 2 says besides that there are no other motions
-//! near; for σ = −1 of bounded ones. The oscillator is that of kind `chaos`
+//! The theorem with its proof is in `proofs/ranges.md`. Version 2 says besides that there are no other
+//! motions near; for σ = −1 of bounded ones. The oscillator is that of kind `chaos`
 //! ([`super::chaos`]; `touch` has what both need), but a path is given by the strengths s of its impacts
 //! alone, of which every edge of the graph has a range, and the depth ν runs from 0, the touch, through cells
 //! that each have their own ranges. What is checked in a cell is E1 to E3 (`map`) and H4 (`gaps`), and

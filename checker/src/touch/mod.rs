@@ -1,5 +1,5 @@
 //! A linear oscillator with a rigid wall, near the touch: what certificates of kinds `chaos`, `range` and
-//! `nothing` are about, in the normal form of `docs/chaos.md`.
+//! `nothing` are about, in the normal form of `proofs/chaos.md`.
 //!
 //! The free motion is `flow`, the wall `wall`, impacts and the legs between them `legs`, the graph of letters
 //! `graph`, what motions near the touch can do `near` and, before it, `settled`; `text` reads what the kinds

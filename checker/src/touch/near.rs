@@ -10,8 +10,8 @@
 //!   itself, by the law of impact s = 2(a + τp)/(1 + τ), by a ≥ s/2 ≥ p, and by q̂ ≥ σ at 2πk for 0 < k < n.
 //!
 //! Where the place of rest is free, σ = −1, bounded motions have bounded velocities and legs instead of C2
-//! (`settled`). The proofs are in `docs/chaos.md` and `docs/ranges.md`. What is left in the end is judged by
-//! the kinds.
+//! (`settled`). The proofs are in `proofs/chaos.md` and `proofs/ranges.md`. What is left in the end is
+//! judged by the kinds.
 
 use super::{
     Interval,

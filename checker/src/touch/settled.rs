@@ -11,7 +11,7 @@
 //!
 //! at its last one. R < 0 forbids the leg; else −p ≤ √R − c/2. The law of impact a = (1 + τ)s/2 − τp bounds
 //! the next a by (1 + τ)S/2 + τ max(0, √R − c/2), with n = 1: this bounds the supremum of all a, which is
-//! finite for a bounded motion. The proof is in `docs/ranges.md`.
+//! finite for a bounded motion. The proof is in `proofs/ranges.md`.
 
 use super::{Interval, flow::Flow, legs::Impact, near::Known};
 
@@ -173,7 +173,7 @@ mod tests {
         assert!(arrived > 1000 && close > 100, "{arrived} {close}");
     }
 
-    /// A and the bounds of p, by the formulas of `docs/ranges.md` in floats, where each term counts: wide
+    /// A and the bounds of p, by the formulas of `proofs/ranges.md` in floats, where each term counts: wide
     /// phases, a slow start, weak restitution.
     #[test]
     fn the_bounds_are_those_of_the_page() {

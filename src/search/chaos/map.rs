@@ -1,5 +1,5 @@
-//! The map of docs/chaos.md over a box of parameters, in spans: impacts by their strength s, legs with their
-//! derivatives, gaps.
+//! The map of proofs/chaos.md over a box of parameters, in spans: impacts by their strength s, legs with
+//! their derivatives, gaps.
 
 use std::{
     f64::consts::{PI, TAU},

@@ -1,7 +1,7 @@
 //! Chaos proved: every bi-infinite path of a graph of periods is an orbit of a linear oscillator with one
 //! wall, or with two that are each other's mirror images.
 //!
-//! docs/chaos.md has the theorem. [`prove`] looks for boxes and weights (`search`, in plain floats: `span`,
+//! proofs/chaos.md has the theorem. [`prove`] looks for boxes and weights (`search`, in plain floats: `span`,
 //! `map`), writes a certificate of kind `chaos` and has it checked; what is proved is what the checker
 //! proves. [`Problem`] is in the normal form, to which `normal` brings an oscillator. Not here: the keys of a
 //! scene, reports.

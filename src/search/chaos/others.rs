@@ -1,5 +1,5 @@
-//! Whether there are other orbits near, as far as floats tell: the conditions of docs/chaos.md, "No others",
-//! for a neighbourhood of the grazing.
+//! Whether there are other orbits near, as far as floats tell: the conditions of proofs/chaos.md, "No
+//! others", for a neighbourhood of the grazing.
 
 use super::{
     float,

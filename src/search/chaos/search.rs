@@ -1,6 +1,6 @@
 //! Finds boxes, weights and cells for which the theorem's conditions hold, as far as floats tell.
 //!
-//! The map of docs/chaos.md is iterated on boxes, from points, until they change no more: the least boxes
+//! The map of proofs/chaos.md is iterated on boxes, from points, until they change no more: the least boxes
 //! that it keeps, if there are such. The weights are about the eigenvector of the greatest derivatives (of
 //! F(w)_n, the greatest over all triples of what H2 bounds). Cells and parts of phases are doubled until this
 //! succeeds and the checker agrees.

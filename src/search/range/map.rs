@@ -1,4 +1,4 @@
-//! The map of docs/ranges.md over a cell of depths, in spans: F = (1 − m) s + m f at every edge of a graph,
+//! The map of proofs/ranges.md over a cell of depths, in spans: F = (1 − m) s + m f at every edge of a graph,
 //! with bounds of its derivatives.
 //!
 //! Plain floats, by the mean-value form about the middles of strengths and depths, as the checker has it.

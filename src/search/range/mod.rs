@@ -1,7 +1,7 @@
 //! How far from a touch what is born there goes on, proved: every bi-infinite path of a graph is a motion,
 //! from the touch to a depth ν.
 //!
-//! docs/ranges.md has the theorem. [`prove`] follows the motions cell by cell: ranges of strengths that the
+//! proofs/ranges.md has the theorem. [`prove`] follows the motions cell by cell: ranges of strengths that the
 //! map keeps are found in plain floats (`map`, `close`), and the checker judges each cell. What is proved is
 //! what it accepts as a whole. Which graph is born at the touch says [`born`]; where that is nothing,
 //! [`prove_nothing`] proves that no motion stays near; that there is nothing else near, [`prove_alone`]; what

@@ -1,6 +1,6 @@
 //! Beyond a touch at which nothing is born: that no motion stays near, from the touch to a depth.
 //!
-//! docs/ranges.md has the theorem. Near is a zone of phases about the touch: where the wall is above the
+//! proofs/ranges.md has the theorem. Near is a zone of phases about the touch: where the wall is above the
 //! place of rest by more than a part of what it is at its top, and no farther than an angle. The wider it is,
 //! the more is said and the sooner the proof ends; zones are tried from the widest, and the checker judges
 //! each cell.
