@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures everything that docs/accuracy.md shows, on this computer, which should do nothing else: writes the tables and pictures of
-# `grazing accuracy` and those of other programs into docs (or DIR), draws both together, and prints what docs/benchmarks.md says of signs
-# and digits (speed and bits lost beside Arb, where time goes). Usage: accuracy.sh [--quick] [DIR]. Three minutes once the programs are
+# `grazing accuracy` and those of other programs into docs (or DIR), draws both together, and prints speed and bits lost beside Arb and
+# where time goes. Usage: accuracy.sh [--quick] [DIR]. Three minutes once the programs are
 # built; --quick: fewer points, one. What this build has measured into DIR before is kept; AGAIN=1 measures it anew. Needs gcc, Arb's
 # headers (Debian: apt-get install libflint-dev libflint-arb-dev), and python3 (or $PYTHON) with numpy, scipy and python-flint, which it
 # installs for itself if they are missing. GRAZING is the program, by default the release build.

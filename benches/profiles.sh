@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Where the time of commands goes, by the method that decided: what docs/benchmarks.md tells of it, from `--profile`. GRAZING is the program,
+# Where the time of commands goes, by the method that decided: from `--profile`. GRAZING is the program,
 # by default the release build.
 set -eu
 cd "$(dirname "$0")/.."

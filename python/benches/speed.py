@@ -4,8 +4,7 @@
 
 Build the wheel and the command in the release profile, and let the machine be quiet. The times of a map and of
 motions are the least of three, those of classifications are of one pass. Answers are compared: a wrong one ends
-the bench. docs/python.md has its figures.
-"""
+the bench. """
 
 import csv
 import subprocess

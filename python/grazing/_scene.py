@@ -66,7 +66,7 @@ class TaskReport:
     rows: Sequence[Record] = field(repr=False)
     #: What a reader should know before trusting the numbers.
     warnings: tuple[str, ...]
-    #: How often what was computed: docs/benchmarks.md.
+    #: How often what was computed: docs/formats.md.
     effects: Mapping[str, int] = field(repr=False)
     #: The report as text.
     text: str = field(repr=False)

@@ -87,7 +87,7 @@ impl Boundary {
 /// D = 1/(√(1 − t + t²) + 1 − 2t),   G = 2π² (D + (2t − 1) D² − t(1 − t) D³),   0 ≤ t < 1.
 /// ```
 ///
-/// Derived to second order and checked numerically, not proved (docs/conjecture1.md). Returns (D, G) in plain
+/// Derived to second order and checked numerically, not proved (proofs/tips.md). Returns (D, G) in plain
 /// floats.
 ///
 /// ```
@@ -102,10 +102,10 @@ pub fn tip_law(t: f64) -> (f64, f64) {
 }
 
 /// The next term of the law: (1 − r_tip) n³ = G + G₂/n² + O(1/n³). Derived formally, as G was
-/// (docs/conjecture1.md).
+/// (proofs/tips.md).
 pub fn tip_correction(t: f64) -> f64 {
     let (d, _) = tip_law(t);
-    // A, B, M of docs/conjecture1.md.
+    // A, B, M of proofs/tips.md.
     let mean = (1.0 - t * (1.0 - t) * d * d) / 2.0;
     let (a, b) = (mean + t * d, mean - (1.0 - t) * d);
     let spread = (1.0 - t) * a.powi(4) + t * b.powi(4) - (1.0 - mean).powi(4);

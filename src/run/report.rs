@@ -32,7 +32,7 @@ pub struct TaskReport {
     pub findings: Option<Findings>,
     /// What a reader should know before trusting the numbers.
     pub warnings: Vec<String>,
-    /// What was computed, and how often: see docs/benchmarks.md.
+    /// What was computed, and how often: see docs/formats.md.
     #[serde(serialize_with = "as_map")]
     pub effects: Vec<(&'static str, u64)>,
     /// The files in which the findings are kept.

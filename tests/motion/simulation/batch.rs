@@ -166,7 +166,7 @@ fn every_event_is_the_scalar_engines() {
     assert!(events > 300, "{events} events were compared");
 }
 
-/// On all cores. docs/benchmarks.md has the figure for millions of them: `GRAZING_MOTIONS=2000000 cargo test
+/// On all cores. tests/README.md has the figure for millions of them: `GRAZING_MOTIONS=2000000 cargo test
 /// --release --test motion simulation:: -- --ignored every_event_of --nocapture`.
 #[test]
 #[ignore = "minutes; scaled by GRAZING_MOTIONS"]
