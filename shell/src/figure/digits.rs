@@ -122,7 +122,7 @@ const BREAK: f64 = -0.14;
 fn draw(rows: &[PanelRow]) -> Canvas {
     let families = values(rows, "family");
     let lines = caption(
-        rows,
+        rows.iter(),
         "Medians over the inputs of a family and over repetitions; bars: quartiles. Digits of enclosures are \
          certain, those of floats happen to be right.",
     );

@@ -96,8 +96,12 @@ impl<'a> PriceTable<'a> {
 
 /// The values of a column, each once, in the order in which they come.
 pub fn values<'a>(rows: &'a [PanelRow], column: &str) -> Vec<&'a str> {
+    named(rows.iter(), column)
+}
+
+fn named<'a>(rows: impl Iterator<Item = &'a PanelRow>, column: &str) -> Vec<&'a str> {
     let mut seen = Vec::new();
-    for value in rows.iter().map(|row| row.text(column)) {
+    for value in rows.map(|row| row.text(column)) {
         if !value.is_empty() && !seen.contains(&value) {
             seen.push(value);
         }
@@ -111,11 +115,11 @@ pub fn corner(place: usize) -> At {
 }
 
 /// What stands below the panels, in lines that fit: what was done, then programs, machine and load.
-pub fn caption(rows: &[PanelRow], what: &str) -> Vec<Words> {
-    let loads = rows.iter().filter_map(|row| row.number("load"));
+pub fn caption<'a>(rows: impl Iterator<Item = &'a PanelRow> + Clone, what: &str) -> Vec<Words> {
+    let loads = rows.clone().filter_map(|row| row.number("load"));
     let (low, high) = loads.fold((f64::INFINITY, 0.0f64), |(low, high), x| (low.min(x), high.max(x)));
     let load = if low <= high { format!(" Load {low:.1} to {high:.1}.") } else { String::new() };
-    let (programs, machines) = (values(rows, "by").join("; "), values(rows, "machine").join("; "));
+    let (programs, machines) = (named(rows.clone(), "by").join("; "), named(rows, "machine").join("; "));
     let mut lines: Vec<Words> = Vec::new();
     for text in [what.to_string(), format!("{programs}. {machines}.{load}")] {
         let mut current = String::new();

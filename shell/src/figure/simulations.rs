@@ -76,7 +76,7 @@ const LEAST: f64 = -16.5;
 fn draw(rows: &[PanelRow]) -> Canvas {
     let motions = values(rows, "motion");
     let lines = caption(
-        rows,
+        rows.iter(),
         "Medians over repetitions; bars: quartiles. Points from right to left: smaller tolerances or steps. \
          Crosses are other motions, with more or fewer impacts than there are.",
     );

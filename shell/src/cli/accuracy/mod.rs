@@ -18,7 +18,7 @@ use super::Outcome;
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
-    figure::{digits_figure, sign_price_figure, simulations_figure},
+    figure::{GLANCE_TABLES, digits_figure, glance_figure, sign_price_figure, simulations_figure},
     output::{Destination, FileRegistry, FileUse, make_folder},
 };
 use kept::Kept;
@@ -36,7 +36,8 @@ use kept::Kept;
 /// 10^-30 away from grazing and for periods up to 1000, and the size of certificates of every kind and the
 /// time to check them, as proofs.csv and proofs.svg. Of effects: what each adds to the time per period, with
 /// its evaluations counted, as effects.csv, and of machines as machine-effects.csv. The tables are also
-/// printed; of signs, what the ladder costs, which every command uses. Takes up to some minutes.
+/// printed; of signs, what the ladder costs, which every command uses. Where the tables of signs, digits and
+/// simulations are all there, accuracy.svg shows them at a glance. Takes up to some minutes.
 ///
 /// measured.csv says which program measured each file, with which options, on which machine and under which
 /// load. What this program has measured before with the same options, and nobody has changed, is kept: an
@@ -152,7 +153,17 @@ fn name(args: &Args, files: &FileRegistry) -> Result<()> {
             claim(&format!("{}-peers.csv", part.name), FileUse::Read)?;
         }
     }
+    if is_shown_at_a_glance(args) {
+        claim("accuracy.svg", FileUse::Write)?;
+    }
     Ok(())
+}
+
+/// Whether the picture of three panels changes: one of its tables is measured, and all are there then.
+fn is_shown_at_a_glance(args: &Args) -> bool {
+    let measured = |name: &str| chosen(args).any(|part| part.name == name);
+    let there = |name: &str| measured(name) || args.output.join(format!("{name}.csv")).exists();
+    GLANCE_TABLES.iter().any(|name| measured(name)) && GLANCE_TABLES.iter().all(|name| there(name))
 }
 
 pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
@@ -186,6 +197,9 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         }
         // Also where it is kept: another program may have written its table since.
         part.draw.map_or(Ok(()), |draw| draw(&args.output))?;
+    }
+    if is_shown_at_a_glance(args) {
+        glance_figure(&args.output)?;
     }
     Ok(Outcome::Done)
 }

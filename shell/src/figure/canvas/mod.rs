@@ -165,10 +165,15 @@ impl Canvas {
 
     /// The same of another size.
     pub fn sized(&mut self, words: impl Into<Words>, at: At, anchor: Anchor, size: f64) {
+        self.inked(words, at, anchor, size, BLACK);
+    }
+
+    /// The same in a colour.
+    pub fn inked(&mut self, words: impl Into<Words>, at: At, anchor: Anchor, size: f64, ink: Colour) {
         // Half the height of capitals and digits below the middle.
         let at = (at.0, at.1 + 0.36 * size);
         let words = words.into();
-        self.shapes.push(Shape::Text { words, at, size, anchor, turned: false, ink: BLACK });
+        self.shapes.push(Shape::Text { words, at, size, anchor, turned: false, ink });
     }
 
     /// Text that runs upwards, half-way across a place.
