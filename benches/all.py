@@ -66,6 +66,9 @@ def commands():
     times = {}
     for line in (text or "").splitlines():
         what, clock, user, system, command = line.split("|")
+        if clock == "failed":
+            row(what, "failed", command=command)
+            continue
         spent = float(user) + float(system)
         times[what] = spent
         beside, ratio = "", None
@@ -175,7 +178,7 @@ def peers():
 def coq():
     if text := step("coq", "sh proofs/coq/build.sh"):
         what, clock, user, system, command = text.strip().split("|")
-        row(what, f"{seconds(float(user) + float(system))}, {seconds(float(clock))} on the clock", command=command)
+        row(what, "failed" if clock == "failed" else f"{seconds(float(user) + float(system))}, {seconds(float(clock))} on the clock", command=command)
 
 
 for part in (commands, benches, patterns, effects, peers, coq):

@@ -39,17 +39,26 @@ step() {
     fi
 }
 
-# timed WHAT COMMAND: a line of seconds, on the clock and of the processor, the least of three. Codes 0 and 3 are answers.
+# timed WHAT COMMAND: a line of seconds, on the clock and of the processor, the least of three. Codes 0 and 3 are answers; of a command
+# that fails the line says so.
 timed() {
-    local what=$1 times=3
+    local what=$1 times=3 code clock user system
     shift
     [ -z "$quick" ] || times=1
-    for _ in $(seq $times); do
-        TIMEFORMAT="%R %U %S"
-        { time { sh -c "$*" >"$build/out" 2>"$build/errors" || [ $? -eq 3 ] || { cat "$build/errors" >&2; return 1; }; }; } 2>&1
-    done | sort -n | head -n 1 | while read -r clock user system; do
-        echo "$what|$clock|$user|$system|$*" | sed "s#$GRAZING#grazing#g; s#$build/##g"
+    TIMEFORMAT="%R %U %S"
+    : >"$build/times"
+    for _ in $(seq "$times"); do
+        # The time is what the braces say, and nothing else.
+        { time sh -c "$*; echo \$? >$build/code" >"$build/out" 2>"$build/said"; } 2>>"$build/times"
+        code=$(cat "$build/code")
+        if [ "$code" -ne 0 ] && [ "$code" -ne 3 ]; then
+            tail -n 1 "$build/said" >&2
+            echo "$what|failed|||$*" | sed "s#$GRAZING#grazing#g; s#$build/##g"
+            return
+        fi
     done
+    read -r clock user system < <(sort -n "$build/times")
+    echo "$what|$clock|$user|$system|$*" | sed "s#$GRAZING#grazing#g; s#$build/##g"
 }
 
 commands() {

@@ -22,12 +22,12 @@ while read -r arguments; do
 done <<COMMANDS
 verify 2..=200
 verify 2..=200 --method interval
-classify --max-n 1000 --r 0.999 --s 21/100
-classify --max-n 1000 --a1 5/4 --a2 9/10
-classify --max-n 300 --r 1-1e-30 --s 1/3+1e-30
-classify --max-n 300 --a1 1+1e-30 --a2 1/2
-fuzz --n 3..=200 --cases 20000 --seed 1
-fuzz --n 3..=200 --cases 2000 --seed 1 --definition-share 1
+classify --max-period 1000 --r 0.999 --s 21/100
+classify --max-period 1000 --a1 5/4 --a2 9/10
+classify --max-period 300 --r 1-1e-30 --s 1/3+1e-30
+classify --max-period 300 --a1 1+1e-30 --a2 1/2
+fuzz 3..=200 --cases 20000 --seed 1
+fuzz 3..=200 --cases 2000 --seed 1 --definition-share 1
 cover 3..=6
 boundary 20
 boundary 20 --digits 100

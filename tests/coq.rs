@@ -489,7 +489,8 @@ fn grazing(arguments: &[&str], point: &Rational) -> String {
         .output()
         .unwrap();
     let message = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{arguments:?} at {point:?}: {message}");
+    // 3: of some period Theorem 1 is silent.
+    assert!(matches!(output.status.code(), Some(0 | 3)), "{arguments:?} at {point:?}: {message}");
     String::from_utf8(output.stdout).unwrap()
 }
 

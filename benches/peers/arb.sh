@@ -18,7 +18,7 @@ fi
 cargo bench --quiet --bench enclosures -- 'b|signs' --warm-up-time 0.5 --measurement-time 1.5 | grep '^signs:' || true
 "$build/arb" >"$build/times"
 find_grazing
-"$GRAZING" evaluate --n 100 --k 37 --s 12345/67891 --bits 256 >"$build/here"
+"$GRAZING" evaluate 100 37 --s 12345/67891 --bits 256 >"$build/here"
 "$python" - "$build" "${CARGO_TARGET_DIR:-target}" <<'PY'
 import glob, json, sys
 from flint import arb, ctx, fmpq

@@ -72,7 +72,7 @@ done <"$folder/claims.txt"
 cd "$made"
 "$grazing" intervals 3..=8 --format latex --cite theorem2-8.txt --cite cover-8.txt -o "$folder/intervals-table.tex"
 "$grazing" boundary 8 --digits 9 --format latex --cite cover-8.txt -o "$folder/boundary-table.tex"
-"$grazing" intervals --measure 3..=12 --decimals 6 --format latex -o "$folder/measure-table.tex"
+"$grazing" intervals --measure 3..=12 --digits 6 --format latex -o "$folder/measure-table.tex"
 "$grazing" word --r 1.25 --s 0.37 --returns --format latex -o "$folder/returns-table.tex"
 hash() { sha256sum "$1" | cut -c1-64 | sed 's/\(................\)/\1\\allowbreak /g'; }
 row() { printf '\\texttt{%s} & %s & \\texttt{%s}\\\\\n' "$1" "$2" "$(hash "$3")"; }

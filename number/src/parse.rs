@@ -49,7 +49,10 @@ pub fn parse_rational(text: &str) -> Result<BigRational> {
 /// # Errors
 /// As [`parse_rational`].
 pub fn parse_rational_within(text: &str, bits: u32) -> Result<BigRational> {
-    let mut reader = Reader { text, rest: text.trim(), bits };
+    read(Reader { text, rest: text.trim(), bits, whole: false })
+}
+
+fn read(mut reader: Reader<'_>) -> Result<BigRational> {
     let mut total = reader.signed_term(true)?;
     while !reader.rest.is_empty() {
         let term = reader.signed_term(false)?;
@@ -66,7 +69,8 @@ pub fn parse_rational_within(text: &str, bits: u32) -> Result<BigRational> {
 /// # Errors
 /// As [`parse_rational`]; also if the value is not whole or does not fit the type.
 pub fn parse_integer<T: TryFrom<BigInt>>(text: &str) -> Result<T> {
-    let value = parse_rational(text)?;
+    let reader = Reader { text, rest: text.trim(), bits: LIMIT_BITS, whole: true };
+    let value = read(reader)?;
     if !value.is_integer() {
         return Err(ParseError::new(format!("{:?} is not a whole number", abbreviate(text))));
     }
@@ -81,6 +85,8 @@ struct Reader<'a> {
     text: &'a str,
     rest: &'a str,
     bits: u32,
+    /// Whether a whole number is asked for, so that no error suggests another.
+    whole: bool,
 }
 
 impl<'a> Reader<'a> {
@@ -89,8 +95,12 @@ impl<'a> Reader<'a> {
             None => "the end".to_string(),
             Some(c) => format!("{c:?}"),
         };
+        let (what, forms) = match self.whole {
+            true => ("whole number", "12, 1e6 or 2^20"),
+            false => ("number", "3/8, 0.375, 1e-30, 2^-10 or a sum of such terms"),
+        };
         Err(ParseError::new(format!(
-            "{:?} is not a number: expected {expected}, found {found} (write 3/8, 0.375, 1e-30, 2^-10 or a sum of such terms)",
+            "{:?} is not a {what}: expected {expected}, found {found} (write {forms})",
             abbreviate(self.text)
         )))
     }

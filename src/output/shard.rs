@@ -12,6 +12,7 @@ use std::{
     ops::Range,
     path::{Path, PathBuf},
     str::FromStr,
+    sync::Arc,
 };
 
 use serde::{Deserialize, Serialize};
@@ -174,11 +175,13 @@ impl<'a> ShardWriter<'a> {
     }
 }
 
-/// A whole shard on disk: its checksum is right.
+/// A whole shard, its checksum right: on disk, or what was read of a stream that cannot be read twice.
 #[derive(Debug, Clone)]
 pub struct ShardFile {
     /// Where it is.
     pub path: PathBuf,
+    /// Its bytes, if it is not on disk.
+    bytes: Option<Arc<[u8]>>,
     /// What it is a part of.
     pub task: ShardedTask,
     /// Which part.
@@ -192,10 +195,22 @@ impl ShardFile {
     /// # Errors
     /// An input error if it is no shard, cut off, or damaged; an I/O error.
     pub fn open(path: &Path) -> Result<ShardFile> {
+        Self::read(path, None)
+    }
+
+    /// The same of a shard whose bytes are known, from standard input, say; `path` is what it is called.
+    ///
+    /// # Errors
+    /// As of [`open`](Self::open).
+    pub fn of_bytes(path: &Path, bytes: Arc<[u8]>) -> Result<ShardFile> {
+        Self::read(path, Some(bytes))
+    }
+
+    fn read(path: &Path, bytes: Option<Arc<[u8]>>) -> Result<ShardFile> {
         let mut hash = fnv64(b"");
         let mut head = Vec::new();
         let (mut records, mut end) = (0, None);
-        lines(path, |line| {
+        lines(path, bytes.as_deref(), |line| {
             if head.is_empty() && line != format!("{MAGIC}\n") {
                 return Err(match line.strip_suffix("\r\n") {
                     Some(MAGIC) => {
@@ -244,7 +259,7 @@ impl ShardFile {
                 .then_some((task, shard))
         };
         let (task, shard) = read().ok_or_else(|| bad("its first lines are not those of a shard"))?;
-        Ok(ShardFile { path: path.to_path_buf(), task, shard })
+        Ok(ShardFile { path: path.to_path_buf(), bytes, task, shard })
     }
 
     /// Hands on its records in order, of which there must be one for each of `items`.
@@ -254,7 +269,7 @@ impl ShardFile {
     pub fn records(&self, items: Range<u64>, mut each: impl FnMut(u64, &str) -> Result<()>) -> Result<()> {
         let mut wanted = items.clone();
         let mut failed = None;
-        let found = lines(&self.path, |line| {
+        let found = lines(&self.path, self.bytes.as_deref(), |line| {
             let Some((item, record)) = line.strip_prefix("item ").and_then(|line| line.split_once(' '))
             else {
                 return Ok(());
@@ -280,14 +295,26 @@ impl ShardFile {
     }
 }
 
-/// Hands on the lines of a file, each with its line feed if it has one.
-fn lines(path: &Path, mut each: impl FnMut(&str) -> std::result::Result<(), String>) -> Result<()> {
-    let fail = |error| Error::io("read", path, error);
+/// A regular file, to be read.
+fn opened(path: &Path) -> Result<impl BufRead> {
     let file = File::open(path).map_err(|error| Error::io("open", path, error))?;
-    if !file.metadata().map_err(fail)?.is_file() {
+    if !file.metadata().map_err(|error| Error::io("read", path, error))?.is_file() {
         return Err(Error::input(format!("{}: it is not a regular file", path.display())));
     }
-    let mut reader = BufReader::with_capacity(1 << 16, file);
+    Ok(BufReader::with_capacity(1 << 16, file))
+}
+
+/// Hands on the lines of a file, or of its bytes if they are known, each with its line feed if it has one.
+fn lines(
+    path: &Path,
+    bytes: Option<&[u8]>,
+    mut each: impl FnMut(&str) -> std::result::Result<(), String>,
+) -> Result<()> {
+    let fail = |error| Error::io("read", path, error);
+    let mut reader: Box<dyn BufRead + '_> = match bytes {
+        Some(bytes) => Box::new(bytes),
+        None => Box::new(opened(path)?),
+    };
     let mut line = Vec::new();
     loop {
         line.clear();

@@ -29,6 +29,8 @@ pub struct MachineScene {
     pub minimum_depth: Option<f64>,
     /// The measured force, which is among the machine's own loads, too.
     pub measured: Option<MeasuredForce>,
+    /// The damping ratios that the damping is made of, none of which is negative.
+    pub(super) ratios: Vec<Expression>,
 }
 
 impl MachineScene {
@@ -59,6 +61,8 @@ impl MachineScene {
             record: None,
             stops: Vec::new(),
         };
+        let given = keys.damping_ratio.iter().chain(keys.modes.iter().map(|modes| &modes.ratios));
+        let ratios = given.flat_map(|list| list.entries.clone()).collect();
         mass_or_modes(file, &mut keys, &mut machine)?;
         let points = machine.points();
         let force = match &keys.cubic {
@@ -98,7 +102,7 @@ impl MachineScene {
             }
             machine.stops.push(stop(file, i, keys, points)?);
         }
-        Ok(MachineScene { machine, minimum_depth, measured })
+        Ok(MachineScene { machine, minimum_depth, measured, ratios })
     }
 }
 

@@ -21,8 +21,8 @@ impl Instance {
     /// The command-line arguments of `grazing classify` that show this case.
     pub fn arguments(&self) -> String {
         match &self.point {
-            Point::Polar(polar) => format!("--r {} --s {} --max-n {}", polar.r(), polar.s(), self.n),
-            Point::Plane(plane) => format!("--a1 {} --a2 {} --max-n {}", plane.a1(), plane.a2(), self.n),
+            Point::Polar(polar) => format!("--r {} --s {} --max-period {}", polar.r(), polar.s(), self.n),
+            Point::Plane(plane) => format!("--a1 {} --a2 {} --max-period {}", plane.a1(), plane.a2(), self.n),
         }
     }
 }

@@ -228,6 +228,7 @@ fn compare_edges(
 fn grazing(arguments: &[&str]) -> String {
     let output = Command::new(env!("CARGO_BIN_EXE_grazing")).args(arguments).output().unwrap();
     let message = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{arguments:?}: {message}");
+    // 3: of some period Theorem 1 is silent.
+    assert!(matches!(output.status.code(), Some(0 | 3)), "{arguments:?}: {message}");
     String::from_utf8(output.stdout).unwrap()
 }

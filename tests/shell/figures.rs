@@ -260,14 +260,21 @@ fn the_strips_of_the_shift_cross_its_bands() {
     assert_no_overlap(&svg);
 }
 
+/// What accuracy costs, at a glance: names stand at their lines, and on nothing else's.
+#[test]
+fn names_at_lines_have_room() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/accuracy.svg");
+    assert_no_overlap(&fs::read_to_string(file).unwrap());
+}
+
 #[test]
 fn wrong_numbers_are_named() {
     let cases = [
-        ("4 --n 2", "--n 2: this figure shows periods 3 to N, with N from 3 to 40"),
-        ("records --n 61", "--n 61: this figure shows periods 1 to N, with N from 1 to 60"),
+        ("4 2", "N = 2: this figure shows periods 3 to N, with N from 3 to 40"),
+        ("records 61", "N = 61: this figure shows periods 1 to N, with N from 1 to 60"),
         ("records --s 1/2", "s = 1/2 is outside 0 < s < 1/2"),
-        ("5 --n 25", "--n 25: this figure shows one period N, with N from 3 to 24"),
-        ("tips --n 3", "--n 3: this figure shows periods 4 to N, with N from 4 to 400"),
+        ("5 25", "N = 25: this figure shows one period N, with N from 3 to 24"),
+        ("tips 3", "N = 3: this figure shows periods 4 to N, with N from 4 to 400"),
         ("2 --r 0.9", "--r and --s belong to `grazing figure records`"),
     ];
     for (arguments, expected) in cases {

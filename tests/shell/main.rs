@@ -3,6 +3,7 @@
 #[path = "../process/mod.rs"]
 mod process;
 
+mod arguments;
 mod cli;
 mod figures;
 mod parsers;

@@ -20,7 +20,7 @@ use crate::{
     word::{Extent, Word},
 };
 
-/// The largest --max-n.
+/// The largest --max-period.
 const LIMIT: u64 = 100_000;
 
 /// Say which single-impact orbits exist at one point, period by period.
@@ -31,11 +31,12 @@ const LIMIT: u64 = 100_000;
 /// opposite sign, which forbid an orbit; or the boundary on which the point lies, where the theory is silent.
 /// For a2 > 1 the time-reversed system is classified, which has the same orbits.
 ///
-/// Exit code 0: every period is decided; 2: wrong usage; 3: some period is undecided.
+/// Exit code 0: every period is decided; 2: wrong usage; 3: of some period the theory is silent, or it is
+/// undecided.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing classify --r 0.99 --s 21/100
-  grazing classify --a1 -3/2 --a2 0.9 --max-n 6
+  grazing classify --a1 -3/2 --a2 0.9 --max-period 6
   grazing classify --summary")]
 #[command(group(clap::ArgGroup::new("point").required(true).args(["a1", "r", "summary"])))]
 pub(super) struct Args {
@@ -51,9 +52,10 @@ pub(super) struct Args {
     /// The angle as a fraction of a turn, 0 < s < 1/2.
     #[arg(long, requires = "r", allow_hyphen_values = true, value_parser = parse_rational, value_name = "S")]
     s: Option<BigRational>,
-    /// The periods are 1 to N, at most 100000.
-    #[arg(long, value_name = "N", default_value_t = 15, value_parser = parse_integer::<u64>, conflicts_with = "summary")]
-    max_n: u64,
+    /// The periods are 1 to P, at most 100000.
+    #[arg(long, alias = "max-n", value_name = "P", default_value_t = 15, value_parser = parse_integer::<u64>,
+          conflicts_with = "summary")]
+    max_period: u64,
     /// Print what holds in each region for every period, instead of one point.
     #[arg(long)]
     summary: bool,
@@ -70,13 +72,14 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     if args.summary {
         return summary(args, &destination);
     }
-    if !(1..=LIMIT).contains(&args.max_n) {
-        return Err(Error::input(format!("--max-n {}: a whole number from 1 to {LIMIT}", args.max_n)));
+    if !(1..=LIMIT).contains(&args.max_period) {
+        let last = args.max_period;
+        return Err(Error::input(format!("--max-period {last}: a whole number from 1 to {LIMIT}")));
     }
     let (plane, polar) = (args.a1.as_ref().zip(args.a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()));
     let (place, at) = (forward(plane, polar)?, coordinates(plane, polar));
     let ladder = Ladder::default().with_profile(interrupt.profile());
-    let found = up_to(&ladder, &place.point, args.max_n, || interrupt.check())?;
+    let found = up_to(&ladder, &place.point, args.max_period, || interrupt.check())?;
     interrupt.check()?;
     let written = destination.write(|out| {
         if args.format == TableFormat::Table && destination.is_stdout() {
@@ -86,8 +89,8 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         }
         write(args.format, (&place, &at), &found, out)
     });
-    let undecided = found.contains(&Existence::Undecided);
-    reported(if undecided { Outcome::Undecided } else { Outcome::Done }, written)
+    let open = |existence| !matches!(existence, &Existence::Orbit(_) | &Existence::None { .. });
+    reported(if found.iter().any(open) { Outcome::Undecided } else { Outcome::Done }, written)
 }
 
 /// The point given by (a₁, a₂) or by (r, s), with a₂ ≤ 1.

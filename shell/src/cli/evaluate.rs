@@ -18,7 +18,7 @@ use crate::{
     },
 };
 
-/// The largest period for which all b_{n,k} are listed; with --k any period will do.
+/// The largest period for which all b_{n,k} are listed; with K any period will do.
 const LIST: u64 = 100_000;
 
 /// Evaluate b_{n,k} and c_n at one point: sign, what decided it, and certain digits.
@@ -32,16 +32,22 @@ const LIST: u64 = 100_000;
 /// Exit code 0: done; 2: wrong usage; 3: a sign is undecided, or interrupted.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
-  grazing evaluate --n 5 --s 1/7 --r 0.9
-  grazing evaluate --n 1000000 --k 7 --s 3/8+2^-200 --bits 512")]
+  grazing evaluate 5 --s 1/7 --r 0.9
+  grazing evaluate 1000000 7 --s 3/8+2^-200 --bits 512")]
 #[command(group = ArgGroup::new("point").required(true).args(["s", "a1"]))]
 pub(super) struct Args {
     /// The period.
-    #[arg(long, value_parser = parse_integer::<u64>)]
-    n: u64,
+    #[arg(value_name = "N", required_unless_present = "long_n", value_parser = parse_integer::<u64>)]
+    n: Option<u64>,
     /// The index, 1 <= K < N; without it all b_{n,k} are listed.
-    #[arg(long, value_parser = parse_integer::<u64>)]
+    #[arg(value_name = "K", value_parser = parse_integer::<u64>)]
     k: Option<u64>,
+    /// As it was written once.
+    #[arg(long = "n", hide = true, conflicts_with = "n", value_name = "N", value_parser = parse_integer::<u64>)]
+    long_n: Option<u64>,
+    /// As it was written once.
+    #[arg(long = "k", hide = true, conflicts_with = "k", value_name = "K", value_parser = parse_integer::<u64>)]
+    long_k: Option<u64>,
     /// The angle of complex eigenvalues over 2 pi, 0 < S < 1/2.
     #[arg(long, value_parser = parse_rational, allow_hyphen_values = true)]
     s: Option<BigRational>,
@@ -68,18 +74,18 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     let point = args.point()?;
     let destination = files.destination(args.output.as_deref())?;
-    let n = args.n;
+    let n = args.n();
     if n == 0 {
-        return Err(Error::input("--n 0: a period is at least 1"));
+        return Err(Error::input("N = 0: a period is at least 1"));
     }
-    let range = match args.k {
+    let range = match args.k.or(args.long_k) {
         Some(k) if k == 0 || k >= n => {
-            return Err(Error::input(format!("--k {k} is outside 1 <= K < N = {n}")));
+            return Err(Error::input(format!("K = {k} is outside 1 <= K < N = {n}")));
         }
         Some(k) => k..k + 1,
         None if n > LIST => {
             return Err(Error::input(format!(
-                "--n {n}: all b_{{n,k}} are listed up to N = {LIST}; choose one with --k"
+                "N = {n}: all b_{{n,k}} are listed up to N = {LIST}; name one, as in {n} 1"
             )));
         }
         None => 1..n,
@@ -108,6 +114,11 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
 }
 
 impl Args {
+    /// The period, of which clap sees to it that it is given.
+    fn n(&self) -> u64 {
+        self.n.or(self.long_n).unwrap_or_default()
+    }
+
     fn point(&self) -> Result<Point> {
         Ok(match (&self.s, &self.a1, &self.a2) {
             (Some(s), _, _) => Point::Polar(Polar::new(self.r.clone(), s.clone())?),
@@ -130,9 +141,9 @@ fn print(rows: &[Row], args: &Args, out: &mut dyn Write) -> Result<()> {
     let at = coordinates(args.a1.as_ref().zip(args.a2.as_ref()), args.s.as_ref().map(|s| (&args.r, s)));
     let text = format!(
         "$b_{{n,k}}$ and $c_n$ for $n = {}$ at {at}. Each value is off by less than one unit of its last digit.",
-        args.n
+        args.n()
     );
-    let caption = Caption { text, label: format!("tab:evaluate-{}", args.n) };
+    let caption = Caption { text, label: format!("tab:evaluate-{}", args.n()) };
     let setting = Setting { caption: Some(&caption), width: None };
     let mut table = TableWriter::set(out, TableFormat::Latex, "grazing-evaluate 1", columns, setting)?;
     for row in rows {

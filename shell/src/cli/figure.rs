@@ -33,7 +33,7 @@ use crate::{
 /// Exit code 0: done; 2: wrong usage or a file that cannot be written; 3: interrupted.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
-  grazing figure intervals --n 9 -o figures
+  grazing figure intervals 9 -o figures
   grazing figure records --r 0.993 --s 0.205 -o figures")]
 pub(super) struct Args {
     /// Which figure.
@@ -41,8 +41,11 @@ pub(super) struct Args {
     figure: Figure,
     /// The largest period shown, for 5 the only one; by default 15, for entropy 40, for tips 200, for 5 8,
     /// for coexistence 10000.
-    #[arg(long, value_name = "N", value_parser = parse_integer::<u64>)]
+    #[arg(value_name = "N", value_parser = parse_integer::<u64>)]
     n: Option<u64>,
+    /// As it was written once.
+    #[arg(long = "n", hide = true, conflicts_with = "n", value_name = "N", value_parser = parse_integer::<u64>)]
+    long_n: Option<u64>,
     /// For records: the modulus of the eigenvalues, 0 < R <= 1; by default 0.993.
     #[arg(long, value_name = "R", value_parser = parse_rational)]
     r: Option<BigRational>,
@@ -120,7 +123,7 @@ impl Figure {
         if name.starts_with(|c: char| c.is_ascii_digit()) { format!("figure{name}") } else { name }
     }
 
-    /// Whether `--n` says what it shows.
+    /// Whether N says what it shows.
     fn has_periods(self) -> bool {
         use Figure::*;
         !matches!(self, Regions | Orbits | Branches | Diagram | Before | Near | After | Chaos | Returns)
@@ -162,7 +165,7 @@ impl Args {
 /// A cover of period n up to r = 1 − 2⁻¹⁴, fine enough to be drawn, and proved by the checker.
 fn proved_cover(n: u64, progress: &Progress) -> Result<Cover> {
     if !(3..=24).contains(&n) {
-        return Err(Error::input(format!("--n {n}: this figure shows one period N, with N from 3 to 24")));
+        return Err(Error::input(format!("N = {n}: this figure shows one period N, with N from 3 to 24")));
     }
     let r_max = BigRational::one() - BigRational::new(BigInt::one(), BigInt::from(1 << 14));
     let options =
@@ -219,8 +222,9 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     if args.figure != Figure::Records && (args.r.is_some() || args.s.is_some()) {
         return Err(Error::input("--r and --s belong to `grazing figure records`"));
     }
-    if args.n.is_some() && !args.figure.has_periods() {
-        return Err(Error::input(format!("figure {} takes no --n", args.figure.name())));
+    let given = args.n.or(args.long_n);
+    if given.is_some() && !args.figure.has_periods() {
+        return Err(Error::input(format!("figure {} takes no N", args.figure.name())));
     }
     let file = args.figure.file();
     let place = args.place(&file)?;
@@ -231,7 +235,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     make_folder(place.folder)?;
     let number =
         |given: &Option<BigRational>, default| given.clone().map_or_else(|| parse_rational(default), Ok);
-    let n = args.n.unwrap_or(match args.figure {
+    let n = given.unwrap_or(match args.figure {
         Figure::Areas => 8,
         Figure::Tips => 200,
         Figure::Entropy => 40,

@@ -37,7 +37,7 @@ use clap::Parser;
   grazing verify 3..=40 --shard 2/2 --certificate part-2
   grazing merge part-1 part-2 -o theorem2.txt")]
 pub(super) struct Args {
-    /// The shards, in any order.
+    /// The shards, in any order; - is standard input.
     #[arg(required_unless_present = "files_from", value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Also those whose names are the lines of this file; - is standard input.
@@ -79,6 +79,9 @@ fn files(args: &Args, registry: &FileRegistry, interrupt: &Interrupt) -> Result<
 
 pub(super) fn merge(args: &Args, registry: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     let files = files(args, registry, interrupt)?;
+    if files.iter().filter(|file| file.as_os_str() == "-").count() > 1 {
+        return Err(Error::input("-: standard input is one shard: give it once"));
+    }
     // Tried before the shards are read, which may take long. The files of a scene's task go into a folder.
     files.iter().try_for_each(|file| registry.read("the shard", file))?;
     let destination = match args.output.as_deref() {

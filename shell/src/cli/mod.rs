@@ -1,6 +1,7 @@
 //! The command line: arguments, what each command runs, exit codes. No mathematics lives here.
 
 mod accuracy;
+mod arguments;
 mod boundary;
 mod check;
 mod choice;
@@ -29,7 +30,7 @@ mod verify;
 mod word;
 
 use std::{
-    io,
+    env, io,
     panic::{self, AssertUnwindSafe},
     path::PathBuf,
     process::ExitCode,
@@ -38,7 +39,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use clap::{CommandFactory, Parser, Subcommand, error::ErrorKind};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use serde_json::json;
 
 use crate::{
@@ -169,19 +170,13 @@ const STACK: usize = 8 << 20;
 
 /// Parses and runs; the exit code.
 fn command(interrupt: &Interrupt, events: &Sender<Event>) -> u8 {
-    let cli = match Cli::try_parse() {
+    let read = arguments::read(Cli::command(), env::args_os());
+    let cli = match read.and_then(|read| Cli::from_arg_matches(&read)) {
         Ok(cli) => cli,
-        // A bad value gets one line like every other error of ours; --help and misspelt options get clap's
-        // text.
-        Err(error) if error.kind() == ErrorKind::ValueValidation => {
-            let text = error.to_string();
-            say(text.lines().next().unwrap_or_default());
-            return Outcome::Failed.code();
-        }
         Err(error) => {
-            let printed = error.print();
+            let (wrong, printed) = arguments::tell(error);
             let lost = printed.is_err_and(|lost| lost.kind() != io::ErrorKind::BrokenPipe);
-            return if lost || error.use_stderr() { Outcome::Failed.code() } else { Outcome::Done.code() };
+            return if lost || wrong { Outcome::Failed.code() } else { Outcome::Done.code() };
         }
     };
     let json = cli.command.json();

@@ -45,13 +45,18 @@ impl FromStr for Periods {
                 })
             })
         };
+        if text.trim_start().starts_with('-') {
+            return Err(Error::input("a period is at least 1"));
+        }
         let (first, last) = match text.split_once("..=").or_else(|| text.split_once('-')) {
             Some((first, last)) => (number(first)?, number(last)?),
             None => match text.split_once("..") {
                 Some((first, last)) => {
                     let (first, last) = (number(first)?, number(last)?);
+                    let what = if first > last { "reversed" } else { "ambiguous" };
+                    let (least, most) = (first.min(last), first.max(last));
                     return Err(Error::input(format!(
-                        "{first}..{last} is ambiguous: write {first}..={last}, which includes both ends"
+                        "{first}..{last} is {what}: write {least}..={most}, which includes both ends"
                     )));
                 }
                 None => (number(text)?, number(text)?),

@@ -63,7 +63,10 @@ pub(super) fn man(args: &ManArgs, files: &FileRegistry, cli: Command) -> Result<
             rest.push(inner.clone().display_name(inner_name));
         }
         let mut page = Vec::new();
-        clap_mangen::Man::new(command.disable_help_subcommand(true)).render(&mut page)?;
+        // As it is written on the command line, not the page's name.
+        let command = command.bin_name(name.replace('-', " ")).disable_help_subcommand(true);
+        let source = concat!("grazing ", env!("CARGO_PKG_VERSION"));
+        clap_mangen::Man::new(command).source(source).render(&mut page)?;
         let file = files.write("-o", &args.output.join(format!("{name}.1")))?;
         file.write(|out| Ok(out.write_all(&page)?))?;
         pages += 1;

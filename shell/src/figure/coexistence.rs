@@ -52,7 +52,7 @@ struct Curve {
 pub fn coexistence(last: u64, place: &FigurePlace, monitor: &dyn Monitor) -> Result<()> {
     if !(300..=MAX_COEXISTENCE).contains(&last) {
         return Err(Error::input(format!(
-            "--n {last}: this figure counts periods up to N, with N from 300 to {MAX_COEXISTENCE}"
+            "N = {last}: this figure counts periods up to N, with N from 300 to {MAX_COEXISTENCE}"
         )));
     }
     let mut exact = Vec::new();

@@ -54,7 +54,7 @@ impl Step {
 pub fn entropy(last: u64, place: &FigurePlace, monitor: &dyn Monitor) -> Result<()> {
     if !(3..=100).contains(&last) {
         return Err(Error::input(format!(
-            "--n {last}: this figure shows periods up to N, with N from 3 to 100"
+            "N = {last}: this figure shows periods up to N, with N from 3 to 100"
         )));
     }
     let steps = steps(last, monitor)?;

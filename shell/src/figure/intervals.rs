@@ -23,7 +23,7 @@ pub(super) fn check_last(last: u64) -> Result<()> {
     if (3..=40).contains(&last) {
         return Ok(());
     }
-    Err(Error::input(format!("--n {last}: this figure shows periods 3 to N, with N from 3 to 40")))
+    Err(Error::input(format!("N = {last}: this figure shows periods 3 to N, with N from 3 to 40")))
 }
 
 /// Writes the picture and its data: where single-impact orbits exist on r = 1, 3 ≤ n

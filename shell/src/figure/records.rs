@@ -30,7 +30,7 @@ use crate::{
 pub fn records(r: &BigRational, s: &BigRational, last: u64, place: &FigurePlace) -> Result<()> {
     if !(1..=60).contains(&last) {
         return Err(Error::input(format!(
-            "--n {last}: this figure shows periods 1 to N, with N from 1 to 60"
+            "N = {last}: this figure shows periods 1 to N, with N from 1 to 60"
         )));
     }
     let point = Point::Polar(Polar::new(r.clone(), s.clone())?);

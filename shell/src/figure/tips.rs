@@ -31,7 +31,7 @@ const DIGITS: u32 = 20;
 pub fn tips(last: u64, place: &FigurePlace, monitor: &dyn Monitor) -> Result<()> {
     if !(4..=400).contains(&last) {
         return Err(Error::input(format!(
-            "--n {last}: this figure shows periods 4 to N, with N from 4 to 400"
+            "N = {last}: this figure shows periods 4 to N, with N from 4 to 400"
         )));
     }
     let periods: Result<Vec<Vec<TipPoint>>> = (4..=last)

@@ -79,7 +79,7 @@ impl Cell {
 pub fn words(last: u64, place: &FigurePlace, monitor: &dyn Monitor) -> Result<()> {
     if !(3..=30).contains(&last) {
         return Err(Error::input(format!(
-            "--n {last}: this figure shows periods up to N, with N from 3 to 30"
+            "N = {last}: this figure shows periods up to N, with N from 3 to 30"
         )));
     }
     let cells = cells(last, monitor)?;

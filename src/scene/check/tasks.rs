@@ -70,6 +70,9 @@ impl Checked<'_> {
     }
 
     fn simulate(&self, task: &SimulateTask) -> Result<()> {
+        if task.periods == 0 {
+            return self.fail("periods", "is 0; a motion is followed for at least 1");
+        }
         let samples = task.samples;
         let points = u64::from(task.periods) * u64::from(samples);
         if points > MOST_POINTS {

@@ -54,8 +54,11 @@ pub(super) struct Args {
     #[arg(long)]
     words: bool,
     /// The periods: N, or A..=B with 3 <= B <= 4096; with --words 1..=B, B <= 1024.
-    #[arg(long, value_name = "N|A..=B", default_value = "1..=64")]
+    #[arg(value_name = "N|A..=B", default_value = "1..=64")]
     n: Periods,
+    /// As it was written once.
+    #[arg(long = "n", hide = true, conflicts_with = "n", value_name = "N|A..=B")]
+    long_n: Option<Periods>,
     /// How many cases, rounded up to whole blocks (1e9 is allowed).
     #[arg(long, value_name = "N", default_value = "1e7", value_parser = parse_integer::<u64>)]
     cases: u64,
@@ -138,7 +141,8 @@ enum Options {
 }
 
 fn options(args: &Args) -> Result<Options> {
-    let (first, last) = (*args.n.0.start(), *args.n.0.end());
+    let periods = &args.long_n.as_ref().unwrap_or(&args.n).0;
+    let (first, last) = (*periods.start(), *periods.end());
     let (cases, seed) = (args.cases, args.seed);
     let definition_share = args.definition_share.unwrap_or(if args.words { 1e-5 } else { 0.01 });
     if cases == 0 {
@@ -148,7 +152,7 @@ fn options(args: &Args) -> Result<Options> {
         return Ok(Options::Conjecture(FuzzOptions { first, last, cases, seed, definition_share }));
     }
     if first != 1 {
-        return Err(Error::input(format!("--words compares every period up to N: write --n 1..={last}")));
+        return Err(Error::input(format!("--words compares every period up to N: write 1..={last}")));
     }
     Ok(Options::Words(WordOptions { last, cases, seed, definition_share }))
 }

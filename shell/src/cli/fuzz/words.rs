@@ -58,7 +58,7 @@ impl Told for WordOptions {
 
     fn shown_by(&self, line: &str) -> Result<String> {
         let case = replayed(line)?;
-        let point = case.arguments().replace(&format!(" --max-n {}", case.n), "");
+        let point = case.arguments().replace(&format!(" --max-period {}", case.n), "");
         Ok(format!("grazing word {point}, against grazing classify {}", case.arguments()))
     }
 }

@@ -41,7 +41,7 @@ pub(super) fn run(
     }
     let decimals = decimals.unwrap_or(DECIMALS);
     if !(1..=MAX_DECIMALS as usize).contains(&decimals) {
-        return Err(Error::input(format!("--decimals {decimals}: from 1 to {MAX_DECIMALS} with --measure")));
+        return Err(Error::input(format!("--digits {decimals}: from 1 to {MAX_DECIMALS} with --measure")));
     }
     let Some(format) = format.of_table() else {
         return Err(Error::input(

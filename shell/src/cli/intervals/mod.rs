@@ -46,7 +46,7 @@ use crate::{
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing intervals 3..=8
-  grazing intervals 3..=8 --decimals 6 --format latex -o intervals.tex
+  grazing intervals 3..=8 --digits 6 --format latex -o intervals.tex
   grazing verify 3..=8 --certificate theorem2.txt
   grazing intervals 3..=8 --format latex --cite theorem2.txt
   grazing intervals --pattern 3,5
@@ -69,8 +69,8 @@ pub(super) struct Args {
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub(super) format: Format,
     /// Add both ends as decimals, rounded to D digits (at most 1000).
-    #[arg(long, value_name = "D", value_parser = parse_integer::<usize>)]
-    decimals: Option<usize>,
+    #[arg(long, alias = "decimals", value_name = "D", value_parser = parse_integer::<usize>)]
+    digits: Option<usize>,
     /// Cite this certificate in the caption of the LaTeX table, by its SHA-256; - is standard input. It is
     /// checked first. `grazing verify` writes one that proves the intervals and signs, `grazing cover` one
     /// that proves the deciding k; the option may be given for each.
@@ -138,11 +138,11 @@ struct List<'a> {
 pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     if let Some(periods) = &args.measure {
         let destination = files.destination(args.output.as_deref())?;
-        measure::run(periods, args.format, args.decimals, &destination, interrupt)?;
+        measure::run(periods, args.format, args.digits, &destination, interrupt)?;
         return Ok(Outcome::Done);
     }
     if let Some((i, j)) = args.pattern {
-        let (format, decimals) = (checked(args)?, args.decimals);
+        let (format, decimals) = (checked(args)?, args.digits);
         let destination = files.destination(args.output.as_deref())?;
         let pattern = || Ok(word::two_impacts(i, j)?.into_iter());
         two_impacts::run((i, j), pattern, format, decimals, &destination, interrupt)?;
@@ -194,19 +194,19 @@ pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &In
 
 /// The format of a table, none for a b-file; what else is asked of it can be done.
 fn checked(args: &Args) -> Result<Option<TableFormat>> {
-    if let Some(digits) = args.decimals.filter(|&digits| digits > 1000) {
-        return Err(Error::input(format!("--decimals {digits} is too many: at most 1000")));
+    if let Some(digits) = args.digits.filter(|&digits| digits > 1000) {
+        return Err(Error::input(format!("--digits {digits} is too many: at most 1000")));
     }
     let format = args.format.of_table();
-    if args.decimals.is_some() && format.is_none() {
-        return Err(Error::input("--decimals does nothing with --format bfile, which has no ends"));
+    if args.digits.is_some() && format.is_none() {
+        return Err(Error::input("--digits does nothing with --format bfile, which has no ends"));
     }
     Ok(format)
 }
 
 /// What is listed, but for a single pattern.
 fn list(args: &Args) -> Result<List<'static>> {
-    let (format, decimals) = (checked(args)?, args.decimals);
+    let (format, decimals) = (checked(args)?, args.digits);
     let (periods, two_impacts) = match (&args.two_impacts, &args.periods) {
         (Some(periods), _) => (two_impacts::periods(periods)?, true),
         (None, Some(periods)) => (periods.within(MAX_PERIOD, "intervals")?, false),

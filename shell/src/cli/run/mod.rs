@@ -106,6 +106,16 @@ fn setting(text: &str) -> Result<(String, BigRational)> {
     Ok((parts.0.trim().to_string(), parse_rational(parts.1)?))
 }
 
+/// That no parameter is given two values.
+fn settings_once(settings: &[(String, BigRational)]) -> Result<()> {
+    for (i, (name, _)) in settings.iter().enumerate() {
+        if settings[..i].iter().any(|(known, _)| known == name) {
+            return Err(Error::input(format!("--set {name}=…: {name} is given twice; leave one out")));
+        }
+    }
+    Ok(())
+}
+
 /// Whether a task is meant by a name: its own or its group's.
 fn called(task: &crate::scene::Task, name: &str) -> bool {
     task.name == name || task.group.as_deref() == Some(name)
@@ -228,6 +238,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
             return Err(Error::input(format!("--only {only}: {name} has the tasks {}", names.join(", "))));
         }
     }
+    settings_once(&args.set)?;
     if let Some(shard) = args.shard {
         return shard::run(args, &scene, &text, shard, files, interrupt);
     }

@@ -5,14 +5,14 @@ mod rows;
 
 use std::{
     collections::BTreeMap,
-    io::Write,
+    io::{Read, Write},
     ops::{Range, RangeInclusive},
     path::{Path, PathBuf},
 };
 
 use serde::Serialize;
 
-use super::{Outcome, ReportFormat, check, reported};
+use super::{Outcome, ReportFormat, check, reader::Reader, reported};
 use crate::{
     certificate::check_until,
     cli::progress::{Interrupt, Progress},
@@ -175,7 +175,7 @@ impl ShardSet {
         let mut faults = Vec::new();
         let mut found = Vec::new();
         for file in files {
-            match ShardFile::open(file) {
+            match open(file, interrupt) {
                 Ok(mut shard) => {
                     share(&mut shard, found.last());
                     found.push(shard);
@@ -322,6 +322,18 @@ impl ShardSet {
             each(&text)
         })
     }
+}
+
+/// Opens a shard; `-` is standard input, which is kept in memory.
+fn open(file: &Path, interrupt: &Interrupt) -> Result<ShardFile> {
+    if file != Path::new("-") {
+        return ShardFile::open(file);
+    }
+    let mut bytes = Vec::new();
+    let read = Reader::open(file, interrupt).and_then(|mut stream| stream.read_to_end(&mut bytes));
+    interrupt.check()?;
+    read.map_err(|error| Error::io("read", file, error))?;
+    ShardFile::of_bytes(file, bytes.into())
 }
 
 /// Drops a shard's text of its input if the one before has the same: thousands may hold it, and the first of
