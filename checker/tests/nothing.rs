@@ -306,23 +306,29 @@ fn lie(text: &str, motions: usize) -> Option<String> {
     None
 }
 
+/// GRAZING_TRIALS of them.
 #[test]
 fn what_is_accepted_of_damaged_certificates_is_true() {
     let trials = std::env::var("GRAZING_TRIALS").ok().and_then(|n| n.parse().ok()).unwrap_or(600);
     assert_eq!(lie(NOTHING, 100), None);
     let mut random = Random(4);
-    let (mut accepted, mut refused) = (0, 0);
+    let [mut refused, mut unchanged, mut still] = [0; 3];
     for _ in 0..trials {
-        let damaged = damage(&mut random, NOTHING);
+        let mut damaged = damage(&mut random, NOTHING);
+        if random.below(4) == 0 {
+            damaged = damage(&mut random, &damaged);
+        }
         if answer(&damaged).is_err() {
             refused += 1;
-            continue;
+        } else if damaged == NOTHING {
+            unchanged += 1;
+        } else {
+            still += 1;
+            assert_eq!(lie(&damaged, 2), None, "{damaged}");
         }
-        accepted += 1;
-        assert_eq!(lie(&damaged, 2), None, "{damaged}");
     }
-    println!("{accepted} accepted, {refused} refused");
-    assert!(accepted > trials / 50 && refused > trials / 3, "{accepted} accepted, {refused} refused");
+    println!("{refused} rejected, {unchanged} unchanged, {still} still true");
+    assert!(still > trials / 50 && refused > trials / 3, "{still} accepted, {refused} rejected");
 }
 
 /// The floats see what is false: something that is born, and a time that is too short.
