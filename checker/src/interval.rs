@@ -277,6 +277,13 @@ impl<const POINT: u32> Mul for Fixed<POINT> {
         if self.is_whole() || other.is_whole() {
             return Self::WHOLE;
         }
+        if POINT <= 48 {
+            // The least product down, the greatest up: as if each were rounded both ways.
+            let (a, b) = (short_product(self.lo, other.lo), short_product(self.lo, other.hi));
+            let (c, d) = (short_product(self.hi, other.lo), short_product(self.hi, other.hi));
+            let (least, greatest) = (a.min(b).min(c.min(d)), a.max(b).max(c.max(d)));
+            return Fixed::new(least >> POINT, -(-greatest >> POINT));
+        }
         let ends = [(self.lo, other.lo), (self.lo, other.hi), (self.hi, other.lo), (self.hi, other.hi)];
         Self::of(ends.map(|(x, y)| product::<POINT>(x, y)))
     }
@@ -292,13 +299,16 @@ fn up(x: i128, y: i128) -> i128 {
     -(-x).div_euclid(y)
 }
 
+/// xy for |x|, |y| ≤ 2⁶³: of words, one instruction.
+fn short_product(x: i128, y: i128) -> i128 {
+    match (i64::try_from(x), i64::try_from(y)) {
+        (Ok(x), Ok(y)) => i128::from(x) * i128::from(y),
+        _ => x * y,
+    }
+}
+
 /// The units below and above xy, ±FAR or beyond if that is too much; |x|, |y| ≤ FAR.
 fn product<const POINT: u32>(x: i128, y: i128) -> (i128, i128) {
-    if POINT <= 48 {
-        // Both factors are at most 2⁶³ in magnitude.
-        let exact = x * y;
-        return (exact >> POINT, -(-exact >> POINT));
-    }
     let (a, b) = (x.unsigned_abs(), y.unsigned_abs());
     // 64-bit halves: ab = high·2¹²⁸ + middle·2⁶⁴ + low.
     let half = |x: u128| (x >> 64, x & u128::from(u64::MAX));
