@@ -15,6 +15,8 @@ mod machine;
 mod orbit;
 mod overflow;
 mod range;
+mod range_harmonics;
+mod range_motions;
 mod range_random;
 mod theorem2;
 mod validated;

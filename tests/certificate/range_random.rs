@@ -13,11 +13,11 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 /// Numbers that look random, the same in every run (Knuth's MMIX generator).
-struct Random(u64);
+pub(super) struct Random(pub u64);
 
 impl Random {
     /// From one number to another.
-    fn between(&mut self, lo: f64, hi: f64) -> f64 {
+    pub fn between(&mut self, lo: f64, hi: f64) -> f64 {
         self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         lo + (hi - lo) * (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
@@ -29,15 +29,21 @@ fn short(x: f64, places: u32) -> BigRational {
     BigRational::new(BigInt::from((x * scale as f64).round() as i64), scale.into())
 }
 
+/// c, k and τ: a natural frequency from 0.1 to 3 times the drive's, a damping ratio from 0.003 to 0.5.
+pub(super) fn drawn(random: &mut Random) -> [BigRational; 3] {
+    let (omega, ratio) = (random.between(0.1, 3.0), random.between(0.003f64.ln(), 0.5f64.ln()).exp());
+    [short(2.0 * ratio * omega, 6), short(omega * omega, 6), short(random.between(0.3, 1.0), 3)]
+}
+
 /// An oscillator at its touch: c, k, τ and σ; g = cos t.
 #[derive(Debug, Clone, Copy)]
-struct Machine {
-    parameters: [f64; 3],
-    side: f64,
+pub(super) struct Machine {
+    pub parameters: [f64; 3],
+    pub side: f64,
 }
 
 impl Machine {
-    fn flow(&self, t: f64) -> [f64; 4] {
+    pub fn flow(&self, t: f64) -> [f64; 4] {
         let [c, k, _] = self.parameters;
         let omega = (k - c * c / 4.0).sqrt();
         let decay = (-c * t / 2.0).exp();
@@ -170,9 +176,7 @@ fn ranges_of_random_oscillators_end_before_their_orbits_do() {
     let mut random = Random(35);
     let (mut rows, mut nothing) = (Vec::new(), 0);
     for _ in 0..trials {
-        let (omega, ratio) = (random.between(0.1, 3.0), random.between(0.003f64.ln(), 0.5f64.ln()).exp());
-        let exact =
-            [short(2.0 * ratio * omega, 6), short(omega * omega, 6), short(random.between(0.3, 1.0), 3)];
+        let exact = drawn(&mut random);
         let parameters = exact.each_ref().map(|x| x.to_f64().unwrap());
         for side in [1.0, -1.0] {
             match row(&Machine { parameters, side }, exact.each_ref(), 60_000) {

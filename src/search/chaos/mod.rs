@@ -25,13 +25,14 @@
 
 mod graph;
 pub(super) mod map;
-pub(super) mod normal;
+mod normal;
 mod others;
 pub(super) mod profile;
 mod rational;
 mod search;
 pub(super) mod span;
 mod top;
+pub(super) mod touch;
 pub(super) mod write;
 
 use std::rc::Rc;

@@ -152,47 +152,9 @@ fn check_rest(system: &System<Function>, middle: bool, rests: bool) -> Result<()
     Ok(())
 }
 
-/// c, k and τ in a time in which the wall's period is 2π, and C²/H² for the wall's mean C < 0 and its
-/// amplitude H, seen from the motion without it: 1 at the touch, less beyond it.
-///
-/// # Errors
-/// An input error that says what is not covered: what [`Normal::of`] does not cover, two walls that are both
-/// met, no spring, walls of several harmonics, a wall that the motion without it crosses with its mean.
-pub(in crate::search) fn touch(
-    system: &System<Function>,
-    side: Option<Side>,
-) -> Result<([Function; 3], Function)> {
-    let (side, wall, mirror) = met(system, side)?;
-    check_linear(system)?;
-    if mirror.is_some() {
-        return fail("two walls are both met");
-    }
-    let (damping, stiffness) = (&system.damping, &system.stiffness);
-    if !matches!(stiffness.sign(), Some(Sign::Positive | Sign::Negative)) {
-        return fail("without a spring there is no one motion without the wall");
-    }
-    let response = response(damping, stiffness, &waves(&system.forcing))?;
-    let offset = wall.offset.clone() - &(system.force.clone() / stiffness);
-    let mean = if side == Side::Lower { offset } else { -offset };
-    let motion = minus(&waves(&wall.harmonics), &response);
-    let [(order, [a, b])] = &motion[..] else {
-        return fail("seen from the motion without it, the wall must have one harmonic");
-    };
-    let square = a.clone() * a + &(b.clone() * b);
-    if !square.is_positive() || !(-mean.clone()).is_positive() {
-        return fail(
-            "seen from the motion without it, the wall must move, with its mean behind the motion's",
-        );
-    }
-    let once = Function::ratio(&BigRational::from_integer((*order).into()), &());
-    let parameters =
-        [damping.clone() / &once, stiffness.clone() / &(once.clone() * &once), wall.restitution.clone()];
-    Ok((parameters, mean.clone() * &mean / &square))
-}
-
 /// The wall that is met, its side, and the wall above it where both are met.
 #[expect(clippy::type_complexity, reason = "each is named by its one caller")]
-fn met(
+pub(super) fn met(
     system: &System<Function>,
     side: Option<Side>,
 ) -> Result<(Side, &Wall<Function>, Option<&Wall<Function>>)> {
@@ -205,7 +167,7 @@ fn met(
     }
 }
 
-fn check_linear(system: &System<Function>) -> Result<()> {
+pub(super) fn check_linear(system: &System<Function>) -> Result<()> {
     if !system.cubic.is_zero() {
         return fail("only linear oscillators are covered: cubic must be 0");
     }
@@ -256,13 +218,13 @@ fn asymmetric<T>(what: &str) -> Result<T> {
 }
 
 /// The coefficients of cos jt and sin jt for each order j, increasing; none that are zero.
-fn waves(list: &[Harmonic<Function>]) -> Vec<Wave> {
+pub(super) fn waves(list: &[Harmonic<Function>]) -> Vec<Wave> {
     let terms = list.iter().map(|harmonic| (harmonic.k, [harmonic.cos.clone(), harmonic.sin.clone()]));
     gathered(terms.collect())
 }
 
 /// The difference of two motions.
-fn minus(one: &[Wave], other: &[Wave]) -> Vec<Wave> {
+pub(super) fn minus(one: &[Wave], other: &[Wave]) -> Vec<Wave> {
     let negative = other.iter().map(|(j, [a, b])| (*j, [-a.clone(), -b.clone()]));
     gathered(one.iter().cloned().chain(negative).collect())
 }
@@ -281,7 +243,7 @@ fn gathered(mut terms: Vec<Wave>) -> Vec<Wave> {
 }
 
 /// The forced motion without the wall.
-fn response(damping: &Function, stiffness: &Function, forcing: &[Wave]) -> Result<Vec<Wave>> {
+pub(super) fn response(damping: &Function, stiffness: &Function, forcing: &[Wave]) -> Result<Vec<Wave>> {
     let one = |(j, [f, g]): &Wave| {
         let order = Function::ratio(&BigRational::from_integer((*j).into()), &());
         let detuning = stiffness.clone() - &(order.clone() * &order);

@@ -164,6 +164,14 @@ impl Top {
         }
     }
 
+    /// The least and the greatest of the height's square.
+    pub fn square(&self) -> Result<[BigRational; 2]> {
+        match &self.height {
+            Height::Square(square) => square.bounded("the wall's amplitude"),
+            Height::Between(_) => Ok(self.ball()?.map(|x| &x * &x)),
+        }
+    }
+
     /// The range of a number that does not change its sign, divided by the height.
     pub fn ratio(&self, x: &RationalFunction, what: &str) -> Result<[BigRational; 2]> {
         match &self.height {

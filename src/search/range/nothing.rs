@@ -14,7 +14,7 @@ use super::{
     oscillator, window, write,
 };
 use crate::{
-    certificate::nothing::{Cell, Certificate, cell_holds},
+    certificate::nothing::{Cell, Certificate, Fraction, Harmonic, cell_holds},
     error::Result,
     monitor::Monitor,
     search::chaos::{Term, span::Span, write::decimal},
@@ -53,6 +53,25 @@ pub struct NothingProof {
 impl NothingProof {
     /// From this depth on the zone is told.
     pub const FROM: f64 = 1e-2;
+
+    /// Near are at least all phases up to this, at the same depths.
+    #[must_use]
+    pub fn zone(&self) -> f64 {
+        let window = write::float(self.certificate.window);
+        let most = |[lo, hi]: &[Fraction; 2]| {
+            [lo, hi].map(|x| (x.p as f64 / x.q as f64).abs()).into_iter().fold(0.0, f64::max)
+        };
+        let zone = match &self.certificate.harmonics[..] {
+            // Of g = cos t, |g′| is up to the slope where |t| is up to its arcsine; else where |g″| t is.
+            [one] if one.order == 1 => self.slope.asin(),
+            all => {
+                let bend =
+                    |one: &Harmonic| (one.order * one.order) as f64 * one.parts.iter().map(most).sum::<f64>();
+                self.slope / all.iter().map(bend).sum::<f64>() * (1.0 - 1e-12)
+            }
+        };
+        zone.min(window)
+    }
 }
 
 /// Where the first cell ends.

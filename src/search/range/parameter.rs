@@ -1,10 +1,12 @@
 //! The depth ν as a function of a parameter of the machine: proved to run from the touch one way only, and
 //! turned back into the parameter, rounded inwards.
 //!
-//! Seen from the motion without the wall, whose one harmonic has the amplitude H, the wall's mean is C, and
-//! σν = 1 + C/H. For C < 0 that is 1 − √R with R = C²/H², a rational function of the parameter: R = 1 is the
-//! touch, R < 1 beyond it and R > 1 before, and ν increases away from the touch where R runs one way. All of
-//! this is exact; where it cannot be shown, the range is shorter or there is none.
+//! Seen from the motion without the wall, the wall's mean is C and its top H above that, and σν = 1 + C/H.
+//! Let the parameter scale the wall's motion as a whole: by A, the amplitude if there is one harmonic. For C <
+//! 0 then σν = 1 − √(R/h) with R = C²/A², a rational function of the parameter, and h = H²/A²: 1 for one
+//! harmonic, else a number that may be known by bounds only. R = h is the touch, R < h beyond it and R > h
+//! before, and ν increases away from the touch where R runs one way. All of this is exact; where it cannot be
+//! shown, the range is shorter or there is none.
 
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -12,7 +14,7 @@ use num_traits::{One, Signed, Zero};
 use crate::{
     error::{Error, Result},
     motion::{Side, System},
-    search::chaos::{RationalFunction, normal::touch},
+    search::chaos::{RationalFunction, Term, touch::Touch},
 };
 
 /// The system for all values of the parameter above one number, up to another.
@@ -37,23 +39,27 @@ pub struct Touching {
     pub parameters: [BigRational; 3],
     /// R.
     pub ratio: RationalFunction,
+    /// h is from the first to the second.
+    pub top: [BigRational; 2],
+    /// The harmonics of the wall's motion g, their orders increasing; its top is g(0) = 1.
+    pub harmonics: Vec<Term>,
 }
 
 impl Touching {
     /// Of a system for a range of the parameter.
     ///
     /// # Errors
-    /// An input error that says what is not covered: two walls, more than one harmonic as seen from the
-    /// motion without the wall, damping, stiffness or restitution that change.
+    /// An input error that says what is not covered: two walls, a wall's motion whose form changes with the
+    /// parameter, as seen from the motion without the wall, damping, stiffness or restitution that change.
     pub fn of(system: &System<RationalFunction>, side: Option<Side>) -> Result<Touching> {
-        let (parameters, ratio) = touch(system, side)?;
+        let Touch { parameters, ratio, top, harmonics } = Touch::of(system, side)?;
         let names = ["damping", "stiffness", "restitution"];
         let fixed = parameters.iter().zip(names).map(|(value, name)| {
             value.constant().ok_or_else(|| fail(&format!("the {name} changes with the parameter")))
         });
         let fixed: Vec<BigRational> = fixed.collect::<Result<_>>()?;
         let parameters = fixed.try_into().map_err(|_| fail("three parameters"))?;
-        Ok(Touching { parameters, ratio })
+        Ok(Touching { parameters, ratio, top, harmonics })
     }
 }
 
@@ -65,10 +71,10 @@ fn fail(message: &str) -> Error {
 const STEPS: u32 = 60;
 
 /// The parameters from the touch near `start` to a depth, on the side where the wall is passed (`behind`,
-/// where R is below 1) or not; `unit` is a small step of the parameter. None if ν is not shown to increase
+/// where R is below h) or not; `unit` is a small step of the parameter. None if ν is not shown to increase
 /// even on a short range, or there is no touch near `start`.
 ///
-/// Cost: about 200 evaluations of R.
+/// Cost: about 260 evaluations of R.
 ///
 /// # Errors
 /// As [`Touching::of`].
@@ -84,27 +90,31 @@ pub fn parameter_range(
         let ratio = Touching::of(&system(p, p)?, side)?.ratio;
         ratio.constant().ok_or_else(|| fail("the wall's height is not a number"))
     };
-    // ν ≤ depth: √R ≥ 1 − depth beyond, √R ≤ 1 + depth before.
+    let [least, greatest] = Touching::of(&system(start, start)?, side)?.top;
+    let on_side = |r: &BigRational| if behind { *r < least } else { *r > greatest };
+    let on_other = |r: &BigRational| if behind { *r >= greatest } else { *r <= least };
+    // ν ≤ depth, whatever h is: √R ≥ (1 − depth) √h beyond, √R ≤ (1 + depth) √h before.
     let limit = if behind { &one - depth } else { &one + depth };
-    let square = if limit.is_positive() { &limit * &limit } else { BigRational::from_integer(0.into()) };
-    let on_side = |r: &BigRational| if behind { *r < one } else { *r > one };
+    let square = if limit.is_positive() { &limit * &limit } else { BigRational::zero() };
+    let square = square * if behind { &greatest } else { &least };
     let inside = |r: &BigRational| on_side(r) && if behind { *r >= square } else { *r <= square };
     // Which way, and a point on either side of the touch.
     let (left, right) = (start - unit, start + unit);
-    let (at_left, at_right) = (on_side(&ratio(&left)?), on_side(&ratio(&right)?));
+    let both = [ratio(&left)?, ratio(&right)?];
+    let at_right = on_other(&both[0]) && on_side(&both[1]);
+    let at_left = on_side(&both[0]) && on_other(&both[1]);
     if at_left == at_right {
         return Ok(None);
     }
     let way = if at_right { BigRational::one() } else { -BigRational::one() };
     let [outer, first] = if at_right { [left, right] } else { [right, left] };
-    let (mut lo, mut hi) = (outer.clone(), first.clone());
-    for _ in 0..STEPS {
-        let middle = shorter(&lo, &hi);
-        if on_side(&ratio(&middle)?) { hi = middle } else { lo = middle }
-    }
+    // Between these two it is not known how high the top is.
+    let hi = edge(&|p| Ok(on_side(&ratio(p)?)), &first, &outer)?;
+    let lo = edge(&|p| Ok(on_other(&ratio(p)?)), &outer, &first)?;
     let touch = if lo < hi { [lo.clone(), hi.clone()] } else { [hi.clone(), lo.clone()] };
     let short = simplest(&touch[0], &touch[1]);
-    let touch = if ratio(&short)? == one { [short.clone(), short] } else { touch };
+    let exactly = least == greatest && ratio(&short)? == least;
+    let touch = if exactly { [short.clone(), short] } else { touch };
     if !inside(&ratio(&hi)?) {
         return Ok(None);
     }
@@ -158,7 +168,19 @@ fn farthest(
         good = next;
         step *= &two;
     }
-    let Some(mut bad) = bad else { return Ok(good) };
+    match bad {
+        Some(bad) => edge(inside, &good, &bad),
+        None => Ok(good),
+    }
+}
+
+/// About the last p that is inside on the way from one that is to one that is not; inside itself.
+fn edge(
+    inside: &dyn Fn(&BigRational) -> Result<bool>,
+    good: &BigRational,
+    bad: &BigRational,
+) -> Result<BigRational> {
+    let (mut good, mut bad) = (good.clone(), bad.clone());
     for _ in 0..STEPS {
         let middle = shorter(&good, &bad);
         if inside(&middle)? { good = middle } else { bad = middle }

@@ -14,10 +14,10 @@ use crate::{
     motion::System,
     number::{Real, certain_digits},
     search::{
-        chaos::{LetterGraph, RationalFunction, Term},
+        chaos::{LetterGraph, RationalFunction},
         range::{
-            Born, NothingProblem, NothingProof, RangeEffort, RangeEnd, RangeProblem, RangeProof, Touching,
-            born, parameter_range, prove, prove_alone, prove_farther, prove_nothing, single_orbits,
+            Born, NothingProblem, RangeEffort, RangeEnd, RangeProblem, RangeProof, Touching, born,
+            parameter_range, prove, prove_alone, prove_farther, prove_nothing, single_orbits,
         },
     },
 };
@@ -113,7 +113,7 @@ impl Near<'_> {
         let problem = RangeProblem {
             ranges: self.ranges(),
             behind,
-            harmonics: cosine(),
+            harmonics: self.touching.harmonics.clone(),
             graph,
             deepest: DEEPEST[usize::from(behind)],
         };
@@ -146,16 +146,16 @@ impl Near<'_> {
     /// Beyond the touch, where nothing is born: that no motion stays near.
     fn nothing(&self) -> Result<SideRange> {
         let deepest = DEEPEST[1];
-        let problem = NothingProblem { ranges: self.ranges(), harmonics: cosine(), deepest };
+        let harmonics = self.touching.harmonics.clone();
+        let problem = NothingProblem { ranges: self.ranges(), harmonics, deepest };
         let (mut row, text) = match prove_nothing(&problem, self.effort, self.point.job.monitor)? {
             Err(end) => (RangeRow::open(true, NOTHING, Some(why(&end, self.effort))), None),
-            Ok(NothingProof { depth, text, periods, slope, end, .. }) => {
-                let mut row = self.over(true, &depth, why(&end, self.effort))?;
+            Ok(proof) => {
+                let mut row = self.over(true, &proof.depth, why(&proof.end, self.effort))?;
                 if row.verdict == PROVED {
-                    // Of g = cos t, |g′| is up to that where |t| is up to its arcsine.
-                    (row.leaves, row.zone) = (Some(periods), Some(downwards(slope.asin() / TAU)));
+                    (row.leaves, row.zone) = (Some(proof.periods), Some(downwards(proof.zone() / TAU)));
                 }
-                (row, Some(text))
+                (row, Some(proof.text))
             }
         };
         let text = text.filter(|_| row.verdict == PROVED);
@@ -220,10 +220,4 @@ impl Near<'_> {
             }
         })
     }
-}
-
-/// The wall that a machine with one harmonic has, seen from the motion without it: g(t) = cos t.
-fn cosine() -> Vec<Term> {
-    let [one, zero] = [1, 0].map(|n| BigRational::from_integer(n.into()));
-    vec![(1, [[one.clone(), one], [zero.clone(), zero]])]
 }

@@ -1,0 +1,100 @@
+//! An oscillator with a rigid wall about the touch of the motion without it, as a function of a parameter:
+//! what [`Normal`](super::Normal) has over a range on one side of it, without the depth.
+
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::Zero;
+
+use super::{
+    fail,
+    normal::{check_linear, met, minus, response, waves},
+    profile::Term,
+    rational::RationalFunction as Function,
+    top::{Wave, top},
+};
+use crate::{
+    error::Result,
+    motion::{Side, System},
+    number::{Real, Sign},
+};
+
+/// An oscillator about a touch of its wall, of mean C < 0 and top H as seen from the motion without it, in a
+/// time in which the wall's period is 2π: σν = 1 + C/H. C and a scale A > 0 of the wall's motion depend on a
+/// parameter, H/A does not.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::search) struct Touch {
+    /// c, k and τ.
+    pub parameters: [Function; 3],
+    /// C²/A².
+    pub ratio: Function,
+    /// H²/A² is at least the first and at most the second: both are 1 for one harmonic.
+    pub top: [BigRational; 2],
+    /// The harmonics of g, their orders increasing.
+    pub harmonics: Vec<Term>,
+}
+
+impl Touch {
+    /// Of a system whose coefficients are functions of a parameter.
+    ///
+    /// # Errors
+    /// An input error that says what is not covered: what [`Normal::of`](super::Normal::of) does not cover, two
+    /// walls that are both met, no spring, a wall whose form changes with the parameter, one that the motion
+    /// without it crosses with its mean.
+    pub(in crate::search) fn of(system: &System<Function>, side: Option<Side>) -> Result<Touch> {
+        let (side, wall, mirror) = met(system, side)?;
+        check_linear(system)?;
+        if mirror.is_some() {
+            return fail("two walls are both met");
+        }
+        let (damping, stiffness) = (&system.damping, &system.stiffness);
+        if !matches!(stiffness.sign(), Some(Sign::Positive | Sign::Negative)) {
+            return fail("without a spring there is no one motion without the wall");
+        }
+        let response = response(damping, stiffness, &waves(&system.forcing))?;
+        let offset = wall.offset.clone() - &(system.force.clone() / stiffness);
+        let motion = minus(&waves(&wall.harmonics), &response);
+        let (mean, mut motion) =
+            if side == Side::Lower { (offset, motion) } else { (-offset, minus(&[], &motion)) };
+        let faster = motion.iter().fold(0, |gcd: u32, wave| gcd.gcd(&wave.0));
+        motion.iter_mut().for_each(|wave| wave.0 /= faster);
+        let (scale, form) = scaled(&motion)?;
+        if !scale.is_positive() || !(-mean.clone()).is_positive() {
+            return fail(
+                "seen from the motion without it, the wall must move, with its mean behind the motion's",
+            );
+        }
+        let top = top(&form)?;
+        let once = Function::ratio(&BigRational::from_integer(faster.into()), &());
+        let parameters =
+            [damping.clone() / &once, stiffness.clone() / &(once.clone() * &once), wall.restitution.clone()];
+        let ratio = mean.clone() * &mean / &scale;
+        Ok(Touch { parameters, ratio, top: top.square()?, harmonics: top.harmonics })
+    }
+}
+
+/// A² and a motion that does not change with the parameter, of which this one is A times; of one harmonic A
+/// is its amplitude, whatever its phase.
+fn scaled(motion: &[Wave]) -> Result<(Function, Vec<Wave>)> {
+    let [one, zero] = [1, 0].map(|n| Function::integer(n, &()));
+    if let [(order, [a, b])] = motion {
+        return Ok((a.clone() * a + &(b.clone() * b), vec![(*order, [one, zero])]));
+    }
+    // By its first coefficient that is not 0, with its sign.
+    let all = motion.iter().flat_map(|(_, both)| both);
+    let Some(first) = all.into_iter().find(|part| !part.is_zero()) else { return Ok((zero, Vec::new())) };
+    let scale = if first.is_positive() { first.clone() } else { -first.clone() };
+    let fixed = |part: &Function| {
+        // Not constant as it stands, a quotient may be so when common factors are gone.
+        let shares = part.ends().zip(scale.ends());
+        let share = shares.and_then(|([part, _], [scale, _])| (!scale.is_zero()).then(|| part / scale));
+        let share = Function::ratio(&share.unwrap_or_else(BigRational::zero), &());
+        if !(part.clone() - &(share.clone() * &scale)).is_zero() {
+            return fail(
+                "seen from the motion without it, the form of the wall's motion changes with the parameter",
+            );
+        }
+        Ok(share)
+    };
+    let form = motion.iter().map(|(order, [a, b])| Ok((*order, [fixed(a)?, fixed(b)?])));
+    Ok((scale.clone() * &scale, form.collect::<Result<_>>()?))
+}
