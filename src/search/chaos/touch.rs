@@ -37,9 +37,9 @@ impl Touch {
     /// Of a system whose coefficients are functions of a parameter.
     ///
     /// # Errors
-    /// An input error that says what is not covered: what [`Normal::of`](super::Normal::of) does not cover, two
-    /// walls that are both met, no spring, a wall whose form changes with the parameter, one that the motion
-    /// without it crosses with its mean.
+    /// An input error that says what is not covered: what [`Normal::of`](super::Normal::of) does not cover,
+    /// two walls that are both met, no spring, a wall whose form changes with the parameter, one that the
+    /// motion without it crosses with its mean.
     pub(in crate::search) fn of(system: &System<Function>, side: Option<Side>) -> Result<Touch> {
         let (side, wall, mirror) = met(system, side)?;
         check_linear(system)?;

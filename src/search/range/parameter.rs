@@ -2,8 +2,8 @@
 //! turned back into the parameter, rounded inwards.
 //!
 //! Seen from the motion without the wall, the wall's mean is C and its top H above that, and σν = 1 + C/H.
-//! Let the parameter scale the wall's motion as a whole: by A, the amplitude if there is one harmonic. For C <
-//! 0 then σν = 1 − √(R/h) with R = C²/A², a rational function of the parameter, and h = H²/A²: 1 for one
+//! Let the parameter scale the wall's motion as a whole: by A, the amplitude if there is one harmonic. For
+//! C < 0 then σν = 1 − √(R/h) with R = C²/A², a rational function of the parameter, and h = H²/A²: 1 for one
 //! harmonic, else a number that may be known by bounds only. R = h is the touch, R < h beyond it and R > h
 //! before, and ν increases away from the touch where R runs one way. All of this is exact; where it cannot be
 //! shown, the range is shorter or there is none.
