@@ -13,7 +13,7 @@ use grazing::{
     motion::{Side, State},
     one::{
         attractor::attracting,
-        branch::{Branch, Orbits, OscillatorPatterns},
+        branch::{Branch, Orbits, Patterns},
         orbit::{Family, Itinerary, SingleImpact},
         simulate::Settings,
     },
@@ -30,7 +30,7 @@ fn branches(criterion: &mut Criterion) {
     let oscillator = family.at(-0.05).unwrap();
     let exact = SingleImpact::new(oscillator.system(), Side::Lower, 4).unwrap();
     let (speed, range) = (exact.speeds()[0], (-0.1, 0.01));
-    let patterns = OscillatorPatterns::new(&family, -0.05).unwrap();
+    let patterns = Patterns::new(&family, -0.05).unwrap();
     let orbits = Orbits::over(&patterns, Itinerary::at(Side::Lower, &[4]).unwrap(), range);
     for most_step in [0.1f64, 1e-3] {
         let options = Options { step: most_step.min(0.01), most_step, points: 5000, ..Options::default() };

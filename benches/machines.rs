@@ -11,8 +11,8 @@ use std::{f64::consts::TAU, hint::black_box, time::Duration};
 
 use grazing::{
     many::{
-        Load, Machine, MachineState, Stop, StopLaw,
-        simulate::{MachineSettings, MachineSimulator},
+        Load, Machine, State, Stop, StopLaw,
+        simulate::{Settings, Simulator},
     },
     motion::{Time, Wall},
 };
@@ -115,7 +115,7 @@ fn chains() {
     {
         let machine = chain(masses, gyroscopic);
         let clock = Clock::now();
-        let simulator = MachineSimulator::new(&machine, &MachineSettings::default()).expect("a machine");
+        let simulator = Simulator::new(&machine, &Settings::default()).expect("a machine");
         let build = clock.elapsed().as_secs_f64();
         let flow = simulator.flow();
         let fastest = flow.rates().into_iter().fold(0.0, f64::max);
@@ -149,12 +149,12 @@ fn open(modes: usize, ratio: f64, periods: usize) -> Machine<f64> {
     let mut machine = machine(modes, ratio);
     machine.damping.clear();
     machine.stops[0].wall.offset = -1e3;
-    let simulator = MachineSimulator::new(&machine, &MachineSettings::default()).expect("a machine");
+    let simulator = Simulator::new(&machine, &Settings::default()).expect("a machine");
     let flow = simulator.flow();
     let zero = DVector::zeros(modes);
     let row = DVector::from_column_slice(&machine.stops[0].row);
     let seen = flow.seen(&row, &zero);
-    let mut y = flow.split(&MachineState::new(0.0, zero.as_slice(), zero.as_slice()));
+    let mut y = flow.split(&State::new(0.0, zero.as_slice(), zero.as_slice()));
     let looks = (24.0 * ratio).min(2e5 / modes as f64).ceil() as usize;
     let width = TAU / looks as f64;
     let mut least = 0.0f64;
@@ -174,12 +174,11 @@ fn modes() {
         for ratio in [3.0, 30.0, 300.0, 1e5] {
             let machine = machine(modes, ratio);
             let clock = Clock::now();
-            let simulator = MachineSimulator::new(&machine, &MachineSettings::default()).expect("a machine");
+            let simulator = Simulator::new(&machine, &Settings::default()).expect("a machine");
             let build = clock.elapsed().as_secs_f64() * 1e3;
             // After some periods, in which motions of rest on the stop are solved, too.
             let follow = |machine: &Machine<f64>, before: i64, periods: i64| {
-                let simulator =
-                    MachineSimulator::new(machine, &MachineSettings::default()).expect("a machine");
+                let simulator = Simulator::new(machine, &Settings::default()).expect("a machine");
                 let zero = vec![0.0; modes];
                 let mut run = simulator.start(Time::new(0, 0.0), &zero, &zero).expect("a start");
                 run.finish(Time::new(before, 0.0));

@@ -15,7 +15,7 @@ pub mod many {
         contact::{Contacts, StopContact},
         equations::{LinearEquations, Periodic},
         flow::LinearFlow,
-        slope::MachineSlope,
+        slope::Slope,
     };
 }
 /// Text of others on its way out.

@@ -7,7 +7,7 @@ use super::{
     Bifurcation, Degeneracy, Options, PatternCurve, Singularity, crossing,
     curve::{Curve, CurvePoint, difference, norm},
     follow::{CurveEnd, Followed, Step, follow},
-    problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternOf},
+    problem::{FollowedOrbit, PatternFamily, PatternOf},
 };
 use crate::error::{Error, Result};
 
@@ -38,7 +38,7 @@ pub struct OrbitBranch<O: FollowedOrbit> {
     /// The bifurcation that is followed, if it is a curve of them.
     pub subject: Option<Bifurcation>,
     /// The pattern.
-    pub itinerary: O::Pattern,
+    pub itinerary: PatternOf<O>,
     /// The points.
     pub points: Vec<BranchPoint<O>>,
     /// Why there are none before the first and after the last.

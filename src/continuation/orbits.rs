@@ -4,7 +4,7 @@ use super::{
     Bifurcation, crossing,
     curve::{Corrector, Curve, CurvePoint, Equations, difference, dot, largest},
     follow::{Followed, Settled},
-    problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternOf, monitors},
+    problem::{FollowedOrbit, PatternFamily, PatternOf, monitors},
 };
 use crate::{
     continuation::Root,
@@ -144,7 +144,7 @@ impl<F: PatternFamily + ?Sized> Followed for PatternCurve<'_, F> {
         mut place: CurvePoint,
         mut orbit: F::Orbit,
     ) -> Result<Settled<F::Orbit>> {
-        let impacts = self.itinerary.impacts();
+        let impacts = self.itinerary.strikes().len();
         let mut what = Bifurcation::of(monitor, impacts);
         if matches!(what, Bifurcation::SaddleNode | Bifurcation::Crossing) {
             match crossing::locate(self, &place) {

@@ -7,7 +7,7 @@ use super::{
     curve::{Curve, CurvePoint, Equations},
     follow::{Followed, Settled},
     orbits::changes_sign,
-    problem::{FollowedOrbit, ImpactPattern, PatternOf, PatternPlane, monitors},
+    problem::{FollowedOrbit, PatternOf, PatternPlane, monitors},
 };
 use crate::{
     continuation::Root,
@@ -120,7 +120,7 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
         }
         // Where a multiplier is on the circle all along, these are zero but for rounding; where two of these
         // meet is a resonance, or a fold-flip point, which have names of their own.
-        let of = |monitor: usize| Bifurcation::of(monitor, self.itinerary.impacts());
+        let of = |monitor: usize| Bifurcation::of(monitor, self.itinerary.strikes().len());
         let mute: &[Bifurcation] = match self.event {
             Bifurcation::SaddleNode | Bifurcation::Flip | Bifurcation::Torus => {
                 &[Bifurcation::SaddleNode, Bifurcation::Flip, Bifurcation::Torus]
@@ -149,7 +149,7 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
                 && changes_sign(self, &place, |place| self.certain(monitor, place));
             return Ok(genuine.then_some((monitor, place, orbit)));
         };
-        let what = Bifurcation::of(which, self.itinerary.impacts());
+        let what = Bifurcation::of(which, self.itinerary.strikes().len());
         let genuine = self.event == Bifurcation::Fade || what == Bifurcation::Fade || what.is_at(&orbit);
         Ok(genuine.then_some((Degeneracy::ALL.len() + what as usize, place, orbit)))
     }

@@ -5,33 +5,20 @@
 //! [`PatternPlane`] the functions whose zeros are bifurcations over two; a [`FollowedOrbit`] is what is known
 //! of a solution. Not here: how a curve is followed (`curve`, `follow`).
 
-use std::fmt::Debug;
-
-use super::{Bifurcation, Degeneracy};
+use super::{Bifurcation, Degeneracy, Itinerary};
 use crate::{
     continuation::{Linearised, Root},
     error::Result,
+    motion::event::Place,
 };
-
-/// The impact pattern of an orbit.
-pub trait ImpactPattern: Clone + PartialEq + Debug {
-    /// How many impacts it has.
-    fn impacts(&self) -> usize;
-
-    /// The same orbit gone round `times` times.
-    ///
-    /// # Errors
-    /// An input error if the period is more than 2³² − 1.
-    fn repeated(&self, times: u32) -> Result<Self>;
-}
 
 /// A solution of the equations of a pattern.
 pub trait FollowedOrbit: Clone {
-    /// The pattern.
-    type Pattern: ImpactPattern;
+    /// What its impacts are at: sides or stops.
+    type Place: Place;
 
     /// Its pattern.
-    fn pattern(&self) -> &Self::Pattern;
+    fn pattern(&self) -> &Itinerary<Self::Place>;
 
     /// The unknowns, in units of their own ([`unit`](Self::unit)).
     fn unknowns(&self) -> Vec<f64>;
@@ -106,7 +93,7 @@ pub trait FollowedOrbit: Clone {
 const NEUTRAL: f64 = 1e-12;
 
 /// The pattern of the orbits of a family.
-pub(crate) type PatternOf<O> = <O as FollowedOrbit>::Pattern;
+pub(crate) type PatternOf<O> = Itinerary<<O as FollowedOrbit>::Place>;
 
 /// Orbits of any pattern over one parameter.
 pub trait PatternFamily {

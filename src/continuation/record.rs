@@ -4,11 +4,14 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use super::{
-    Bifurcation, OrbitBranch, PatternCurve, crossing,
+    Bifurcation, Itinerary, OrbitBranch, PatternCurve, Strike, crossing,
     curve::{CurvePoint, dot, norm},
     problem::{FollowedOrbit, PatternFamily, PatternOf},
 };
-use crate::error::{Error, Result};
+use crate::{
+    error::{Error, Result},
+    motion::event::Place,
+};
 
 /// What a branch's file calls its system, and how it names the contacts of a pattern.
 #[derive(Debug, Clone, Copy)]
@@ -41,13 +44,8 @@ pub struct Label<P> {
 }
 
 /// A branch over parameters of these names as JSON: the pattern, every point with its label if it has one,
-/// the ends. `pattern` has the contact and the periods of each impact, and the period of it all.
-pub fn record_as<O: FollowedOrbit>(
-    branch: &OrbitBranch<O>,
-    parameters: &[&str],
-    form: RecordForm,
-    (strikes, period): (&[(usize, u32)], u32),
-) -> Value {
+/// the ends.
+pub fn record_as<O: FollowedOrbit>(branch: &OrbitBranch<O>, parameters: &[&str], form: RecordForm) -> Value {
     let points: Vec<Value> = branch
         .points
         .iter()
@@ -73,31 +71,31 @@ pub fn record_as<O: FollowedOrbit>(
             })
         })
         .collect();
-    let wall = |contact: usize| form.contacts[contact].to_string();
-    let pattern: Vec<Struck> =
-        strikes.iter().map(|&(contact, periods)| Struck { wall: wall(contact), periods }).collect();
+    let struck = |strike: &Strike<O::Place>| Struck {
+        wall: form.contacts[strike.place.number()].to_string(),
+        periods: strike.periods,
+    };
+    let pattern: Vec<Struck> = branch.itinerary.strikes().iter().map(struck).collect();
     json!({
         "format": form.format,
         "parameters": parameters,
         "pattern": pattern,
-        "period": period,
+        "period": branch.itinerary.periods(),
         "ends": branch.ends.each_ref().map(ToString::to_string),
         "points": points,
     })
 }
 
-/// The point with a label in a branch written as JSON; `pattern` makes a pattern of the contact and the
-/// periods of each impact, and of the period of it all.
+/// The point with a label in a branch written as JSON.
 ///
 /// # Errors
-/// An input error for text of another format, or a label that is not there, with those that are; those of
-/// `pattern`; a contact whose name is not among the form's.
-pub(crate) fn read_label_as<P>(
+/// An input error for text of another format, or a label that is not there, with those that are; a
+/// contact whose name is not among the form's; a pattern without a period.
+pub(crate) fn read_label_as<P: Place>(
     text: &str,
     label: &str,
     form: RecordForm,
-    pattern: impl FnOnce(&[(usize, u32)], u32) -> Result<P>,
-) -> Result<Label<P>> {
+) -> Result<Label<Itinerary<P>>> {
     #[derive(Deserialize)]
     struct File {
         format: String,
@@ -125,14 +123,14 @@ pub(crate) fn read_label_as<P>(
     let strike = |struck: &Struck| {
         let contact = form.contacts.iter().position(|known| *known == struck.wall);
         let contact = contact.ok_or_else(|| bad(&format_args!("it has a wall {:?}", struck.wall)))?;
-        Ok((contact, struck.periods))
+        Ok(Strike { place: P::numbered(contact), periods: struck.periods })
     };
     let strikes = file.pattern.iter().map(strike).collect::<Result<Vec<_>>>()?;
     if point.parameters.is_empty() || point.tangent.len() != point.unknowns.len() + point.parameters.len() {
         return Err(bad(&"a point's unknowns, tangent and parameters do not fit"));
     }
     Ok(Label {
-        itinerary: pattern(&strikes, file.period)?,
+        itinerary: if strikes.is_empty() { Itinerary::free(file.period) } else { Itinerary::new(strikes) }?,
         event: event.ok_or_else(|| bad(&format_args!("it has a label {label:?}")))?,
         parameters: point.parameters.clone(),
         z: point.unknowns.clone(),

@@ -4,9 +4,9 @@
 use std::f64::consts::TAU;
 
 use super::{
-    orbit::{MachineOrbit, StopPattern, StopStrike, find_from},
-    section::{MachineStart, PlanarMachine},
-    simulate::{Event, MachineRun},
+    orbit::{Itinerary, Orbit, Strike, find_from},
+    section::{PlanarMachine, Start},
+    simulate::{Event, Run},
 };
 use crate::{
     attractor::{detection::Detection, observe::Attraction},
@@ -23,10 +23,10 @@ use crate::{
 /// monitor's.
 pub(crate) fn attracting(
     planar: &PlanarMachine,
-    from: &MachineStart,
+    from: &Start,
     detection: &Detection,
     monitor: &dyn Monitor,
-) -> Result<MachineOrbit> {
+) -> Result<Orbit> {
     let (simulator, phase) = (planar.simulator(), detection.phase);
     let found = planar.fates(std::slice::from_ref(from), detection, &[], monitor)?;
     let fate = found.into_iter().next().flatten();
@@ -64,21 +64,20 @@ pub(crate) fn attracting(
     };
     let times: Vec<(i64, f64)> = impacts.iter().map(|(_, time, _)| turned(time)).collect();
     let counted = natural(&times, period as u32);
-    let strikes =
-        impacts.iter().zip(&counted).map(|(hit, &(periods, _))| StopStrike { stop: hit.0, periods });
-    let strikes: Vec<StopStrike> = strikes.collect();
+    let strikes = impacts.iter().zip(&counted).map(|(hit, &(periods, _))| Strike { place: hit.0, periods });
+    let strikes: Vec<Strike> = strikes.collect();
     if strikes.is_empty() {
-        let pattern = StopPattern::free(period as u32)?;
+        let pattern = Itinerary::free(period as u32)?;
         let end = run.finish(Time::new(period + 1, 0.0));
         ended(&mut run, end)?;
         return find_from(simulator, &pattern, &[], Some(&run.state()));
     }
     let start: Vec<f64> =
         counted.iter().zip(&impacts).flat_map(|((_, time), (_, _, speed))| [*time, *speed]).collect();
-    find_from(simulator, &StopPattern::new(strikes)?, &start, struck.as_ref())
+    find_from(simulator, &Itinerary::new(strikes)?, &start, struck.as_ref())
 }
 
-fn ended(run: &mut MachineRun, end: RunEnd) -> Result<()> {
+fn ended(run: &mut Run, end: RunEnd) -> Result<()> {
     match (run.failure(), end) {
         (Some(error), _) => Err(error),
         (None, RunEnd::Reached) => Ok(()),

@@ -10,29 +10,28 @@
 use std::{f64::consts::TAU, sync::Arc};
 
 use super::{
-    Machine, MachineFamily, MachineState,
+    Family, Machine, State,
     contact::Contacts,
     critical::{nearest_pair, pairs, pairs_product, product, product_of_others, without},
     normal_form::Local,
     orbit::{
-        Between, MachineAdmissibility, MachineChange, MachineOrbit, StopEquations, StopPattern, StopStrike,
-        check_stops, describe, multipliers,
+        Admissibility, Between, Change, Itinerary, Orbit, StopEquations, check_stops, describe, multipliers,
     },
-    simulate::{MachineSettings, MachineSimulator},
+    simulate::{Settings, Simulator},
 };
 use crate::{
     continuation::{
-        Bifurcation, Degeneracy, EventCurve, FollowedOrbit, ImpactPattern, Linearised, OrbitBranch,
-        PatternFamily, PatternPlane, Root, halved,
+        Bifurcation, Degeneracy, EventCurve, FollowedOrbit, Linearised, OrbitBranch, PatternFamily,
+        PatternPlane, Root,
     },
     error::{Error, Result},
     many::LinearFlow,
     motion::EffectTally,
 };
 /// The orbits of one pattern of a machine at which one event happens, over two parameters.
-pub type MachineEvents<'a> = EventCurve<'a, MachinePlane<'a>>;
+pub type Events<'a> = EventCurve<'a, Plane<'a>>;
 /// A branch of orbits of a machine.
-pub type MachineBranch = OrbitBranch<MachineOrbit>;
+pub type Branch = OrbitBranch<Orbit>;
 
 /// Gaps within this of their motion's size are contact without impact, unless a depth is given.
 pub(super) const RELATIVE_DEPTH: f64 = 1e-12;
@@ -50,22 +49,22 @@ struct Common {
 
 impl Common {
     fn new(machine: &Machine<f64>, depth: Option<f64>, tally: Option<&Arc<EffectTally>>) -> Result<Common> {
-        let settings = MachineSettings::default();
-        let simulator = MachineSimulator::new(machine, &settings)?;
+        let settings = Settings::default();
+        let simulator = Simulator::new(machine, &settings)?;
         let size = |size: f64| if size > 0.0 && size.is_finite() { size } else { 1.0 };
         let (scale, gap) = (size(simulator.scale()), size(simulator.gap_scale()));
         Ok(Common { scale, depth: depth.unwrap_or(RELATIVE_DEPTH * gap), tally: tally.cloned() })
     }
 
-    fn orbit(&self, machine: &Machine<f64>, pattern: &StopPattern, root: Root) -> Result<MachineOrbit> {
-        let settings = MachineSettings { minimum_depth: self.depth, ..MachineSettings::default() };
-        let simulator = MachineSimulator::new(machine, &settings)?.counting_too(self.tally.as_ref());
+    fn orbit(&self, machine: &Machine<f64>, pattern: &Itinerary, root: Root) -> Result<Orbit> {
+        let settings = Settings { minimum_depth: self.depth, ..Settings::default() };
+        let simulator = Simulator::new(machine, &settings)?.counting_too(self.tally.as_ref());
         check_stops(pattern, simulator.contacts())?;
         describe(&simulator, pattern, self.scale, root)
     }
 
-    fn count(machine_size: usize, pattern: &StopPattern) -> usize {
-        2 * machine_size + 2 * pattern.impacts()
+    fn count(machine_size: usize, pattern: &Itinerary) -> usize {
+        2 * machine_size + 2 * pattern.strikes().len()
     }
 
     fn unit(&self, machine_size: usize, unknown: usize) -> f64 {
@@ -82,7 +81,7 @@ pub(super) struct Solved {
     pub flow: LinearFlow,
     pub contacts: Contacts,
     /// The machine passing through rigid stops, where it is not one linear machine.
-    soft: Option<MachineSimulator>,
+    soft: Option<Simulator>,
 }
 
 impl Solved {
@@ -90,7 +89,7 @@ impl Solved {
     /// Where the machine is not defined, or has not the pattern's stops.
     pub fn new(
         machine: &Machine<f64>,
-        pattern: &StopPattern,
+        pattern: &Itinerary,
         depth: f64,
         tally: Option<&Arc<EffectTally>>,
     ) -> Result<Solved> {
@@ -98,47 +97,47 @@ impl Solved {
         let contacts = Contacts::new(flow.equations(), machine.contacts()?);
         check_stops(pattern, &contacts)?;
         let soft = if machine.is_smooth() || contacts.all().iter().any(|contact| contact.soft.is_some()) {
-            let settings = MachineSettings { minimum_depth: depth, ..MachineSettings::default() };
-            MachineSimulator::new(machine, &settings)?.counting_too(tally).through()?
+            let settings = Settings { minimum_depth: depth, ..Settings::default() };
+            Simulator::new(machine, &settings)?.counting_too(tally).through()?
         } else {
             None
         };
         Ok(Solved { flow, contacts, soft })
     }
 
-    pub fn equations<'s>(&'s self, pattern: &'s StopPattern, scale: f64) -> StopEquations<'s> {
+    pub fn equations<'s>(&'s self, pattern: &'s Itinerary, scale: f64) -> StopEquations<'s> {
         let between = Between { flow: &self.flow, contacts: &self.contacts, soft: self.soft.as_ref() };
         StopEquations::new(between, pattern, scale)
     }
 }
 
 /// Orbits of machines over one parameter.
-pub struct MachinePatterns<'a> {
-    family: &'a dyn MachineFamily,
+pub struct Patterns<'a> {
+    family: &'a dyn Family,
     size: usize,
     common: Common,
 }
 
-impl<'a> MachinePatterns<'a> {
+impl<'a> Patterns<'a> {
     /// The orbits of a family. Lengths are measured by the size of the gaps' motion at one value of the
     /// parameter; `depth` is the minimum depth of the simulator that tells orbits from other solutions, 10⁻¹²
     /// of that size if absent.
     ///
     /// # Errors
     /// Where the machine is not defined there.
-    pub fn new(family: &'a dyn MachineFamily, at: f64, depth: Option<f64>) -> Result<MachinePatterns<'a>> {
+    pub fn new(family: &'a dyn Family, at: f64, depth: Option<f64>) -> Result<Patterns<'a>> {
         let (machine, _) = family.at(at)?;
         let common = Common::new(&machine, depth, family.tally())?;
-        Ok(MachinePatterns { family, size: machine.size, common })
+        Ok(Patterns { family, size: machine.size, common })
     }
 }
 
-impl MachinePatterns<'_> {
+impl Patterns<'_> {
     /// The gap to a stop when `phase` comes first after the first impact of an orbit.
     ///
     /// # Errors
     /// Where the machine is not defined.
-    pub fn gap(&self, parameter: f64, orbit: &MachineOrbit, stop: usize, phase: f64) -> Result<f64> {
+    pub fn gap(&self, parameter: f64, orbit: &Orbit, stop: usize, phase: f64) -> Result<f64> {
         let contacts = self.family.at(parameter)?.0.contacts()?;
         Ok(contacts[stop].gap(&self.state(parameter, orbit, phase)?)[0])
     }
@@ -147,76 +146,66 @@ impl MachinePatterns<'_> {
     ///
     /// # Errors
     /// Where the machine is not defined.
-    pub fn state(&self, parameter: f64, orbit: &MachineOrbit, phase: f64) -> Result<MachineState> {
+    pub fn state(&self, parameter: f64, orbit: &Orbit, phase: f64) -> Result<State> {
         let (machine, _) = self.family.at(parameter)?;
-        let solved = Solved::new(&machine, &orbit.pattern, self.common.depth, self.common.tally.as_ref())?;
-        let equations = solved.equations(&orbit.pattern, orbit.scale);
+        let solved = Solved::new(&machine, &orbit.itinerary, self.common.depth, self.common.tally.as_ref())?;
+        let equations = solved.equations(&orbit.itinerary, orbit.scale);
         equations.state(&orbit.z, (phase - orbit.state.t).rem_euclid(TAU))
     }
 }
 
-impl PatternFamily for MachinePatterns<'_> {
-    type Orbit = MachineOrbit;
+impl PatternFamily for Patterns<'_> {
+    type Orbit = Orbit;
 
-    fn count(&self, pattern: &StopPattern) -> usize {
+    fn count(&self, pattern: &Itinerary) -> usize {
         Common::count(self.size, pattern)
     }
 
-    fn equations(&self, parameter: f64, pattern: &StopPattern, z: &[f64]) -> Result<Linearised> {
+    fn equations(&self, parameter: f64, pattern: &Itinerary, z: &[f64]) -> Result<Linearised> {
         let (machine, slope) = self.family.at(parameter)?;
         let solved = Solved::new(&machine, pattern, self.common.depth, self.common.tally.as_ref())?;
-        let change = MachineChange::new(&machine, &slope, &solved.flow, &solved.contacts)?;
+        let change = Change::new(&machine, &slope, &solved.flow, &solved.contacts)?;
         solved.equations(pattern, self.common.scale).linearise(z, Some(&change))
     }
 
-    fn orbit(&self, parameter: f64, pattern: &StopPattern, root: Root) -> Result<MachineOrbit> {
+    fn orbit(&self, parameter: f64, pattern: &Itinerary, root: Root) -> Result<Orbit> {
         self.common.orbit(&self.family.at(parameter)?.0, pattern, root)
     }
 
     /// The state after the first impact stays, the impacts come twice.
-    fn twice(&self, _: &StopPattern, z: &[f64]) -> Vec<f64> {
+    fn twice(&self, _: &Itinerary, z: &[f64]) -> Vec<f64> {
         let (state, impacts) = z.split_at(2 * self.size);
         [state, impacts, impacts].concat()
     }
 
-    fn once(&self, pattern: &StopPattern, z: &[f64]) -> Option<(StopPattern, Vec<f64>)> {
-        let (first, second) = pattern.strikes().split_at(pattern.strikes().len() / 2);
-        if first.is_empty() && second.is_empty() {
-            let half = StopPattern::free(pattern.periods() / 2).ok()?;
-            return (half.repeated(2).ok().as_ref() == Some(pattern)).then(|| (half, z.to_vec()));
-        }
-        if first.len() != second.len() || first.iter().zip(second).any(|(a, b)| a.stop != b.stop) {
-            return None;
-        }
-        let (impacts, state) = (&z[2 * self.size..], 2 * self.size);
-        let periods: Vec<u32> = first.iter().map(|strike| strike.periods).collect();
-        let periods = halved(&periods, pattern.periods(), impacts[first.len() * 2] - impacts[0])?;
-        let strikes = first.iter().zip(periods).map(|(strike, periods)| StopStrike { periods, ..*strike });
-        Some((StopPattern::new(strikes.collect()).ok()?, z[..state + impacts.len() / 2].to_vec()))
+    fn once(&self, pattern: &Itinerary, z: &[f64]) -> Option<(Itinerary, Vec<f64>)> {
+        let (state, impacts) = z.split_at(2 * self.size);
+        let half = pattern.once(|first| impacts[2 * first] - impacts[0])?;
+        Some((half, [state, &impacts[..impacts.len() / 2]].concat()))
     }
 
-    fn is_time(&self, _: &StopPattern, unknown: usize) -> bool {
+    fn is_time(&self, _: &Itinerary, unknown: usize) -> bool {
         is_time(self.size, unknown)
     }
 
-    fn unit(&self, _: &StopPattern, unknown: usize) -> f64 {
+    fn unit(&self, _: &Itinerary, unknown: usize) -> f64 {
         self.common.unit(self.size, unknown)
     }
 }
 
-impl FollowedOrbit for MachineOrbit {
-    type Pattern = StopPattern;
+impl FollowedOrbit for Orbit {
+    type Place = usize;
 
-    fn pattern(&self) -> &StopPattern {
-        &self.pattern
+    fn pattern(&self) -> &Itinerary {
+        &self.itinerary
     }
 
     fn unknowns(&self) -> Vec<f64> {
         self.z.clone()
     }
 
-    fn moved(&self, unknowns: &[f64]) -> MachineOrbit {
-        MachineOrbit { z: unknowns.to_vec(), ..self.clone() }
+    fn moved(&self, unknowns: &[f64]) -> Orbit {
+        Orbit { z: unknowns.to_vec(), ..self.clone() }
     }
 
     fn is_time(&self, unknown: usize) -> bool {
@@ -242,7 +231,7 @@ impl FollowedOrbit for MachineOrbit {
     fn is_orbit(&self) -> bool {
         let clear = self.least.is_none_or(|least| least.gap > 0.0);
         let comes_in = self.impacts.iter().all(|impact| impact.speed > 0.0);
-        clear && comes_in && !matches!(self.admissibility, MachineAdmissibility::No(_))
+        clear && comes_in && !matches!(self.admissibility, Admissibility::No(_))
     }
 
     fn residual(&self) -> f64 {
@@ -302,15 +291,15 @@ const STILL: f64 = 1e-10;
 type AtBoth<'a> = dyn Fn([f64; 2]) -> Result<Machine<f64>> + 'a;
 
 /// Orbits of machines over two parameters.
-pub struct MachinePlane<'a> {
+pub struct Plane<'a> {
     at: &'a AtBoth<'a>,
     size: usize,
     common: Common,
 }
 
-impl<'a> MachinePlane<'a> {
+impl<'a> Plane<'a> {
     /// The orbits of the machines that `at` gives at two values, their work added up in `tally`; the others
-    /// as in [`MachinePatterns::new`].
+    /// as in [`Patterns::new`].
     ///
     /// # Errors
     /// Where the machine is not defined there.
@@ -319,24 +308,24 @@ impl<'a> MachinePlane<'a> {
         place: [f64; 2],
         depth: Option<f64>,
         tally: Option<&Arc<EffectTally>>,
-    ) -> Result<MachinePlane<'a>> {
+    ) -> Result<Plane<'a>> {
         let machine = at(place)?;
-        Ok(MachinePlane { at, size: machine.size, common: Common::new(&machine, depth, tally)? })
+        Ok(Plane { at, size: machine.size, common: Common::new(&machine, depth, tally)? })
     }
 }
 
-impl PatternPlane for MachinePlane<'_> {
-    type Orbit = MachineOrbit;
+impl PatternPlane for Plane<'_> {
+    type Orbit = Orbit;
 
-    fn count(&self, pattern: &StopPattern) -> usize {
+    fn count(&self, pattern: &Itinerary) -> usize {
         Common::count(self.size, pattern)
     }
 
-    fn is_time(&self, _: &StopPattern, unknown: usize) -> bool {
+    fn is_time(&self, _: &Itinerary, unknown: usize) -> bool {
         is_time(self.size, unknown)
     }
 
-    fn unit(&self, _: &StopPattern, unknown: usize) -> f64 {
+    fn unit(&self, _: &Itinerary, unknown: usize) -> f64 {
         self.common.unit(self.size, unknown)
     }
 
@@ -344,7 +333,7 @@ impl PatternPlane for MachinePlane<'_> {
         &self,
         event: Bifurcation,
         parameters: [f64; 2],
-        pattern: &StopPattern,
+        pattern: &Itinerary,
         z: &[f64],
     ) -> Result<Vec<f64>> {
         let machine = (self.at)(parameters)?;
@@ -373,7 +362,7 @@ impl PatternPlane for MachinePlane<'_> {
         Ok(values)
     }
 
-    fn orbit(&self, parameters: [f64; 2], pattern: &StopPattern, root: Root) -> Result<MachineOrbit> {
+    fn orbit(&self, parameters: [f64; 2], pattern: &Itinerary, root: Root) -> Result<Orbit> {
         self.common.orbit(&(self.at)(parameters)?, pattern, root)
     }
 
@@ -383,7 +372,7 @@ impl PatternPlane for MachinePlane<'_> {
         event: Bifurcation,
         parameters: [f64; 2],
         tangent: &[f64],
-        orbit: &MachineOrbit,
+        orbit: &Orbit,
         _: &[f64],
     ) -> Vec<Option<f64>> {
         let mut all = vec![None; Degeneracy::ALL.len()];
@@ -391,8 +380,9 @@ impl PatternPlane for MachinePlane<'_> {
         let coefficient = |of: &dyn Fn(&Local) -> Option<f64>| {
             let machine = (self.at)(parameters).ok()?;
             let solved =
-                Solved::new(&machine, &orbit.pattern, self.common.depth, self.common.tally.as_ref()).ok()?;
-            let equations = solved.equations(&orbit.pattern, orbit.scale);
+                Solved::new(&machine, &orbit.itinerary, self.common.depth, self.common.tally.as_ref())
+                    .ok()?;
+            let equations = solved.equations(&orbit.itinerary, orbit.scale);
             of(&Local::new(equations, &orbit.z).ok()?)
         };
         let mut set =
@@ -436,7 +426,7 @@ impl PatternPlane for MachinePlane<'_> {
     }
 
     /// Two real multipliers whose product is 1 are those of a saddle that keeps areas.
-    fn is_genuine(&self, event: Bifurcation, degeneracy: Degeneracy, orbit: &MachineOrbit) -> bool {
+    fn is_genuine(&self, event: Bifurcation, degeneracy: Degeneracy, orbit: &Orbit) -> bool {
         let critical = match (event, degeneracy) {
             (Bifurcation::SaddleNode, Degeneracy::FoldTorus) => vec![(1.0, 0.0)],
             (Bifurcation::Flip, Degeneracy::FlipTorus) => vec![(-1.0, 0.0)],

@@ -11,7 +11,7 @@
 //! by M⁻¹WᵀΛ. For one stop it is w⁺ = −τ w⁻. For several it is a choice: hits in quick succession, in
 //! whatever order, may end otherwise. `ImpactLaw::order_matters` says whether they would.
 
-use super::{LinearEquations, MachineState, RealMatrix, RealVector, SpeedLaw};
+use super::{LinearEquations, RealMatrix, RealVector, SpeedLaw, State};
 use crate::{
     error::{Error, Result},
     motion::Series,
@@ -58,7 +58,7 @@ impl SoftContact {
 
 impl StopContact {
     /// z and z′.
-    pub fn gap(&self, at: &MachineState) -> [f64; 2] {
+    pub fn gap(&self, at: &State) -> [f64; 2] {
         let [place, speed, _] = self.position.at(at.t);
         [self.row.dot(&at.q) - place, self.row.dot(&at.u) - speed]
     }
@@ -97,7 +97,7 @@ impl StopContact {
     }
 
     /// z″ of the motion without any stop.
-    pub(crate) fn acceleration(&self, equations: &LinearEquations, at: &MachineState) -> f64 {
+    pub(crate) fn acceleration(&self, equations: &LinearEquations, at: &State) -> f64 {
         self.row.dot(&equations.acceleration(at.t, &at.q, &at.u)) - self.position.at(at.t)[2]
     }
 }

@@ -29,7 +29,7 @@
 //!   map there ([`grazing`]); periodic orbits with impacts ([`orbit`]), their branches and bifurcations by
 //!   `continuation` ([`branch`]), and which way those go
 //!   ([`normal_form`](mod@normal_form)). Derivatives come from the flow, the saltation at impacts and
-//!   [`MachineSlope`]: nothing is differenced.
+//!   [`Slope`]: nothing is differenced.
 //!
 //! - **Attractors.** [`section`] is the machine as sections, basins, diagrams and Lyapunov exponents of
 //!   `attractor` follow it: there is one notion of an attractor.
@@ -39,12 +39,12 @@
 //! pictures.
 //!
 //! ```
-//! use grazing::many::grazing::{MachineSearch, locate};
+//! use grazing::many::grazing::{Search, locate};
 //! use grazing::scene::{MachineSceneFamily, Scene};
 //! // At which force, from 1 N on, do the two masses first touch?
 //! let scene = Scene::read("examples/machines/two-masses.toml")?;
 //! let family = MachineSceneFamily::new(&scene, "F0")?;
-//! let MachineSearch::Found(touch) = locate(&family, 1.0, 20.0, None)? else { panic!() };
+//! let Search::Found(touch) = locate(&family, 1.0, 20.0, None)? else { panic!() };
 //! assert!(touch.parameter > 1.0 && touch.at.gap.abs() <= 1e-11 * touch.scale);
 //! # Ok::<(), grazing::Error>(())
 //! ```
@@ -73,8 +73,8 @@ pub(crate) use equations::{LinearEquations, Periodic};
 pub use flow::FlowMethod;
 pub(crate) use flow::LinearFlow;
 pub use model::{Load, Machine, Stop, StopLaw};
-pub use slope::MachineFamily;
-pub(crate) use slope::MachineSlope;
+pub use slope::Family;
+pub(crate) use slope::Slope;
 pub use smooth::Record;
 pub(crate) use speed::MOST as MOST_POWERS;
 pub use speed::SpeedLaw;
@@ -86,7 +86,7 @@ pub(crate) type RealMatrix = nalgebra::DMatrix<f64>;
 
 /// A state: displacements q and velocities q′ at phase t in [0, 2π), velocities per radian of the forcing.
 #[derive(Debug, Clone, PartialEq)]
-pub struct MachineState {
+pub struct State {
     /// The phase.
     pub t: f64,
     /// Displacements.
@@ -95,10 +95,10 @@ pub struct MachineState {
     pub(crate) u: RealVector,
 }
 
-impl MachineState {
+impl State {
     /// The state with these displacements and velocities, one for each coordinate.
-    pub fn new(t: f64, q: &[f64], u: &[f64]) -> MachineState {
-        MachineState { t, q: RealVector::from_column_slice(q), u: RealVector::from_column_slice(u) }
+    pub fn new(t: f64, q: &[f64], u: &[f64]) -> State {
+        State { t, q: RealVector::from_column_slice(q), u: RealVector::from_column_slice(u) }
     }
 
     /// The displacements.

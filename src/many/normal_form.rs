@@ -18,7 +18,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 use super::{
     Machine, RealMatrix, RealVector,
     branch::{RELATIVE_DEPTH, Solved},
-    orbit::{Image, MachineChange, MachineOrbit, StopEquations, Surface},
+    orbit::{Change, Image, Orbit, StopEquations, Surface},
 };
 use crate::{
     continuation::{
@@ -48,15 +48,16 @@ const BESIDE: f64 = 1e-4;
 pub(crate) fn normal_form(
     machine: &Machine<f64>,
     slope: &Machine<f64>,
-    orbit: &MachineOrbit,
+    orbit: &Orbit,
     bifurcation: Bifurcation,
 ) -> Result<NormalForm, NoForm> {
     if matches!(bifurcation, Bifurcation::Grazing | Bifurcation::Fade) {
         return Err(NOT_SMOOTH);
     }
     let unknown = |_: Error| UNKNOWN;
-    let solved = Solved::new(machine, &orbit.pattern, RELATIVE_DEPTH * orbit.scale, None).map_err(unknown)?;
-    let equations = solved.equations(&orbit.pattern, orbit.scale);
+    let solved =
+        Solved::new(machine, &orbit.itinerary, RELATIVE_DEPTH * orbit.scale, None).map_err(unknown)?;
+    let equations = solved.equations(&orbit.itinerary, orbit.scale);
     let own = |i: usize| equations.contact(i).law.is_some();
     if equations.between.soft.is_some() || (0..orbit.impacts.len()).any(own) {
         return Err("none: through soft stops, formulas or a law of restitution");
@@ -79,8 +80,7 @@ pub(crate) fn normal_form(
     };
     Ok(match bifurcation {
         Bifurcation::SaddleNode => {
-            let change =
-                MachineChange::new(machine, slope, &solved.flow, &solved.contacts).map_err(unknown)?;
+            let change = Change::new(machine, slope, &solved.flow, &solved.contacts).map_err(unknown)?;
             let turn = estimate(&|local| {
                 let (a, p) = local.fold()?;
                 Some(a * p.dot(&local.equations.drift(&local.z, &change).ok()?))

@@ -3,12 +3,12 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::{LinearEquations, MachineSlope, MachineState, Periodic, RealMatrix, RealVector};
+use super::{LinearEquations, Periodic, RealMatrix, RealVector, Slope, State};
 use crate::error::{Error, Result};
 
 impl Periodic {
     /// The state of displacements that move so, at t.
-    pub fn state(&self, t: f64) -> MachineState {
+    pub fn state(&self, t: f64) -> State {
         let mut u = RealVector::zeros(self.mean.len());
         for (k, a, b) in &self.harmonics {
             let k = f64::from(*k);
@@ -16,7 +16,7 @@ impl Periodic {
             u.axpy(-k * sin, a, 1.0);
             u.axpy(k * cos, b, 1.0);
         }
-        MachineState { t, q: self.at(t), u }
+        State { t, q: self.at(t), u }
     }
 
     /// a − ib of cos and sin of kt, the mean for k = 0: the function is the sum of the real parts of (a − ib)
@@ -51,7 +51,7 @@ impl LinearEquations {
     ///
     /// # Errors
     /// As [`response`](Self::response).
-    pub(crate) fn response_slope(&self, motion: &Periodic, slope: &MachineSlope) -> Result<Periodic> {
+    pub(crate) fn response_slope(&self, motion: &Periodic, slope: &Slope) -> Result<Periodic> {
         let both = motion.harmonics.iter().chain(&slope.force.harmonics).map(|known| known.0);
         let mut ks: Vec<u32> = std::iter::once(0).chain(both).collect();
         ks.sort_unstable();

@@ -9,10 +9,10 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Machine, MachineState, RealMatrix, RealVector,
+    Machine, RealMatrix, RealVector, State,
     algebra::eigenvalues,
     contact::Watch,
-    simulate::{MachineRun, MachineSimulator, MachineTangents},
+    simulate::{Carried, Run, Simulator},
 };
 use crate::{
     attractor::{
@@ -79,14 +79,14 @@ impl PlaneAxis {
 
 /// A state on a section.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct MachinePoint {
+pub struct Point {
     /// In the plane, in the scene's units.
     pub at: [f64; 2],
     /// The whole state: Lᵀq and Lᵀq′.
     pub whole: Vec<f64>,
 }
 
-impl SectionState for MachinePoint {
+impl SectionState for Point {
     fn plane(&self) -> [f64; 2] {
         self.at
     }
@@ -98,7 +98,7 @@ impl SectionState for MachinePoint {
 
 /// A state to start from: phase, displacements of the machine's own coordinates, velocities per unit of time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct MachineStart {
+pub struct Start {
     /// The phase, in [0, 2π).
     pub t: f64,
     /// Displacements.
@@ -107,18 +107,18 @@ pub struct MachineStart {
     pub u: Vec<f64>,
 }
 
-impl MachineState {
+impl State {
     /// The state as a start, `rate` being radians of the forcing in a unit of time.
-    pub fn start(&self, rate: f64) -> MachineStart {
+    pub fn start(&self, rate: f64) -> Start {
         let u = self.u.iter().map(|u| u * rate).collect();
-        MachineStart { t: self.t, q: self.q.as_slice().to_vec(), u }
+        Start { t: self.t, q: self.q.as_slice().to_vec(), u }
     }
 }
 
 /// A machine whose sections are seen in a plane.
 #[derive(Debug)]
 pub struct PlanarMachine {
-    simulator: MachineSimulator,
+    simulator: Simulator,
     plane: [Watch; 2],
     /// Starts in the plane: what they have besides, and what one more of each of the two numbers adds.
     base: [Vec<f64>; 2],
@@ -130,11 +130,7 @@ impl PlanarMachine {
     ///
     /// # Errors
     /// A coordinate or a stop that the machine does not have.
-    pub fn new(
-        machine: &Machine<f64>,
-        simulator: MachineSimulator,
-        axes: &[PlaneAxis; 2],
-    ) -> Result<PlanarMachine> {
+    pub fn new(machine: &Machine<f64>, simulator: Simulator, axes: &[PlaneAxis; 2]) -> Result<PlanarMachine> {
         let plane = [axes[0].watch(machine)?, axes[1].watch(machine)?];
         let none = || vec![0.0; machine.size];
         let directions = [[none(), none()], [none(), none()]];
@@ -178,40 +174,40 @@ impl PlanarMachine {
     }
 
     /// What simulates it.
-    pub fn simulator(&self) -> &MachineSimulator {
+    pub fn simulator(&self) -> &Simulator {
         &self.simulator
     }
 
     /// The state with these coordinates, Lᵀq and Lᵀq′, at a phase.
-    pub(crate) fn state(&self, whole: &[f64], phase: f64) -> MachineState {
+    pub(crate) fn state(&self, whole: &[f64], phase: f64) -> State {
         let (upper, n) = (self.simulator.equations().root().transpose(), whole.len() / 2);
         let part = |x: &[f64]| {
             let x = RealVector::from_column_slice(x);
             upper.solve_upper_triangular(&x).unwrap_or(x)
         };
-        MachineState { t: phase, q: part(&whole[..n]), u: part(&whole[n..]) }
+        State { t: phase, q: part(&whole[..n]), u: part(&whole[n..]) }
     }
 
     /// A state as the section sees it; t is its phase.
-    pub fn point(&self, state: &MachineState) -> MachinePoint {
+    pub fn point(&self, state: &State) -> Point {
         let upper = self.simulator.equations().root().transpose();
         let (q, u) = (&upper * &state.q, &upper * &state.u);
         let whole = q.iter().chain(u.iter()).copied().collect();
         let axis = |watch: &Watch| {
             watch.places.dot(&state.q) + watch.rates.dot(&state.u) + watch.given.at(state.t)[0]
         };
-        MachinePoint { at: [axis(&self.plane[0]), axis(&self.plane[1])], whole }
+        Point { at: [axis(&self.plane[0]), axis(&self.plane[1])], whole }
     }
 }
 
 /// A motion of a machine whose sections are seen in a plane.
 pub struct PlanarRun<'a> {
     machine: &'a PlanarMachine,
-    run: MachineRun<'a>,
+    run: Run<'a>,
 }
 
 impl Motion for PlanarRun<'_> {
-    type Point = MachinePoint;
+    type Point = Point;
 
     const CHUNK: u64 = 1;
 
@@ -223,8 +219,8 @@ impl Motion for PlanarRun<'_> {
         self.run.impacts()
     }
 
-    fn point(&self) -> MachinePoint {
-        self.machine.point(&MachineState { t: self.run.time().phase, ..self.run.state() })
+    fn point(&self) -> Point {
+        self.machine.point(&State { t: self.run.time().phase, ..self.run.state() })
     }
 
     fn pass(&mut self, until: Time) -> Result<RunEnd> {
@@ -246,37 +242,37 @@ impl Motion for PlanarRun<'_> {
 }
 
 impl Dynamics for PlanarMachine {
-    type Start = MachineStart;
-    type Point = MachinePoint;
+    type Start = Start;
+    type Point = Point;
     type Motion<'a> = PlanarRun<'a>;
-    type Tangents<'a> = MachineTangents<'a>;
+    type Tangents<'a> = Carried<'a>;
 
     fn dimension(&self) -> usize {
         2 * self.simulator.equations().size()
     }
 
-    fn begin(&self, start: &MachineStart) -> Result<PlanarRun<'_>> {
+    fn begin(&self, start: &Start) -> Result<PlanarRun<'_>> {
         let rate = self.simulator.rate();
         let u: Vec<f64> = start.u.iter().map(|u| u / rate).collect();
         let run = self.simulator.start(Time::new(0, start.t), &start.q, &u)?;
         Ok(PlanarRun { machine: self, run })
     }
 
-    fn in_plane(&self, at: [f64; 2], phase: f64) -> MachineStart {
+    fn in_plane(&self, at: [f64; 2], phase: f64) -> Start {
         let part = |part: usize| -> Vec<f64> {
             let [first, second] = [&self.directions[0][part], &self.directions[1][part]];
             let all = self.base[part].iter().zip(first.iter().zip(second));
             all.map(|(base, (first, second))| base + at[0] * first + at[1] * second).collect()
         };
-        MachineStart { t: phase, q: part(0), u: part(1) }
+        Start { t: phase, q: part(0), u: part(1) }
     }
 
-    fn at(&self, coordinates: &[f64], phase: f64) -> MachineStart {
+    fn at(&self, coordinates: &[f64], phase: f64) -> Start {
         self.state(coordinates, phase).start(self.simulator.rate())
     }
 
-    fn along<'a>(&'a self, motion: PlanarRun<'a>) -> MachineTangents<'a> {
-        MachineTangents::along(motion.run)
+    fn along<'a>(&'a self, motion: PlanarRun<'a>) -> Carried<'a> {
+        Carried::along(motion.run)
     }
 
     fn multipliers(slope: &[Vec<f64>], determinant: Option<f64>) -> Option<Vec<(f64, f64)>> {
@@ -287,12 +283,12 @@ impl Dynamics for PlanarMachine {
         if finite { eigenvalues(&matrix, determinant).ok() } else { None }
     }
 
-    fn here(&self, motion: &PlanarRun<'_>) -> MachineStart {
-        MachineState { t: motion.run.time().phase, ..motion.run.state() }.start(self.simulator.rate())
+    fn here(&self, motion: &PlanarRun<'_>) -> Start {
+        State { t: motion.run.time().phase, ..motion.run.state() }.start(self.simulator.rate())
     }
 
-    fn tangents<'a>(&'a self, motion: PlanarRun<'a>, count: usize) -> MachineTangents<'a> {
-        MachineTangents::new(motion.run, count)
+    fn tangents<'a>(&'a self, motion: PlanarRun<'a>, count: usize) -> Carried<'a> {
+        Carried::new(motion.run, count)
     }
 }
 

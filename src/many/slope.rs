@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// Machines over a parameter.
-pub trait MachineFamily {
+pub trait Family {
     /// The machine at a value of the parameter, and the derivative of each of its coefficients.
     ///
     /// # Errors
@@ -30,7 +30,7 @@ pub trait MachineFamily {
 /// The derivatives in a parameter of what [`LinearEquations`] and the stops are made of, the forcing's phase
 /// being time.
 #[derive(Debug, Clone)]
-pub struct MachineSlope {
+pub struct Slope {
     /// Of M.
     pub mass: RealMatrix,
     /// Of C.
@@ -45,13 +45,13 @@ pub struct MachineSlope {
     pub soft: Vec<Option<SoftContact>>,
 }
 
-impl MachineSlope {
+impl Slope {
     /// The derivatives, `slope` being those of the coefficients of `machine` as they are written.
     ///
     /// # Errors
     /// Those of [`Machine::equations`]; damping ratios by mode where two modes that the parameter mixes have
     /// one frequency, or where a mode without stiffness gets some: the damping has no derivative there.
-    pub fn new(machine: &Machine<f64>, slope: &Machine<f64>) -> Result<MachineSlope> {
+    pub fn new(machine: &Machine<f64>, slope: &Machine<f64>) -> Result<Slope> {
         // Ω = 2π/T.
         let (rate, faster) = (machine.rate(), -machine.rate() * slope.period / machine.period);
         let (mass, mass_slope) = (machine.matrix("mass", &machine.mass)?, slope.matrix("mass", &slope.mass)?);
@@ -96,7 +96,7 @@ impl MachineSlope {
             }
             _ => None,
         });
-        Ok(MachineSlope {
+        Ok(Slope {
             soft: soft.collect(),
             mass: mass_slope,
             damping: damping_slope,
@@ -107,11 +107,11 @@ impl MachineSlope {
     }
 }
 
-impl MachineSlope {
+impl Slope {
     /// The same while these soft stops push: the derivatives of K + Σ k wᵀw and so on
     /// ([`LinearEquations::pushed`]).
     #[must_use]
-    pub(crate) fn pushed(&self, contacts: &Contacts, pushing: &[usize]) -> MachineSlope {
+    pub(crate) fn pushed(&self, contacts: &Contacts, pushing: &[usize]) -> Slope {
         let mut all = self.clone();
         for &stop in pushing {
             let (contact, (row_slope, place_slope)) = (&contacts.all()[stop], &self.stops[stop]);

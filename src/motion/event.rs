@@ -8,15 +8,37 @@ use super::{RunEnd, Side, Time};
 pub trait Place: Copy + PartialEq + Debug {
     /// What is known of an impact beside its velocity.
     type Shock: Copy + PartialEq + Debug;
+
+    /// Its number: the lower wall is 0, the upper 1.
+    fn number(self) -> usize;
+
+    /// The place of a number that [`number`](Self::number) gives.
+    fn numbered(number: usize) -> Self;
 }
 
 /// A point mass between two walls meets one at a time.
 impl Place for Side {
     type Shock = ();
+
+    fn number(self) -> usize {
+        self as usize
+    }
+
+    fn numbered(number: usize) -> Side {
+        [Side::Lower, Side::Upper][number]
+    }
 }
 
 impl Place for usize {
     type Shock = Shock;
+
+    fn number(self) -> usize {
+        self
+    }
+
+    fn numbered(number: usize) -> usize {
+        number
+    }
 }
 
 /// What several stops make of an impact.

@@ -15,9 +15,9 @@ use crate::{
         OrbitBranch, PatternCurve, PatternOf, PatternPlane,
     },
     error::{Error, Result},
-    many::orbit::MachineOrbit,
+    many,
     number::{Plain, Real},
-    one::orbit::Orbit,
+    one,
     output::{LONGEST_INPUT, read_text},
     scene::branches::{BranchOrigin, BranchStart, BranchTask, Restart, Way},
 };
@@ -67,9 +67,9 @@ row! {
 #[derive(Debug, Clone, PartialEq)]
 pub enum FoundBranches {
     /// Of an oscillator.
-    One(Vec<OrbitBranch<Orbit>>),
+    One(Vec<OrbitBranch<one::orbit::Orbit>>),
     /// Of a machine.
-    Many(Vec<OrbitBranch<MachineOrbit>>),
+    Many(Vec<OrbitBranch<many::orbit::Orbit>>),
 }
 
 impl FoundBranches {
@@ -82,14 +82,14 @@ impl FoundBranches {
     }
 }
 
-impl From<Vec<OrbitBranch<Orbit>>> for FoundBranches {
-    fn from(all: Vec<OrbitBranch<Orbit>>) -> Self {
+impl From<Vec<OrbitBranch<one::orbit::Orbit>>> for FoundBranches {
+    fn from(all: Vec<OrbitBranch<one::orbit::Orbit>>) -> Self {
         FoundBranches::One(all)
     }
 }
 
-impl From<Vec<OrbitBranch<MachineOrbit>>> for FoundBranches {
-    fn from(all: Vec<OrbitBranch<MachineOrbit>>) -> Self {
+impl From<Vec<OrbitBranch<many::orbit::Orbit>>> for FoundBranches {
+    fn from(all: Vec<OrbitBranch<many::orbit::Orbit>>) -> Self {
         FoundBranches::Many(all)
     }
 }

@@ -8,7 +8,7 @@ use super::{dual::Dual, scene::Scene};
 
 use crate::{
     error::{Error, Result},
-    many::{Machine, MachineFamily},
+    many::{self, Machine},
     motion::EffectTally,
     one::orbit::{Family, Oscillator},
 };
@@ -125,7 +125,7 @@ impl<'s> MachineSceneFamily<'s> {
     }
 }
 
-impl MachineFamily for MachineSceneFamily<'_> {
+impl many::Family for MachineSceneFamily<'_> {
     /// Derivatives are exact to rounding: every coefficient is evaluated in dual numbers.
     fn at(&self, parameter: f64) -> Result<(Machine<f64>, Machine<f64>)> {
         let machine = self.scene.machine(&[(&self.name, parameter)])?;

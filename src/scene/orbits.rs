@@ -109,7 +109,7 @@ impl OrbitKeys {
         }
         let side = if system.lower.is_some() { Side::Lower } else { Side::Upper };
         let side = |i: usize| self.stops.get(i).and_then(|stop| stop.side).unwrap_or(side);
-        let strikes = self.pattern.iter().enumerate().map(|(i, &periods)| Strike { side: side(i), periods });
+        let strikes = self.pattern.iter().enumerate().map(|(i, &periods)| Strike { place: side(i), periods });
         Itinerary::new(strikes.collect())
     }
 

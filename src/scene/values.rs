@@ -12,7 +12,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    many::{Machine, MachineState, RealVector, section::PlaneAxis},
+    many::{Machine, RealVector, State, section::PlaneAxis},
     number::{Ball, Plain, Precision, Real},
     search::machine::Bounds,
 };
@@ -224,12 +224,7 @@ impl Scene {
     /// # Errors
     /// An input error that names the key, for lists of the wrong length, values that cannot be computed, and
     /// points of modes that do not tell all their amplitudes.
-    pub(crate) fn machine_state(
-        &self,
-        start: &Start,
-        machine: &Machine<f64>,
-        path: &str,
-    ) -> Result<MachineState> {
+    pub(crate) fn machine_state(&self, start: &Start, machine: &Machine<f64>, path: &str) -> Result<State> {
         let part = |given: &CoordinateList, name: &str| -> Result<RealVector> {
             let key = format!("{path}.{name}");
             let points = machine.points();
@@ -248,6 +243,6 @@ impl Scene {
                 .map_err(|error| self.fail(&key, &error.to_string()))
         };
         let (q, u) = (part(&start.q, "q")?, part(&start.u, "u")?);
-        Ok(MachineState { t: phase(&start.phase), q, u: u / machine.rate() })
+        Ok(State { t: phase(&start.phase), q, u: u / machine.rate() })
     }
 }

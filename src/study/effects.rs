@@ -8,10 +8,7 @@ use std::{
 
 use crate::{
     error::Result,
-    many::{
-        Machine, SpeedLaw, Stop, StopLaw,
-        simulate::{MachineSettings, MachineSimulator},
-    },
+    many::{self, Machine, SpeedLaw, Stop, StopLaw},
     motion::{Counts, Effect, EffectTally, Harmonic, SmoothForce, System, Time, Wall},
     one::simulate::{Settings, Simulator},
     scene::Scene,
@@ -151,7 +148,7 @@ impl MachineWithEffect {
     /// None for [`machine_effects`].
     pub fn measure(&self, periods: i64, runs: u32) -> Result<EffectCost<{ Effect::OF_MACHINES.len() }>> {
         let (counts, impacts) = self.count(periods)?;
-        let simulator = MachineSimulator::new(&self.machine, &MachineSettings::default())?;
+        let simulator = many::simulate::Simulator::new(&self.machine, &many::simulate::Settings::default())?;
         let mut least = Duration::MAX;
         for _ in 0..runs {
             let mut run = simulator.start(Time::new(0, 0.0), &[0.0], &[SPEED])?;
@@ -171,8 +168,8 @@ impl MachineWithEffect {
     /// None for [`machine_effects`].
     pub fn count(&self, periods: i64) -> Result<([u64; Effect::OF_MACHINES.len()], u64)> {
         let tally = Arc::new(EffectTally::default());
-        let simulator =
-            MachineSimulator::new(&self.machine, &MachineSettings::default())?.counting(tally.clone());
+        let simulator = many::simulate::Simulator::new(&self.machine, &many::simulate::Settings::default())?
+            .counting(tally.clone());
         let mut run = simulator.start(Time::new(0, 0.0), &[0.0], &[SPEED])?;
         for period in 1..=periods {
             run.finish(Time::new(period, 0.0));

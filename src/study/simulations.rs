@@ -14,10 +14,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    many::{
-        Load, Machine, Stop, StopLaw,
-        simulate::{MachineSettings, MachineSimulator},
-    },
+    many::{self, Load, Machine, Stop, StopLaw},
     motion::{Event, Harmonic, System, Time, Wall},
     one::simulate::{Settings, Simulator},
     scene::Scene,
@@ -183,7 +180,8 @@ impl KnownMotion {
                 (found, counted, times)
             }
             Model::Machine(machine) => {
-                let simulator = MachineSimulator::new(machine, &MachineSettings::default())?;
+                let simulator =
+                    many::simulate::Simulator::new(machine, &many::simulate::Settings::default())?;
                 let rest = vec![0.0; machine.size];
                 let start = vec![self.start; machine.size];
                 let follow = || {

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 use grazing::{
     certificate,
-    many::orbit::{StopPattern, find},
+    many::orbit::{Itinerary, find},
     motion::{Harmonic, System, Wall},
     number::Precision,
     search::{
@@ -114,7 +114,7 @@ fn machines_of_one_coordinate_agree() {
         let system = system(&drawn);
         let case = Case { name: "drawn", impacts: Vec::new(), stability: Stability::Stable, system };
         let (machine, _) = as_machine(&case);
-        let near = find(&plainly(&machine), &StopPattern::free(1).unwrap(), &[]).unwrap();
+        let near = find(&plainly(&machine), &Itinerary::free(1).unwrap(), &[]).unwrap();
         match machine::free_motion(&list(&machine).unwrap(), &near, &mut || false).unwrap() {
             Verdict::Proved(proof) => {
                 assert!(least_gap(&drawn) > 0.0, "{drawn:?}");

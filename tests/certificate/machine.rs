@@ -14,8 +14,8 @@ use grazing::{
     certificate::{self, Rejection, machine as listed},
     many::{
         Machine,
-        orbit::{MachineOrbit, StopPattern, StopStrike, find},
-        simulate::{MachineSettings, MachineSimulator},
+        orbit::{Itinerary, Orbit, Strike, find},
+        simulate::{Settings, Simulator},
     },
     motion::{Harmonic, Side, Wall},
     run::{Findings, Surroundings, run},
@@ -95,27 +95,26 @@ pub(crate) fn as_machine(case: &Case) -> (Machine<Bounds>, Vec<Side>) {
 }
 
 /// What follows the motions of the least of each coefficient, in floats.
-pub(crate) fn plainly(machine: &Machine<Bounds>) -> MachineSimulator {
+pub(crate) fn plainly(machine: &Machine<Bounds>) -> Simulator {
     let plain = machine.try_map(|x| Ok::<f64, ()>(x[0].to_f64().unwrap())).unwrap();
-    MachineSimulator::new(&plain, &MachineSettings { minimum_depth: 1e-12, ..MachineSettings::default() })
-        .unwrap()
+    Simulator::new(&plain, &Settings { minimum_depth: 1e-12, ..Settings::default() }).unwrap()
 }
 
 /// The orbit of a case in floats, found from what the proof in balls says.
-fn near(case: &Case, machine: &Machine<Bounds>, sides: &[Side], known: &ProvedOrbit) -> MachineOrbit {
+fn near(case: &Case, machine: &Machine<Bounds>, sides: &[Side], known: &ProvedOrbit) -> Orbit {
     let simulator = plainly(machine);
-    let strike = |impact: &grazing::search::orbit::ExpectedImpact| StopStrike {
-        stop: sides.iter().position(|&side| side == impact.side).unwrap(),
+    let strike = |impact: &grazing::search::orbit::ExpectedImpact| Strike {
+        place: sides.iter().position(|&side| side == impact.side).unwrap(),
         periods: impact.periods,
     };
-    let pattern = StopPattern::new(case.impacts.iter().map(strike).collect()).unwrap();
+    let pattern = Itinerary::new(case.impacts.iter().map(strike).collect()).unwrap();
     let float = |x: &grazing::number::Ball| x.exact_bounds().unwrap().0.to_f64().unwrap();
     let start: Vec<f64> =
         known.phases.iter().zip(&known.velocities).flat_map(|(t, v)| [float(t), float(v)]).collect();
     find(&simulator, &pattern, &start).unwrap()
 }
 
-fn proved_machine(machine: &Machine<Bounds>, near: &MachineOrbit) -> ProvedMachineOrbit {
+fn proved_machine(machine: &Machine<Bounds>, near: &Orbit) -> ProvedMachineOrbit {
     match prove_machine(&list(machine).unwrap(), near, &mut || false).unwrap() {
         Verdict::Proved(proof) => proof,
         other => panic!("{other:?}"),
@@ -237,11 +236,8 @@ fn chains_are_proved_and_the_simulator_follows_them() {
 /// period later.
 fn follow(scene: &Scene, text: &str) {
     let machine = scene.machine(&[]).unwrap();
-    let simulator = MachineSimulator::new(
-        &machine,
-        &MachineSettings { minimum_depth: 1e-12, ..MachineSettings::default() },
-    )
-    .unwrap();
+    let simulator =
+        Simulator::new(&machine, &Settings { minimum_depth: 1e-12, ..Settings::default() }).unwrap();
     let words = |start: &str| -> Vec<String> {
         let line = text.lines().find(|line| line.starts_with(start)).unwrap();
         line.split(' ').skip(1).map(String::from).collect()
@@ -256,8 +252,7 @@ fn follow(scene: &Scene, text: &str) {
     let speed = place[1] - contact.row.dot(&u);
     let push = simulator.contacts().push(0)
         * ((1.0 + contact.restitution) * speed / simulator.contacts().mobility(0));
-    let after =
-        grazing::many::MachineState::new(phase.rem_euclid(TAU), &numbers[1..1 + n], (&u + push).as_slice());
+    let after = grazing::many::State::new(phase.rem_euclid(TAU), &numbers[1..1 + n], (&u + push).as_slice());
     let step = 1e-3;
     let soon = simulator.flow().after(&after, step);
     let begin = grazing::motion::Time::new(0, phase.rem_euclid(TAU) + step);

@@ -145,7 +145,7 @@ fn confirm(machine: &Machine, row: &RangeRow, claim: &Claim, value: f64, word: &
         middle[i] / 2.0 - e21 * place(phase[before]) - e22 * a
     };
     let start = (0..m).flat_map(|i| [top + phase[i], depth * height * arriving(i)]).collect();
-    let strike = |&v: &usize| Strike { side: Side::Upper, periods: claim.periods[v] as u32 };
+    let strike = |&v: &usize| Strike { place: Side::Upper, periods: claim.periods[v] as u32 };
     let system = machine.scene("").plain(&[("F", force), ("d", gap)]).unwrap();
     let oscillator = Oscillator::new(system, 1e-13).unwrap();
     let orbit = find(&oscillator, &Itinerary::new(word.iter().map(strike).collect()).unwrap(), start)

@@ -27,7 +27,7 @@ use grazing::{
             attracting,
             crisis::{CrisisSearch as Search, crisis},
         },
-        branch::{Branch, Events, Orbits, OscillatorPatterns, OscillatorPlane, read_label, record},
+        branch::{Branch, Events, Orbits, Patterns, Plane, read_label, record},
         orbit::{Family, Itinerary, Oscillator, SingleImpact, search},
         simulate::{Settings, Simulator},
     },
@@ -44,12 +44,12 @@ fn family(scene: &Scene) -> SceneFamily<'_> {
 }
 
 /// Its orbits, lengths measured by the motion's size at the scene's own µ.
-fn patterns<'a>(family: &'a SceneFamily) -> OscillatorPatterns<'a> {
-    OscillatorPatterns::new(family, family.value()).unwrap()
+fn patterns<'a>(family: &'a SceneFamily) -> Patterns<'a> {
+    Patterns::new(family, family.value()).unwrap()
 }
 
 /// The curve of single-impact orbits of period n.
-fn single<'a>(patterns: &'a OscillatorPatterns<'a>, n: u32, range: (f64, f64)) -> Orbits<'a> {
+fn single<'a>(patterns: &'a Patterns<'a>, n: u32, range: (f64, f64)) -> Orbits<'a> {
     Orbits::over(patterns, Itinerary::at(Side::Lower, &[n]).unwrap(), range)
 }
 
@@ -368,7 +368,7 @@ fn a_flip_followed_in_two_parameters_agrees_with_the_formula_and_ends_at_the_res
     let three = branch(&single(&patterns(&family), 3, (-0.1, 0.01)), 0.003, false, Direction::Both, &options);
     let flip = three.labelled("flip 1").unwrap();
     let plane = |[mu, w]: [f64; 2]| Oscillator::new(scene.plain(&[("mu", mu), ("w", w)])?, 1e-13);
-    let plane = OscillatorPlane::new(&plane, [0.0, 4.9]).unwrap();
+    let plane = Plane::new(&plane, [0.0, 4.9]).unwrap();
     let events = Events {
         plane: &plane,
         itinerary: three.itinerary.clone(),
@@ -435,13 +435,13 @@ fn branches_that_cross_are_labelled_and_switched() {
     };
     use grazing::one::orbit::Strike;
     let itinerary = Itinerary::new(vec![
-        Strike { side: Side::Lower, periods: 0 },
-        Strike { side: Side::Upper, periods: 1 },
+        Strike { place: Side::Lower, periods: 0 },
+        Strike { place: Side::Upper, periods: 1 },
     ])
     .unwrap();
     let found = search(&oscillator(2.0).unwrap(), &itinerary, 300, 2.0);
     let start = found.iter().find(|orbit| orbit.admissibility.is_admissible()).expect("a symmetric orbit");
-    let patterns = OscillatorPatterns::new(&oscillator, 2.0).unwrap();
+    let patterns = Patterns::new(&oscillator, 2.0).unwrap();
     let orbits = Orbits::over(&patterns, itinerary, (0.5, 4.0));
     let options = Options::default();
     let place = orbits.start(start.z.clone(), 2.0, &options).unwrap();

@@ -14,7 +14,7 @@ use grazing::{
     },
     motion::{Side, Time},
     one::{
-        branch::{Branch, Events, Orbits, OscillatorPatterns, OscillatorPlane},
+        branch::{Branch, Events, Orbits, Patterns, Plane},
         orbit::{Family, Itinerary, Orbit, Oscillator, Strike, describe, find},
         simulate::{Event, Settings, Simulator},
     },
@@ -53,7 +53,7 @@ fn curve(
     at: [f64; 2],
 ) -> Branch {
     let plane = |[x, y]: [f64; 2]| Oscillator::new(scene.plain(&[(names[0], x), (names[1], y)])?, 1e-13);
-    let plane = OscillatorPlane::new(&plane, at).unwrap();
+    let plane = Plane::new(&plane, at).unwrap();
     let events = Events { plane: &plane, itinerary: one_impact(1), event, ranges };
     let options = Options::default();
     let place = events.start(z, at, &options).unwrap();
@@ -100,7 +100,7 @@ fn neimark_sacker_points_and_their_resonances_are_where_areas_are_kept() {
     let scene = in_air();
     let r = (0.1 * PI).exp();
     let family = SceneFamily::new(&scene, "r").unwrap();
-    let patterns = OscillatorPatterns::new(&family, family.value()).unwrap();
+    let patterns = Patterns::new(&family, family.value()).unwrap();
     let orbits = Orbits::over(&patterns, one_impact(1), (0.9, 1.6));
     let options = Options::default();
     let [_, kappa, w] = drag(1.2);
@@ -381,10 +381,10 @@ fn pitchforks_of_symmetric_orbits_are_followed_in_two_parameters() {
         [[walls]]\nside = \"lower\"\noffset = \"-D\"\nrestitution = \"7/10\"\n\
         [[walls]]\nside = \"upper\"\noffset = \"D\"\nrestitution = \"7/10\"\n";
     let scene = Scene::from_toml(text, "test").unwrap();
-    let strike = |side, periods| Strike { side, periods };
+    let strike = |side, periods| Strike { place: side, periods };
     let itinerary = Itinerary::new(vec![strike(Side::Upper, 0), strike(Side::Lower, 1)]).unwrap();
     let plane = |[d, c]: [f64; 2]| Oscillator::new(scene.plain(&[("D", d), ("c", c)])?, 1e-13);
-    let plane = OscillatorPlane::new(&plane, [1.0, 0.1]).unwrap();
+    let plane = Plane::new(&plane, [1.0, 0.1]).unwrap();
     let events = |plane, itinerary| Events {
         plane,
         itinerary,
@@ -414,7 +414,7 @@ fn pitchforks_of_symmetric_orbits_are_followed_in_two_parameters() {
         system.force = 1e-6;
         Oscillator::new(system, 1e-13)
     };
-    let lopsided = OscillatorPlane::new(&lopsided, [1.0, 0.1]).unwrap();
+    let lopsided = Plane::new(&lopsided, [1.0, 0.1]).unwrap();
     let error = events(&lopsided, itinerary).start(&[t, v, t + PI, v], [d, 0.1], &options).unwrap_err();
     assert!(error.is_input() && error.to_string().contains("only as pitchforks"), "{error}");
 }

@@ -10,12 +10,12 @@ use std::f64::consts::{PI, TAU};
 
 use grazing::{
     Error,
-    internals::many::{LinearEquations, LinearFlow, MachineSlope, Periodic},
+    internals::many::{LinearEquations, LinearFlow, Periodic, Slope},
     many::{
-        FlowMethod, Load, Machine, MachineFamily, Stop, StopLaw,
-        grazing::{FreeMotion, MachineGrazing, MachineSearch, locate},
-        orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find},
-        simulate::{MachineSettings, MachineSimulator},
+        Family, FlowMethod, Load, Machine, Stop, StopLaw,
+        grazing::{FreeMotion, Grazing, Search, locate},
+        orbit::{Admissibility, Itinerary, Orbit, Strike, find},
+        simulate::{Settings, Simulator},
     },
     motion::{Harmonic, Side, Time, Wall},
     one::{self, orbit as alone},
@@ -111,7 +111,7 @@ impl Lines {
     }
 }
 
-impl MachineFamily for Lines {
+impl Family for Lines {
     fn at(&self, p: f64) -> Result<(Machine<f64>, Machine<f64>), Error> {
         Ok((self.parts(p).machine(), self.slope.machine()))
     }
@@ -170,20 +170,20 @@ fn coupled() -> Lines {
     Lines { at_zero, slope }
 }
 
-fn graze(family: &dyn MachineFamily, start: f64, reach: f64) -> MachineGrazing {
+fn graze(family: &dyn Family, start: f64, reach: f64) -> Grazing {
     match locate(family, start, reach, None).unwrap() {
-        MachineSearch::Found(found) => *found,
-        MachineSearch::Nothing(why) => panic!("{why}"),
+        Search::Found(found) => *found,
+        Search::Nothing(why) => panic!("{why}"),
     }
 }
 
-fn simulator(machine: &Machine<f64>) -> MachineSimulator {
-    let settings = MachineSettings { minimum_depth: 1e-14, ..MachineSettings::default() };
-    MachineSimulator::new(machine, &settings).unwrap()
+fn simulator(machine: &Machine<f64>) -> Simulator {
+    let settings = Settings { minimum_depth: 1e-14, ..Settings::default() };
+    Simulator::new(machine, &settings).unwrap()
 }
 
-fn single(periods: &[u32]) -> StopPattern {
-    StopPattern::new(periods.iter().map(|&periods| StopStrike { stop: 0, periods }).collect()).unwrap()
+fn single(periods: &[u32]) -> Itinerary {
+    Itinerary::new(periods.iter().map(|&periods| Strike { place: 0, periods }).collect()).unwrap()
 }
 
 fn paper_scene() -> Scene {
@@ -311,7 +311,7 @@ fn damping_ratios_have_their_derivative() {
         ..lines.parts(p).machine()
     };
     let slope = Machine { damping: vec![], damping_ratio: vec![0.1, 0.0], ..lines.slope.machine() };
-    let exact = MachineSlope::new(&at(0.1), &slope).unwrap();
+    let exact = Slope::new(&at(0.1), &slope).unwrap();
     let h = 1e-5;
     let (a, b) = (at(0.1 - h).equations().unwrap(), at(0.1 + h).equations().unwrap());
     for (name, exact, a, b) in [
@@ -324,7 +324,7 @@ fn damping_ratios_have_their_derivative() {
     }
 }
 
-fn agree(found: &MachineOrbit, known: &alone::Orbit) {
+fn agree(found: &Orbit, known: &alone::Orbit) {
     for (impact, expected) in found.impacts.iter().zip(known.z.chunks(2)) {
         assert!((impact.time - expected[0]).abs() < 1e-10 && (impact.speed - expected[1]).abs() < 1e-10);
     }
@@ -332,7 +332,7 @@ fn agree(found: &MachineOrbit, known: &alone::Orbit) {
         let size = 1.0 + b.0.hypot(b.1);
         assert!((a.0 - b.0).abs() < 1e-9 * size && (a.1 - b.1).abs() < 1e-9 * size, "{a:?} {b:?}");
     }
-    let admissible = found.admissibility == MachineAdmissibility::Admissible;
+    let admissible = found.admissibility == Admissibility::Admissible;
     assert_eq!(admissible, known.admissibility.is_admissible(), "{:?}", found.admissibility);
 }
 
@@ -355,12 +355,10 @@ fn orbits_of_one_degree_of_freedom_are_those_of_the_one_degree_code() {
         assert!(found.residual < 1e-13, "{found:?}");
         agree(&found, &known);
     }
-    let free =
-        find(&simulator(&paper().parts(-0.05).machine()), &StopPattern::free(2).unwrap(), &[]).unwrap();
-    assert_eq!(free.admissibility, MachineAdmissibility::Admissible);
-    let behind =
-        find(&simulator(&paper().parts(0.05).machine()), &StopPattern::free(1).unwrap(), &[]).unwrap();
-    assert!(matches!(behind.admissibility, MachineAdmissibility::No(_)), "{behind:?}");
+    let free = find(&simulator(&paper().parts(-0.05).machine()), &Itinerary::free(2).unwrap(), &[]).unwrap();
+    assert_eq!(free.admissibility, Admissibility::Admissible);
+    let behind = find(&simulator(&paper().parts(0.05).machine()), &Itinerary::free(1).unwrap(), &[]).unwrap();
+    assert!(matches!(behind.admissibility, Admissibility::No(_)), "{behind:?}");
 }
 
 /// A ball on a moving table has no periodic motion without impacts; its orbit of one impact a period is found
@@ -392,7 +390,7 @@ fn a_simulation_stays_on_a_stable_orbit() {
     let machine = beside(2e-4).parts(-0.05).machine();
     let simulator = simulator(&machine);
     let found = find(&simulator, &single(&[4]), &[-0.77, 0.67]).unwrap();
-    assert!(found.residual < 1e-13 && found.admissibility == MachineAdmissibility::Admissible, "{found:?}");
+    assert!(found.residual < 1e-13 && found.admissibility == Admissibility::Admissible, "{found:?}");
     let largest = found.multipliers[0].0.hypot(found.multipliers[0].1);
     assert!(largest < 1.0 && found.multipliers.len() == 4, "{:?}", found.multipliers);
     // A little beside it, to come back; from just after an impact, of which the next is a period away.
@@ -428,9 +426,8 @@ fn the_orbits_born_are_found_in_the_true_system() {
                     let away = if positive { distance } else { -distance } / grazing.map.e;
                     let z = grazing.map.start(grazing.at.phase, pattern.periods(), &report, away).unwrap();
                     let machine = family.parts(grazing.parameter + away).machine();
-                    let settings =
-                        MachineSettings { minimum_depth: 1e-15 * unit, ..MachineSettings::default() };
-                    let simulator = MachineSimulator::new(&machine, &settings).unwrap();
+                    let settings = Settings { minimum_depth: 1e-15 * unit, ..Settings::default() };
+                    let simulator = Simulator::new(&machine, &settings).unwrap();
                     let orbit = find(&simulator, &single(&periods), &z)
                         .unwrap_or_else(|error| panic!("{pattern}: {error}"));
                     let error = orbit.impacts.iter().zip(z.chunks(2));
@@ -439,7 +436,7 @@ fn the_orbits_born_are_found_in_the_true_system() {
                 };
                 let (orbit, close) = solve(distance);
                 let exists = report.side() == Some(positive);
-                let admissible = orbit.admissibility == MachineAdmissibility::Admissible;
+                let admissible = orbit.admissibility == Admissibility::Admissible;
                 assert_eq!(admissible, exists, "{pattern} {positive}: {orbit:?}");
                 counts[usize::from(exists)] += 1;
                 let (_, far) = solve(4.0 * distance);

@@ -10,8 +10,8 @@ use std::{
 
 use grazing::{
     many::{
-        FlowMethod, Load, Machine, MachineState, Stop, StopLaw,
-        simulate::{Event, MachineSettings, MachineSimulator},
+        FlowMethod, Load, Machine, State, Stop, StopLaw,
+        simulate::{Event, Settings, Simulator},
     },
     motion::{Harmonic, RunEnd, System, Time, Wall},
     one::simulate as alone,
@@ -63,8 +63,8 @@ fn stop(row: &[f64], offset: f64, restitution: f64) -> Stop<f64> {
     Stop { name: format!("{row:?} {offset}"), row: row.to_vec(), wall, law: StopLaw::Newton }
 }
 
-fn simulator(machine: &Machine<f64>) -> MachineSimulator {
-    MachineSimulator::new(machine, &MachineSettings::default()).unwrap()
+fn simulator(machine: &Machine<f64>) -> Simulator {
+    Simulator::new(machine, &Settings::default()).unwrap()
 }
 
 fn at(t: f64) -> Time {
@@ -72,7 +72,7 @@ fn at(t: f64) -> Time {
 }
 
 /// The events up to a time.
-fn events(simulator: &MachineSimulator, start: (Time, &[f64], &[f64]), until: Time) -> Vec<Event> {
+fn events(simulator: &Simulator, start: (Time, &[f64], &[f64]), until: Time) -> Vec<Event> {
     let mut all = Vec::new();
     let mut run = simulator.start(start.0, start.1, start.2).unwrap();
     assert_eq!(run.record(until, |event| all.push(event)), RunEnd::Reached);
@@ -128,7 +128,7 @@ fn motions_without_stops_agree_with_fifty_digits() {
         for (duration, expected) in table.durations.iter().zip(&case.states) {
             let expected: Vec<f64> = expected.iter().map(|x| x.parse().unwrap()).collect();
             let size = expected.iter().fold(1.0f64, |most, x| most.max(x.abs()));
-            let start = MachineState::new(case.t0, &case.q, &case.u);
+            let start = State::new(case.t0, &case.q, &case.u);
             let end = flow.after(&start, *duration);
             let mut run = simulator.start(at(case.t0), &case.q, &case.u).unwrap();
             run.finish(at(case.t0).after(*duration));
@@ -408,7 +408,7 @@ fn energy_is_kept_by_elastic_impacts() {
     let chain = elastic_chain();
     let simulator = simulator(&chain);
     let equations = simulator.equations();
-    let energy = |state: &MachineState| {
+    let energy = |state: &State| {
         let [q, u] = [state.q(), state.u()].map(nalgebra::DVector::from_column_slice);
         (u.dot(&(&equations.mass * &u)) + q.dot(&(&equations.stiffness * &q))) / 2.0
     };

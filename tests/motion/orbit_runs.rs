@@ -66,7 +66,7 @@ fn the_simulator_stays_on_orbits_as_long_as_their_multipliers_allow() {
     let paper = Scene::from_toml(include_str!("../../examples/scenes/nordmark-2001.toml"), "test").unwrap();
     let rich = Scene::from_toml(RICH, "test").unwrap();
     let lower = |periods: &[u32]| Itinerary::at(Side::Lower, periods).unwrap();
-    let strike = |side, periods| Strike { side, periods };
+    let strike = |side, periods| Strike { place: side, periods };
     let both = Itinerary::new(vec![strike(Side::Lower, 0), strike(Side::Upper, 1)]).unwrap();
     let cases = [
         (&paper, "mu", -0.05, lower(&[4])),

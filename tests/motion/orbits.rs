@@ -76,7 +76,7 @@ fn lower(periods: &[u32]) -> Itinerary {
 }
 
 fn strikes(list: &[(Side, u32)]) -> Itinerary {
-    Itinerary::new(list.iter().map(|&(side, periods)| Strike { side, periods }).collect()).unwrap()
+    Itinerary::new(list.iter().map(|&(side, periods)| Strike { place: side, periods }).collect()).unwrap()
 }
 
 fn near(a: f64, b: f64, tolerance: f64) -> bool {

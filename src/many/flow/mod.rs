@@ -16,7 +16,7 @@ use block::{Force, exponential, forced, moved, rate_of, responses_from_rest};
 use response::{Response, real_pair, responses};
 
 use super::{
-    LinearEquations, MachineState, Periodic, RealMatrix, RealVector,
+    LinearEquations, Periodic, RealMatrix, RealVector, State,
     modes::{Reduction, Shape},
     pair::Pair,
 };
@@ -244,16 +244,16 @@ impl LinearFlow {
     }
 
     /// y of a state; t in [0, 2π].
-    pub fn split(&self, state: &MachineState) -> RealVector {
+    pub fn split(&self, state: &State) -> RealVector {
         let n = self.equations.size();
         self.to.columns(0, n) * &state.q + self.to.columns(n, n) * &state.u - self.particular(state.t)
     }
 
     /// The state of y at t in [0, 2π].
-    pub fn join(&self, t: f64, y: &RealVector) -> MachineState {
+    pub fn join(&self, t: f64, y: &RealVector) -> State {
         let n = self.equations.size();
         let x = &self.from * (y + self.particular(t));
-        MachineState { t, q: x.rows(0, n).into_owned(), u: x.rows(n, n).into_owned() }
+        State { t, q: x.rows(0, n).into_owned(), u: x.rows(n, n).into_owned() }
     }
 
     /// The real parts of the eigenvalues with the other sign, ascending: how fast motions decay. For one
@@ -359,7 +359,7 @@ impl LinearFlow {
 
     /// The state after `duration` > 0, over as many periods as that takes. The phase is brought back to [0,
     /// 2π).
-    pub fn after(&self, state: &MachineState, duration: f64) -> MachineState {
+    pub fn after(&self, state: &State, duration: f64) -> State {
         let mut y = self.split(state);
         let (mut t, mut left) = (state.t, duration);
         let plain = self.step.iter().all(|x| *x == 0.0);

@@ -6,7 +6,7 @@ use super::smooth;
 use crate::{
     error::Result,
     many::{
-        LinearEquations, Machine, MachineSlope, MachineState, Periodic, RealVector,
+        LinearEquations, Machine, Periodic, RealVector, Slope, State,
         contact::{Contacts, StopContact},
         simulate::Stage,
     },
@@ -42,7 +42,7 @@ impl FreeMotion {
     /// The motion of a machine whose coefficients change at the rates `slope`.
     ///
     /// # Errors
-    /// Those of [`Machine::equations`], [`Machine::contacts`], [`MachineSlope::new`] and
+    /// Those of [`Machine::equations`], [`Machine::contacts`], [`Slope::new`] and
     /// `LinearEquations::response`; where forces are formulas, no periodic motion found by Newton's method.
     pub fn new(machine: &Machine<f64>, slope: &Machine<f64>) -> Result<FreeMotion> {
         FreeMotion::near(machine, slope, None, None)
@@ -56,11 +56,11 @@ impl FreeMotion {
     pub(crate) fn near(
         machine: &Machine<f64>,
         slope: &Machine<f64>,
-        near: Option<&MachineState>,
+        near: Option<&State>,
         tally: Option<&Arc<EffectTally>>,
     ) -> Result<FreeMotion> {
         let found = if machine.is_smooth() { Some(smooth::find(machine, slope, near, tally)?) } else { None };
-        let (equations, slope) = (machine.equations()?, MachineSlope::new(machine, slope)?);
+        let (equations, slope) = (machine.equations()?, Slope::new(machine, slope)?);
         let contacts = Contacts::new(&equations, machine.contacts()?);
         let (motion, drift, stage) = match found {
             Some(found) => (found.motion, found.drift, Some(found.stage)),

@@ -16,7 +16,7 @@ use crate::{
     many::{
         RealVector,
         contact::StopContact,
-        orbit::{StopPattern, StopStrike},
+        orbit::{Itinerary, Strike},
     },
     motion::Series,
     pattern::{HalfImpact, Report, halves},
@@ -65,14 +65,14 @@ impl HalfPeriod {
         periods: &[u64],
         report: &Report,
         away: f64,
-    ) -> Result<(StopPattern, Vec<f64>)> {
+    ) -> Result<(Itinerary, Vec<f64>)> {
         let once = self.map.start(at.phase, periods, report, away)?;
         let (mut strikes, mut z) = (Vec::new(), Vec::new());
         for HalfImpact { impact, late, periods } in halves(periods, 1) {
-            strikes.push(StopStrike { stop: if late { self.mirror } else { at.stop }, periods });
+            strikes.push(Strike { place: if late { self.mirror } else { at.stop }, periods });
             z.extend([once[2 * impact] + if late { PI } else { 0.0 }, once[2 * impact + 1]]);
         }
-        Ok((StopPattern::new(strikes)?, z))
+        Ok((Itinerary::new(strikes)?, z))
     }
 }
 

@@ -8,7 +8,7 @@ use super::free::{FreeMotion, LeastGap};
 use crate::{
     error::{Error, Result},
     many::{
-        LinearFlow, MachineState, RealMatrix, RealVector,
+        LinearFlow, RealMatrix, RealVector, State,
         algebra::{eigenvalues, stacked},
         pair::Pair,
     },
@@ -32,7 +32,7 @@ pub struct LocalMap {
     /// How fast the rate of the gap at the phase of grazing changes with the parameter.
     pub rate_drift: f64,
     /// Its derivative in the parameter, at that phase.
-    pub drift: MachineState,
+    pub drift: State,
     /// det A, without cancellation.
     pub determinant: f64,
     /// The eigenvalues of A, by modulus, the largest first.

@@ -10,15 +10,15 @@ use super::{
 use crate::{
     error::{Error, Result},
     many::{
-        MachineFamily, MachineState, Periodic,
-        orbit::{StopPattern, StopStrike},
+        Family, Periodic, State,
+        orbit::{Itinerary, Strike},
     },
     pattern::Report,
 };
 
 /// The motion without impacts that grazes.
 #[derive(Debug, Clone)]
-pub struct MachineGrazing {
+pub struct Grazing {
     /// The parameter there.
     pub parameter: f64,
     /// Where it grazes, and what is left of the gap.
@@ -35,7 +35,7 @@ pub struct MachineGrazing {
     pub half: Option<HalfPeriod>,
 }
 
-impl MachineGrazing {
+impl Grazing {
     /// The map that the local theory is asked about: of half a period if two stops that mirror each other are
     /// grazed, and then patterns count halves.
     pub(crate) fn local(&self) -> &LocalMap {
@@ -48,26 +48,21 @@ impl MachineGrazing {
     ///
     /// # Errors
     /// An input error if the report, which is of [`local`](Self::local), has no solution.
-    pub(crate) fn start(
-        &self,
-        periods: &[u64],
-        report: &Report,
-        away: f64,
-    ) -> Result<(StopPattern, Vec<f64>)> {
+    pub(crate) fn start(&self, periods: &[u64], report: &Report, away: f64) -> Result<(Itinerary, Vec<f64>)> {
         if let Some(half) = &self.half {
             return half.start(&self.at, periods, report, away);
         }
-        let strike = |&n: &u64| StopStrike { stop: self.at.stop, periods: n as u32 };
-        let pattern = StopPattern::new(periods.iter().map(strike).collect())?;
+        let strike = |&n: &u64| Strike { place: self.at.stop, periods: n as u32 };
+        let pattern = Itinerary::new(periods.iter().map(strike).collect())?;
         Ok((pattern, self.map.start(self.at.phase, periods, report, away)?))
     }
 }
 
 /// What a search for a grazing came to.
 #[derive(Debug, Clone)]
-pub enum MachineSearch {
+pub enum Search {
     /// The nearest grazing that was found.
-    Found(Box<MachineGrazing>),
+    Found(Box<Grazing>),
     /// None, and why.
     Nothing(String),
 }
@@ -84,7 +79,7 @@ const TWICE: f64 = 1e-11;
 ///
 /// # Errors
 /// Where the family is not defined.
-pub(crate) fn own_reach(family: &dyn MachineFamily, value: f64, near: Option<&MachineState>) -> Result<f64> {
+pub(crate) fn own_reach(family: &dyn Family, value: f64, near: Option<&State>) -> Result<f64> {
     let (machine, slope) = family.at(value)?;
     // Without a periodic motion there is no gaps' motion.
     let motion = FreeMotion::near(&machine, &slope, near, family.tally());
@@ -101,13 +96,8 @@ pub(crate) fn own_reach(family: &dyn MachineFamily, value: f64, near: Option<&Ma
 ///
 /// # Errors
 /// Where the family is not defined at `start`; no periodic motion there; det(I − A) = 0 at the grazing.
-pub fn locate(
-    family: &dyn MachineFamily,
-    start: f64,
-    reach: f64,
-    near: Option<&MachineState>,
-) -> Result<MachineSearch> {
-    let last: RefCell<Option<MachineState>> = RefCell::new(near.cloned());
+pub fn locate(family: &dyn Family, start: f64, reach: f64, near: Option<&State>) -> Result<Search> {
+    let last: RefCell<Option<State>> = RefCell::new(near.cloned());
     let look = |parameter: f64| -> Result<(FreeMotion, LeastGap, f64)> {
         let (machine, slope) = family.at(parameter)?;
         let motion = FreeMotion::near(&machine, &slope, last.borrow().as_ref(), family.tally())?;
@@ -120,7 +110,7 @@ pub fn locate(
     let tiny = TWICE * motion.scale();
     if least.gap < -tiny {
         let name = &motion.contacts().all()[least.stop].name;
-        return Ok(MachineSearch::Nothing(format!(
+        return Ok(Search::Nothing(format!(
             "at the start the motion without impacts is already behind stop {name}, by {:e}: start where it is free",
             -least.gap
         )));
@@ -166,7 +156,7 @@ pub fn locate(
         for more in why {
             reason = format!("{reason}; {more}");
         }
-        return Ok(MachineSearch::Nothing(reason));
+        return Ok(Search::Nothing(reason));
     };
     let parameter = polish(&look, near)?;
     let (motion, at, _) = look(parameter)?;
@@ -176,7 +166,7 @@ pub fn locate(
     others.retain(|other| other.gap.abs() <= tiny && *other != at);
     let (map, half) = (LocalMap::new(&motion, &at)?, HalfPeriod::new(&motion, &at, &others)?);
     let motion = motion.motion().clone();
-    Ok(MachineSearch::Found(Box::new(MachineGrazing { parameter, at, scale, others, motion, map, half })))
+    Ok(Search::Found(Box::new(Grazing { parameter, at, scale, others, motion, map, half })))
 }
 
 type Look<'l> = &'l dyn Fn(f64) -> Result<(FreeMotion, LeastGap, f64)>;

@@ -25,4 +25,4 @@ pub use free::{FreeMotion, LeastGap};
 pub use half::HalfPeriod;
 pub use local_map::LocalMap;
 pub(crate) use locate::own_reach;
-pub use locate::{MachineGrazing, MachineSearch, locate};
+pub use locate::{Grazing, Search, locate};

@@ -9,9 +9,9 @@ use std::{f64::consts::TAU, sync::Arc};
 use crate::{
     error::{Error, Result},
     many::{
-        Machine, MachineSlope, MachineState, Periodic, RealMatrix, RealVector,
+        Machine, Periodic, RealMatrix, RealVector, Slope, State,
         algebra::stacked,
-        simulate::{MachineSettings, MachineSimulator, Stage},
+        simulate::{Settings, Simulator, Stage},
         smooth::Smooth,
     },
     motion::{
@@ -46,19 +46,19 @@ const TAIL: f64 = 1e-13;
 pub(super) fn find(
     machine: &Machine<f64>,
     slope: &Machine<f64>,
-    near: Option<&MachineState>,
+    near: Option<&State>,
     tally: Option<&Arc<EffectTally>>,
 ) -> Result<Found> {
     let bare = Machine { stops: Vec::new(), ..machine.clone() };
     let bare_slope = Machine { stops: Vec::new(), ..slope.clone() };
-    let simulator = MachineSimulator::new(&bare, &MachineSettings::default())?.counting_too(tally);
+    let simulator = Simulator::new(&bare, &Settings::default())?.counting_too(tally);
     let (stage, n) = (simulator.free(), machine.size);
     let none = || Error::input("no formula among the forces");
     let smooth = stage.smooth.as_ref().ok_or_else(none)?;
-    let still = MachineState { t: 0.0, q: RealVector::zeros(n), u: RealVector::zeros(n) };
+    let still = State { t: 0.0, q: RealVector::zeros(n), u: RealVector::zeros(n) };
     let linear = || simulator.flow().equations().response().ok().map(|motion| motion.state(0.0));
     let settled = || Some(smooth.after(Time::new(0, 0.0), &still, SETTLED * TAU));
-    let starts: [&dyn Fn() -> Option<MachineState>; 4] =
+    let starts: [&dyn Fn() -> Option<State>; 4] =
         [&|| near.cloned(), &linear, &|| Some(still.clone()), &settled];
     let found = starts.iter().find_map(|start| newton(&stage, start()?));
     let (state, phi) = found.ok_or_else(|| {
@@ -66,7 +66,7 @@ pub(super) fn find(
     })?;
     let formulas = Smooth::new(&bare)?.ok_or_else(none)?;
     let own = formulas.slope(&bare, &bare_slope);
-    let program = formulas.changing(&stage.equations, (&MachineSlope::new(&bare, &bare_slope)?, &own))?;
+    let program = formulas.changing(&stage.equations, (&Slope::new(&bare, &bare_slope)?, &own))?;
     let start = stacked(&state.q, &state.u);
     let fixed = start.iter().map(|x| Gradient::constant(*x)).collect();
     let end = smooth.flow.carried(&program, fixed, 0.0, TAU);
@@ -95,7 +95,7 @@ pub(super) fn find(
 }
 
 /// The periodic motion near a state at phase 0, and the derivative of the motion over the period.
-fn newton(stage: &Stage, mut state: MachineState) -> Option<(MachineState, RealMatrix)> {
+fn newton(stage: &Stage, mut state: State) -> Option<(State, RealMatrix)> {
     let (smooth, n) = (stage.smooth.as_ref()?, state.q.len());
     let upper = stage.equations.root().transpose();
     let norm = |x: &RealVector| (&upper * x.rows(0, n)).norm().max((&upper * x.rows(n, n)).norm());
@@ -117,7 +117,7 @@ fn newton(stage: &Stage, mut state: MachineState) -> Option<(MachineState, RealM
             return None;
         }
         let x = x + change;
-        state = MachineState { t: 0.0, q: x.rows(0, n).into_owned(), u: x.rows(n, n).into_owned() };
+        state = State { t: 0.0, q: x.rows(0, n).into_owned(), u: x.rows(n, n).into_owned() };
         last = moved;
     }
     None

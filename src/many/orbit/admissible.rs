@@ -13,16 +13,16 @@ use super::{StopEquations, leg::LegPiece, turned};
 use crate::{
     error::{Error, Result},
     many::{
-        LinearFlow, MachineState, RealVector,
+        LinearFlow, RealVector, State,
         contact::StopContact,
-        simulate::{Event, MachineRun, MachineSimulator, Stage, seen},
+        simulate::{Event, Run, Simulator, Stage, seen},
     },
     motion::{RunEnd, Series, Time, minimum::Gap, minimum_within},
 };
 
 /// A local minimum of a gap between impacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MachineMinimum {
+pub struct Minimum {
     /// The stop.
     pub stop: usize,
     /// The impact whose leg it is on, from 0; 0 for an orbit without impacts.
@@ -40,19 +40,19 @@ pub struct MachineMinimum {
 /// Whether a solution is an orbit.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum MachineAdmissibility {
+pub enum Admissibility {
     /// Every impact comes in, and on the legs between them the simulator finds no other contact.
     Admissible,
     /// Rounding decides: why.
-    Marginal(MachineObstacle),
+    Marginal(Obstacle),
     /// It is not: why.
-    No(MachineObstacle),
+    No(Obstacle),
 }
 
 /// What is in the way of an orbit.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum MachineObstacle {
+pub enum Obstacle {
     /// This impact, from 0, has V ≤ 0.
     Outgoing(usize),
     /// On the leg after impact `leg` (0 for an orbit without impacts) the stop is met, after this time.
@@ -77,32 +77,32 @@ pub enum MachineObstacle {
     Lost(usize),
 }
 
-impl fmt::Display for MachineObstacle {
+impl fmt::Display for Obstacle {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            MachineObstacle::Outgoing(i) => write!(f, "impact {} does not come in", i + 1),
-            MachineObstacle::Met { leg, stop, after } => {
+            Obstacle::Outgoing(i) => write!(f, "impact {} does not come in", i + 1),
+            Obstacle::Met { leg, stop, after } => {
                 write!(f, "meets stop {stop} {:.6} periods into leg {}", after / TAU, leg + 1)
             }
-            MachineObstacle::Touched { leg, stop } => {
+            Obstacle::Touched { leg, stop } => {
                 write!(f, "touches stop {stop} on leg {}, to rounding", leg + 1)
             }
-            MachineObstacle::Together(i) => {
+            Obstacle::Together(i) => {
                 write!(f, "impact {} meets several stops at one instant", i + 1)
             }
-            MachineObstacle::Lost(leg) => write!(f, "leg {} could not be followed to its end", leg + 1),
+            Obstacle::Lost(leg) => write!(f, "leg {} could not be followed to its end", leg + 1),
         }
     }
 }
 
 impl StopEquations<'_> {
     /// Each leg by the simulator, from the state just after its impact up to the next.
-    pub fn admissibility(&self, z: &[f64], simulator: &MachineSimulator) -> Result<MachineAdmissibility> {
+    pub fn admissibility(&self, z: &[f64], simulator: &Simulator) -> Result<Admissibility> {
         let (mut state, times, speeds) = self.split(z);
         let m = times.len();
         let name = |stop: usize| self.contacts.all()[stop].name.clone();
         if let Some(i) = speeds.iter().position(|speed| speed.is_nan() || *speed <= 0.0) {
-            return Ok(MachineAdmissibility::No(MachineObstacle::Outgoing(i)));
+            return Ok(Admissibility::No(Obstacle::Outgoing(i)));
         }
         let mut marginal = None;
         for leg in 0..m.max(1) {
@@ -118,7 +118,7 @@ impl StopEquations<'_> {
                     let behind = |c: &StopContact| c.soft.is_none() && c.gap(&state)[0] < 0.0;
                     let stop = self.contacts.all().iter().position(behind);
                     let stop = name(stop.unwrap_or(0));
-                    return Ok(MachineAdmissibility::No(MachineObstacle::Met { leg, stop, after: 0.0 }));
+                    return Ok(Admissibility::No(Obstacle::Met { leg, stop, after: 0.0 }));
                 }
                 Err(error) => return Err(error),
             };
@@ -131,12 +131,12 @@ impl StopEquations<'_> {
             if m > 0 {
                 let end = self.between.after(&state, duration)?;
                 let depth = simulator.settings().minimum_depth;
-                let (stop, all) = (self.pattern.strikes()[next].stop, self.contacts.all());
+                let (stop, all) = (self.pattern.strikes()[next].place, self.contacts.all());
                 let rigid = |other: usize| all[other].soft.is_none();
                 if (0..all.len())
                     .any(|other| other != stop && rigid(other) && all[other].gap(&end)[0] <= depth)
                 {
-                    return Ok(MachineAdmissibility::Marginal(MachineObstacle::Together(next)));
+                    return Ok(Admissibility::Marginal(Obstacle::Together(next)));
                 }
             }
             if m > 0 {
@@ -145,18 +145,18 @@ impl StopEquations<'_> {
                 state.u.axpy(speeds[next], &self.kick(next, speeds[next]), 1.0);
             }
         }
-        Ok(marginal.map_or(MachineAdmissibility::Admissible, MachineAdmissibility::Marginal))
+        Ok(marginal.map_or(Admissibility::Admissible, Admissibility::Marginal))
     }
 
     /// A leg followed by a run of the simulator: what is decided by a contact that is not its own, and where
     /// a stop is touched.
     fn watched(
         &self,
-        run: &mut MachineRun,
+        run: &mut Run,
         (leg, next): (usize, usize),
         begin: Time,
         duration: f64,
-    ) -> (Option<MachineAdmissibility>, Option<MachineObstacle>) {
+    ) -> (Option<Admissibility>, Option<Obstacle>) {
         let m = self.pattern.strikes().len();
         let name = |stop: usize| self.contacts.all()[stop].name.clone();
         let mut marginal = None;
@@ -164,7 +164,7 @@ impl StopEquations<'_> {
         // is hit there. Slow ones it does not see, as they are not as deep as the minimum depth; that
         // they are there is in the equations.
         let own = |stop: usize, after: f64| {
-            let at = |i: usize| m > 0 && self.pattern.strikes()[i].stop == stop;
+            let at = |i: usize| m > 0 && self.pattern.strikes()[i].place == stop;
             (at(leg) && after <= CLOSE) || (at(next) && duration - after <= CLOSE)
         };
         let until = begin.after(duration);
@@ -173,38 +173,29 @@ impl StopEquations<'_> {
                 Event::Tangency(touch) if self.contacts.all()[touch.place].soft.is_some() => {}
                 Event::Tangency(touch) if own(touch.place, touch.time.since(begin)) => {}
                 Event::Tangency(touch) => {
-                    marginal = Some(MachineObstacle::Touched { leg, stop: name(touch.place) });
+                    marginal = Some(Obstacle::Touched { leg, stop: name(touch.place) });
                 }
                 Event::Impact(impact) => {
                     let after = impact.time.since(begin);
-                    if !(m > 0 && impact.place == self.pattern.strikes()[next].stop)
+                    if !(m > 0 && impact.place == self.pattern.strikes()[next].place)
                         || duration - after > CLOSE
                     {
                         let stop = name(impact.place);
-                        return (
-                            Some(MachineAdmissibility::No(MachineObstacle::Met { leg, stop, after })),
-                            marginal,
-                        );
+                        return (Some(Admissibility::No(Obstacle::Met { leg, stop, after })), marginal);
                     }
                     if impact.shock.together > 1 {
-                        return (
-                            Some(MachineAdmissibility::Marginal(MachineObstacle::Together(next))),
-                            marginal,
-                        );
+                        return (Some(Admissibility::Marginal(Obstacle::Together(next))), marginal);
                     }
                     return (None, marginal);
                 }
                 Event::Stick(stick) => {
                     let (stop, after) = (name(stick.place), stick.time.since(begin));
-                    return (
-                        Some(MachineAdmissibility::No(MachineObstacle::Met { leg, stop, after })),
-                        marginal,
-                    );
+                    return (Some(Admissibility::No(Obstacle::Met { leg, stop, after })), marginal);
                 }
                 Event::Touch(_) | Event::Release(_) => {}
                 Event::End(RunEnd::Reached) => return (None, marginal),
                 Event::End(_) => {
-                    return (Some(MachineAdmissibility::Marginal(MachineObstacle::Lost(leg))), marginal);
+                    return (Some(Admissibility::Marginal(Obstacle::Lost(leg))), marginal);
                 }
             }
         }
@@ -218,10 +209,10 @@ impl StopEquations<'_> {
     ///
     /// # Errors
     /// Legs that do not follow one another.
-    pub fn least(&self, z: &[f64]) -> Result<Option<MachineMinimum>> {
+    pub fn least(&self, z: &[f64]) -> Result<Option<Minimum>> {
         let (mut state, times, speeds) = self.split(z);
         let m = times.len();
-        let mut least: Option<MachineMinimum> = None;
+        let mut least: Option<Minimum> = None;
         for leg in 0..m.max(1) {
             // Without impacts a little more than the period: a minimum at its ends counts too.
             let duration = match m {
@@ -230,7 +221,7 @@ impl StopEquations<'_> {
             };
             let mut begun = 0.0;
             for piece in self.between.pieces(&state, duration)?.0 {
-                let mut each = |found: MachineMinimum| {
+                let mut each = |found: Minimum| {
                     if least.is_none_or(|least| found.gap < least.gap) {
                         least = Some(found);
                     }
@@ -257,7 +248,7 @@ impl StopEquations<'_> {
         stage: &Stage,
         piece: &LegPiece,
         (leg, before, whole): (usize, f64, f64),
-        each: &mut impl FnMut(MachineMinimum),
+        each: &mut impl FnMut(Minimum),
     ) -> Result<()> {
         let Some(smooth) = &stage.smooth else { return Ok(()) };
         let rigid: Vec<(usize, &StopContact)> =
@@ -284,7 +275,7 @@ impl StopEquations<'_> {
                 let ([gap, _, acceleration], after) = (gap(x / leap.h), before + begun + x);
                 if !impacts || after.min(whole - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
                     let phase = turned(leap.start.phase + x);
-                    each(MachineMinimum { stop: *stop, leg, after, phase, gap, acceleration });
+                    each(Minimum { stop: *stop, leg, after, phase, gap, acceleration });
                 }
             }
             begun = if last < 1.0 { piece.duration } else { begun + leap.h };
@@ -297,7 +288,7 @@ impl StopEquations<'_> {
         &self,
         piece: &LegPiece,
         (leg, before, whole): (usize, f64, f64),
-        each: &mut impl FnMut(MachineMinimum),
+        each: &mut impl FnMut(Minimum),
     ) -> Result<()> {
         let (flow, from, duration) = (&piece.flow, &piece.start, piece.duration);
         let equations = flow.equations();
@@ -327,7 +318,7 @@ impl StopEquations<'_> {
         let (mut y, mut t, mut begun) = (flow.split(from), from.t, 0.0);
         if t >= TAU {
             t = 0.0;
-            y = flow.split(&MachineState { t, ..from.clone() });
+            y = flow.split(&State { t, ..from.clone() });
         }
         let impacts = !self.pattern.strikes().is_empty();
         // The end of a cell is the beginning of the next, to the bit: no minimum falls between them, not even
@@ -350,7 +341,7 @@ impl StopEquations<'_> {
                 // A leg that begins or ends without speed has a minimum there, which rounding may bring
                 // inside.
                 if !impacts || after.min(whole - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
-                    each(MachineMinimum { stop, leg, after, phase: turned(t + x), gap, acceleration });
+                    each(Minimum { stop, leg, after, phase: turned(t + x), gap, acceleration });
                 }
             }
             flow.advance(&mut y, width);

@@ -3,8 +3,8 @@
 use crate::{
     error::{Error, Result},
     many::{
-        LinearEquations, LinearFlow, Machine, MachineSlope, MachineState, Periodic, RealMatrix, RealVector,
-        SpeedLaw, StopLaw,
+        LinearEquations, LinearFlow, Machine, Periodic, RealMatrix, RealVector, Slope, SpeedLaw, State,
+        StopLaw,
         algebra::stacked,
         contact::{Contacts, StopContact},
         simulate::Stage,
@@ -26,7 +26,7 @@ use crate::{
 /// machine under the force f′ and known in closed form. Else it is Duhamel's integral, by Gauss's rule on
 /// panels short against every motion, exact to rounding.
 #[derive(Debug, Clone)]
-pub(crate) struct MachineChange {
+pub(crate) struct Change {
     /// f′ − M′M⁻¹f.
     force: Periodic,
     /// By q and by q′; none where M, C and K stay.
@@ -34,7 +34,7 @@ pub(crate) struct MachineChange {
     /// The machine under f′ alone, if that is all; none if nothing changes.
     alone: Option<LinearFlow>,
     /// Of the machine's coefficients.
-    slope: MachineSlope,
+    slope: Slope,
     /// Of each stop.
     stops: Vec<StopChange>,
     /// The formulas of forces, and what they change by.
@@ -58,19 +58,19 @@ struct StopChange {
     law: Option<(SpeedLaw<f64>, SpeedLaw<f64>)>,
 }
 
-impl MachineChange {
+impl Change {
     /// The change of a machine whose coefficients change at the rates `slope`.
     ///
     /// # Errors
-    /// Those of [`MachineSlope::new`].
+    /// Those of [`Slope::new`].
     pub fn new(
         machine: &Machine<f64>,
         slope: &Machine<f64>,
         flow: &LinearFlow,
         contacts: &Contacts,
-    ) -> Result<MachineChange> {
+    ) -> Result<Change> {
         let equations = flow.equations();
-        let change = MachineSlope::new(machine, slope)?;
+        let change = Slope::new(machine, slope)?;
         let (force, state, alone) = moving(equations, &change)?;
         let (rate, faster) = (machine.rate(), -machine.rate() * slope.period / machine.period);
         let stops = change.stops.iter().zip(&slope.stops).enumerate().map(|(stop, ((row, place), own))| {
@@ -99,21 +99,21 @@ impl MachineChange {
             let own = smooth.slope(machine, slope);
             (smooth, own)
         });
-        Ok(MachineChange { force, state, alone, slope: change, stops, smooth })
+        Ok(Change { force, state, alone, slope: change, stops, smooth })
     }
 
     /// The change while soft stops push, `flow` being that of the machine then.
     ///
     /// # Errors
     /// Those of [`LinearFlow::new`].
-    pub fn pushed(&self, flow: &LinearFlow, contacts: &Contacts, pushing: &[usize]) -> Result<MachineChange> {
+    pub fn pushed(&self, flow: &LinearFlow, contacts: &Contacts, pushing: &[usize]) -> Result<Change> {
         if pushing.is_empty() {
             return Ok(self.clone());
         }
         let slope = self.slope.pushed(contacts, pushing);
         let (force, state, alone) = moving(flow.equations(), &slope)?;
         let (stops, smooth) = (self.stops.clone(), self.smooth.clone());
-        Ok(MachineChange { force, state, alone, slope, stops, smooth })
+        Ok(Change { force, state, alone, slope, stops, smooth })
     }
 
     /// As [`leg`](Self::leg) where forces are formulas: by the derivative of the Taylor series in the
@@ -125,7 +125,7 @@ impl MachineChange {
         &self,
         stage: &Stage,
         contacts: &Contacts,
-        from: &MachineState,
+        from: &State,
         duration: f64,
     ) -> Result<RealVector> {
         let n = from.q.len();
@@ -146,11 +146,11 @@ impl MachineChange {
 
     /// (q, q′) after `duration` from a state, as it changes with the parameter, the state being fixed. Cost:
     /// O(n²), or O(n²) for each of 8 points per radian of the fastest motion where M, C or K change.
-    pub fn leg(&self, flow: &LinearFlow, from: &MachineState, duration: f64) -> RealVector {
+    pub fn leg(&self, flow: &LinearFlow, from: &State, duration: f64) -> RealVector {
         let n = flow.equations().size();
         if let Some(alone) = &self.alone {
             let (zero, t) = (RealVector::zeros(n), from.t);
-            let end = alone.after(&MachineState { t, q: zero.clone(), u: zero }, duration);
+            let end = alone.after(&State { t, q: zero.clone(), u: zero }, duration);
             return stacked(&end.q, &end.u);
         }
         let Some([by_place, by_rate]) = &self.state else { return RealVector::zeros(2 * n) };
@@ -180,7 +180,7 @@ impl MachineChange {
     }
 
     /// How the gap to a stop and its rate change at a state.
-    pub fn gap(&self, stop: usize, at: &MachineState) -> [f64; 2] {
+    pub fn gap(&self, stop: usize, at: &State) -> [f64; 2] {
         let StopChange { row, place, .. } = &self.stops[stop];
         let [place, speed, _] = place.at(at.t);
         [row.dot(&at.q) - place, row.dot(&at.u) - speed]
@@ -199,7 +199,7 @@ impl MachineChange {
 /// under f′ alone.
 type Moving = (Periodic, Option<[RealMatrix; 2]>, Option<LinearFlow>);
 
-fn moving(equations: &LinearEquations, change: &MachineSlope) -> Result<Moving> {
+fn moving(equations: &LinearEquations, change: &Slope) -> Result<Moving> {
     let still = [&change.mass, &change.damping, &change.stiffness].iter().all(|x| x.amax() == 0.0);
     let mut force = change.force.clone();
     // M′M⁻¹ = (M⁻¹M′)ᵀ, both being symmetric.

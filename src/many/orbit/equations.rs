@@ -3,16 +3,16 @@
 
 use std::f64::consts::TAU;
 
-use super::{Between, MachineChange, StopPattern, turned};
+use super::{Between, Change, Itinerary, turned};
 use crate::{
     continuation::Linearised,
     error::{Error, Result},
     many::{
-        MachineState, RealMatrix, RealVector,
+        RealMatrix, RealVector, State,
         algebra::stacked,
         contact::{Contacts, StopContact},
         orbit::leg::LegPassage,
-        simulate::MachineSimulator,
+        simulate::Simulator,
     },
 };
 
@@ -21,13 +21,13 @@ use crate::{
 pub(crate) struct StopEquations<'s> {
     pub between: Between<'s>,
     pub contacts: &'s Contacts,
-    pub pattern: &'s StopPattern,
+    pub pattern: &'s Itinerary,
     /// The unit of X and V.
     pub scale: f64,
 }
 
 impl<'s> StopEquations<'s> {
-    pub fn new(between: Between<'s>, pattern: &'s StopPattern, scale: f64) -> StopEquations<'s> {
+    pub fn new(between: Between<'s>, pattern: &'s Itinerary, scale: f64) -> StopEquations<'s> {
         StopEquations { between, contacts: between.contacts, pattern, scale }
     }
 
@@ -38,7 +38,7 @@ impl<'s> StopEquations<'s> {
 
     /// The stop of impact i.
     pub fn contact(&self, i: usize) -> &'s StopContact {
-        &self.contacts.all()[self.pattern.strikes()[i].stop]
+        &self.contacts.all()[self.pattern.strikes()[i].place]
     }
 
     /// (1 + τ) M⁻¹wᵀ/(w M⁻¹wᵀ), by which the velocities change for each V of an impact of speed V.
@@ -52,7 +52,7 @@ impl<'s> StopEquations<'s> {
     }
 
     fn pushed(&self, i: usize, restitution: f64) -> RealVector {
-        let stop = self.pattern.strikes()[i].stop;
+        let stop = self.pattern.strikes()[i].place;
         self.contacts.push(stop) * ((1.0 + restitution) / self.contacts.mobility(stop))
     }
 
@@ -67,19 +67,19 @@ impl<'s> StopEquations<'s> {
     }
 
     /// X, the times and the speeds of unknowns.
-    pub fn split(&self, z: &[f64]) -> (MachineState, Vec<f64>, Vec<f64>) {
+    pub fn split(&self, z: &[f64]) -> (State, Vec<f64>, Vec<f64>) {
         let n = self.size();
         let impacts = &z[2 * n..];
         let times: Vec<f64> = impacts.iter().step_by(2).copied().collect();
         let speeds = impacts.iter().skip(1).step_by(2).map(|v| v * self.scale).collect();
         let part = |from: usize| RealVector::from_fn(n, |i, _| z[from + i] * self.scale);
         let t = times.first().copied().unwrap_or(0.0);
-        (MachineState { t: turned(t), q: part(0), u: part(n) }, times, speeds)
+        (State { t: turned(t), q: part(0), u: part(n) }, times, speeds)
     }
 
     /// F and ∂F/∂z, by the flow's own derivatives, and ∂F/∂p if it is told how the machine changes. Cost: O(m
-    /// (n + m)² n), and for ∂F/∂p that of [`MachineChange::leg`] for each impact.
-    pub fn linearise(&self, z: &[f64], change: Option<&MachineChange>) -> Result<Linearised> {
+    /// (n + m)² n), and for ∂F/∂p that of [`Change::leg`] for each impact.
+    pub fn linearise(&self, z: &[f64], change: Option<&Change>) -> Result<Linearised> {
         let (n, m, s) = (self.size(), self.pattern.strikes().len(), self.scale);
         let (first, times, speeds) = self.split(z);
         let (mut state, unknowns) = (first.clone(), 2 * n + 2 * m);
@@ -113,7 +113,7 @@ impl<'s> StopEquations<'s> {
             gap_row[time] -= speed_of_stop / s;
             rate_row[time] -= bend_of_stop / s;
             rate_row[speed] += 1.0;
-            let stop = self.pattern.strikes()[next].stop;
+            let stop = self.pattern.strikes()[next].place;
             if let Some(change) = change {
                 let [gap, rate] = change.gap(stop, &end);
                 gap_row[unknowns] += gap / s;
@@ -159,7 +159,7 @@ impl<'s> StopEquations<'s> {
     pub fn complete(&self, impacts: &[f64]) -> Result<Vec<f64>> {
         let mut z = vec![0.0; 2 * self.size()];
         z.extend(impacts);
-        let smooth = self.between.soft.is_some_and(MachineSimulator::is_smooth);
+        let smooth = self.between.soft.is_some_and(Simulator::is_smooth);
         for _ in 0..if smooth { COMPLETED } else { 1 } {
             z = self.completed(z)?;
         }
@@ -187,7 +187,7 @@ impl<'s> StopEquations<'s> {
     }
 
     /// The state a time ≥ 0 after the first impact (after phase 0 without impacts).
-    pub fn state(&self, z: &[f64], mut left: f64) -> Result<MachineState> {
+    pub fn state(&self, z: &[f64], mut left: f64) -> Result<State> {
         let (mut state, times, speeds) = self.split(z);
         for i in 0..times.len() {
             let (next, duration) = ((i + 1) % times.len(), self.duration(&times, i)?);

@@ -10,14 +10,14 @@
 
 use std::sync::Arc;
 
-use super::MachineChange;
+use super::Change;
 use crate::{
     error::{Error, Result},
     many::{
-        LinearEquations, LinearFlow, MachineState, RealMatrix, RealVector,
+        LinearEquations, LinearFlow, RealMatrix, RealVector, State,
         algebra::stacked,
         contact::Contacts,
-        simulate::{Event, MachineSimulator, Stage},
+        simulate::{Event, Simulator, Stage},
     },
     motion::{RunEnd, Time, event::Touch},
 };
@@ -28,7 +28,7 @@ pub(crate) struct Between<'s> {
     pub flow: &'s LinearFlow,
     pub contacts: &'s Contacts,
     /// The machine with its rigid stops passed through, if it has soft ones or its forces are formulas.
-    pub soft: Option<&'s MachineSimulator>,
+    pub soft: Option<&'s Simulator>,
 }
 
 /// Motion without events.
@@ -36,24 +36,24 @@ pub(crate) struct LegPiece {
     pub flow: LinearFlow,
     /// The soft stops that push.
     pub pushing: Vec<usize>,
-    pub start: MachineState,
+    pub start: State,
     pub duration: f64,
     /// Where forces are formulas, how it moves.
     pub stage: Option<Arc<Stage>>,
     /// Contact that begins at its end, with the state there.
-    touch: Option<(Touch<usize>, MachineState)>,
+    touch: Option<(Touch<usize>, State)>,
 }
 
 /// A leg's end, what of a displacement before is left there, and how the end changes with a parameter.
 pub(crate) struct LegPassage {
-    pub end: MachineState,
+    pub end: State,
     pub phi: RealMatrix,
     pub slope: RealVector,
 }
 
 impl<'s> Between<'s> {
     /// The state after a leg.
-    pub fn after(&self, state: &MachineState, duration: f64) -> Result<MachineState> {
+    pub fn after(&self, state: &State, duration: f64) -> Result<State> {
         let Some(simulator) = self.soft.filter(|_| duration > 0.0) else {
             return Ok(self.flow.after(state, duration));
         };
@@ -61,11 +61,11 @@ impl<'s> Between<'s> {
         let mut run = simulator.start(begin, state.q.as_slice(), state.u.as_slice())?;
         let end = run.finish(begin.after(duration));
         followed(run.failure(), end)?;
-        Ok(MachineState { t: run.time().phase, ..run.state() })
+        Ok(State { t: run.time().phase, ..run.state() })
     }
 
     /// (q′, q″) of a state.
-    pub fn field(&self, state: &MachineState) -> RealVector {
+    pub fn field(&self, state: &State) -> RealVector {
         if let Some(simulator) = self.soft.filter(|simulator| simulator.is_smooth()) {
             let bend = simulator.acceleration(state);
             return stacked(&state.u, &bend.unwrap_or_else(|_| state.u.map(|_| f64::NAN)));
@@ -80,7 +80,7 @@ impl<'s> Between<'s> {
     }
 
     /// The equations of motion at a state.
-    fn pushed(&self, state: &MachineState) -> LinearEquations {
+    fn pushed(&self, state: &State) -> LinearEquations {
         let pushes = |contact: &&super::StopContact| {
             let gap = contact.gap(state);
             contact.soft.is_some_and(|soft| gap[0] < 0.0 && soft.force(gap) > 0.0)
@@ -89,7 +89,7 @@ impl<'s> Between<'s> {
     }
 
     /// The pieces of a leg; one without soft stops.
-    pub fn pieces(&self, state: &MachineState, duration: f64) -> Result<(Vec<LegPiece>, MachineState)> {
+    pub fn pieces(&self, state: &State, duration: f64) -> Result<(Vec<LegPiece>, State)> {
         let Some(simulator) = self.soft else {
             let (flow, start) = (self.flow.clone(), state.clone());
             let whole = LegPiece { flow, pushing: Vec::new(), start, duration, stage: None, touch: None };
@@ -108,7 +108,7 @@ impl<'s> Between<'s> {
                 Event::Release(_) | Event::End(_) => None,
                 _ => continue,
             };
-            let (time, here) = (run.time(), MachineState { t: run.time().phase, ..run.state() });
+            let (time, here) = (run.time(), State { t: run.time().phase, ..run.state() });
             let touch = touch.filter(|touch| touch.jump > 0.0).map(|touch| (touch, here.clone()));
             let duration = time.since(now).max(0.0);
             let own = stage.smooth.is_some().then_some(stage);
@@ -123,12 +123,7 @@ impl<'s> Between<'s> {
     }
 
     /// A leg with its derivatives, in a parameter, too, if it is told how the machine changes.
-    pub fn passage(
-        &self,
-        state: &MachineState,
-        duration: f64,
-        change: Option<&MachineChange>,
-    ) -> Result<LegPassage> {
+    pub fn passage(&self, state: &State, duration: f64, change: Option<&Change>) -> Result<LegPassage> {
         if self.soft.is_none() {
             return Ok(LegPassage {
                 end: self.flow.after(state, duration),
@@ -166,7 +161,7 @@ impl<'s> Between<'s> {
     }
 
     /// det of the flow over a leg, by Liouville: beginnings of contact have determinant 1.
-    pub fn determinant(&self, state: &MachineState, duration: f64) -> Result<f64> {
+    pub fn determinant(&self, state: &State, duration: f64) -> Result<f64> {
         if self.soft.is_none() {
             return Ok(self.flow.equations().determinant(duration));
         }

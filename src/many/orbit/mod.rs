@@ -21,25 +21,23 @@ mod admissible;
 mod change;
 mod equations;
 mod leg;
-mod pattern;
 mod starts;
 mod surface;
 
 use std::f64::consts::TAU;
 
-pub use admissible::{MachineAdmissibility, MachineMinimum, MachineObstacle};
-pub(super) use change::MachineChange;
+pub use admissible::{Admissibility, Minimum, Obstacle};
+pub(super) use change::Change;
 pub(super) use equations::StopEquations;
 pub(super) use leg::Between;
-pub use pattern::{StopPattern, StopStrike};
 pub(crate) use starts::FreeStarts;
 pub(super) use surface::{Image, Surface};
 
 use super::{
-    MachineState,
+    State,
     algebra::eigenvalues,
     contact::{Contacts, StopContact},
-    simulate::MachineSimulator,
+    simulate::Simulator,
 };
 use crate::{
     continuation::{Root, newton},
@@ -48,7 +46,7 @@ use crate::{
 
 /// An impact of an orbit.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MachineOrbitImpact {
+pub struct OrbitImpact {
     /// The stop.
     pub stop: usize,
     /// t_i, near the phase: within one turn of [0, 2π).
@@ -59,13 +57,13 @@ pub struct MachineOrbitImpact {
 
 /// A solution of the equations.
 #[derive(Debug, Clone, PartialEq)]
-pub struct MachineOrbit {
+pub struct Orbit {
     /// Its pattern.
-    pub pattern: StopPattern,
+    pub itinerary: Itinerary,
     /// Just after the first impact; at phase 0 for an orbit without impacts.
-    pub state: MachineState,
+    pub state: State,
     /// Its impacts.
-    pub impacts: Vec<MachineOrbitImpact>,
+    pub impacts: Vec<OrbitImpact>,
     /// The unknowns of the equations: X, then t_1, V_1, …, the lengths and speeds in units of `scale`.
     pub z: Vec<f64>,
     /// The unit of lengths and speeds among them, which is about the size of the gaps' motion.
@@ -77,9 +75,9 @@ pub struct MachineOrbit {
     /// Real and imaginary part of each, by modulus, the largest first.
     pub multipliers: Vec<(f64, f64)>,
     /// Whether it is an orbit.
-    pub admissibility: MachineAdmissibility,
+    pub admissibility: Admissibility,
     /// The least minimum of a gap away from the impacts; none if no gap has one.
-    pub least: Option<MachineMinimum>,
+    pub least: Option<Minimum>,
 }
 
 /// The orbit of a pattern nearest to times and incoming speeds t_1, V_1, …, t_m, V_m (none without impacts):
@@ -87,7 +85,7 @@ pub struct MachineOrbit {
 ///
 /// # Errors
 /// An input error if the start has another length, a stop is not there, or Newton's method does not end.
-pub fn find(simulator: &MachineSimulator, pattern: &StopPattern, start: &[f64]) -> Result<MachineOrbit> {
+pub fn find(simulator: &Simulator, pattern: &Itinerary, start: &[f64]) -> Result<Orbit> {
     find_from(simulator, pattern, start, None)
 }
 
@@ -97,11 +95,11 @@ pub fn find(simulator: &MachineSimulator, pattern: &StopPattern, start: &[f64]) 
 /// # Errors
 /// As [`find`].
 pub fn find_from(
-    simulator: &MachineSimulator,
-    pattern: &StopPattern,
+    simulator: &Simulator,
+    pattern: &Itinerary,
     start: &[f64],
-    state: Option<&MachineState>,
-) -> Result<MachineOrbit> {
+    state: Option<&State>,
+) -> Result<Orbit> {
     let m = pattern.strikes().len();
     if start.len() != 2 * m {
         return Err(Error::input(format!(
@@ -111,7 +109,7 @@ pub fn find_from(
         )));
     }
     check_stops(pattern, simulator.contacts())?;
-    let size = simulator.scale_at(pattern.strikes().iter().map(|strike| strike.stop));
+    let size = simulator.scale_at(pattern.strikes().iter().map(|strike| strike.place));
     let fastest = start.iter().skip(1).step_by(2).fold(0.0, |most: f64, v| most.max(v.abs()));
     let scale = if size > 0.0 {
         size
@@ -132,19 +130,20 @@ pub fn find_from(
     describe(simulator, pattern, scale, root)
 }
 
-fn between<'s>(simulator: &'s MachineSimulator, soft: Option<&'s MachineSimulator>) -> Between<'s> {
+fn between<'s>(simulator: &'s Simulator, soft: Option<&'s Simulator>) -> Between<'s> {
     Between { flow: simulator.flow(), contacts: simulator.contacts(), soft }
 }
 
 /// Refuses patterns with impacts at stops that are not there.
-pub(super) fn check_stops(pattern: &StopPattern, contacts: &Contacts) -> Result<()> {
-    if pattern.strikes().iter().any(|strike| strike.stop >= contacts.all().len()) {
+pub(super) fn check_stops(pattern: &Itinerary, contacts: &Contacts) -> Result<()> {
+    if pattern.strikes().iter().any(|strike| strike.place >= contacts.all().len()) {
         return Err(Error::input("an impact at a stop that the machine does not have"));
     }
-    if let Some(strike) = pattern.strikes().iter().find(|strike| contacts.all()[strike.stop].soft.is_some()) {
+    if let Some(strike) = pattern.strikes().iter().find(|strike| contacts.all()[strike.place].soft.is_some())
+    {
         return Err(Error::input(format!(
             "stop {} gives way: contact with it is no impact of a pattern and is found without being named",
-            contacts.all()[strike.stop].name
+            contacts.all()[strike.place].name
         )));
     }
     Ok(())
@@ -154,22 +153,17 @@ pub(super) fn check_stops(pattern: &StopPattern, contacts: &Contacts) -> Result<
 ///
 /// # Errors
 /// Legs that do not follow one another; multipliers that are not found.
-pub(super) fn describe(
-    simulator: &MachineSimulator,
-    pattern: &StopPattern,
-    scale: f64,
-    root: Root,
-) -> Result<MachineOrbit> {
+pub(super) fn describe(simulator: &Simulator, pattern: &Itinerary, scale: f64, root: Root) -> Result<Orbit> {
     let soft = simulator.through()?;
     let equations = StopEquations::new(between(simulator, soft.as_ref()), pattern, scale);
     let Root { z, residual, steps } = root;
     let (state, times, speeds) = equations.split(&z);
     let impacts = pattern.strikes().iter().zip(times.iter().zip(&speeds));
-    Ok(MachineOrbit {
-        pattern: pattern.clone(),
+    Ok(Orbit {
+        itinerary: pattern.clone(),
         state,
         impacts: impacts
-            .map(|(strike, (&time, &speed))| MachineOrbitImpact { stop: strike.stop, time, speed })
+            .map(|(strike, (&time, &speed))| OrbitImpact { stop: strike.place, time, speed })
             .collect(),
         residual,
         steps,
@@ -191,6 +185,12 @@ pub(super) fn multipliers(equations: &StopEquations, z: &[f64]) -> Result<Vec<(f
     let determinant = if equations.size() == 1 { equations.determinant(z)? } else { f64::NAN };
     eigenvalues(&monodromy, determinant)
 }
+
+/// The pattern of an orbit with the stop of each impact, by its place in the machine.
+pub type Itinerary = crate::continuation::Itinerary<usize>;
+
+/// An impact of a pattern, at a stop.
+pub type Strike = crate::continuation::Strike<usize>;
 
 /// A time's phase, in [0, 2π].
 fn turned(t: f64) -> f64 {

@@ -9,19 +9,19 @@
 
 use std::f64::consts::TAU;
 
-use super::{MachineOrbit, StopPattern, between, find, find_from};
+use super::{Itinerary, Orbit, between, find, find_from};
 use crate::{
     continuation::Starts,
     error::Result,
-    many::{MachineState, RealVector, simulate::MachineSimulator},
+    many::{RealVector, State, simulate::Simulator},
 };
 
 /// Motions to start from.
 pub(crate) struct FreeStarts<'s> {
-    simulator: &'s MachineSimulator,
+    simulator: &'s Simulator,
     /// The same with its rigid stops passed through.
-    soft: Option<MachineSimulator>,
-    pattern: &'s StopPattern,
+    soft: Option<Simulator>,
+    pattern: &'s Itinerary,
     starts: Starts,
     directions: Vec<RealVector>,
 }
@@ -39,8 +39,8 @@ impl<'s> FreeStarts<'s> {
     /// With deflections' speeds up to `greatest`, per radian of the forcing.
     ///
     /// # Errors
-    /// None in practice: those of [`MachineSimulator::new`].
-    pub fn new(simulator: &'s MachineSimulator, pattern: &'s StopPattern, greatest: f64) -> Result<Self> {
+    /// None in practice: those of [`Simulator::new`].
+    pub fn new(simulator: &'s Simulator, pattern: &'s Itinerary, greatest: f64) -> Result<Self> {
         let nearest = simulator.nearest_stop();
         let starts = Starts::new(greatest, |t| nearest.map_or(0.0, |stop| simulator.on_stop(stop, t)));
         let directions = directions(simulator, nearest);
@@ -51,7 +51,7 @@ impl<'s> FreeStarts<'s> {
     ///
     /// # Errors
     /// As [`find_from`].
-    pub fn find(&self, i: u32) -> Result<MachineOrbit> {
+    pub fn find(&self, i: u32) -> Result<Orbit> {
         if i == 0 {
             return self.of_the_forces();
         }
@@ -68,7 +68,7 @@ impl<'s> FreeStarts<'s> {
     }
 
     /// From the motion of the forces or, where Newton's method finds nothing there, from where that leads.
-    fn of_the_forces(&self) -> Result<MachineOrbit> {
+    fn of_the_forces(&self) -> Result<Orbit> {
         let mut state = self.forced(0.0);
         let mut found = self.from(&state);
         for periods in LATER {
@@ -84,24 +84,24 @@ impl<'s> FreeStarts<'s> {
     }
 
     /// The motion that the forces alone bring about, at a phase.
-    fn forced(&self, t: f64) -> MachineState {
+    fn forced(&self, t: f64) -> State {
         let (n, flow) = (self.simulator.equations().size(), self.simulator.flow());
         let all = flow.outward(&flow.particular(t));
-        MachineState { t, q: all.rows(0, n).into_owned(), u: all.rows(n, n).into_owned() }
+        State { t, q: all.rows(0, n).into_owned(), u: all.rows(n, n).into_owned() }
     }
 
-    fn after(&self, state: &MachineState, duration: f64) -> Result<MachineState> {
+    fn after(&self, state: &State, duration: f64) -> Result<State> {
         between(self.simulator, self.soft.as_ref()).after(state, duration)
     }
 
-    fn from(&self, state: &MachineState) -> Result<MachineOrbit> {
+    fn from(&self, state: &State) -> Result<Orbit> {
         find_from(self.simulator, self.pattern, &[], Some(state))
     }
 }
 
 /// Directions that a push at a stop brings about, each with the kinetic energy of the one that moves the gap
 /// by 1; of a machine without stops, its coordinates.
-fn directions(simulator: &MachineSimulator, stop: Option<usize>) -> Vec<RealVector> {
+fn directions(simulator: &Simulator, stop: Option<usize>) -> Vec<RealVector> {
     let (equations, n) = (simulator.equations(), simulator.equations().size());
     let Some(stop) = stop else {
         return (0..n).map(|i| RealVector::from_fn(n, |j, _| f64::from(u8::from(i == j)))).collect();

@@ -6,11 +6,11 @@
 //! matrix of the flow and κ the kick for V = 1. So all derivatives are exact to rounding, and nothing is
 //! differenced. Not here: what the coefficients mean (`machine::normal_form`).
 
-use super::{MachineChange, StopEquations, turned};
+use super::{Change, StopEquations, turned};
 use crate::{
     continuation::{Cubic, polynomial},
     error::{Error, Result},
-    many::{MachineState, RealMatrix, RealVector, algebra::stacked, orbit::leg::LegPassage},
+    many::{RealMatrix, RealVector, State, algebra::stacked, orbit::leg::LegPassage},
 };
 
 /// Coefficients of a polynomial of degree 3 in two variables.
@@ -139,13 +139,13 @@ impl StopEquations<'_> {
     ///
     /// # Errors
     /// As [`image`](Self::image).
-    pub fn drift(&self, z: &[f64], change: &MachineChange) -> Result<RealVector> {
+    pub fn drift(&self, z: &[f64], change: &Change) -> Result<RealVector> {
         let (n, m) = (self.size(), self.pattern.strikes().len());
         let (mut state, times, speeds) = self.split(z);
         let (mut x, flow) = (RealVector::zeros(2 * n), self.between.flow);
         for i in 0..m {
             let next = (i + 1) % m;
-            let (duration, stop) = (self.duration(&times, i)?, self.pattern.strikes()[next].stop);
+            let (duration, stop) = (self.duration(&times, i)?, self.pattern.strikes()[next].place);
             let LegPassage { mut end, phi, slope } = self.between.passage(&state, duration, Some(change))?;
             x = phi * x + slope;
             end.t = turned(times[next]);
@@ -179,7 +179,7 @@ impl StopEquations<'_> {
         self.between.flow.inward(&q, &u)
     }
 
-    fn approach(&self, i: usize, end: &MachineState) -> Approach {
+    fn approach(&self, i: usize, end: &State) -> Approach {
         let (flow, contact) = (self.between.flow, self.contact(i));
         let mut rows = vec![flow.seen(&contact.row, &RealVector::zeros(self.size()))];
         for k in 1..ORDERS {

@@ -3,7 +3,7 @@
 //!
 //! # What is promised
 //!
-//! - Every minimum of a gap below −[`minimum_depth`](MachineSettings::minimum_depth) is an impact, found on
+//! - Every minimum of a gap below −[`minimum_depth`](Settings::minimum_depth) is an impact, found on
 //!   the stretch on which the gap falls, however slow; a minimum within the depth of 0 is a
 //!   [tangency](Event::Tangency). *Proof.* On a cell of the finest level the gap is a polynomial up to 10⁻¹⁸
 //!   of its amplitude (`stage`), on which the minimum test of the one-degree simulation decides (its
@@ -33,7 +33,7 @@
 //! too, and what is found on it is found by the same test.
 //!
 //! ```
-//! use grazing::many::simulate::{Event, MachineSettings, MachineSimulator};
+//! use grazing::many::simulate::{Event, Settings, Simulator};
 //! use grazing::many::{Machine, Stop, StopLaw};
 //! use grazing::motion::{Time, Wall};
 //!
@@ -53,8 +53,8 @@
 //!     record: None,
 //!     stops: vec![Stop { name: "table".into(), row: vec![1.0], wall: table, law: StopLaw::Newton }],
 //! };
-//! let settings = MachineSettings { minimum_depth: 1e-12, ..MachineSettings::default() };
-//! let simulator = MachineSimulator::new(&machine, &settings)?;
+//! let settings = Settings { minimum_depth: 1e-12, ..Settings::default() };
+//! let simulator = Simulator::new(&machine, &settings)?;
 //! let mut run = simulator.start(Time::new(0, 0.0), &[1.0], &[0.0])?;
 //! let Event::Impact(impact) = run.next(Time::new(1, 0.0)) else { panic!() };
 //! // After half a unit of time, an eighth of the period, at velocity −4.
@@ -77,14 +77,14 @@ use std::{
 
 use serde::Serialize;
 
-pub use engine::MachineRun;
+pub use engine::Run;
 pub(crate) use peak::PeakForces;
 pub(crate) use smooth::seen;
 pub(crate) use stage::Stage;
 use stage::{SoftStops, What};
-pub use tangent::MachineTangents;
+pub use tangent::Carried;
 
-use super::{LinearEquations, Machine, MachineState, RealVector, contact::Contacts, smooth::Smooth};
+use super::{LinearEquations, Machine, RealVector, State, contact::Contacts, smooth::Smooth};
 use crate::many::LinearFlow;
 use crate::{
     error::{Error, Result},
@@ -96,18 +96,18 @@ pub type Event = crate::motion::Event<usize>;
 
 /// How finely to simulate.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct MachineSettings {
+pub struct Settings {
     /// Gaps within this of 0 are contact without impact: see the promises of [`simulate`](self). In the unit
-    /// of gaps, above 0. Default 1e-12, which suits motions of size 1; [`MachineSimulator::scale`] tells
+    /// of gaps, above 0. Default 1e-12, which suits motions of size 1; [`Simulator::scale`] tells
     /// their size.
     pub minimum_depth: f64,
     /// After so many impacts a run ends. Default: no limit.
     pub impact_limit: u64,
 }
 
-impl Default for MachineSettings {
+impl Default for Settings {
     fn default() -> Self {
-        MachineSettings { minimum_depth: 1e-12, impact_limit: u64::MAX }
+        Settings { minimum_depth: 1e-12, impact_limit: u64::MAX }
     }
 }
 
@@ -134,7 +134,7 @@ type Stages = BTreeMap<(Vec<usize>, SoftStops), Arc<Stage>>;
 
 /// A machine ready to run from many starts and on many threads.
 #[derive(Debug)]
-pub struct MachineSimulator {
+pub struct Simulator {
     equations: LinearEquations,
     contacts: Contacts,
     smooth: Option<Smooth>,
@@ -143,21 +143,21 @@ pub struct MachineSimulator {
     stages: Mutex<Stages>,
     /// w M⁻¹ C M⁻¹ wᵀ of each stop: by how much an impulse of 1 there changes z″ through damping.
     drags: Vec<f64>,
-    settings: MachineSettings,
+    settings: Settings,
     rate: f64,
     /// Whether rigid stops are passed through.
     through: bool,
     tally: Option<Arc<EffectTally>>,
 }
 
-impl MachineSimulator {
+impl Simulator {
     /// Solves the machine and fills its tables. Cost: O(n³ + (stops + harmonics) (min(R, 10⁴) + n log R)), R
     /// the fastest motion over the forcing's frequency.
     ///
     /// # Errors
     /// Those of [`Machine::equations`] and [`Machine::contacts`]; a minimum depth that is not positive;
     /// motions some 10¹¹ times as fast as the forcing, or, without modes, some 10⁴ times.
-    pub fn new(machine: &Machine<f64>, settings: &MachineSettings) -> Result<MachineSimulator> {
+    pub fn new(machine: &Machine<f64>, settings: &Settings) -> Result<Simulator> {
         let depth = settings.minimum_depth;
         if !(depth > 0.0 && depth.is_finite()) {
             return Err(Error::input(format!("minimum_depth = {depth} is not positive")));
@@ -179,7 +179,7 @@ impl MachineSimulator {
         };
         let drags = (0..contacts.all().len()).map(drag).collect();
         let (stages, settings, rate) = (Mutex::default(), settings.clone(), machine.rate());
-        Ok(MachineSimulator {
+        Ok(Simulator {
             equations,
             contacts,
             smooth,
@@ -206,22 +206,22 @@ impl MachineSimulator {
 
     /// The same machine simulated otherwise.
     #[must_use]
-    pub(crate) fn with(self, settings: MachineSettings) -> MachineSimulator {
-        MachineSimulator { settings, ..self }
+    pub(crate) fn with(self, settings: Settings) -> Simulator {
+        Simulator { settings, ..self }
     }
 
     /// The machine with its rigid stops passed through; none if then it is one linear machine: it has no soft
     /// stops, and no force is a formula.
     ///
     /// # Errors
-    /// None in practice: those of [`MachineSimulator::new`].
-    pub(crate) fn through(&self) -> Result<Option<MachineSimulator>> {
+    /// None in practice: those of [`Simulator::new`].
+    pub(crate) fn through(&self) -> Result<Option<Simulator>> {
         if self.smooth.is_none() && self.contacts.all().iter().all(|contact| contact.soft.is_none()) {
             return Ok(None);
         }
         let (soft, smooth) = (SoftStops::default(), self.smooth.as_ref());
         let free = Stage::new(&self.equations, &self.contacts, &[], &soft, true, smooth)?;
-        Ok(Some(MachineSimulator {
+        Ok(Some(Simulator {
             equations: self.equations.clone(),
             contacts: self.contacts.clone(),
             smooth: self.smooth.clone(),
@@ -238,16 +238,16 @@ impl MachineSimulator {
     /// The same machine, its work added up in `tally`: of runs as each ends, of steps by formulas as they
     /// are made, whatever for.
     #[must_use]
-    pub(crate) fn counting(self, tally: Arc<EffectTally>) -> MachineSimulator {
+    pub(crate) fn counting(self, tally: Arc<EffectTally>) -> Simulator {
         if let Some(smooth) = &self.smooth {
             smooth.count_in(&tally);
         }
-        MachineSimulator { tally: Some(tally), ..self }
+        Simulator { tally: Some(tally), ..self }
     }
 
     /// The same where there is a tally.
     #[must_use]
-    pub(crate) fn counting_too(self, tally: Option<&Arc<EffectTally>>) -> MachineSimulator {
+    pub(crate) fn counting_too(self, tally: Option<&Arc<EffectTally>>) -> Simulator {
         match tally {
             Some(tally) => self.counting(tally.clone()),
             None => self,
@@ -263,7 +263,7 @@ impl MachineSimulator {
     ///
     /// # Errors
     /// A stage that cannot be built.
-    pub(crate) fn acceleration(&self, state: &MachineState) -> Result<RealVector> {
+    pub(crate) fn acceleration(&self, state: &State) -> Result<RealVector> {
         let stage = self.stage(&[], &SoftStops::of(&self.contacts, state))?;
         Ok(stage.acceleration(Time::new(0, state.t), state))
     }
@@ -274,7 +274,7 @@ impl MachineSimulator {
         let contact = &self.contacts.all()[stop];
         let [place, rate, bend] = contact.position.at(t);
         let push = self.contacts.push(stop) / self.contacts.mobility(stop);
-        let state = MachineState { t, q: &push * place, u: &push * rate };
+        let state = State { t, q: &push * place, u: &push * rate };
         contact.row.dot(&self.free.acceleration(Time::new(0, t), &state)) - bend
     }
 
@@ -302,7 +302,7 @@ impl MachineSimulator {
     }
 
     /// How finely it simulates.
-    pub(crate) fn settings(&self) -> &MachineSettings {
+    pub(crate) fn settings(&self) -> &Settings {
         &self.settings
     }
 
@@ -384,7 +384,7 @@ impl MachineSimulator {
     ///
     /// # Errors
     /// A start behind a rigid stop, not finite, or of another size.
-    pub fn start(&self, time: Time, q: &[f64], u: &[f64]) -> Result<MachineRun<'_>> {
+    pub fn start(&self, time: Time, q: &[f64], u: &[f64]) -> Result<Run<'_>> {
         let n = self.equations.size();
         if q.len() != n || u.len() != n {
             let (q, u) = (q.len(), u.len());
@@ -395,11 +395,8 @@ impl MachineSimulator {
         if q.iter().chain(u).any(|x| !x.is_finite()) {
             return Err(Error::input("the start is not finite"));
         }
-        let state = MachineState {
-            t: time.phase,
-            q: RealVector::from_column_slice(q),
-            u: RealVector::from_column_slice(u),
-        };
+        let state =
+            State { t: time.phase, q: RealVector::from_column_slice(q), u: RealVector::from_column_slice(u) };
         for contact in self.contacts.all() {
             let [gap, _] = contact.gap(&state);
             if contact.soft.is_none() && !self.through && gap < -self.settings.minimum_depth {
@@ -409,7 +406,7 @@ impl MachineSimulator {
                 )));
             }
         }
-        MachineRun::new(self, time, state)
+        Run::new(self, time, state)
     }
 
     /// The machine resting on these stops, which are in ascending order, beside soft ones.

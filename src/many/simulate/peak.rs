@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use super::Stage;
 use crate::{
-    many::{MachineState, simulate::engine::MachineRun},
+    many::{State, simulate::engine::Run},
     motion::Time,
 };
 
@@ -24,13 +24,13 @@ const STEPS: usize = 30;
 pub(crate) struct PeakForces {
     stage: Arc<Stage>,
     from: Time,
-    state: MachineState,
+    state: State,
     peaks: Vec<f64>,
 }
 
 impl PeakForces {
     /// Nothing yet, from where the run is.
-    pub fn new(run: &MachineRun) -> PeakForces {
+    pub fn new(run: &Run) -> PeakForces {
         let peaks = vec![0.0; run.simulator().contacts().all().len()];
         PeakForces { stage: run.stage(), from: run.time(), state: run.state(), peaks }
     }
@@ -42,7 +42,7 @@ impl PeakForces {
 
     /// The run has come to its next event, or to where it was asked to stop. Cost: at most 300 looks, where a
     /// soft stop is in contact; else none.
-    pub fn flown(&mut self, run: &MachineRun) {
+    pub fn flown(&mut self, run: &Run) {
         let duration = run.time().since(self.from);
         if duration > 0.0 {
             for stop in self.stage.soft.pushing.clone() {
@@ -55,7 +55,7 @@ impl PeakForces {
     }
 
     /// The largest force of a stop on the flight of that duration.
-    fn peak(&self, run: &MachineRun, stop: usize, duration: f64) -> f64 {
+    fn peak(&self, run: &Run, stop: usize, duration: f64) -> f64 {
         let contact = &run.simulator().contacts().all()[stop];
         let Some(soft) = contact.soft else { return 0.0 };
         let force = |after: f64| soft.force(contact.gap(&self.stage.after(self.from, &self.state, after)));

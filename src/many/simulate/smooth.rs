@@ -7,7 +7,7 @@ use super::stage::What;
 use crate::{
     error::Result,
     many::{
-        LinearEquations, MachineState, RealMatrix, RealVector,
+        LinearEquations, RealMatrix, RealVector, State,
         contact::{Contacts, Watch},
         equations::Constrained,
         smooth::{Held, Leap, Record, Smooth, SmoothFlow},
@@ -91,7 +91,7 @@ impl SmoothStage {
     }
 
     /// The next step from a state.
-    pub fn leap(&self, time: Time, state: &MachineState) -> Leap {
+    pub fn leap(&self, time: Time, state: &State) -> Leap {
         let (given, left) = self.recorded(time);
         self.flow.leap(time, state, self.longest.min(left), &given)
     }
@@ -105,7 +105,7 @@ impl SmoothStage {
     }
 
     /// All outputs at a state.
-    fn all_at(&self, time: Time, state: &MachineState) -> Vec<f64> {
+    fn all_at(&self, time: Time, state: &State) -> Vec<f64> {
         let mut all = self.flow.all_at(time.phase, &state.q, &state.u);
         if let Some((record, weights)) = &self.record {
             let (value, ..) = record.at(time);
@@ -115,23 +115,23 @@ impl SmoothStage {
     }
 
     /// q″ with the forces of the stops rested on.
-    pub fn acceleration(&self, time: Time, state: &MachineState) -> RealVector {
+    pub fn acceleration(&self, time: Time, state: &State) -> RealVector {
         RealVector::from_column_slice(&self.all_at(time, state)[..self.size])
     }
 
     /// q″ without them.
-    pub fn unheld(&self, time: Time, state: &MachineState) -> RealVector {
+    pub fn unheld(&self, time: Time, state: &State) -> RealVector {
         RealVector::from_column_slice(&self.all_at(time, state)[self.free..self.free + self.size])
     }
 
     /// The forces of the stops rested on, as the accelerations that they prevent.
-    pub fn forces(&self, time: Time, state: &MachineState) -> Vec<f64> {
+    pub fn forces(&self, time: Time, state: &State) -> Vec<f64> {
         let all = self.all_at(time, state);
         if self.free == 0 { Vec::new() } else { all[self.size..self.free].to_vec() }
     }
 
     /// The state after a duration; where it cannot be followed, not a number.
-    pub fn after(&self, time: Time, state: &MachineState, duration: f64) -> MachineState {
+    pub fn after(&self, time: Time, state: &State, duration: f64) -> State {
         let (mut now, mut here, mut left) = (time, state.clone(), duration);
         loop {
             let leap = self.leap(now, &here);
@@ -140,33 +140,33 @@ impl SmoothStage {
             }
             if leap.over().is_some() {
                 let none = RealVector::from_element(self.size, f64::NAN);
-                return MachineState { t: time.after(duration).phase, q: none.clone(), u: none };
+                return State { t: time.after(duration).phase, q: none.clone(), u: none };
             }
             (now, here, left) = (leap.time(1.0), leap.state(1.0), left - leap.h);
         }
     }
 
     /// ∂(q, q′) after a duration by (q, q′) before, of a machine without a recorded force.
-    pub fn transition(&self, state: &MachineState, duration: f64) -> RealMatrix {
+    pub fn transition(&self, state: &State, duration: f64) -> RealMatrix {
         self.flow.transition(state, duration)
     }
 
     /// The same over one step, no longer than `longest`, with a recorded force, if there is one; and how far
     /// that goes.
-    pub fn step_transition(&self, time: Time, state: &MachineState, longest: f64) -> (RealMatrix, f64) {
+    pub fn step_transition(&self, time: Time, state: &State, longest: f64) -> (RealMatrix, f64) {
         let (given, left) = self.recorded(time);
         self.flow.step_transition(state, longest.min(left), &given)
     }
 
     /// The determinant of [`transition`](Self::transition), by Liouville: exp ∫ tr ∂q″/∂q′ dt by Gauss's rule
     /// on each step; NaN where the motion cannot be followed.
-    pub fn determinant(&self, state: &MachineState, duration: f64) -> f64 {
+    pub fn determinant(&self, state: &State, duration: f64) -> f64 {
         let (mut now, mut here, mut left, mut sum) = (Time::new(0, state.t), state.clone(), duration, 0.0);
         loop {
             let leap = self.leap(now, &here);
             let part = (left / leap.h).min(1.0);
             for (x, weight) in GAUSS {
-                let MachineState { t, q, u } = leap.state(part * x);
+                let State { t, q, u } = leap.state(part * x);
                 let Some([_, by_rate]) = self.flow.jacobian(t, &q, &u) else { return f64::NAN };
                 sum += part * leap.h * weight * by_rate.trace();
             }

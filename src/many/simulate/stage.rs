@@ -36,7 +36,7 @@ use super::smooth::SmoothStage;
 use crate::{
     error::{Error, Result},
     many::{
-        LinearEquations, LinearFlow, MachineState, RealMatrix, RealVector,
+        LinearEquations, LinearFlow, RealMatrix, RealVector, State,
         contact::{Contacts, StopContact, Watch},
         smooth::Smooth,
     },
@@ -88,7 +88,7 @@ pub(crate) struct SoftStops {
 
 impl SoftStops {
     /// Of a state: what it is follows from gaps and rates alone.
-    pub fn of(contacts: &Contacts, state: &MachineState) -> SoftStops {
+    pub fn of(contacts: &Contacts, state: &State) -> SoftStops {
         let mut all = SoftStops::default();
         for (j, contact) in contacts.all().iter().enumerate() {
             let Some(soft) = contact.soft else { continue };
@@ -525,7 +525,7 @@ impl Stage {
     }
 
     /// y of the machine's own state.
-    pub fn split(&self, state: &MachineState) -> RealVector {
+    pub fn split(&self, state: &State) -> RealVector {
         match &self.reduced {
             None => self.flow.split(state),
             Some(_) => self.flow.split(&self.lowered(state)),
@@ -533,13 +533,13 @@ impl Stage {
     }
 
     /// The machine's own state of y.
-    pub fn join(&self, t: f64, y: &RealVector) -> MachineState {
+    pub fn join(&self, t: f64, y: &RealVector) -> State {
         self.raised(self.flow.join(t, y))
     }
 
     /// The machine's own state after `duration` ≥ 0 of motion in this stage from a state at `time`, over as
     /// many periods as that takes.
-    pub fn after(&self, time: Time, state: &MachineState, duration: f64) -> MachineState {
+    pub fn after(&self, time: Time, state: &State, duration: f64) -> State {
         if let Some(smooth) = &self.smooth {
             return smooth.after(time, state, duration);
         }
@@ -547,12 +547,12 @@ impl Stage {
     }
 
     /// A state without what rounding has moved it by off the stops that are rested on.
-    pub fn kept(&self, state: &MachineState) -> MachineState {
+    pub fn kept(&self, state: &State) -> State {
         self.raised(self.lowered(state))
     }
 
     /// z″ of a gap without the forces of the stops that are rested on.
-    pub fn bend(&self, contact: &StopContact, time: Time, state: &MachineState) -> f64 {
+    pub fn bend(&self, contact: &StopContact, time: Time, state: &State) -> f64 {
         match &self.smooth {
             None => contact.acceleration(&self.equations, state),
             Some(smooth) => contact.row.dot(&smooth.unheld(time, state)) - contact.position.at(state.t)[2],
@@ -560,7 +560,7 @@ impl Stage {
     }
 
     /// q″ of the machine in this stage.
-    pub fn acceleration(&self, time: Time, state: &MachineState) -> RealVector {
+    pub fn acceleration(&self, time: Time, state: &State) -> RealVector {
         if let Some(smooth) = &self.smooth {
             return smooth.acceleration(time, state);
         }
@@ -580,15 +580,15 @@ impl Stage {
     }
 
     /// The state of the stage's own coordinates.
-    fn lowered(&self, state: &MachineState) -> MachineState {
+    fn lowered(&self, state: &State) -> State {
         match &self.reduced {
             None => state.clone(),
-            Some((_, _, down)) => MachineState { t: state.t, q: down * &state.q, u: down * &state.u },
+            Some((_, _, down)) => State { t: state.t, q: down * &state.q, u: down * &state.u },
         }
     }
 
     /// The machine's own state of one of the stage's own coordinates.
-    fn raised(&self, state: MachineState) -> MachineState {
+    fn raised(&self, state: State) -> State {
         let Some((free, lift, _)) = &self.reduced else { return state };
         let (mut q, mut u) = (free * &state.q, free * &state.u);
         for (j, position) in self.positions.iter().enumerate() {
@@ -596,7 +596,7 @@ impl Stage {
             q.axpy(place, &lift.column(j), 1.0);
             u.axpy(speed, &lift.column(j), 1.0);
         }
-        MachineState { t: state.t, q, u }
+        State { t: state.t, q, u }
     }
 }
 

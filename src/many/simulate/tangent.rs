@@ -16,11 +16,11 @@
 
 use std::sync::Arc;
 
-use super::{Event, MachineSimulator, stage::Stage};
+use super::{Event, Simulator, stage::Stage};
 use crate::{
     attractor::dynamics::{Tangents, orthonormalise},
     error::Result,
-    many::{MachineState, RealMatrix, RealVector, algebra::stacked, simulate::engine::MachineRun},
+    many::{RealMatrix, RealVector, State, algebra::stacked, simulate::engine::Run},
     motion::{
         RunEnd, Time,
         event::{Impact, Touch},
@@ -30,11 +30,11 @@ use crate::{
 };
 
 /// A motion with vectors.
-pub struct MachineTangents<'a> {
-    run: MachineRun<'a>,
-    simulator: &'a MachineSimulator,
+pub struct Carried<'a> {
+    run: Run<'a>,
+    simulator: &'a Simulator,
     stage: Arc<Stage>,
-    state: MachineState,
+    state: State,
     now: Time,
     frame: Vec<Vec<f64>>,
     /// The longest stretch on which vectors neither vanish in floats nor fall together.
@@ -46,29 +46,29 @@ pub struct MachineTangents<'a> {
 /// What is left of a vector beside others after a longer stretch is rounding.
 const FLOOR: f64 = 1e-14;
 
-impl<'a> MachineTangents<'a> {
+impl<'a> Carried<'a> {
     /// The motion with `count` vectors, at least 1 and at most twice the number of coordinates.
-    pub(crate) fn new(run: MachineRun<'a>, count: usize) -> MachineTangents<'a> {
+    pub(crate) fn new(run: Run<'a>, count: usize) -> Carried<'a> {
         let simulator = run.simulator();
         let n = simulator.equations().size();
         let (stage, state, now) = (run.stage(), run.state(), run.time());
         let mut frame = first(n, count);
         orthonormalise(&mut frame, &mut vec![0.0; count], 0.0);
         let longest = f64::INFINITY;
-        let mut all = MachineTangents { run, simulator, stage, state, now, frame, longest, ordered: true };
+        let mut all = Carried { run, simulator, stage, state, now, frame, longest, ordered: true };
         all.bound();
         all.project();
         all
     }
 
     /// The motion with a unit vector along each coordinate, in which the mass is 1.
-    pub(crate) fn along(run: MachineRun<'a>) -> MachineTangents<'a> {
+    pub(crate) fn along(run: Run<'a>) -> Carried<'a> {
         let simulator = run.simulator();
         let n = 2 * simulator.equations().size();
         let (stage, state, now) = (run.stage(), run.state(), run.time());
         let frame = (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
         let longest = f64::INFINITY;
-        let mut all = MachineTangents { run, simulator, stage, state, now, frame, longest, ordered: false };
+        let mut all = Carried { run, simulator, stage, state, now, frame, longest, ordered: false };
         all.bound();
         all.project();
         all
@@ -109,7 +109,7 @@ impl<'a> MachineTangents<'a> {
     /// Vectors and state on by `longest` or less, without events; how far.
     fn advance(&mut self, longest: f64) -> f64 {
         let stage = self.stage.clone();
-        let state = MachineState { t: self.now.phase, ..self.state.clone() };
+        let state = State { t: self.now.phase, ..self.state.clone() };
         let gone = match &stage.smooth {
             None => {
                 self.mapped(|q, u| stage.carried(&q, &u, longest));
@@ -222,7 +222,7 @@ impl<'a> MachineTangents<'a> {
     }
 }
 
-impl Tangents for MachineTangents<'_> {
+impl Tangents for Carried<'_> {
     fn time(&self) -> Time {
         self.now
     }

@@ -9,7 +9,7 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::{
-    many::{LinearEquations, MachineState, RealMatrix, RealVector},
+    many::{LinearEquations, RealMatrix, RealVector, State},
     motion::{
         Effect, EffectTally, RunEnd, Time,
         flow::{Gradient, LEAST, Obstacle, Program, Rows, SHORTEST, Scalar, TERMS, defect},
@@ -80,7 +80,7 @@ impl SmoothFlow {
 
     /// The step from a state, no longer than `longest`. `given` is a straight force for each output, a value
     /// and a slope by time.
-    pub fn leap(&self, start: Time, state: &MachineState, longest: f64, given: &[[f64; 2]]) -> Leap {
+    pub fn leap(&self, start: Time, state: &State, longest: f64, given: &[[f64; 2]]) -> Leap {
         self.stepped(1);
         let from: Vec<f64> = state.q.iter().chain(state.u.iter()).copied().collect();
         let step = step(&self.program, &self.metric, &from, start.phase, longest, given);
@@ -140,7 +140,7 @@ impl SmoothFlow {
     }
 
     /// ∂(q, q′) after a duration by (q, q′) before; NaN where the motion cannot be followed.
-    pub fn transition(&self, state: &MachineState, duration: f64) -> RealMatrix {
+    pub fn transition(&self, state: &State, duration: f64) -> RealMatrix {
         let n = self.size;
         let from: Vec<f64> = state.q.iter().chain(state.u.iter()).copied().collect();
         let mut all = RealMatrix::zeros(2 * n, 2 * n);
@@ -157,12 +157,7 @@ impl SmoothFlow {
 
     /// The same over one step, no longer than `longest`, and how far that goes: as far as the derivatives in
     /// all directions allow. Over no time, as between events of one instant, nothing changes.
-    pub fn step_transition(
-        &self,
-        state: &MachineState,
-        longest: f64,
-        given: &[[f64; 2]],
-    ) -> (RealMatrix, f64) {
+    pub fn step_transition(&self, state: &State, longest: f64, given: &[[f64; 2]]) -> (RealMatrix, f64) {
         let n = self.size;
         if longest <= 0.0 {
             return (RealMatrix::identity(2 * n, 2 * n), longest);
@@ -341,12 +336,12 @@ impl<S: Scalar> Step<S> {
 
 impl Leap {
     /// The state at a place; t is the phase.
-    pub fn state(&self, x: f64) -> MachineState {
+    pub fn state(&self, x: f64) -> State {
         let n = self.q.len();
         let at =
             |row: &[f64; TERMS]| row.iter().rev().fold([0.0; 2], |[p, slope], c| [p * x + c, slope * x + p]);
         let all: Vec<[f64; 2]> = self.q.iter().map(at).collect();
-        MachineState {
+        State {
             t: self.time(x).phase,
             q: RealVector::from_fn(n, |i, _| all[i][0]),
             u: RealVector::from_fn(n, |i, _| all[i][1] / self.h),

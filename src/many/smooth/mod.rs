@@ -17,7 +17,7 @@ use std::{
 pub(crate) use flow::{Leap, SmoothFlow};
 pub use record::Record;
 
-use super::{LinearEquations, Machine, MachineSlope, Periodic, RealMatrix, RealVector};
+use super::{LinearEquations, Machine, Periodic, RealMatrix, RealVector, Slope};
 use crate::{
     error::{Error, Result},
     motion::{
@@ -139,7 +139,7 @@ impl Smooth {
     pub fn changing(
         &self,
         equations: &LinearEquations,
-        (machine, own): (&MachineSlope, &Smooth),
+        (machine, own): (&Slope, &Smooth),
     ) -> Result<Program<Gradient<2>>> {
         self.program(equations, Some((machine, own)), None, |value, slope| Gradient([value, slope]))
     }
@@ -196,7 +196,7 @@ impl Smooth {
     fn program<S: Scalar>(
         &self,
         equations: &LinearEquations,
-        slope: Option<(&MachineSlope, &Smooth)>,
+        slope: Option<(&Slope, &Smooth)>,
         held: Option<&Held>,
         make: impl Fn(f64, f64) -> S,
     ) -> Result<Program<S>> {
@@ -232,7 +232,7 @@ impl Smooth {
     fn free<S: Scalar>(
         &self,
         equations: &LinearEquations,
-        slope: Option<(&MachineSlope, &Smooth)>,
+        slope: Option<(&Slope, &Smooth)>,
         make: impl Fn(f64, f64) -> S,
     ) -> Vec<Outline<S>> {
         let n = equations.size();
@@ -247,7 +247,7 @@ impl Smooth {
             };
             (value, slope)
         };
-        let changed = |of: fn(&MachineSlope) -> &RealMatrix, j: usize| {
+        let changed = |of: fn(&Slope) -> &RealMatrix, j: usize| {
             slope.map(|(machine, _)| of(machine).column(j).into_owned())
         };
         let mut free = vec![Outline::zero(); n];
@@ -308,7 +308,7 @@ impl Smooth {
     /// What the formulas see: displacements of all points, then their velocities.
     fn variables<S: Scalar>(
         &self,
-        slope: Option<(&MachineSlope, &Smooth)>,
+        slope: Option<(&Slope, &Smooth)>,
         make: impl Fn(f64, f64) -> S,
     ) -> Vec<Vec<(S, usize)>> {
         let (points, n, shape) = (self.shape.nrows(), self.shape.ncols(), &self.shape);

@@ -45,7 +45,8 @@ pub fn attracting(
         return find(oscillator, &Itinerary::free(period as u32)?, vec![at_zero.q, at_zero.u]);
     }
     let counted = natural(&times, period as u32);
-    let strikes = sides.into_iter().zip(&counted).map(|(side, &(periods, _))| Strike { side, periods });
+    let strikes =
+        sides.into_iter().zip(&counted).map(|(side, &(periods, _))| Strike { place: side, periods });
     let z = counted.iter().zip(speeds).flat_map(|((_, time), speed)| [*time, speed]).collect();
     find(oscillator, &Itinerary::new(strikes.collect())?, z)
 }

@@ -5,8 +5,8 @@ use std::f64::consts::{PI, TAU};
 
 use crate::{
     continuation::{
-        Bifurcation, Degeneracy, Derivatives, FollowedOrbit, ImpactPattern, Linearised, Multipliers,
-        PatternFamily, PatternPlane, Root, halved,
+        Bifurcation, Degeneracy, Derivatives, FollowedOrbit, Linearised, Multipliers, PatternFamily,
+        PatternPlane, Root,
     },
     error::{Error, Result},
     motion::Side,
@@ -34,16 +34,6 @@ impl<F: Fn([f64; 2]) -> Result<Oscillator> + Sync> TwoParameterFamily for F {
     }
 }
 
-impl ImpactPattern for Itinerary {
-    fn impacts(&self) -> usize {
-        self.strikes().len()
-    }
-
-    fn repeated(&self, times: u32) -> Result<Itinerary> {
-        Itinerary::repeated(self, times)
-    }
-}
-
 /// Slower than this, in units of the motion, an impact's speed is rounding's.
 const STILL: f64 = 1e-10;
 
@@ -53,7 +43,7 @@ struct Units([f64; 4]);
 
 impl Units {
     fn of(oscillator: &Oscillator) -> Result<Units> {
-        let both = [Side::Lower, Side::Upper].map(|side| Strike { side, periods: 1 });
+        let both = [Side::Lower, Side::Upper].map(|place| Strike { place, periods: 1 });
         let unit = |struck: &[Strike]| {
             let itinerary = match struck {
                 [] => Itinerary::free(1),
@@ -65,7 +55,7 @@ impl Units {
     }
 
     fn length(&self, pattern: &Itinerary) -> f64 {
-        let strikes = |side: Side| usize::from(pattern.strikes().iter().any(|strike| strike.side == side));
+        let strikes = |side: Side| usize::from(pattern.strikes().iter().any(|strike| strike.place == side));
         self.0[strikes(Side::Lower) + 2 * strikes(Side::Upper)]
     }
 
@@ -86,19 +76,19 @@ impl Units {
 }
 
 /// Orbits of oscillators over one parameter.
-pub struct OscillatorPatterns<'a> {
+pub struct Patterns<'a> {
     family: &'a (dyn Family + 'a),
     units: Units,
 }
 
-impl<'a> OscillatorPatterns<'a> {
+impl<'a> Patterns<'a> {
     /// The orbits of a family. Lengths and speeds are measured by the size of the motion at one value of the
     /// parameter (`Oscillator::unit`).
     ///
     /// # Errors
     /// Where the system is not defined there.
-    pub fn new(family: &'a (dyn Family + 'a), at: f64) -> Result<OscillatorPatterns<'a>> {
-        Ok(OscillatorPatterns { family, units: Units::of(&family.at(at)?)? })
+    pub fn new(family: &'a (dyn Family + 'a), at: f64) -> Result<Patterns<'a>> {
+        Ok(Patterns { family, units: Units::of(&family.at(at)?)? })
     }
 
     /// The oscillators.
@@ -108,23 +98,23 @@ impl<'a> OscillatorPatterns<'a> {
 }
 
 /// Orbits of oscillators over two parameters.
-pub struct OscillatorPlane<'a> {
+pub struct Plane<'a> {
     plane: &'a (dyn TwoParameterFamily + 'a),
     units: Units,
 }
 
-impl<'a> OscillatorPlane<'a> {
-    /// The orbits of oscillators that differ in two parameters, measured as in [`OscillatorPatterns::new`].
+impl<'a> Plane<'a> {
+    /// The orbits of oscillators that differ in two parameters, measured as in [`Patterns::new`].
     ///
     /// # Errors
     /// Where the system is not defined at these values.
-    pub fn new(plane: &'a (dyn TwoParameterFamily + 'a), at: [f64; 2]) -> Result<OscillatorPlane<'a>> {
-        Ok(OscillatorPlane { plane, units: Units::of(&plane.at(at)?)? })
+    pub fn new(plane: &'a (dyn TwoParameterFamily + 'a), at: [f64; 2]) -> Result<Plane<'a>> {
+        Ok(Plane { plane, units: Units::of(&plane.at(at)?)? })
     }
 }
 
 impl FollowedOrbit for Orbit {
-    type Pattern = Itinerary;
+    type Place = Side;
 
     fn pattern(&self) -> &Itinerary {
         &self.itinerary
@@ -214,7 +204,7 @@ impl FollowedOrbit for Orbit {
     }
 }
 
-impl PatternFamily for OscillatorPatterns<'_> {
+impl PatternFamily for Patterns<'_> {
     type Orbit = Orbit;
 
     fn count(&self, pattern: &Itinerary) -> usize {
@@ -236,18 +226,9 @@ impl PatternFamily for OscillatorPatterns<'_> {
     }
 
     fn once(&self, pattern: &Itinerary, z: &[f64]) -> Option<(Itinerary, Vec<f64>)> {
-        if pattern.strikes().is_empty() {
-            let half = Itinerary::free(pattern.periods() / 2).ok()?;
-            return (half.repeated(2).ok().as_ref() == Some(pattern)).then(|| (half, z.to_vec()));
-        }
-        let (first, second) = pattern.strikes().split_at(pattern.strikes().len() / 2);
-        if first.len() != second.len() || first.iter().zip(second).any(|(a, b)| a.side != b.side) {
-            return None;
-        }
-        let periods: Vec<u32> = first.iter().map(|strike| strike.periods).collect();
-        let periods = halved(&periods, pattern.periods(), z[first.len() * 2] - z[0])?;
-        let strikes = first.iter().zip(periods).map(|(strike, periods)| Strike { periods, ..*strike });
-        Some((Itinerary::new(strikes.collect()).ok()?, z[..z.len() / 2].to_vec()))
+        let half = pattern.once(|first| z[2 * first] - z[0])?;
+        let kept = if pattern.strikes().is_empty() { z.len() } else { z.len() / 2 };
+        Some((half, z[..kept].to_vec()))
     }
 
     fn is_time(&self, pattern: &Itinerary, unknown: usize) -> bool {
@@ -259,7 +240,7 @@ impl PatternFamily for OscillatorPatterns<'_> {
     }
 }
 
-impl PatternPlane for OscillatorPlane<'_> {
+impl PatternPlane for Plane<'_> {
     type Orbit = Orbit;
 
     fn count(&self, pattern: &Itinerary) -> usize {
@@ -391,7 +372,7 @@ fn symmetric(oscillator: &Oscillator, pattern: &Itinerary, z: &[f64], values: &m
     let strikes = pattern.strikes();
     let half = strikes.len() / 2;
     let (first, second) = strikes.split_at(half);
-    let opposite = first.iter().zip(second).all(|(a, b)| a.side != b.side);
+    let opposite = first.iter().zip(second).all(|(a, b)| a.place != b.place);
     let lag = PI * f64::from(pattern.periods());
     let off = |i: usize| {
         let [late, faster] = [0, 1].map(|j| z[2 * (i + half) + j] - z[2 * i + j]);

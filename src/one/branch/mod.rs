@@ -5,7 +5,7 @@ mod normal_form;
 
 use serde_json::Value;
 
-pub use family::{OscillatorPatterns, OscillatorPlane, TwoParameterFamily};
+pub use family::{Patterns, Plane, TwoParameterFamily};
 
 use crate::{
     continuation::{
@@ -13,8 +13,7 @@ use crate::{
         PatternCurve, RecordForm, SearchReach, nearest, read_label_as, record_as,
     },
     error::Result,
-    motion::Side,
-    one::orbit::{Family, Itinerary, Orbit, Strike, find},
+    one::orbit::{Family, Itinerary, Orbit, find},
 };
 
 /// A point of a branch.
@@ -24,10 +23,10 @@ pub type BranchOrbit = BranchPoint<Orbit>;
 pub type Branch = OrbitBranch<Orbit>;
 
 /// A curve of orbits over a parameter.
-pub type Orbits<'a> = PatternCurve<'a, OscillatorPatterns<'a>>;
+pub type Orbits<'a> = PatternCurve<'a, Patterns<'a>>;
 
 /// A curve of bifurcations over two.
-pub type Events<'a> = EventCurve<'a, OscillatorPlane<'a>>;
+pub type Events<'a> = EventCurve<'a, Plane<'a>>;
 
 impl Orbits<'_> {
     /// The orbit near `guess` at a parameter value, to start from; its tangent points to larger parameters.
@@ -56,7 +55,7 @@ pub fn locate(
     reach: f64,
     options: &Options,
 ) -> Result<BranchSearch<Orbit>> {
-    let patterns = OscillatorPatterns::new(family, parameter)?;
+    let patterns = Patterns::new(family, parameter)?;
     nearest(&patterns, bifurcation, orbit, parameter, SearchReach::Length { reach, unit: 1.0 }, options)
 }
 
@@ -66,13 +65,7 @@ const OSCILLATOR: RecordForm = RecordForm { format: "grazing-branch 2", contacts
 /// A branch over parameters of these names as JSON: the pattern, every point with its label if it has one,
 /// the ends.
 pub fn record(branch: &Branch, parameters: &[&str]) -> Value {
-    let strikes: Vec<(usize, u32)> = branch
-        .itinerary
-        .strikes()
-        .iter()
-        .map(|strike| (usize::from(strike.side == Side::Upper), strike.periods))
-        .collect();
-    record_as(branch, parameters, OSCILLATOR, (&strikes, branch.itinerary.periods()))
+    record_as(branch, parameters, OSCILLATOR)
 }
 
 /// The point with a label in a branch written as JSON.
@@ -80,10 +73,5 @@ pub fn record(branch: &Branch, parameters: &[&str]) -> Value {
 /// # Errors
 /// An input error for text of another format, or a label that is not there, with those that are.
 pub fn read_label(text: &str, label: &str) -> Result<Label<Itinerary>> {
-    let side = |contact: usize| [Side::Lower, Side::Upper][contact];
-    read_label_as(text, label, OSCILLATOR, |strikes, period| {
-        let strikes: Vec<Strike> =
-            strikes.iter().map(|&(contact, periods)| Strike { side: side(contact), periods }).collect();
-        if strikes.is_empty() { Itinerary::free(period) } else { Itinerary::new(strikes) }
-    })
+    read_label_as(text, label, OSCILLATOR)
 }

@@ -84,7 +84,7 @@ impl Grazing {
             let arriving = (0..before.periods).fold(start, |x, _| apply(&map.a, x));
             let speed = map.speed_scale() * eta * before.y;
             let slope = eta * arriving[1] + map.drift[1] * away;
-            strikes.push(Strike { side: if late { other } else { self.side() }, periods });
+            strikes.push(Strike { place: if late { other } else { self.side() }, periods });
             let phase = self.z[0] + if late { PI } else { 0.0 };
             z.extend([phase - (slope + speed) / map.acceleration, speed]);
         }

@@ -37,7 +37,7 @@ impl LocalMap {
     /// The map at a solution whose first impact has speed 0.
     pub(super) fn new(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Result<LocalMap> {
         let strikes = itinerary.strikes();
-        let touch = oscillator.touch(strikes[0].side, z[0])?;
+        let touch = oscillator.touch(strikes[0].place, z[0])?;
         let (sign, graze) = (touch.wall.side.sign(), touch.leaving(z[0], 0.0));
         let (mut a, mut shift) = (IDENTITY, [0.0; 2]);
         for passage in Unknowns::new(itinerary, z)?.passages(oscillator) {

@@ -38,7 +38,7 @@ const TWICE: f64 = 1e-11;
 impl Grazing {
     /// The wall that is grazed.
     pub fn side(&self) -> Side {
-        self.itinerary.strikes()[0].side
+        self.itinerary.strikes()[0].place
     }
 
     /// t_G, in [0, 2π).
@@ -114,7 +114,7 @@ fn with_graze(orbit: &Orbit, at: Minimum) -> Result<(Itinerary, Vec<f64>)> {
     // The impact before the minimum comes last; its periods are shared out between before and after.
     let last = strikes[at.leg];
     let before = ((at.after / TAU).round() as u32).min(last.periods);
-    let mut all = vec![Strike { side: at.side, periods: last.periods - before }];
+    let mut all = vec![Strike { place: at.side, periods: last.periods - before }];
     let mut z = vec![orbit.z[2 * at.leg] + at.after - TAU * f64::from(before), 0.0];
     for i in 0..m {
         all.push(strikes[turned(i)]);

@@ -29,7 +29,7 @@ impl Grazing {
         let away = parameter - self.parameter;
         let (map, eta) = (&self.map, self.map.e() * away);
         let (strikes, m) = (self.itinerary.strikes(), periods.len());
-        let graze = oscillator.touch(strikes[0].side, self.z[0])?;
+        let graze = oscillator.touch(strikes[0].place, self.z[0])?;
         let sign = graze.wall.side.sign();
         let (mut all, mut z) = (Vec::<Strike>::new(), Vec::new());
         for (i, &n) in periods.iter().enumerate() {

@@ -36,7 +36,7 @@ impl Multipliers {
         oscillator: &Oscillator,
         impacts: &[Strike],
     ) -> Multipliers {
-        let kept = impacts.iter().map(|strike| oscillator.restitution(strike.side).powi(2));
+        let kept = impacts.iter().map(|strike| oscillator.restitution(strike.place).powi(2));
         Multipliers { trace: trace(matrix), determinant: flow * kept.product::<f64>() }
     }
 }

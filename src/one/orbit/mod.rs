@@ -24,7 +24,6 @@ mod determinant;
 mod equations;
 mod family;
 mod gap;
-mod itinerary;
 mod leg;
 mod oscillator;
 mod passage;
@@ -33,13 +32,13 @@ mod search;
 mod single;
 mod solution;
 
+use crate::motion::Side;
 pub(super) use admissible::minima;
 pub use admissible::{Admissibility, Minimum};
 pub(crate) use admissible::{Check, check};
 pub(crate) use determinant::flow_determinant;
 pub use equations::linearise;
 pub use family::Family;
-pub use itinerary::{Itinerary, Strike};
 pub use leg::Leg;
 pub(crate) use leg::Touch;
 pub use oscillator::Oscillator;
@@ -49,3 +48,9 @@ pub use search::search;
 pub(crate) use search::search_obstacle;
 pub use single::SingleImpact;
 pub use solution::{Orbit, OrbitImpact, describe, find, monodromy};
+
+/// The pattern of an orbit with the wall of each impact.
+pub type Itinerary = crate::continuation::Itinerary<Side>;
+
+/// An impact of a pattern, at a wall.
+pub type Strike = crate::continuation::Strike<Side>;

@@ -133,7 +133,7 @@ impl Oscillator {
     /// than ten times all that moves. Scales with the unit of length; 1 if there is none of this. Cost: that
     /// of 16 evaluations of a force that is a formula.
     pub(crate) fn unit(&self, itinerary: &Itinerary) -> f64 {
-        let struck = |wall: &Contact| itinerary.strikes().iter().any(|strike| strike.side == wall.side);
+        let struck = |wall: &Contact| itinerary.strikes().iter().any(|strike| strike.place == wall.side);
         size::unit(self.flow.equation(), self.walls.iter(), struck)
     }
 

@@ -113,13 +113,13 @@ impl<'a> Unknowns<'a> {
             let next = (index + 1) % m;
             let [strike, target] = [index, next].map(|i| unknowns.itinerary.strikes()[i]);
             let (t, speed) = (unknowns.phase(index), unknowns.speed(index));
-            let here = oscillator.touch(strike.side, t)?;
+            let here = oscillator.touch(strike.place, t)?;
             // A single impact follows itself.
             let there =
-                if next == index { here } else { oscillator.touch(target.side, unknowns.phase(next))? };
+                if next == index { here } else { oscillator.touch(target.place, unknowns.phase(next))? };
             let from = here.leaving(t, here.wall.restitution * speed);
             let arrival =
-                OrbitImpact { side: target.side, phase: unknowns.phase(next), speed: unknowns.speed(next) };
+                OrbitImpact { side: target.place, phase: unknowns.phase(next), speed: unknowns.speed(next) };
             let duration = unknowns.duration(index);
             Ok(Passage { index, next, here, from, speed, duration, there, arrival, oscillator })
         })

@@ -57,7 +57,7 @@ const LOOKS: u32 = 16;
 
 /// Where a search begins: told by what pulls a body that rests on the wall of the first impact.
 fn begin(oscillator: &Oscillator, itinerary: &Itinerary, speed: f64) -> Starts {
-    let struck = itinerary.strikes().first().map(|strike| strike.side);
+    let struck = itinerary.strikes().first().map(|strike| strike.place);
     let wall = oscillator.walls().iter().find(|wall| Some(wall.side) == struck);
     Starts::new(speed, |t| {
         let Some(wall) = wall else { return 0.0 };
@@ -75,7 +75,7 @@ fn same(a: &Orbit, b: &Orbit, shift: usize) -> bool {
     (0..m).all(|i| {
         let (x, y) = (&a.z[2 * i..], &b.z[2 * ((i + shift) % m)..]);
         let turn = (x[0] - y[0]).rem_euclid(TAU);
-        strikes[i].side == strikes[(i + shift) % m].side
+        strikes[i].place == strikes[(i + shift) % m].place
             && turn.min(TAU - turn) < NEAR
             && (x[1] - y[1]).abs() < NEAR * a.unit
     })

@@ -125,7 +125,7 @@ impl Orbit {
     /// Its impacts.
     pub fn impacts(&self) -> impl Iterator<Item = OrbitImpact> + '_ {
         self.itinerary.strikes().iter().zip(self.z.chunks(2)).map(|(strike, z)| OrbitImpact {
-            side: strike.side,
+            side: strike.place,
             phase: z[0].rem_euclid(2.0 * PI),
             speed: z[1],
         })

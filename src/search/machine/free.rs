@@ -10,7 +10,7 @@ use super::{
 use crate::{
     certificate::machine::{Claim, Decimal, FreeCertificate, Machine},
     error::Result,
-    many::orbit::MachineOrbit,
+    many::orbit::Orbit,
     number::FloatInterval,
     search::orbit::{Verdict, decimal},
 };
@@ -32,7 +32,7 @@ pub struct ProvedFreeMachine {
 /// An interruption; an input error where the machine is not defined.
 pub fn free_motion(
     machine: &Machine,
-    near: &MachineOrbit,
+    near: &Orbit,
     stop: &mut dyn FnMut() -> bool,
 ) -> Result<Verdict<ProvedFreeMachine>> {
     let state: Vec<f64> = near.state.q.iter().chain(near.state.u.iter()).copied().collect();

@@ -15,7 +15,7 @@ use crate::{
         machine::{Certificate, Claim, Decimal, Impact, Machine},
     },
     error::{Error, Result},
-    many::orbit::MachineOrbit,
+    many::orbit::Orbit,
     number::{Ball, Elementary, FloatInterval, Plain, Real},
     search::orbit::{Verdict, decimal, radii, rounded},
 };
@@ -69,10 +69,10 @@ struct Equations {
 /// An interruption; an input error where the machine is not defined.
 pub fn orbit(
     machine: &Machine,
-    near: &MachineOrbit,
+    near: &Orbit,
     stop: &mut dyn FnMut() -> bool,
 ) -> Result<Verdict<ProvedMachineOrbit>> {
-    let strikes = near.pattern.strikes().iter().map(|strike| (strike.stop, strike.periods)).collect();
+    let strikes = near.itinerary.strikes().iter().map(|strike| (strike.place, strike.periods)).collect();
     let equations = Equations { motion: Motion::new(machine)?, strikes };
     let undecided = |why: &str| Ok(Verdict::Undecided(why.to_string()));
     let start = equations.start(near);
@@ -199,7 +199,7 @@ impl Equations {
     }
 
     /// The unknowns in floats: phase, displacements and velocities just before each impact.
-    fn start(&self, near: &MachineOrbit) -> Vec<f64> {
+    fn start(&self, near: &Orbit) -> Vec<f64> {
         let (n, m, motion) = (self.motion.size, self.strikes.len(), self.motion.plain());
         let times: Vec<f64> = near.impacts.iter().map(|impact| impact.time).collect();
         let after: Vec<Plain> = near.state.q.iter().chain(near.state.u.iter()).map(|&x| Plain(x)).collect();

@@ -106,7 +106,7 @@ fn confirm(found: &ChaosFindings, mu: f64, word: &[u64]) -> Vec<Met> {
         start.push(mu * (after - before) / (1.0 + tau));
         let from_lower = u64::from(lower && halves % 2 == 1);
         let periods = (halves / 2 + from_lower) as u32;
-        strikes.push(Strike { side: if lower { Side::Lower } else { Side::Upper }, periods });
+        strikes.push(Strike { place: if lower { Side::Lower } else { Side::Upper }, periods });
         lower ^= halves % 2 == 1;
     }
     let oscillator = Oscillator::new(system, 1e-13).unwrap();

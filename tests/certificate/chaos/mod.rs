@@ -92,7 +92,7 @@ fn confirm(found: &ChaosFindings, mu: f64, pattern: &[u64]) -> Vec<(f64, f64)> {
         let (after, before) = (middle(letter(i).after), middle(letter(i + m - 1).before));
         [-(0.5 * depth * (after + before)).asin(), 0.5 * depth * scale * (after - before)]
     });
-    let strikes = pattern.iter().map(|&n| Strike { side: Side::Lower, periods: n as u32 }).collect();
+    let strikes = pattern.iter().map(|&n| Strike { place: Side::Lower, periods: n as u32 }).collect();
     let oscillator = Oscillator::new(system, 1e-13).unwrap();
     let orbit = find(&oscillator, &Itinerary::new(strikes).unwrap(), start.collect()).unwrap();
     assert!(orbit.admissibility.is_admissible(), "{pattern:?}");
@@ -142,7 +142,7 @@ fn newton_finds_no_orbit_of_another_period_near() {
             }
             // From starts all over the neighbourhood.
             for (start, speed) in [(0.0, 1.0), (-1.0, 1.0), (1.0, 1.0), (-0.5, 10.0), (0.5, 10.0)] {
-                let strikes = pattern.iter().map(|&periods| Strike { side: Side::Lower, periods }).collect();
+                let strikes = pattern.iter().map(|&periods| Strike { place: Side::Lower, periods }).collect();
                 let z = pattern.iter().flat_map(|_| [start * depth * strength / 2.0, speed * mu]).collect();
                 let Ok(orbit) = find(&oscillator, &Itinerary::new(strikes).unwrap(), z) else { continue };
                 solved += 1;

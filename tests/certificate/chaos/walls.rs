@@ -92,7 +92,7 @@ fn walls_of_three_harmonics_have_their_orbits_in_the_boxes() {
                 let periods = u64::from(pattern[i % pattern.len()]);
                 found.letters.iter().find(|row| row.periods == periods).unwrap()
             };
-            let strikes = pattern.iter().map(|&periods| Strike { side: Side::Lower, periods }).collect();
+            let strikes = pattern.iter().map(|&periods| Strike { place: Side::Lower, periods }).collect();
             let start = pattern.iter().flat_map(|_| [top, 0.4 * unit]).collect();
             let orbit = find(&oscillator, &Itinerary::new(strikes).unwrap(), start).unwrap();
             assert!(orbit.admissibility.is_admissible(), "{pattern:?}");
@@ -208,7 +208,7 @@ fn a_forcing_of_several_harmonics_is_a_wall_of_several() {
     let oscillator = Oscillator::new(scene.plain(&[]).unwrap(), 1e-13).unwrap();
     let speed = |t: f64| -t.sin() - 0.1 * (2.0 * t).sin() + 0.08 * (2.0 * t).cos();
     for pattern in [&[1u32][..], &[2], &[1, 2], &[1, 1, 2]] {
-        let strikes = pattern.iter().map(|&periods| Strike { side: Side::Lower, periods }).collect();
+        let strikes = pattern.iter().map(|&periods| Strike { place: Side::Lower, periods }).collect();
         let start = pattern.iter().flat_map(|_| [lowest, 0.002]).collect();
         let orbit = find(&oscillator, &Itinerary::new(strikes).unwrap(), start).unwrap();
         assert!(orbit.admissibility.is_admissible(), "{pattern:?}");

@@ -7,11 +7,11 @@ use std::f64::consts::{PI, TAU};
 use grazing::{
     continuation::{Bifurcation, Degeneracy, Derivatives, Direction, Options},
     many::{
-        branch::{MachineBranch, MachineEvents, MachinePlane},
-        orbit::{StopPattern, StopStrike},
+        branch::{Branch, Events, Plane},
+        orbit::{Itinerary, Strike},
     },
     motion::Side,
-    one::orbit::{Itinerary, return_map},
+    one::orbit::return_map,
     scene::{Scene, SceneFamily},
 };
 use serde_json::Value;
@@ -25,7 +25,7 @@ pub fn length(row: &Value, periods: u32, multiplier: f64) -> f64 {
     let oscillator = SceneFamily::new(&scene, "mu").unwrap();
     let oscillator = grazing::one::orbit::Family::at(&oscillator, number(&row["parameter"])).unwrap();
     let z = [TAU * number(&row["phases"][0]), number(&row["speeds"][0])];
-    let pattern = Itinerary::at(Side::Lower, &[periods]).unwrap();
+    let pattern = grazing::one::orbit::Itinerary::at(Side::Lower, &[periods]).unwrap();
     let a = Derivatives::of(&return_map(&oscillator, &pattern, &z).unwrap()).linear();
     let q = [a[0][1], multiplier - a[0][0]];
     q[0].hypot(q[1] / z[1]) / q[0].hypot(q[1])
@@ -102,7 +102,7 @@ fn curve(
     ranges: [(f64, f64); 2],
     t: f64,
     at: [f64; 2],
-) -> MachineBranch {
+) -> Branch {
     let machine = |[x, y]: [f64; 2]| scene.machine(&[(names[0], x), (names[1], y)]);
     let here = machine(at).unwrap();
     let [place, speed, _] = here.contacts().unwrap()[0].position.at(t);
@@ -110,16 +110,16 @@ fn curve(
     let mut z = vec![place / n as f64; n];
     z.extend(vec![(speed + 0.6 * arrival) / n as f64; n]);
     z.extend([t, arrival]);
-    let plane = MachinePlane::new(&machine, at, None, None).unwrap();
-    let pattern = StopPattern::new(vec![StopStrike { stop: 0, periods: 1 }]).unwrap();
-    let events = MachineEvents { plane: &plane, itinerary: pattern, event, ranges };
+    let plane = Plane::new(&machine, at, None, None).unwrap();
+    let pattern = Itinerary::new(vec![Strike { place: 0, periods: 1 }]).unwrap();
+    let events = Events { plane: &plane, itinerary: pattern, event, ranges };
     let options = Options::default();
     let place = events.start(&z, at, &options).unwrap();
-    MachineBranch::follow(&events, &place, Direction::Both, &options).unwrap()
+    Branch::follow(&events, &place, Direction::Both, &options).unwrap()
 }
 
 /// Exactly these degeneracies of one kind and no others, in any order.
-fn expect(branch: &MachineBranch, what: Degeneracy, wanted: &[[f64; 2]], tolerance: f64) {
+fn expect(branch: &Branch, what: Degeneracy, wanted: &[[f64; 2]], tolerance: f64) {
     let found: Vec<_> =
         branch.points.iter().filter_map(|point| Some((point.degeneracy?, &point.parameters))).collect();
     assert_eq!(found.len(), wanted.len(), "{found:?}");

@@ -3,7 +3,7 @@
 
 use grazing::{
     continuation::PatternFamily,
-    many::{MachineState, branch::MachinePatterns, grazing::LocalMap, orbit::find_from},
+    many::{State, branch::Patterns, grazing::LocalMap, orbit::find_from},
     scene::MachineSceneFamily,
 };
 
@@ -37,8 +37,8 @@ fn equations_by_formulas_are_those_by_modes() {
     for more in ["", SOFT] {
         let scenes = both(more);
         let stop = usize::from(!more.is_empty());
-        let struck = StopPattern::new(vec![StopStrike { stop, periods: 1 }]).unwrap();
-        let free = StopPattern::free(2).unwrap();
+        let struck = Itinerary::new(vec![Strike { place: stop, periods: 1 }]).unwrap();
+        let free = Itinerary::free(2).unwrap();
         for (pattern, z) in
             [(free, vec![0.1, -0.3, 0.5, -0.4]), (struck, vec![0.1, -0.3, 0.5, -0.4, 0.7, 0.6])]
         {
@@ -50,7 +50,7 @@ fn equations_by_formulas_are_those_by_modes() {
                 let unit = |family: &MachineSceneFamily| simulator(&family.at(0.2).unwrap().0).scale();
                 let ratio = unit(&known) / unit(&family);
                 assert!((ratio - 1.0).abs() < 1e-9, "{ratio}");
-                MachinePatterns::new(&family, 0.2, None).unwrap().equations(0.2, &pattern, &z).unwrap()
+                Patterns::new(&family, 0.2, None).unwrap().equations(0.2, &pattern, &z).unwrap()
             });
             let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-10 * (1.0 + a.abs()), "{a} {b}");
             for i in 0..z.len() {
@@ -66,7 +66,7 @@ fn equations_by_formulas_are_those_by_modes() {
 #[test]
 fn orbits_and_grazings_by_formulas_are_those_by_modes() {
     let scenes = both("");
-    let pattern = StopPattern::new(vec![StopStrike { stop: 0, periods: 1 }]).unwrap();
+    let pattern = Itinerary::new(vec![Strike { place: 0, periods: 1 }]).unwrap();
     let [modal, smooth] = scenes.each_ref().map(|scene| simulator(&scene.machine(&[("p", 0.3)]).unwrap()));
     let starts = (0..40u32).map(|i| [f64::from(i % 8) * 0.8, 0.2 + 0.3 * f64::from(i / 8)]);
     let a = starts
@@ -167,12 +167,12 @@ fn multipliers_of_a_coupled_duffing_pair_are_those_of_differences() {
     }
     let strikes = (0..hits.len()).map(|i| {
         let next = hits.get(i + 1).map_or(hits[0].0.period + period, |next| next.0.period);
-        StopStrike { stop: 0, periods: (next - hits[i].0.period) as u32 }
+        Strike { place: 0, periods: (next - hits[i].0.period) as u32 }
     });
-    let pattern = StopPattern::new(strikes.collect()).unwrap();
+    let pattern = Itinerary::new(strikes.collect()).unwrap();
     let start: Vec<f64> = hits.iter().flat_map(|(time, speed)| [time.phase, *speed]).collect();
     let orbit = find_from(&simulator, &pattern, &start, after.as_ref()).unwrap();
-    assert_eq!(orbit.admissibility, MachineAdmissibility::Admissible);
+    assert_eq!(orbit.admissibility, Admissibility::Admissible);
     let x: Vec<f64> = before.q().iter().chain(before.u()).copied().collect();
     let (back, count) = mapped(&machine, &x, period as u32);
     assert_eq!(count, hits.len());
@@ -210,7 +210,7 @@ fn a_coupled_duffing_pair_grazes_where_its_own_motion_touches() {
     // The motion at the phase of grazing as one from phase 0: the second integrator begins there.
     let (mut machine, slope) = family.at(at).unwrap();
     let motion = FreeMotion::new(&machine, &slope).unwrap();
-    let state: MachineState = motion.motion().state(0.0);
+    let state: State = motion.motion().state(0.0);
     machine.stops.clear();
     let x: Vec<f64> = [state.q(), state.u()].concat();
     let (back, _) = mapped(&machine, &x, 1);

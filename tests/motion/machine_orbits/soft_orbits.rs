@@ -2,11 +2,11 @@
 
 use grazing::{
     continuation::PatternFamily,
-    many::{branch::MachinePatterns, orbit::find_from},
+    many::{branch::Patterns, orbit::find_from},
 };
 
 use super::{second::Motion, *};
-use grazing::many::{MachineState, SpeedLaw, simulate::Event};
+use grazing::many::{SpeedLaw, State, simulate::Event};
 
 fn entries(n: usize, rows: &[f64]) -> Vec<(usize, usize, f64)> {
     rows.iter().enumerate().map(|(k, x)| (k / n, k % n, *x)).collect()
@@ -53,12 +53,12 @@ fn machine(
     }
 }
 
-fn simulator(machine: &Machine<f64>) -> MachineSimulator {
-    MachineSimulator::new(machine, &MachineSettings::default()).unwrap()
+fn simulator(machine: &Machine<f64>) -> Simulator {
+    Simulator::new(machine, &Settings::default()).unwrap()
 }
 
-fn state(q: &[f64], u: &[f64]) -> MachineState {
-    MachineState::new(0.0, q, u)
+fn state(q: &[f64], u: &[f64]) -> State {
+    State::new(0.0, q, u)
 }
 
 /// Without damping the symmetric motion under F cos t between two soft stops is even about t = 0 and odd
@@ -110,11 +110,11 @@ fn the_symmetric_orbit_of_the_bilinear_oscillator_has_a_closed_form() {
             let machine = machine(1, [&[1.0], &[0.0], &[k]], &[force], stops);
             let start = state(&[q0 * (1.0 + 1e-5)], &[1e-5]);
             let orbit =
-                find_from(&simulator(&machine), &StopPattern::free(1).unwrap(), &[], Some(&start)).unwrap();
+                find_from(&simulator(&machine), &Itinerary::free(1).unwrap(), &[], Some(&start)).unwrap();
             let off = (orbit.state.q()[0] - q0).abs().max(orbit.state.u()[0].abs());
             println!("k = {k}, stop {stop}: q(0) = {q0}, off by {off:e}, {:?}", orbit.multipliers);
             assert!(off < 1e-10, "{off:e}");
-            assert_eq!(orbit.admissibility, MachineAdmissibility::Admissible);
+            assert_eq!(orbit.admissibility, Admissibility::Admissible);
             let area: f64 = orbit.multipliers.iter().map(|x| x.0.hypot(x.1)).product();
             assert!((area - 1.0).abs() < 1e-9);
         }
@@ -139,13 +139,13 @@ fn soft_orbits_return_and_their_multipliers_are_those_of_differences() {
         run.finish(Time::new(400, 0.0));
         let orbit = (1..=4)
             .find_map(|period| {
-                let pattern = StopPattern::free(period).unwrap();
+                let pattern = Itinerary::free(period).unwrap();
                 find_from(&simulator, &pattern, &[], Some(&run.state())).ok()
             })
             .expect("a periodic orbit");
         let map = |x: &[f64]| {
             let mut motion = Motion::new(&machine, &x[..n], &x[n..]);
-            motion.follow(TAU * f64::from(orbit.pattern.periods()));
+            motion.follow(TAU * f64::from(orbit.itinerary.periods()));
             let touched = motion.contacts.len();
             ([motion.q.clone(), motion.u.clone()].concat(), touched)
         };
@@ -208,9 +208,9 @@ fn multipliers_know_how_restitution_changes_with_the_speed() {
             .expect("periodic");
         let strikes = (0..hits.len()).map(|i| {
             let next = hits.get(i + 1).map_or(hits[0].0.period + period, |next| next.0.period);
-            StopStrike { stop: 0, periods: (next - hits[i].0.period) as u32 }
+            Strike { place: 0, periods: (next - hits[i].0.period) as u32 }
         });
-        let pattern = StopPattern::new(strikes.collect()).unwrap();
+        let pattern = Itinerary::new(strikes.collect()).unwrap();
         let start: Vec<f64> = hits.iter().flat_map(|(time, speed)| [time.phase, *speed]).collect();
         let orbit = find_from(&simulator, &pattern, &start, after.as_ref()).unwrap();
         let map = |x: [f64; 2]| {
@@ -230,7 +230,7 @@ fn multipliers_know_how_restitution_changes_with_the_speed() {
 /// A machine every coefficient of which changes with the parameter, those of its soft stop among them.
 struct Changing;
 
-impl MachineFamily for Changing {
+impl Family for Changing {
     fn at(&self, p: f64) -> Result<(Machine<f64>, Machine<f64>), Error> {
         let make = |value: f64, one: f64| {
             // Coefficients a + b p, or their derivative b.
@@ -265,11 +265,11 @@ impl MachineFamily for Changing {
 #[test]
 fn the_equations_of_soft_orbits_change_with_a_parameter_as_differences_say() {
     let family = Changing;
-    let patterns = MachinePatterns::new(&family, 0.0, None).unwrap();
+    let patterns = Patterns::new(&family, 0.0, None).unwrap();
     let z = [0.1, -0.3, 0.5, -0.4];
-    let struck = StopPattern::new(vec![StopStrike { stop: 1, periods: 1 }]).unwrap();
+    let struck = Itinerary::new(vec![Strike { place: 1, periods: 1 }]).unwrap();
     for (pattern, z) in
-        [(StopPattern::free(1).unwrap(), z.to_vec()), (struck, vec![0.1, -0.3, 0.5, -0.4, 0.7, 0.6])]
+        [(Itinerary::free(1).unwrap(), z.to_vec()), (struck, vec![0.1, -0.3, 0.5, -0.4, 0.7, 0.6])]
     {
         let at = |p: f64, z: &[f64]| patterns.equations(p, &pattern, z).unwrap();
         let (exact, h) = (at(0.1, &z), 1e-5);
@@ -334,7 +334,7 @@ fn a_branch_passes_the_grazing_of_a_soft_stop_without_a_label() {
         let mut run = settled.start(Time::new(0, 0.0), &[0.0], &[0.0]).unwrap();
         run.finish(Time::new(300, 0.0));
         let found =
-            find_from(&simulator(&machine), &StopPattern::free(1).unwrap(), &[], Some(&run.state())).unwrap();
+            find_from(&simulator(&machine), &Itinerary::free(1).unwrap(), &[], Some(&run.state())).unwrap();
         (machine, found)
     };
     for force in [0.3, grazing - 1e-6] {

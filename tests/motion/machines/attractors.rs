@@ -12,9 +12,9 @@ use grazing::{
     },
     many::{
         Load, Machine, Stop, StopLaw,
-        orbit::{StopPattern, StopStrike, find},
-        section::{MachineStart, PlanarMachine, PlaneAxis},
-        simulate::MachineSettings,
+        orbit::{Itinerary, Strike, find},
+        section::{PlanarMachine, PlaneAxis, Start},
+        simulate::Settings,
     },
     motion::{Harmonic, Time},
     run::{Findings, Surroundings, TaskReport, run},
@@ -24,13 +24,12 @@ use grazing::{
 use super::{machine, second, stop};
 
 fn planar(machine: &Machine<f64>) -> PlanarMachine {
-    let simulator =
-        grazing::many::simulate::MachineSimulator::new(machine, &MachineSettings::default()).unwrap();
+    let simulator = grazing::many::simulate::Simulator::new(machine, &Settings::default()).unwrap();
     PlanarMachine::new(machine, simulator, &[PlaneAxis::Place(0), PlaneAxis::Speed(0)]).unwrap()
 }
 
-fn start(q: &[f64], u: &[f64]) -> MachineStart {
-    MachineStart { t: 0.0, q: q.to_vec(), u: u.to_vec() }
+fn start(q: &[f64], u: &[f64]) -> Start {
+    Start { t: 0.0, q: q.to_vec(), u: u.to_vec() }
 }
 
 fn findings(text: &str) -> Vec<Findings> {
@@ -183,8 +182,8 @@ fn exponents_of_a_periodic_attractor_are_those_of_its_multipliers() {
         if i + 1 < found.len() { found[i + 1].0 } else { found[0].0 + cycle.period() as i64 }
     };
     let strikes =
-        (0..found.len()).map(|i| StopStrike { stop: 0, periods: (next(i) - found[i].0) as u32 }).collect();
-    let pattern = StopPattern::new(strikes).unwrap();
+        (0..found.len()).map(|i| Strike { place: 0, periods: (next(i) - found[i].0) as u32 }).collect();
+    let pattern = Itinerary::new(strikes).unwrap();
     let guess: Vec<f64> = found.iter().flat_map(|hit| [hit.1, hit.2]).collect();
     let orbit = find(simulator, &pattern, &guess).unwrap();
     let all = exponents(&planar, &here, 4, 0, 240 * cycle.period() as u64, &()).unwrap();

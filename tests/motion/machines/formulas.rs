@@ -89,7 +89,7 @@ fn exponents_by_formulas_are_those_by_modes() {
         let simulator = simulator(&machine);
         let axes = [PlaneAxis::Place(0), PlaneAxis::Speed(0)];
         let planar = PlanarMachine::new(&machine, simulator, &axes).unwrap();
-        let start = MachineState::new(0.0, &[0.1, 0.0], &[0.0, 0.2]);
+        let start = State::new(0.0, &[0.1, 0.0], &[0.0, 0.2]);
         let monitor = ();
         let all = exponents(&planar, &start.start(machine.rate()), 4, 0, 12, &monitor).unwrap();
         all.iter().map(|one| one.rate).collect::<Vec<_>>()

@@ -104,7 +104,7 @@ fn a_fine_record_of_a_harmonic_is_that_harmonic() {
             walls,
         );
         let simulator_of = |scene: Scene| simulator(&scene.machine(&[]).unwrap());
-        let end = |simulator: &MachineSimulator| {
+        let end = |simulator: &Simulator| {
             let (mut rested, mut run) = (false, simulator.start(at(0.0), &[0.0; 2], &[0.0; 2]).unwrap());
             run.record(at(TAU * 0.999), |event| rested |= matches!(event, Event::Stick(_)));
             assert!(rested);
@@ -217,7 +217,7 @@ fn what_truncation_may_do_to_the_first_impact_is_the_impulse_response_in_closed_
 fn exponents_under_a_record_are_those_of_the_same_force() {
     use grazing::{
         attractor::lyapunov::exponents,
-        many::section::{MachineStart, PlanarMachine, PlaneAxis},
+        many::section::{PlanarMachine, PlaneAxis, Start},
     };
     let rows: String = (0..101).map(|i| format!("{},5\n", 0.1 * f64::from(i))).collect();
     let folder = folder("exponents", &rows);
@@ -230,7 +230,7 @@ fn exponents_under_a_record_are_those_of_the_same_force() {
         let machine = scene(&folder, &system, "").unwrap().machine(&[]).unwrap();
         let axes = [PlaneAxis::Place(0), PlaneAxis::Speed(0)];
         let planar = PlanarMachine::new(&machine, simulator(&machine), &axes).unwrap();
-        let start = MachineStart { t: 0.0, q: vec![0.3], u: vec![-0.5] };
+        let start = Start { t: 0.0, q: vec![0.3], u: vec![-0.5] };
         let all = exponents(&planar, &start, 2, 1, 10, &()).unwrap();
         all.iter().map(|one| one.rate).collect::<Vec<f64>>()
     });

@@ -20,8 +20,8 @@ fn chatter_ends_with_the_restitution_of_speed_zero() {
     let mut ball = machine(&[&[1.0]], &[&[0.0]], &[&[0.0]]);
     ball.force = vec![-1.0];
     ball.stops = vec![Stop { law: law(&[0.6], &[1.0, 0.5]), ..stop(&[1.0], 0.0, 0.0) }];
-    let settings = MachineSettings { minimum_depth: 1e-6, ..MachineSettings::default() };
-    let simulator = MachineSimulator::new(&ball, &settings).unwrap();
+    let settings = Settings { minimum_depth: 1e-6, ..Settings::default() };
+    let simulator = Simulator::new(&ball, &settings).unwrap();
     let mut run = simulator.start(at(0.0), &[0.5], &[0.0]).unwrap();
     let (mut v, mut time, mut bounces) = (1.0f64, 1.0f64, 0);
     let stick = loop {
@@ -188,8 +188,8 @@ fn the_minimum_depth_of_soft_stops_is_a_depth_and_no_force() {
     oscillator.forcing = vec![Load { k: 1, cos: vec![1.0], sin: vec![0.0] }];
     oscillator.stops = vec![soft(&[1.0], -0.11, 4e4, 90.0), soft(&[-1.0], -0.1375, 4e4, 60.0)];
     let end = |minimum_depth: f64| {
-        let settings = MachineSettings { minimum_depth, ..MachineSettings::default() };
-        let simulator = MachineSimulator::new(&oscillator, &settings).unwrap();
+        let settings = Settings { minimum_depth, ..Settings::default() };
+        let simulator = Simulator::new(&oscillator, &settings).unwrap();
         let mut run = simulator.start(at(0.0), &[0.0], &[0.0]).unwrap();
         run.finish(at(2.0 * TAU));
         [run.state().q()[0], run.state().u()[0]]

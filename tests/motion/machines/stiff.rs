@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use grazing::{
     many::{
-        Load, Machine, MachineState, Stop, StopLaw,
-        simulate::{Event, MachineSettings, MachineSimulator},
+        Load, Machine, State, Stop, StopLaw,
+        simulate::{Event, Settings, Simulator},
     },
     motion::{Time, Wall},
 };
@@ -40,8 +40,8 @@ fn fast_modes_pass_no_impact_over() {
     {
         let fastest = frequencies.iter().copied().fold(0.0, f64::max);
         let machine = modes(&frequencies, ratio, -0.1);
-        let settings = MachineSettings { minimum_depth: 1e-11, ..MachineSettings::default() };
-        let simulator = MachineSimulator::new(&machine, &settings).unwrap();
+        let settings = Settings { minimum_depth: 1e-11, ..Settings::default() };
+        let simulator = Simulator::new(&machine, &settings).unwrap();
         let n = machine.size;
         // From rest a tenth away, at a speed at which it hits soon.
         let mut u = vec![0.0; n];
@@ -92,11 +92,8 @@ fn fast_modes_pass_no_impact_over() {
 fn sixty_modes_of_a_beam_are_followed() {
     let frequencies: Vec<f64> = (1..=60).map(|k| 1.5 * f64::from(2 * k - 1).powi(2)).collect();
     let machine = modes(&frequencies, 0.01, -0.2);
-    let simulator = MachineSimulator::new(
-        &machine,
-        &MachineSettings { minimum_depth: 1e-10, ..MachineSettings::default() },
-    )
-    .unwrap();
+    let simulator =
+        Simulator::new(&machine, &Settings { minimum_depth: 1e-10, ..Settings::default() }).unwrap();
     let zero = vec![0.0; 60];
     let mut run = simulator.start(at(0.0), &zero, &zero).unwrap();
     let mut impacts = 0;
@@ -106,7 +103,7 @@ fn sixty_modes_of_a_beam_are_followed() {
         run.record(until, |event| impacts += usize::from(matches!(event, Event::Impact(_))));
         assert!(run.failure().is_none());
         let state = run.state();
-        let [gap, _] = contact.gap(&MachineState::new(until.phase, state.q(), state.u()));
+        let [gap, _] = contact.gap(&State::new(until.phase, state.q(), state.u()));
         assert!(gap > -1e-9, "{gap:e}");
     }
     println!("{impacts} impacts in half a period");
@@ -116,9 +113,8 @@ fn sixty_modes_of_a_beam_are_followed() {
 /// What floats cannot tell apart, and what has no modes, is refused in one sentence.
 #[test]
 fn motions_beyond_the_grid_are_refused() {
-    let refused = |machine: &Machine<f64>| {
-        MachineSimulator::new(machine, &MachineSettings::default()).unwrap_err().to_string()
-    };
+    let refused =
+        |machine: &Machine<f64>| Simulator::new(machine, &Settings::default()).unwrap_err().to_string();
     let error = refused(&modes(&[1.3, 1e13], 0.01, -0.1));
     assert!(error.contains("at most 9e10 times") && !error.contains("keep"), "{error}");
     // Defective: critically damped, coupled by a force that does no work back.

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use grazing::{
     attractor::lyapunov::exponents,
     continuation::{Bifurcation, Criticality, NormalForm, Sense},
-    many::simulate::{MachineSettings, MachineSimulator},
+    many,
     motion::{Counts, Effect, Flow, RunEnd, State, System, Time, flow::Free},
     one::{
         attractor::{lyapunov, manifold::reversed},
@@ -533,7 +533,7 @@ fn steep_motions_agree(case: Steep, start: [f64; 2]) {
         "format = \"grazing-scene 2\"\ntitle = \"steep\"\n[system]\nperiod = \"2*pi\"\nmass = [[1]]\nforce = \"{text}\"\n"
     );
     let machine = Scene::from_toml(&scene, "steep.toml").unwrap().machine(&[]).unwrap();
-    let simulator = MachineSimulator::new(&machine, &MachineSettings::default()).unwrap();
+    let simulator = many::simulate::Simulator::new(&machine, &many::simulate::Settings::default()).unwrap();
     let mut run = simulator.start(at(0.0), &[start[0]], &[start[1]]).unwrap();
     assert_eq!(run.finish(at(UNTIL)), RunEnd::Reached, "{text}");
     let state = run.state();
@@ -586,7 +586,7 @@ fn dry_friction_made_smooth_has_its_known_motion() {
         "format = \"grazing-scene 2\"\ntitle = \"steep\"\n[system]\nperiod = \"2*pi\"\nmass = [[1]]\nforce = \"{force}\"\n"
     );
     let machine = Scene::from_toml(&scene, "steep.toml").unwrap().machine(&[]).unwrap();
-    let simulator = MachineSimulator::new(&machine, &MachineSettings::default()).unwrap();
+    let simulator = many::simulate::Simulator::new(&machine, &many::simulate::Settings::default()).unwrap();
     let mut run = simulator.start(at(0.0), &[0.3], &[0.0]).unwrap();
     assert_eq!(run.finish(Time::new(3, 0.0)), RunEnd::Reached);
     let state = run.state();

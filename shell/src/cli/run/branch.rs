@@ -7,10 +7,7 @@ use crate::{
     continuation::{BranchPoint, FollowedOrbit, OrbitBranch, record_as},
     error::Result,
     figure,
-    many::{
-        branch::{MachineBranch, MachinePatterns},
-        orbit::MachineOrbit,
-    },
+    many::{self, branch::Patterns},
     one::{
         branch::{Branch, record},
         orbit::{Family, Orbit, Oscillator},
@@ -33,27 +30,26 @@ pub(super) fn keep(found: &BranchFindings, task: &BranchTask, job: &Job) -> Resu
 }
 
 fn of_machine(
-    (found, all): (&BranchFindings, &[MachineBranch]),
+    (found, all): (&BranchFindings, &[many::branch::Branch]),
     task: &BranchTask,
     job: &Job,
 ) -> Result<Vec<String>> {
     let machine = job.scene.machine(&[])?;
     let stops: Vec<&str> = machine.stops.iter().map(|stop| stop.name.as_str()).collect();
     let family = MachineSceneFamily::new(&job.scene, &task.parameter)?;
-    let patterns = MachinePatterns::new(&family, family.value(), job.scene.machine_scene()?.minimum_depth)?;
+    let patterns = Patterns::new(&family, family.value(), job.scene.machine_scene()?.minimum_depth)?;
     // One stop for all branches: that of the first impact of the first that has one.
     let mut first = all.iter().filter_map(|branch| branch.itinerary.strikes().first());
-    let stop = first.next().map_or(0, |strike| strike.stop);
-    let record = |branch: &MachineBranch, names: &[&str]| {
-        let strikes: Vec<(usize, u32)> =
-            branch.itinerary.strikes().iter().map(|strike| (strike.stop, strike.periods)).collect();
-        record_as(branch, names, form(&stops), (&strikes, branch.itinerary.periods()))
+    let stop = first.next().map_or(0, |strike| strike.place);
+    let record = |branch: &many::branch::Branch, names: &[&str]| record_as(branch, names, form(&stops));
+    let named = |branch: &many::branch::Branch| {
+        branch.itinerary.with_names(|stop| (stops.len() > 1).then(|| stops[stop]))
     };
-    let named = |branch: &MachineBranch| branch.itinerary.with_names(&stops);
     let at = phase(&task.phase);
-    let draw = |branch: &MachineBranch| {
-        let drawn =
-            |point: &BranchPoint<MachineOrbit>| patterns.gap(point.parameters[0], &point.orbit, stop, at);
+    let draw = |branch: &many::branch::Branch| {
+        let drawn = |point: &BranchPoint<many::orbit::Orbit>| {
+            patterns.gap(point.parameters[0], &point.orbit, stop, at)
+        };
         curve(branch, &named(branch), &drawn)
     };
     let axis = if stops.len() == 1 { "gap".to_string() } else { format!("gap of {}", stops[stop]) };

@@ -9,8 +9,8 @@ use crate::{
     continuation::{BranchPoint, Direction},
     error::Result,
     figure,
-    many::{MachineFamily, orbit::MachineOrbit},
-    one::orbit::Family,
+    many::{Family as _, orbit::Orbit},
+    one::orbit::Family as _,
     run::{DiagramFindings, MachineSource, OrbitSource, OscillatorSource, follow},
     scene::{MachineSceneFamily, SceneFamily, branches::DiagramTask, phase},
 };
@@ -55,7 +55,7 @@ fn machine_curves(task: &DiagramTask, job: &Job) -> Result<Vec<figure::DrawnBran
     let source = MachineSource::new(&family, &machine, job)?;
     let (branches, _) = follow(&task.branches, &source, task.bounds(), Direction::Both, &task.options, job)?;
     let at = phase(&task.phase);
-    let drawn = |point: &BranchPoint<MachineOrbit>| {
+    let drawn = |point: &BranchPoint<Orbit>| {
         let parameter = point.parameters[0];
         let state = source.patterns.state(parameter, &point.orbit, at)?;
         let planar = job.planar(&family.at(parameter)?.0, &[], &task.plane)?;

@@ -2,11 +2,11 @@
 
 use std::{f64::consts::TAU, sync::Arc};
 
-use super::{Found, MOST_CHANGES, MachineRun, NUDGE};
+use super::{Found, MOST_CHANGES, NUDGE, Run};
 use crate::{
     error::Result,
     many::{
-        MachineState, RealVector,
+        RealVector, State,
         simulate::{Event, SoftStops, Stage, What, stage::SoftPlace},
     },
     motion::{
@@ -16,7 +16,7 @@ use crate::{
     },
 };
 
-impl MachineRun<'_> {
+impl Run<'_> {
     /// Makes events of a hit.
     pub(super) fn meet(&mut self, stage: &Stage, Found { watch, hit, z, rounding }: Found) -> Result<()> {
         let (x, half) = (hit.place(), self.half());
@@ -94,7 +94,7 @@ impl MachineRun<'_> {
 
     /// Where soft stops are after velocities have jumped to those of `state`: some may be thrown off, others
     /// caught before they are open.
-    fn soft_after(&mut self, time: Time, state: &MachineState) -> SoftStops {
+    fn soft_after(&mut self, time: Time, state: &State) -> SoftStops {
         let before = self.stage.soft.clone();
         if before.is_empty() {
             return before;
@@ -197,7 +197,7 @@ impl MachineRun<'_> {
     pub(super) fn strike(
         &mut self,
         time: Time,
-        mut state: MachineState,
+        mut state: State,
         touched: &[usize],
         rates: &[f64],
         radius: f64,
@@ -240,16 +240,16 @@ impl MachineRun<'_> {
     pub(super) fn settle(
         &mut self,
         time: Time,
-        mut state: MachineState,
+        mut state: State,
         touched: &[usize],
         resting: &[usize],
     ) -> Result<bool> {
         let (simulator, depth) = (self.simulator, self.simulator.settings.minimum_depth);
         let (contacts, now) = (simulator.contacts.all(), self.stage.clone());
-        let bounce = |j: usize, state: &MachineState| contacts[j].gap(state)[1].max(0.0);
+        let bounce = |j: usize, state: &State| contacts[j].gap(state)[1].max(0.0);
         let held: Vec<usize> = self.held(time, &state, resting)?;
         // z″ of a stop with the forces of those that are held.
-        let free = |j: usize, state: &MachineState| now.bend(&contacts[j], time, state);
+        let free = |j: usize, state: &State| now.bend(&contacts[j], time, state);
         let accelerations: Vec<f64> = held.iter().map(|&j| free(j, &state)).collect();
         let forces = simulator.contacts.pressing(&held, &accelerations)?;
         let helped = simulator.contacts.change(&held, &forces);
@@ -299,7 +299,7 @@ impl MachineRun<'_> {
     }
 
     /// Those of the stops rested on that are not left by the velocities of `state`.
-    fn held(&self, time: Time, state: &MachineState, resting: &[usize]) -> Result<Vec<usize>> {
+    fn held(&self, time: Time, state: &State, resting: &[usize]) -> Result<Vec<usize>> {
         let simulator = self.simulator;
         let depth = simulator.settings.minimum_depth;
         let stays = |&&j: &&usize| {
@@ -311,7 +311,7 @@ impl MachineRun<'_> {
     }
 
     /// Goes on resting on those of the stops that still press, after others were hit.
-    fn rest_among(&mut self, time: Time, state: &MachineState, resting: &[usize]) -> Result<()> {
+    fn rest_among(&mut self, time: Time, state: &State, resting: &[usize]) -> Result<()> {
         let held = self.held(time, state, resting)?;
         for &stop in resting.iter().filter(|j| !held.contains(j)) {
             self.events.push(Event::Release(Release { time, place: stop }));
@@ -320,7 +320,7 @@ impl MachineRun<'_> {
     }
 
     /// Rests on those of the stops, none of which is left by velocity, that press; the others let go.
-    fn rest(&mut self, time: Time, state: &MachineState, stops: &[usize]) -> Result<()> {
+    fn rest(&mut self, time: Time, state: &State, stops: &[usize]) -> Result<()> {
         let simulator = self.simulator;
         let contacts = simulator.contacts.all();
         let accelerations: Vec<f64> =
@@ -340,7 +340,7 @@ impl MachineRun<'_> {
         Ok(())
     }
 
-    fn change(&mut self, stage: Arc<Stage>, time: Time, state: &MachineState) {
+    fn change(&mut self, stage: Arc<Stage>, time: Time, state: &State) {
         for &stop in stage.resting.iter().chain(&self.stage.resting) {
             self.open[stop] = false;
         }
@@ -354,7 +354,7 @@ impl MachineRun<'_> {
 }
 
 /// Whether the forces of what is rested on are within a factor of their values at `state` for `duration`.
-fn steady(stage: &Stage, time: Time, state: &MachineState, duration: f64) -> bool {
+fn steady(stage: &Stage, time: Time, state: &State, duration: f64) -> bool {
     let near = |now: &[f64], later: &[f64]| {
         now.iter().zip(later).all(|(now, later)| (later / now - 1.0).abs() <= 0.5)
     };

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use super::{Found, MachineRun, NUDGE};
+use super::{Found, NUDGE, Run};
 use crate::{
     error::Result,
     many::{
-        MachineState,
+        State,
         simulate::{Stage, What},
     },
     motion::{
@@ -15,12 +15,12 @@ use crate::{
     },
 };
 
-impl MachineRun<'_> {
+impl Run<'_> {
     /// Begins a step of the present stage at a state of the machine; false where it has no steps.
-    pub(super) fn leap_from(&mut self, time: Time, state: &MachineState) -> bool {
+    pub(super) fn leap_from(&mut self, time: Time, state: &State) -> bool {
         let stage = self.stage.clone();
         let Some(smooth) = &stage.smooth else { return false };
-        let state = MachineState { t: time.phase, ..state.clone() };
+        let state = State { t: time.phase, ..state.clone() };
         let state = if stage.resting.is_empty() { state } else { stage.kept(&state) };
         self.leap = Some(smooth.leap(time, &state));
         (self.from, self.period) = (0.0, time.period);

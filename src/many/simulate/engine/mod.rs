@@ -7,12 +7,12 @@ mod leap;
 use std::sync::Arc;
 
 use super::{
-    Event, MachineSimulator,
+    Event, Simulator,
     stage::{SoftStops, Stage, What},
 };
 use crate::{
     error::{Error, Result},
-    many::{LinearFlow, MachineState, smooth::Leap},
+    many::{LinearFlow, State, smooth::Leap},
     motion::{
         Counter, Effect, RunEnd, Share, Time,
         event::Impact,
@@ -27,8 +27,8 @@ const NUDGE: f64 = 1e-12;
 const MOST_CHANGES: u32 = 1000;
 
 /// A motion of a machine under way.
-pub struct MachineRun<'a> {
-    simulator: &'a MachineSimulator,
+pub struct Run<'a> {
+    simulator: &'a Simulator,
     stage: Arc<Stage>,
     period: i64,
     /// The cell of the finest level.
@@ -61,18 +61,14 @@ struct Found {
     rounding: f64,
 }
 
-impl<'a> MachineRun<'a> {
-    pub(super) fn new(
-        simulator: &'a MachineSimulator,
-        time: Time,
-        state: MachineState,
-    ) -> Result<MachineRun<'a>> {
+impl<'a> Run<'a> {
+    pub(super) fn new(simulator: &'a Simulator, time: Time, state: State) -> Result<Run<'a>> {
         let soft = SoftStops::of(&simulator.contacts, &state);
         let stage = simulator.stage(&[], &soft)?;
         let gaps: Vec<[f64; 2]> =
             simulator.contacts.all().iter().map(|contact| contact.gap(&state)).collect();
         let depth = simulator.settings.minimum_depth;
-        let mut run = MachineRun {
+        let mut run = Run {
             simulator,
             stage: stage.clone(),
             period: time.period,
@@ -160,7 +156,7 @@ impl<'a> MachineRun<'a> {
     }
 
     /// What is run.
-    pub(super) fn simulator(&self) -> &'a MachineSimulator {
+    pub(super) fn simulator(&self) -> &'a Simulator {
         self.simulator
     }
 
@@ -175,7 +171,7 @@ impl<'a> MachineRun<'a> {
     }
 
     /// The motion now, after the impact if there is one.
-    pub fn state(&self) -> MachineState {
+    pub fn state(&self) -> State {
         self.state_at(self.from)
     }
 
@@ -246,7 +242,7 @@ impl<'a> MachineRun<'a> {
         Time::new(self.period, (2 * self.cell + 1) as f64 * self.half() + x * self.half())
     }
 
-    fn state_at(&self, x: f64) -> MachineState {
+    fn state_at(&self, x: f64) -> State {
         if let Some(leap) = &self.leap {
             return leap.state(x);
         }
@@ -257,7 +253,7 @@ impl<'a> MachineRun<'a> {
     }
 
     /// Sets the cursor at a state of the machine.
-    fn enter(&mut self, stage: Arc<Stage>, time: Time, state: &MachineState) {
+    fn enter(&mut self, stage: Arc<Stage>, time: Time, state: &State) {
         self.stage = stage;
         if self.leap_from(time, state) {
             return;
@@ -265,7 +261,7 @@ impl<'a> MachineRun<'a> {
         let cell = ((time.phase / (2.0 * self.half())) as usize).min(self.stage.cells() - 1);
         (self.period, self.cell) = (time.period, cell);
         let after = (time.phase - self.begin()).max(0.0);
-        let mut y = self.stage.split(&MachineState { t: time.phase, ..state.clone() });
+        let mut y = self.stage.split(&State { t: time.phase, ..state.clone() });
         self.stage.flow.advance(&mut y, -after);
         self.y = self.stage.padded(&y);
         self.from = (after / self.half() - 1.0).clamp(-1.0, 1.0);

@@ -17,11 +17,11 @@ use crate::{
     error::Result,
     local::Region,
     many::{
-        Machine, MachineFamily, MachineState, RealMatrix, StopLaw,
-        grazing::{FreeMotion, MachineGrazing},
-        orbit::{StopPattern, find_from},
-        section::{MachineStart, PlanarMachine, PlaneAxis},
-        simulate::MachineSimulator,
+        Family, Machine, RealMatrix, State, StopLaw,
+        grazing::{FreeMotion, Grazing},
+        orbit::{Itinerary, find_from},
+        section::{PlanarMachine, PlaneAxis, Start},
+        simulate::Simulator,
     },
     pattern::{Analysis, Map, Numbers, Report as Verdict},
     scene::{MachineSceneFamily, orbits::GrazingTask},
@@ -37,14 +37,14 @@ pub(crate) struct MachineGrazingPoint<'f> {
     pub task: &'f GrazingTask,
     pub job: &'f Job<'f>,
     pub family: &'f MachineSceneFamily<'f>,
-    pub event: MachineGrazing,
+    pub event: Grazing,
     pub machine: Machine<f64>,
     /// How far it was looked for.
     pub reach: f64,
 }
 
 impl GrazingPoint for MachineGrazingPoint<'_> {
-    type Start = MachineStart;
+    type Start = Start;
 
     fn report(&self) -> GrazingMap {
         let (event, map, machine) = (&self.event, self.event.local(), &self.machine);
@@ -106,7 +106,7 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
     }
 
     /// Seen as the gap of the stop that is grazed.
-    fn seen(&self, e: f64, look: &Look) -> Result<Seen<MachineStart>> {
+    fn seen(&self, e: f64, look: &Look) -> Result<Seen<Start>> {
         let (event, stop) = (&self.event, self.event.at.stop);
         let phase = (event.at.phase + PI).rem_euclid(TAU);
         let (machine, slope) = self.family.at(event.parameter)?;
@@ -147,8 +147,8 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
 impl MachineGrazingPoint<'_> {
     /// A state just after the first impact of an orbit that is born: that of the motion that grazes, struck.
     /// Where forces are formulas there may be several motions, and the impacts do not tell which is meant.
-    fn struck(&self, simulator: &MachineSimulator, pattern: &StopPattern, start: &[f64]) -> MachineState {
-        let (contacts, stop) = (simulator.contacts(), pattern.strikes()[0].stop);
+    fn struck(&self, simulator: &Simulator, pattern: &Itinerary, start: &[f64]) -> State {
+        let (contacts, stop) = (simulator.contacts(), pattern.strikes()[0].place);
         let (contact, speed) = (&contacts.all()[stop], start[1]);
         let mut state = self.event.motion.state(start[0]);
         let lacks = contact.restitution_at(speed) * speed - contact.gap(&state)[1];

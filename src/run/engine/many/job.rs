@@ -4,10 +4,10 @@ use super::super::super::Job;
 use crate::{
     error::Result,
     many::{
-        Machine, MachineState,
+        Machine, State,
         contact::StopContact,
         section::PlanarMachine,
-        simulate::{MachineSettings, MachineSimulator},
+        simulate::{Settings, Simulator},
     },
     scene::MachineSceneFamily,
 };
@@ -20,19 +20,15 @@ impl Job<'_> {
     /// nearest stop, or of what starts show at the stops.
     ///
     /// # Errors
-    /// Those of [`MachineSimulator::new`].
-    pub(crate) fn machine_simulator(
-        &self,
-        machine: &Machine<f64>,
-        starts: &[MachineState],
-    ) -> Result<MachineSimulator> {
+    /// Those of [`Simulator::new`].
+    pub(crate) fn machine_simulator(&self, machine: &Machine<f64>, starts: &[State]) -> Result<Simulator> {
         let given = self.scene.machine_scene()?.minimum_depth;
-        let settings = |minimum_depth| MachineSettings { minimum_depth, ..MachineSettings::default() };
+        let settings = |minimum_depth| Settings { minimum_depth, ..Settings::default() };
         if let Some(depth) = given {
-            return Ok(MachineSimulator::new(machine, &settings(depth))?.counting(self.tally.clone()));
+            return Ok(Simulator::new(machine, &settings(depth))?.counting(self.tally.clone()));
         }
-        let simulator = MachineSimulator::new(machine, &settings(RELATIVE_DEPTH))?;
-        let gap = |state: &MachineState| {
+        let simulator = Simulator::new(machine, &settings(RELATIVE_DEPTH))?;
+        let gap = |state: &State| {
             let one =
                 |contact: &StopContact| contact.row.dot(&state.q).abs().max(contact.gap(state)[1].abs());
             simulator.contacts().all().iter().map(one).fold(0.0, f64::max)
@@ -58,7 +54,7 @@ impl Job<'_> {
     pub fn planar(
         &self,
         machine: &Machine<f64>,
-        starts: &[MachineState],
+        starts: &[State],
         plane: &[String],
     ) -> Result<PlanarMachine> {
         let axes = self.scene.plane(plane, machine, "plane")?;

@@ -29,12 +29,12 @@ use crate::{
     continuation::{Bifurcation, FollowedOrbit, counted},
     error::{Error, Result},
     many::{
-        Machine, MachineFamily, MachineState,
+        Family, Machine, State,
         attracting::attracting,
-        grazing::{MachineSearch, locate, own_reach},
-        orbit::{MachineAdmissibility, MachineOrbit, StopPattern},
-        section::{MachinePoint, MachineStart, PlanarMachine},
-        simulate::MachineSimulator,
+        grazing::{Search, locate, own_reach},
+        orbit::{Admissibility, Itinerary, Orbit},
+        section::{self, PlanarMachine, Point},
+        simulate::Simulator,
     },
     number::{Plain, Real},
     scene::{
@@ -49,7 +49,7 @@ use crate::{
 /// Closer to the unit circle than this, rounding decides.
 const MARGIN: f64 = 1e-11;
 
-impl JudgedOrbit for MachineOrbit {
+impl JudgedOrbit for Orbit {
     fn stable(&self, at: Option<Bifurcation>) -> Judgement {
         let off = |&(re, im): &(f64, f64)| match at {
             Some(Bifurcation::SaddleNode | Bifurcation::Crossing) => (re - 1.0).hypot(im),
@@ -73,18 +73,18 @@ impl JudgedOrbit for MachineOrbit {
 }
 
 /// Whether it is an orbit, and why not; marginal at a grazing or where an impact fades.
-fn admissible(orbit: &MachineOrbit, at: Option<Bifurcation>) -> (Judgement, Option<String>) {
+fn admissible(orbit: &Orbit, at: Option<Bifurcation>) -> (Judgement, Option<String>) {
     if matches!(at, Some(Bifurcation::Grazing | Bifurcation::Fade)) {
         return (Judgement::Marginal, None);
     }
     match &orbit.admissibility {
-        MachineAdmissibility::Admissible if !orbit.is_orbit() => {
+        Admissibility::Admissible if !orbit.is_orbit() => {
             let why = "the least gap between impacts is not positive, though within the minimum depth";
             (Judgement::Marginal, Some(why.into()))
         }
-        MachineAdmissibility::Admissible => (Judgement::Yes, None),
-        MachineAdmissibility::Marginal(why) => (Judgement::Marginal, Some(why.to_string())),
-        MachineAdmissibility::No(why) => (Judgement::No, Some(why.to_string())),
+        Admissibility::Admissible => (Judgement::Yes, None),
+        Admissibility::Marginal(why) => (Judgement::Marginal, Some(why.to_string())),
+        Admissibility::No(why) => (Judgement::No, Some(why.to_string())),
     }
 }
 
@@ -92,21 +92,21 @@ fn admissible(orbit: &MachineOrbit, at: Option<Bifurcation>) -> (Judgement, Opti
 const SHOWN: usize = 4;
 
 /// Phases as fractions of the period, as the pattern counts them.
-fn phases(orbit: &MachineOrbit) -> Vec<f64> {
+fn phases(orbit: &Orbit) -> Vec<f64> {
     let times: Vec<f64> = orbit.impacts.iter().map(|impact| impact.time).collect();
     counted(&times).into_iter().map(|time| time / TAU).collect()
 }
 
 /// Incoming speeds in the scene's units, of which `rate` is Ω.
-fn speeds(orbit: &MachineOrbit, rate: f64) -> Vec<f64> {
+fn speeds(orbit: &Orbit, rate: f64) -> Vec<f64> {
     orbit.impacts.iter().map(|impact| impact.speed * rate).collect()
 }
 
 /// What is known of an orbit of a machine.
-fn analysed(orbit: &MachineOrbit, machine: &Machine<f64>, at: Option<Bifurcation>) -> Analysed {
+fn analysed(orbit: &Orbit, machine: &Machine<f64>, at: Option<Bifurcation>) -> Analysed {
     let (admissible, reason) = admissible(orbit, at);
     Analysed {
-        pattern: named(&orbit.pattern, machine),
+        pattern: named(&orbit.itinerary, machine),
         phases: phases(orbit),
         speeds: speeds(orbit, machine.rate()),
         multipliers: orbit.multipliers.iter().take(SHOWN).map(|&one| Complex::from(one)).collect(),
@@ -120,8 +120,9 @@ fn analysed(orbit: &MachineOrbit, machine: &Machine<f64>, at: Option<Bifurcation
     }
 }
 
-fn named(pattern: &StopPattern, machine: &Machine<f64>) -> String {
-    pattern.with_names(&names(machine))
+fn named(pattern: &Itinerary, machine: &Machine<f64>) -> String {
+    let stops = &machine.stops;
+    pattern.with_names(|stop| (stops.len() > 1).then(|| &stops[stop].name))
 }
 
 fn names(machine: &Machine<f64>) -> Vec<&str> {
@@ -135,8 +136,8 @@ pub(crate) struct Machines<'j> {
 }
 
 impl<'j> Engine for Machines<'j> {
-    type Orbit = MachineOrbit;
-    type System = (Machine<f64>, MachineSimulator);
+    type Orbit = Orbit;
+    type System = (Machine<f64>, Simulator);
     type Family = MachineSceneFamily<'j>;
     type Source<'f>
         = MachineSource<'f>
@@ -148,19 +149,19 @@ impl<'j> Engine for Machines<'j> {
         Self: 'f;
 
     type Dynamics = PlanarMachine;
-    type States = Vec<MachineState>;
+    type States = Vec<State>;
 
-    fn states(&self, starts: &[Start]) -> Result<Vec<MachineState>> {
+    fn states(&self, starts: &[Start]) -> Result<Vec<State>> {
         starts.iter().map(|start| self.job.scene.machine_state(start, self.machine, "starts")).collect()
     }
 
-    fn begun(&self, states: &Vec<MachineState>) -> Vec<MachineStart> {
+    fn begun(&self, states: &Vec<State>) -> Vec<section::Start> {
         states.iter().map(|state| state.start(self.machine.rate())).collect()
     }
 
     fn dynamics(
         &self,
-        states: &Vec<MachineState>,
+        states: &Vec<State>,
         change: Option<(&str, f64)>,
         plane: &[String],
     ) -> Result<PlanarMachine> {
@@ -205,7 +206,7 @@ impl<'j> Engine for Machines<'j> {
         &self,
         task: &SectionTask,
         planar: &PlanarMachine,
-        cycles: &[(usize, Cycle<MachinePoint>)],
+        cycles: &[(usize, Cycle<Point>)],
         found: &mut SectionFindings,
     ) -> Result<()> {
         sections::further(task, self, planar, cycles, found)
@@ -224,11 +225,11 @@ impl<'j> Engine for Machines<'j> {
         Ok((machine, simulator))
     }
 
-    fn orbits(&self, keys: &OrbitKeys, (machine, simulator): &Self::System) -> Result<Vec<MachineOrbit>> {
+    fn orbits(&self, keys: &OrbitKeys, (machine, simulator): &Self::System) -> Result<Vec<Orbit>> {
         machine_orbits(keys, machine, simulator, self.job)
     }
 
-    fn analysed(&self, orbit: &MachineOrbit, (machine, _): &Self::System) -> Analysed {
+    fn analysed(&self, orbit: &Orbit, (machine, _): &Self::System) -> Analysed {
         analysed(orbit, machine, None)
     }
 
@@ -254,8 +255,8 @@ impl<'j> Engine for Machines<'j> {
         let near = search::state(&task.orbit, self.machine)?;
         let reach = task.reach.map_or_else(|| own_reach(family, start, near.as_ref()), Ok)?;
         let event = match locate(family, start, reach, near.as_ref())? {
-            MachineSearch::Found(found) => *found,
-            MachineSearch::Nothing(reason) => return Ok(Err(reason)),
+            Search::Found(found) => *found,
+            Search::Nothing(reason) => return Ok(Err(reason)),
         };
         self.job.check()?;
         let (machine, _) = family.at(event.parameter)?;
@@ -265,9 +266,9 @@ impl<'j> Engine for Machines<'j> {
     fn attracting(
         &self,
         (machine, _): &Self::System,
-        from: &MachineStart,
+        from: &section::Start,
         detection: &Detection,
-    ) -> Result<MachineOrbit> {
+    ) -> Result<Orbit> {
         attracting(&self.job.planar(machine, &[], &[])?, from, detection, self.job.monitor)
     }
 
@@ -275,7 +276,7 @@ impl<'j> Engine for Machines<'j> {
         &self,
         change: Option<(&str, &BigRational)>,
         _: u32,
-    ) -> Result<std::result::Result<impl Prover<MachineOrbit>, String>> {
+    ) -> Result<std::result::Result<impl Prover<Orbit>, String>> {
         let scene = &self.job.scene;
         let enclosed = scene.enclosed_machine(change)?;
         let change = change.map(|(name, value)| (name, Plain::ratio(value, &()).0));

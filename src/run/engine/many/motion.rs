@@ -15,9 +15,9 @@ use super::{
 use crate::{
     error::Result,
     many::{
-        Machine, MachineState, RealVector,
+        Machine, RealVector, State,
         contact::StopContact,
-        simulate::{Event, MachineRun, MachineSimulator, PeakForces},
+        simulate::{Event, PeakForces, Run, Simulator},
     },
     motion::{RunEnd, Time},
     scene::simulate::SimulateTask,
@@ -65,7 +65,7 @@ pub(super) fn simulate(
     Ok(found)
 }
 
-fn series_of(machine: &Machine<f64>, simulator: &MachineSimulator, begin: f64) -> SeriesOf {
+fn series_of(machine: &Machine<f64>, simulator: &Simulator, begin: f64) -> SeriesOf {
     let points = machine.points();
     // Of one coordinate that is seen at one point, the factor between the two.
     let alone =
@@ -83,7 +83,7 @@ fn before(
     task: &SimulateTask,
     of: &SeriesOf,
     machine: &Machine<f64>,
-    simulator: &MachineSimulator,
+    simulator: &Simulator,
 ) -> SimulationFindings {
     let (flow, smooth) = (simulator.flow(), simulator.is_smooth());
     let compliant: Vec<bool> = simulator.contacts().all().iter().map(|stop| stop.soft.is_some()).collect();
@@ -103,11 +103,11 @@ type FirstImpact = (usize, Time, f64);
 
 /// The motion with what was found of it so far.
 struct Motion<'a> {
-    simulator: &'a MachineSimulator,
+    simulator: &'a Simulator,
     machine: &'a Machine<f64>,
     /// Of one coordinate, by how much the gap of each stop opens with it.
     along: Vec<Option<f64>>,
-    run: MachineRun<'a>,
+    run: Run<'a>,
     found: SimulationFindings,
     first: Option<FirstImpact>,
     peaks: Option<PeakForces>,
@@ -143,7 +143,7 @@ impl SampledMotion for Motion<'_> {
 
     fn sample(&mut self, time: Time) -> Result<()> {
         let (state, rate) = (self.run.state(), self.machine.rate());
-        let here = MachineState { t: time.phase, ..state.clone() };
+        let here = State { t: time.phase, ..state.clone() };
         let gap = |stop: &StopContact| {
             let [gap, speed] = stop.gap(&here);
             [gap, speed * rate]
@@ -195,7 +195,7 @@ impl Motion<'_> {
 fn measured(
     job: &Job,
     machine: &Machine<f64>,
-    simulator: &MachineSimulator,
+    simulator: &Simulator,
     phase: f64,
     first: Option<FirstImpact>,
 ) -> Result<Option<MeasuredEffect>> {
@@ -222,13 +222,7 @@ fn measured(
 
 /// ∫ |response of a contact's gap to a force of 1 in a direction| over a time from its start, by the
 /// trapezoidal rule.
-fn felt(
-    simulator: &MachineSimulator,
-    direction: &[f64],
-    machine: &Machine<f64>,
-    stop: usize,
-    time: f64,
-) -> f64 {
+fn felt(simulator: &Simulator, direction: &[f64], machine: &Machine<f64>, stop: usize, time: f64) -> f64 {
     let flow = simulator.flow();
     let Ok(force) = machine.direction(direction) else { return f64::NAN };
     let n = machine.size;

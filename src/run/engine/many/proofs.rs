@@ -13,7 +13,7 @@ use crate::{
     error::Result,
     many::{
         Machine,
-        orbit::{MachineAdmissibility, MachineOrbit},
+        orbit::{Admissibility, Orbit},
     },
     number::{Ball, Elementary, Precision, Real},
     search::{
@@ -31,15 +31,15 @@ pub(super) struct MachineProver<'e> {
     pub period: Bounds,
 }
 
-impl Prover<MachineOrbit> for MachineProver<'_> {
-    fn prove(&self, orbit: &MachineOrbit) -> Result<Proof> {
-        if orbit.pattern.strikes().is_empty() {
+impl Prover<Orbit> for MachineProver<'_> {
+    fn prove(&self, orbit: &Orbit) -> Result<Proof> {
+        if orbit.itinerary.strikes().is_empty() {
             return self.free(orbit);
         }
         let verdict = self.verdict(orbit, machine::orbit)?;
         let numbers = phases(orbit).into_iter().zip(speeds(orbit, self.machine.rate()));
         let solution = numbers.flat_map(|(t, v)| [t, v]).collect();
-        let mut row = ProofRow::of(&verdict, named(&orbit.pattern, &self.machine), solution);
+        let mut row = ProofRow::of(&verdict, named(&orbit.itinerary, &self.machine), solution);
         let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
         fill(&mut row.proved, &proof, &self.period)?;
         Ok(Proof { row, certificate: Some(Ok(proof.text)) })
@@ -47,26 +47,26 @@ impl Prover<MachineOrbit> for MachineProver<'_> {
 }
 
 /// What finds the proof of an orbit.
-type Search<T> = fn(&ListedMachine, &MachineOrbit, &mut dyn FnMut() -> bool) -> Result<Verdict<T>>;
+type Search<T> = fn(&ListedMachine, &Orbit, &mut dyn FnMut() -> bool) -> Result<Verdict<T>>;
 
 impl MachineProver<'_> {
     /// What is proved of the motion without impacts.
-    fn free(&self, orbit: &MachineOrbit) -> Result<Proof> {
-        let verdict = match orbit.pattern.periods() {
+    fn free(&self, orbit: &Orbit) -> Result<Proof> {
+        let verdict = match orbit.itinerary.periods() {
             1 => self.verdict(orbit, machine::free_motion)?,
             _ => Verdict::Undecided(SEVERAL_PERIODS.into()),
         };
         let (q, u) = (&orbit.state.q, &orbit.state.u);
         let solution = q.iter().copied().chain(u.iter().map(|u| u * self.machine.rate())).collect();
-        let mut row = ProofRow::of(&verdict, named(&orbit.pattern, &self.machine), solution);
+        let mut row = ProofRow::of(&verdict, named(&orbit.itinerary, &self.machine), solution);
         let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
         row.proved.stable = Some(judged(proof.certificate.claim));
         Ok(Proof { row, certificate: Some(Ok(proof.text)) })
     }
 
     /// Of an orbit that the simulator does not refuse.
-    fn verdict<T>(&self, orbit: &MachineOrbit, search: Search<T>) -> Result<Verdict<T>> {
-        if let MachineAdmissibility::No(_) = orbit.admissibility {
+    fn verdict<T>(&self, orbit: &Orbit, search: Search<T>) -> Result<Verdict<T>> {
+        if let Admissibility::No(_) = orbit.admissibility {
             let (_, why) = admissible(orbit, None);
             return Ok(Verdict::Undecided(format!(
                 "by the simulator the solution is no orbit: {}",

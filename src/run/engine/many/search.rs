@@ -9,9 +9,9 @@ use crate::{
     continuation::Starts,
     error::{Error, Result},
     many::{
-        Machine, MachineState, RealVector,
-        orbit::{FreeStarts, MachineOrbit, StopPattern, StopStrike, find, find_from},
-        simulate::MachineSimulator,
+        Machine, RealVector, State,
+        orbit::{FreeStarts, Itinerary, Orbit, Strike, find, find_from},
+        simulate::Simulator,
     },
     scene::orbits::OrbitKeys,
 };
@@ -26,9 +26,9 @@ const NEAR: f64 = 1e-7;
 pub(crate) fn machine_orbits(
     keys: &OrbitKeys,
     machine: &Machine<f64>,
-    simulator: &MachineSimulator,
+    simulator: &Simulator,
     job: &Job,
-) -> Result<Vec<MachineOrbit>> {
+) -> Result<Vec<Orbit>> {
     let pattern = pattern(keys, machine)?;
     let rate = machine.rate();
     let soft = simulator.contacts().all().iter().any(|contact| contact.soft.is_some());
@@ -42,14 +42,14 @@ pub(crate) fn machine_orbits(
         return Ok(vec![find(simulator, &pattern, &keys.unknowns(|speed| speed / rate))?]);
     }
     let m = keys.pattern.len();
-    let met = pattern.strikes().iter().map(|strike| strike.stop);
+    let met = pattern.strikes().iter().map(|strike| strike.place);
     let greatest = keys.speed.map_or(4.0 * simulator.scale_at(met), |speed| speed / rate);
-    let begin = Starts::new(greatest, |t| simulator.on_stop(pattern.strikes()[0].stop, t));
-    let mut found: Vec<MachineOrbit> = Vec::new();
+    let begin = Starts::new(greatest, |t| simulator.on_stop(pattern.strikes()[0].place, t));
+    let mut found: Vec<Orbit> = Vec::new();
     for first in (0..keys.starts).step_by(CHUNK as usize) {
         job.check()?;
         let last = first.saturating_add(CHUNK).min(keys.starts);
-        let roots: Vec<MachineOrbit> = (first..last)
+        let roots: Vec<Orbit> = (first..last)
             .into_par_iter()
             .filter_map(|i| find(simulator, &pattern, &begin.of(&keys.pattern, i)).ok())
             .collect();
@@ -72,9 +72,9 @@ pub(crate) fn machine_orbits(
 fn through_soft_stops(
     keys: &OrbitKeys,
     machine: &Machine<f64>,
-    simulator: &MachineSimulator,
+    simulator: &Simulator,
     job: &Job,
-) -> Result<Vec<MachineOrbit>> {
+) -> Result<Vec<Orbit>> {
     let (pattern, rate) = (pattern(keys, machine)?, machine.rate());
     if let Some(state) = state(keys, machine)? {
         return Ok(vec![find_from(simulator, &pattern, &[], Some(&state))?]);
@@ -82,16 +82,15 @@ fn through_soft_stops(
     let scale = simulator.scale();
     let greatest = keys.speed.map_or(4.0 * scale, |speed| speed / rate);
     let starts = FreeStarts::new(simulator, &pattern, greatest)?;
-    let near = |a: &MachineState, b: &MachineState| {
+    let near = |a: &State, b: &State| {
         let size = a.q.amax().max(a.u.amax());
         (&a.q - &b.q).amax().max((&a.u - &b.u).amax()) <= NEAR * size
     };
-    let mut found: Vec<MachineOrbit> = Vec::new();
+    let mut found: Vec<Orbit> = Vec::new();
     for first in (0..keys.starts).step_by(CHUNK as usize) {
         job.check()?;
         let last = first.saturating_add(CHUNK).min(keys.starts);
-        let roots: Vec<MachineOrbit> =
-            (first..last).into_par_iter().filter_map(|i| starts.find(i).ok()).collect();
+        let roots: Vec<Orbit> = (first..last).into_par_iter().filter_map(|i| starts.find(i).ok()).collect();
         for orbit in roots {
             // Of a shorter period if that period's equations have the same solution: stops that are in the
             // way of the motion, which is listed as such, are no part of them.
@@ -99,7 +98,7 @@ fn through_soft_stops(
                 if !keys.period.is_multiple_of(n) {
                     return Ok(false);
                 }
-                let again = find_from(simulator, &StopPattern::free(n)?, &[], Some(&orbit.state));
+                let again = find_from(simulator, &Itinerary::free(n)?, &[], Some(&orbit.state));
                 Ok(again.is_ok_and(|again| near(&orbit.state, &again.state)))
             };
             let known = found.iter().any(|old| near(&old.state, &orbit.state));
@@ -116,32 +115,32 @@ fn through_soft_stops(
 }
 
 /// The state at phase 0 that the keys give of a motion without impacts, if they give one.
-pub(super) fn state(keys: &OrbitKeys, machine: &Machine<f64>) -> Result<Option<MachineState>> {
+pub(super) fn state(keys: &OrbitKeys, machine: &Machine<f64>) -> Result<Option<State>> {
     if keys.start.is_empty() {
         return Ok(None);
     }
     let (start, points) = (keys.unknowns(|speed| speed), machine.points());
     let part = |from: usize| machine.coordinates(&RealVector::from_column_slice(&start[from..from + points]));
-    Ok(Some(MachineState { t: 0.0, q: part(0)?, u: part(points)? / machine.rate() }))
+    Ok(Some(State { t: 0.0, q: part(0)?, u: part(points)? / machine.rate() }))
 }
 
 /// Whether b is a with impact `shift` called the first.
-fn same(a: &MachineOrbit, b: &MachineOrbit, shift: usize) -> bool {
-    let (strikes, m) = (a.pattern.strikes(), a.impacts.len());
+fn same(a: &Orbit, b: &Orbit, shift: usize) -> bool {
+    let (strikes, m) = (a.itinerary.strikes(), a.impacts.len());
     let fastest = a.impacts.iter().fold(0.0, |most: f64, impact| most.max(impact.speed));
     (0..m).all(|i| {
         let (x, y) = (&a.impacts[i], &b.impacts[(i + shift) % m]);
         let turn = (x.time - y.time).rem_euclid(TAU);
-        strikes[i].stop == strikes[(i + shift) % m].stop
+        strikes[i].place == strikes[(i + shift) % m].place
             && turn.min(TAU - turn) < NEAR
             && (x.speed - y.speed).abs() < NEAR * fastest
     })
 }
 
 /// The pattern of the keys, whose stops go by their names.
-fn pattern(keys: &OrbitKeys, machine: &Machine<f64>) -> Result<StopPattern> {
+fn pattern(keys: &OrbitKeys, machine: &Machine<f64>) -> Result<Itinerary> {
     if keys.pattern.is_empty() {
-        return StopPattern::free(keys.period);
+        return Itinerary::free(keys.period);
     }
     let stop = |i: usize| match keys.stops.get(i) {
         None => Ok(0),
@@ -152,7 +151,7 @@ fn pattern(keys: &OrbitKeys, machine: &Machine<f64>) -> Result<StopPattern> {
             .ok_or_else(|| Error::input(format!("there is no stop called {:?}", known.name))),
     };
     let strikes = keys.pattern.iter().enumerate();
-    StopPattern::new(
-        strikes.map(|(i, &periods)| Ok(StopStrike { stop: stop(i)?, periods })).collect::<Result<_>>()?,
+    Itinerary::new(
+        strikes.map(|(i, &periods)| Ok(Strike { place: stop(i)?, periods })).collect::<Result<_>>()?,
     )
 }

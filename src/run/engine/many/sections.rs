@@ -11,7 +11,7 @@ use crate::{
         section::section as follow,
     },
     error::Result,
-    many::section::{MachinePoint, PlanarMachine},
+    many::section::{PlanarMachine, Point},
     motion::RunEnd,
     scene::{SectionTask, phase},
 };
@@ -24,7 +24,7 @@ pub(super) fn further(
     task: &SectionTask,
     engine: &Machines,
     planar: &PlanarMachine,
-    cycles: &[(usize, Cycle<MachinePoint>)],
+    cycles: &[(usize, Cycle<Point>)],
     found: &mut SectionFindings,
 ) -> Result<()> {
     let Machines { job, machine } = *engine;
@@ -38,7 +38,7 @@ pub(super) fn further(
             let start = orbit.state.start(machine.rate());
             let mut run = planar.begin(&start)?;
             let (mut points, mut first) = (Vec::new(), None);
-            let end = follow(&mut run, phase(&task.phase), orbit.pattern.periods().into(), |point| {
+            let end = follow(&mut run, phase(&task.phase), orbit.itinerary.periods().into(), |point| {
                 points.push(point.at.plane());
                 first.get_or_insert(point.at);
                 true
@@ -49,7 +49,7 @@ pub(super) fn further(
                 continue;
             }
             found.points.push((SectionSet::Orbit(found.further_orbits.len()), points));
-            let pattern = named(&orbit.pattern, machine);
+            let pattern = named(&orbit.itinerary, machine);
             found.further_orbits.push(SectionOrbitRow { pattern, stable });
         }
     }

@@ -16,12 +16,12 @@ use crate::{
     continuation::{Bifurcation, FollowedOrbit, Label, Located, RecordForm, SearchReach, read_label_as},
     error::Result,
     many::{
-        Machine, MachineFamily,
+        Family, Machine,
         attracting::attracting,
-        branch::{MachinePatterns, MachinePlane},
+        branch::{Patterns, Plane},
         grazing::own_reach,
         normal_form::normal_form,
-        orbit::{MachineOrbit, StopPattern, StopStrike},
+        orbit::{Itinerary, Orbit},
     },
     scene::{
         MachineSceneFamily,
@@ -42,25 +42,25 @@ pub fn form<'n>(names: &'n [&'n str]) -> RecordForm<'n> {
 pub struct MachineSource<'a> {
     family: &'a MachineSceneFamily<'a>,
     /// What is searched for orbits with given patterns.
-    pub patterns: MachinePatterns<'a>,
+    pub patterns: Patterns<'a>,
     machine: &'a Machine<f64>,
     job: &'a Job<'a>,
 }
 
 impl<'a> MachineSource<'a> {
     /// # Errors
-    /// Those of [`MachinePatterns::new`].
+    /// Those of [`Patterns::new`].
     pub fn new(
         family: &'a MachineSceneFamily<'a>,
         machine: &'a Machine<f64>,
         job: &'a Job<'a>,
     ) -> Result<MachineSource<'a>> {
         let depth = job.scene.machine_scene()?.minimum_depth;
-        let patterns = MachinePatterns::new(family, family.value(), depth)?;
+        let patterns = Patterns::new(family, family.value(), depth)?;
         Ok(MachineSource { family, patterns, machine, job })
     }
 
-    fn admissible(&self, keys: &OrbitKeys, machine: &Machine<f64>) -> Result<Vec<MachineOrbit>> {
+    fn admissible(&self, keys: &OrbitKeys, machine: &Machine<f64>) -> Result<Vec<Orbit>> {
         let mut found = machine_orbits(keys, machine, &self.job.machine_simulator(machine, &[])?, self.job)?;
         found.retain(FollowedOrbit::is_orbit);
         Ok(found)
@@ -68,10 +68,10 @@ impl<'a> MachineSource<'a> {
 }
 
 impl<'a> OrbitSource for MachineSource<'a> {
-    type Orbit = MachineOrbit;
-    type Family = MachinePatterns<'a>;
+    type Orbit = Orbit;
+    type Family = Patterns<'a>;
 
-    fn family(&self) -> &MachinePatterns<'a> {
+    fn family(&self) -> &Patterns<'a> {
         &self.patterns
     }
 
@@ -79,11 +79,11 @@ impl<'a> OrbitSource for MachineSource<'a> {
         self.family.value()
     }
 
-    fn present(&self, keys: &OrbitKeys) -> Result<Vec<MachineOrbit>> {
+    fn present(&self, keys: &OrbitKeys) -> Result<Vec<Orbit>> {
         self.admissible(keys, self.machine)
     }
 
-    fn orbits(&self, start: &BranchStart, at: f64) -> Result<Vec<MachineOrbit>> {
+    fn orbits(&self, start: &BranchStart, at: f64) -> Result<Vec<Orbit>> {
         let (machine, _) = self.family.at(at)?;
         match start.origin()? {
             BranchOrigin::Attractor(state) => {
@@ -98,14 +98,14 @@ impl<'a> OrbitSource for MachineSource<'a> {
         }
     }
 
-    fn reaches(&self, reach: Option<f64>, orbits: &[MachineOrbit]) -> Result<Vec<SearchReach>> {
+    fn reaches(&self, reach: Option<f64>, orbits: &[Orbit]) -> Result<Vec<SearchReach>> {
         let unit = own_reach(self.family, self.value(), None)?;
         Ok(vec![SearchReach::Parameter { unit, reach: reach.unwrap_or(unit) }; orbits.len()])
     }
 
     fn analysed(
         &self,
-        orbit: &MachineOrbit,
+        orbit: &Orbit,
         at: &[(&str, f64)],
         event: Option<Bifurcation>,
     ) -> Result<AnalysedEvent> {
@@ -120,11 +120,11 @@ impl<'a> OrbitSource for MachineSource<'a> {
         Ok(AnalysedEvent { orbit: analysed(orbit, &machine, event), form })
     }
 
-    fn named_with_speeds(&self, orbit: &MachineOrbit) -> (String, Vec<f64>) {
-        (self.named(&orbit.pattern), speeds(orbit, self.machine.rate()))
+    fn named_with_speeds(&self, orbit: &Orbit) -> (String, Vec<f64>) {
+        (self.named(&orbit.itinerary), speeds(orbit, self.machine.rate()))
     }
 
-    fn grazed(&self, at: &Located<MachineOrbit>) -> Result<Option<Grazed>> {
+    fn grazed(&self, at: &Located<Orbit>) -> Result<Option<Grazed>> {
         let (machine, _): (Machine<f64>, _) = self.family.at(at.parameter)?;
         let rate = machine.rate();
         Ok(at.orbit.least.map(|least| Grazed {
@@ -139,25 +139,20 @@ impl<'a> OrbitSource for MachineSource<'a> {
         }))
     }
 
-    fn loci(&self, task: &BranchTask, second: &str) -> Result<Branches<MachineOrbit>> {
+    fn loci(&self, task: &BranchTask, second: &str) -> Result<Branches<Orbit>> {
         let at =
             |[first, other]: [f64; 2]| self.job.scene.machine(&[(&task.parameter, first), (second, other)]);
         let value = MachineSceneFamily::new(&self.job.scene, second)?.value();
         let depth = self.job.scene.machine_scene()?.minimum_depth;
-        let plane = MachinePlane::new(&at, [self.value(), value], depth, self.family.tally())?;
+        let plane = Plane::new(&at, [self.value(), value], depth, self.family.tally())?;
         events(task, self, &plane, value, self.job)
     }
 
-    fn label(&self, text: &str, label: &str) -> Result<Label<StopPattern>> {
-        read_label_as(text, label, form(&names(self.machine)), |strikes, period| {
-            if strikes.is_empty() {
-                return StopPattern::free(period);
-            }
-            StopPattern::new(strikes.iter().map(|&(stop, periods)| StopStrike { stop, periods }).collect())
-        })
+    fn label(&self, text: &str, label: &str) -> Result<Label<Itinerary>> {
+        read_label_as(text, label, form(&names(self.machine)))
     }
 
-    fn named(&self, pattern: &StopPattern) -> String {
+    fn named(&self, pattern: &Itinerary) -> String {
         named(pattern, self.machine)
     }
 }

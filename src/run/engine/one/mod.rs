@@ -28,9 +28,9 @@ use crate::{
     number::Precision,
     one::{
         attractor::attracting,
-        branch::OscillatorPatterns,
+        branch::Patterns,
         grazing::{Grazing, locate},
-        orbit::{Admissibility, Family, Itinerary, Orbit, Oscillator, Strike},
+        orbit::{Admissibility, Family, Itinerary, Orbit, Oscillator},
         simulate::Simulator,
     },
     scene::{
@@ -97,14 +97,8 @@ fn turn(radians: f64) -> f64 {
 
 /// A pattern with the names of the stops, if there are several.
 fn named(pattern: &Itinerary, job: &Job) -> String {
-    let show = |strike: &Strike| match job.scene.stops[..] {
-        [_] => strike.periods.to_string(),
-        _ => format!("{} {}", strike.periods, job.stop(strike.side)),
-    };
-    match pattern.strikes() {
-        [] => format!("free {}", pattern.periods()),
-        all => all.iter().map(show).collect::<Vec<_>>().join(","),
-    }
+    let several = job.scene.stops.len() != 1;
+    pattern.with_names(|side| several.then(|| job.stop(side)))
 }
 
 fn speeds(orbit: &Orbit) -> Vec<f64> {
@@ -259,8 +253,7 @@ impl<'j> Engine for Oscillators<'j> {
             return Ok(Err(format!("no admissible orbit to begin with at {} = {start}", task.parameter)));
         };
         self.job.check()?;
-        let (patterns, extent) =
-            (OscillatorPatterns::new(family, start)?, task.extent(&family.at(start)?, orbit));
+        let (patterns, extent) = (Patterns::new(family, start)?, task.extent(&family.at(start)?, orbit));
         let located =
             match nearest(&patterns, Bifurcation::Grazing, orbit, start, extent, &task.options.checked()?)? {
                 BranchSearch::Found(found) => found,

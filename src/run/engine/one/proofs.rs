@@ -21,7 +21,7 @@ use crate::{
     motion::System,
     number::{Ball, Elementary, Precision, Real},
     one::{
-        branch::OscillatorPatterns,
+        branch::Patterns,
         grazing,
         orbit::{Family, Itinerary, Orbit, Unknowns},
     },
@@ -179,8 +179,7 @@ fn approximate(
     start: f64,
     task: &ValidateTask,
 ) -> Result<(Vec<ExpectedImpact>, f64, Condition)> {
-    let (patterns, extent) =
-        (OscillatorPatterns::new(family, start)?, task.extent(&family.at(start)?, orbit));
+    let (patterns, extent) = (Patterns::new(family, start)?, task.extent(&family.at(start)?, orbit));
     let found = match nearest(&patterns, event, orbit, start, extent, &task.options.checked()?)? {
         BranchSearch::Found(found) => found,
         BranchSearch::Nothing(nothing) => return Err(Error::input(nothing.to_string())),
@@ -212,7 +211,7 @@ fn impacts(itinerary: &Itinerary, z: &[f64]) -> Vec<ExpectedImpact> {
     let strikes = itinerary.strikes().iter().enumerate();
     strikes
         .map(|(i, strike)| ExpectedImpact {
-            side: strike.side,
+            side: strike.place,
             periods: strike.periods,
             phase: unknowns.phase(i),
             velocity: unknowns.speed(i),

@@ -15,7 +15,7 @@ use crate::{
     error::Result,
     one::{
         attractor::attracting,
-        branch::{OscillatorPatterns, OscillatorPlane, read_label},
+        branch::{Patterns, Plane, read_label},
         grazing,
         orbit::{Family, Itinerary, Orbit, Oscillator},
     },
@@ -29,15 +29,15 @@ use crate::{
 /// The orbits of a scene's oscillator over a parameter.
 pub struct OscillatorSource<'a> {
     family: &'a SceneFamily<'a>,
-    patterns: OscillatorPatterns<'a>,
+    patterns: Patterns<'a>,
     job: &'a Job<'a>,
 }
 
 impl<'a> OscillatorSource<'a> {
     /// # Errors
-    /// Those of [`OscillatorPatterns::new`].
+    /// Those of [`Patterns::new`].
     pub fn new(family: &'a SceneFamily<'a>, job: &'a Job<'a>) -> Result<OscillatorSource<'a>> {
-        Ok(OscillatorSource { family, patterns: OscillatorPatterns::new(family, family.value())?, job })
+        Ok(OscillatorSource { family, patterns: Patterns::new(family, family.value())?, job })
     }
 
     fn admissible(&self, keys: &OrbitKeys, oscillator: &Oscillator) -> Result<Vec<Orbit>> {
@@ -49,9 +49,9 @@ impl<'a> OscillatorSource<'a> {
 
 impl<'a> OrbitSource for OscillatorSource<'a> {
     type Orbit = Orbit;
-    type Family = OscillatorPatterns<'a>;
+    type Family = Patterns<'a>;
 
-    fn family(&self) -> &OscillatorPatterns<'a> {
+    fn family(&self) -> &Patterns<'a> {
         &self.patterns
     }
 
@@ -120,7 +120,7 @@ impl<'a> OrbitSource for OscillatorSource<'a> {
             self.job.oscillator(system)
         };
         let value = SceneFamily::new(&self.job.scene, second)?.value();
-        let plane = OscillatorPlane::new(&plane, [self.value(), value])?;
+        let plane = Plane::new(&plane, [self.value(), value])?;
         events(task, self, &plane, value, self.job)
     }
 
