@@ -37,7 +37,7 @@ pub use coordinates::Coordinates;
 pub use existence::{OpenReason, PatternExistence, PatternOrbit, PatternQuantity, Report};
 pub use flights::{Flights, Together};
 pub use graph::{Graph, MAX_GRAPH_PERIOD, PatternTally};
-pub(crate) use leading::{HalfImpact, halves};
+pub(crate) use leading::{HalfImpact, LeadingImpact, halves};
 pub use map::{Entry, Map};
 pub use matrix::Matrix;
 pub use orbit::{PredictedPoint, predicted_orbit};

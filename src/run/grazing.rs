@@ -14,6 +14,7 @@ use super::{
 };
 use crate::{
     attractor::diagram::Look,
+    continuation::LocalMap,
     error::{Error, Result},
     pattern::{Pattern, PatternExistence, Patterns, Report as Verdict},
     scene::orbits::GrazingTask,
@@ -84,23 +85,12 @@ impl Finding for GrazingFindings {
     }
 }
 
-/// A grazing bifurcation with its local map: of an orbit of an oscillator, of the motion without impacts of a
-/// machine.
+/// A local map in the scene's coordinates (q, q̇) less those of the orbit that grazes, per unit of time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct GrazingMap {
-    /// The parameter.
-    pub varied: String,
-    /// Its value at grazing.
-    pub parameter: f64,
-    /// The pattern of the orbit that grazes, where it is one with impacts or may be.
-    pub orbit: Option<String>,
-    /// The stop that is grazed.
-    pub stop: String,
-    /// t_G, as a fraction of the period.
-    pub phase: f64,
+pub struct MapNumbers {
     /// a_G: the second derivative of the gap there.
     pub acceleration: f64,
-    /// A, by rows, in coordinates (q, q̇) less those of the motion.
+    /// A, by rows.
     #[serde(rename = "A")]
     pub a: Vec<Vec<f64>>,
     /// B.
@@ -127,6 +117,25 @@ pub struct GrazingMap {
     pub ratio: Option<f64>,
     /// Up: what is left of a free vibration after a period.
     pub remains: Option<f64>,
+}
+
+/// A grazing bifurcation with its local map: of an orbit of an oscillator, of the motion without impacts of a
+/// machine.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct GrazingMap {
+    /// The parameter.
+    pub varied: String,
+    /// Its value at grazing.
+    pub parameter: f64,
+    /// The pattern of the orbit that grazes, where it is one with impacts or may be.
+    pub orbit: Option<String>,
+    /// The stop that is grazed.
+    pub stop: String,
+    /// t_G, as a fraction of the period.
+    pub phase: f64,
+    /// The local map there.
+    #[serde(flatten)]
+    pub map: MapNumbers,
     /// Whether the orbit is one but for the tangency.
     pub admissible: Judgement,
     /// What is left of the equations, of a machine of the gap.
@@ -178,9 +187,35 @@ const MARGIN: f64 = 1e-9;
 /// A matrix of more rows than this is not shown in text.
 const SHOWN: usize = 6;
 
-impl GrazingMap {
+impl MapNumbers {
+    /// Those of a map whose velocities are per radian of the forcing, `rate` of which are a unit of time.
+    pub(super) fn of(map: &LocalMap, rate: f64) -> MapNumbers {
+        let one = map.gamma().is_some();
+        let unit = |i: usize| if i < map.b.len() / 2 { 1.0 } else { rate };
+        let row = |(i, row): (usize, &Vec<f64>)| {
+            row.iter().enumerate().map(|(j, x)| x * unit(i) / unit(j)).collect::<Vec<f64>>()
+        };
+        let (trace, gamma) = (map.trace(), map.gamma().map(|gamma| gamma / rate));
+        let place = gamma.map(|gamma| MapNumbers::in_picture(trace, map.determinant, gamma));
+        let [ratio, remains] = place.unwrap_or_default();
+        MapNumbers {
+            acceleration: map.acceleration * rate * rate,
+            a: map.a.iter().enumerate().map(row).collect(),
+            b: map.b.iter().enumerate().map(|(i, x)| x * unit(i)).collect(),
+            c: map.c.clone(),
+            e: map.e,
+            eigenvalues: map.eigenvalues.iter().map(|&x| Complex::from(x)).collect(),
+            a1: one.then_some(trace),
+            a2: one.then_some(map.determinant),
+            gamma,
+            region: map.region().map(|region| region.to_string()),
+            ratio,
+            remains,
+        }
+    }
+
     /// The place of (a₁, a₂, sign γ) in the picture: a₁ = 2r cos 2πs, a₂ = r², and s or 1 − s across.
-    pub(super) fn in_picture(a1: f64, a2: f64, gamma: f64) -> [Option<f64>; 2] {
+    fn in_picture(a1: f64, a2: f64, gamma: f64) -> [Option<f64>; 2] {
         let r = a2.sqrt();
         let cosine = a1 / (2.0 * r);
         if !(cosine.abs() < 1.0 && gamma.abs() > 0.0) {
@@ -228,23 +263,23 @@ impl GrazingReport {
             lines.say("map", HALF);
         }
         lines.say("t_G", at.phase);
-        lines.say("a_G", at.acceleration);
+        lines.say("a_G", at.map.acceleration);
         // Large ones are in JSON.
-        if at.b.len() <= SHOWN {
-            at.a.iter().for_each(|row| lines.say("A", row.clone()));
-            lines.say("B", at.b.clone());
-            lines.say("C", at.c.clone());
+        if at.map.b.len() <= SHOWN {
+            at.map.a.iter().for_each(|row| lines.say("A", row.clone()));
+            lines.say("B", at.map.b.clone());
+            lines.say("C", at.map.c.clone());
         }
-        lines.say("e", at.e);
-        lines.say("eigenvalues", at.eigenvalues.iter().take(SHOWN).copied().collect::<Vec<_>>());
-        if at.eigenvalues.len() > SHOWN {
-            lines.say("more_eigenvalues", at.eigenvalues.len() - SHOWN);
+        lines.say("e", at.map.e);
+        lines.say("eigenvalues", at.map.eigenvalues.iter().take(SHOWN).copied().collect::<Vec<_>>());
+        if at.map.eigenvalues.len() > SHOWN {
+            lines.say("more_eigenvalues", at.map.eigenvalues.len() - SHOWN);
         }
-        lines.say_known("a1", &at.a1);
-        lines.say_known("a2", &at.a2);
-        lines.say_known("gamma", &at.gamma);
-        if at.a1.is_some() {
-            lines.say("region", at.region.as_deref().unwrap_or("none"));
+        lines.say_known("a1", &at.map.a1);
+        lines.say_known("a2", &at.map.a2);
+        lines.say_known("gamma", &at.map.gamma);
+        if at.map.a1.is_some() {
+            lines.say("region", at.map.region.as_deref().unwrap_or("none"));
         }
         lines.say("admissible", at.admissible);
         lines.say("residual", at.residual);
@@ -307,7 +342,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
     let (at, mut born, mut undecided) = (point.report(), Vec::new(), 0);
     let (mut chaos, mut chaos_open) = (None, None);
     if at.open.is_none() {
-        let (map, size) = (point.map()?, point.size()?);
+        let (map, size) = (point.local().to_map()?, point.size()?);
         (chaos, chaos_open) = asked_for_chaos(task, job, (&point, size), &at)?;
         let theory = point.theory(&map)?;
         let patterns = (1..=task.max_period).flat_map(|period| Patterns::of_period(period.into()));
@@ -321,7 +356,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
         }
     }
     let seen_open = not_seen(task, job, &at);
-    let seen = seen_open.is_none().then(|| point.seen(at.e, &LOOK)).transpose()?;
+    let seen = seen_open.is_none().then(|| point.seen(at.map.e, &LOOK)).transpose()?;
     let proofs = seen.as_ref().filter(|_| task.prove);
     let proofs = proofs.map(|seen| seen::proofs(seen, task, job, engine)).transpose()?;
     let (range, range_open, certificates) = asked_for_ranges(task, job, &point, &at)?;
@@ -342,14 +377,14 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
 
 /// Why what attracts beside the touch is not looked for.
 fn not_seen(task: &GrazingTask, job: &Job, at: &GrazingMap) -> Option<&'static str> {
-    let attracts = at.eigenvalues.iter().all(|&Complex(re, im)| re.hypot(im) < 1.0 - MARGIN);
+    let attracts = at.map.eigenvalues.iter().all(|&Complex(re, im)| re.hypot(im) < 1.0 - MARGIN);
     match task.seen {
         Some(false) => Some("it is not asked for"),
         None if !job.is_linear() => {
             Some("a force is a formula or a stop gives way, which takes long: `seen = true` asks for it")
         }
         _ if at.open.is_some() => Some(NO_THEORY),
-        _ if at.e == 0.0 => Some(NEVER_OPENS),
+        _ if at.map.e == 0.0 => Some(NEVER_OPENS),
         _ if !attracts => Some("the motion that touches does not attract, even before the touch"),
         _ => None,
     }
@@ -368,7 +403,7 @@ fn asked_for_ranges(
     let Some(keys) = &task.range.0 else { return Ok((None, None, Vec::new())) };
     let sides = match &at.open {
         Some(_) => Err(NO_THEORY.to_string()),
-        None if at.e == 0.0 => Err(NEVER_OPENS.to_string()),
+        None if at.map.e == 0.0 => Err(NEVER_OPENS.to_string()),
         None => point.ranges(keys.effort.map_or_else(RangeEffort::default, RangeEffort))?,
     };
     let mut certificates = Vec::new();
@@ -393,24 +428,25 @@ fn asked_for_chaos(
     (point, size): (&impl GrazingPoint, f64),
     at: &GrazingMap,
 ) -> Result<(Option<Vec<ChaosRow>>, Option<String>)> {
-    let Some(plane) = point.plane() else {
+    let map = point.local();
+    let Some(gamma) = map.gamma() else {
         let unit = if at.half { "half periods" } else { "periods" };
         let why = format!(
             "the local map has {} dimensions and the word theorem is for two; the table has the patterns of up to {} {unit}",
-            at.a.len(),
+            map.a.len(),
             task.max_period
         );
         return Ok((None, Some(why)));
     };
-    let side = |positive: bool| side_of(at, positive == (at.e > 0.0), size);
-    let chaos = all_patterns(plane, side, job.monitor)?;
+    let side = |positive: bool| side_of(at, positive == (at.map.e > 0.0), size);
+    let chaos = all_patterns([map.trace(), map.determinant, gamma, map.e], side, job.monitor)?;
     let open = chaos.is_none().then(|| NEEDS.to_string());
     Ok((chaos, open))
 }
 
 /// A side of the bifurcation.
 fn side_of(at: &GrazingMap, above: bool, size: f64) -> String {
-    format!("{} {} {}", at.varied, if above { '>' } else { '<' }, shown(at.parameter, size / at.e.abs()))
+    format!("{} {} {}", at.varied, if above { '>' } else { '<' }, shown(at.parameter, size / at.map.e.abs()))
 }
 
 /// A row: what the local theory says of a pattern, and the orbit of the true system at the distance asked
@@ -439,9 +475,9 @@ fn born_at(
         return Ok(row);
     };
     let distance = task.distance_at(size);
-    let (periods, away) = (pattern.periods(), if side { distance } else { -distance } / at.e);
+    let (periods, away) = (pattern.periods(), if side { distance } else { -distance } / at.map.e);
     row.coefficient =
-        point.leading(periods, verdict).map(|leading| leading / at.e.powi(periods.len() as i32));
+        point.leading(periods, verdict).map(|leading| leading / at.map.e.powi(periods.len() as i32));
     row.side = side_of(at, away > 0.0, size);
     let parameter = match beside(&at.varied, at.parameter, away) {
         Ok(parameter) => parameter,

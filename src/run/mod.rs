@@ -75,7 +75,7 @@ pub use engine::{JudgedOrbit, MachineSource, OrbitSource, OscillatorSource, form
 pub(crate) use event::event;
 pub use event::{EventFindings, EventRow, WithoutRow};
 pub(crate) use grazing::grazing;
-pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport};
+pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport, MapNumbers};
 pub(crate) use map::map;
 #[doc(hidden)]
 pub use map::word as map_word;

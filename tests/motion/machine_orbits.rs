@@ -220,6 +220,7 @@ fn one_degree_of_freedom_has_the_local_map_of_the_one_degree_code() {
     let other = Scene::from_toml(text, "test").unwrap();
     let cases = [(paper(), paper_scene(), "mu", -0.04), (Lines { at_zero, slope }, other, "f", 0.3)];
     for (lines, scene, parameter, start) in cases {
+        let restitution = lines.at_zero.restitution;
         let found = graze(&lines, start, 0.5);
         let family = SceneFamily::new(&scene, parameter).unwrap();
         let free = alone::Itinerary::free(1).unwrap();
@@ -230,20 +231,22 @@ fn one_degree_of_freedom_has_the_local_map_of_the_one_degree_code() {
         let turn = (found.at.phase - known.phase()).abs();
         near(turn.min(TAU - turn), 0.0);
         near(found.map.acceleration, known.map.acceleration);
-        near(found.map.e, known.map.e());
-        near(found.map.gamma().unwrap(), known.map.gamma());
+        near(found.map.e, known.map.e);
+        near(found.map.gamma().unwrap(), known.map.gamma().unwrap());
         let w = lines.at_zero.row[0];
         for i in 0..2 {
             for j in 0..2 {
-                near(found.map.a()[i][j], known.map.a[i][j]);
+                near(found.map.a[i][j], known.map.a[i][j]);
             }
         }
-        // With w = −1 the coordinates are turned round.
-        for (vector, values) in [(found.map.b(), [0.0, known.map.kick()]), (found.map.c(), [1.0, 0.0])] {
-            near(w * vector[0], values[0]);
-            near(w * vector[1], values[1]);
+        let kick = (2.0 * known.map.acceleration).sqrt() * (1.0 + restitution);
+        for map in [&found.map, &known.map] {
+            // With w = −1 the gap is the other way.
+            near(map.c[0], w);
+            near(map.b[1], w * kick);
+            assert_eq!((map.b[0], map.c[1]), (0.0, 0.0));
         }
-        near(found.map.rate_drift, known.map.drift[1]);
+        near(found.map.rate_drift, known.map.rate_drift);
         assert!(found.others.is_empty());
         let (map, graph) =
             (found.map.to_map().unwrap(), Graph::new(&known.map.to_map().unwrap(), 5, false).unwrap());
@@ -255,10 +258,31 @@ fn one_degree_of_freedom_has_the_local_map_of_the_one_degree_code() {
     }
 }
 
+/// Of section 4's oscillator q″ = −2dq′/w − q/w² over a period: a₁ = 2r cos 2πs, a₂ = r², γ, and B.
+#[test]
+fn the_paper_s_map_has_its_closed_form_in_either_engine() {
+    let scene = paper_scene();
+    let family = SceneFamily::new(&scene, "mu").unwrap();
+    let free = alone::Itinerary::free(1).unwrap();
+    let orbit = alone::find(&alone::Family::at(&family, -0.04).unwrap(), &free, vec![0.1, 0.1]).unwrap();
+    let one = one::grazing::locate(&family, &orbit, -0.04).unwrap().map;
+    let (r, frequency) = ((-TAU * D / W).exp(), (1.0 - D * D).sqrt() / W);
+    for map in [&graze(&paper(), -0.04, 0.5).map, &one] {
+        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-13, "{a} {b}");
+        near(map.trace(), 2.0 * r * (TAU * frequency).cos());
+        near(map.determinant, r * r);
+        near(map.gamma().unwrap(), r * (TAU * frequency).sin() / frequency);
+        near(map.acceleration, 1.0);
+        near(map.b[1], 8.0_f64.sqrt());
+        assert_eq!((map.b[0], &map.c[..]), (0.0, &[1.0, 0.0][..]));
+        assert_eq!(map.region(), Some(grazing::local::Region::Three));
+    }
+}
+
 #[test]
 fn an_oscillator_beside_it_changes_no_pattern() {
     let (found, one) = (graze(&beside(0.0), -0.04, 0.5), graze(&paper(), -0.04, 0.5));
-    assert!(found.parameter.abs() < 1e-13 && found.map.a().len() == 4);
+    assert!(found.parameter.abs() < 1e-13 && found.map.a.len() == 4);
     let (map, alone) = (found.map.to_map().unwrap(), one.map.to_map().unwrap());
     let (four, two) =
         (Analysis::new(&map, 6, Numbers::Enclosed), Analysis::new(&alone, 6, Numbers::Enclosed));

@@ -286,6 +286,11 @@ impl LinearFlow {
         &self.from * y
     }
 
+    /// (q, q′) by y.
+    pub(super) fn from(&self) -> &RealMatrix {
+        &self.from
+    }
+
     /// y of a change of velocity.
     pub(crate) fn kick(&self, du: &RealVector) -> RealVector {
         let n = self.equations.size();

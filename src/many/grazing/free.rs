@@ -30,8 +30,6 @@ pub struct FreeMotion {
     pub(super) equations: LinearEquations,
     contacts: Contacts,
     motion: Periodic,
-    /// Its derivative in the parameter.
-    pub(super) drift: Periodic,
     /// The gap of each stop, and its derivative in the parameter.
     pub(super) gaps: Vec<[Series; 2]>,
     /// Where forces are formulas, what carries it.
@@ -76,7 +74,7 @@ impl FreeMotion {
             Ok([gap, Series::combination(&parts)])
         };
         let gaps = contacts.all().iter().zip(&slope.stops).map(gap).collect::<Result<_>>()?;
-        Ok(FreeMotion { equations, contacts, motion, drift, gaps, stage })
+        Ok(FreeMotion { equations, contacts, motion, gaps, stage })
     }
 
     /// The motion's displacements over a period.

@@ -9,17 +9,13 @@ use std::f64::consts::PI;
 
 use super::{
     free::{FreeMotion, LeastGap},
-    local_map::LocalMap,
+    local_map::local_map,
 };
 use crate::{
+    continuation::LocalMap,
     error::Result,
-    many::{
-        RealVector,
-        contact::StopContact,
-        orbit::{Itinerary, Strike},
-    },
+    many::{RealVector, contact::StopContact},
     motion::Series,
-    pattern::{HalfImpact, Report, halves},
 };
 
 /// The local map over half a period.
@@ -39,7 +35,7 @@ impl HalfPeriod {
     /// the other is the mirror of the first.
     ///
     /// # Errors
-    /// Those of [`LocalMap::new`].
+    /// Those of [`local_map`].
     pub(super) fn new(motion: &FreeMotion, at: &LeastGap, others: &[LeastGap]) -> Result<Option<HalfPeriod>> {
         // Of formulas it is not known whether they are their own mirror image.
         if motion.stage.is_some() {
@@ -50,29 +46,7 @@ impl HalfPeriod {
         if other.stop != mirror || (apart - PI).abs() > NEAR {
             return Ok(None);
         }
-        Ok(Some(HalfPeriod { map: LocalMap::half(motion, at)?, mirror }))
-    }
-
-    /// The pattern in the machine of one of the map's, and a start for Newton's method there, the stop `at`
-    /// being grazed: see [`LocalMap::start`]. A pattern with an odd number of halves is gone round
-    /// twice.
-    ///
-    /// # Errors
-    /// An input error if the report has no solution.
-    pub(super) fn start(
-        &self,
-        at: &LeastGap,
-        periods: &[u64],
-        report: &Report,
-        away: f64,
-    ) -> Result<(Itinerary, Vec<f64>)> {
-        let once = self.map.start(at.phase, periods, report, away)?;
-        let (mut strikes, mut z) = (Vec::new(), Vec::new());
-        for HalfImpact { impact, late, periods } in halves(periods, 1) {
-            strikes.push(Strike { place: if late { self.mirror } else { at.stop }, periods });
-            z.extend([once[2 * impact] + if late { PI } else { 0.0 }, once[2 * impact + 1]]);
-        }
-        Ok((Itinerary::new(strikes)?, z))
+        Ok(Some(HalfPeriod { map: local_map(motion, at, PI)?, mirror }))
     }
 }
 

@@ -1,13 +1,14 @@
 //! The search along the parameter.
 
-use std::cell::RefCell;
+use std::{cell::RefCell, f64::consts::TAU};
 
 use super::{
     HalfPeriod,
     free::{FreeMotion, LeastGap},
-    local_map::LocalMap,
+    local_map::local_map,
 };
 use crate::{
+    continuation::LocalMap,
     error::{Error, Result},
     many::{
         Family, Periodic, State,
@@ -50,7 +51,8 @@ impl Grazing {
     /// An input error if the report, which is of [`local`](Self::local), has no solution.
     pub(crate) fn start(&self, periods: &[u64], report: &Report, away: f64) -> Result<(Itinerary, Vec<f64>)> {
         if let Some(half) = &self.half {
-            return half.start(&self.at, periods, report, away);
+            let (grazing, places) = ((self.at.phase, 1), [self.at.stop, half.mirror]);
+            return half.map.half_start(grazing, places, (periods, report), away);
         }
         let strike = |&n: &u64| Strike { place: self.at.stop, periods: n as u32 };
         let pattern = Itinerary::new(periods.iter().map(strike).collect())?;
@@ -164,7 +166,7 @@ pub fn locate(family: &dyn Family, start: f64, reach: f64, near: Option<&State>)
     let tiny = TWICE * scale;
     let mut others = motion.minima();
     others.retain(|other| other.gap.abs() <= tiny && *other != at);
-    let (map, half) = (LocalMap::new(&motion, &at)?, HalfPeriod::new(&motion, &at, &others)?);
+    let (map, half) = (local_map(&motion, &at, TAU)?, HalfPeriod::new(&motion, &at, &others)?);
     let motion = motion.motion().clone();
     Ok(Search::Found(Box::new(Grazing { parameter, at, scale, others, motion, map, half })))
 }

@@ -23,6 +23,5 @@ mod smooth;
 
 pub use free::{FreeMotion, LeastGap};
 pub use half::HalfPeriod;
-pub use local_map::LocalMap;
 pub(crate) use locate::own_reach;
 pub use locate::{Grazing, Search, locate};

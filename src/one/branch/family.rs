@@ -11,7 +11,7 @@ use crate::{
     error::{Error, Result},
     motion::Side,
     one::{
-        grazing::{LocalMap, is_mirrored},
+        grazing::{is_mirrored, local_map_of},
         orbit::{
             Family, Itinerary, Orbit, Oscillator, Strike, Unknowns, check, describe, linearise, monodromy,
             return_map,
@@ -333,8 +333,8 @@ impl PatternPlane for Plane<'_> {
             Bifurcation::Grazing => {
                 // Along the curve e dp + e′ dp′ = 0, with e′ that of the second parameter.
                 set(Degeneracy::NoDrift, tangent.last().copied());
-                let gamma = oscillator().and_then(|oscillator| LocalMap::of(&oscillator, orbit).ok());
-                set(Degeneracy::NoGamma, gamma.map(|map| map.gamma()));
+                let gamma = oscillator().and_then(|oscillator| local_map_of(&oscillator, orbit).ok());
+                set(Degeneracy::NoGamma, gamma.and_then(|map| map.gamma()));
                 // u_n without the factors that it shares with u_d, d a divisor of n.
                 let square = trace * trace;
                 set(Degeneracy::Resonant2, Some(trace));

@@ -9,13 +9,13 @@
 
 use std::f64::consts::PI;
 
-use super::{Grazing, LocalMap};
+use super::{Grazing, local_map::in_plane};
 use crate::{
-    continuation::Multipliers,
+    continuation::{LocalMap, Multipliers},
     error::Result,
-    motion::{Flow, Side, System, Wall, algebra::apply},
-    one::orbit::{Itinerary, Oscillator, Strike},
-    pattern::{HalfImpact, Report, halves},
+    motion::{Flow, Side, System, Wall},
+    one::orbit::{Itinerary, Oscillator},
+    pattern::Report,
 };
 
 /// Whether S takes the system to itself: the force does, as far as its form tells, and the walls mirror each
@@ -58,7 +58,9 @@ impl Grazing {
         }
         let a = matrix.map(|row| row.map(|x| -x));
         let flow = oscillator.flow().determinant(start, half);
-        Some(LocalMap { a, multipliers: Multipliers::with(&a, flow, oscillator, &[]), ..self.map })
+        let multipliers = Multipliers::with(&a, flow, oscillator, &[]);
+        let LocalMap { b, c, e, rate_drift, acceleration, .. } = &self.map;
+        Some(in_plane(&a, multipliers, [b[1], c[0]], [*e, *rate_drift, *acceleration]))
     }
 
     /// The start for Newton's method on the true system for a pattern of the half-period map: as
@@ -74,20 +76,9 @@ impl Grazing {
         report: &Report,
         parameter: f64,
     ) -> Result<(Itinerary, Vec<f64>)> {
-        let (impacts, away) = (report.impacts(pattern)?, parameter - self.parameter);
-        let eta = map.e() * away;
         let other = if self.side() == Side::Lower { Side::Upper } else { Side::Lower };
-        let (mut strikes, mut z) = (Vec::new(), Vec::new());
-        for HalfImpact { impact, late, periods } in halves(pattern, self.itinerary.periods().into()) {
-            let before = &impacts[impact];
-            let start = [before.x[0], before.x[1]];
-            let arriving = (0..before.periods).fold(start, |x, _| apply(&map.a, x));
-            let speed = map.speed_scale() * eta * before.y;
-            let slope = eta * arriving[1] + map.drift[1] * away;
-            strikes.push(Strike { place: if late { other } else { self.side() }, periods });
-            let phase = self.z[0] + if late { PI } else { 0.0 };
-            z.extend([phase - (slope + speed) / map.acceleration, speed]);
-        }
-        Ok((Itinerary::new(strikes)?, z))
+        let (grazing, width) = (self.z[0], self.itinerary.periods().into());
+        let away = parameter - self.parameter;
+        map.half_start((grazing, width), [self.side(), other], (pattern, report), away)
     }
 }

@@ -3,9 +3,9 @@
 
 use std::f64::consts::TAU;
 
-use super::LocalMap;
+use super::local_map::local_map;
 use crate::{
-    continuation::{Linearised, newton},
+    continuation::{Linearised, LocalMap, newton},
     error::{Error, Result},
     motion::Side,
     one::orbit::{Family, Itinerary, Minimum, Orbit, Oscillator, Strike, Unknowns, check, linearise},
@@ -83,7 +83,7 @@ pub fn locate(family: &dyn Family, orbit: &Orbit, parameter: f64) -> Result<Graz
     let mut z = natural(&root.z);
     let parameter = std::mem::replace(&mut z[1], 0.0);
     let oscillator = family.at(parameter)?;
-    let map = LocalMap::new(&oscillator, &itinerary, &z)?;
+    let map = local_map(&oscillator, &itinerary, &z)?;
     let least = check(&oscillator, &itinerary, &z).least;
     let clear = least.is_none_or(|least| least.gap > 0.0);
     let second = least.filter(|least| least.gap.abs() <= TWICE * oscillator.unit(&itinerary));
@@ -91,16 +91,14 @@ pub fn locate(family: &dyn Family, orbit: &Orbit, parameter: f64) -> Result<Graz
     Ok(Grazing { parameter, itinerary, z, residual: root.residual * unit, admissible, second, map })
 }
 
-impl LocalMap {
-    /// The map at an orbit whose least minimum of a gap is zero.
-    ///
-    /// # Errors
-    /// An input error if it has none, or det(I − A) = 0.
-    pub(crate) fn of(oscillator: &Oscillator, orbit: &Orbit) -> Result<LocalMap> {
-        let least = orbit.least.ok_or_else(|| Error::input("the orbit has no minimum of a gap"))?;
-        let (itinerary, z) = with_graze(orbit, least)?;
-        LocalMap::new(oscillator, &itinerary, &z)
-    }
+/// The map at an orbit whose least minimum of a gap is zero.
+///
+/// # Errors
+/// An input error if it has none, or det(I − A) = 0.
+pub(crate) fn local_map_of(oscillator: &Oscillator, orbit: &Orbit) -> Result<LocalMap> {
+    let least = orbit.least.ok_or_else(|| Error::input("the orbit has no minimum of a gap"))?;
+    let (itinerary, z) = with_graze(orbit, least)?;
+    local_map(oscillator, &itinerary, &z)
 }
 
 /// The orbit's impacts with a first one of speed 0 at a minimum of a gap.

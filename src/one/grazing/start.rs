@@ -27,20 +27,17 @@ impl Grazing {
         let impacts = report.impacts(periods)?;
         let oscillator = family.at(self.parameter)?;
         let away = parameter - self.parameter;
-        let (map, eta) = (&self.map, self.map.e() * away);
+        let (map, eta) = (&self.map, self.map.e * away);
         let (strikes, m) = (self.itinerary.strikes(), periods.len());
         let graze = oscillator.touch(strikes[0].place, self.z[0])?;
         let sign = graze.wall.side.sign();
+        let drift = [map.e, map.rate_drift].map(|drift| sign * drift * away);
         let (mut all, mut z) = (Vec::<Strike>::new(), Vec::new());
         for (i, &n) in periods.iter().enumerate() {
-            let (before, after) = (&impacts[i], &impacts[(i + 1) % m].x);
-            let start = [before.x[0], before.x[1]];
-            let arriving = (0..before.periods).fold(start, |x, _| apply(&map.a, x));
-            let speed = map.speed_scale() * eta * before.y;
-            let slope = eta * arriving[1] + map.drift[1] * away;
+            let (early, speed) = map.impact(&impacts[i], away);
             all.push(strikes[0]);
-            z.extend([self.z[0] - (slope + speed) / map.acceleration, speed]);
-            let mut x = [after[0], after[1]];
+            z.extend([self.z[0] - early, speed]);
+            let mut x = impacts[(i + 1) % m].x.clone();
             for round in 0..n {
                 if round > 0
                     && let Some(last) = all.last_mut()
@@ -48,8 +45,7 @@ impl Grazing {
                     last.periods += strikes[0].periods;
                 }
                 // The displacement at the phase of grazing in (q, u), then through the orbit's own impacts.
-                let mut shift =
-                    [0, 1].map(|j| sign * (eta * x[j] + map.drift[j] * away) + graze.slope[j] * away);
+                let mut shift = [0, 1].map(|j| eta * x[j] + drift[j] + graze.slope[j] * away);
                 for passage in Unknowns::new(&self.itinerary, &self.z)?.passages(&oscillator) {
                     let passage = passage?;
                     if passage.next == 0 {
@@ -70,7 +66,7 @@ impl Grazing {
                     let left = apply(&jump, shift);
                     shift = [0, 1].map(|k| left[k] + slope[k] * away);
                 }
-                x = apply(&map.a, x);
+                x = map.round(&x);
             }
         }
         Ok((Itinerary::new(all)?, z))

@@ -26,7 +26,7 @@ use crate::{
         observe::Attraction, touch::Seen,
     },
     continuation::{
-        Bifurcation, FollowedOrbit, Label, Located, NoForm, NormalForm, OrbitBranch, PatternFamily,
+        Bifurcation, FollowedOrbit, Label, LocalMap, Located, NoForm, NormalForm, OrbitBranch, PatternFamily,
         PatternOf, SearchReach,
     },
     error::Result,
@@ -333,11 +333,8 @@ pub(crate) trait GrazingPoint {
     /// Where it is and its local map; `open` says why the local theory does not apply, if it does not.
     fn report(&self) -> GrazingMap;
 
-    /// a₁, a₂, γ and e of a local map of two dimensions.
-    fn plane(&self) -> Option<[f64; 4]>;
-
-    /// The map of the local theory.
-    fn map(&self) -> Result<Map>;
+    /// The map that the local theory is asked about.
+    fn local(&self) -> &LocalMap;
 
     /// What the theory says of each pattern up to the task's period.
     fn theory<'m>(&self, map: &'m Map) -> Result<Theory<'m>>;

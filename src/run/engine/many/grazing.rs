@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::{
     super::{
-        super::{Analysed, Complex, GrazingMap, Job, Judgement, range::SideRange},
+        super::{Analysed, GrazingMap, Job, Judgement, MapNumbers, range::SideRange},
         GrazingPoint, Theory,
     },
     analysed,
@@ -14,10 +14,10 @@ use crate::{
         diagram::Look,
         touch::{self, Seen, Touch},
     },
+    continuation::LocalMap,
     error::Result,
-    local::Region,
     many::{
-        Family, Machine, RealMatrix, State, StopLaw,
+        Family, Machine, State, StopLaw,
         grazing::{FreeMotion, Grazing},
         orbit::{Itinerary, find_from},
         section::{PlanarMachine, PlaneAxis, Start},
@@ -47,35 +47,15 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
     type Start = Start;
 
     fn report(&self) -> GrazingMap {
-        let (event, map, machine) = (&self.event, self.event.local(), &self.machine);
-        let (rate, n, one) = (machine.rate(), machine.size, machine.size == 1);
-        // From velocities per radian to velocities per unit of time.
-        let unit = |i: usize| if i < n { 1.0 } else { rate };
-        let scaled = RealMatrix::from_fn(2 * n, 2 * n, |i, j| map.a[(i, j)] * unit(i) / unit(j));
+        let (event, machine) = (&self.event, &self.machine);
         let phase = event.at.phase / TAU;
-        let gamma = map.gamma().map(|gamma| gamma / rate);
-        let place =
-            gamma.filter(|_| one).map(|gamma| GrazingMap::in_picture(map.a.trace(), map.determinant, gamma));
-        let [ratio, remains] = place.unwrap_or_default();
-        let region = || Region::at(map.a.trace(), map.determinant).map(|region| region.to_string());
         GrazingMap {
             varied: self.task.parameter.clone(),
             parameter: event.parameter,
             orbit: None,
             stop: machine.stops[event.at.stop].name.clone(),
             phase: if phase < 1.0 { phase } else { 0.0 },
-            acceleration: map.acceleration * rate * rate,
-            a: scaled.row_iter().map(|row| row.iter().copied().collect()).collect(),
-            b: (0..2 * n).map(|i| map.b[i] * unit(i)).collect(),
-            c: map.c.iter().copied().collect(),
-            e: map.e,
-            eigenvalues: map.eigenvalues.iter().map(|&x| Complex::from(x)).collect(),
-            a1: one.then(|| map.a.trace()),
-            a2: one.then_some(map.determinant),
-            gamma,
-            region: one.then(region).flatten(),
-            ratio,
-            remains,
+            map: MapNumbers::of(self.local(), machine.rate()),
             admissible: Judgement::Yes,
             residual: event.at.gap.abs(),
             half: event.half.is_some(),
@@ -83,13 +63,8 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
         }
     }
 
-    fn plane(&self) -> Option<[f64; 4]> {
-        let map = self.event.local();
-        map.gamma().map(|gamma| [map.a.trace(), map.determinant, gamma, map.e])
-    }
-
-    fn map(&self) -> Result<Map> {
-        self.event.local().to_map()
+    fn local(&self) -> &LocalMap {
+        self.event.local()
     }
 
     fn theory<'m>(&self, map: &'m Map) -> Result<Theory<'m>> {

@@ -2,7 +2,7 @@
 
 use super::{
     super::{
-        super::{Analysed, Complex, GrazingMap, Job, Judgement, range::SideRange},
+        super::{Analysed, GrazingMap, Job, Judgement, MapNumbers, range::SideRange},
         GrazingPoint, Theory,
     },
     analysed,
@@ -14,10 +14,11 @@ use crate::{
         diagram::Look,
         touch::{self, Seen, Touch},
     },
+    continuation::LocalMap,
     error::Result,
     motion::State,
     one::{
-        grazing::{Grazing, LocalMap},
+        grazing::Grazing,
         orbit::{Family, find},
     },
     pattern::{Graph, Map, Report as Verdict},
@@ -43,39 +44,20 @@ impl OscillatorGrazing<'_> {
     pub fn unit(&self) -> Result<f64> {
         Ok(self.family.at(self.event.parameter)?.unit(&self.event.itinerary))
     }
-
-    fn local(&self) -> &LocalMap {
-        self.half.as_ref().unwrap_or(&self.event.map)
-    }
 }
 
 impl GrazingPoint for OscillatorGrazing<'_> {
     type Start = State;
 
     fn report(&self) -> GrazingMap {
-        let (event, half, map) = (&self.event, &self.half, self.local());
-        // In the scene's coordinates: the map's own are those of the gap.
-        let sign = event.side().sign();
-        let [ratio, remains] =
-            GrazingMap::in_picture(map.multipliers.trace, map.multipliers.determinant, map.gamma());
+        let (event, half) = (&self.event, &self.half);
         GrazingMap {
             varied: self.task.parameter.clone(),
             parameter: event.parameter,
             orbit: Some(self.orbit.clone()),
             stop: self.job.stop(event.side()),
             phase: turn(event.phase()),
-            acceleration: map.acceleration,
-            a: map.a.map(|row| row.to_vec()).to_vec(),
-            b: vec![0.0, sign * map.kick()],
-            c: vec![sign, 0.0],
-            e: map.e(),
-            eigenvalues: map.multipliers.values().map(Complex::from).to_vec(),
-            a1: Some(map.multipliers.trace),
-            a2: Some(map.multipliers.determinant),
-            gamma: Some(map.gamma()),
-            region: map.region().map(|region| region.to_string()),
-            ratio,
-            remains,
+            map: MapNumbers::of(self.local(), 1.0),
             admissible: match (event.second, event.admissible) {
                 (Some(_), _) if half.is_none() => Judgement::Marginal,
                 (Some(_), _) | (None, true) => Judgement::Yes,
@@ -92,13 +74,8 @@ impl GrazingPoint for OscillatorGrazing<'_> {
         }
     }
 
-    fn plane(&self) -> Option<[f64; 4]> {
-        let map = self.local();
-        Some([map.multipliers.trace, map.multipliers.determinant, map.gamma(), map.e()])
-    }
-
-    fn map(&self) -> Result<Map> {
-        self.local().to_map()
+    fn local(&self) -> &LocalMap {
+        self.half.as_ref().unwrap_or(&self.event.map)
     }
 
     fn theory<'m>(&self, map: &'m Map) -> Result<Theory<'m>> {
@@ -119,7 +96,7 @@ impl GrazingPoint for OscillatorGrazing<'_> {
         let (parameter, width) = (self.event.parameter, self.size()?);
         let simulator = |value| job.simulator_of(&job.scene.plain(&[(name, value)])?);
         let look = Look { phase: self.far.t, ..look.clone() };
-        let (re, im) = self.event.map.multipliers.values()[0];
+        let (re, im) = self.event.map.eigenvalues[0];
         let (periods, slowest) = (self.event.itinerary.periods(), re.hypot(im));
         let touch = Touch { parameter, e, start: self.far, periods, slowest, width };
         touch::seen(&touch, &look, simulator, job.monitor)

@@ -61,7 +61,7 @@ pub(super) fn ranges(
         return Ok(Err("ranges are proved beside one stop; there are two".into()));
     }
     let exact = |x: f64| BigRational::from_float(x).ok_or_else(|| Error::input("not a number"));
-    let unit = STEP * point.unit()? / point.event.map.e().abs();
+    let unit = STEP * point.unit()? / point.event.map.e.abs();
     let start = [exact(point.event.parameter)?, exact(unit)?];
     let [at, unit] = &start;
     let touching =

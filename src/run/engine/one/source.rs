@@ -108,7 +108,7 @@ impl<'a> OrbitSource for OscillatorSource<'a> {
             phase: turn(event.phase()),
             acceleration: map.acceleration,
             region: map.region().map(|region| region.to_string()),
-            map: Some([map.gamma(), map.e()]),
+            map: map.gamma().map(|gamma| [gamma, map.e]),
             sound: event.admissible,
             residual: event.residual,
         }))
