@@ -152,11 +152,13 @@ impl<O: FollowedOrbit> OrbitBranch<O> {
                 step.place = step.place.reversed();
                 point(step, -1.0)
             }));
+            // The start is the first point of the way forward, too.
             if direction == Direction::Both {
                 branch.points.pop();
             }
             branch.ends[0] = end;
         }
+        // A closed curve has come back to the start from behind: it is all there.
         if direction != Direction::Backward && branch.ends[0] != CurveEnd::Closed {
             let (steps, end) = follow(curve, start.clone(), options)?;
             branch.points.extend(steps.into_iter().map(|step| point(step, 1.0)));

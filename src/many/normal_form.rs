@@ -70,6 +70,7 @@ pub(crate) fn normal_form(
         Bifurcation::SaddleNode | Bifurcation::Crossing => Some(1.0),
         _ => None,
     };
+    // Rounding moves a double multiplier by its square root, so near ones cannot be told from it.
     let near = |to: f64| orbit.multipliers.iter().filter(|(re, im)| (re - to).hypot(*im) <= BESIDE).count();
     if to.is_some_and(|to| near(to) > 1) {
         return Err(DOUBLE);
@@ -81,6 +82,7 @@ pub(crate) fn normal_form(
     Ok(match bifurcation {
         Bifurcation::SaddleNode => {
             let change = Change::new(machine, slope, &solved.flow, &solved.contacts).map_err(unknown)?;
+            // The side on which the two orbits are is the sign of this product, which needs no sense of p.
             let turn = estimate(&|local| {
                 let (a, p) = local.fold()?;
                 Some(a * p.dot(&local.equations.drift(&local.z, &change).ok()?))

@@ -174,6 +174,7 @@ fn of_ratios(
     for i in 0..n {
         for j in 0..n {
             let change = seen[(i, j)];
+            // Where two eigenvalues are one the quotient is f's derivative, if f is one function of both.
             let quotient = if i != j && (values[i] - values[j]).abs() > SAME * most {
                 (f(i) - f(j)) / (values[i] - values[j])
             } else if change.abs() <= floor {

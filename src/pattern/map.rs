@@ -130,6 +130,7 @@ impl Map {
                 return Err((Key(key), format!("{} {fault} zero; {key} ≠ 0 is needed (5)", list(vector))));
             }
         }
+        // An enclosure cannot show that C B is 0, only that it is not: then it is taken for 0, and said.
         let product = product(&c, &b);
         if product.exact().is_none() {
             if product.sign().is_some() {
@@ -142,6 +143,7 @@ impl Map {
         } else if !product.lo.is_zero() {
             return Err((Key("B"), format!("C B = {product}; C B = 0 is needed (5)")));
         }
+        // Coordinates in which C B = 0 is exact are made by dividing by these two.
         pivots(&b, &c).ok_or((
             Key("B"),
             "C B = 0 needs entries C_i and B_j, i ≠ j, and the intervals do not show a pair that is certainly not 0".into(),

@@ -50,9 +50,7 @@ fn the_paper_s_grazing_has_the_map_of_its_formulas() {
         let root = (1.0 - d * d).abs().sqrt() * TAU / w;
         let decay = (-TAU * d / w).exp();
         let a1 = 2.0 * decay * if d < 1.0 { root.cos() } else { root.cosh() };
-        assert!(
-            (map.trace() - a1).abs() < 1e-12 && (map.determinant - decay * decay).abs() < 1e-14
-        );
+        assert!((map.trace() - a1).abs() < 1e-12 && (map.determinant - decay * decay).abs() < 1e-14);
         let gamma = if d < 1.0 { root.sin() } else { 1.0 };
         assert!(map.gamma().unwrap() * gamma > 0.0, "d = {d}, w = {w}");
         assert_eq!(map.region(), Some(if d < 1.0 { Region::Three } else { Region::Two }));

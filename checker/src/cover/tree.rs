@@ -23,6 +23,7 @@ pub(super) fn walk(
         Err(Fault::Malformed(format!("column {}: {reason}", text.len() - rest.len() + 1)))
     };
     for &row in rows {
+        // A stack, not recursion: its depth is bounded by the halvings of the sides, whatever the text says.
         let mut pending = vec![Cell { r: row, s: strip }];
         while let Some(cell) = pending.pop() {
             let (r, s) = (cell.r, cell.s);

@@ -58,6 +58,7 @@ pub(super) fn find(
     let still = State { t: 0.0, q: RealVector::zeros(n), u: RealVector::zeros(n) };
     let linear = || simulator.flow().equations().response().ok().map(|motion| motion.state(0.0));
     let settled = || Some(smooth.after(Time::new(0, 0.0), &still, SETTLED * TAU));
+    // The cheapest first: each is tried only where those before it led nowhere.
     let starts: [&dyn Fn() -> Option<State>; 4] =
         [&|| near.cloned(), &linear, &|| Some(still.clone()), &settled];
     let found = starts.iter().find_map(|start| newton(&stage, start()?));
@@ -83,6 +84,7 @@ pub(super) fn find(
             samples.push(now[..n].to_vec());
             now = smooth.flow.carried(&program, now, i as f64 * step, step);
         }
+        // Harmonics that have not died out where the samples end would be told wrongly: twice as many then.
         let [motion, drift] = [0, 1].map(|part| harmonics(&samples, |x| x.part(part)));
         if let (Some(motion), Some(drift)) = (motion, drift) {
             return Ok(Found { motion, drift, stage });

@@ -68,6 +68,7 @@ impl SmoothStage {
                     .collect(),
             }),
         };
+        // The outputs after the n accelerations are the forces, in the order of what is watched.
         let mut next = n;
         let sights = watches.iter().map(|(what, watch)| match what {
             What::Force(_) => {

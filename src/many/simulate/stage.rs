@@ -207,6 +207,8 @@ impl Stage {
         }
         let (mut reduced, mut positions) = (None, Vec::new());
         let mut smooth = None;
+        // Where forces are formulas the linear flow carries no motion: it tells the scales and the modes of
+        // one.
         let linearised = formulas.map(|formulas| formulas.linearised(equations));
         let flow = if resting.is_empty() {
             if let Some(formulas) = formulas {
@@ -247,6 +249,7 @@ impl Stage {
         if stage.smooth.is_some() {
             return Ok(stage);
         }
+        // What is watched is written on the flow's coordinates, so the stage must be there first.
         let watches = watches.iter().map(|(_, watch)| stage.reduce(watch)).collect::<Vec<_>>();
         stage.fill(&watches)?;
         stage.watches = watches;

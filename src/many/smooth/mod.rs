@@ -360,6 +360,7 @@ impl Smooth {
             }
             all.push(outline);
         }
+        // A stop's force balances what the row of its constraint feels of all others.
         for (felt, force) in held.felt.iter().zip(&held.forces) {
             let mut outline = Outline::zero();
             for j in 0..n {

@@ -271,6 +271,7 @@ impl<P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool> Engine
             self.rest = None;
             return Event::Release(Release { time, place: self.walls.side(wall) });
         }
+        // Nothing can be met from here on, so there is nothing to look at on the way.
         if let Some(origin) = &self.origin {
             self.pieces.jump(origin, &mut self.cursor, until, &mut self.counter);
             let over = self.pieces.over(&self.cursor);

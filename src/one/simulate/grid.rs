@@ -128,6 +128,7 @@ impl<const DRIVEN: bool> Grid<DRIVEN> {
         };
         let basis = [expand(&free, 0.0, [1.0, 0.0]), expand(&free, 0.0, [0.0, 1.0])];
         let rest = flow.advance(State { t: 0.0, q: 0.0, u: 0.0 }, 2.0 * half);
+        // Without a drive all cells are alike.
         let rows = if DRIVEN { cells } else { 1 };
         let table = |contact: &Option<Contact>| {
             contact.as_ref().map_or(Vec::new(), |contact| (0..rows).map(|cell| row(contact, cell)).collect())

@@ -230,6 +230,7 @@ impl<'a> Attempt<'a> {
                                 [&from[0], &to[0]],
                                 [&from[1], &to[1]],
                             );
+                            // Beyond 10⁴ no box of a proof is of use: E₁₂ is near 0 somewhere in the cell.
                             if !(leg.after.is_finite() && leg.before.is_finite())
                                 || leg.after.magnitude().max(leg.before.magnitude()) > 1e4
                             {
@@ -250,6 +251,8 @@ impl<'a> Attempt<'a> {
                         if apart {
                             continue;
                         }
+                        // Cells come in turn, with the same triples in the same order: the place says which
+                        // triple it is.
                         match slopes.get_mut(at) {
                             None => slopes.push(Slopes { triple: [m, n, k], all }),
                             Some(known) => (0..4).for_each(|i| known.all[i] = known.all[i].max(all[i])),

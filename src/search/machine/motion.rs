@@ -67,6 +67,8 @@ impl Motion<Ball> {
         multiples.extend(machine.stops.iter().flat_map(|stop| &stop.harmonics).map(|h| h.k));
         multiples.sort_unstable();
         multiples.dedup();
+        // The state is (q, q′, 1, cos k t, sin k t, …): with these beside it the motion is that of one
+        // constant matrix.
         let place = |k: u64| 2 * n + 1 + 2 * multiples.iter().position(|&known| known == k).unwrap_or(0);
         let d = 2 * n + 1 + 2 * multiples.len();
         let two = ball(&BigRational::from_integer(2.into()));

@@ -84,6 +84,8 @@ pub fn event(
         let touch = match (condition, &time) {
             (Condition::Grazing { after, side, .. }, Some(time)) => {
                 let phase = Jet::constant(time.clone());
+                // Without impacts the period has no place where it begins: half of it before the touch, half
+                // after.
                 Some(match m {
                     0 => Touch { flight: 0, side, time: Ball::pi(precision), phase },
                     _ => Touch {

@@ -291,6 +291,7 @@ impl<'a> Run<'a> {
             if (self.period, self.cell) > (until.period, last) {
                 return Ok(true);
             }
+            // Stretches of many cells begin where a cell does.
             if self.from == -1.0 && self.level < finest && self.skip(&stage, (until.period, last)) {
                 if self.ended.is_some() {
                     return Ok(true);
@@ -311,6 +312,8 @@ impl<'a> Run<'a> {
                 self.from = end.max(self.from);
                 return Ok(true);
             } else {
+                // A cell without an event: what happened at one place is over, and larger stretches may be
+                // clear again.
                 self.changes = 0;
                 self.level = finest.saturating_sub(1);
                 self.turn(&stage, finest, 1);

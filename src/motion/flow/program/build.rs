@@ -126,6 +126,7 @@ impl<S: Scalar> Program<S> {
         for output in &mut outputs {
             output.take_out(&self.ops, inputs);
         }
+        // Every row costs in every term of every series: what no output needs any more goes.
         let mut live = vec![false; self.ops.len()];
         let mut open: Vec<usize> =
             outputs.iter().flat_map(|output| output.sum.terms.iter().map(|term| term.1)).collect();

@@ -21,6 +21,8 @@ const ROOT_STEPS: usize = 200;
 #[inline(always)]
 pub(super) fn search<S: Simd>(s: S, group: &mut Group, span: Span, wall: usize) {
     let whole = span.whole && !(wall != LOWER && group.kind.walls == [true; 2]);
+    // The lists are taken out, for each stage reads its own while it writes the next one's; they keep their
+    // room.
     let mut work = std::mem::take(&mut group.work.looks[wall]);
     let looks = &mut work;
     if looks.len > 0 {

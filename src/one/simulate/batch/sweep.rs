@@ -82,6 +82,7 @@ impl Group<'_> {
                 if steps {
                     (q, u) = (q + load(s, &freely.step[0]), u + load(s, &freely.step[1]));
                 }
+                // Subnormal numbers are slow: a motion that has died out is set to rest.
                 if span.cell == 0 {
                     let nothing = (q.abs() + u.abs()).simd_lt(splat(s, NOTHING));
                     (q, u) = (nothing.select(splat(s, 0.0), q), nothing.select(splat(s, 0.0), u));
@@ -89,6 +90,7 @@ impl Group<'_> {
                 q.store_array(a);
                 u.store_array(b);
             }
+            // No gap of a motion that left every bound is looked at: its test would be of infinities.
             let there: Mask<S> = Mask::from_bitmask(s, (*aloft).into());
             let bounded = (q.abs() + u.abs()).simd_le(most);
             lost |= (there & !bounded).to_bitmask();
