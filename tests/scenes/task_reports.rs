@@ -329,14 +329,16 @@ fn pictures_of_long_series_are_thinned() {
     let size = |name: &str| fs::metadata(folder.path().join(name)).unwrap().len();
     assert!(size("m.csv") > 8_000_000, "{}", size("m.csv"));
     assert!(size("m.svg") < 2_500_000, "{}", size("m.svg"));
-    // Short ones lose no point: each of the line's corners is in the picture.
+    // Of short ones only points go where the line is straight.
     let (_, _, _, short) = json(&format!("{swing}2\n"), &[]);
     let svg = fs::read_to_string(short.path().join("m.svg")).unwrap();
     let lines = svg.match_indices("<path d=\"").map(|(at, _)| svg[at..].split('"').nth(1).unwrap());
-    let corners = lines.map(|line| line.matches(['M', 'L']).count()).max().unwrap();
+    let numbers = |line: &str| line.split(['M', 'l', ' ', '-', 'Z']).filter(|part| !part.is_empty()).count();
+    let corners = lines.map(|line| numbers(line) / 2).max().unwrap();
     let events = fs::read_to_string(short.path().join("m-events.csv")).unwrap();
     let impacts = events.lines().filter(|line| line.starts_with("impact")).count();
-    assert_eq!(corners, 2 * 16 + 1 + impacts);
+    let all = 2 * 16 + 1 + impacts;
+    assert!(2 * corners > all && corners <= all, "{corners} of {all}");
 }
 
 /// Names of tasks are names of files: two that may write the same are an error at the second, before either

@@ -5,11 +5,14 @@
 
 #[cfg(any(test, feature = "print"))]
 mod face;
+#[cfg(test)]
+mod overlap;
 #[cfg(feature = "print")]
 mod pdf;
 #[cfg(feature = "print")]
 mod png;
 mod svg;
+mod thin;
 mod words;
 
 pub use words::Words;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Anchor, At, Canvas, Colour, Paint, Shape, Stroke, Words, words::Level};
+use super::{Anchor, At, Canvas, Colour, Paint, Shape, Stroke, Words, thin::thinned, words::Level};
 use crate::printable::is_printable;
 
 /// Pixels per point where a page does not set the width.
@@ -108,13 +108,35 @@ fn text_begun(all: &mut String, (x, y): At, size: f64, anchor: Anchor, turned: b
     all.push('>');
 }
 
+/// A line, or a polygon: after the first corner by steps. Corners that nobody sees are left out.
 fn outline(all: &mut String, part: &[At], closed: bool) {
-    for (index, &at) in part.iter().enumerate() {
-        let _ = write!(all, "{}{}", if index == 0 { 'M' } else { 'L' }, Pair(at));
+    let corners = thinned(part);
+    let Some(&first) = corners.first() else { return };
+    let _ = write!(all, "M{}", Pair(first));
+    let mut here = hundredths(first);
+    for (index, &at) in corners[1..].iter().enumerate() {
+        // Between rounded places, so that nothing adds up.
+        let there = hundredths(at);
+        for (i, step) in [there.0 - here.0, there.1 - here.1].into_iter().enumerate() {
+            // One letter for all steps, and a minus parts numbers.
+            match (index, i) {
+                (0, 0) => all.push('l'),
+                _ if step >= 0 => all.push(' '),
+                _ => {}
+            }
+            let _ = write!(all, "{}", Hundredths(step));
+        }
+        here = there;
     }
     if closed {
         all.push('Z');
     }
+}
+
+fn hundredths((x, y): At) -> (i64, i64) {
+    // What cannot be placed is put outside rather than written as something that is not SVG.
+    let one = |x: f64| if x.is_finite() { (x.clamp(-1e5, 1e5) * 100.0).round() as i64 } else { -10_000_000 };
+    (one(x), one(y))
 }
 
 fn painted(all: &mut String, paint: &Paint) {
@@ -175,17 +197,26 @@ struct Short(f64);
 
 impl std::fmt::Display for Short {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        // What cannot be placed is put outside rather than written as something that is not SVG.
-        let x = if self.0.is_finite() { self.0.clamp(-1e5, 1e5) } else { -1e5 };
-        let hundredths = (x * 100.0).round() as i64;
-        if hundredths < 0 {
+        write!(f, "{}", Hundredths(hundredths((self.0, 0.0)).0))
+    }
+}
+
+struct Hundredths(i64);
+
+impl std::fmt::Display for Hundredths {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        if self.0 < 0 {
             f.write_str("-")?;
         }
-        let (whole, part) = (hundredths.abs() / 100, hundredths.abs() % 100);
+        let (whole, part) = (self.0.abs() / 100, self.0.abs() % 100);
         match part {
-            0 => write!(f, "{whole}"),
-            part if part % 10 == 0 => write!(f, "{whole}.{}", part / 10),
-            part => write!(f, "{whole}.{part:02}"),
+            0 => return write!(f, "{whole}"),
+            _ if whole > 0 => write!(f, "{whole}")?,
+            _ => {}
+        }
+        match part {
+            part if part % 10 == 0 => write!(f, ".{}", part / 10),
+            part => write!(f, ".{part:02}"),
         }
     }
 }
@@ -225,6 +256,13 @@ mod tests {
         ] {
             assert_eq!(Short(x).to_string(), text);
         }
+    }
+
+    #[test]
+    fn steps_lead_from_one_rounded_corner_to_the_next() {
+        let mut canvas = Canvas::new(10.0, 10.0, "", "");
+        canvas.polygon(vec![(1.0, 2.0), (1.004, 2.504), (0.504, 2.496), (7.0, 0.0)], super::super::BLACK);
+        assert!(canvas.svg().contains("d=\"M1 2l0 .5-.5 0 6.5-2.5Z\""), "{}", canvas.svg());
     }
 
     #[test]
