@@ -7,13 +7,14 @@ Open Scope R_scope.
 
 (** ** Two solutions whose letters agree from -K to K *)
 
+Local Notation legs l := (fun i => Letter.periods (l i)).
 Section Two.
 Variables (M : Machine.t) (w kappa spread : R) (l l' : Z -> Letter.t) (s s' : Z -> R) (K : Z).
 Hypothesis HC : chain M w kappa spread l.
 Hypothesis Hs : inside (lo M l) (hi M l) s.
 Hypothesis Hs' : inside (lo M l') (hi M l') s'.
-Hypothesis HF : forall i, sums M w l s i = s i.
-Hypothesis HF' : forall i, sums M w l' s' i = s' i.
+Hypothesis HF : forall i, sums M w (legs l) s i = s i.
+Hypothesis HF' : forall i, sums M w (legs l') s' i = s' i.
 Hypothesis HE : forall i, (- K <= i < K)%Z -> l' i = l i.
 
 Definition agree (m : nat) : Prop := forall i, (- K + Z.of_nat m < i < K - Z.of_nat m)%Z ->
@@ -28,8 +29,8 @@ Lemma kappa_pow m : 0 <= spread * kappa ^ m.
 Proof. apply Rmult_le_pos; [apply HC | apply pow_le, HC]. Qed.
 
 Lemma leg_agrees m i : agree m -> (- K + Z.of_nat m < i)%Z -> (i + 1 < K - Z.of_nat m)%Z ->
-  Rabs (afters M w l s i - afters M w l' s' i) <= kappa * alpha (l i) * (spread * kappa ^ m) /\
-  Rabs (befores M w l s i - befores M w l' s' i) <= kappa * beta (l i) * (spread * kappa ^ m).
+  Rabs (afters M w (legs l) s i - afters M w (legs l') s' i) <= kappa * alpha (l i) * (spread * kappa ^ m) /\
+  Rabs (befores M w (legs l) s i - befores M w (legs l') s' i) <= kappa * beta (l i) * (spread * kappa ^ m).
 Proof.
   intros H Hi Hi'; destruct (boxed i ltac:(lia)) as [B1 B2]; destruct (boxed (i + 1) ltac:(lia)) as [B3 B4].
   unfold afters, befores; rewrite (HE i) by lia.
@@ -111,10 +112,13 @@ Proof.
   pose proof (sums_inside M (6 / 5) (7 / 8) 2 l' HC' t' (scaled mu v') HB') as Hs'.
   pose proof (sums_fixed M (6 / 5) (7 / 8) 2 l N HC HT t _ _ HM HB) as HF.
   pose proof (sums_fixed M (6 / 5) (7 / 8) 2 l' N' HC' HT' t' _ _ HM' HB') as HF'.
-  pose proof (phases M (6 / 5) (7 / 8) 2 l N HC t _ _ HM) as P; pose proof (phases M (6 / 5) (7 / 8) 2 l' N'
-    HC' t' _ _ HM') as P'.
-  pose proof (motion_leg M (6 / 5) (7 / 8) 2 l N HC HT t _ _ HM HB 0%Z) as (_ & V & A & _).
-  pose proof (motion_leg M (6 / 5) (7 / 8) 2 l' N' HC' HT' t' _ _ HM' HB' 0%Z) as (_ & V' & A' & _).
+  pose proof (chain_good _ _ _ _ _ HC) as HG; pose proof (chain_tau _ _ _ _ _ HC) as Ht.
+  pose proof (fun i => proj1 (phases M (6 / 5) N HG Ht t _ _ HM i)) as P.
+  pose proof (fun i => proj1 (phases M (6 / 5) N' HG Ht t' _ _ HM' i)) as P'.
+  pose proof (motion_leg M (6 / 5) (legs l) N HG Ht HT t _ _ HM (sums_leg _ _ _ _ _ HC t _ HB) 0%Z) as (_ & V &
+    A & _).
+  pose proof (motion_leg M (6 / 5) (legs l') N' HG Ht HT' t' _ _ HM' (sums_leg _ _ _ _ _ HC' t' _ HB') 0%Z)
+    as (_ & V' & A' & _).
   rewrite <- !P in A; rewrite <- !P' in A'.
   set (s := sums_of M t (scaled mu v)) in *; set (s' := sums_of M t' (scaled mu v')) in *.
   assert (EL : forall i, (- (Z.of_nat K + 2) <= i < Z.of_nat K + 2)%Z -> l' i = l i).

@@ -3,6 +3,7 @@
 From Coq Require Import Reals QArith Qreals ZArith Lra Lia Bool List.
 From Grazing Require Import StatementOscillator PathsCheck PathsFlow PathsLegs PathsGaps StatementPaths
   Contraction.
+From Grazing Require Export Motions.
 Open Scope R_scope.
 
 Lemma sum_bounds tau a p a' p' b q : 0 < tau -> a <= b <= a' -> p <= q <= p' ->
@@ -46,17 +47,11 @@ Let HG := chain_good _ _ _ _ _ HC.
 Let Hnu := good_nu _ _ HG.
 Let Hf := good_f _ _ HG.
 Let Htau := chain_tau _ _ _ _ _ HC.
-Let n (i : Z) := Letter.periods (l i).
+Notation n := (fun i => Letter.periods (l i)).
 
 Definition lo (i : Z) : R := s_lo tau (l (i - 1)%Z) (l i).
 Definition hi (i : Z) : R := s_hi tau (l (i - 1)%Z) (l i).
 Definition wt (i : Z) : R := weight tau (l (i - 1)%Z) (l i).
-Definition afters (s : Z -> R) (i : Z) : R := after M (n i) (ph (s i)) (ph (s (i + 1)%Z)).
-Definition befores (s : Z -> R) (i : Z) : R := before M (n i) (ph (s i)) (ph (s (i + 1)%Z)).
-Definition sums (s : Z -> R) (i : Z) : R := sum_of tau (afters s i) (befores s (i - 1)%Z).
-
-Lemma previous i : (i + 1 - 1)%Z = i /\ (i - 1 + 1)%Z = i.
-Proof. lia. Qed.
 Lemma inv_pos : 0 < / (1 + tau).
 Proof. apply Rinv_0_lt_compat; lra. Qed.
 
@@ -82,8 +77,8 @@ Proof.
   intros H; apply (chain_legs _ _ _ _ _ HC); [exact (H i)|]; specialize (H (i + 1)%Z); unfold lo, hi in H.
   rewrite (proj1 (previous i)) in H; exact H.
 Qed.
-Lemma boxes s i : inside lo hi s -> within (Letter.after (l i)) (afters s i) /\
-  within (Letter.before (l i)) (befores s i).
+Lemma boxes s i : inside lo hi s -> within (Letter.after (l i)) (afters M w n s i) /\
+  within (Letter.before (l i)) (befores M w n s i).
 Proof. intros H; destruct (leg_at s i H) as (_ & _ & _ & A & B & _); split; assumption. Qed.
 Lemma landing s i : inside lo hi s -> lands M w (s i).
 Proof. intros H; apply (leg_at s i H). Qed.
@@ -116,10 +111,10 @@ Proof.
   rewrite Rabs_mult, (Rabs_pos_eq tau) by lra; apply Rmult_le_compat_l; lra.
 Qed.
 
-Lemma one_solution : exists s, inside lo hi s /\ (forall i, sums s i = s i) /\
-  forall s', inside lo hi s' -> (forall i, sums s' i = s' i) -> forall i, s' i = s i.
+Lemma one_solution : exists s, inside lo hi s /\ (forall i, sums M w n s i = s i) /\
+  forall s', inside lo hi s' -> (forall i, sums M w n s' i = s' i) -> forall i, s' i = s i.
 Proof.
-  apply (one_fixed_point lo hi wt sums kappa spread).
+  apply (one_fixed_point lo hi wt (sums M w n) kappa spread).
   - intros i; destruct (wt_pos i); lra.
   - intros i; apply wt_pos.
   - apply HC.
@@ -131,100 +126,30 @@ Proof.
         rewrite (proj2 (previous i)); auto.
 Qed.
 
-(** ** The motion of a solution *)
+Lemma solves s : inside lo hi s -> (forall i, sums M w n s i = s i) -> solution M w n s.
+Proof. intros Hs HF; constructor; [intros i; apply landing, Hs | intros i; apply (leg_at s i Hs) | exact HF]. Qed.
 
-Section Motion.
-Variable s : Z -> R.
-Hypothesis Hs : inside lo hi s.
-Hypothesis HF : forall i, sums s i = s i.
-Hypothesis HO : open_gaps M w l.
-
-Let x (i : Z) : R := place M (ph (s i)).
-Let a (i : Z) : R := afters s i.
-Let p (i : Z) : R := befores s i.
-Definition at_ (i : Z) : R := 2 * PI * IZR (N i) + ph (s i).
-Definition leg_q (i : Z) : R -> R := moved M (at_ i) (nu * x i) (nu * a i).
-Definition leg_v (i : Z) : R -> R := moving M (at_ i) (nu * x i) (nu * a i).
-
-Lemma at_next i : at_ (i + 1) - at_ i = time (n i) (ph (s i)) (ph (s (i + 1)%Z)).
-Proof. unfold at_, time; rewrite HN, plus_IZR; unfold n; ring. Qed.
-
-Lemma leg_end i : let T := time (n i) (ph (s i)) (ph (s (i + 1)%Z)) in
-  E11 M T * x i + E12 M T * a i = x (i + 1)%Z /\ E21 M T * x i + E22 M T * a i = p i.
+(** H3, and H4. *)
+Lemma moves s : open_gaps M w l -> inside lo hi s -> (forall i, sums M w n s i = s i) ->
+  motion M w N (at_ M w N s) (leg_q M w n N s) (leg_v M w n N s).
 Proof.
-  intros T; split; [|reflexivity]; apply leg_hits; destruct (leg_at s i Hs) as (_ & _ & P & _); exact P.
-Qed.
-Lemma leg_ends i : leg_q i (at_ (i + 1)) = nu * x (i + 1)%Z /\ leg_v i (at_ (i + 1)) = nu * p i.
-Proof.
-  unfold leg_q, leg_v; destruct (moved_scaled M nu (at_ i) (x i) (a i) (at_ (i + 1))) as [-> ->].
-  unfold moved, moving, Flow.moved, Flow.moving; rewrite at_next; split; f_equal; apply (leg_end i).
-Qed.
-Lemma leg_starts i : leg_q i (at_ i) = nu * x i /\ leg_v i (at_ i) = nu * a i.
-Proof. apply moved_start, Hf. Qed.
-
-Lemma wall_place z t : wall M (2 * PI * IZR z + t) = nu * place M t /\ g1 M (2 * PI * IZR z + t) = g1 M t.
-Proof.
-  destruct (g_turned M z t) as [E E']; unfold wall, place; rewrite E, E'; split; [field; lra | reflexivity].
-Qed.
-Lemma wall_at i : wall M (at_ i) = nu * x i /\ g1 M (at_ i) = nu * (s i / 2).
-Proof.
-  unfold at_; destruct (wall_place (N i) (ph (s i))) as [-> ->]; split; [reflexivity|].
-  rewrite (proj2 (landing s i Hs)); field.
+  intros HO Hs HF; apply is_motion; auto using solves; try apply HC.
+  - intros i; pose proof (chain_order _ _ _ _ _ HC i) as O; destruct (boxes s i Hs) as [[A _] _],
+      (boxes s (i - 1)%Z Hs) as [_ [_ B]]; pose proof (HF i) as E; unfold sums, sum_of in E.
+    set (a := afters M w n s i) in *; set (p := befores M w n s (i - 1)%Z) in *; clearbody a p.
+    assert (E' : s i / 2 * (1 + tau) = a + tau * p) by (rewrite <- E; field; lra); nra.
+  - intros i end_ H1 H2 H3; pose proof (Hs (i + 1)%Z) as I; unfold lo, hi in I; rewrite (proj1 (previous i)) in I.
+    apply (HO i (s i) (s (i + 1)%Z)); trivial; [exact (Hs i) | apply (boxes s i Hs)].
 Qed.
 
-(** H3, and what it says of the speeds. *)
-Lemma speeds i : p (i - 1)%Z < s i / 2 /\ s i / 2 <= a i /\ a i - s i / 2 = - tau * (p (i - 1)%Z - s i / 2).
+Lemma is_in_boxes s : inside lo hi s -> (forall i, sums M w n s i = s i) ->
+  in_boxes M l (at_ M w N s) (leg_v M w n N s).
 Proof.
-  pose proof (chain_order _ _ _ _ _ HC i) as O; destruct (boxes s i Hs) as [[A _] _],
-    (boxes s (i - 1)%Z Hs) as [_ [_ B]].
-  fold (a i) in A; fold (p (i - 1)%Z) in B; pose proof (HF i) as E; unfold sums, sum_of in E;
-    fold (a i) (p (i - 1)%Z) in E.
-  assert (E' : s i / 2 * (1 + tau) = a i + tau * p (i - 1)%Z) by (rewrite <- E; field; lra).
-  set (h := s i / 2) in *; clearbody h; split; [nra|]; split; nra.
+  intros Hs HF; pose proof (solves s Hs HF) as S; intros i j ->.
+  rewrite (proj2 (leg_starts M w n N HG s i)), (proj2 (leg_ends M w n N HN s S i)).
+  replace (nu * afters M w n s i / nu) with (afters M w n s i) by (field; lra).
+  replace (nu * befores M w n s i / nu) with (befores M w n s i) by (field; lra); apply boxes, Hs.
 Qed.
-
-Lemma is_motion : motion M w N at_ leg_q leg_v.
-Proof.
-  intros i j ->; destruct (leg_starts i) as [Q0 V0]; destruct (leg_ends i) as [Q1 V1].
-  destruct (wall_at i) as [W0 U0]; destruct (wall_at (i + 1)) as [W1 U1];
-    destruct (leg_starts (i + 1)) as [_ V2].
-  destruct (speeds (i + 1)) as (S1 & S2 & S3); rewrite (proj1 (previous i)) in S1, S3.
-  destruct (landing s i Hs) as [L _], (landing s (i + 1)%Z Hs) as [L' _]; apply Rabs_def2 in L as B, L' as B'.
-  pose proof PI_RGT_0; pose proof (chain_w _ _ _ _ _ HC).
-  split; [apply moved_free, Hf|]; split; [|split; [|split; [|split; [|split; [|split]]]]].
-  - unfold at_; replace (2 * PI * IZR (N i) + ph (s i) - 2 * PI * IZR (N i)) with (ph (s i)) by ring; exact L.
-  - apply Rminus_gt_0_lt; rewrite at_next; unfold time.
-    assert (1 <= IZR (Z.pos (n i))) by (apply IZR_le; lia); nra.
-  - congruence.
-  - congruence.
-  - intros y Hy; assert (G : 0 < gap M (ph (s i)) (x i) (a i) (y - 2 * PI * IZR (N i))).
-    { pose proof (Hs (i + 1)%Z) as I; unfold lo, hi in I; rewrite (proj1 (previous i)) in I.
-      assert (ET : forall z, 2 * PI * IZR (Z.pos (n i)) + z - ph (s i) = time (n i) (ph (s i)) z) by (intros;
-        unfold time; ring).
-      apply (HO i (s i) (s (i + 1)%Z) (a i)); trivial.
-      - exact (Hs i).
-      - apply (boxes s i Hs).
-      - apply (speeds i).
-      - fold (n i) (x i); unfold moved, Flow.moved; rewrite ET; apply (leg_end i).
-      - fold (n i) (x i); unfold moving, Flow.moving; rewrite ET; fold (E21 M); rewrite (proj2 (leg_end i));
-          lra.
-      - fold (n i); pose proof (at_next i) as T; unfold at_, time in *; lra. }
-    unfold leg_q; rewrite (proj1 (moved_scaled _ _ _ _ _ _)); unfold at_;
-      rewrite (proj1 (moved_shifted _ _ _ _ _ _)).
-    unfold gap in G; pose proof (proj1 (g_turned M (N i) (y - 2 * PI * IZR (N i)))) as E.
-    replace (2 * PI * IZR (N i) + (y - 2 * PI * IZR (N i))) with y in E by ring; rewrite <- E in G;
-      unfold wall; lra.
-  - rewrite V1, U1; nra.
-  - rewrite V1, V2, U1; transitivity (nu * (a (i + 1)%Z - s (i + 1)%Z / 2)); [ring | rewrite S3; ring].
-Qed.
-
-Lemma is_in_boxes : in_boxes M l at_ leg_v.
-Proof.
-  intros i j ->; destruct (leg_starts i) as [_ V0]; destruct (leg_ends i) as [_ V1]; rewrite V0, V1.
-  replace (nu * a i / nu) with (a i) by (field; lra); replace (nu * p i / nu) with (p i) by (field; lra).
-  apply boxes, Hs.
-Qed.
-End Motion.
 
 (** ** A motion in the boxes is a solution *)
 
@@ -232,71 +157,16 @@ Section Only.
 Variables (t : Z -> R) (q v : Z -> R -> R).
 Hypothesis HM : motion M w N t q v.
 Hypothesis HB : in_boxes M l t v.
-Let phi (i : Z) : R := t i - 2 * PI * IZR (N i).
-Let a (i : Z) : R := v i (t i) / nu.
-Let p (i : Z) : R := v i (t (i + 1)%Z) / nu.
-Definition sums_of (i : Z) : R := sum_of tau (a i) (p (i - 1)%Z).
 
-Lemma sums_inside : inside lo hi sums_of.
+Lemma sums_inside : inside lo hi (sums_of M t v).
 Proof.
   intros i; apply sum_inside; [apply (HB i _ eq_refl)|]; pose proof (HB (i - 1)%Z i ltac:(lia)) as [_ B].
-  unfold p; rewrite (proj2 (previous i)); exact B.
+  rewrite (proj2 (previous i)); exact B.
 Qed.
-
-Lemma t_phi i : t i = 2 * PI * IZR (N i) + phi i.
-Proof. unfold phi; ring. Qed.
-
-Lemma phases i : ph (sums_of i) = phi i.
-Proof.
-  destruct (HM (i - 1)%Z i ltac:(lia)) as (_ & _ & _ & _ & _ & _ & _ & V).
-  destruct (HM i _ eq_refl) as (_ & P & _); fold (phi i) in P.
-  apply (lands_is M w (good_b _ _ HG)); [exact P|].
-  rewrite (t_phi i) in V at 2 4; rewrite (proj2 (wall_place _ _)) in V.
-  unfold sums_of, sum_of, a, p; rewrite (proj2 (previous i)).
-  apply (Rmult_eq_reg_r (1 + tau)); [|lra].
-  match goal with |- _ = ?r => replace r with (v i (t i) + tau * v (i - 1)%Z (t i)) by (field; lra) end; lra.
-Qed.
-
-Lemma motion_leg i : q i (t i) = nu * place M (phi i) /\ v i (t i) = nu * a i /\
-  a i = after M (n i) (phi i) (phi (i + 1)%Z) /\ p i = before M (n i) (phi i) (phi (i + 1)%Z).
-Proof.
-  destruct (HM i _ eq_refl) as (Hfr & _ & _ & Q0 & Q1 & _).
-  destruct (free_moved M Hf _ _ (t i) (t (i + 1)%Z) Hfr) as [E V].
-  assert (Ea : v i (t i) = nu * a i) by (unfold a; field; lra).
-  assert (Ep : v i (t (i + 1)%Z) = nu * p i) by (unfold p; field; lra).
-  rewrite (t_phi i) in Q0 at 2; rewrite (t_phi (i + 1)) in Q1 at 2.
-  rewrite (proj1 (wall_place _ _)) in Q0; rewrite (proj1 (wall_place _ _)) in Q1.
-  rewrite Q0, Ea in E, V; rewrite Q1 in E; rewrite Ep in V.
-  rewrite (proj1 (moved_scaled _ _ _ _ _ _)) in E; rewrite (proj2 (moved_scaled _ _ _ _ _ _)) in V.
-  apply Rmult_eq_reg_l in E; [|lra]; apply Rmult_eq_reg_l in V; [|lra].
-  unfold moved, moving, Flow.moved, Flow.moving in E, V.
-  assert (ET : t (i + 1)%Z - t i = time (n i) (phi i) (phi (i + 1)%Z)).
-  { unfold phi, time; rewrite HN, plus_IZR; unfold n; ring. }
-  rewrite ET in E, V; fold (E11 M) in E; fold (E21 M) in V.
-  destruct (leg_at sums_of i sums_inside) as (_ & _ & P & _); rewrite !phases in P; fold (n i) in P.
-  assert (A : a i = after M (n i) (phi i) (phi (i + 1)%Z)).
-  { unfold after; rewrite E; unfold E11; field; exact P. }
-  repeat split; trivial.
-  unfold before; rewrite <- A; exact V.
-Qed.
-
-Lemma sums_fixed i : sums sums_of i = sums_of i.
-Proof.
-  unfold sums, afters, befores; rewrite !phases; unfold sums_of.
-  destruct (motion_leg i) as (_ & _ & <- & _); destruct (motion_leg (i - 1)) as (_ & _ & _ & E).
-  rewrite (proj2 (previous i)) in *; rewrite <- E; reflexivity.
-Qed.
-
-Lemma motion_determined s : (forall i, sums_of i = s i) -> forall i x,
-  t i = at_ s i /\ q i x = leg_q s i x /\ v i x = leg_v s i x.
-Proof.
-  intros E i x.
-  assert (Ephi : forall i, ph (s i) = phi i) by (intros j; rewrite <- E; apply phases).
-  assert (Et : t i = at_ s i) by (unfold at_; rewrite Ephi; apply t_phi).
-  destruct (motion_leg i) as (Q & V & A & _); destruct (HM i _ eq_refl) as (Hfr & _).
-  destruct (free_moved M Hf _ _ (t i) x Hfr) as [E1 E2].
-  unfold leg_q, leg_v, afters; rewrite !Ephi, <- A, <- Et, <- Q, <- V; auto.
-Qed.
+Lemma sums_leg i : E12 M (time (n i) (ph (sums_of M t v i)) (ph (sums_of M t v (i + 1)%Z))) <> 0.
+Proof. apply (leg_at _ i sums_inside). Qed.
+Lemma sums_fixed i : sums M w n (sums_of M t v) i = sums_of M t v i.
+Proof. apply (is_solution M w n N HG Htau HN t q v HM sums_leg). Qed.
 End Only.
 
 Theorem one_motion : open_gaps M w l -> exists t q v, motion M w N t q v /\ in_boxes M l t v /\
@@ -304,9 +174,9 @@ Theorem one_motion : open_gaps M w l -> exists t q v, motion M w N t q v /\ in_b
   motion M w N t' q' v' -> in_boxes M l t' v' -> forall i x, t' i = t i /\ q' i x = q i x /\ v' i x = v i x.
 Proof.
   intros HO; destruct one_solution as (s & Hs & HF & H1).
-  exists (at_ s), (leg_q s), (leg_v s); split; [exact (is_motion s Hs HF HO)|]; split;
-    [exact (is_in_boxes s Hs)|].
-  intros t' q' v' HM HB; apply (motion_determined t' q' v' HM HB).
+  exists (at_ M w N s), (leg_q M w n N s), (leg_v M w n N s); split; [exact (moves s HO Hs HF)|]; split;
+    [exact (is_in_boxes s Hs HF)|].
+  intros t' q' v' HM HB; apply (motion_determined M w n N HG Htau HN t' q' v' HM (sums_leg t' v' HB)).
   apply H1; [exact (sums_inside t' v' HB) | exact (sums_fixed t' q' v' HM HB)].
 Qed.
 End Path.

@@ -61,57 +61,56 @@ Definition phaseI (N S : itv) : itv :=
 
 Definition hull (X Y : itv) : itv := match X, Y with
   | Some (a, b), Some (c, d) => Some (Z.min a c, Z.max b d) | _, _ => None end.
+Definition hull_all (L : list itv) : itv := match L with [] => None | X :: L => fold_right hull X L end.
 (** Of an impact at a phase in F: where, and minus the derivative of the phase. *)
 Definition placeI (N S F : itv) : itv := minus (Sg D)
   (times (times N (times (times S half) (times S half))) (times half (inverse (bendI (hull zero F))))).
 Definition rateI (N F : itv) : itv := times (times N half) (inverse (bendI F)).
 
-(** ** Legs: H0 to H2 for a leg n after each of ms, before k *)
+(** An impact: s, the phase, the place, and minus the derivative of the phase. *)
+Record impact : Type := { strength : itv; phase_at : itv; place_at : itv; rate : itv }.
+Definition impactI (N S : itv) : impact := let F := phaseI N S in
+  {| strength := S; phase_at := F; place_at := placeI N S F; rate := rateI N F |}.
+Definition in_window (I : impact) : bool := positive (minus (W D) (size (phase_at I))).
+
+(** ** Legs *)
 
 Definition sumI (A P : itv) : itv := times (double (plus A (times (T D) P))) (inverse (plus unit (T D))).
-Definition sI (m n : Letter.t) : itv :=
-  join (sumI (fraction (fst (Letter.after n))) (fraction (fst (Letter.before m))))
-       (sumI (fraction (snd (Letter.after n))) (fraction (snd (Letter.before m)))).
-Definition weightI (m n : Letter.t) : itv :=
-  sumI (fraction (fst (Letter.weights n))) (fraction (snd (Letter.weights m))).
 Definition turn_1 : itv := double pi.
 Definition turn (n : BinNums.positive) : itv := scaled n turn_1.
 Definition frequencyI : itv := root (minus (K D) (times (times (C D) (C D)) quarter)).
 
-(** H2, t and t' being the derivatives of the phases without their sign. *)
-Definition contracts (m n k : Letter.t) (S S' t t' e11 e12 e22 u p Q' : itv) : bool :=
-  let acc := minus (times (opp (C D)) p) (times (K D) Q') in
-  let b := times (minus p (times e11 (times S half))) u in
-  let b' := times (minus (times S' half) p) u in
-  let d := minus (minus (times e22 b) (times (K D) (times e12 (times S half)))) acc in
-  let d' := plus (times e22 b') acc in
-  let w := weightI m n in let w' := weightI n k in
-  below (plus (times (size (times t b)) w) (times (size (times t' b')) w'))
-        (times (Ka D) (fraction (fst (Letter.weights n)))) &&
-  below (plus (times (size (times t d)) w) (times (size (times t' d')) w'))
-        (times (Ka D) (fraction (snd (Letter.weights n)))).
+(** H0; the velocities a and p; with p in a range, minus the derivatives of a by s and s', and those of p. *)
+Record leg : Type := { lawful : bool; first_at : itv; last_at : itv;
+  slopes : itv -> (itv * itv) * (itv * itv) }.
 (** With sin/frequency, cos, and exp of half the damping. *)
-Definition leg_with (ms : list Letter.t) (n k : Letter.t) (S S' Q Q' t t' co si ex : itv) : bool :=
+Definition leg_with (I I' : impact) (co si ex : itv) : leg :=
   let h := times (C D) half in
   let ei := inverse ex in let is := inverse si in
   let cot := times co is in
   let u := times ex is in
-  let a := minus (times u Q') (times (plus cot h) Q) in
-  let p := minus (times (minus cot h) Q') (times (times ei is) Q) in
+  let Q := place_at I in let Q' := place_at I' in
   let e11 := times ei (plus co (times h si)) in
   let e12 := times ei si in
   let e22 := times ei (minus co (times h si)) in
-  (positive si || positive (opp si)) && (inside (Letter.after n) a && inside (Letter.before n) p) &&
-  forallb (fun m => contracts m n k S S' t t' e11 e12 e22 u p Q') ms.
-Definition leg_box (ms : list Letter.t) (n k : Letter.t) (N S S' : itv) : bool :=
-  let F := phaseI N S in let F' := phaseI N S' in
-  let L := minus (plus (turn (Letter.periods n)) F') F in
+  let v := times (strength I) half in let v' := times (strength I') half in
+  {| lawful := in_window I && in_window I' && (positive si || positive (opp si));
+     first_at := minus (times u Q') (times (plus cot h) Q);
+     last_at := minus (times (minus cot h) Q') (times (times ei is) Q);
+     slopes := fun p =>
+       let acc := minus (times (opp (C D)) p) (times (K D) Q') in
+       let b := times (minus p (times e11 v)) u in
+       let b' := times (minus v' p) u in
+       ((times (rate I) b, times (rate I') b'),
+        (times (rate I) (minus (minus (times e22 b) (times (K D) (times e12 v))) acc),
+         times (rate I') (plus (times e22 b') acc))) |}.
+Definition leg_between (j : BinNums.positive) (I I' : impact) : leg :=
+  let L := minus (plus (turn j) (phase_at I')) (phase_at I) in
   let cs := angle (times frequencyI L) in
-  (positive (minus (W D) (size F)) && positive (minus (W D) (size F'))) &&
-  leg_with ms n k S S' (placeI N S F) (placeI N S' F') (rateI N F) (rateI N F') (fst cs)
-    (times (inverse frequencyI) (snd cs)) (exponential (times (times (C D) half) L)).
+  leg_with I I' (fst cs) (times (inverse frequencyI) (snd cs)) (exponential (times (times (C D) half) L)).
 
-(** ** The gap (H4) over a leg n that begins with s in S, before each of k *)
+(** ** The gap (H4) over j turns from an impact with velocity A to others: convex till t1, from t2 before the
+  end on, and positive between *)
 
 Definition flightI (Q A tau : itv) : itv * itv :=
   let h := times (C D) half in
@@ -133,17 +132,36 @@ Definition covered := cover depth_of_cover.
 Fixpoint windows (f : Z -> bool) (n : nat) (j : Z) : bool := match n with
   | O => true | S n => f j && windows f n (j + 1)%Z end.
 Definition turns_on (j : Z) : itv := match j with Zpos j => turn j | _ => zero end.
-Definition gap_box (n : Letter.t) (k : list Letter.t) (N S : itv) : bool :=
-  let A := ranging (Letter.after n) in
-  let F := phaseI N S in let Q := placeI N S F in
-  let from j := plus (turns_on j) (W D) in let till j := minus (turns_on j) (W D) in
-  let p := Z.pos (Letter.periods n) in
-  covered (convex_piece N Q A F) (join F (from 0%Z)) &&
-  windows (fun j => covered (high_piece Q A F) (join (till j) (from j))) (Pos.to_nat (Letter.periods n) - 1)
-    1 &&
-  windows (fun j => covered (open_piece N Q A F) (join (from j) (till (j + 1)%Z))) (Pos.to_nat
-    (Letter.periods n)) 0 &&
-  forallb (fun k => covered (convex_piece N Q A F) (join (till p) (plus (turns_on p) (phaseI N (sI n k))))) k.
+Definition gap_box (j : BinNums.positive) N (I : impact) (A t1 t2 : itv) (ends : list itv) : bool :=
+  let F := phase_at I in let Q := place_at I in
+  let from i := if (i =? 0)%Z then t1 else plus (turns_on i) (W D) in
+  let till i := minus (turns_on i) (if (i =? Z.pos j)%Z then t2 else W D) in
+  covered (convex_piece N Q A F) (join F t1) &&
+  forallb (fun F' => covered (convex_piece N Q A F) (join (till (Z.pos j)) (plus (turn j) F'))) ends &&
+  windows (fun i => covered (fun t => high_piece Q A F t || open_piece N Q A F t) (join (till i) (from i)))
+    (Pos.to_nat j - 1) 1 &&
+  windows (fun i => covered (open_piece N Q A F) (join (from i) (till (i + 1)%Z))) (Pos.to_nat j) 0.
+
+(** ** Certificates of boxes: H0 to H2 for a leg n after each of ms, before k; and H4 *)
+
+Definition sI (m n : Letter.t) : itv :=
+  join (sumI (fraction (fst (Letter.after n))) (fraction (fst (Letter.before m))))
+       (sumI (fraction (snd (Letter.after n))) (fraction (snd (Letter.before m)))).
+Definition weightI (m n : Letter.t) : itv :=
+  sumI (fraction (fst (Letter.weights n))) (fraction (snd (Letter.weights m))).
+Definition contracts (m n k : Letter.t) (x : (itv * itv) * (itv * itv)) : bool :=
+  let w := weightI m n in let w' := weightI n k in
+  below (plus (times (size (fst (fst x))) w) (times (size (snd (fst x))) w'))
+        (times (Ka D) (fraction (fst (Letter.weights n)))) &&
+  below (plus (times (size (fst (snd x))) w) (times (size (snd (snd x))) w'))
+        (times (Ka D) (fraction (snd (Letter.weights n)))).
+Definition leg_box (ms : list Letter.t) (n k : Letter.t) (N S S' : itv) : bool :=
+  let x := leg_between (Letter.periods n) (impactI N S) (impactI N S') in
+  lawful x && (inside (Letter.after n) (first_at x) && inside (Letter.before n) (last_at x)) &&
+  let d := slopes x (last_at x) in forallb (fun m => contracts m n k d) ms.
+Definition letter_gap (n : Letter.t) (ks : list Letter.t) (N S : itv) : bool :=
+  gap_box (Letter.periods n) N (impactI N S) (ranging (Letter.after n)) (W D) (W D)
+    (map (fun k => phaseI N (sI n k)) ks).
 End Cell.
 
 Definition followers (L : list Letter.t) (l : Letter.t) : list Letter.t :=
@@ -153,20 +171,21 @@ Definition followers (L : list Letter.t) (l : Letter.t) : list Letter.t :=
 
 Definition fuel : nat := 12.
 (** All that s is where a leg n follows one of ms. *)
-Definition all_sI D (ms : list Letter.t) (n : Letter.t) : itv := match ms with
-  | [] => None | m :: ms => fold_right (fun m X => hull (sI D m n) X) (sI D m n) ms end.
+Definition all_sI D (ms : list Letter.t) (n : Letter.t) : itv := hull_all (map (fun m => sI D m n) ms).
 Definition leg_ok D N (ms : list Letter.t) (n k : Letter.t) : bool :=
   cover3 fuel (fun N S' S => leg_box D ms n k N S S') N (sI D n k) (all_sI D ms n).
 Definition before_it (L : list Letter.t) (v : nat) : list Letter.t :=
   filter (fun m => existsb (Nat.eqb v) (Letter.next m)) L.
 Definition letter_in_cell D N (L : list Letter.t) (v : nat) : bool := match nth_error L v with
   | None => true
-  | Some n => gap_box D n (followers L n) N (all_sI D (before_it L v) n) &&
+  | Some n => letter_gap D n (followers L n) N (all_sI D (before_it L v) n) &&
       forallb (leg_ok D N (before_it L v) n) (followers L n) end.
-Definition cell_ok D (L : list Letter.t) (N : itv) : bool :=
+(** The machine; and that the wall bends in the window. *)
+Definition wall_ok D : bool :=
   positive (minus (K D) (times (times (C D) (C D)) quarter)) && positive (T D) && positive (W D) &&
-  below (W D) pi && covered (fun X => positive (bendI D X)) (join (opp (W D)) (W D)) &&
-  forallb (letter_in_cell D N L) (seq 0 (length L)).
+  below (W D) pi && covered (fun X => positive (bendI D X)) (join (opp (W D)) (W D)).
+Definition cell_ok D (L : list Letter.t) (N : itv) : bool :=
+  wall_ok D && forallb (letter_in_cell D N L) (seq 0 (length L)).
 
 Definition less (p q : Q) : bool := negb (Qle_bool q p).
 Definition ordered (X : Q * Q) : bool := Qle_bool (fst X) (snd X).
@@ -176,10 +195,12 @@ Definition letter_ok (L : list Letter.t) (m : Letter.t) : bool :=
   less 0 (snd (Letter.weights m)) &&
   forallb (fun n => less (snd (Letter.before m)) (fst (Letter.after n))) (followers L m).
 
+Definition rangings : list (BinNums.positive * ((Q * Q) * (Q * Q))) -> list (BinNums.positive * (itv * itv)) :=
+  map (fun '(j, (A, B)) => (j, (ranging A, ranging B))).
 Definition check (X : Certificate.t) : bool :=
   let L := Certificate.letters X in
   let '(c, k, t, n) := Certificate.cells X in
-  let H := map (fun '(j, (A, B)) => (j, (ranging A, ranging B))) (Certificate.harmonics X) in
+  let H := rangings (Certificate.harmonics X) in
   Qle_bool 0 (Certificate.contraction X) && less (Certificate.contraction X) 1 && forallb (letter_ok L) L &&
   cut (fun C => cut (fun K => cut (fun T => cut (fun N =>
     cell_ok {| C := C; K := K; T := T; Sg := constant (if Certificate.behind X then 1 else -1) 1; H := H;

@@ -18,7 +18,7 @@ Lemma Q2R_1 : Q2R 1 = 1.
 Proof. unfold Q2R; cbn; field. Qed.
 
 (** Some number bounds all sizes of boxes over their weights. *)
-Lemma spread_exists (f a : Letter.t -> R) L : (forall m, In m L -> 0 < a m) ->
+Lemma spread_over {A : Type} (f a : A -> R) L : (forall m, In m L -> 0 < a m) ->
   exists B, 0 <= B /\ forall m, In m L -> f m <= a m * B.
 Proof.
   induction L as [|m L IH]; intros H; [exists 0; split; [lra | intros m []]|].
@@ -46,22 +46,16 @@ Hypothesis Hg : g M 0 = 1 /\ g1 M 0 = 0.
 Hypothesis HC : cell_ok D L N = true.
 
 Lemma cell_facts : good M w /\ 0 < Machine.tau M /\ w <= PI /\ forall v n, nth_error L v = Some n ->
-  gap_box D n (followers L n) N (all_sI D (before_it L v) n) = true /\
+  letter_gap D n (followers L n) N (all_sI D (before_it L v) n) = true /\
   forall k, In k (followers L n) -> leg_ok D N (before_it L v) n k = true.
 Proof.
-  pose proof HC as H; unfold cell_ok in H; rewrite !andb_true_iff in H;
-    destruct H as [[[[[A1 A2] A3] A4] A5] A6].
-  destruct HD as [HCc HK HT HSg HW HKa HH].
-  assert (P1 : 0 < Machine.k M - Machine.c M * Machine.c M * (1 / 4)) by (apply (positive_lt _ _ A1); encl).
-  assert (P2 : 0 < w) by exact (positive_lt _ _ A3 HW).
-  split; [constructor; trivial|split; [exact (positive_lt _ _ A2 HT) | split;
-    [exact (below_le _ _ _ _ A4 HW mem_pi)|]]].
-  - intros t Ht; destruct (cover_one _ _ _ t A5 (mem_join _ _ _ _ _ (mem_opp _ _ HW) HW Ht)) as (I & B & HI).
-    exact (positive_lt _ _ B (mem_bendI D M w kappa HD _ _ HI)).
-  - intros v n Hv; apply (proj1 (forallb_forall _ _)) with (x := v) in A6.
-    + unfold letter_in_cell in A6; rewrite Hv in A6; apply andb_prop in A6; destruct A6 as [G A6].
-      split; [exact G | exact (proj1 (forallb_forall _ _) A6)].
-    + apply in_seq; assert (v < length L)%nat by (apply nth_error_Some; congruence); lia.
+  pose proof HC as H; apply andb_prop in H; destruct H as [A B].
+  destruct (wall_facts D M w kappa HD Hnu Hg A) as (G & T & PW); repeat split; trivial; try apply G.
+  all: apply (proj1 (forallb_forall _ _)) with (x := v) in B;
+    [|apply in_seq; assert (v < length L)%nat by (apply nth_error_Some; congruence); lia];
+    unfold letter_in_cell in B; rewrite H in B; apply andb_prop in B; destruct B as [B B'].
+  - exact B.
+  - exact (proj1 (forallb_forall _ _) B').
 Qed.
 
 Let HG := proj1 cell_facts.
@@ -99,11 +93,8 @@ Proof.
   destruct (cut_one _ _ _ _ HX3 (mem_ranging _ _ HV)) as (IN & HX4 & MN); clear HX HX1 HX2 HX3.
   set (kappa := Q2R (Certificate.contraction X)).
   match type of HX4 with cell_ok ?D _ _ = _ => set (D0 := D) in *; assert (HD : in_cell D0 M W kappa) end.
-  { constructor; unfold D0; cbn; trivial; [|apply mem_fraction | apply mem_fraction|].
-    - rewrite HSg; destruct (Certificate.behind X); [apply (mem_integer 1) | apply (mem_integer (-1))].
-    - clear -HH; induction HH as [|(i & A & B) (j & a & b) H1 H2 (E & Ha & Hb) _ IH]; cbn [map]; constructor;
-        trivial.
-      split; [exact E | split; apply mem_ranging; assumption]. }
+  { constructor; unfold D0; cbn; trivial; [rewrite HSg; apply side_mem | apply mem_fraction | apply mem_fraction |
+      apply rangings_mem, HH]. }
   clearbody D0; destruct (cell_facts D0 L IN M W kappa HD Hnu Hg HX4) as (HG & Htau & HW & HF).
   assert (LO : forall m, In m L -> letter_ok L m = true) by (apply forallb_forall, KL).
   assert (LF : forall m, In m L -> Q2R (fst (Letter.after m)) <= Q2R (snd (Letter.after m)) /\
@@ -113,10 +104,10 @@ Proof.
     destruct LO as [[[[A1 A2] A3] A4] A5]; apply less_lt in A3, A4; rewrite Q2R_0 in A3, A4.
     repeat split; auto using ordered_le; intros n Hn; apply less_lt; exact (proj1 (forallb_forall _ _) A5 n
       Hn). }
-  destruct (spread_exists (fun m => Q2R (snd (Letter.after m)) - Q2R (fst (Letter.after m))) alpha L) as (B1
+  destruct (spread_over (fun m => Q2R (snd (Letter.after m)) - Q2R (fst (Letter.after m))) alpha L) as (B1
     & P1 & S1);
     [intros m Hm; apply (LF m Hm)|].
-  destruct (spread_exists (fun m => Q2R (snd (Letter.before m)) - Q2R (fst (Letter.before m))) beta L) as (B2
+  destruct (spread_over (fun m => Q2R (snd (Letter.before m)) - Q2R (fst (Letter.before m))) beta L) as (B2
     & P2 & S2);
     [intros m Hm; apply (LF m Hm)|].
   assert (HI : forall i, In (l i) L) by (intros i; apply HP).
@@ -142,11 +133,16 @@ Proof.
   pose proof (mem_all_sI D0 _ _ _ s (before_in L _ v (HI (i - 1)%Z) V1) (mem_sI D0 M W kappa HD _ _ _ Hs)) as
     MS.
   pose proof (mem_sI D0 M W kappa HD _ _ _ Hs') as MS'.
-  apply (gap_positive D0 M W kappa (l i) (l (i + 1)%Z) (followers L (l i)) IN (all_sI D0 (before_it L v) (l
-    i)) s s' a);
-    trivial.
-  - split; [exact L1|]; apply (mem_phase_of D0 M W kappa HD HG); trivial.
-  - split; [exact L2|]; apply (mem_phase_of D0 M W kappa HD HG); trivial.
+  pose proof (in_W _ _ _ _ HD) as HW'.
+  apply (gap_positive D0 M W kappa _ IN (ranging (Letter.after (l i))) (PathsCheck.W D0) (PathsCheck.W D0)
+    (phaseI D0 IN (sI D0 (l i) (l (i + 1)%Z))) (impactI D0 IN (all_sI D0 (before_it L v) (l i)))
+    (map (fun k => phaseI D0 IN (sI D0 (l i) k)) (followers L (l i))) s s' a W W); trivial.
+  - apply (impact_hits D0 M W kappa HD HG); trivial.
+  - split; [exact L2|]; split; [apply (mem_phase_of D0 M W kappa HD HG); trivial |
+      exact (in_map (fun k => phaseI D0 IN (sI D0 (l i) k)) _ _ (HJ i))].
+  - apply mem_ranging, Ha.
+  - split; [exact HW' | lra].
+  - split; [exact HW' | lra].
 Qed.
 
 Theorem Paths : Paths_statement check.

@@ -105,31 +105,31 @@ Proof.
 Qed.
 
 Section Gap.
-Variables (D : cell) (M : Machine.t) (w kappa : R) (n k : Letter.t) (ks : list Letter.t) (N S : itv).
-Variables (s s' a : R).
+Variables (D : cell) (M : Machine.t) (w kappa : R) (j : BinNums.positive) (N A T1 T2 F' : itv) (I : impact)
+  (ends : list itv).
+Variables (s s' a t1 t2 : R).
 Hypothesis HD : in_cell D M w kappa.
 Hypothesis HG : good M w.
+Hypothesis Hw : w <= PI.
 Notation nu := (Machine.nu M).
 Let phi := phase M w s.
 Let phi' := phase M w s'.
 Let x := place M phi.
-Let j := Letter.periods n.
 Let last := 2 * PI * IZR (Z.pos j) + phi'.
 Hypothesis HN : mem N nu.
-Hypothesis HS : mem S s.
-Hypothesis HS' : mem (sI D n k) s'.
-Hypothesis Hk : In k ks.
-Hypothesis HA : within (Letter.after n) a.
-Hypothesis HB : gap_box D n ks N S = true.
-Hypothesis HF : lands M w s /\ mem (phaseI D N S) phi.
-Hypothesis HF' : lands M w s' /\ mem (phaseI D N (sI D n k)) phi'.
+Hypothesis HI : hits M w I s.
+Hypothesis HF' : lands M w s' /\ mem F' phi' /\ In F' ends.
+Hypothesis HA : mem A a.
+Hypothesis HT1 : mem T1 t1 /\ t1 <= w.
+Hypothesis HT2 : mem T2 t2 /\ t2 <= w.
+Hypothesis HB : gap_box D j N I A T1 T2 ends = true.
 Hypothesis Hv : s / 2 <= a.
 Hypothesis Hx : moved M phi x a last = place M phi'.
 Hypothesis Hv' : moving M phi x a last <= s' / 2.
 
-Lemma mem_flight Q q A b J tau : mem Q q -> mem A b -> mem J tau ->
-  mem (fst (flightI D Q A J)) (E11 M tau * q + E12 M tau * b) /\
-  mem (snd (flightI D Q A J)) (E21 M tau * q + E22 M tau * b).
+Lemma mem_flight Q B q b J tau : mem Q q -> mem B b -> mem J tau ->
+  mem (fst (flightI D Q B J)) (E11 M tau * q + E12 M tau * b) /\
+  mem (snd (flightI D Q B J)) (E21 M tau * q + E22 M tau * b).
 Proof.
   intros HQ Hb HJ; unfold flightI; cbv zeta; cbn [fst snd].
   destruct (flow_numbers M w HG tau) as (_ & _ & -> & E_12 & -> & ->); rewrite E_12.
@@ -138,78 +138,117 @@ Proof.
     replace (- k * e * q + y) with (y - k * (e * q)) by ring end]; encl.
 Qed.
 
-Lemma gap_positive : forall t, phi < t < last -> 0 < gap M phi x a t.
+Let F := phase_at I.
+Let Q := place_at I.
+Lemma mem_flown t T : mem T t -> mem (fst (flightI D Q A (minus T F))) (moved M phi x a t) /\
+  mem (snd (flightI D Q A (minus T F))) (moving M phi x a t).
 Proof.
-  pose proof (good_nu _ _ HG) as Hnu; pose proof (good_f _ _ HG) as Hf; pose proof (in_W _ _ _ _ HD) as HW.
-  pose proof (mem_placeI D M w kappa HD HG _ _ _ _ HN HS (proj2 HF) (proj1 HF)) as HQ; fold phi in HQ;
-    fold x in HQ.
-  pose proof (mem_ranging _ _ HA) as HA'; destruct HF as [[L E] HP], HF' as [[L' E'] HP']; fold phi in L, E;
-    fold phi' in L', E'.
-  pose proof HB as B; unfold gap_box in B; cbv zeta in B; rewrite !andb_true_iff in B;
-    destruct B as [[[C1 C2] C3] C4].
-  apply (proj1 (forallb_forall _ _)) with (x := k) in C4; [|exact Hk].
-  set (F := phaseI D N S) in *; set (Q := placeI D N S F) in *; set (A := ranging _) in *.
-  clearbody F Q A; fold j in C1, C2, C3, C4.
-  pose proof (in_C _ _ _ _ HD) as HC; pose proof (in_K _ _ _ _ HD) as HK;
-    pose proof (in_Sg _ _ _ _ HD) as HSg.
-  assert (HX : forall t I, mem I t -> mem (fst (flightI D Q A (minus I F))) (moved M phi x a t) /\
-    mem (snd (flightI D Q A (minus I F))) (moving M phi x a t)).
-  { intros t I HI; apply mem_flight; encl. }
-  assert (HV : forall t I, mem I t -> convex_piece D N Q A F I = true -> 0 < gap_bend M phi x a t).
-  { intros t I HI B; apply (positive_lt _ _ B); destruct (HX t I HI).
-    pose proof (mem_bendI _ _ _ _ HD _ _ HI); unfold gap_bend; encl. }
-  pose proof mem_turns as HT.
+  intros HT; pose proof (hit_phase _ _ _ _ HI); pose proof (hit_place _ _ _ _ HI).
+  apply mem_flight; [assumption | exact HA | apply mem_minus; assumption].
+Qed.
+Lemma convex_at t T : mem T t -> convex_piece D N Q A F T = true -> 0 < gap_bend M phi x a t.
+Proof.
+  intros HT B; apply (positive_lt _ _ B); destruct (mem_flown t T HT).
+  pose proof (in_C _ _ _ _ HD); pose proof (in_K _ _ _ _ HD).
+  pose proof (mem_bendI _ _ _ _ HD _ _ HT); unfold gap_bend; encl.
+Qed.
+Lemma open_at t T : mem T t -> open_piece D N Q A F T = true -> 0 < gap M phi x a t.
+Proof.
+  intros HT B; apply (positive_lt _ _ B); destruct (mem_flown t T HT) as [HM _].
+  pose proof (mem_gI _ _ _ _ HD _ _ HT); pose proof (in_Sg _ _ _ _ HD); unfold gap; encl.
+Qed.
+(** In a window the wall is below its top. *)
+Lemma high_at t T z : mem T t -> - w <= t - 2 * PI * IZR z <= w -> high_piece D Q A F T = true ->
+  0 < gap M phi x a t.
+Proof.
+  intros HT Ht B; destruct (mem_flown t T HT) as [HM _]; pose proof (in_Sg _ _ _ _ HD).
+  assert (P : 0 < moved M phi x a t - Machine.sigma M) by (apply (positive_lt _ _ B); encl).
+  pose proof (below_top M w (good_b _ _ HG) (good_w _ _ HG) (good_g _ _ HG) _ Ht) as G.
+  rewrite <- (proj1 (g_turned M z _)) in G; replace (2 * PI * IZR z + (t - 2 * PI * IZR z)) with t in G by ring.
+  pose proof (good_nu _ _ HG); unfold gap; nra.
+Qed.
+
+Lemma near_ends t : phi < t < last -> t <= t1 \/ 2 * PI * IZR (Z.pos j) - t2 <= t -> 0 < gap M phi x a t.
+Proof.
+  intros Ht E; pose proof (good_f _ _ HG) as Hf; pose proof (good_nu _ _ HG) as Hnu.
+  destruct HT1 as [M1 _], HT2 as [M2 _], HF' as ([L' E'] & HP' & In'), (hit_lands _ _ _ _ HI) as [L E0].
+  fold phi in L, E0; fold phi' in L', E'.
   assert (D1 : forall t, derivable_pt_lim (gap M phi x a) t (- g1 M t + nu * moving M phi x a t))
     by (intros; apply (D_gap _ _ _ _ _ Hf)).
   assert (D2 : forall t, derivable_pt_lim (fun t => - g1 M t + nu * moving M phi x a t) t (gap_bend M phi x a
-    t))
-    by (intros; apply (D_gap _ _ _ _ _ Hf)).
-  destruct (moved_start M Hf phi x a) as [M0 M1].
-  assert (EL : g M last = g M phi' /\ g1 M last = g1 M phi') by apply g_turned; destruct EL as [EL EL'].
-  intros t Ht; apply Rabs_def2 in L, L'.
-  destruct (Rle_lt_dec t w) as [T1|T1]; [|destruct (Rle_lt_dec (2 * PI * IZR (Z.pos j) - w) t) as [T2|T2]].
-  - apply (convex_right _ _ _ D1 D2 phi w); [right | | | lra].
+    t)) by (intros; apply (D_gap _ _ _ _ _ Hf)).
+  pose proof HB as B; unfold gap_box in B; cbv zeta in B; rewrite !andb_true_iff in B;
+    destruct B as [[[C1 C2] _] _]; destruct E as [E|E].
+  - destruct (moved_start M Hf phi x a) as [M0 MV].
+    apply (convex_right _ _ _ D1 D2 phi t1); [right | | | lra].
     + unfold gap; rewrite M0; unfold x, place; field; lra.
-    + rewrite M1, E; nra.
-    + intros y Hy; assert (HJ : mem (join F (plus (turns_on 0) (W D))) y).
-      { apply (mem_join _ _ phi (2 * PI * IZR 0 + w)); [exact HP | pose proof (HT 0%Z ltac:(lia)); encl|].
-        rewrite Rmult_0_r, Rplus_0_l; lra. }
-      destruct (cover_one _ _ _ y C1 HJ) as (I & B & HI); exact (HV y I HI B).
-  - apply (convex_left _ _ _ D1 D2 (2 * PI * IZR (Z.pos j) - w) last); [right | | | lra].
+    + rewrite MV, E0; nra.
+    + intros y Hy; destruct (cover_one _ _ _ y C1 (mem_join _ _ _ _ _ (hit_phase _ _ _ _ HI) M1 Hy)) as (J & B &
+      HJ).
+      exact (convex_at y J HJ B).
+  - assert (EL : g M last = g M phi' /\ g1 M last = g1 M phi') by apply g_turned; destruct EL as [EL EL'].
+    apply (convex_left _ _ _ D1 D2 (2 * PI * IZR (Z.pos j) - t2) last); [right | | | lra].
     + unfold gap; rewrite Hx, EL; unfold place; field; lra.
     + rewrite EL', E'; nra.
-    + intros y Hy; assert (HJ : mem (join (minus (turns_on (Z.pos j)) (W D)) (plus (turns_on (Z.pos j))
-        (phaseI D N (sI D n k)))) y).
-      { apply (mem_join _ _ (2 * PI * IZR (Z.pos j) - w) last); [pose proof (HT (Z.pos j) ltac:(lia)); encl |
-        | lra].
-        unfold last; pose proof (HT (Z.pos j) ltac:(lia)); encl. }
-      destruct (cover_one _ _ _ y C4 HJ) as (I & B & HI); exact (HV y I HI B).
-  - destruct (last_turn w t) as (z & Z1 & Z2); pose proof PI_RGT_0 as HPI.
-    assert (Hz : (0 <= z < Z.pos j)%Z).
-    { split; apply Znot_gt_le || apply Znot_ge_lt; intros O.
-      - assert (IZR (z + 1) <= 0) by (apply IZR_le; lia); nra.
-      - assert (IZR (Z.pos j) <= IZR z) by (apply IZR_le; lia); nra. }
-    destruct (Rle_lt_dec t (2 * PI * IZR z + w)) as [T3|T3].
-    + assert (z <> 0%Z) by (intros ->; rewrite Rmult_0_r in T3; lra).
-      pose proof (windows_all _ _ _ C2 z ltac:(rewrite Nat2Z.inj_sub, positive_nat_Z by lia; lia)) as B;
-        cbn beta in B.
-      assert (HJ : mem (join (minus (turns_on z) (W D)) (plus (turns_on z) (W D))) t).
-      { apply (mem_join _ _ (2 * PI * IZR z - w) (2 * PI * IZR z + w)); [pose proof (HT z ltac:(lia)); encl |
-        pose proof (HT z ltac:(lia));
-          encl | lra]. }
-      destruct (cover_one _ _ _ t B HJ) as (I & B' & HI); destruct (HX t I HI) as [HM _].
-      assert (P : 0 < moved M phi x a t - Machine.sigma M) by (apply (positive_lt _ _ B'); encl).
-      pose proof (below_top M w (good_b _ _ HG) (good_w _ _ HG) (good_g _ _ HG) (t - 2 * PI * IZR z)
-        ltac:(lra)) as G.
-      rewrite <- (proj1 (g_turned M z _)) in G; replace (2 * PI * IZR z + (t - 2 * PI * IZR z)) with t in G
-        by ring.
-      unfold gap; nra.
-    + pose proof (windows_all _ _ _ C3 z ltac:(rewrite positive_nat_Z; lia)) as B; cbn beta in B.
-      assert (HJ : mem (join (plus (turns_on z) (W D)) (minus (turns_on (z + 1)) (W D))) t).
-      { apply (mem_join _ _ (2 * PI * IZR z + w) (2 * PI * IZR (z + 1) - w)); [pose proof (HT z ltac:(lia));
-        encl |
-          pose proof (HT (z + 1)%Z ltac:(lia)); encl | lra]. }
-      destruct (cover_one _ _ _ t B HJ) as (I & B' & HI); destruct (HX t I HI) as [HM _].
-      pose proof (mem_gI _ _ _ _ HD _ _ HI); apply (positive_lt _ _ B'); unfold gap; encl.
+    + intros y Hy; apply (proj1 (forallb_forall _ _)) with (x := F') in C2; [|exact In'].
+      pose proof (mem_turns (Z.pos j) ltac:(lia)) as HT; rewrite Z.eqb_refl in C2.
+      assert (HJ : mem (join (minus (turns_on (Z.pos j)) T2) (plus (turn j) F')) y).
+      { apply (mem_join _ _ (2 * PI * IZR (Z.pos j) - t2) last); [encl | unfold last; apply mem_plus; [exact HT
+        | exact HP'] | exact Hy]. }
+      destruct (cover_one _ _ _ y C2 HJ) as (J & B & HJ'); exact (convex_at y J HJ' B).
+Qed.
+
+(** Between windows i and i + 1. *)
+Lemma between_windows i t : (0 <= i < Z.pos j)%Z -> (if (i =? 0)%Z then t1 else 2 * PI * IZR i + w) <= t ->
+  t <= 2 * PI * IZR (i + 1) - (if (i + 1 =? Z.pos j)%Z then t2 else w) -> 0 < gap M phi x a t.
+Proof.
+  intros Hi L U; pose proof HB as B; unfold gap_box in B; cbv zeta in B; rewrite !andb_true_iff in B;
+    destruct B as [_ B].
+  pose proof (windows_all _ _ _ B i ltac:(rewrite positive_nat_Z; lia)) as C; cbn beta in C.
+  destruct HT1 as [M1 _], HT2 as [M2 _]; pose proof (in_W _ _ _ _ HD) as HW.
+  pose proof (mem_turns i ltac:(lia)); pose proof (mem_turns (i + 1) ltac:(lia)).
+  assert (HJ : mem (join (if (i =? 0)%Z then T1 else plus (turns_on i) (W D))
+    (minus (turns_on (i + 1)) (if (i + 1 =? Z.pos j)%Z then T2 else W D))) t).
+  { apply (mem_join _ _ _ _ _) with (3 := conj L U); [destruct (i =? 0)%Z; encl | destruct (i + 1 =? Z.pos j)%Z;
+    encl]. }
+  destruct (cover_one _ _ _ t C HJ) as (J & B' & HJ'); exact (open_at t J HJ' B').
+Qed.
+
+Lemma gap_positive : forall t, phi < t < last -> 0 < gap M phi x a t.
+Proof.
+  intros t Ht; destruct HT1 as [M1 L1], HT2 as [M2 L2]; pose proof PI_RGT_0 as HPI.
+  destruct (Rle_lt_dec t t1) as [O1|O1]; [apply near_ends; auto|].
+  destruct (Rle_lt_dec (2 * PI * IZR (Z.pos j) - t2) t) as [O2|O2]; [apply near_ends; auto|].
+  destruct (last_turn w t) as (z & Z1 & Z2); rewrite plus_IZR in Z2.
+  assert (J1 : 1 <= IZR (Z.pos j)) by (apply IZR_le; lia).
+  destruct HF' as ([L' _] & _); fold phi' in L'; apply Rabs_def2 in L'.
+  destruct (hit_lands _ _ _ _ HI) as [L _]; fold phi in L; apply Rabs_def2 in L.
+  assert (Hz : (0 <= z <= Z.pos j)%Z).
+  { split; apply Znot_gt_le; intros O.
+    - assert (IZR (z + 1) <= 0) by (apply IZR_le; lia); rewrite plus_IZR in *; nra.
+    - assert (IZR (Z.pos j) + 1 <= IZR z) by (rewrite <- plus_IZR; apply IZR_le; lia); unfold last in Ht; nra. }
+  destruct (Z.eq_dec z (Z.pos j)) as [->|Nj].
+  - apply (between_windows (Z.pos j - 1)); [lia | |].
+    + rewrite minus_IZR; destruct (Z.eqb_spec (Z.pos j - 1) 0) as [E|E]; [lra | nra].
+    + replace (Z.pos j - 1 + 1)%Z with (Z.pos j) by lia; rewrite Z.eqb_refl; lra.
+  - destruct (Rle_lt_dec t (2 * PI * IZR z + w)) as [O3|O3].
+    + destruct (Z.eq_dec z 0) as [->|N0].
+      * apply (between_windows 0); [lia | cbn [Z.eqb]; lra|]; rewrite plus_IZR.
+        destruct (Z.eqb_spec (0 + 1) (Z.pos j)) as [E|E]; [rewrite <- E, plus_IZR in O2; lra | nra].
+      * pose proof HB as B; unfold gap_box in B; cbv zeta in B; rewrite !andb_true_iff in B; destruct B as [[_
+        C] _].
+        pose proof (windows_all _ _ _ C z ltac:(rewrite Nat2Z.inj_sub, positive_nat_Z by lia; lia)) as B; cbn
+          beta in B.
+        destruct (Z.eqb_spec z 0) as [|_]; [lia|]; destruct (Z.eqb_spec z (Z.pos j)) as [|_]; [lia|].
+        pose proof (mem_turns z ltac:(lia)); pose proof (in_W _ _ _ _ HD).
+        assert (HJ : mem (join (minus (turns_on z) (W D)) (plus (turns_on z) (W D))) t).
+        { apply (mem_join _ _ (2 * PI * IZR z - w) (2 * PI * IZR z + w)); [encl | encl | lra]. }
+        destruct (cover_one _ _ _ t B HJ) as (J & B' & HJ'); apply orb_prop in B'; destruct B' as [B'|B'].
+        { apply (high_at t J z HJ'); [lra | exact B']. }
+        { exact (open_at t J HJ' B'). }
+    + apply (between_windows z); [lia | |].
+      * destruct (Z.eqb_spec z 0); lra.
+      * rewrite plus_IZR; destruct (Z.eqb_spec (z + 1) (Z.pos j)) as [E|E]; [|lra].
+        rewrite <- E, plus_IZR in O2; lra.
 Qed.
 End Gap.

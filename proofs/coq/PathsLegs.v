@@ -58,6 +58,14 @@ Proof.
     IZR_le; lia); lra.
 Qed.
 
+Lemma mem_hull_all L X x : In X L -> mem X x -> mem (hull_all L) x.
+Proof.
+  destruct L as [|Y L]; [intros []|]; cbn [hull_all]; induction L as [|Z L IH]; cbn [fold_right In]; intros HX Hx.
+  - destruct HX as [->|[]]; exact Hx.
+  - destruct HX as [->|[->|HX]]; [apply mem_hull_right, IH; cbn; auto | apply mem_hull_left, Hx |
+      apply mem_hull_right, IH; cbn; auto].
+Qed.
+
 (** Membership by the form of an expression. *)
 Global Opaque plus minus opp times inverse root size exponential cosine sine circle angle constant pi mem
   half unit
@@ -129,13 +137,7 @@ Proof. intros; pose proof (in_T _ _ _ _ HD); unfold sumI, sum_of; encl. Qed.
 Lemma mem_sI m n s : s_lo tau m n <= s <= s_hi tau m n -> mem (sI D m n) s.
 Proof. intros Hs; unfold sI; refine (mem_join _ _ _ _ _ _ _ Hs); apply mem_sum; encl. Qed.
 Lemma mem_all_sI ms m n s : In m ms -> mem (sI D m n) s -> mem (all_sI D ms n) s.
-Proof.
-  destruct ms as [|m0 ms]; [intros []|]; cbn [all_sI]; induction ms as [|m' ms IH]; cbn [fold_right In];
-    intros Hm Hs.
-  - destruct Hm as [->|[]]; exact Hs.
-  - destruct Hm as [->|[->|Hm]]; [apply mem_hull_right, IH; cbn; auto | apply mem_hull_left, Hs |
-      apply mem_hull_right, IH; cbn; auto].
-Qed.
+Proof. intros Hm; apply mem_hull_all, (in_map (fun m => sI D m n)), Hm. Qed.
 Lemma mem_weightI m n : mem (weightI D m n) (weight tau m n).
 Proof. apply mem_sum; encl. Qed.
 Lemma mem_turn n : mem (turn n) (2 * PI * IZR (Z.pos n)).
@@ -239,6 +241,19 @@ Proof.
     rewrite Ex; field; lra.
 Qed.
 
+(** What is known of the impact with s. *)
+Record hits (I : impact) (s : R) : Prop := {
+  hit_lands : lands M w s; hit_s : mem (strength I) s; hit_phase : mem (phase_at I) (phase M w s);
+  hit_place : mem (place_at I) (place M (phase M w s));
+  hit_rate : mem (rate I) (nu * (1 / 2) * / bend M (phase M w s)) }.
+Lemma impact_hits N S s : mem N nu -> mem S s -> lands M w s -> hits (impactI D N S) s.
+Proof.
+  intros HN HS L; pose proof (mem_phase_of N S s HN HS) as HF.
+  constructor; cbn [impactI strength phase_at place_at rate]; auto using mem_placeI, mem_rateI.
+Qed.
+Lemma window_lands N S s : mem N nu -> mem S s -> in_window D (impactI D N S) = true -> lands M w s.
+Proof. intros HN HS H; apply (mem_phase N S s HN HS H). Qed.
+
 (** ** Legs *)
 
 Lemma inside_within X A a : inside X A = true -> mem A a -> within X a.
@@ -291,15 +306,23 @@ Qed.
 Lemma mem_frequency : mem (frequencyI D) (frequency M).
 Proof. pose proof (in_C _ _ _ _ HD); pose proof (in_K _ _ _ _ HD); unfold frequencyI, frequency; encl. Qed.
 
-Lemma leg_box_holds ms m n k s s' N S S' : In m ms -> mem N nu -> mem S s -> mem S' s' ->
-  leg_box D ms n k N S S' = true -> leg_holds M w kappa m n k s s'.
+(** H0 of a leg, its velocities, and with p in a range their derivatives. *)
+Definition leg_known (x : leg) (j : BinNums.positive) (s s' : R) : Prop :=
+  let t := phase M w s in let t' := phase M w s' in
+  E12 M (time j t t') <> 0 /\ mem (first_at x) (after M j t t') /\ mem (last_at x) (before M j t t') /\
+  forall P, mem P (before M j t t') -> exists b b' d d',
+  mem (fst (fst (slopes x P))) b /\ mem (snd (fst (slopes x P))) b' /\
+  mem (fst (snd (slopes x P))) d /\ mem (snd (snd (slopes x P))) d' /\
+  forall l l', let r := - (nu / 2) / bend M t * l in let r' := - (nu / 2) / bend M t' * l' in
+  after_slope M j t t' r r' = - (b * l + b' * l') /\ before_slope M j t t' r r' = - (d * l + d' * l').
+
+Lemma leg_windows j I I' : lawful (leg_between D j I I') = true -> in_window D I = true /\ in_window D I' = true.
+Proof. intros H; apply andb_prop in H; destruct H as [H _]; apply andb_prop in H; exact H. Qed.
+
+Lemma leg_between_known j I I' s s' : hits I s -> hits I' s' -> lawful (leg_between D j I I') = true ->
+  leg_known (leg_between D j I I') j s s'.
 Proof.
-  intros Hm HN HS HS' H; unfold leg_box in H; cbv zeta in H.
-  apply andb_prop in H; destruct H as [B HL]; apply andb_prop in B; destruct B as [B B'].
-  destruct (mem_phase _ _ _ HN HS B) as [L HF]; destruct (mem_phase _ _ _ HN HS' B') as [L' HF']; clear B B'.
-  unfold leg_holds; cbv zeta; split; [exact L|]; split; [exact L'|].
-  pose proof (mem_placeI _ _ _ _ HN HS HF L) as HQ; pose proof (mem_placeI _ _ _ _ HN HS' HF' L') as HQ'.
-  pose proof (mem_rateI _ _ _ HN HF) as HJ; pose proof (mem_rateI _ _ _ HN HF') as HJ'.
+  intros [L HS HF HQ HJ] [L' HS' HF' HQ' HJ'] H; unfold leg_known; cbv zeta.
   assert (Es : g1 M (phase M w s) / nu = s / 2) by (rewrite (proj2 L); pose proof (good_nu _ _ HG); field;
     lra).
   assert (Es' : g1 M (phase M w s') / nu = s' / 2) by (rewrite (proj2 L'); pose proof (good_nu _ _ HG);
@@ -307,13 +330,13 @@ Proof.
   assert (Pb : 0 < bend M (phase M w s)) by (apply Hb, (lands_lies M w s L)).
   assert (Pb' : 0 < bend M (phase M w s')) by (apply Hb, (lands_lies M w s' L')).
   unfold before_slope, after_slope; cbv zeta; rewrite Es, Es'; clear Es Es' L L'.
-  set (t := phase M w s) in *; set (t' := phase M w s') in *; set (j := Letter.periods n) in *.
-  set (F := phaseI D N S) in *; set (F' := phaseI D N S') in *; clearbody F F'.
-  pose proof (mem_turn j); assert (HT : mem (minus (plus (turn j) F') F) (time j t t')) by (unfold time;
+  unfold leg_between in *; cbv zeta in *.
+  set (t := phase M w s) in *; set (t' := phase M w s') in *.
+  destruct I as [S F IQ J], I' as [S' F' IQ' J']; cbn [strength phase_at place_at rate] in *.
+  pose proof (mem_turn j) as Ht; assert (HT : mem (minus (plus (turn j) F') F) (time j t t')) by (unfold time;
     encl).
   set (LI := minus _ F) in *; clearbody LI; set (T := time j t t') in *; pose proof mem_frequency as Hom.
-  pose proof (in_C _ _ _ _ HD) as HC; pose proof (in_K _ _ _ _ HD) as HK;
-    pose proof (in_Ka _ _ _ _ HD) as HKa.
+  pose proof (in_C _ _ _ _ HD) as HC; pose proof (in_K _ _ _ _ HD) as HK.
   destruct (flow_numbers T) as (Eom & Hsc & E_11 & E_12 & E_22 & E_21).
   destruct (mem_angle _ _ (mem_times _ _ _ _ Hom HT)) as [Hco Hsn].
   pose proof (mem_times _ _ _ _ (mem_inverse _ _ Hom) Hsn) as Hsi.
@@ -321,32 +344,27 @@ Proof.
   assert (Eei : exp (- (Machine.c M * (1 / 2)) * T) = / exp (Machine.c M * (1 / 2) * T)).
   { rewrite <- exp_Ropp; f_equal; ring. }
   rewrite Eei in *; pose proof (exp_pos (Machine.c M * (1 / 2) * T)) as Pex.
-  unfold before, after; fold T; unfold leg_with in HL; cbv zeta in HL.
+  unfold before, after; fold T; unfold leg_with in *; cbv zeta in *.
+  cbn [lawful first_at last_at slopes strength phase_at place_at rate fst snd] in *.
   set (om := frequency M) in *; set (si := / om * sin (om * T)) in *; set (co := cos (om * T)) in *.
   set (ex := exp (Machine.c M * (1 / 2) * T)) in *.
   set (Isi := times (inverse (frequencyI D)) _) in *; set (Ico := fst _) in *; set (Iex :=
     exponential _) in *.
-  set (J := rateI D N F) in *; set (J' := rateI D N F') in *; set (IQ := placeI D N S F) in *.
-  set (IQ' := placeI D N S' F') in *; set (Q := place M t) in *; set (Q' := place M t') in *.
-  clearbody Isi Ico Iex J J' IQ IQ' Q Q' si co ex T om.
-  apply andb_prop in HL; destruct HL as [HL H2]; apply andb_prop in HL; destruct HL as [H0 H1].
-  apply (proj1 (forallb_forall _ _)) with (x := m) in H2; [|exact Hm]; cbv beta in H2.
+  set (Q := place M t) in *; set (Q' := place M t') in *.
+  clearbody Isi Ico Iex Q Q' si co ex T om.
+  apply andb_prop in H; destruct H as [_ H0].
   assert (Nsi : si <> 0).
   { apply orb_prop in H0; destruct H0 as [H0|H0]; [apply positive_lt with (x := si) in H0 |
       apply positive_lt with (x := - si) in H0]; try lra; encl. }
-  clear H0; apply andb_prop in H1; destruct H1 as [H1 H1'].
-  rewrite E_21, E_11, E_12, E_22, (after_number (Machine.c M) si co ex Q Q' Pex Nsi).
+  clear H0; rewrite E_21, E_11, E_12, E_22, (after_number (Machine.c M) si co ex Q Q' Pex Nsi).
   rewrite (before_number (Machine.c M) (Machine.k M) om si co ex Q Q' Eom Hsc Pex Nsi).
   set (h := Machine.c M * (1 / 2)) in *; assert (Hh : mem (times (C D) half) h) by (unfold h; encl).
   set (hI := times (C D) half) in *; clearbody h hI.
-  set (a := ex * / si * Q' - (co * / si + h) * Q); set (p := (co * / si - h) * Q' - / ex * / si * Q).
-  match type of H1 with inside _ ?A = _ => assert (HA : mem A a) by (unfold a; encl) end.
-  match type of H1' with inside _ ?A = _ => assert (HP : mem A p) by (unfold p; encl); set (IP := A) in * end.
   assert (Ne : / ex * si <> 0).
   { apply Rmult_integral_contrapositive_currified; [apply Rinv_neq_0_compat; lra | exact Nsi]. }
-  split; [exact Ne|]; split; [exact (inside_within _ _ _ H1 HA)|]; split;
-    [exact (inside_within _ _ _ H1' HP)|].
-  clear H1 H1' HA; clearbody IP a p.
+  split; [exact Ne|]; split; [encl|]; split; [encl|].
+  set (a := ex * / si * Q' - (co * / si + h) * Q); set (p := (co * / si - h) * Q' - / ex * / si * Q).
+  intros IP HP; clearbody a p.
   assert (M11 : mem (times (inverse Iex) (plus Ico (times hI Isi))) (/ ex * (co + h * si))) by encl.
   assert (M12 : mem (times (inverse Iex) Isi) (/ ex * si)) by encl.
   assert (M22 : mem (times (inverse Iex) (minus Ico (times hI Isi))) (/ ex * (co - h * si))) by encl.
@@ -355,17 +373,54 @@ Proof.
   set (I11 := times _ (plus Ico _)) in *; set (I12 := times (inverse Iex) Isi) in *.
   set (I22 := times _ (minus Ico _)) in *; set (Iu := times Iex _) in *; clearbody I11 I12 I22 Iu.
   set (e11 := / ex * (co + h * si)) in *; set (e12 := / ex * si) in *; set (e22 := / ex * (co - h * si)) in *.
-  clearbody e11 e12 e22; unfold contracts in H2; cbv zeta in H2; apply andb_prop in H2;
-    destruct H2 as [H2 H3].
-  pose proof (mem_weightI m n) as Hmn; pose proof (mem_weightI n k) as Hnk.
+  clearbody e11 e12 e22.
   set (r := nu * (1 / 2) * / bend M t) in *; set (r' := nu * (1 / 2) * / bend M t') in *.
   set (acc := - Machine.c M * p - Machine.k M * Q').
   exists (r * ((p - e11 * (s * (1 / 2))) * / e12)), (r' * ((s' * (1 / 2) - p) * / e12)).
   exists (r * (e22 * ((p - e11 * (s * (1 / 2))) * / e12) - Machine.k M * (e12 * (s * (1 / 2))) - acc)).
-  exists (r' * (e22 * ((s' * (1 / 2) - p) * / e12) + acc)).
-  split; [|split].
-  - intros l l'; unfold r, r', acc; split; field; repeat split; trivial; lra.
-  - refine (below_le _ _ _ _ H2 _ _); unfold alpha; encl.
-  - refine (below_le _ _ _ _ H3 _ _); unfold beta, acc; encl.
+  exists (r' * (e22 * ((s' * (1 / 2) - p) * / e12) + acc)); unfold acc.
+  split; [encl|]; split; [encl|]; split; [encl|]; split; [encl|].
+  intros l l'; unfold r, r'; split; field; repeat split; trivial; lra.
+Qed.
+
+Lemma leg_box_holds ms m n k s s' N S S' : In m ms -> mem N nu -> mem S s -> mem S' s' ->
+  leg_box D ms n k N S S' = true -> leg_holds M w kappa m n k s s'.
+Proof.
+  intros Hm HN HS HS' H; unfold leg_box in H; cbv zeta in H.
+  rewrite !andb_true_iff in H; destruct H as [[HL [H1 H1']] H2].
+  apply (proj1 (forallb_forall _ _)) with (x := m) in H2; [|exact Hm]; cbv beta in H2.
+  destruct (leg_windows _ _ _ HL) as [B B'].
+  pose proof (impact_hits _ _ _ HN HS (window_lands _ _ _ HN HS B)) as HI.
+  pose proof (impact_hits _ _ _ HN HS' (window_lands _ _ _ HN HS' B')) as HI'.
+  destruct (leg_between_known _ _ _ _ _ HI HI' HL) as (P & HA & HP & HX).
+  destruct (HX _ HP) as (x & x' & y & y' & Mx & Mx' & My & My' & E).
+  split; [apply HI|]; split; [apply HI'|]; split; [exact P|].
+  split; [exact (inside_within _ _ _ H1 HA)|]; split; [exact (inside_within _ _ _ H1' HP)|].
+  unfold contracts in H2; cbv zeta in H2; apply andb_prop in H2; destruct H2 as [H2 H3].
+  pose proof (mem_weightI m n) as Hmn; pose proof (mem_weightI n k) as Hnk; pose proof (in_Ka _ _ _ _ HD).
+  exists x, x', y, y'; split; [exact E|]; unfold alpha, beta; split;
+    [refine (below_le _ _ _ _ H2 _ _) | refine (below_le _ _ _ _ H3 _ _)]; encl.
 Qed.
 End Cell.
+
+(** ** What is asked of a cell as a whole *)
+
+Lemma rangings_mem R H : Forall2 (fun '(i, (A, B)) '(j, (a, b)) => i = j /\ within A a /\ within B b) R H ->
+  Forall2 (fun '(i, (A, B)) '(j, (a, b)) => i = j /\ mem A a /\ mem B b) (rangings R) H.
+Proof.
+  intros HH; induction HH as [|(i & A & B) (j & a & b) H1 H2 (E & Ha & Hb) _ IH]; cbn; constructor; trivial.
+  split; [exact E | split; apply mem_ranging; assumption].
+Qed.
+Lemma side_mem (b : bool) : mem (constant (if b then 1 else -1) 1) (if b then 1 else -1).
+Proof. destruct b; apply mem_integer. Qed.
+Lemma wall_facts D M w kappa : in_cell D M w kappa -> 0 < Machine.nu M -> g M 0 = 1 /\ g1 M 0 = 0 ->
+  wall_ok D = true -> good M w /\ 0 < Machine.tau M /\ w <= PI.
+Proof.
+  intros HD Hnu Hg H; unfold wall_ok in H; rewrite !andb_true_iff in H; destruct H as [[[[A1 A2] A3] A4] A5].
+  pose proof HD as [HCc HK HT HSg HW HKa HH].
+  assert (P1 : 0 < Machine.k M - Machine.c M * Machine.c M * (1 / 4)) by (apply (positive_lt _ _ A1); encl).
+  assert (P2 : 0 < w) by exact (positive_lt _ _ A3 HW).
+  split; [constructor; trivial|split; [exact (positive_lt _ _ A2 HT) | exact (below_le _ _ _ _ A4 HW mem_pi)]].
+  intros t Ht; destruct (cover_one _ _ _ t A5 (mem_join _ _ _ _ _ (mem_opp _ _ HW) HW Ht)) as (I & B & HI).
+  exact (positive_lt _ _ B (mem_bendI D M w kappa HD _ _ HI)).
+Qed.
