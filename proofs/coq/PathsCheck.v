@@ -57,14 +57,20 @@ Definition phase_off (off : Z) (Y : itv) : itv := match Y with
   | None => None end.
 Definition phaseI (N S : itv) : itv :=
   let Y := times (times N S) half in
-  match phase_off (one / 100000) Y with Some X => Some X | None => phase_off (one / 5000) Y end.
+  match phase_off (one / 1000000) Y with Some X => Some X | None =>
+    match phase_off (one / 100000) Y with Some X => Some X | None => phase_off (one / 5000) Y end end.
 
 Definition hull (X Y : itv) : itv := match X, Y with
   | Some (a, b), Some (c, d) => Some (Z.min a c, Z.max b d) | _, _ => None end.
 Definition hull_all (L : list itv) : itv := match L with [] => None | X :: L => fold_right hull X L end.
-(** Of an impact at a phase in F: where, and minus the derivative of the phase. *)
-Definition placeI (N S F : itv) : itv := minus (Sg D)
-  (times (times N (times (times S half) (times S half))) (times half (inverse (bendI (hull zero F))))).
+(** What both know, of numbers in both. *)
+Definition meet (X Y : itv) : itv := match X, Y with
+  | Some (a, b), Some (c, d) => Some (Z.max a c, Z.min b d) | None, Y => Y | X, None => X end.
+(** Of an impact at a phase in F: where, with (1 - g)/g'^2 by the bend, or g itself away from the touch; and minus
+  the derivative of the phase. *)
+Definition placeI (N S F : itv) : itv := minus (Sg D) (meet
+  (times (times N (times (times S half) (times S half))) (times half (inverse (bendI (hull zero F)))))
+  (times (minus unit (gI F)) (inverse N))).
 Definition rateI (N F : itv) : itv := times (times N half) (inverse (bendI F)).
 
 (** An impact: s, the phase, the place, and minus the derivative of the phase. *)

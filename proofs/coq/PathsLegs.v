@@ -40,6 +40,11 @@ Proof.
   cbn [mem]; revert Hz'; unfold Rmin, Rmax; destruct Rle_dec; lra.
 Qed.
 
+Lemma mem_meet X Y x : mem X x -> mem Y x -> mem (meet X Y) x.
+Proof.
+  destruct X as [[a b]|], Y as [[c d]|]; cbn [meet mem]; trivial; intros H H'.
+  split; [apply Z.max_case_strong | apply Z.min_case_strong]; intros _; lra.
+Qed.
 Lemma mem_nothing x : mem None x.
 Proof. exact I. Qed.
 Lemma nothing_positive X : positive (minus X (size None)) = false.
@@ -201,9 +206,11 @@ Lemma found_phase N S s : mem N nu -> mem S s -> phaseI D N S <> None ->
   lies M w s (phase M w s) /\ mem (phaseI D N S) (phase M w s).
 Proof.
   intros HN HS; pose proof (mem_y _ _ _ HN HS) as HY; unfold phaseI; cbv zeta; intros X.
-  destruct (phase_off D (one / 100000) (times (times N S) half)) as [[a b]|] eqn:E1;
-    [|destruct (phase_off D (one / 5000) (times (times N S) half)) as [[a b]|] eqn:E2; [|congruence]];
-    [destruct (off_phase _ _ _ _ _ HY E1) as [L B] | destruct (off_phase _ _ _ _ _ HY E2) as [L B]];
+  destruct (phase_off D (one / 1000000) (times (times N S) half)) as [[a b]|] eqn:E1;
+    [|destruct (phase_off D (one / 100000) (times (times N S) half)) as [[a b]|] eqn:E2;
+      [|destruct (phase_off D (one / 5000) (times (times N S) half)) as [[a b]|] eqn:E3; [|congruence]]];
+    [destruct (off_phase _ _ _ _ _ HY E1) as [L B] | destruct (off_phase _ _ _ _ _ HY E2) as [L B] |
+     destruct (off_phase _ _ _ _ _ HY E3) as [L B]];
     (split; [exact L|]; apply (mem_join _ _ _ _ _ (mem_at_point a) (mem_at_point b) B)).
 Qed.
 Lemma mem_phase_of N S s : mem N nu -> mem S s -> mem (phaseI D N S) (phase M w s).
@@ -234,11 +241,12 @@ Proof.
   { apply mem_bendI, (mem_hull _ _ 0 t); [encl | exact HF | exact Hx]. }
   assert (Px : 0 < bend M x) by (apply Hb; revert Hx; unfold Rmin, Rmax; destruct Rle_dec; lra).
   pose proof (good_nu _ _ HG) as Hnu; pose proof (in_Sg _ _ _ _ HD).
-  replace (place M t) with (Machine.sigma M - nu * (s * (1 / 2) * (s * (1 / 2))) * (1 / 2 * / bend M x)).
-  - unfold placeI; encl.
-  - unfold place; f_equal; apply (Rmult_eq_reg_r (nu * (2 * bend M x))); [|nra].
-    replace ((1 - g M t) / nu * (nu * (2 * bend M x))) with ((1 - g M t) * (2 * bend M x)) by (field; lra).
-    rewrite Ex; field; lra.
+  pose proof (mem_gI _ _ HF); unfold placeI, place; apply mem_minus; [assumption|].
+  apply mem_meet; [|unfold Rdiv; encl].
+  replace ((1 - g M t) / nu) with (nu * (s * (1 / 2) * (s * (1 / 2))) * (1 / 2 * / bend M x)); [encl|].
+  apply (Rmult_eq_reg_r (nu * (2 * bend M x))); [|nra].
+  replace ((1 - g M t) / nu * (nu * (2 * bend M x))) with ((1 - g M t) * (2 * bend M x)) by (field; lra).
+  rewrite Ex; field; lra.
 Qed.
 
 (** What is known of the impact with s. *)

@@ -85,11 +85,11 @@ done
 extracted=$(tr '\n' ' ' <Oracle.v | sed -nE 's/.*Extraction "decide\.ml"([^.]*( Z\.(add|mul|opp|gcd))*)\.[[:space:]]*$/\1/p')
 [ "$extracted" ] || refuse "Oracle.v must end with its one Extraction"
 if grep -E '(Definition|Fixpoint|Let|Notation|Extract|Axiom)[[:space:]]' Oracle.v >&2; then refuse "Oracle.v defines or replaces: above"; fi
-decided=$(for file in StatementZ StatementWordsZ StatementCircleZ StatementReaders StatementReaderWords StatementPaths; do
+decided=$(for file in StatementZ StatementWordsZ StatementCircleZ StatementReaders StatementReaderWords StatementPaths StatementRanges; do
   sentences $file.v; done | grep -E '^Definition [A-Za-z0-9_]*_statement ')
 for name in $extracted; do
   case "$name" in Z.add | Z.mul | Z.opp | Z.gcd) continue ;; esac
-  for file in StatementZ StatementWordsZ StatementCircleZ StatementReaders StatementReaderWords StatementPaths; do sentences $file.v; done | grep -E '^Definition [A-Za-z0-9_]*_statement ' | grep -qw "$name" ||
+  for file in StatementZ StatementWordsZ StatementCircleZ StatementReaders StatementReaderWords StatementPaths StatementRanges; do sentences $file.v; done | grep -E '^Definition [A-Za-z0-9_]*_statement ' | grep -qw "$name" ||
     refuse "Oracle.v extracts $name, which no statement is about"
 done
 

@@ -256,8 +256,23 @@ E
 mutant reader-with-a-wrong-cosine 'File "./(ConsequencesReaders|ReaderCircle)' --pin StatementReaders.v <<'E'
 s/Z.odd ((floorZ (2 \* n) h + 1) \/ 2)/Z.odd (floorZ (2 * n) h \/ 2)/
 E
-mutant path-without-the-law-of-impact 'File "./(ConsequencesReaders|Paths)' --pin StatementPaths.v <<'E'
+mutant path-without-the-law-of-impact 'File "./(Consequences(Readers|Ranges)|Paths|Motions)' --pin StatementPaths.v <<'E'
 s/= - Machine.tau M \* (v i (t j) - g1 M (t j))\./= v j (t j) - g1 M (t j)./
+E
+mutant range-of-any-strengths 'File "./ConsequencesRanges' --pin StatementRanges.v <<'E'
+s/  within (Edge.strengths e) s \/\\ g1 M/  True \/\\ g1 M/
+E
+mutant range-of-some-motions 'File "./ConsequencesRanges' --pin StatementRanges.v <<'E'
+s/^  forall i x, t' i = t i \/\\ y' i x = y i x \/\\ v' i x = v i x\./  True./
+E
+mutant range-of-cells-apart 'File "./ConsequencesRanges' --pin StatementRanges.v <<'E'
+s/  let cell K := In K (Range.cells C) \/\\/  let cell K := nth_error (Range.cells C) 0 = Some K \/\\/
+E
+mutant range-reader-without-a-neighbour 'File "./RangesSteps' '' RangesCheck.v <<'E'
+s/(times (size (later x y)) (weight_of (to y)))/zero/
+E
+mutant range-reader-without-links 'File "./RangesLinks' '' RangesCheck.v <<'E'
+s/if match L with \[\] => true | K' :: _ => links X D K K' end then/if true then/
 E
 mutant three-periods-at-any-speed 'File "./Consequences' --pin StatementChaos.v <<'E'
 s/169 \/ 10 \* mu <= v i (t i)/0 * mu <= v i (t i)/

@@ -1,9 +1,10 @@
-(* A reader of certificates of kinds theorem2, word, word-by-theorem and chaos 3: one answer per file named on
-   the command line, "proved", "refused: line N: ..." or "not read: ...". Of chaos 3 "proved" is said of the
-   motions alone. What a file claims is decided by the proved functions of StatementReaders.v,
-   StatementReaderWords.v and PathsCheck.v; here files are cut into lines and words, numbers are read, and the
-   form is checked, as the heads of mod.rs in checker/src/theorem2, checker/src/word and checker/src/chaos
-   have it. *)
+(* A reader of certificates of kinds theorem2, word, word-by-theorem, chaos 3, range and range 2: one answer per
+   file named on the command line, "proved", "refused: line N: ..." or "not read: ...". Of chaos 3 and of ranges
+   "proved" is said of the motions alone; where a range claims that there are no others, the answer is "proved;
+   others: not read". What a file claims is decided by the proved functions of StatementReaders.v,
+   StatementReaderWords.v, PathsCheck.v and RangesCheck.v; here files are cut into lines and words, numbers are
+   read, and the form is checked, as the heads of mod.rs in checker/src/theorem2, checker/src/word,
+   checker/src/chaos and checker/src/range have it. *)
 open Decide
 
 exception Refused of string
@@ -323,22 +324,33 @@ let nothing = quotient Z0 XH
 let above_0 q = need (below nothing q) "expected a positive number"; q
 let count what least most word = let n = small what most word in need (n >= least) ("too few: " ^ what); n
 
-let read_chaos lines =
-  expect_statement lines chaos;
-  let range name = ratios (named lines name) in
-  let damping = range "damping" in let stiffness = range "stiffness" in let force = range "force" in
-  if force <> (nothing, nothing) then raise (Not_read "a force");
-  let restitution = range "restitution" in let depth = range "depth" in
-  let behind = match named lines "side" with [ "1" ] -> true | [ "-1" ] -> false | _ -> refuse "expected 1 or -1" in
-  let rec times n f = if n = 0 then [] else let x = f () in x :: times (n - 1) f in
-  let harmonics = times (one (count "harmonics" 1 100) (named lines "harmonics")) (fun () ->
+let range lines name = ratios (named lines name)
+let side lines = match named lines "side" with [ "1" ] -> true | [ "-1" ] -> false | _ -> refuse "expected 1 or -1"
+let rec times n f = if n = 0 then [] else let x = f () in x :: times (n - 1) f
+let rec increasing = function i :: (j :: _ as rest) -> i < j && increasing rest | _ -> true
+let harmonics lines =
+  let all = times (one (count "harmonics" 1 100) (named lines "harmonics")) (fun () ->
     match named lines "harmonic" with
     | [ n; a; a'; b; b' ] ->
         let n = count "an order" 1 100 n in
         let a = ratios [ a; a' ] in let b = ratios [ b; b' ] in (n, (a, b))
     | _ -> refuse "expected an order and four numbers") in
-  let rec increasing = function (i, _) :: ((j, _) :: _ as rest) -> i < j && increasing rest | _ -> true in
-  need (increasing harmonics) "the orders increase";
+  need (increasing (List.map fst all)) "the orders increase";
+  List.map (fun (n, ranges) -> (positive n, ranges)) all
+(* The numbers, from 0, of the letters that may follow. *)
+let followers lines number =
+  let next = List.map (fun v -> count "a letter" 1 number v) (named lines "next") in
+  need (next <> [] && increasing next) "the letters that follow increase";
+  List.map (fun v -> v - 1) next
+
+let read_chaos lines =
+  expect_statement lines chaos;
+  let range = range lines in
+  let damping = range "damping" in let stiffness = range "stiffness" in let force = range "force" in
+  if force <> (nothing, nothing) then raise (Not_read "a force");
+  let restitution = range "restitution" in let depth = range "depth" in
+  let behind = side lines in
+  let harmonics = harmonics lines in
   let cells = match named lines "cells" with
     | [ c; k; f; t; n ] ->
         let part = count "parts" 1 10_000 in
@@ -361,19 +373,106 @@ let read_chaos lines =
         (positive n, after, before, (alpha, beta))
     | _ -> refuse "expected a letter") in
   let letters = List.map (fun (periods, after, before, weights) ->
-    let next = List.map (fun v -> count "a letter" 1 number v) (named lines "next") in
-    let rec increasing = function i :: (j :: _ as rest) -> i < j && increasing rest | _ -> true in
-    need (next <> [] && increasing next) "the letters that follow increase";
-    { Letter.periods; after; before; weights; next = List.map (fun v -> natural (v - 1)) next }) letters in
+    let next = List.map natural (followers lines number) in
+    { Letter.periods; after; before; weights; next }) letters in
   let contraction = above_0 (one decimal (named lines "contraction")) in
-  let harmonics = List.map (fun (n, ranges) -> (positive n, ranges)) harmonics in
   let certificate = { Certificate.damping; stiffness; restitution; depth; cells; behind; harmonics; window;
     contraction; letters } in
   need (check certificate) "not proved"
 
-let read lines =
-  need (expect lines "the format" = "grazing-certificate 1") "no certificate of this format";
-  match expect lines "the kind" with
+(* ---- kinds range and range 2: the motions, without growth, continuity and others ---- *)
+let span =
+  "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a cos jt + b sin jt, a \
+   and b in their ranges, all a together 1 and all j b together 0, and for every nu > 0 up to the last \
+   cell's, the oscillator q'' = -c q' - k q above the wall sigma nu - 1 + g(t), sigma the listed side, with \
+   restitution tau: for every bi-infinite path of the listed graph of letters and every integer m there is \
+   exactly one motion whose impacts, one between two letters, have times within W of multiples of 2 pi, as \
+   many periods 2 pi apart as the letters say, the impact before letter 0 within W of 2 pi m, each at a phase \
+   where g' = nu s/2 with s in the range that the cell of nu has for the edge between its letters. It has no \
+   other impacts, all are at positive speed, and between them the gap is positive. Where nu is in two cells \
+   both have the same motion, and with c, k, tau, g, the path and m held fixed the times and velocities of \
+   its impacts depend continuously on nu, from where it is born at nu = 0. With the same m, paths whose \
+   periods differ somewhere have different motions; on the set of the states (q, q') at t = pi of all these \
+   motions, for all m, the map to t = 3 pi has a topological entropy between the logarithms of the growth \
+   rates."
+let and_no_others =
+  " If a cell has a line others with a strength S, then for its nu every motion that meets the wall at \
+   arbitrarily early and late times, only within W of multiples of 2 pi where |g'| <= nu S/2, and is bounded \
+   if sigma is -1, is one of these. If c and k are positive, every bounded motion that meets the wall, and \
+   only there, is one of these or, if sigma is -1, has a last impact. S is above |s| in the ranges of all its \
+   edges."
+
+(* A line others; whether it claims that there are none. *)
+let read_others lines = match named lines "others" with
+  | [ "no" ] -> false
+  | [ s; parts; slices ] ->
+      ignore (above_0 (decimal s)); ignore (count "parts" 1 64 parts); ignore (count "slices" 1 1000 slices); true
+  | _ -> refuse "expected no, or a strength and two numbers"
+let read_edge lines = match named lines "edge" with
+  | [ a; b; m; w ] ->
+      let strengths = decimals [ a; b ] in let factor = decimal m in
+      { Edge.strengths; factor; weight = above_0 (decimal w) }
+  | _ -> refuse "expected four numbers"
+(* From a depth on; with the numbers of parts, and whether a line others claims that there are none. *)
+let read_cell lines second edges first from =
+  match named lines "cell" with
+  | [ till; parts; steps ] ->
+      let till = ratio till in
+      let parts = count "parts" 1 64 parts in let steps = count "steps" 0 1000 steps in
+      let others = second && read_others lines in
+      need (below from till) "the depths of cells increase, from 0";
+      need (steps = 0 || not first) "the first cell has no other before it";
+      ({ Cell.depth = (from, till); steps = natural steps; edges = times edges (fun () -> read_edge lines) },
+       parts, others)
+  | _ -> refuse "expected a depth and two numbers"
+
+let read_range second lines =
+  expect_statement lines (if second then span ^ and_no_others else span);
+  let damping = range lines "damping" in let stiffness = range lines "stiffness" in
+  let restitution = range lines "restitution" in
+  need (below nothing (fst restitution)) "a restitution is positive";
+  let behind = side lines in let harmonics = harmonics lines in
+  let window = above_0 (one decimal (named lines "window")) in
+  ignore (one (count "pieces" 1 1000) (named lines "pieces"));
+  let number = one (count "letters" 1 400) (named lines "letters") in
+  if number > 20 then raise (Not_read "more than 20 letters");
+  let periods = times number (fun () ->
+    match named lines "letter" with
+    | [ n; gamma ] ->
+        let n = count "periods" 1 1000 n in
+        if n > 30 then raise (Not_read "a letter of more than 30 periods");
+        ignore (above_0 (decimal gamma)); positive n
+    | _ -> refuse "expected the periods and a number") in
+  let graph = List.concat (List.init number (fun u -> u) |> List.map (fun u ->
+    List.map (fun v -> (u, v)) (followers lines number))) in
+  need (List.for_all (fun v -> List.exists (fun (_, v') -> v = v') graph) (List.init number (fun v -> v)))
+    "every letter follows some letter";
+  let lo, _ = decimals (named lines "growth") in
+  need (qle_bool (quotient (whole 1) XH) lo) "a growth rate is at least 1";
+  let contraction = above_0 (one decimal (named lines "contraction")) in
+  need (below contraction (quotient (whole 1) XH)) "a contraction is below 1";
+  if second then begin
+    ignore (one (count "periods" 1 100) (named lines "longest"));
+    ignore (one (count "rounds" 1 100) (named lines "rounds"))
+  end;
+  let cells = one (count "cells" 1 10_000) (named lines "cells") in
+  let edges = List.length graph in
+  need (cells * edges <= 100_000) "too many lines edge";
+  let rec read_cells n from =
+    if n = 0 then [] else
+      let (cell, _, _) as all = read_cell lines second edges (n = cells) from in
+      all :: read_cells (n - 1) (snd cell.Cell.depth) in
+  let all = read_cells cells nothing in
+  need (next lines = None) "the file goes on after its last line";
+  let certificate = { Range.damping; stiffness; restitution; behind; harmonics; window; contraction; periods;
+    graph = List.map (fun (u, v) -> (natural u, natural v)) graph; cells = List.map (fun (cell, _, _) -> cell) all } in
+  if not (check_range certificate) then begin
+    if List.exists (fun (_, parts, _) -> parts > 1) all then raise (Not_read "strengths in more than one part");
+    refuse "not proved"
+  end;
+  if List.exists (fun (_, _, others) -> others) all then Some "others: not read" else None
+
+let read_other lines = function
   | "kind theorem2" -> read_theorem2 lines
   | "kind word" -> read_words lines word (by_signs lines)
   | "kind word-by-theorem" ->
@@ -382,7 +481,15 @@ let read lines =
         need (regionZ place.box (whole region)) "not all of the set lies in this region";
         by_path lines place bits region)
   | "kind chaos 3" -> read_chaos lines
-  | _ -> raise (Not_read "a kind that is not theorem2, word, word-by-theorem or chaos 3")
+  | _ -> raise (Not_read "a kind that is not theorem2, word, word-by-theorem, chaos 3 or range")
+
+(* What is proved; and what of it is not read. *)
+let read lines =
+  need (expect lines "the format" = "grazing-certificate 1") "no certificate of this format";
+  match expect lines "the kind" with
+  | "kind range" -> read_range false lines
+  | "kind range 2" -> read_range true lines
+  | kind -> read_other lines kind; None
 
 let text_of file =
   let channel = open_in_bin file in
@@ -393,7 +500,8 @@ let () =
   for i = 1 to Array.length Sys.argv - 1 do
     let lines = lines_of (text_of Sys.argv.(i)) in
     print_endline (match read lines with
-      | () -> "proved"
+      | None -> "proved"
+      | Some rest -> "proved; " ^ rest
       | exception Refused reason -> Printf.sprintf "refused: line %d: %s" lines.number reason
       | exception Not_read what -> "not read: " ^ what)
   done

@@ -1,5 +1,5 @@
-//! Certificates of Theorem 2, of words and of chaos: the reader that Coq has proved takes what `grazing`
-//! writes, and has the checker's verdict on damaged files.
+//! Certificates of Theorem 2, of words, of chaos and of ranges: the reader that Coq has proved takes what
+//! `grazing` writes, and has the checker's verdict on damaged files.
 
 use std::path::Path;
 use std::process::Command;
@@ -129,6 +129,85 @@ fn the_proved_reader_has_the_verdicts_of_the_checker_on_chaos() {
         assert!(verdict.starts_with("refused") && checked.is_err(), "{verdict}; {checked:?}\n{text}");
     }
     assert!(damaged.len() >= 24, "{}", damaged.len());
+}
+
+/// Certificates of ranges: each sample's motions are proved, and where a range, a weight, the contraction,
+/// the window, the steps of a link or the machine is wrong for the theorem both readers refuse.
+#[test]
+fn the_proved_reader_has_the_verdicts_of_the_checker_on_ranges() {
+    let Some(build) = oracle() else { return };
+    let folder = build.join("ranges");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    let data = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../checker/tests/data"));
+    let (others, motions) = ("proved; others: not read", "proved");
+    let mut damaged = Vec::new();
+    for (name, proved) in
+        [("1", motions), ("12", motions), ("13", motions), ("alone", others), ("before", others)]
+    {
+        let text = fs::read_to_string(data.join(format!("range-{name}.txt"))).unwrap();
+        assert_eq!(read(&build, std::slice::from_ref(&text), &folder), [proved], "{name}");
+        // In how many pieces the checker is to prove the gap is nothing to the proved function, nor is S.
+        let mut unheeded = vec![text.replace("\npieces 32\n", "\npieces 1\n")];
+        unheeded.extend(
+            text.contains("\nothers 6.5 2 2\n").then(|| text.replace("\nothers 6.5 ", "\nothers 1 ")),
+        );
+        assert!(unheeded.iter().all(|changed| *changed != text));
+        assert_eq!(read(&build, &unheeded, &folder), vec![proved; unheeded.len()], "{name}");
+        damaged.extend(damaged_ranges(&text));
+    }
+    for (text, verdict) in damaged.iter().zip(read(&build, &damaged, &folder)) {
+        let checked = grazing_check::check(&mut text.as_bytes());
+        assert!(verdict.starts_with("refused") && checked.is_err(), "{verdict}; {checked:?}\n{text}");
+    }
+    assert!(damaged.len() >= 150, "{}", damaged.len());
+}
+
+/// One word of a certificate of a range made wrong, in many ways.
+fn damaged_ranges(text: &str) -> Vec<String> {
+    let lines: Vec<&str> = text.lines().collect();
+    let mut damaged = Vec::new();
+    let last = lines.iter().rposition(|line| line.starts_with("cell "));
+    for (at, line) in lines.iter().enumerate() {
+        let words: Vec<&str> = line.split(' ').collect();
+        let middle = |i: usize, j: usize| {
+            let of = |i: usize| words[i].parse::<f64>().unwrap();
+            format!("{:.7}", (of(i) + of(j)) / 2.0).trim_end_matches('0').to_owned()
+        };
+        let changes: Vec<(usize, String)> = match words[0] {
+            // Each end of a range to its middle; of a cell's first both exchanged, m 0 or too large, w 0.
+            "edge" => {
+                let first = lines[at - 1].starts_with(['c', 'o']);
+                let turned = [(1, words[2].into()), (2, words[1].into())];
+                let wrong = [(3, "0".into()), (3, "2.5".into()), (4, "0".into()), (4, "-1".into())];
+                let wrong = turned.into_iter().chain(wrong).filter(|_| first);
+                [(1, middle(1, 2)), (2, middle(1, 2))].into_iter().chain(wrong).collect()
+            }
+            "contraction" => ["0.1", "1", "0"].map(|word| (1, word.into())).into(),
+            "restitution" => [(1, "1/9".into()), (1, "0/1".into())].into(),
+            "window" => ["0.001", "1.6", "0"].map(|word| (1, word.into())).into(),
+            "side" => [(1, words[1].strip_prefix('-').map_or("-1".into(), str::to_owned))].into(),
+            "harmonic" => [(3, "9/10".into()), (5, "-1/10".into())].into(),
+            // An edge is gone, or one too many.
+            "next" if words.len() > 2 => [(0, "next".into())].into(),
+            // In range-12 the former cell's ranges are in the latter's.
+            "cell" if words[3] != "0" && text.contains("\nletters 1\n") => [(3, "0".into())].into(),
+            "cell" if Some(at) == last => [(1, "2/1".into()), (2, "0".into())].into(),
+            _ => Vec::new(),
+        };
+        for (place, word) in changes {
+            let mut words = words.clone();
+            if words[0] == "next" {
+                words.pop();
+            }
+            words[place] = &word;
+            let line = words.join(" ");
+            let mut lines = lines.clone();
+            lines[at] = &line;
+            damaged.push(lines.join("\n") + "\n");
+        }
+    }
+    damaged
 }
 
 /// One or two words, marks or lines changed.
