@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Writes the one table of docs/benchmarks.md: one computer, one run, with date, load and ratios. The computer should do nothing else.
 # Usage: all.sh [--quick] [PAGE]. Without --quick it takes some 15 minutes once everything is built, a quarter of it the proofs in Coq;
-# --quick does everything once with small numbers, in two minutes, and prints the table, which is no measurement. What a row needs and
+# --quick does everything once with small numbers, in some minutes, and prints the table, which is no measurement. What a row needs and
 # the computer has not is named in the table: gcc and FLINT's headers (Debian: libflint-dev libflint-arb-dev; FLINT=DIR, see
 # benches/common.sh), auto-07p with gfortran, coqc, and python3 (or $PYTHON) with python-flint and scipy, which it installs for itself.
 set -eu
