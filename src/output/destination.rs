@@ -89,7 +89,7 @@ impl Destination {
     }
 
     /// The columns of the terminal that this is; none if it is none, or does not tell its size.
-    pub(crate) fn columns(&self) -> Option<usize> {
+    pub fn columns(&self) -> Option<usize> {
         #[cfg(unix)]
         if self.is_stdout() {
             // Fails where it is no terminal; a terminal that does not tell says 0.

@@ -101,6 +101,8 @@ impl Finding for ChaosFindings {
     }
 
     fn lines(&self, lines: &mut Lines) {
+        // Bounds are not rounded.
+        lines.exact();
         lines.say("oscillator", self.oscillator.clone());
         lines.say("for", self.range.clone());
         if self.proved {

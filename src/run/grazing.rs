@@ -256,7 +256,7 @@ impl GrazingReport {
 
     fn lines(&self, lines: &mut Lines) {
         let at = &self.at;
-        lines.say("grazing", format!("{} = {:?}", at.varied, at.parameter));
+        lines.say("grazing", format!("{} = {}", at.varied, lines.set(at.parameter)));
         lines.say_known("orbit", &at.orbit);
         lines.say("stop", at.stop.as_str());
         if at.half {

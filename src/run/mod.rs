@@ -36,6 +36,7 @@ mod engine;
 mod event;
 mod follow;
 mod grazing;
+mod lines;
 mod map;
 mod orbit;
 pub mod parts;
@@ -76,6 +77,7 @@ pub(crate) use event::event;
 pub use event::{EventFindings, EventRow, WithoutRow};
 pub(crate) use grazing::grazing;
 pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport, MapNumbers};
+pub(crate) use lines::Lines;
 pub(crate) use map::map;
 #[doc(hidden)]
 pub use map::word as map_word;
@@ -95,7 +97,7 @@ pub use status::{Place, Status};
 pub use swept::{HysteresisRow, JumpRow, SweepFindings, SweptRow};
 pub(crate) use table::row;
 pub use table::{Complex, Judgement, Tabular};
-pub(crate) use table::{Lines, Row, Shown};
+pub(crate) use table::{Row, Shown};
 pub(crate) use validate::validate;
 pub use validate::{ProofRow, Proved, UnprovedRow, ValidateFindings};
 

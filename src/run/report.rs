@@ -128,10 +128,11 @@ fn told(files: &[String]) -> Vec<String> {
     }
 }
 
-/// The task's name, then a line for each thing.
+/// The task's name, then a line for each thing. A precision, as in `{:.6}`, is how many significant digits
+/// floats have, where they are no bounds; a width, as in `{:80}`, how wide lines may be.
 impl fmt::Display for TaskReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut lines = Lines::default();
+        let mut lines = Lines::new(f.precision(), f.width());
         lines.say("kind", self.kind);
         lines.say("status", self.status.to_string());
         lines.say("engine", format!("{}: {}", self.engine.name.word(), self.engine.reason));

@@ -193,6 +193,7 @@ impl MeasuredEffect {
             lines.say("harmonics", self.harmonics);
             lines.say("residual", self.residual);
         }
+        lines.exact();
         lines.say("bound", self.bound);
         if let (Some(gap), Some(time)) = (self.gap_change, self.time_change) {
             lines.say("gap_change", gap);

@@ -1,27 +1,30 @@
-//! How findings are shown: values as text, rows as tables, both made from the typed fields.
-
-use std::fmt::Write;
+//! How findings are shown: values as text, rows as cells, both made from the typed fields.
+//! Not here: how lines and tables of a report are set (`lines`).
 
 use serde::{Serialize, Serializer};
 
-use crate::{motion::RunEnd, printable::Printable};
+use crate::motion::RunEnd;
 
 /// A value as it stands in a report and in a CSV file.
 pub(crate) trait Shown {
-    /// Its text; empty for what is absent.
-    fn shown(&self) -> String;
+    /// Its text; empty for what is absent. Floats have at most so many significant digits, at least 1, or all
+    /// that tell them from others.
+    fn set(&self, digits: Option<usize>) -> String;
 }
 
-/// The shortest decimal that is this float.
+/// The shortest decimal that is this float, or the one rounded.
 impl Shown for f64 {
-    fn shown(&self) -> String {
-        format!("{self:?}")
+    fn set(&self, digits: Option<usize>) -> String {
+        let rounded = |digits: usize| format!("{self:.*e}", digits.max(1) - 1).parse().ok();
+        // The largest of all are rounded to none.
+        let finite = |x: &f64| x.is_finite();
+        format!("{:?}", digits.and_then(rounded).filter(finite).unwrap_or(*self))
     }
 }
 
 /// "yes" or "no".
 impl Shown for bool {
-    fn shown(&self) -> String {
+    fn set(&self, _: Option<usize>) -> String {
         if *self { "yes" } else { "no" }.into()
     }
 }
@@ -29,7 +32,7 @@ impl Shown for bool {
 macro_rules! shown_as_written {
     ($($type:ty)+) => {
         $(impl Shown for $type {
-            fn shown(&self) -> String {
+            fn set(&self, _: Option<usize>) -> String {
                 self.to_string()
             }
         })+
@@ -38,22 +41,22 @@ macro_rules! shown_as_written {
 shown_as_written! { u32 u64 usize i32 i64 String &str }
 
 impl<T: Shown> Shown for Option<T> {
-    fn shown(&self) -> String {
-        self.as_ref().map_or(String::new(), T::shown)
+    fn set(&self, digits: Option<usize>) -> String {
+        self.as_ref().map_or(String::new(), |value| value.set(digits))
     }
 }
 
 impl<T: Shown> Shown for [T] {
-    fn shown(&self) -> String {
-        self.iter().map(T::shown).collect::<Vec<_>>().join(", ")
+    fn set(&self, digits: Option<usize>) -> String {
+        self.iter().map(|value| value.set(digits)).collect::<Vec<_>>().join(", ")
     }
 }
 
 macro_rules! shown_as_slice {
     ($([$($generic:tt)+] $type:ty,)+) => {
         $(impl<$($generic)+> Shown for $type {
-            fn shown(&self) -> String {
-                self.as_slice().shown()
+            fn set(&self, digits: Option<usize>) -> String {
+                self.as_slice().set(digits)
             }
         })+
     };
@@ -62,7 +65,7 @@ shown_as_slice! { [T: Shown] Vec<T>, [T: Shown, const N: usize] [T; N], }
 
 /// Why.
 impl Shown for RunEnd {
-    fn shown(&self) -> String {
+    fn set(&self, _: Option<usize>) -> String {
         self.why().into()
     }
 }
@@ -78,11 +81,14 @@ impl From<(f64, f64)> for Complex {
 }
 
 impl Shown for Complex {
-    fn shown(&self) -> String {
+    fn set(&self, digits: Option<usize>) -> String {
         let Complex(re, im) = *self;
         match im {
-            0.0 => re.shown(),
-            _ => format!("{re:?} {} {:?}i", if im < 0.0 { '-' } else { '+' }, im.abs()),
+            0.0 => re.set(digits),
+            _ => {
+                let sign = if im < 0.0 { '-' } else { '+' };
+                format!("{} {sign} {}i", re.set(digits), im.abs().set(digits))
+            }
         }
     }
 }
@@ -109,7 +115,7 @@ impl Serialize for Judgement {
 }
 
 impl Shown for Judgement {
-    fn shown(&self) -> String {
+    fn set(&self, _: Option<usize>) -> String {
         match self {
             Judgement::Yes => "yes",
             Judgement::No => "no",
@@ -124,8 +130,8 @@ pub(crate) trait Row {
     /// The names of its fields: the columns.
     fn fields() -> Vec<&'static str>;
 
-    /// What each shows, as text.
-    fn cells(&self) -> Vec<String>;
+    /// What each shows, as text, floats with so many digits or all.
+    fn cells(&self, digits: Option<usize>) -> Vec<String>;
 }
 
 /// Declares a row: a struct with `Serialize` whose fields are the columns, in this order. `with { … }` has
@@ -152,10 +158,10 @@ macro_rules! row {
                 [own $(, <$of as $crate::run::Row>::fields(), vec![$(stringify!($last)),*])?].concat()
             }
 
-            fn cells(&self) -> Vec<String> {
+            fn cells(&self, digits: Option<usize>) -> Vec<String> {
                 use $crate::run::Shown as _;
-                let own = vec![$(self.$field.shown()),*];
-                [own $(, $crate::run::Row::cells(&self.$part), vec![$(self.$last.shown()),*])?].concat()
+                let own = vec![$(self.$field.set(digits)),*];
+                [own $(, $crate::run::Row::cells(&self.$part, digits), vec![$(self.$last.set(digits)),*])?].concat()
             }
         }
     };
@@ -167,8 +173,9 @@ pub trait Tabular {
     /// The names of the columns.
     fn columns(&self) -> Vec<&'static str>;
 
-    /// One text for each column, row by row.
-    fn cells(&self) -> Vec<Vec<String>>;
+    /// One text for each column, row by row: floats with so many significant digits, or with all that tell
+    /// them from others.
+    fn cells(&self, digits: Option<usize>) -> Vec<Vec<String>>;
 }
 
 impl<R: Row> Tabular for Vec<R> {
@@ -176,60 +183,7 @@ impl<R: Row> Tabular for Vec<R> {
         R::fields()
     }
 
-    fn cells(&self) -> Vec<Vec<String>> {
-        self.iter().map(R::cells).collect()
-    }
-}
-
-/// The lines of a report: name and value, or a table under its name.
-#[derive(Debug, Default)]
-pub(crate) struct Lines(String);
-
-impl Lines {
-    /// A line.
-    pub fn say(&mut self, name: &str, value: impl Shown) {
-        let _ = writeln!(self.0, "  {name:<16} {}", Printable(&value.shown()));
-    }
-
-    /// A line, of what is known.
-    pub fn say_known<T: Shown + Clone>(&mut self, name: &str, value: &Option<T>) {
-        if let Some(value) = value {
-            self.say(name, value.clone());
-        }
-    }
-
-    /// The fields of a row that are wanted, each a name and a text, a line each.
-    pub fn fields<R: Row>(&mut self, row: &R, wanted: impl Fn(&(&'static str, String)) -> bool) {
-        for (name, cell) in R::fields().into_iter().zip(row.cells()).filter(wanted) {
-            self.say(name, cell);
-        }
-    }
-
-    /// A table, columns aligned to the right; "none" if it is empty.
-    pub fn table<T: Tabular>(&mut self, name: &str, table: &T) {
-        let shown = |cell: String| Printable(&cell).to_string();
-        let cells = table.cells().into_iter().map(|row| row.into_iter().map(shown).collect());
-        let cells: Vec<Vec<String>> = cells.collect();
-        if cells.is_empty() {
-            return self.say(name, "none");
-        }
-        let _ = writeln!(self.0, "  {name}");
-        let heads: Vec<String> = table.columns().iter().map(ToString::to_string).collect();
-        let widths: Vec<usize> = (0..heads.len())
-            .map(|i| {
-                let widest = cells.iter().map(|row| row[i].chars().count()).max().unwrap_or(0);
-                widest.max(heads[i].len())
-            })
-            .collect();
-        for row in std::iter::once(&heads).chain(&cells) {
-            let line: Vec<String> =
-                row.iter().zip(&widths).map(|(cell, &width)| format!("{cell:>width$}")).collect();
-            let _ = writeln!(self.0, "    {}", line.join("  ").trim_end());
-        }
-    }
-
-    /// All of them.
-    pub fn text(&self) -> &str {
-        &self.0
+    fn cells(&self, digits: Option<usize>) -> Vec<Vec<String>> {
+        self.iter().map(|row| row.cells(digits)).collect()
     }
 }

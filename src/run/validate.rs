@@ -110,6 +110,8 @@ impl Finding for ValidateFindings {
     }
 
     fn lines(&self, lines: &mut Lines) {
+        // Bounds are not rounded.
+        lines.exact();
         if let Some(event) = self.event {
             lines.say("event", event);
         }

@@ -452,3 +452,29 @@ fn a_force_that_is_too_steep_is_named_with_its_place() {
         assert!(code == 3 && format!("{out}{error}").contains(reason), "{out}{error}");
     }
 }
+
+/// Of a row of A, as text: 6 digits, 3 if asked for, and with 17 the floats of JSON.
+#[test]
+fn text_has_the_digits_asked_for_and_json_has_all() {
+    let path = format!("{}/../examples/scenes/nordmark-2001.toml", env!("CARGO_MANIFEST_DIR"));
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let command = command.args(["run", &path, "--only", "grazing", "-o"]).arg(folder.path());
+        String::from_utf8(command.args(arguments).output().unwrap().stdout).unwrap()
+    };
+    let row = |arguments: &[&str]| -> Vec<f64> {
+        let text = run(arguments);
+        let line = text.lines().find_map(|line| line.trim_start().strip_prefix("A ")).expect(&text);
+        line.split(',').map(|x| x.trim().parse().unwrap()).collect()
+    };
+    let json: Value = serde_json::from_str(&run(&["--format", "json"])).unwrap();
+    let all: Vec<f64> =
+        json["tasks"][0]["A"][0].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    assert_eq!(row(&["--digits", "17"]), all);
+    for (arguments, digits) in [(&[][..], 6), (&["--digits", "3"], 3)] {
+        let rounded = |x: &f64| format!("{x:.*e}", digits - 1).parse::<f64>().unwrap();
+        assert_eq!(row(arguments), all.iter().map(rounded).collect::<Vec<_>>());
+        assert_ne!(row(arguments), all);
+    }
+}

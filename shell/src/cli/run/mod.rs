@@ -87,12 +87,27 @@ pub(super) struct Args {
     /// certificate by its SHA-256.
     #[arg(long, value_enum, default_value_t = PrintFormat::Text)]
     pub(super) format: PrintFormat,
+    /// Significant digits of floats in the report as text, where they are no bounds; 17 show all. JSON and
+    /// the tables in files have all digits.
+    #[arg(long, value_name = "D", default_value_t = DIGITS, value_parser = parse_integer::<usize>)]
+    digits: usize,
     /// What pictures are written as: svg; pdf and png with the feature `print`.
     #[arg(long, value_name = "FORMAT", default_value = "svg", value_parser = picture_format)]
     pictures: PictureFormat,
     /// Threads; 0 for one per core.
     #[arg(long, value_name = "J", default_value_t = 0, value_parser = parse_integer::<usize>)]
     jobs: usize,
+}
+
+/// Significant digits where nothing else is asked for.
+const DIGITS: usize = 6;
+
+/// Writes a report for a reader: as wide as the terminal, if it is one.
+fn write_text(report: &TaskReport, digits: usize, out: &mut dyn Write) -> Result<()> {
+    Ok(match Destination::Stdout.columns() {
+        Some(width) => write!(out, "{report:width$.digits$}"),
+        None => write!(out, "{report:.digits$}"),
+    }?)
 }
 
 fn picture_format(text: &str) -> Result<PictureFormat> {
@@ -175,7 +190,7 @@ impl Job<'_> {
         self.write(&file, |out| {
             let columns = rows.columns().iter().map(|name| Column::new(name, name, 0)).collect();
             let mut table = TableWriter::new(out, TableFormat::Csv, "", columns)?;
-            for cells in rows.cells() {
+            for cells in rows.cells(None) {
                 table.row(&cells.iter().map(|cell| TableCell::Text(cell)).collect::<Vec<_>>())?;
             }
             table.finish()
@@ -279,7 +294,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         }
         // As soon as it is known; JSON is one object, at the end.
         if args.format == PrintFormat::Text {
-            let part = Destination::Stdout.write(|out| Ok(write!(out, "{part}")?));
+            let part = Destination::Stdout.write(|out| write_text(&part, args.digits, out));
             written = written.and(part);
         }
         parts().push(part);
@@ -327,14 +342,19 @@ fn list(format: ReportFormat, files: &FileRegistry) -> Result<Outcome> {
 }
 
 /// Writes the report of one task, or of a part of it.
-fn tell(scene: &str, report: TaskReport, shard: Option<Shard>, format: ReportFormat) -> Result<Outcome> {
+fn tell(
+    scene: &str,
+    report: TaskReport,
+    shard: Option<Shard>,
+    (format, digits): (ReportFormat, usize),
+) -> Result<Outcome> {
     let outcome = report.status.outcome();
     if report.status.is_failed() {
         say(format_args!("error: task {}: {}", report.task, report.status));
     }
     let written = Destination::Stdout.write(|out| match format {
         ReportFormat::Text => {
-            write!(out, "{report}")?;
+            write_text(&report, digits, out)?;
             match (shard, report.status.is_done()) {
                 (Some(shard), true) => {
                     Ok(writeln!(out, "Shard {shard} of the task; `grazing merge` puts the shards together.")?)

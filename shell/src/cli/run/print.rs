@@ -95,7 +95,7 @@ type Blocks = Vec<Vec<(String, String)>>;
 
 fn blocks<T: Tabular>(rows: &T) -> Blocks {
     let names: Vec<String> = rows.columns().iter().map(ToString::to_string).collect();
-    rows.cells().into_iter().map(|cells| names.iter().cloned().zip(cells).collect()).collect()
+    rows.cells(None).into_iter().map(|cells| names.iter().cloned().zip(cells).collect()).collect()
 }
 
 fn table(

@@ -6,7 +6,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{Args, Bars, Job, called, list, names, tell};
+use super::{Args, Bars, DIGITS, Job, called, list, names, tell};
 use crate::{
     cli::{
         Outcome, in_pool,
@@ -97,7 +97,7 @@ pub(super) fn run(
         Ok(()) => TaskReport::part(&job, file),
         Err(error) => TaskReport::failed(&job, &error),
     };
-    tell(&scene.title, report, Some(shard), args.format.report())
+    tell(&scene.title, report, Some(shard), (args.format.report(), args.digits))
 }
 
 /// The units of a part, which are taken to cost the same.
@@ -153,5 +153,5 @@ pub(in crate::cli) fn merge(
     let job = Job { job: &job, folder, named: merged.files, format: args.pictures };
     let report = in_pool(args.jobs, || Ok(job.whole(&records)))?;
     bars.clear();
-    tell(&scene.title, report, None, merged.format)
+    tell(&scene.title, report, None, (merged.format, DIGITS))
 }
