@@ -150,7 +150,7 @@ fn what_is_wrong_is_said() {
         ("sequence patterns 1e30", "too large"),
         ("intervals --measure 0", "a period is at least 1"),
         ("intervals --measure 5..=3", "the range is reversed: write 3..=5"),
-        ("intervals --measure 5..3", "write 5..=3"),
+        ("intervals --measure 5..3", "5..3 is reversed: write 3..=5"),
         ("intervals --measure 99999999999999999999999", "too large for a period"),
         ("word --returns --r 0 --s 1/3", "r = 0: the modulus is above 0"),
         ("word --returns --r 1/2 --s 1/2", "s = 1/2 is outside 0 < s < 1/2"),

@@ -128,7 +128,7 @@ fn fuzzing_words_resumes_and_reports() {
         "{out}"
     );
     for (arguments, expected) in [
-        ("--n 3..=9", "write --n 1..=9"),
+        ("--n 3..=9", "write 1..=9"),
         ("--n 1..=2000", "from 3 to 1024"),
         ("--cases 0", "give at least 1"),
         ("--cases 1 --seed 2 --resume state", "state"),
