@@ -477,4 +477,17 @@ fn text_has_the_digits_asked_for_and_json_has_all() {
         assert_eq!(row(arguments), all.iter().map(rounded).collect::<Vec<_>>());
         assert_ne!(row(arguments), all);
     }
+    for (wrong, why) in [
+        ("0", "from 1 to 17"),
+        ("18", "from 1 to 17"),
+        ("100000", "from 1 to 17"),
+        ("-1", "negative"),
+        ("1/2", "whole"),
+    ] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let output = command.args(["run", &path, "--digits", wrong]).output().unwrap();
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{wrong}: {error}");
+        assert!(error.contains("--digits") && error.contains(why), "{wrong}: {error}");
+    }
 }

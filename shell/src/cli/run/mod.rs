@@ -89,7 +89,7 @@ pub(super) struct Args {
     pub(super) format: PrintFormat,
     /// Significant digits of floats in the report as text, where they are no bounds; 17 show all. JSON and
     /// the tables in files have all digits.
-    #[arg(long, value_name = "D", default_value_t = DIGITS, value_parser = parse_integer::<usize>)]
+    #[arg(long, value_name = "D", default_value_t = DIGITS, value_parser = digits)]
     digits: usize,
     /// What pictures are written as: svg; pdf and png with the feature `print`.
     #[arg(long, value_name = "FORMAT", default_value = "svg", value_parser = picture_format)]
@@ -99,8 +99,17 @@ pub(super) struct Args {
     jobs: usize,
 }
 
-/// Significant digits where nothing else is asked for.
+/// Significant digits where nothing else is asked for, and those that tell every float from others.
 const DIGITS: usize = 6;
+const ALL_DIGITS: usize = 17;
+
+fn digits(text: &str) -> Result<usize> {
+    let digits = parse_integer(text)?;
+    if !(1..=ALL_DIGITS).contains(&digits) {
+        return Err(Error::input(format!("a whole number from 1 to {ALL_DIGITS}")));
+    }
+    Ok(digits)
+}
 
 /// Writes a report for a reader: as wide as the terminal, if it is one.
 fn write_text(report: &TaskReport, digits: usize, out: &mut dyn Write) -> Result<()> {
