@@ -82,7 +82,11 @@ fn scaled(motion: &[Wave]) -> Result<(Function, Vec<Wave>)> {
     // By its first coefficient that is not 0, with its sign.
     let all = motion.iter().flat_map(|(_, both)| both);
     let Some(first) = all.into_iter().find(|part| !part.is_zero()) else { return Ok((zero, Vec::new())) };
-    let scale = if first.is_positive() { first.clone() } else { -first.clone() };
+    // Its sign must be known: A > 0, and with the other sign the form would be upside down.
+    let scale = [first.clone(), -first.clone()].into_iter().find(Function::is_positive);
+    let Some(scale) = scale else {
+        return fail("seen from the motion without it, the sign of the wall's motion is not certain");
+    };
     let fixed = |part: &Function| {
         // Not constant as it stands, a quotient may be so when common factors are gone.
         let shares = part.ends().zip(scale.ends());
@@ -97,4 +101,34 @@ fn scaled(motion: &[Wave]) -> Result<(Function, Vec<Wave>)> {
     };
     let form = motion.iter().map(|(order, [a, b])| Ok((*order, [fixed(a)?, fixed(b)?])));
     Ok((scale.clone() * &scale, form.collect::<Result<_>>()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 1 + 2x − x²/10 + 3x³ + 5x⁴ is positive for x > 0, as its square's coefficients all are; its own are
+    /// not all. Which way up the wall moves is not to be guessed.
+    #[test]
+    fn a_scale_whose_sign_is_not_certain_is_refused() {
+        let x = Function::range(&BigRational::zero(), None);
+        let ratio = |p: i64, q: i64| Function::ratio(&BigRational::new(p.into(), q.into()), &());
+        let terms = [(1, 1), (2, 1), (-1, 10), (3, 1), (5, 1)];
+        let sum = terms.iter().rev().fold(ratio(0, 1), |sum, &(p, q)| sum * &x + &ratio(p, q));
+        assert!((sum.clone() * &sum).is_positive() && !sum.is_positive());
+        let both = |sum: &Function| vec![(1, [sum.clone(), ratio(0, 1)]), (2, [sum.clone(), ratio(0, 1)])];
+        for sum in [sum.clone(), -sum] {
+            let error = scaled(&both(&sum)).unwrap_err().to_string();
+            assert!(error.contains("the sign of the wall's motion is not certain"), "{error}");
+        }
+        let x = Function::range(
+            &BigRational::new(1.into(), 2.into()),
+            Some(&BigRational::from_integer(2.into())),
+        );
+        for sign in [1, -1] {
+            let (scale, form) = scaled(&both(&(ratio(3 * sign, 1) * &x))).unwrap();
+            assert!((scale - &(ratio(9, 1) * &x * &x)).is_zero());
+            assert_eq!(form, both(&ratio(sign, 1)));
+        }
+    }
 }
