@@ -34,8 +34,10 @@ pub(super) fn thinned(line: &[At]) -> Vec<At> {
 /// number is not near.
 fn farthest(line: &[At], from: usize, to: usize) -> Option<usize> {
     let distances = (from + 1..to).map(|at| (at, distance(line[at], line[from], line[to])));
-    let (at, distance) = distances.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    (distance.is_nan() || distance > NEAR).then_some(at)
+    let known =
+        distances.map(|(at, distance)| (at, if distance.is_nan() { f64::INFINITY } else { distance }));
+    let (at, distance) = known.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    (distance > NEAR).then_some(at)
 }
 
 /// How far a place is from a straight piece between two.
@@ -60,7 +62,9 @@ mod tests {
         assert_eq!(thinned(&line), [(0.0, 0.0), (100.0, 0.0)]);
         // There and back again: the far end stays, though it is on the line.
         assert_eq!(thinned(&[(0.0, 0.0), (9.0, 0.0), (0.0, 0.0)]).len(), 3);
-        assert_eq!(thinned(&[(0.0, 0.0), (f64::NAN, 0.0), (1.0, 0.0)]).len(), 3);
+        for nowhere in [f64::NAN, -f64::NAN, f64::INFINITY] {
+            assert_eq!(thinned(&[(0.0, 0.0), (nowhere, 0.0), (1.0, 0.0)]).len(), 3, "{nowhere}");
+        }
     }
 
     proptest! {
