@@ -31,6 +31,8 @@ mod profile {
 }
 
 pub use cli::main;
+#[doc(hidden)]
+pub use figure::text_width;
 
 /// This program, as its shards and saved states name it: the library's name for itself, and a hash of the
 /// sources of this package, which decide how rows are written.

@@ -166,6 +166,11 @@ impl FigurePlace<'_> {
     }
 }
 
+/// How wide a text is set at a size of type, in points: for tests of pictures.
+pub fn text_width(text: &str, size: f64) -> f64 {
+    canvas::Words::plain(text).width(size)
+}
+
 /// The picture of this name in the documentation is what `draw` makes of the table beside it;
 /// GRAZING_REDRAW=1 draws it anew.
 #[cfg(test)]

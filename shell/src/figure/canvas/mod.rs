@@ -5,8 +5,6 @@
 
 #[cfg(any(test, feature = "print"))]
 mod face;
-#[cfg(test)]
-mod overlap;
 #[cfg(feature = "print")]
 mod pdf;
 #[cfg(feature = "print")]
