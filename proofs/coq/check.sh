@@ -14,6 +14,8 @@
 set -eu
 cd "$(dirname "$0")"
 export LC_ALL=C
+# Coq's own heap of 256 MB is cleared once for each file: a sixth of the time.
+export OCAMLRUNPARAM=s=2M,o=400
 unset COQPATH COQLIB COQEXTRAFLAGS COQFLAGS COQLIBS COQCHKEXTRAFLAGS OTHERFLAGS MAKEFLAGS MAKEFILES || true
 pin=; [ "${1-}" = --pin ] && pin=yes
 work=$(mktemp -d)
