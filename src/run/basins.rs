@@ -78,7 +78,7 @@ impl Finding for BasinsFindings {
         if self.basins.iter().any(|basin| basin.end == "periodic" || basin.end == "not-periodic") {
             return Status::Done;
         }
-        Status::nothing("no start of the grid leads to an attractor: all are behind a wall or escape")
+        Status::nothing("no start of the grid leads to an attractor: all are behind a wall or end before")
     }
 
     fn warnings(&self) -> Vec<String> {

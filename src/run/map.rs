@@ -68,7 +68,9 @@ impl Finding for MapFindings {
         if self.ends.iter().any(|row| row.end == "periodic" || row.end == "not-periodic") {
             return Status::Done;
         }
-        Status::nothing("at no point does the motion lead to an attractor: all are behind a wall or escape")
+        Status::nothing(
+            "at no point does the motion lead to an attractor: all are behind a wall or end before",
+        )
     }
 
     fn lines(&self, lines: &mut Lines) {

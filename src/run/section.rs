@@ -117,7 +117,12 @@ pub struct SectionFindings {
 impl Finding for SectionFindings {
     fn status(&self) -> Status {
         if self.attractors.is_empty() && self.further_orbits.is_empty() {
-            return Status::nothing("no start leads to an attractor: every motion left all bounds");
+            let mut ends: Vec<&str> = self.ended.iter().map(|end| end.why()).collect();
+            ends.dedup();
+            return Status::nothing(format!(
+                "no start leads to an attractor: every motion ended, {}",
+                ends.join("; ")
+            ));
         }
         let open = self.attractors.iter().filter(|row| row.periodic.is_none()).count();
         if open > 0 {

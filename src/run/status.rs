@@ -84,7 +84,7 @@ impl Status {
             RunEnd::Reached => Status::Done,
             end => {
                 let of = |all: &[f64]| match all {
-                    [one] => format!("{one}"),
+                    [one] => format!("{one:?}"),
                     // A list of dozens is no place; the report has them all.
                     all if all.len() > 10 => format!("of largest entry {}", largest(all)),
                     all => format!("{all:?}"),

@@ -3,12 +3,21 @@
 
 use crate::process;
 
-use std::{env, fs, path::Path, process::Command};
+use std::{
+    env, fs, io,
+    path::Path,
+    process::{Command, Output},
+};
 
 use process::run;
 
-fn root() -> &'static Path {
+pub fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
+/// What Python says to these arguments, run in a folder.
+pub fn python(folder: &Path, arguments: &[&str]) -> io::Result<Output> {
+    Command::new("python3").args(arguments).current_dir(folder).output()
 }
 
 /// Every command that writes a LaTeX table, with the awkward texts among them; `{in}` is a folder with the
@@ -52,7 +61,7 @@ const PRINTED: [&str; 7] = [
 ];
 
 /// README's machine: what attracts beside the touch and at two loads, proved.
-const SEEN: &str = r#"
+pub const SEEN: &str = r#"
 format = "grazing-scene 1"
 title = "what is seen"
 [parameters]
@@ -257,91 +266,6 @@ fn cells_are_balanced(what: &str, text: &str) {
     }
 }
 
-/// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a
-/// command of the list writes itself.
-const JSON: [&str; 41] = [
-    "intervals 3..=5",
-    "intervals 3..=5 --decimals 4",
-    "intervals --pattern 3,5",
-    "intervals --measure 10000..=10002",
-    "word --r 0.9 --s 0.37",
-    "word --r 1.25 --s 0.37 --returns",
-    "word --a1=-0.3..=-0.2 --a2 0.5..=0.51",
-    "boundary 3..=4",
-    "boundary 3 --grid 2",
-    "verify 3..=8 --certificate theorem2",
-    "cover 3..=4 --certificate cover",
-    "cover 8 --max-depth 3",
-    "cover 5 --shard 1/2 --certificate part",
-    "check theorem2 cover missing",
-    "farey neighbours 3/8",
-    "farey rank 3/8 10",
-    "farey walk 5",
-    "evaluate --n 5 --s 1/7",
-    "evaluate --n 4 --s 1/8",
-    "classify --r 0.99 --s 21/100",
-    "classify --summary",
-    "existence {root}/examples/maps/focus.toml --max-period 3",
-    "existence {root}/examples/maps/singular.toml --max-period 3 --exact",
-    "existence {root}/examples/maps/focus.toml --max-period 3 --counts",
-    "existence {root}/examples/maps/four-dimensional.toml --max-period 3 --counts",
-    "existence {root}/examples/maps/singular.toml --max-period 3 --uniform",
-    "fuzz --cases 100 --n 12",
-    "fuzz --words --cases 20",
-    "run {root}/tests/data/kinds.toml",
-    "run {root}/tests/data/kinds-machine.toml",
-    "run {root}/tests/data/measured.toml",
-    "run seen.toml",
-    "run {root}/tests/data/recorded.toml",
-    "run {root}/tests/data/kinds.toml --only basins --shard 1/2 -o rows",
-    "run {root}/tests/data/kinds.toml --only map --shard 2/2 -o map-rows",
-    "run {root}/tests/data/kinds.toml --dry-run",
-    "merge part theorem2 -o merged",
-    "merge part part -o merged",
-    "merge theorem2 -o merged",
-    "@branch.json",
-    "@machine-branch.json",
-];
-
-/// With Python's `jsonschema` every output is as its schema says, and no key can be renamed, left out or
-/// given another type without the schema noticing (`tests/schemas.py`). `GRAZING_REQUIRE_PYTHON=1` makes its
-/// absence a failure.
-#[test]
-fn json_is_as_its_schemas_say() {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("seen.toml"), SEEN).unwrap();
-    let mut files = Vec::new();
-    for (index, arguments) in JSON.iter().enumerate() {
-        if let Some(written) = arguments.strip_prefix('@') {
-            files.push(written.to_string());
-            continue;
-        }
-        let arguments = arguments.replace("{root}", &root().display().to_string());
-        let (code, out, err) = run(&format!("{arguments} --format json"), folder.path());
-        assert!(!out.is_empty(), "grazing {arguments}: {code} {err}");
-        files.push(format!("output{index}"));
-        fs::write(folder.path().join(&files[index]), out).unwrap();
-    }
-    let python = |arguments: &[&str]| {
-        Command::new("python3").args(arguments).args(&files).current_dir(folder.path()).output()
-    };
-    if !python(&["-c", "import jsonschema"]).is_ok_and(|output| output.status.success()) {
-        assert!(
-            env::var_os("GRAZING_REQUIRE_PYTHON").is_none(),
-            "there is no Python with jsonschema on the path"
-        );
-        println!("SKIPPED: no Python with jsonschema to hold the JSON against docs/schemas");
-        return;
-    }
-    let [script, schemas] =
-        ["tests/schemas.py", "docs/schemas"].map(|path| root().join(path).display().to_string());
-    let output = python(&[&script, &schemas]).unwrap();
-    let said = String::from_utf8_lossy(&output.stdout);
-    assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
-    let damaged: usize = said.rsplit(", ").next().unwrap().split(' ').next().unwrap().parse().unwrap();
-    assert!(damaged > 1000, "{said}");
-}
-
 /// Runs a line as a shell would in this folder, `grazing` and `grazing-check` being the ones just built; its
 /// exit code and what it printed.
 fn shell(line: &str, folder: &Path) -> (i32, String) {
@@ -360,7 +284,7 @@ fn reader() -> tempfile::TempDir {
     folder
 }
 
-const COMMANDS: [&str; 19] = [
+pub const COMMANDS: [&str; 19] = [
     "verify",
     "cover",
     "check",
