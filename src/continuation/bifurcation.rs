@@ -43,6 +43,17 @@ impl Bifurcation {
         }
     }
 
+    /// What happens there, where its name is no word of the field's.
+    pub(crate) fn meaning(self) -> Option<&'static str> {
+        match self {
+            Bifurcation::Crossing => Some("two branches cross"),
+            Bifurcation::Fade => {
+                Some("an impact has lost its speed: a grazing, seen from the orbit that has the impact")
+            }
+            _ => None,
+        }
+    }
+
     /// The one with a name.
     pub(crate) fn named(name: &str) -> Option<Bifurcation> {
         Bifurcation::ALL.into_iter().find(|known| known.name() == name)

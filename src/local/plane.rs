@@ -74,6 +74,28 @@ pub enum Region {
 }
 
 impl Region {
+    /// All.
+    const ALL: [Region; 6] =
+        [Region::One, Region::Two, Region::Three, Region::Four, Region::Five, Region::Line];
+
+    /// The one that is written so: `1` to `5`, or `line`.
+    pub(crate) fn named(text: &str) -> Option<Region> {
+        Region::ALL.into_iter().find(|region| region.to_string() == text)
+    }
+
+    /// What its eigenvalues are, after its number.
+    pub fn words(self) -> String {
+        let eigenvalues = match self {
+            Region::One => "0 < lambda2 < 1 < lambda1",
+            Region::Two => "eigenvalues in (0, 1)",
+            Region::Three => "complex eigenvalues",
+            Region::Four => "eigenvalues in (-1, 0)",
+            Region::Five => "lambda2 < -1 < lambda1 < 0",
+            Region::Line => return "on a line |a1| = a2 + 1: an eigenvalue 1 or -1".into(),
+        };
+        format!("{self}: {eigenvalues}")
+    }
+
     /// That of (a₁, a₂), taken as they are; after reversing time if a₂ > 1. `None` for a₂ ≤ 0.
     pub(crate) fn at(mut a1: f64, mut a2: f64) -> Option<Region> {
         if a2 > 1.0 {

@@ -49,7 +49,10 @@ impl ChaosRow {
         let at_least = if self.at_least { "at least " } else { "" };
         match (self.chaos, &self.entropy) {
             (Some(true), Some(entropy)) => {
-                format!("born for {side} in case {}, entropy {at_least}{entropy} per {per}", self.case())
+                format!(
+                    "born for {side}, entropy {at_least}{entropy} per {per}; signs of e mu, gamma: {}",
+                    self.case()
+                )
             }
             (Some(_), Some(_)) => format!("none for {side}: the patterns born there do not branch"),
             (Some(_), None) => format!("none for {side}: no pattern is born"),

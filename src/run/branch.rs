@@ -135,6 +135,13 @@ impl Finding for BranchFindings {
         lines.say("points", self.points);
         lines.table("starts", &self.starts);
         lines.table("labels", &self.labels);
+        for kind in Bifurcation::ALL {
+            let is_one =
+                |row: &BranchRow| row.label.as_ref().is_some_and(|label| label.starts_with(kind.name()));
+            if let Some(meaning) = kind.meaning().filter(|_| self.labels.iter().any(is_one)) {
+                lines.say(kind.name(), meaning);
+            }
+        }
     }
 }
 

@@ -57,6 +57,81 @@ row! {
     }
 }
 
+row! {
+    /// An attractor at neighbouring values at which there are several, or at which starts are lost.
+    pub struct AlsoRow {
+        /// The first value.
+        pub from: f64,
+        /// The last value.
+        pub to: f64,
+        /// The period, in forcing periods.
+        pub period: Option<u32>,
+        /// Impacts in a period.
+        pub impacts: Option<u64>,
+        /// What it is, unless it is periodic.
+        pub motion: Option<&'static str>,
+        /// How many values.
+        pub values: usize,
+        /// The most starts that are lost at one of them.
+        pub lost: u32,
+    }
+}
+
+/// What there is at a value: a kind of motion, period and impacts, and which of those of one kind.
+type Kind = (Option<&'static str>, Option<(u32, u64)>, usize);
+
+impl AlsoRow {
+    /// What coexists, each attractor once for values that follow each other. Motions that are not periodic
+    /// are one at each value: they are not told apart.
+    fn all(slices: &[Slice]) -> Vec<AlsoRow> {
+        let mut rows: Vec<AlsoRow> = Vec::new();
+        let mut open: Vec<(Kind, usize)> = Vec::new();
+        let several: Vec<f64> = diagram::coexisting(slices).map(|slice| slice.value).collect();
+        for slice in slices {
+            if !several.contains(&slice.value) {
+                open.clear();
+                continue;
+            }
+            let now = kinds(slice).into_iter().map(|kind| {
+                let known = open.iter().find(|(before, _)| *before == kind);
+                let row = known.map_or(rows.len(), |&(_, row)| row);
+                if known.is_none() {
+                    let (motion, periodic, _) = kind;
+                    let [from, to] = [slice.value; 2];
+                    let (period, impacts) = periodic.unzip();
+                    rows.push(AlsoRow { from, to, period, impacts, motion, values: 0, lost: 0 });
+                }
+                let last = &mut rows[row];
+                (last.to, last.values, last.lost) = (slice.value, last.values + 1, last.lost.max(slice.lost));
+                (kind, row)
+            });
+            open = now.collect();
+        }
+        rows
+    }
+}
+
+/// What there is at a value, each once; nothing but what is lost counts as something.
+fn kinds(slice: &Slice) -> Vec<Kind> {
+    let mut all: Vec<Kind> = Vec::new();
+    for motion in &slice.motions {
+        let periodic = motion.period.map(|period| (period, motion.impacts));
+        let what = match periodic {
+            Some(_) => None,
+            None if motion.undecided => Some("not settled"),
+            None => Some("not periodic"),
+        };
+        let before = all.iter().filter(|kind| (kind.0, kind.1) == (what, periodic)).count();
+        if periodic.is_some() || before == 0 {
+            all.push((what, periodic, before));
+        }
+    }
+    if all.is_empty() {
+        all.push((Some("all lost"), None, 0));
+    }
+    all
+}
+
 /// Attractors at each value, and what they amount to.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DiagramFindings {
@@ -111,7 +186,7 @@ impl Finding for DiagramFindings {
             Some(sweep) => sweep.lines(lines),
             None => {
                 lines.table("windows", &self.windows);
-                lines.table("coexisting", &self.coexisting);
+                lines.table("coexisting", &AlsoRow::all(&self.slices));
             }
         }
         if !self.not_settled.is_empty() {

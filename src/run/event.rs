@@ -87,7 +87,8 @@ impl Finding for EventFindings {
     }
 
     fn lines(&self, lines: &mut Lines) {
-        lines.say("event", self.event);
+        let meaning = Bifurcation::named(self.event).and_then(Bifurcation::meaning);
+        lines.say("event", meaning.map_or(self.event.into(), |meaning| format!("{}: {meaning}", self.event)));
         lines.say("orbits", self.orbits);
         lines.table("found", &self.found);
         if !self.without.is_empty() {

@@ -226,6 +226,39 @@ impl MapNumbers {
     }
 }
 
+impl MapNumbers {
+    /// The numbers, each with what it is.
+    fn lines(&self, varied: &str, residual: f64, lines: &mut Lines) {
+        lines.say("local_map", "(q, q') less the orbit's at the touch, after a period");
+        // Large ones are in JSON.
+        if self.b.len() <= SHOWN {
+            self.a.iter().for_each(|row| lines.say("A", row.clone()));
+            lines.say("B", format!("{}: added by an impact of size 1", lines.set(self.b.clone())));
+            lines.say("C", format!("{}: the gap, by (q, q')", lines.set(self.c.clone())));
+        }
+        lines.say("e", format!("{}: the least gap, per {varied}", lines.set(self.e)));
+        lines.say("acceleration", format!("{}: of the gap at the touch", lines.set(self.acceleration)));
+        lines.say("eigenvalues", self.eigenvalues.iter().take(SHOWN).copied().collect::<Vec<_>>());
+        if self.eigenvalues.len() > SHOWN {
+            lines.say("more_eigenvalues", self.eigenvalues.len() - SHOWN);
+        }
+        if let (Some(a1), Some(a2)) = (self.a1, self.a2) {
+            lines.say("a1", format!("{}: trace of A", lines.set(a1)));
+            lines.say("a2", format!("{}: determinant of A", lines.set(a2)));
+            lines.say("region", self.region.as_deref().unwrap_or("none"));
+        }
+        if let Some(gamma) = self.gamma {
+            lines.say("gamma", format!("{}: A12", lines.set(gamma)));
+        }
+        if let (Some(ratio), Some(remains)) = (self.ratio, self.remains) {
+            let of = "free over forcing frequency, without its whole part";
+            lines.say("ratio", format!("{}: {of}", lines.set(ratio)));
+            lines.say("remains", format!("{}: of a free vibration after a period", lines.set(remains)));
+        }
+        lines.say("residual", residual);
+    }
+}
+
 impl GrazingReport {
     /// How what was asked of ranges ended.
     fn range_status(&self) -> Status {
@@ -262,27 +295,8 @@ impl GrazingReport {
         if at.half {
             lines.say("map", HALF);
         }
-        lines.say("t_G", at.phase);
-        lines.say("a_G", at.map.acceleration);
-        // Large ones are in JSON.
-        if at.map.b.len() <= SHOWN {
-            at.map.a.iter().for_each(|row| lines.say("A", row.clone()));
-            lines.say("B", at.map.b.clone());
-            lines.say("C", at.map.c.clone());
-        }
-        lines.say("e", at.map.e);
-        lines.say("eigenvalues", at.map.eigenvalues.iter().take(SHOWN).copied().collect::<Vec<_>>());
-        if at.map.eigenvalues.len() > SHOWN {
-            lines.say("more_eigenvalues", at.map.eigenvalues.len() - SHOWN);
-        }
-        lines.say_known("a1", &at.map.a1);
-        lines.say_known("a2", &at.map.a2);
-        lines.say_known("gamma", &at.map.gamma);
-        if at.map.a1.is_some() {
-            lines.say("region", at.map.region.as_deref().unwrap_or("none"));
-        }
+        lines.say("phase", format!("{} of the period", lines.set(at.phase)));
         lines.say("admissible", at.admissible);
-        lines.say("residual", at.residual);
         lines.say_known("open", &at.open);
         if let Some(rows) = &self.chaos {
             lines.say("chaos", ChaosRow::sentences(rows, at.half));
@@ -305,8 +319,11 @@ impl GrazingReport {
             lines.say("seen", format!("not looked for: {why}"));
         }
         if let Some(proofs) = &self.proofs {
-            proofs.lines(lines);
+            // Bounds in a proof have all their digits, and so what follows.
+            at.map.lines(&at.varied, at.residual, lines);
+            return proofs.lines(lines);
         }
+        at.map.lines(&at.varied, at.residual, lines);
     }
 }
 

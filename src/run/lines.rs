@@ -1,12 +1,45 @@
-//! The lines of a report as text: names and values, and tables, set to a width.
+//! The lines of a report as text: names and values, and tables, set to a width and in words. JSON and CSV
+//! files have the same names and values, in the order of their declaration, and keep the signs of patterns
+//! and regions.
 
 use std::fmt::Write;
 
 use super::{Row, Shown, Tabular};
-use crate::printable::Printable;
+use crate::{local::Region, printable::Printable};
 
 /// Names of lines end here.
 const NAMES: usize = 16;
+
+/// Columns that say more of what the others have said: a reader finds them to the right of those.
+const DETAIL: [&str; 14] = [
+    "coefficient",
+    "found_at",
+    "phases",
+    "speeds",
+    "multipliers",
+    "nearest_stop",
+    "least_gap",
+    "largest_gap",
+    "acceleration",
+    "gamma",
+    "e",
+    "length",
+    "residual",
+    "newton_steps",
+];
+
+/// A cell in words, where JSON has a sign of its own.
+fn in_words(column: &str, cell: String) -> String {
+    match column {
+        "pattern" | "orbit" => match cell.strip_prefix("free ") {
+            Some("1") => "no impact".into(),
+            Some(periods) => format!("no impact in {periods} periods"),
+            None => cell,
+        },
+        "region" => Region::named(&cell).map_or(cell, |region| region.words()),
+        _ => cell,
+    }
+}
 
 /// The lines of a report: name and value, or a table under its name.
 #[derive(Debug, Default)]
@@ -36,7 +69,7 @@ impl Lines {
 
     /// A line.
     pub fn say(&mut self, name: &str, value: impl Shown) {
-        let value = self.set(value);
+        let value = in_words(name, self.set(value));
         self.line(&format!("  {name:<NAMES$} "), &value);
     }
 
@@ -55,17 +88,22 @@ impl Lines {
         }
     }
 
-    /// A table, columns aligned to the right; where it is too wide, a block for each row, with what is not
-    /// empty; "none" if there are no rows.
+    /// A table, columns aligned to the right, what matters first, without those that are empty; where it is
+    /// too wide, a block for each row, with what is not empty; "none" if there are no rows.
     pub fn table<T: Tabular>(&mut self, name: &str, table: &T) {
-        let shown = |cell: String| Printable(&cell).to_string();
-        let cells = table.cells(self.digits).into_iter().map(|row| row.into_iter().map(shown).collect());
-        let cells: Vec<Vec<String>> = cells.collect();
-        if cells.is_empty() {
+        let (names, rows) = (table.columns(), table.cells(self.digits));
+        if rows.is_empty() {
             return self.say(name, "none");
         }
         let _ = writeln!(self.text, "  {name}");
-        let heads: Vec<String> = table.columns().iter().map(ToString::to_string).collect();
+        let told = |&i: &usize| rows.iter().any(|row| !row[i].is_empty());
+        let (detail, first): (Vec<usize>, Vec<usize>) =
+            (0..names.len()).filter(told).partition(|&i| DETAIL.contains(&names[i]));
+        let order = [first, detail].concat();
+        let shown = |row: &Vec<String>, i: usize| Printable(&in_words(names[i], row[i].clone())).to_string();
+        let cells: Vec<Vec<String>> =
+            rows.iter().map(|row| order.iter().map(|&i| shown(row, i)).collect()).collect();
+        let heads: Vec<String> = order.iter().map(|&i| names[i].to_string()).collect();
         let widths: Vec<usize> = (0..heads.len())
             .map(|i| {
                 let widest = cells.iter().map(|row| row[i].chars().count()).max().unwrap_or(0);

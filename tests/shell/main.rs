@@ -9,6 +9,7 @@ mod figures;
 mod parsers;
 #[cfg(target_os = "linux")]
 mod reliability;
+mod reports;
 mod schemas;
 mod shards;
 #[cfg(target_os = "linux")]

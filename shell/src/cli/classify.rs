@@ -140,14 +140,11 @@ pub(super) fn coordinates(
     plane.or_else(|| polar.map(|(r, s)| format!("$r = {r}$, $s = {s}$"))).unwrap_or_default()
 }
 
-pub(super) fn describe(region: Region) -> &'static str {
+pub(super) fn describe(region: Region) -> String {
+    let words = region.words();
     match region {
-        Region::One => "Region 1: 0 < lambda2 < 1 < lambda1",
-        Region::Two => "Region 2: eigenvalues in (0, 1)",
-        Region::Three => "Region 3: complex eigenvalues",
-        Region::Four => "Region 4: eigenvalues in (-1, 0)",
-        Region::Five => "Region 5: lambda2 < -1 < lambda1 < 0",
-        Region::Line => "On a line |a1| = a2 + 1: an eigenvalue 1 or -1",
+        Region::Line => words.replacen("on", "On", 1),
+        _ => format!("Region {words}"),
     }
 }
 

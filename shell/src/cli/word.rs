@@ -301,7 +301,7 @@ impl Given {
         {
             let bounds = [a1, a2].map(|span| span.0.each_ref().map(ToString::to_string));
             let rectangle = Rectangle::new(a1.0.clone(), a2.0.clone())?;
-            let region = rectangle.region().map_or("The box meets a line between regions", describe);
+            let region = rectangle.region().map_or("The box meets a line between regions".into(), describe);
             let heading = format!(
                 "All points with {} <= a1 <= {}, {} <= a2 <= {}. {region}",
                 bounds[0][0], bounds[0][1], bounds[1][0], bounds[1][1]
