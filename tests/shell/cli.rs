@@ -571,7 +571,7 @@ fn existence_draws_graphs_and_orbits() {
     assert_eq!(csv.lines().count(), 1 + 2 + 4);
     let svg = fs::read_to_string(at("orbit/orbit.svg")).unwrap();
     assert!(
-        svg.contains("pattern (1,3): exists for <tspan font-style=\"italic\">eµ</tspan> &lt; 0"),
+        svg.contains("pattern (1,3): beyond the touch, <tspan font-style=\"italic\">eµ</tspan> &lt; 0"),
         "{svg}"
     );
     stdout(&format!("figure 3 -o {}", at("figure")));

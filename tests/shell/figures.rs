@@ -353,6 +353,49 @@ fn the_output_may_be_a_file() {
     }
 }
 
+/// Figures of the paper's scene say what they wrote, and show the part of the plane that is asked for; the
+/// data beside them are whole.
+#[test]
+fn a_part_of_a_figure_is_shown_and_what_is_written_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let figure = |arguments: &str, output: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let all = format!("figure {arguments} -o {output}");
+        let ran = command.args(all.split(' ')).current_dir(&folder).output().unwrap();
+        let text = |bytes| String::from_utf8(bytes).unwrap();
+        (ran.status.code().unwrap(), text(ran.stdout), text(ran.stderr))
+    };
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+    let (code, out, err) = figure("8", "whole");
+    assert_eq!((code, out.as_str()), (0, "wrote whole/figure8.svg and whole/figure8.csv\n"), "{err}");
+    let (code, _, err) = figure("8 --x-limits 0.9..=1.3 --y-limits -1/10..=0.1", "part");
+    assert_eq!(code, 0, "{err}");
+    assert_eq!(read("part/figure8.csv"), read("whole/figure8.csv"));
+    let svg = read("part/figure8.svg");
+    assert_no_overlap(&svg);
+    // Its last marks are the ends.
+    let marks: Vec<f64> =
+        labels(&svg).iter().filter_map(|(text, _)| text.replace('−', "-").parse().ok()).collect();
+    assert!(marks.contains(&1.3) && marks.contains(&-0.1), "{marks:?}");
+    assert!(marks.iter().all(|mark| (-0.1..=1.3).contains(mark)), "{marks:?}");
+    assert!(svg.len() < read("whole/figure8.svg").len());
+    // All of it lies within a turn.
+    assert_eq!(figure("8 --q-modulo-2pi", "turn").0, 0);
+    assert_eq!(labels(&read("turn/figure8.svg")), labels(&read("whole/figure8.svg")));
+    // Branches are cut at the edges.
+    let (code, out, err) = figure("6 --x-limits -0.05..=0.001", "part");
+    assert!(code == 0 && out.ends_with("and part/figure6-points.csv\n"), "{out}{err}");
+    assert_no_overlap(&read("part/figure6.svg"));
+    for (arguments, said) in [
+        ("8 --x-limits 1e6..=2e6", "nothing is within the limits"),
+        ("intervals --x-limits 0..=1", "belong to the figures 6 to 10"),
+        ("8 --y-limits 1", "two different ends"),
+    ] {
+        let (code, _, err) = figure(arguments, "wrong");
+        assert!(code == 2 && err.contains(said), "{arguments}: {err}");
+    }
+}
+
 /// The branches of figure 6 are still those in the documentation. At a saddle-node and a flip a multiplier is
 /// on the unit circle, and rounding decides on which side.
 #[test]

@@ -527,6 +527,8 @@ const HOLES: &[(&str, &[&str])] = &[
     ("run examples/scenes/free.toml --format @", CHOICE),
     ("run examples/scenes/free.toml --jobs @", COUNT),
     ("run examples/scenes/free.toml -o @", &["/dev/null/file"]),
+    ("figure 6 -o out --x-limits @", &["", "x", "1", "2..=1", "1..2", "1/0..=1", "-1"]),
+    ("run examples/scenes/free.toml --y-limits @", &["", "x", "-1/2", "2..=1", "1..2", "0..=1"]),
     ("completions @", CHOICE),
     ("man -o @", &["/dev/null/file"]),
     ("@", CHOICE),

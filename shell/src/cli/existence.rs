@@ -236,12 +236,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     }
     if let (Some(folder), Some(pattern)) = (&args.orbit, &args.pattern) {
         let side = engine.judge(pattern).side();
-        figure::orbit(
-            &map,
-            pattern,
-            side,
-            &figure::FigurePlace { folder, name: "orbit", format: Default::default() },
-        )?;
+        figure::orbit(&map, pattern, side, &figure::FigurePlace::svg(folder, "orbit"))?;
     }
     let mut outcome = Outcome::Done;
     let written = destination.write(|out| {

@@ -10,7 +10,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::{Outcome, run::paper};
+use super::{Outcome, run::paper, view::ViewArgs};
 use crate::{
     certificate,
     cli::progress::{Interrupt, Progress},
@@ -52,6 +52,8 @@ pub(super) struct Args {
     /// For records: their angle in turns, 0 < S < 1/2; by default 0.205.
     #[arg(long, value_name = "S", value_parser = parse_rational)]
     s: Option<BigRational>,
+    #[command(flatten)]
+    view: ViewArgs,
     /// The folder for the files, or the picture's file: NAME.svg, NAME.pdf or NAME.png, its data in NAME.csv.
     ///
     /// PDF and PNG need a program built with the feature `print`.
@@ -139,7 +141,7 @@ impl Args {
     /// Where the files go: `name` is that of the figure, if the output names none.
     fn place<'a>(&'a self, name: &'a str) -> Result<FigurePlace<'a>> {
         if self.output.is_dir() || self.output.extension().is_none() {
-            return Ok(FigurePlace { folder: &self.output, name, format: PictureFormat::Svg });
+            return Ok(FigurePlace { view: self.view.view()?, ..FigurePlace::svg(&self.output, name) });
         }
         let format = PictureFormat::of(&self.output).ok_or_else(|| {
             Error::input(format!(
@@ -158,7 +160,8 @@ impl Args {
             )));
         }
         let folder = self.output.parent().filter(|folder| !folder.as_os_str().is_empty());
-        Ok(FigurePlace { folder: folder.unwrap_or(Path::new(".")), name: stem, format })
+        let view = self.view.view()?;
+        Ok(FigurePlace { folder: folder.unwrap_or(Path::new(".")), name: stem, format, view })
     }
 }
 
@@ -222,6 +225,9 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     if args.figure != Figure::Records && (args.r.is_some() || args.s.is_some()) {
         return Err(Error::input("--r and --s belong to `grazing figure records`"));
     }
+    if !args.figure.is_of_a_scene() && !args.view.is_whole() {
+        return Err(Error::input("--x-limits, --y-limits and --q-modulo-2pi belong to the figures 6 to 10"));
+    }
     let given = args.n.or(args.long_n);
     if given.is_some() && !args.figure.has_periods() {
         return Err(Error::input(format!("figure {} takes no N", args.figure.name())));
@@ -242,6 +248,11 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         Figure::Coexistence => 10_000,
         _ => 15,
     });
+    let mut written = vec![place.picture(), place.data()];
+    let mut drawn = |task: &str| -> Result<()> {
+        written = paper(task, &place, files, interrupt)?;
+        Ok(())
+    };
     match args.figure {
         Figure::Regions => figure::regions(&place)?,
         Figure::Iterate => figure::iterate_boundaries(n, &place)?,
@@ -262,19 +273,16 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         Figure::Coexistence => figure::coexistence(n, &place, &Progress::new(interrupt, 0, "samples"))?,
         Figure::Entropy => figure::entropy(n, &place, &Progress::new(interrupt, 0, "intervals"))?,
         Figure::Tips => figure::tips(n, &place, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?,
-        Figure::Branches => paper("figure6", (place.folder, place.format), files, interrupt)?,
-        Figure::Diagram => paper("figure7", (place.folder, place.format), files, interrupt)?,
-        Figure::Before => paper("figure8", (place.folder, place.format), files, interrupt)?,
-        Figure::Near => paper("figure9", (place.folder, place.format), files, interrupt)?,
-        Figure::After => paper("figure10", (place.folder, place.format), files, interrupt)?,
+        Figure::Branches => drawn("figure6")?,
+        Figure::Diagram => drawn("figure7")?,
+        Figure::Before => drawn("figure8")?,
+        Figure::Near => drawn("figure9")?,
+        Figure::After => drawn("figure10")?,
         Figure::Chaos => chaos(&place, interrupt)?,
         Figure::Orbits => figure::orbits(&place)?,
     }
-    // Those drawn from the paper's scene are reported by its task.
-    if !args.figure.is_of_a_scene() {
-        let (picture, data) = (place.picture(), place.data());
-        Destination::Stdout
-            .write(|out| say_to(out, format_args!("wrote {} and {}", picture.display(), data.display())))?;
-    }
+    let written: Vec<String> = written.iter().map(|file| file.display().to_string()).collect();
+    let (last, others) = written.split_last().unwrap_or_else(|| unreachable!("a figure has files"));
+    Destination::Stdout.write(|out| say_to(out, format_args!("wrote {} and {last}", others.join(", "))))?;
     Ok(Outcome::Done)
 }

@@ -27,6 +27,7 @@ mod shards;
 mod shell;
 mod two_impacts;
 mod verify;
+mod view;
 mod word;
 
 use std::{

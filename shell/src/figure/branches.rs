@@ -3,12 +3,16 @@
 use std::{collections::HashSet, f64::consts::TAU};
 
 use super::{
-    FigurePlace,
+    FigurePlace, View,
     canvas::{Anchor, At, BLACK, BLUE, COLUMN, Canvas, Colour, GREY, RED, SKY, Stroke, TYPE, Words, line},
     frame::{Axis, PlotFrame, padded, symbol},
     legend::Legend,
+    view::PlaneView,
 };
-use crate::{error::Result, run::Judgement};
+use crate::{
+    error::{Error, Result},
+    run::Judgement,
+};
 
 /// A branch as it is drawn.
 pub struct DrawnBranch {
@@ -35,7 +39,7 @@ impl Scatter {
     /// both are on one attractor.
     fn dot(&self) -> (f64, Colour) {
         match self.up {
-            None => (0.18, BLUE),
+            None => (0.3, BLUE),
             Some(true) => (0.75, SKY),
             Some(false) => (0.35, RED),
         }
@@ -72,7 +76,46 @@ pub fn branches(
         };
         rows.extend(set.at.iter().map(row));
     }
-    place.save(&draw(curves, scatter, axes), &["set", "parameter", "q", "stability", "label"], &rows)
+    let view = &place.view;
+    let canvas = match view.is_whole() {
+        true => draw(curves, scatter, axes, view),
+        false => {
+            let (curves, scatter) = seen(curves, scatter, &view.on(axes)?)?;
+            draw(&curves, &scatter, axes, view)
+        }
+    };
+    place.save(&canvas, &["set", "parameter", "q", "stability", "label"], &rows)
+}
+
+/// What of the curves and attractors a view shows; of a curve in pieces the first has its name.
+fn seen(
+    curves: &[DrawnBranch],
+    scatter: &[Scatter],
+    plane: &PlaneView,
+) -> Result<(Vec<DrawnBranch>, Vec<Scatter>)> {
+    let mut pieces = Vec::new();
+    for curve in curves {
+        let shown = |(x, y, text): &(f64, f64, String)| (plane.of((*x, *y)), text.clone());
+        let labels = curve.labels.iter().map(shown).filter(|(at, _)| plane.holds(*at));
+        let mut labels: Vec<_> = labels.map(|((x, y), text)| (x, y, text)).collect();
+        let mut name = curve.name.clone();
+        for at in plane.pieces(&curve.at) {
+            pieces.push(DrawnBranch {
+                name: std::mem::take(&mut name),
+                at,
+                labels: std::mem::take(&mut labels),
+            });
+        }
+    }
+    let sets = scatter.iter().map(|set| {
+        let Scatter { name, up, at } = set;
+        Scatter { name: name.clone(), up: *up, at: plane.points(at) }
+    });
+    let sets: Vec<Scatter> = sets.filter(|set| !set.at.is_empty()).collect();
+    if pieces.is_empty() && sets.is_empty() {
+        return Err(Error::input("nothing is within the limits of the picture: choose others"));
+    }
+    Ok((pieces, sets))
 }
 
 fn stability(stable: Option<Judgement>) -> &'static str {
@@ -108,7 +151,7 @@ fn length(path: &[At]) -> f64 {
     path.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1)).sum()
 }
 
-fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Canvas {
+fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2], view: &View) -> Canvas {
     let mut legend = Legend::default();
     let solid: Vec<Vec<bool>> = curves.iter().map(DrawnBranch::solid).collect();
     let any = |wanted| solid.iter().flatten().any(|&solid| solid == wanted);
@@ -141,8 +184,8 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Canvas 
     let framed = |beside: f64| {
         PlotFrame::new(
             [2.0, 2.0, COLUMN - 2.0 - beside, 188.0],
-            Axis::linear(symbol(axes[0]), padded(all().map(|at| at.0)), 5),
-            Axis::linear(symbol(axes[1]), padded(all().map(|at| at.1)), 6),
+            Axis::linear(symbol(axes[0]), view.x.unwrap_or_else(|| padded(all().map(|at| at.0))), 5),
+            Axis::linear(symbol(axes[1]), view.y.unwrap_or_else(|| padded(all().map(|at| at.1))), 6),
         )
     };
     let path = |curve: &DrawnBranch, frame: &PlotFrame| frame.path(curve.at.iter().map(|at| (at.0, at.1)));

@@ -12,8 +12,8 @@ use super::{
     colour,
     frame::PlotFrame,
     iterate::{above, plane_frame, region_lines, region4},
-    label,
     legend::{Legend, ROW},
+    title,
 };
 use crate::{
     certificate::cover::Leaf,
@@ -141,23 +141,24 @@ fn four(n: u64, bottom: f64) -> Vec<(f64, f64)> {
 }
 
 fn draw(n: u64, tiles: &[Tile]) -> Canvas {
+    let mut legend = Legend::default();
+    let drawn = |case| case == Case::MinusPlus || tiles.iter().any(|tile| tile.case == Some(case));
+    for case in CASES.into_iter().filter(|&case| drawn(case)) {
+        legend.add(title(case), move |canvas: &mut Canvas, (x, y): At| {
+            canvas.rectangle([x - 8.0, y - 3.5, x + 8.0, y + 3.5], colour(case));
+        });
+    }
+    let key = legend.height(COLUMN - 40.0);
     let mut canvas = Canvas::new(
         COLUMN,
-        304.0,
+        304.0 + key,
         &format!("Where single-impact orbits of period {n} exist"),
         "Above, the (a1, a2) plane for 0 < a2 < 1; below, the part above a2 = 0.9. The colour of an area says for which \
          signs of e mu and gamma the orbit exists; pale are the boxes that an edge passes through.",
     );
-    let mut legend = Legend::default();
-    let drawn = |case| case == Case::MinusPlus || tiles.iter().any(|tile| tile.case == Some(case));
-    for case in CASES.into_iter().filter(|&case| drawn(case)) {
-        legend.add(label(case), move |canvas: &mut Canvas, (x, y): At| {
-            canvas.rectangle([x - 8.0, y - 3.5, x + 8.0, y + 3.5], colour(case));
-        });
-    }
-    legend.draw(&mut canvas, (36.0, 2.0), COLUMN);
     canvas.text(format!("period {n}"), (COLUMN - 4.0, 2.0 + ROW / 2.0), Anchor::End);
-    panel(&mut canvas, [16.0, 162.0], 0.0, n, tiles);
-    panel(&mut canvas, [168.0, 302.0], BOTTOM, n, tiles);
+    legend.draw(&mut canvas, (36.0, 2.0 + ROW), COLUMN - 40.0);
+    panel(&mut canvas, [16.0 + key, 162.0 + key], 0.0, n, tiles);
+    panel(&mut canvas, [168.0 + key, 302.0 + key], BOTTOM, n, tiles);
     canvas
 }

@@ -3,7 +3,7 @@
 use std::{io::Write, path::Path};
 
 use super::{
-    FigurePlace, PictureFormat,
+    FigurePlace,
     canvas::{Anchor, At, BLACK, BLUE, Canvas, Colour, GREEN, GREY, ORANGE, PINK, RED, Stroke, Words, line},
     frame::{Axis, PlotFrame},
     legend::Legend,
@@ -24,7 +24,7 @@ use crate::{
 /// An I/O error; an input error if a table is none.
 pub fn digits_figure(folder: &Path) -> Result<()> {
     let rows = rows(folder, "digits.csv", "digits-peers.csv")?;
-    FigurePlace { folder, name: "digits", format: PictureFormat::Svg }.draw(&draw(&rows))
+    FigurePlace::svg(folder, "digits").draw(&draw(&rows))
 }
 
 /// Writes the table behind the figure.

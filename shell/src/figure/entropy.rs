@@ -9,7 +9,6 @@ use super::{
     canvas::{Anchor, COLUMN, Canvas, Colour, GREY, TYPE, WHITE, Words, line},
     colour,
     frame::{Axis, PlotFrame},
-    label,
 };
 use crate::{
     error::{Error, Result},
@@ -148,7 +147,12 @@ fn draw(last: u64, steps: &[Step]) -> Canvas {
     canvas.text(title, (COLUMN / 2.0, 7.0), Anchor::Middle);
     let cases = [Case::PlusPlus, Case::PlusMinus, Case::MinusPlus];
     for (case, top) in cases.into_iter().zip((0..).map(|i| 22.0 + PANEL * f64::from(i))) {
-        let high = if case == Case::PlusPlus { 0.5 } else { 0.75 };
+        // Above every step there is room for the title.
+        let high = match case {
+            Case::PlusPlus => 0.55,
+            Case::PlusMinus => 0.75,
+            _ => 0.8,
+        };
         let name = if case == Case::MinusPlus { "s" } else { "" };
         let bottom = if case == Case::MinusPlus { top + PANEL + 4.0 } else { top + PANEL - 4.0 };
         let frame = PlotFrame::new(
@@ -180,8 +184,8 @@ fn draw(last: u64, steps: &[Step]) -> Canvas {
             }
         }
         frame.draw(&mut canvas);
-        let name = Words::from(format!("eµ, γ: {}", label(case)));
-        let (x, y) = frame.at((if case == Case::MinusPlus { 0.3 } else { 0.004 }, high * 0.92));
+        let name = Words::from(super::title(case));
+        let (x, y) = frame.at((0.004, high * 0.93));
         canvas.rectangle([x, y - 5.0, x + name.width(TYPE) + 4.0, y + 5.0], WHITE);
         canvas.text(name, (x + 2.0, y), Anchor::Start);
     }

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use super::{
-    FigurePlace, PictureFormat,
+    FigurePlace,
     canvas::{Anchor, At, BLACK, BLUE, Canvas, Colour, GREEN, ORANGE, PINK, TYPE, Words, line},
     frame::{Axis, PlotFrame, power},
     panels::{PanelRow, WIDTH, caption, caption_height, cross, draw_caption, duration, rows},
@@ -24,8 +24,7 @@ pub const TABLES: [&str; 3] = ["signs", "digits", "simulations"];
 /// An I/O error; an input error if a table is none.
 pub fn glance_figure(folder: &Path) -> Result<()> {
     let [signs, digits, motions] = tables(folder)?;
-    FigurePlace { folder, name: "accuracy", format: PictureFormat::Svg }
-        .draw(&draw(&signs, &digits, &motions))
+    FigurePlace::svg(folder, "accuracy").draw(&draw(&signs, &digits, &motions))
 }
 
 fn tables(folder: &Path) -> Result<[Vec<PanelRow>; 3]> {

@@ -7,8 +7,8 @@ use super::{
     canvas::{At, BLACK, COLUMN, Canvas, line},
     colour,
     frame::{Axis, PlotFrame},
-    label,
     legend::Legend,
+    title,
 };
 use crate::{
     error::{Error, Result},
@@ -52,7 +52,7 @@ pub fn intervals(last: u64, place: &FigurePlace) -> Result<()> {
 fn draw(last: u64, all: &[Interval]) -> Canvas {
     let mut legend = Legend::default();
     for case in [Case::MinusPlus, Case::PlusPlus, Case::PlusMinus] {
-        legend.add(label(case), move |canvas: &mut Canvas, (x, y): At| {
+        legend.add(title(case), move |canvas: &mut Canvas, (x, y): At| {
             canvas.rectangle([x - 8.0, y - 3.5, x + 8.0, y + 3.5], colour(case));
         });
     }

@@ -10,8 +10,8 @@ use super::{
     colour,
     frame::{Axis, PlotFrame},
     intervals::check_last,
-    label,
     legend::{Legend, ROW},
+    title,
 };
 use crate::{
     error::Result,
@@ -184,30 +184,31 @@ pub(super) fn above(path: &[(f64, f64)], height: f64) -> Vec<Vec<(f64, f64)>> {
 
 fn draw(curves: &[Curve]) -> Canvas {
     let last = curves.last().map_or(0, |curve| curve.interval.n);
+    let mut legend = Legend::default();
+    for case in [Case::PlusPlus, Case::PlusMinus] {
+        legend.add(title(case), move |canvas: &mut Canvas, (x, y): At| {
+            canvas.line(vec![(x - 8.0, y), (x + 8.0, y)], line(colour(case), 1.2));
+        });
+    }
+    let key = legend.height(COLUMN - 40.0);
     let mut canvas = Canvas::new(
         COLUMN,
-        304.0,
+        304.0 + key,
         &format!("The curves b_(n,k) = 0 that bound areas, n from 3 to {last}"),
         "Above, the (a1, a2) plane for 0 < a2 < 1; below, the part above a2 = 0.9. Orange curves bound areas of the \
          case (+,+), green ones those of (+,-); those up to n = 5 are labelled n,k.",
     );
-    let mut legend = Legend::default();
-    for case in [Case::PlusPlus, Case::PlusMinus] {
-        legend.add(label(case), move |canvas: &mut Canvas, (x, y): At| {
-            canvas.line(vec![(x - 8.0, y), (x + 8.0, y)], line(colour(case), 1.2));
-        });
-    }
-    legend.draw(&mut canvas, (36.0, 2.0), COLUMN);
-    let title = format!("b_{{n,k}} = 0, 3 ≤ n ≤ {last}");
-    canvas.text(title, (COLUMN - 4.0, 2.0 + ROW / 2.0), Anchor::End);
-    let frame = panel(&mut canvas, [16.0, 162.0], 0.0, curves);
+    let name = format!("b_{{n,k}} = 0, 3 ≤ n ≤ {last}");
+    canvas.text(name, (COLUMN - 4.0, 2.0 + ROW / 2.0), Anchor::End);
+    legend.draw(&mut canvas, (36.0, 2.0 + ROW), COLUMN - 40.0);
+    let frame = panel(&mut canvas, [16.0 + key, 162.0 + key], 0.0, curves);
     for curve in curves.iter().filter(|curve| curve.interval.n <= 5) {
         let name = format!("{},{}", curve.interval.n, curve.k);
         let (at, (dx, dy), anchor) = anchor(curve);
         let (x, y) = frame.at(at);
         canvas.sized(name, (x + dx, y + dy), anchor, 7.0);
     }
-    panel(&mut canvas, [168.0, 302.0], 0.9, curves);
+    panel(&mut canvas, [168.0 + key, 302.0 + key], 0.9, curves);
     canvas
 }
 

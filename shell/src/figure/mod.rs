@@ -30,6 +30,7 @@ mod sign_price;
 mod simulations;
 mod tips;
 mod touch;
+mod view;
 mod words;
 
 pub use branches::{DrawnBranch, Scatter, branches};
@@ -54,6 +55,7 @@ pub use sign_price::{sign_price_figure, sign_price_table};
 pub use simulations::{simulations_figure, simulations_table};
 pub use tips::tips;
 pub use touch::touch;
+pub use view::View;
 pub use words::words;
 
 use std::{
@@ -122,9 +124,16 @@ pub struct FigurePlace<'a> {
     pub name: &'a str,
     /// What the picture is written as.
     pub format: PictureFormat,
+    /// What of it the picture shows.
+    pub view: View,
 }
 
-impl FigurePlace<'_> {
+impl<'a> FigurePlace<'a> {
+    /// A whole picture as SVG.
+    pub fn svg(folder: &'a Path, name: &'a str) -> FigurePlace<'a> {
+        FigurePlace { folder, name, format: PictureFormat::Svg, view: View::default() }
+    }
+
     /// The picture's file.
     pub fn picture(&self) -> PathBuf {
         self.folder.join(format!("{}.{}", self.name, self.format.ending()))
@@ -179,7 +188,7 @@ fn assert_shows_its_table<T>(
     row: impl Fn(&csv::StringRecord) -> T,
     draw: impl Fn(&[T]) -> Canvas,
 ) {
-    let place = FigurePlace { folder: Path::new("../docs"), name, format: PictureFormat::Svg };
+    let place = FigurePlace::svg(Path::new("../docs"), name);
     let rows: Vec<T> =
         csv::Reader::from_path(place.data()).unwrap().records().map(|one| row(&one.unwrap())).collect();
     let canvas = draw(&rows);
@@ -192,7 +201,7 @@ fn assert_shows_its_table<T>(
 /// The same of a table NAME.csv and, if it is there, NAME-peers.csv.
 #[cfg(test)]
 fn assert_shows_its_tables(name: &str, draw: impl Fn(&[panels::PanelRow]) -> Canvas) {
-    let place = FigurePlace { folder: Path::new("../docs"), name, format: PictureFormat::Svg };
+    let place = FigurePlace::svg(Path::new("../docs"), name);
     let [table, beside] = ["", "-peers"].map(|end| format!("{name}{end}.csv"));
     let canvas = draw(&panels::rows(place.folder, &table, &beside).unwrap());
     if std::env::var_os("GRAZING_REDRAW").is_some() {
@@ -209,6 +218,13 @@ fn colour(case: Case) -> Colour {
         Case::PlusMinus => GREEN,
         Case::MinusMinus => PINK,
     }
+}
+
+/// A case in words, for a panel's title or a legend: on which side of the touch, the sign of γ, and its sign.
+fn title(case: Case) -> String {
+    let side = if case.sign_emu() > 0 { "before" } else { "beyond" };
+    let gamma = if case.sign_gamma() > 0 { '>' } else { '<' };
+    format!("{side} the touch, γ {gamma} 0: {}", label(case))
 }
 
 /// A case as it is printed.

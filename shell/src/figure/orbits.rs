@@ -34,10 +34,10 @@ pub fn orbits(place: &FigurePlace) -> Result<()> {
         let whole = |p| ratio(p, 1);
         let a = vec![vec![ratio(l1 + l2, 10), whole(1)], vec![ratio(-l1 * l2, 100), whole(0)]];
         let map = Map::new(a, vec![whole(0), whole(gamma)], vec![whole(1), whole(0)], whole(1), None)?;
-        let sign = if positive { '>' } else { '<' };
+        let side = if positive { "before" } else { "beyond" };
         let tenth = |x: i32| format!("{}", f64::from(x) / 10.0).replace('-', "−");
         drawn.push(Panel {
-            label: format!("region {region}: λ₁ = {}, λ₂ = {}, eµ {sign} 0", tenth(l1), tenth(l2)),
+            label: format!("{side} the touch, region {region}: λ₁ = {}, λ₂ = {}", tenth(l1), tenth(l2)),
             points: predicted_orbit(&map, &[15], positive)?,
             positive,
         });
@@ -55,9 +55,9 @@ pub fn orbit(map: &Map, pattern: &Pattern, side: Option<bool>, place: &FigurePla
     let positive = side.unwrap_or(true);
     let points = predicted_orbit(map, pattern.periods(), positive)?;
     let what = match side {
-        Some(true) => "exists for eµ > 0",
-        Some(false) => "exists for eµ < 0",
-        None => "existence not shown; drawn for eµ > 0",
+        Some(true) => "before the touch, eµ > 0",
+        Some(false) => "beyond the touch, eµ < 0",
+        None => "existence not shown; drawn before the touch",
     };
     write(place, &[Panel { label: format!("pattern ({pattern}): {what}"), points, positive }])
 }

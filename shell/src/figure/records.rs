@@ -13,6 +13,7 @@ use super::{
     canvas::{Anchor, At, BLACK, COLUMN, Canvas, Colour, GREY, line},
     colour, label,
     legend::{Legend, ROW},
+    title,
 };
 use crate::{
     error::{Error, Result},
@@ -73,7 +74,7 @@ fn draw(modulus: f64, turn: f64, powers: &[Power]) -> Canvas {
     let exists = powers.iter().filter(|power| !power.cases.is_empty()).collect::<Vec<_>>();
     for case in [Case::MinusPlus, Case::PlusPlus, Case::PlusMinus, Case::MinusMinus] {
         if exists.iter().any(|power| power.cases[0] == case) {
-            legend.add(format!("orbit in case {}", label(case)), move |canvas: &mut Canvas, at: At| {
+            legend.add(format!("orbit {}", title(case)), move |canvas: &mut Canvas, at: At| {
                 canvas.line(vec![(at.0 - 9.0, at.1), (at.0 + 9.0, at.1)], line(colour(case), 0.7));
                 canvas.disc(at, 2.2, colour(case));
             });

@@ -2,12 +2,12 @@
 //! grazes a wall.
 
 use super::{
-    FigurePlace,
+    FigurePlace, View,
     canvas::{At, BLACK, BLUE, COLUMN, Canvas, Colour, GREEN, ORANGE, RED, SKY, Words, line},
     frame::{Axis, PlotFrame, padded},
     legend::Legend,
 };
-use crate::error::Result;
+use crate::error::{Error, Result};
 
 /// How points are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,7 +57,32 @@ pub fn section(sets: &[Points], axes: [&str; 2], place: &FigurePlace) -> Result<
         set.at.iter().map(one).collect::<Vec<_>>()
     };
     let rows: Vec<Vec<String>> = sets.iter().flat_map(row).collect();
-    place.save(&draw(sets, axes), &["set", "q", "u"], &rows)
+    let canvas = match place.view.is_whole() {
+        true => draw(sets, axes, &place.view),
+        false => draw(&seen(sets, axes, &place.view)?, axes, &place.view),
+    };
+    place.save(&canvas, &["set", "q", "u"], &rows)
+}
+
+/// What of the sets a view shows.
+fn seen(sets: &[Points], axes: [&str; 2], view: &View) -> Result<Vec<Points>> {
+    let plane = view.on(axes)?;
+    let mut seen = Vec::new();
+    for Points { name, mark, at } in sets {
+        let named = |at| Points { name: name.clone(), mark: *mark, at };
+        if mark.is_line() {
+            let curve: Vec<_> = at.iter().map(|&(x, y)| (x, y, ())).collect();
+            let pieces = plane.pieces(&curve).into_iter();
+            seen.extend(pieces.map(|piece| named(piece.iter().map(|at| (at.0, at.1)).collect())));
+        } else {
+            seen.push(named(plane.points(at)));
+        }
+    }
+    seen.retain(|set| !set.at.is_empty());
+    if seen.is_empty() {
+        return Err(Error::input("nothing is within the limits of the picture: choose others"));
+    }
+    Ok(seen)
 }
 
 fn colour(mark: Mark) -> Colour {
@@ -98,7 +123,7 @@ fn draw_marks(canvas: &mut Canvas, mark: Mark, at: Vec<At>) {
     }
 }
 
-fn draw(sets: &[Points], axes: [&str; 2]) -> Canvas {
+fn draw(sets: &[Points], axes: [&str; 2], view: &View) -> Canvas {
     let mut legend = Legend::default();
     for set in sets {
         legend.add(Words::plain(&set.name), |canvas: &mut Canvas, (x, y): At| {
@@ -118,8 +143,8 @@ fn draw(sets: &[Points], axes: [&str; 2]) -> Canvas {
     let shown = || sets.iter().filter(|set| !set.mark.is_line()).flat_map(|set| set.at.iter());
     let frame = PlotFrame::new(
         [2.0, 2.0, COLUMN - 2.0, 188.0],
-        Axis::linear(axes[0], padded(shown().map(|at| at.0)), 6),
-        Axis::linear(axes[1], padded(shown().map(|at| at.1)), 6),
+        Axis::linear(axes[0], view.x.unwrap_or_else(|| padded(shown().map(|at| at.0))), 6),
+        Axis::linear(axes[1], view.y.unwrap_or_else(|| padded(shown().map(|at| at.1))), 6),
     );
     canvas.inside(frame.inside(), |canvas| {
         for set in sets.iter().filter(|set| set.mark.is_line()) {

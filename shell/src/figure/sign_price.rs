@@ -4,7 +4,7 @@
 use std::{io::Write, path::Path};
 
 use super::{
-    FigurePlace, PictureFormat,
+    FigurePlace,
     canvas::{
         Anchor, At, BLACK, BLUE, COLUMN, Canvas, Colour, GREEN, GREY, ORANGE, PINK, RED, SKY, Stroke, TYPE,
         Words, line,
@@ -25,7 +25,7 @@ use crate::{
 /// An I/O error; an input error if a table is none.
 pub fn sign_price_figure(folder: &Path) -> Result<()> {
     let rows = rows(folder, "signs.csv", "signs-peers.csv")?;
-    FigurePlace { folder, name: "signs", format: PictureFormat::Svg }.draw(&draw(&rows))
+    FigurePlace::svg(folder, "signs").draw(&draw(&rows))
 }
 
 /// Writes the table behind the figure.

@@ -4,7 +4,7 @@
 use std::{io::Write, path::Path};
 
 use super::{
-    FigurePlace, PictureFormat,
+    FigurePlace,
     canvas::{Anchor, At, BLACK, BLUE, Canvas, Colour, GREEN, GREY, ORANGE, PINK, Stroke, Words, line},
     frame::{Axis, PlotFrame, power},
     legend::Legend,
@@ -25,7 +25,7 @@ use crate::{
 /// An I/O error; an input error if a table is none.
 pub fn simulations_figure(folder: &Path) -> Result<()> {
     let rows = rows(folder, "simulations.csv", "simulations-peers.csv")?;
-    FigurePlace { folder, name: "simulations", format: PictureFormat::Svg }.draw(&draw(&rows))
+    FigurePlace::svg(folder, "simulations").draw(&draw(&rows))
 }
 
 /// Writes the table behind the figure.

@@ -13,7 +13,7 @@ use super::{
     canvas::{Anchor, BLACK, COLUMN, Canvas, Colour, GREY, Paint, WHITE, line},
     frame::{Axis, PlotFrame},
     iterate::{Curve, plane},
-    label,
+    title,
 };
 use crate::{
     error::{Error, Result},
@@ -274,12 +274,14 @@ pub(super) fn shade(entropy: Option<f64>) -> Colour {
 }
 
 /// The height of a panel.
-const PANEL: f64 = 128.0;
+const PANEL: f64 = 139.0;
+/// Of which so much is its title's.
+const TITLE: f64 = 11.0;
 
 fn panel(canvas: &mut Canvas, top: f64, cells: &[Cell], case: Case, lowest: bool) {
     let bottom = if lowest { top + PANEL + 8.0 } else { top + PANEL - 4.0 };
     let frame = PlotFrame::new(
-        [2.0, top, COLUMN - 4.0, bottom],
+        [2.0, top + TITLE, COLUMN - 4.0, bottom],
         Axis::linear(if lowest { "a₁" } else { "" }, (-2.0, 2.0), 4),
         Axis::linear("a₂", (0.0, 1.0), 5),
     );
@@ -299,8 +301,7 @@ fn panel(canvas: &mut Canvas, top: f64, cells: &[Cell], case: Case, lowest: bool
         }
     });
     frame.draw(canvas);
-    // Below the lines, where nothing is coloured.
-    canvas.text(format!("eµ, γ: {}", label(case)), frame.at((-1.98, 0.07)), Anchor::Start);
+    canvas.text(title(case), (frame.left, top + 0.5 * TITLE), Anchor::Start);
 }
 
 /// What the colours mean: nothing, no chaos, a scale.

@@ -4,7 +4,7 @@ use super::Args;
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::Result,
-    figure::{FigurePlace, PictureFormat, proof_figure, proof_table},
+    figure::{FigurePlace, proof_figure, proof_table},
     output::{Destination, FileRegistry, TableFormat},
     study::{ProofSizes, proof_costs},
 };
@@ -15,5 +15,5 @@ pub(super) fn measure(args: &Args, _: &FileRegistry, interrupt: &Interrupt) -> R
     let costs = proof_costs(&sizes, &progress)?;
     drop(progress);
     Destination::Stdout.write(|out| proof_table(&costs, TableFormat::Table, out))?;
-    proof_figure(&costs, &FigurePlace { folder: &args.output, name: "proofs", format: PictureFormat::Svg })
+    proof_figure(&costs, &FigurePlace::svg(&args.output, "proofs"))
 }

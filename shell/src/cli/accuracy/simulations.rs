@@ -6,7 +6,7 @@ use super::Args;
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::Result,
-    figure::{FigurePlace, PictureFormat, flow_accuracy, flow_table, long_runs_table, simulations_table},
+    figure::{FigurePlace, flow_accuracy, flow_table, long_runs_table, simulations_table},
     monitor::Monitor,
     output::{Destination, FileRegistry, TableFormat},
     study::{
@@ -57,10 +57,7 @@ fn against_exact_motions(args: &Args, files: &FileRegistry, interrupt: &Interrup
     }
     drop(progress);
     Destination::Stdout.write(|out| flow_table(&rows, TableFormat::Table, out))?;
-    flow_accuracy(
-        &rows,
-        &FigurePlace { folder: &args.output, name: "flow-accuracy", format: PictureFormat::Svg },
-    )?;
+    flow_accuracy(&rows, &FigurePlace::svg(&args.output, "flow-accuracy"))?;
     let rows = long_runs(if args.quick { 3 } else { 6 })?;
     Destination::Stdout.write(|out| long_runs_table(&rows, TableFormat::Table, out))?;
     files

@@ -27,11 +27,11 @@ use clap::Parser;
 use num_rational::BigRational;
 use serde_json::json;
 
-use super::{Outcome, PrintFormat, ReportFormat, in_pool, reported};
+use super::{Outcome, PrintFormat, ReportFormat, in_pool, reported, view::ViewArgs};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
-    figure::{FigurePlace, PictureFormat},
+    figure::{FigurePlace, PictureFormat, View},
     number::{parse_integer, parse_rational},
     output::{
         Column, Destination, FileRegistry, FileUse, LONGEST_SCENE, NamedFile, Shard, TableCell, TableFormat,
@@ -52,7 +52,8 @@ pub(super) use shard::merge;
 /// A scene is a TOML file that names an oscillator's effects, its walls, parameters and tasks. docs/scenes.md
 /// has every key, and examples/scenes has scenes to start from. Each task writes its files, named after it,
 /// into the folder, and its part of the report to standard output. The whole scene is checked before anything
-/// runs. If a task fails, the others still run.
+/// runs. If a task fails, the others still run. In reports and tables phases are fractions of the period, and
+/// all else has the scene's units.
 ///
 /// Exit code, the first that applies: 1: something was refuted; 2: wrong usage, a wrong scene, a task that
 /// failed or a file that cannot be written; 3: interrupted, undecided or nothing found; 0: all done.
@@ -94,6 +95,8 @@ pub(super) struct Args {
     /// What pictures are written as: svg; pdf and png with the feature `print`.
     #[arg(long, value_name = "FORMAT", default_value = "svg", value_parser = picture_format)]
     pictures: PictureFormat,
+    #[command(flatten)]
+    view: ViewArgs,
     /// Threads; 0 for one per core.
     #[arg(long, value_name = "J", default_value_t = 0, value_parser = parse_integer::<usize>)]
     jobs: usize,
@@ -153,6 +156,8 @@ struct Job<'a> {
     named: &'a FileRegistry,
     /// What pictures are written as.
     format: PictureFormat,
+    /// What of them they show.
+    view: View,
 }
 
 impl<'a> Deref for Job<'a> {
@@ -209,7 +214,8 @@ impl Job<'_> {
 
     /// Where its picture goes.
     fn place(&self) -> FigurePlace<'_> {
-        FigurePlace { folder: self.folder, name: &self.task.name, format: self.format }
+        let Job { folder, format, view, .. } = *self;
+        FigurePlace { folder, name: &self.task.name, format, view }
     }
 
     /// The names of the task's picture and of the data beside it.
@@ -263,7 +269,13 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         }
     }
     settings_once(&args.set)?;
+    let view = args.view.view()?;
     if let Some(shard) = args.shard {
+        if !args.view.is_whole() {
+            return Err(Error::input(
+                "--shard draws no picture: leave out --x-limits, --y-limits and --q-modulo-2pi",
+            ));
+        }
         return shard::run(args, &scene, &text, shard, files, interrupt);
     }
     // All tasks are checked, with the changed parameters, before the first runs.
@@ -276,6 +288,9 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     let jobs = chosen.map(|task| Task::new(&scene, task, around)).collect::<Result<Vec<_>>>()?;
     if jobs.is_empty() {
         return Err(Error::input(format!("{name} has no [[tasks]]: nothing to do")));
+    }
+    if !args.view.is_whole() {
+        shown(&jobs)?;
     }
     for job in &jobs {
         names::task(&scene, job.task, &args.output, args.pictures, files)?;
@@ -294,7 +309,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         let part = if over {
             TaskReport::pending(job)
         } else {
-            let job = Job { job, folder: &args.output, named: files, format: args.pictures };
+            let job = Job { job, folder: &args.output, named: files, format: args.pictures, view };
             in_pool(args.jobs, || Ok(job.run()))?
         };
         bars.clear();
@@ -325,6 +340,24 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         say(format_args!("error: {failed} of {} tasks failed", parts.len()));
     }
     reported(outcome, written)
+}
+
+/// That every picture of the tasks is one of which a part can be shown.
+fn shown(jobs: &[Task]) -> Result<()> {
+    let is_one = |job: &&Task| {
+        matches!(job.task.kind, Kind::SectionTask(_) | Kind::DiagramTask(_) | Kind::BranchTask(_))
+    };
+    let is_other =
+        |job: &&Task| matches!(job.task.kind, Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::MapTask(_));
+    let other = jobs.iter().find(is_other).or(jobs.first().filter(|_| !jobs.iter().any(|job| is_one(&job))));
+    other.map_or(Ok(()), |job| {
+        Err(Error::input(format!(
+            "--x-limits, --y-limits and --q-modulo-2pi are for pictures of sections, diagrams and branches, and \
+             task {} is of kind {}: choose tasks with --only",
+            job.task.name,
+            job.task.kind.word()
+        )))
+    })
 }
 
 /// Lists the files of this command.
@@ -406,13 +439,13 @@ fn write_json(scene: &str, tasks: &[TaskReport], shard: Option<Shard>, out: &mut
     Ok(writeln!(out, "{}", report.to_json()?)?)
 }
 
-/// Runs a task of the paper's own scene, without a report.
+/// Runs a task of the paper's own scene, without a report; the files that it wrote.
 pub(super) fn paper(
     task: &str,
-    (folder, format): (&Path, PictureFormat),
+    &FigurePlace { folder, format, view, .. }: &FigurePlace,
     files: &FileRegistry,
     interrupt: &Interrupt,
-) -> Result<()> {
+) -> Result<Vec<PathBuf>> {
     let scene = Scene::from_toml(study::PAPER, "nordmark-2001.toml")?;
     let task = scene.tasks.iter().find(|known| known.name == task);
     let task = task.ok_or_else(|| Error::input("the paper's scene has no such task"))?;
@@ -420,10 +453,10 @@ pub(super) fn paper(
     let bars = Bars::new(interrupt);
     let around = Surroundings { changes: &[], folder: Some(folder), monitor: &bars };
     names::task(&scene, task, folder, format, files)?;
-    let report = Job { job: &Task::new(&scene, task, around)?, folder, named: files, format }.run();
+    let report = Job { job: &Task::new(&scene, task, around)?, folder, named: files, format, view }.run();
     match report.status {
         Status::Failed { reason, .. } => Err(Error::input(reason)),
         Status::Interrupted { reason } => Err(Error::interrupted(reason)),
-        _ => Ok(()),
+        _ => Ok(report.files.iter().map(|file| folder.join(file)).collect()),
     }
 }

@@ -14,7 +14,7 @@ use crate::{
         shards::{Merged, Part, ShardSet, task_of},
     },
     error::{Error, Result},
-    figure::PictureFormat,
+    figure::{PictureFormat, View},
     output::{FileRegistry, FileUse, Journal, Shard, ShardedTask, TaskInput, fingerprint, make_folder},
     run::{Job as Task, Surroundings, TaskReport, parts},
     scene::Scene,
@@ -150,7 +150,8 @@ pub(in crate::cli) fn merge(
         },
     )?;
     make_folder(folder)?;
-    let job = Job { job: &job, folder, named: merged.files, format: args.pictures };
+    let view = View::default();
+    let job = Job { job: &job, folder, named: merged.files, format: args.pictures, view };
     let report = in_pool(args.jobs, || Ok(job.whole(&records)))?;
     bars.clear();
     tell(&scene.title, report, None, (merged.format, DIGITS))
