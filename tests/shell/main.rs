@@ -5,6 +5,7 @@ mod process;
 
 mod arguments;
 mod cli;
+mod export;
 mod figures;
 mod parsers;
 #[cfg(target_os = "linux")]

@@ -284,7 +284,7 @@ fn reader() -> tempfile::TempDir {
     folder
 }
 
-pub const COMMANDS: [&str; 19] = [
+pub const COMMANDS: [&str; 20] = [
     "verify",
     "cover",
     "check",
@@ -302,6 +302,7 @@ pub const COMMANDS: [&str; 19] = [
     "evaluate",
     "accuracy",
     "run",
+    "export",
     "completions",
     "man",
 ];
@@ -529,6 +530,8 @@ const HOLES: &[(&str, &[&str])] = &[
     ("run examples/scenes/free.toml -o @", &["/dev/null/file"]),
     ("figure 6 -o out --x-limits @", &["", "x", "1", "2..=1", "1..2", "1/0..=1", "-1"]),
     ("run examples/scenes/free.toml --y-limits @", &["", "x", "-1/2", "2..=1", "1..2", "0..=1"]),
+    ("export @ -o table.mat", INPUT),
+    ("export ball.csv -o @", &["", "table.txt", "b.", "/nonexistent/table.mat"]),
     ("completions @", CHOICE),
     ("man -o @", &["/dev/null/file"]),
     ("@", CHOICE),

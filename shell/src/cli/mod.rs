@@ -10,6 +10,7 @@ mod classify;
 mod cover;
 mod evaluate;
 mod existence;
+mod export;
 mod farey;
 mod figure;
 mod formula;
@@ -95,6 +96,7 @@ enum Command {
     Evaluate(evaluate::Args),
     Accuracy(accuracy::Args),
     Run(run::Args),
+    Export(export::Args),
     Completions(shell::CompletionsArgs),
     Man(shell::ManArgs),
 }
@@ -269,6 +271,7 @@ fn run(cli: Cli, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome>
         Command::Evaluate(args) => evaluate::run(&args, files, interrupt),
         Command::Accuracy(args) => accuracy::run(&args, files, interrupt),
         Command::Run(args) => run::run(&args, files, interrupt),
+        Command::Export(args) => export::run(&args, files),
         Command::Completions(args) => shell::completions(&args, files, Cli::command()),
         Command::Man(args) => shell::man(&args, files, Cli::command()),
     }
@@ -307,6 +310,7 @@ impl Command {
             | Command::Figure(_)
             | Command::Formula(_)
             | Command::Accuracy(_)
+            | Command::Export(_)
             | Command::Completions(_)
             | Command::Man(_) => None,
         }
