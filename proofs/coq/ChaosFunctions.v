@@ -1,28 +1,32 @@
 (** * exp, cos and sin of an interval with integer ends lie in the intervals computed for them *)
 
 From Coq Require Import Reals ZArith Lra Lia Bool Machin.
-From Grazing Require Import ChaosInterval.
+From Grazing Require Import ChaosInterval Derivatives.
 Open Scope R_scope.
 
-(** ** exp: (1 + x/2^12)^(2^12) <= exp x <= (1 - x/2^12)^(-2^12) *)
+(** ** exp: its series to the fifth power at x/16, which is below it, and 1 over that at - x/16; squared four times *)
 
 (** Named, so that they are computed once. *)
 Definition unit : itv := constant 1 1.
 Definition half : itv := constant 1 2.
+Definition third : itv := constant 1 3.
+Definition c4 : itv := constant 1 4.
+Definition c5 : itv := constant 1 5.
 Definition c12 : itv := constant 1 12.
+Definition c16 : itv := constant 1 16.
 Definition c30 : itv := constant 1 30.
 Definition c56 : itv := constant 1 56.
-Definition c8 : itv := constant 1 8.
-Definition c128 : itv := constant 1 128.
-Definition c4096 : itv := constant 1 4096.
+Definition c90 : itv := constant 1 90.
+Definition c132 : itv := constant 1 132.
 
 Fixpoint squares (n : nat) (X : itv) : itv := match n with O => X | S n => squares n (times X X) end.
 Definition join (X Y : itv) : itv := match X, Y with
   | Some (a, _), Some (_, d) => Some (a, d) | _, _ => None end.
+Definition exp_series (Y : itv) : itv :=
+  let step q X := plus unit (times (times Y q) X) in step unit (step half (step third (step c4 (step c5 unit)))).
 Definition exponential (X : itv) : itv :=
-  let Y := times X c4096 in
-  let I := unit in
-  if positive (minus I Y) then squares 12 (join (plus I Y) (inverse (minus I Y))) else None.
+  let Y := times X c16 in let Z := exp_series (opp Y) in
+  if positive Z then squares 4 (join (exp_series Y) (inverse Z)) else None.
 
 Lemma mem_join X Y x y z : mem X x -> mem Y y -> x <= z <= y -> mem (join X Y) z.
 Proof.
@@ -41,21 +45,60 @@ Qed.
 Lemma mem_1 : mem (constant 1 1) 1.
 Proof. pose proof (mem_constant 1 1) as H; replace (1 / 1) with 1 in H by field; exact H. Qed.
 
-Lemma mem_exponential X x : mem X x -> mem (exponential X) (exp x).
+Lemma twice_up f f' f'' : (forall x, derivable_pt_lim f x (f' x)) -> (forall x, derivable_pt_lim f' x (f'' x)) ->
+  f 0 = 0 -> f' 0 = 0 -> (forall x, 0 <= f'' x) -> forall x, 0 <= f x.
 Proof.
-  intros Hx; unfold exponential.
-  pose proof (mem_times _ _ _ _ Hx (mem_constant 1 4096)) as HY; set (Y := times _ _) in *.
-  set (y := x * (1 / 4096)) in *.
-  pose proof (mem_plus _ _ _ _ mem_1 HY) as P; pose proof (mem_minus _ _ _ _ mem_1 HY) as M.
-  cbv zeta; destruct (positive _) eqn:Hp; [|exact I].
-  pose proof (positive_lt _ _ Hp M) as Hy.
-  apply mem_squares; replace (x / 2 ^ 12) with y by (unfold y; cbn; field).
-  apply (mem_join _ _ _ _ _ P (mem_inverse _ _ M)); split; [apply exp_ineq1_le|].
-  rewrite <- (Ropp_involutive y), exp_Ropp, Ropp_involutive; apply Rinv_le_contravar; [lra|].
-  pose proof (exp_ineq1_le (- y)); lra.
+  intros D D' E E' H x; destruct (Rtotal_order x 0) as [L|[->|L]]; [|lra|].
+  - destruct (MVT_cor2 f f' x 0 L) as (y & Ey & Hy); [auto|].
+    destruct (MVT_cor2 f' f'' y 0 ltac:(lra)) as (z & Ez & Hz); [auto|]; specialize (H z).
+    assert (0 <= f'' z * (0 - y)) by (apply Rmult_le_pos; lra); nra.
+  - destruct (MVT_cor2 f f' 0 x L) as (y & Ey & Hy); [auto|].
+    destruct (MVT_cor2 f' f'' 0 y ltac:(lra)) as (z & Ez & Hz); [auto|]; specialize (H z).
+    assert (0 <= f'' z * (y - 0)) by (apply Rmult_le_pos; lra); nra.
 Qed.
 
-(** ** cos: its series at x/8 or x/128, then cos 2x = 2 cos^2 x - 1 three times or seven, about the middle *)
+Definition exp_step (y q x : R) : R := 1 + y * (1 / q) * x.
+Definition exp_sum (y : R) : R := exp_step y 1 (exp_step y 2 (exp_step y 3 (exp_step y 4 (exp_step y 5 1)))).
+Lemma exp_sum_below y : exp_sum y <= exp y.
+Proof.
+  set (r1 := fun x => exp x - (1 + x)); set (r2 := fun x => r1 x - x * x / 2).
+  set (r3 := fun x => r2 x - x * x * x / 6); set (r4 := fun x => r3 x - x * x * x * x / 24).
+  set (r5 := fun x => r4 x - x * x * x * x * x / 120).
+  assert (E : r1 0 = 0) by (unfold r1; rewrite exp_0; ring).
+  assert (H3 : forall x, 0 <= r3 x).
+  { apply (twice_up _ r2 r1); try (unfold r3, r2; rewrite E; lra).
+    - intros x; unfold r3, r2, r1, Rdiv; derive_by fail; field.
+    - intros x; unfold r2, r1, Rdiv; derive_by fail; field.
+    - intros x; unfold r1; pose proof (exp_ineq1_le x); lra. }
+  assert (H5 : forall x, 0 <= r5 x).
+  { apply (twice_up _ r4 r3); try (unfold r5, r4, r3, r2; rewrite E; lra); trivial.
+    - intros x; unfold r5, r4, r3, r2, r1, Rdiv; derive_by fail; field.
+    - intros x; unfold r4, r3, r2, r1, Rdiv; derive_by fail; field. }
+  specialize (H5 y); unfold r5, r4, r3, r2, r1 in H5; unfold exp_sum, exp_step; lra.
+Qed.
+Lemma mem_exp_series Y y : mem Y y -> mem (exp_series Y) (exp_sum y).
+Proof.
+  intros HY; unfold exp_series, exp_sum; cbv zeta beta.
+  assert (HS : forall q X x, mem X x -> mem (plus unit (times (times Y (constant 1 q)) X))
+    (exp_step y (IZR (Z.pos q)) x)).
+  { intros q X x HX; unfold exp_step; repeat first [exact HX | exact HY | apply mem_plus | apply mem_times |
+      apply mem_constant | exact mem_1]. }
+  repeat apply HS; exact mem_1.
+Qed.
+
+Lemma mem_exponential X x : mem X x -> mem (exponential X) (exp x).
+Proof.
+  intros Hx; unfold exponential; cbv zeta.
+  pose proof (mem_times _ _ _ _ Hx (mem_constant 1 16)) as HY; change (constant 1 16) with c16 in HY.
+  set (Y := times _ _) in *; set (y := x * (1 / 16)) in *.
+  pose proof (mem_exp_series _ _ HY) as P; pose proof (mem_exp_series _ _ (mem_opp _ _ HY)) as N.
+  destruct (positive _) eqn:B; [|exact I]; apply mem_squares; replace (x / 2 ^ 4) with y by (unfold y; cbn; field).
+  pose proof (positive_lt _ _ B N) as N0; apply (mem_join _ _ _ _ _ P (mem_inverse _ _ N)).
+  split; [apply exp_sum_below|]; rewrite <- (Ropp_involutive y) at 1; rewrite exp_Ropp.
+  apply Rinv_le_contravar; [exact N0 | apply exp_sum_below].
+Qed.
+
+(** ** cos: near 0, by whole turns; its series at x/4, then cos 2x = 2 cos^2 x - 1 twice, about the middle *)
 
 (** Twice. *)
 Definition double (X : itv) : itv := match X with Some (l, h) => Some (2 * l, 2 * h)%Z | None => None end.
@@ -65,27 +108,28 @@ Fixpoint doubled (n : nat) (X : itv) : itv := match n with
 Definition cos_small (Y : itv) : itv :=
   let Z := times Y Y in
   let step q X := minus unit (times (times Z q) X) in
-  let series X := step half (step c12 (step c30 X)) in
-  join (series unit) (series (minus unit (times Z c56))).
-Definition cosine_by (n : nat) (k : BinNums.positive) (K : itv) (X : itv) : itv := match X with
+  let series X := step half (step c12 (step c30 (step c56 (step c90 X)))) in
+  join (series unit) (series (minus unit (times Z c132))).
+Definition cosine_middle (X : itv) : itv := match X with
   | Some (l, h) =>
     let m := Z.shiftr (l + h) 1 in
-    if (Z.abs m <=? Z.pos k * one)%Z then
-      plus (doubled n (cos_small (times (Some (m, m)) K))) (Some (m - h, h - m)%Z)
+    if (Z.abs m <=? 4 * one)%Z then
+      plus (doubled 2 (cos_small (times (Some (m, m)) c4))) (Some (m - h, h - m)%Z)
     else None
   | None => None end.
-Definition cosine_middle (X : itv) : itv :=
-  match cosine_by 3 8 c8 X with Some Y => Some Y | None => cosine_by 7 128 c128 X end.
 
 Definition cos_step (z q x : R) : R := 1 - z * (1 / q) * x.
-Definition cos_sum (z x : R) : R := cos_step z 2 (cos_step z 12 (cos_step z 30 x)).
-Lemma cos_series y : -1 <= y <= 1 -> cos_sum (y * y) 1 <= cos y <= cos_sum (y * y) (1 - y * y * (1 / 56)).
+Definition cos_sum (z x : R) : R := cos_step z 2 (cos_step z 12 (cos_step z 30 (cos_step z 56 (cos_step z 90 x)))).
+Lemma cos_series y : -1 <= y <= 1 -> cos_sum (y * y) 1 <= cos y <= cos_sum (y * y) (1 - y * y * (1 / 132)).
 Proof.
-  intros Hy; pose proof PI2_3_2 as HP; destruct (cos_bound y 1) as [L U]; [lra|lra|].
+  intros Hy; pose proof PI2_3_2 as HP; destruct (cos_bound y 2) as [L U]; [lra|lra|].
   cbn [Nat.mul Nat.add] in L, U; unfold cos_approx in *; cbn [sum_f_R0] in *; unfold cos_term in *.
   cbn [Nat.mul Nat.add] in *.
-  rewrite (fact_simpl 7), (fact_simpl 6), !mult_INR in U.
-  replace (INR 8) with 8 in U by (cbn; ring); replace (INR 7) with 7 in U by (cbn; ring).
+  rewrite (fact_simpl 11), (fact_simpl 10) in U; rewrite (fact_simpl 9), (fact_simpl 8), (fact_simpl 7), (fact_simpl 6) in *.
+  rewrite !mult_INR in *.
+  replace (INR 12) with 12 in U by (cbn; ring); replace (INR 11) with 11 in U by (cbn; ring).
+  replace (INR 10) with 10 in * by (cbn; ring); replace (INR 9) with 9 in * by (cbn; ring).
+  replace (INR 8) with 8 in * by (cbn; ring); replace (INR 7) with 7 in * by (cbn; ring).
   replace (INR (fact 0)) with 1 in * by reflexivity; replace (INR (fact 2)) with 2 in * by (cbn; ring).
   replace (INR (fact 4)) with 24 in * by (cbn; ring).
   replace (INR (fact 6)) with 720 in * by (rewrite INR_IZR_INZ; reflexivity).
@@ -132,7 +176,7 @@ Proof.
   { intros q X x HX; unfold cos_step; repeat first [exact HX | exact HY | apply mem_minus | apply mem_times |
       apply mem_constant | exact mem_1]. }
   eapply mem_join; [| |exact (cos_series y Hy)]; unfold cos_sum; repeat (apply HS); [exact mem_1|].
-  apply mem_minus; [exact mem_1 | repeat apply mem_times; try exact HY; apply (mem_constant 1 56)].
+  apply mem_minus; [exact mem_1 | repeat apply mem_times; try exact HY; apply (mem_constant 1 132)].
 Qed.
 
 Lemma middle x y h m o c l : y * o = m -> 0 < o -> l <= x * o <= h -> 2 * m <= l + h ->
@@ -145,25 +189,21 @@ Proof.
   nra.
 Qed.
 
-Lemma mem_cosine_by n k K X x : IZR (Z.pos k) = 2 ^ n -> K = constant 1 k -> mem X x ->
-  mem (cosine_by n k K X) (cos x).
+Lemma mem_cosine_middle X x : mem X x -> mem (cosine_middle X) (cos x).
 Proof.
-  intros Hk ->; destruct X as [[l h]|]; [|trivial]; intros Hx; cbn [cosine_by].
-  set (m := Z.shiftr (l + h) 1); destruct (Z.leb_spec (Z.abs m) (Z.pos k * one)) as [Hm|]; [|exact I].
-  pose proof one_pos as H1; assert (Pk : 0 < IZR (Z.pos k)) by (apply IZR_lt; reflexivity).
+  destruct X as [[l h]|]; [|trivial]; intros Hx; cbn [cosine_middle].
+  set (m := Z.shiftr (l + h) 1); destruct (Z.leb_spec (Z.abs m) (4 * one)) as [Hm|]; [|exact I].
+  pose proof one_pos as H1.
   assert (exists y, y * IZR one = IZR m) as [y Ey] by (exists (IZR m / IZR one); field; lra).
   assert (Hy : mem (Some (m, m)) y) by (cbn [mem]; lra).
-  pose proof (mem_times _ _ _ _ Hy (mem_constant 1 k)) as HY.
-  assert (B : -1 <= y * (1 / IZR (Z.pos k)) <= 1).
-  { assert (A1 : IZR m <= IZR (Z.pos k * one)) by (apply IZR_le; lia).
-    assert (A2 : IZR (- (Z.pos k * one)) <= IZR m) by (apply IZR_le; lia).
+  pose proof (mem_times _ _ _ _ Hy (mem_constant 1 4)) as HY.
+  assert (B : -1 <= y * (1 / 4) <= 1).
+  { assert (A1 : IZR m <= IZR (4 * one)) by (apply IZR_le; lia).
+    assert (A2 : IZR (- (4 * one)) <= IZR m) by (apply IZR_le; lia).
     rewrite opp_IZR in A2; rewrite mult_IZR in A1, A2.
-    assert (A : - IZR (Z.pos k) <= y <= IZR (Z.pos k)) by (split; apply (Rmult_le_reg_r (IZR one)); lra).
-    split; apply (Rmult_le_reg_r (IZR (Z.pos k))); trivial;
-      replace (y * (1 / IZR (Z.pos k)) * IZR (Z.pos k)) with y by (field; lra); lra. }
+    assert (A : -4 <= y <= 4) by (split; apply (Rmult_le_reg_r (IZR one)); lra); lra. }
   pose proof (mem_cos_small _ _ B HY) as C.
-  replace (y * (1 / IZR (Z.pos k))) with (y / 2 ^ n) in C by (rewrite <- Hk; field; lra);
-    apply mem_doubled in C.
+  replace (y * (1 / 4)) with (y / 2 ^ 2) in C by (cbn; field); apply mem_doubled in C.
   replace (cos x) with (cos y + (cos x - cos y)) by ring; apply mem_plus; [exact C|].
   pose proof (cos_lipschitz x y) as L.
   assert (Hmid : (l + h - 1 <= 2 * m <= l + h)%Z).
@@ -173,12 +213,6 @@ Proof.
   assert (A : IZR (2 * m) <= IZR (l + h)) by (apply IZR_le; lia).
   rewrite plus_IZR, mult_IZR in A.
   exact (middle _ _ _ _ _ _ _ Ey H1 Hx A L).
-Qed.
-
-Lemma mem_cosine_middle X x : mem X x -> mem (cosine_middle X) (cos x).
-Proof.
-  intros H; unfold cosine_middle; pose proof (mem_cosine_by 3 8 c8 X x ltac:(cbn; ring) eq_refl H) as A.
-  destruct (cosine_by 3 8 c8 X); [exact A | apply mem_cosine_by; [cbn; ring | reflexivity | exact H]].
 Qed.
 
 (** ** pi, from its series; sin x = cos (pi/2 - x) *)
@@ -204,7 +238,7 @@ Proof.
 Qed.
 
 (** cos decreases on [0, pi], and cos (- x) = cos x. *)
-Definition cosine (X : itv) : itv := match X with
+Definition cosine_near (X : itv) : itv := match X with
   | Some (l, h) =>
     let a := Z.max 0 (Z.max l (- h)) in let b := Z.max (- l) h in
     if (h - l <? one / 1000000)%Z then cosine_middle X else
@@ -212,9 +246,9 @@ Definition cosine (X : itv) : itv := match X with
     else cosine_middle X
   | None => None end.
 
-Lemma mem_cosine X x : mem X x -> mem (cosine X) (cos x).
+Lemma mem_cosine_near X x : mem X x -> mem (cosine_near X) (cos x).
 Proof.
-  destruct X as [[l h]|]; [|trivial]; intros Hx; cbn [cosine]; set (a := Z.max 0 _); set (b := Z.max (- l) h).
+  destruct X as [[l h]|]; [|trivial]; intros Hx; cbn [cosine_near]; set (a := Z.max 0 _); set (b := Z.max (- l) h).
   destruct (h - l <? one / 1000000)%Z; [apply mem_cosine_middle, Hx|].
   destruct (below (Some (b, b)) pi) eqn:HP; [|apply mem_cosine_middle, Hx].
   pose proof (below_le _ _ _ _ HP (mem_point b) mem_pi) as Hb; pose proof one_pos as H1.
@@ -230,6 +264,19 @@ Proof.
   replace (cos x) with (cos (Rabs x)) by (unfold Rabs; destruct Rcase_abs; [apply cos_neg | reflexivity]).
   apply (mem_join _ _ _ _ _ (mem_cosine_middle _ _ (mem_point b)) (mem_cosine_middle _ _ (mem_point a))).
   pose proof (Rabs_pos x); split; apply cos_decr_1; lra.
+Qed.
+
+(** By the whole turns next to the middle; 2 pi is about 1686629713/2^28. *)
+Definition cosine (X : itv) : itv := match X with
+  | Some (l, h) => let z := (((l + h + 1686629713) / 3373259426) * one)%Z in
+    cosine_near (minus X (times (double pi) (Some (z, z))))
+  | None => None end.
+Lemma mem_cosine X x : mem X x -> mem (cosine X) (cos x).
+Proof.
+  destruct X as [[l h]|]; [|trivial]; intros Hx; unfold cosine; set (k := (_ / _)%Z); cbv zeta.
+  pose proof one_pos; rewrite <- (cos_periods (- k) x), opp_IZR.
+  replace (x + 2 * PI * - IZR k) with (x - 2 * PI * IZR k) by ring; apply mem_cosine_near, mem_minus; [exact Hx|].
+  apply mem_times; [apply mem_double, mem_pi | cbn [mem]; rewrite mult_IZR; lra].
 Qed.
 
 Definition right : itv := times pi half.

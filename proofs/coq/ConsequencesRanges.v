@@ -9,10 +9,10 @@ Import ListNotations.
 Open Scope R_scope.
 
 Definition edge_from (a b : Q) : Edge.t := {| Edge.strengths := (a, b); Edge.factor := 1; Edge.weight := 1 |}.
-Definition near : Cell.t := {| Cell.depth := (0, 1 # 100)%Q; Cell.steps := 0; Cell.edges := [edge_from 2 (5 #
+Definition near : Cell.t := {| Cell.depth := (0, 1 # 100)%Q; Cell.parts := 1; Cell.steps := 0; Cell.edges := [edge_from 2 (5 #
   2)] |}.
 Definition farther : Cell.t :=
-  {| Cell.depth := (1 # 100, 1 # 50)%Q; Cell.steps := 10; Cell.edges := [edge_from (21 # 10) (24 # 10)] |}.
+  {| Cell.depth := (1 # 100, 1 # 50)%Q; Cell.parts := 1; Cell.steps := 10; Cell.edges := [edge_from (21 # 10) (24 # 10)] |}.
 Definition born : Range.t := {|
   Range.damping := (1 # 10, 1 # 10)%Q; Range.stiffness := (3 # 10, 3 # 10)%Q; Range.restitution := (4 # 5, 4 #
     5)%Q;

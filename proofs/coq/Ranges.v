@@ -12,14 +12,38 @@ Definition law (M : Machine.t) w j k u s v : R :=
   sum_of (Machine.tau M) (after M k (phase M w s) (phase M w v)) (before M j (phase M w u) (phase M w s)).
 Definition step (M : Machine.t) w j k m u s v : R := s - m * (s - law M w j k u s v).
 
+(** How fast it moves, where u, s and v move so fast. *)
+Definition step_rate (M : Machine.t) w j k m u s v lu ls lv : R :=
+  let r x l := - (Machine.nu M / 2) / bend M (phase M w x) * l in
+  (1 - m) * ls + m * sum_of (Machine.tau M) (after_slope M k (phase M w s) (phase M w v) (r s ls) (r v lv))
+    (before_slope M j (phase M w u) (phase M w s) (r u lu) (r s ls)).
+Lemma D_step M w j k m U S V y lu ls lv : good M w -> 0 < Machine.tau M -> derivable_pt_lim U y lu ->
+  derivable_pt_lim S y ls -> derivable_pt_lim V y lv -> lands M w (U y) -> lands M w (S y) -> lands M w (V y) ->
+  E12 M (time j (phase M w (U y)) (phase M w (S y))) <> 0 ->
+  E12 M (time k (phase M w (S y)) (phase M w (V y))) <> 0 ->
+  derivable_pt_lim (fun y => step M w j k m (U y) (S y) (V y)) y (step_rate M w j k m (U y) (S y) (V y) lu ls lv).
+Proof.
+  intros HG Ht DU DS DV LU LS LV EU EV; pose proof (good_nu _ _ HG) as Hnu; pose proof (good_f _ _ HG) as Hf.
+  pose proof (D_phase M w (good_b _ _ HG) U y lu Hnu LU DU) as PU.
+  pose proof (D_phase M w (good_b _ _ HG) S y ls Hnu LS DS) as PS.
+  pose proof (D_phase M w (good_b _ _ HG) V y lv Hnu LV DV) as PV.
+  assert (N : Machine.nu M <> 0) by lra.
+  pose proof (D_after M Hf k _ _ y _ _ N PS PV EV) as DA; pose proof (D_before M Hf j _ _ y _ _ N PU PS EU) as DB.
+  cbv beta in DA, DB; unfold step, law, sum_of, Rdiv.
+  eapply D_value; [apply D_minus; [exact DS|]; apply D_scale, D_minus; [exact DS|]|].
+  - eapply (D_ext (fun y => / (1 + Machine.tau M) * (2 * (after M k (phase M w (S y)) (phase M w (V y)) +
+      Machine.tau M * before M j (phase M w (U y)) (phase M w (S y)))))); [|intros; ring | reflexivity].
+    apply D_scale, D_scale, D_plus; [exact DA | apply D_scale, DB].
+  - unfold step_rate, sum_of, Rdiv; cbv zeta; field; lra.
+Qed.
+
 (** Along a path: the turns of each leg; of each impact the range of s, the factor m and the weight. *)
 Record contracting (M : Machine.t) (w kappa spread : R) (n : Z -> positive) (lo hi m wt : Z -> R) : Prop := {
   c_good : good M w; c_w : w <= PI; c_tau : 0 < Machine.tau M; c_kappa : 0 <= kappa < 1; c_spread : 0 <= spread;
   c_sizes : forall i, lo i <= hi i /\ 0 < wt i /\ m i <> 0 /\ hi i - lo i <= wt i * spread;
   (* H0 *)
-  c_lands : forall i s, lo i <= s <= hi i -> lands M w s;
-  c_legs : forall i s v, lo i <= s <= hi i -> lo (i + 1)%Z <= v <= hi (i + 1)%Z ->
-    E12 M (time (n i) (phase M w s) (phase M w v)) <> 0;
+  c_lands : forall s i, inside lo hi s -> lands M w (s i);
+  c_legs : forall s i, inside lo hi s -> E12 M (time (n i) (phase M w (s i)) (phase M w (s (i + 1)%Z))) <> 0;
   (* E1 *)
   c_inside : forall s i, inside lo hi s ->
     lo i <= step M w (n (i - 1)%Z) (n i) (m i) (s (i - 1)%Z) (s i) (s (i + 1)%Z) <= hi i;
@@ -46,8 +70,8 @@ Proof. unfold law, sums, afters, befores; rewrite (proj2 (previous i)); reflexiv
 
 Lemma solves s : inside lo hi s -> (forall i, sums M w n s i = s i) -> solution M w n s.
 Proof.
-  intros H E; constructor; [intros i; apply (c_lands _ _ _ _ _ _ _ _ _ HC i), H | | exact E].
-  intros i; apply (c_legs _ _ _ _ _ _ _ _ _ HC i); apply H.
+  intros H E; constructor; [intros i; apply (c_lands _ _ _ _ _ _ _ _ _ HC), H | | exact E].
+  intros i; apply (c_legs _ _ _ _ _ _ _ _ _ HC), H.
 Qed.
 
 Theorem one_solution : exists s, inside lo hi s /\ solution M w n s /\
@@ -91,6 +115,6 @@ Proof.
     rewrite (strength_of M w N (c_good _ _ _ _ _ _ _ _ _ HC) (c_tau _ _ _ _ _ _ _ _ _ HC) t q v HM) in E.
     replace (sums_of M t v i) with s; [exact Hs|]; apply (Rmult_eq_reg_l (Machine.nu M)); lra. }
   split; [exact I|]; apply (is_solution M w n N) with (q := q); try apply HC; trivial.
-  intros i; apply (c_legs _ _ _ _ _ _ _ _ _ HC); apply I.
+  intros i; apply (c_legs _ _ _ _ _ _ _ _ _ HC), I.
 Qed.
 End Path.

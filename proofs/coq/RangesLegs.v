@@ -150,6 +150,15 @@ Proof.
 Qed.
 Lemma flight_leg s s' : both s s' -> E12 M (time j (ph s) (ph s')) <> 0.
 Proof. intros B; apply (known j _ _ (stands_over _ _ Hx) (stands_over _ _ Hy) (proj1 laws) s s' B). Qed.
+Lemma flight_slopes s s' : both s s' -> exists b b' d d', mem (fst (fst (by_s f))) b /\
+  mem (snd (fst (by_s f))) b' /\ mem (fst (snd (by_s f))) d /\ mem (snd (snd (by_s f))) d' /\
+  forall l l', let r := - (nu / 2) / bend M (ph s) * l in let r' := - (nu / 2) / bend M (ph s') * l' in
+  after_slope M j (ph s) (ph s') r r' = - (b * l + b' * l') /\
+  before_slope M j (ph s) (ph s') r r' = - (d * l + d' * l').
+Proof.
+  intros B; destruct (known j _ _ (stands_over _ _ Hx) (stands_over _ _ Hy) (proj1 laws) s s' B) as (_ & _ & _ & X).
+  exact (X (all_p f) (proj2 (flight_knows s s' B))).
+Qed.
 Lemma flight_mean s1 s1' s2 s2' : both s1 s1' -> both s2 s2' ->
   (exists b b', mem (fst (fst (by_s f))) b /\ mem (snd (fst (by_s f))) b' /\
    a s1 s1' - a s2 s2' = - (b * (s1 - s2) + b' * (s1' - s2'))) /\

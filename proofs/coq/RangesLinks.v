@@ -20,7 +20,7 @@ Notation nu := (Machine.nu M).
 Notation ranged K := (inside (lo X l K) (hi X l K)).
 
 Section Link.
-Variables (N : itv) (s : Z -> R) (e e' : Z -> Edge.t).
+Variables (k : nat) (N : itv) (s : Z -> R) (e e' : Z -> Edge.t).
 Hypothesis HN : mem N nu.
 Hypothesis Hs : solution M w n s.
 
@@ -29,43 +29,45 @@ Definition inside_sets (B : list ((named * itv) * Edge.t)) : Prop := exists S : 
   forall i, In (((key l i, e i), S i), e' i) B /\ mem (S i) (s i).
 
 Lemma image_holds B S i : (forall i, In ((key l i, e i), S i) B /\ mem (S i) (s i)) ->
-  let fl := flights X D (stations D N B) in all_hold fl = true -> mem (image_of D fl (key l i, e i)) (s i).
+  let fl := flights_at X D k B N in all_hold fl = true -> mem (image_of D fl (key l i, e i)) (s i).
 Proof.
-  intros HB fl Hfl; pose proof (fun i => proj1 (HB i)) as HL.
-  assert (some : forall i, exists s, mem (S i) s) by (intros k; exists (s k); apply HB).
-  pose proof (edge_stands X D M w kappa l n HD HG Hn N B e S HN HL some Hfl) as HS.
-  pose proof (flight_in X D l n Hn N B e S HL) as HI.
+  intros HB fl Hfl; set (P := fun i => part_of k (S i) (s i)).
+  assert (HL : forall i, In ((key l i, e i), P i) (in_parts k B)) by (intros; apply in_parts_found; apply HB).
+  assert (HM : forall i, mem (P i) (s i)) by (intros; apply part_found, HB).
+  assert (some : forall i, exists s, mem (P i) s) by (intros c; exists (s c); apply HM).
+  pose proof (edge_stands X D M w kappa l n HD HG Hn N _ e P HN HL some Hfl) as HS.
+  pose proof (flight_in X D l n Hn N _ e P HL) as HI.
   pose proof (HI (i - 1)%Z) as HI'; rewrite flight_before in HI'.
-  set (y := flight_of D (n (i - 1)%Z) _ _) in HI'; set (x := flight_at D l n N e S i).
+  set (y := flight_of D (n (i - 1)%Z) _ _) in HI'; set (x := flight_at D l n N e P i).
   apply (mem_hull_all _ (image D y x)).
-  - apply in_flat_map; exists (n (i - 1)%Z, y); split; [exact HI'|].
-    apply in_flat_map; exists (n i, x); split; [apply HI|].
-    cbn [snd y x flight_at flight_of from to edge at_edge station_of fst]; rewrite !Nat.eqb_refl; left;
-      reflexivity.
-  - replace (s i) with (step M w (n (i - 1)%Z) (n i) (number_of (at_edge D l N e S i)) (s (i - 1)%Z) (s i) (s (i
-    + 1)%Z)).
-    + apply (step_image D M w kappa HD HG Htau _ _ _ _ _ _ _ _ (HS (i - 1)%Z) (HS i) (HS (i + 1)%Z)); try apply HB.
-      * exact (holds_before X D l n Hn N B e S HL Hfl i).
-      * exact (flight_holds X D l n Hn N B e S HL Hfl i).
+  - apply in_flat_map; exists (n (i - 1)%Z, y); split; [exact HI'|]; cbn [snd].
+    rewrite (on_edge_refl D (key l i, e i) (P i) N : on_edge _ (to y) = _).
+    apply in_flat_map; exists (n i, x); split; [apply HI|]; cbn [snd].
+    assert (Em : meets y x = true).
+    { change (on_edge (key l i, e i) (station_of D N (key l i, e i) (P i)) && same (P i) (P i) = true)%bool.
+      rewrite on_edge_refl; apply same_refl. }
+    rewrite Em; left; reflexivity.
+  - replace (s i) with (step M w (n (i - 1)%Z) (n i) (number_of (at_edge D l N e P i)) (s (i - 1)%Z) (s i) (s (i + 1)%Z)).
+    + apply (step_image D M w kappa HD HG Htau _ _ _ _ _ _ _ _ (HS (i - 1)%Z) (HS i) (HS (i + 1)%Z)); try apply HM.
+      * exact (holds_before X D l n Hn N _ e P HL Hfl i).
+      * exact (flight_holds X D l n Hn N _ e P HL Hfl i).
     + unfold step; rewrite law_sums, (sums_at _ _ _ _ Hs); ring.
 Qed.
-Lemma narrowed_inside B B' : inside_sets B -> narrowed X D N B = Some B' -> inside_sets B'.
+Lemma narrowed_inside B B' : inside_sets B -> narrowed X D k N B = Some B' -> inside_sets B'.
 Proof.
   intros [S HB] E; unfold narrowed in E; cbv zeta in E; destruct (all_hold _) eqn:Hfl; [|discriminate].
-  injection E as <-; set (fl := flights X D (stations D N (map fst B))) in *.
+  injection E as <-; set (fl := flights_at X D k (map fst B) N) in *.
   exists (fun i => meet (S i) (image_of D fl (key l i, e i))); intros i; split.
   - apply in_map_iff; exists (((key l i, e i), S i), e' i); split; [reflexivity | apply HB].
-  - apply mem_meet; [apply HB|]; apply (image_holds (map fst B) S); [|exact Hfl]; intros k; destruct (HB k) as
-    [I HM].
+  - apply mem_meet; [apply HB|]; apply (image_holds (map fst B) S); [|exact Hfl]; intros c; destruct (HB c) as [I HM].
     split; [exact (in_map fst _ _ I) | exact HM].
 Qed.
-Lemma linked_inside k B : linked k X D N B = true -> inside_sets B -> forall i, within (Edge.strengths (e' i))
-  (s i).
+Lemma linked_inside m B : linked m X D k N B = true -> inside_sets B -> forall i, within (Edge.strengths (e' i)) (s i).
 Proof.
-  revert B; induction k as [|k IH]; intros B H HB i; cbn [linked] in H;
+  revert B; induction m as [|m IH]; intros B H HB i; cbn [linked] in H;
     (destruct (forallb _ B) eqn:A; [destruct HB as [S HB]; destruct (HB i) as [I HM];
       exact (inside_within _ _ _ (proj1 (forallb_forall _ _) A _ I) HM)|]); [discriminate|].
-  destruct (narrowed X D N B) as [B'|] eqn:E; [|discriminate]; exact (IH B' H (narrowed_inside B B' HB E) i).
+  destruct (narrowed X D k N B) as [B'|] eqn:E; [|discriminate]; exact (IH B' H (narrowed_inside B B' HB E) i).
 Qed.
 End Link.
 
@@ -74,9 +76,10 @@ Lemma links_same K K' s : cell_holds X D K = true -> cell_holds X D K' = true ->
   ranged K s -> solution M w n s -> ranged K' s.
 Proof.
   intros HK HK' HL E H H' R S i; unfold lo, hi.
-  apply (linked_inside (fraction (snd (Cell.depth K))) s (edge_of X l K) (edge_of X l K')) with (2 := S) (3 := HL).
+  apply (linked_inside (Cell.parts K) (fraction (snd (Cell.depth K))) s (edge_of X l K) (edge_of X l K'))
+    with (2 := S) (3 := HL).
   - rewrite E; apply mem_fraction.
-  - exists (fun i => ranging (Edge.strengths (edge_of X l K i))); intros k; split.
+  - exists (fun i => ranging (Edge.strengths (edge_of X l K i))); intros c; split.
     + apply edge_at_both; [apply (edge_there X D M l HP K HK H) | apply (edge_there X D M l HP K' HK' H')].
     + apply mem_ranging, R.
 Qed.

@@ -27,6 +27,19 @@ Definition wt_of (z : station) : R := Q2R (Edge.weight (snd (edge z))).
 Let m := number_of e.
 Let F u s v := step M w j k m u s v.
 
+Lemma size_bound z o c b : Rabs z <= c * b -> 0 <= b -> Rabs (o * z) <= Rabs o * c * b.
+Proof. intros H Hb; rewrite Rabs_mult, Rmult_assoc; apply Rmult_le_compat_l; [apply Rabs_pos | exact H]. Qed.
+Lemma slopes_of a a' p p' : mem (fst (fst (by_s y))) a -> mem (snd (fst (by_s y))) a' ->
+  mem (fst (snd (by_s x))) p -> mem (snd (snd (by_s x))) p' -> mem (own D x y) (1 - m - m * sum_of tau a p') /\
+  mem (earlier D x y) (- (m * sum_of tau 0 p)) /\ mem (later D x y) (- (m * sum_of tau a' 0)).
+Proof.
+  intros Ma Ma' Mp Mp'; pose proof (mem_fraction (Edge.factor (snd (edge e)))) as Hm; fold (number_of e) m in Hm.
+  pose proof (mem_sum D M w kappa HD _ _ _ _ Ma Mp') as H1.
+  pose proof (mem_sum D M w kappa HD _ _ _ _ mem_zero Mp) as H2.
+  pose proof (mem_sum D M w kappa HD _ _ _ _ Ma' mem_zero) as H3; fold y in H1, H3; fold x in H1, H2.
+  split; [unfold own, factor_of; cbn [from y flight_of] in *; encl|].
+  split; [unfold earlier, factor_of; encl | unfold later, factor_of; encl].
+Qed.
 Lemma step_difference u s v u' s' v' : within_ d u -> within_ e s -> within_ f v -> within_ d u' -> within_ e s' ->
   within_ f v' -> exists o b r, mem (own D x y) o /\ mem (earlier D x y) b /\ mem (later D x y) r /\ (m = 0 -> o
     = 1) /\
@@ -38,13 +51,8 @@ Proof.
   destruct (flight_mean D M w kappa HD HG j d e cd ce Hd He Lx u s u' s' (conj Hu Hs) (conj Hu' Hs'))
     as [_ (p & p' & Mp & Mp' & Ep)].
   exists (1 - m - m * sum_of tau a p'), (- (m * sum_of tau 0 p)), (- (m * sum_of tau a' 0)).
-  pose proof (mem_fraction (Edge.factor (snd (edge e)))) as Hm; fold (number_of e) m in Hm.
-  pose proof (mem_sum D M w kappa HD _ _ _ _ Ma Mp') as H1.
-  pose proof (mem_sum D M w kappa HD _ _ _ _ mem_zero Mp) as H2.
-  pose proof (mem_sum D M w kappa HD _ _ _ _ Ma' mem_zero) as H3.
-  fold y in H1, H3; fold x in H1, H2.
-  split; [unfold own, factor_of; cbn [from y flight_of] in *; encl|].
-  split; [unfold earlier, factor_of; encl|]; split; [unfold later, factor_of; encl|].
+  destruct (slopes_of _ _ _ _ Ma Ma' Mp Mp') as (Mo & Mb & Mr).
+  split; [exact Mo|]; split; [exact Mb|]; split; [exact Mr|].
   split; [intros ->; ring|].
   unfold F, step, law.
   replace (after M k (phase M w s) (phase M w v)) with
@@ -73,22 +81,25 @@ Proof.
     unfold F, step, law; ring.
 Qed.
 
-(** E2. *)
-Lemma size_bound z o c b : Rabs z <= c * b -> 0 <= b -> Rabs (o * z) <= Rabs o * c * b.
-Proof. intros H Hb; rewrite Rabs_mult, Rmult_assoc; apply Rmult_le_compat_l; [apply Rabs_pos | exact H]. Qed.
-Lemma step_close u s v u' s' v' b : contracts D x y = true -> within_ d u -> within_ e s -> within_ f v ->
-  within_ d u' -> within_ e s' -> within_ f v' -> 0 <= b -> Rabs (u - u') <= wt_of d * b ->
-  Rabs (s - s') <= wt_of e * b -> Rabs (v - v') <= wt_of f * b ->
-  Rabs (F u s v - F u' s' v') <= wt_of e * (kappa * b).
+(** E2: how fast F moves, where u, s and v move so fast. *)
+Lemma step_rate_bound u s v lu ls lv b : contracts D x y = true -> within_ d u -> within_ e s -> within_ f v -> 0 <= b ->
+  Rabs lu <= wt_of d * b -> Rabs ls <= wt_of e * b -> Rabs lv <= wt_of f * b ->
+  Rabs (step_rate M w j k m u s v lu ls lv) <= wt_of e * (kappa * b).
 Proof.
-  intros HX Hu Hs Hv Hu' Hs' Hv' Hb Bu Bs Bv.
-  destruct (step_difference u s v u' s' v' Hu Hs Hv Hu' Hs' Hv') as (o & c & r & Mo & Mc & Mr & _ & ->).
-  pose proof (in_Ka _ _ _ _ HD) as HK.
+  intros HX Hu Hs Hv Hb Bu Bs Bv.
+  destruct (flight_slopes D M w kappa HD HG k e f ce cf He Hf Ly s v (conj Hs Hv))
+    as (a & a' & q & q' & Ma & Ma' & _ & _ & Ea).
+  destruct (flight_slopes D M w kappa HD HG j d e cd ce Hd He Lx u s (conj Hu Hs))
+    as (z & z' & p & p' & _ & _ & Mp & Mp' & Ep).
+  destruct (slopes_of _ _ _ _ Ma Ma' Mp Mp') as (Mo & Mc & Mr); pose proof (in_Ka _ _ _ _ HD) as HK.
+  set (o := 1 - m - m * sum_of tau a p') in *; set (c := - (m * sum_of tau 0 p)) in *.
+  set (r := - (m * sum_of tau a' 0)) in *.
+  assert (E : step_rate M w j k m u s v lu ls lv = o * ls + c * lu + r * lv).
+  { unfold step_rate; rewrite (proj1 (Ea ls lv)), (proj2 (Ep lu ls)); unfold o, c, r, sum_of; field; lra. }
   assert (B : Rabs o * wt_of e + (Rabs c * wt_of d + Rabs r * wt_of f) <= kappa * wt_of e).
   { apply (below_le _ _ _ _ HX); unfold weight_of, wt_of; cbv zeta; encl. }
-  apply (Rle_trans _ _ _ (Rabs_triang _ _)); pose proof (Rabs_triang (o * (s - s')) (c * (u - u'))) as T.
-  pose proof (size_bound _ o _ _ Bs Hb); pose proof (size_bound _ c _ _ Bu Hb); pose proof (size_bound _ r _ _
-    Bv Hb).
+  rewrite E; apply (Rle_trans _ _ _ (Rabs_triang _ _)); pose proof (Rabs_triang (o * ls) (c * lu)) as T.
+  pose proof (size_bound _ o _ _ Bs Hb); pose proof (size_bound _ c _ _ Bu Hb); pose proof (size_bound _ r _ _ Bv Hb).
   apply (Rmult_le_compat_r b) in B; [|exact Hb]; lra.
 Qed.
 Lemma factor_not_0 : contracts D x y = true -> kappa < 1 -> 0 < wt_of e -> 0 < wt_of d -> 0 < wt_of f -> m <> 0.

@@ -13,10 +13,9 @@ Open Scope R_scope.
 (** Of an edge the range of s; a factor and a weight for the proof. *)
 Module Edge. Record t : Type := { strengths : Q * Q; factor : Q; weight : Q }.
 End Edge.
-(** From which depth nu to which; what is said of each edge, in their order; in how many steps the motions are
-  found
-    to be those of the cell before. *)
-Module Cell. Record t : Type := { depth : Q * Q; steps : nat; edges : list Edge.t }.
+(** From which depth nu to which; what is said of each edge, in their order; in how many parts each range is cut, and
+    in how many steps the motions are found to be those of the cell before. *)
+Module Cell. Record t : Type := { depth : Q * Q; parts : nat; steps : nat; edges : list Edge.t }.
 End Cell.
 (** Ranges of c, k, tau; whether sigma is 1 or - 1; ranges of a and b for each harmonic; impacts are at phases
   within

@@ -274,6 +274,24 @@ E
 mutant range-reader-without-links 'File "./RangesLinks' '' RangesCheck.v <<'E'
 s/if match L with \[\] => true | K' :: _ => links X D K K' end then/if true then/
 E
+mutant range-reader-of-all-parts-but-the-first 'File "./RangesChecked' '' RangesCheck.v <<'E'
+s/| S k => Some (l, l + w)%Z :: pieces k/| S k => pieces k/
+E
+mutant range-reader-with-a-hole-in-a-range 'File "./RangesChecked' '' RangesCheck.v <<'E'
+s/:: pieces k (l + w)%Z w h/:: pieces k (l + 2 * w)%Z w h/
+E
+mutant range-gap-that-may-turn-after-an-open-piece 'File "./RangesGaps' '' RangesCheck.v <<'E'
+s/^    Some false else$/    Some true else/
+E
+mutant range-gap-convex-at-any-slope 'File "./RangesGaps' '' RangesCheck.v <<'E'
+s/  if b && positive (bend_of t x) then/  if positive (bend_of t x) then/
+E
+mutant range-gap-whose-pieces-need-not-meet 'File "./RangesGaps' '' RangesCheck.v <<'E'
+s/    if (h <=? z)%Z then true else/    if (l <=? z)%Z then true else/
+E
+mutant range-gap-with-the-first-velocity-of-the-middle 'File "./RangesChecked' '' RangesCheck.v <<'E'
+s/then \[all_a (snd x)\] else \[\]) fl)\./then [mid_a (snd x)] else []) fl)./
+E
 mutant three-periods-at-any-speed 'File "./Consequences' --pin StatementChaos.v <<'E'
 s/169 \/ 10 \* mu <= v i (t i)/0 * mu <= v i (t i)/
 E

@@ -169,6 +169,39 @@ fn the_proved_reader_has_the_verdicts_of_the_checker_on_ranges() {
     }
 }
 
+/// What `grazing run` writes for README's machine: an orbit up to where it nearly meets its stop between two
+/// impacts, so that only where the gap rises and falls is known; and strengths in six parts, which must be.
+#[test]
+fn the_proved_reader_follows_a_range_to_its_end() {
+    let Some(build) = oracle() else { return };
+    let folder = build.join("ranges-to-the-end");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    let data = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../checker/tests/data"));
+    let [three, parts] =
+        ["3", "parts"].map(|name| fs::read_to_string(data.join(format!("range-{name}.txt"))).unwrap());
+    let all = [three.clone(), parts.clone()];
+    assert_eq!(read(&build, &all, &folder), ["proved"; 2]);
+    assert!(all.iter().all(|text| grazing_check::check(&mut text.as_bytes()).is_ok()));
+    let changes = [
+        // The gap is not positive for all of these strengths.
+        (
+            &three,
+            "\ncell 203403/1000000 1 10\nedge 2.284476512 2.284579894 ",
+            "\ncell 1021/5000 1 10\nedge 2.27 2.3 ",
+        ),
+        (&parts, "\ncell 1/20 6 0\n", "\ncell 1/20 1 0\n"),
+        // The former cell's ranges are in the latter's only after steps.
+        (&parts, "\ncell 1029/16000 1 10\n", "\ncell 1029/16000 1 1\n"),
+    ];
+    let damaged: Vec<String> = changes.iter().map(|(text, old, new)| text.replace(old, new)).collect();
+    assert!(damaged.iter().all(|text| !all.contains(text)));
+    for (text, verdict) in damaged.iter().zip(read(&build, &damaged, &folder)) {
+        let checked = grazing_check::check(&mut text.as_bytes());
+        assert!(verdict.starts_with("refused") && checked.is_err(), "{verdict}; {checked:?}\n{text}");
+    }
+}
+
 /// One word of a certificate of a range made wrong, in many ways.
 fn damaged_ranges(text: &str) -> Vec<String> {
     let lines: Vec<&str> = text.lines().collect();
