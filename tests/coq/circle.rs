@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::process::Command;
 
-use super::{CASES, LONGEST, Rational, TURNS, WordsSeen, answers, numbers, oracle, points};
+use super::{CASES, LONGEST, Rational, TURNS, WordsSeen, answers, numbers, oracle, points, sampled};
 
 /// The last period that is compared on r = 1.
 const LAST: usize = 200;
@@ -109,16 +109,18 @@ fn grazing_agrees_with_the_proved_list_on_the_circle() {
     println!("orbits, none, u_n = 0, ends: {kinds:?}");
 }
 
-/// What `word` says of a box holds at its corners.
+/// What `word` says of a box holds at its corners: of two boxes about each point, or in `.ci/run` of one.
 #[test]
 fn words_of_boxes_hold_at_their_corners() {
     let Some(build) = oracle() else { return };
     let mut seen = WordsSeen::default();
-    for point in points().into_iter().filter(|point| point.largest == 16 && point.q.len() <= 2) {
+    let points = points().into_iter().filter(|point| point.largest == 16 && point.q.len() <= 2);
+    for (index, point) in points.enumerate() {
         let (p, s, q): (i64, i64, i64) =
             (point.p.parse().unwrap(), point.s.parse().unwrap(), point.q.parse().unwrap());
         // 2/scale wide in a1, 1/scale in a2.
-        for scale in [100, 2000] {
+        let scales = [100, 2000];
+        for scale in if sampled() { vec![scales[index % 2]] } else { scales.to_vec() } {
             // A box lies in 0 < a2 <= 1.
             if 2 * s * scale <= q || 2 * s * scale + q > 2 * scale * q {
                 continue;
@@ -159,7 +161,7 @@ fn words_of_boxes_hold_at_their_corners() {
     }
     println!("{seen:?}");
     let WordsSeen { points, members, absent, edges, no_edges, open, .. } = seen;
-    assert!(points >= 100 && members >= 1000 && absent >= 1000, "{points} {members} {absent}");
+    assert!(points >= 80 && members >= 1000 && absent >= 1000, "{points} {members} {absent}");
     assert!(edges >= 3000 && no_edges >= 3000 && open >= 10, "{edges} {no_edges} {open}");
 }
 

@@ -1,11 +1,11 @@
 //! Certificates of Theorem 2, of words, of chaos and of ranges: the reader that Coq has proved takes what
 //! `grazing` writes, and has the checker's verdict on damaged files.
 
+use std::fs;
 use std::path::Path;
 use std::process::Command;
-use std::{env, fs};
 
-use super::oracle;
+use super::{oracle, sampled};
 
 /// Certificates that `grazing` writes: kind and arguments.
 const WRITTEN: [&[&str]; 16] = [
@@ -26,11 +26,6 @@ const WRITTEN: [&[&str]; 16] = [
     &["word", "--r=9/10", "--s=10/27", "--by-theorem"],
     &["word", "--r=1", "--s=7/24", "--by-theorem", "--letters=6"],
 ];
-
-/// Whether damaged files are a sample: not so in `.ci/full`, where coqchk runs.
-fn sampled() -> bool {
-    env::var("GRAZING_COQCHK").is_ok_and(|v| v == "0")
-}
 
 /// Damaged files of each certificate: in `.ci/full` ten times as many.
 fn damages() -> usize {
