@@ -386,6 +386,9 @@ fn a_part_of_a_figure_is_shown_and_what_is_written_is_said() {
     let (code, out, err) = figure("6 --x-limits -0.05..=0.001", "part");
     assert!(code == 0 && out.ends_with("and part/figure6-points.csv\n"), "{out}{err}");
     assert_no_overlap(&read("part/figure6.svg"));
+    // Each of the two parts of the branch that turns back outside has its name.
+    let named = labels(&read("part/figure6.svg")).iter().filter(|(text, _)| text == "(4)").count();
+    assert_eq!(named, 2);
     for (arguments, said) in [
         ("8 --x-limits 1e6..=2e6", "nothing is within the limits"),
         ("intervals --x-limits 0..=1", "belong to the figures 6 to 10"),

@@ -87,7 +87,8 @@ pub fn branches(
     place.save(&canvas, &["set", "parameter", "q", "stability", "label"], &rows)
 }
 
-/// What of the curves and attractors a view shows; of a curve in pieces the first has its name.
+/// What of the curves and attractors a view shows; a curve in pieces has its name at each, but for pieces of
+/// turns, of which the first has it.
 fn seen(
     curves: &[DrawnBranch],
     scatter: &[Scatter],
@@ -100,11 +101,11 @@ fn seen(
         let mut labels: Vec<_> = labels.map(|((x, y), text)| (x, y, text)).collect();
         let mut name = curve.name.clone();
         for at in plane.pieces(&curve.at) {
-            pieces.push(DrawnBranch {
-                name: std::mem::take(&mut name),
-                at,
-                labels: std::mem::take(&mut labels),
-            });
+            let labels = std::mem::take(&mut labels);
+            pieces.push(DrawnBranch { name: name.clone(), at, labels });
+            if plane.turns() {
+                name.clear();
+            }
         }
     }
     let sets = scatter.iter().map(|set| {

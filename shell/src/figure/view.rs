@@ -49,6 +49,11 @@ pub struct PlaneView {
 }
 
 impl PlaneView {
+    /// Whether an axis is an angle.
+    pub fn turns(&self) -> bool {
+        self.turned.contains(&true)
+    }
+
     /// Where a point is shown.
     pub fn of(&self, (x, y): (f64, f64)) -> (f64, f64) {
         let turn = |x: f64, turned: bool| if turned { x.rem_euclid(TAU) } else { x };

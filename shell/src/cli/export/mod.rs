@@ -84,9 +84,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry) -> Result<Outcome> {
     };
     let bytes = bytes.map_err(|error| error.context(name.to_string()))?;
     file.write(|out| Ok(out.write_all(&bytes)?))?;
-    let (rows, columns) = (table.rows, table.columns.len());
-    Destination::Stdout.write(|out| {
-        say_to(out, format_args!("wrote {}: {columns} columns of {rows} rows", args.output.display()))
-    })?;
+    let (name, rows) = (args.output.display(), table.rows);
+    Destination::Stdout.write(|out| say_to(out, format_args!("wrote {name}: {rows} rows")))?;
     Ok(Outcome::Done)
 }
