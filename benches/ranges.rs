@@ -2,15 +2,19 @@
 //!
 //!     cargo bench --bench ranges -- 500 [SEED] [EFFORT] >ranges.csv
 //!     cargo bench --bench ranges -- ranges.csv
+//!     cargo bench --bench ranges -- orbits 500 [SEED] [EFFORT] >orbits.csv
+//!     cargo bench --bench ranges -- orbits.csv
 //!
-//! The second command sets the tables of docs/ranges.md from such a file. Of each oscillator (natural over
+//! The second and the fourth command set the tables of docs/ranges.md from such files. Of each oscillator (natural over
 //! drive frequency from 0.1 to 3 and damping ratio from 0.003 to 0.5, both log-uniform, restitution from 0.3
 //! to 1, one fixed stop, F cos t) both sides of the touch: a line per side for the whole graph that is born,
-//! and one for each orbit of one impact. The truth is followed in floats, by other formulas than the
+//! or for each orbit of one impact. The truth is followed in floats, by other formulas than the
 //! library's (`truth`): periodic words of up to six impacts, from the touch to where the first of them is no
 //! motion or no longer alone (a fold, a flip). Without a number of oscillators or a file it does nothing.
 //! Cost: some 10 s of processor time for an oscillator.
 
+#[path = "ranges/orbits.rs"]
+mod orbits;
 #[path = "ranges/summary.rs"]
 mod summary;
 #[path = "ranges/truth.rs"]
@@ -23,7 +27,7 @@ use grazing::{
     number::parse_rational,
     search::range::{
         Born, NothingProblem, RangeEffort, RangeEnd, RangeProblem, born, prove, prove_alone, prove_farther,
-        prove_nothing, single_orbits,
+        prove_nothing,
     },
 };
 use num_traits::ToPrimitive;
@@ -41,7 +45,7 @@ struct Machine([String; 3]);
 struct Line {
     machine: usize,
     side: &'static str,
-    /// "chaos", "one", "nothing", "open"; of an orbit its period.
+    /// "chaos", "one", "nothing", "open".
     what: String,
     proved: f64,
     reached: f64,
@@ -51,6 +55,18 @@ struct Line {
     part: f64,
     /// How far it is all that stays near.
     alone: f64,
+}
+
+const HEAD: &str = "machine,side,what,proved,reached,proof_ends,motion_ends,part,alone";
+
+impl std::fmt::Display for Line {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Line { machine, side, what, proved, reached, proof_ends, motion_ends, part, alone } = self;
+        write!(
+            f,
+            "{machine},{side},{what},{proved:e},{reached:e},{proof_ends},{motion_ends},{part:e},{alone:e}"
+        )
+    }
 }
 
 fn random(state: &mut u64) -> f64 {
@@ -140,15 +156,6 @@ fn lines(index: usize, machine: &Machine, effort: RangeEffort) -> Vec<Line> {
         let part = prove_farther(&problem, proved, effort, &()).expect("no interruption");
         let part = part.map_or(0.0, |(_, proof)| depth(&proof.depth));
         line(what.into(), proved, least, end, [part, alone]);
-        let orbits = single_orbits(&problem.graph);
-        let share = RangeEffort(effort.0 / 4.max(orbits.len() as u64));
-        for graph in orbits {
-            let n = graph.letters[0];
-            let (proved, end, _) = judge(&RangeProblem { graph, ..problem.clone() }, share, false);
-            let (first, then) = (floats.end(&[n], deepest), floats.end(&[n, n], deepest));
-            let reached = if then.0 < first.0 { (then.0, "flip") } else { first };
-            line(n.to_string(), proved, reached, end, [0.0; 2]);
-        }
     }
     all
 }
@@ -169,20 +176,26 @@ const CHUNK: usize = 8;
 fn main() {
     let words: Vec<String> = env::args().skip(1).collect();
     if let Some(file) = words.iter().find(|word| word.ends_with(".csv")) {
-        return summary::print(&std::fs::read_to_string(file).expect("the file is there"));
+        let text = std::fs::read_to_string(file).expect("the file is there");
+        return if text.starts_with(orbits::HEAD) { orbits::print(&text) } else { summary::print(&text) };
     }
+    let single = words.iter().any(|word| word == "orbits");
     let numbers: Vec<u64> = words.iter().filter_map(|x| x.parse().ok()).collect();
     let Some(&count) = numbers.first() else { return };
     let seed = numbers.get(1).copied().unwrap_or(20);
     let effort = RangeEffort(numbers.get(2).copied().unwrap_or(RangeEffort::default().0));
-    let one = |i: &u64| lines(*i as usize, &machine(seed.wrapping_mul(1_000_003).wrapping_add(*i)), effort);
-    println!("machine,side,what,proved,reached,proof_ends,motion_ends,part,alone");
-    for some in (0..count).collect::<Vec<_>>().chunks(CHUNK) {
-        let all: Vec<Line> = some.par_iter().flat_map_iter(one).collect();
-        for Line { machine, side, what, proved, reached, proof_ends, motion_ends, part, alone } in all {
-            println!(
-                "{machine},{side},{what},{proved:e},{reached:e},{proof_ends},{motion_ends},{part:e},{alone:e}"
-            );
+    let one = |i: &u64| {
+        let machine = machine(seed.wrapping_mul(1_000_003).wrapping_add(*i));
+        let exact = machine.0.each_ref().map(|x| parse_rational(x).expect("a decimal"));
+        let index = *i as usize;
+        match single {
+            true => orbits::lines(index, &exact, &machine, effort).iter().map(ToString::to_string).collect(),
+            false => lines(index, &machine, effort).iter().map(ToString::to_string).collect::<Vec<_>>(),
         }
+    };
+    println!("{}", if single { orbits::HEAD } else { HEAD });
+    for some in (0..count).collect::<Vec<_>>().chunks(CHUNK) {
+        let all: Vec<String> = some.par_iter().flat_map_iter(one).collect();
+        all.iter().for_each(|line| println!("{line}"));
     }
 }

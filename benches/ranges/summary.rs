@@ -133,7 +133,7 @@ impl Group<'_> {
 }
 
 /// How many, of how many, in percent.
-fn share(some: usize, all: usize) -> String {
+pub fn share(some: usize, all: usize) -> String {
     format!("{:.1} % ({some} of {all})", 100.0 * some as f64 / all as f64)
 }
 

@@ -17,7 +17,7 @@ pub struct Floats {
 
 impl Floats {
     /// E(T), by rows.
-    fn flow(&self, time: f64) -> [f64; 4] {
+    pub fn flow(&self, time: f64) -> [f64; 4] {
         let (half, rate) = (self.c / 2.0, (self.k - self.c * self.c / 4.0).sqrt());
         let (left, (sin, cos)) = ((-half * time).exp(), (rate * time).sin_cos());
         let b = left * sin / rate;

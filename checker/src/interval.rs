@@ -78,6 +78,16 @@ impl<const POINT: u32> Fixed<POINT> {
         Self::ratio(n.into(), 1)
     }
 
+    /// A number of units of 2^−`POINT`.
+    pub fn units(number: i128) -> Self {
+        Self::new(number, number)
+    }
+
+    /// Its ends in these units.
+    pub fn in_units(self) -> [i128; 2] {
+        [self.lo, self.hi]
+    }
+
     /// Whether every enclosed number is > 0.
     pub fn is_positive(self) -> bool {
         self.lo > 0

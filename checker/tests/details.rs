@@ -18,7 +18,7 @@ use std::{
 
 use common::{
     CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, FREE, FREE_MACHINE, GRAZING, NOTHING, ORBIT_4, RANGE_1,
-    RANGE_ALONE, SADDLE_NODE, THEOREM2, WORD, WORD_BY_THEOREM, answer, resealed, with,
+    RANGE_ALONE, SADDLE_NODE, SINGLE_1, THEOREM2, WORD, WORD_BY_THEOREM, answer, resealed, with,
 };
 use grazing_check::{Checked, Rejection, kinds};
 
@@ -39,6 +39,7 @@ fn samples() -> [Vec<String>; 3] {
             RANGE_1,
             RANGE_ALONE,
             NOTHING,
+            SINGLE_1,
             CHAOS_12,
             CHAOS_MIRRORED_BEFORE,
             &with(&few, "complete", "complete 2 4 2 3"),
@@ -290,6 +291,17 @@ fn follows(sample: &Checked, changed: &Checked, mirrored: bool) -> bool {
             changed.title == sample.title
                 && detail(changed, "motion").split(" + ").next()
                     == detail(sample, "motion").split(" + ").next()
+        }
+        // Whether the orbit is there, and stable, is looked at in `single.rs`.
+        "single" => {
+            let same = ["motion", "orbit"];
+            let word =
+                |checked| detail(checked, "stability").split(' ').next().unwrap_or_default().to_string();
+            same.iter().all(|name| {
+                let start =
+                    |checked| detail(checked, name).split(" + ").next().unwrap_or_default().to_string();
+                start(changed) == start(sample)
+            }) && (word(changed) == word(sample) || word(changed) == "open")
         }
         kind => panic!("a kind without a rule here: {kind}"),
     }

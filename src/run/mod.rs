@@ -85,7 +85,7 @@ pub use map::{MapFindings, MapRow};
 pub(crate) use orbit::orbit;
 pub use orbit::{OrbitFindings, OrbitRow};
 pub use proved::{AttractorProofs, ProvedRow};
-pub use range::RangeRow;
+pub use range::{RangeRow, StabilityRow};
 pub use report::{RunReport, TaskReport};
 pub(crate) use section::section;
 pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet};

@@ -3,8 +3,9 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Pow, Signed, ToPrimitive};
+use serde::Serialize;
 
-use super::{Lines, row};
+use super::{Lines, Shown, row};
 use crate::{
     number::parse_rational,
     search::range::{RangeEffort, RangeEnd},
@@ -41,8 +42,27 @@ row! {
         pub zone: Option<f64>,
         /// Why it goes no further, or why nothing is proved.
         pub reason: Option<String>,
+        /// Of an orbit of one impact where it is stable, part by part from the touch.
+        pub stability: Vec<StabilityRow>,
         /// The file of its certificate.
         pub certificate: Option<String>,
+    }
+}
+
+/// A part of a range, and what is proved of an orbit's multipliers there.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct StabilityRow {
+    /// "stable" or "unstable"; between parts it is neither proved to be one nor the other.
+    pub word: &'static str,
+    /// The value of the parameter where it begins, rounded inwards; absent at the touch, which is not in it.
+    pub from: Option<String>,
+    /// The value of the parameter where it ends, rounded inwards.
+    pub to: String,
+}
+
+impl Shown for StabilityRow {
+    fn set(&self, _: Option<usize>) -> String {
+        format!("{} from {} to {}", self.word, self.from.as_deref().unwrap_or("the touch"), self.to)
     }
 }
 
@@ -80,6 +100,7 @@ impl RangeRow {
             leaves: None,
             zone: None,
             reason,
+            stability: Vec::new(),
             certificate: None,
         }
     }
@@ -170,8 +191,23 @@ impl RangeRow {
             };
             lines.say("alone", format!("for {varied} {way} {alone} {others}"));
         }
+        if !self.stability.is_empty() {
+            lines.say("stability", self.stability_in_words(varied));
+        }
         lines.say("range_ends", reason);
         lines.say_known("certificate", &self.certificate);
+    }
+
+    /// Where the orbit is stable, as inequalities, from the touch on.
+    fn stability_in_words(&self, varied: &str) -> String {
+        let above = self.ends_above();
+        let part = |StabilityRow { word, from, to }: &StabilityRow| match (from, above) {
+            (None, true) => format!("{word} for {varied} <= {to}"),
+            (None, false) => format!("{word} for {varied} >= {to}"),
+            (Some(from), true) => format!("{word} for {from} <= {varied} <= {to}"),
+            (Some(from), false) => format!("{word} for {to} <= {varied} <= {from}"),
+        };
+        self.stability.iter().map(part).collect::<Vec<_>>().join("; ")
     }
 
     /// Whether the range is that of greater values.
@@ -199,6 +235,18 @@ pub(crate) fn why(end: &RangeEnd, effort: RangeEffort) -> String {
         RangeEnd::Refused(why) => format!("next to it the checker refuses: {why}"),
         RangeEnd::Work => format!("the work allowed is done, {} legs and steps: raise `effort`", effort.0),
         RangeEnd::Unbounded => "no bound is found for how long motions near stay off the stop".into(),
+    }
+}
+
+/// Why the range of an orbit of one impact ends, in words.
+pub(crate) fn why_single(end: &RangeEnd, effort: RangeEffort) -> String {
+    match end {
+        RangeEnd::Refused(why) if why.contains("(S1)") => "next to it the orbit folds (the checker cannot tell that nu increases)".into(),
+        RangeEnd::Refused(why) if why.contains("(S3)") => {
+            "next to it the orbit touches the stop once more (the checker cannot tell that the gap is positive)".into()
+        }
+        RangeEnd::Work => format!("the work allowed is done, {} pieces of motions: raise `effort`", effort.0),
+        end => why(end, effort),
     }
 }
 

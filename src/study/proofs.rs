@@ -172,7 +172,7 @@ range = { effort = 20000 }
 "#;
 
 /// Tasks of scenes that write certificates: kind, n, scene, task.
-const SCENES: [(&str, u64, &str, &str); 12] = [
+const SCENES: [(&str, u64, &str, &str); 13] = [
     ("event", 3, PAPER, "proved-mu_pd"),
     ("event", 4, PAPER, "proved-mu_sn"),
     ("event", 6, PAPER, "proved-mu_gr3"),
@@ -185,6 +185,7 @@ const SCENES: [(&str, u64, &str, &str); 12] = [
     ("range", 2, TOUCHED, "range"),
     ("range 2", 3, TOUCHED, "range"),
     ("nothing", 0, TOUCHED, "range"),
+    ("single", 1, TOUCHED, "range"),
 ];
 
 /// A scene with the stop's amplitude changed in the 40th decimal, which version 1 of a certificate cannot

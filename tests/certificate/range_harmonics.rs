@@ -160,17 +160,69 @@ fn confirm(machine: &Machine, row: &RangeRow, claim: &Claim, value: f64, word: &
     }
 }
 
+/// The orbit of one impact at a value of the parameter is one, and stable where that is said, which is told: its
+/// phase by the law of impact, its multipliers from the machine's own equations.
+fn confirm_single(machine: &Machine, row: &RangeRow, value: f64) -> bool {
+    let side = if row.side == "beyond" { 1.0 } else { -1.0 };
+    let ([force, gap], top, n) = (machine.values(value), machine.top(), row.periods[0]);
+    let height = force * machine.free(top, 0);
+    let depth = side * (1.0 - gap / height);
+    let what = format!("{} {n} at {value}, depth {depth}", row.side);
+    let [e11, e12, e21, e22] = machine.flow(TAU * n as f64);
+    let after = (1.0 - e11) / e12;
+    let before = e21 + e22 * after;
+    let law = (1.0 + machine.restitution) / (after + machine.restitution * before);
+    let g = |t: f64, derivative: i32| force * machine.free(top + t, derivative) / height;
+    let at = |t: f64| side * (1.0 - g(t, 0) + law * g(t, 1)) - depth;
+    let way = -side * law.signum();
+    let [mut lo, mut hi] = [0.0, 1e-6];
+    while at(way * hi) < 0.0 {
+        (lo, hi) = (hi, 1.02 * hi);
+        assert!(hi < 3.2, "{what}");
+    }
+    for _ in 0..80 {
+        let middle = (lo + hi) / 2.0;
+        if at(way * middle) < 0.0 { lo = middle } else { hi = middle }
+    }
+    let t = way * lo;
+    let speed = height * g(t, 1) * (1.0 - before * law);
+    let strike = Strike { place: Side::Upper, periods: n as u32 };
+    let system = machine.scene("").plain(&[("F", force), ("d", gap)]).unwrap();
+    let oscillator = Oscillator::new(system, 1e-13).unwrap();
+    let orbit = find(&oscillator, &Itinerary::new(vec![strike]).unwrap(), vec![top + t, speed])
+        .unwrap_or_else(|error| panic!("{what}: {error}"));
+    assert!(orbit.admissibility.is_admissible(), "{what}: {orbit:?}");
+    let moved = (orbit.z[0] - top - t + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
+    assert!(moved.abs() < 1e-6, "{what}: {moved}");
+    let stable = orbit.multipliers.is_stable();
+    let inside = |from: f64, to: f64| (from - value) * (to - value) <= 0.0;
+    for part in &row.stability {
+        let from = part.from.as_ref().or(row.touch.as_ref()).map(|text| float(text)).unwrap();
+        if inside(from, float(&part.to)) {
+            assert_eq!(part.word == "stable", stable, "{what}: {part:?}, {:?}", orbit.multipliers);
+        }
+    }
+    stable
+}
+
 /// How many orbits of one and two impacts are confirmed of all ranges that are proved.
 fn confirmed(machine: &Machine, found: &GrazingReport) -> usize {
     let mut count = 0;
     for row in found.range.iter().flatten().filter(|row| row.verdict == "proved") {
         let (_, text) =
             found.certificates.iter().find(|(file, _)| Some(file) == row.certificate.as_ref()).unwrap();
-        let claim = Claim::of(text);
         let [touch, end] = [&row.touch, &row.end].map(|text| float(text.as_ref().unwrap()));
         // The gap is the top there.
         let [force, gap] = machine.values(touch);
         assert!((force * machine.free(machine.top(), 0) / gap - 1.0).abs() < 1e-12, "{row:?}");
+        if row.of == "orbit" {
+            for share in [0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0] {
+                confirm_single(machine, row, touch + share * (end - touch));
+                count += 1;
+            }
+            continue;
+        }
+        let claim = Claim::of(text);
         let follows = |u: usize, v: usize| claim.edges.contains(&[u, v]);
         let all = 0..claim.periods.len();
         let pairs = all.clone().flat_map(|u| all.clone().map(move |v| vec![u, v]));
@@ -204,6 +256,32 @@ fn orbits_beside_walls_of_several_harmonics_are_in_their_ranges() {
         println!("{damping} {stiffness} {varied}: {count} orbits");
         assert!(count >= least, "{count}: {:?}", found.range);
     }
+}
+
+/// The orbit of two periods that is born beyond the touch flips where the range says, and is stable from there.
+#[test]
+fn an_orbit_is_proved_past_its_flip() {
+    let machine = Machine {
+        damping: 0.1,
+        stiffness: 1.15,
+        restitution: 0.8,
+        waves: vec![(1.0, 1.0, 0.0)],
+        varied: "F",
+    };
+    let found = machine.found("range = { effort = 40000 }");
+    let orbits = || found.range.iter().flatten().filter(|row| row.of == "orbit" && row.side == "beyond");
+    let row = orbits().find(|row| row.periods == [2]).unwrap();
+    let [first, second] = &row.stability[..] else { panic!("{row:?}") };
+    assert_eq!((first.word, &first.from, second.word), ("unstable", &None, "stable"));
+    let [to, from, end] = [&first.to, second.from.as_ref().unwrap(), &second.to].map(|text| float(text));
+    let touch = float(row.touch.as_ref().unwrap());
+    assert!(touch < to && to < from && from < end && from - to < 0.01 * (end - touch), "{row:?}");
+    assert_eq!(end, float(row.end.as_ref().unwrap()));
+    for (value, stable) in [(to, false), (from, true), (0.5 * (touch + to), false), (end, true)] {
+        assert_eq!(confirm_single(&machine, row, value), stable, "{value}");
+    }
+    assert_eq!(orbits().count(), 4);
+    assert!(confirmed(&machine, &found) > 20);
 }
 
 /// A parameter that scales one of two harmonics moves the phase of the top: nothing is proved, and why is

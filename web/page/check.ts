@@ -62,6 +62,8 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
     near(detail.get("others") ?? ""),
   nothing: (_, detail) =>
     `Beyond its touch, to the depth listed, nothing is born, and no motion of the oscillator stays near: ${detail.get("leaves") ?? ""}.`,
+  single: (_, detail) =>
+    `From its touch to the depth listed, the oscillator has exactly one orbit of this kind: ${detail.get("orbit") ?? "one impact in the periods listed"}. It is ${detail.get("stability") ?? ""}.`,
   entropy: () => "Words of periods between impacts have no more entropy than is listed, wherever they are born.",
   "machine-orbit": ([n], detail) => orbit("machine", n, detail),
 };

@@ -6,7 +6,7 @@ use super::{Lines, Rejection, STATEMENT};
 use crate::{
     header::expect_statement,
     lines::Words,
-    touch::text::{fraction, fractions, line, positive, read_harmonics},
+    touch::text::{count, fraction, fractions, line, positive, read_harmonics},
 };
 
 pub use crate::touch::text::{Decimal, Fraction, Harmonic, Range};
@@ -95,13 +95,6 @@ impl fmt::Display for Certificate {
         let line = |Cell { depth, strength, parts }: &Cell| format!("cell {depth} {strength} {parts}");
         self.cells.iter().try_for_each(|cell| writeln!(f, "{}", line(cell)))
     }
-}
-
-/// A line with a number from 1.
-fn count(lines: &mut Lines, name: &str, what: &str, most: u64) -> Result<u64, Rejection> {
-    let value = line(lines, name, |words| words.number(what, most))?;
-    lines.form(value > 0, format_args!("{what} is at least 1"))?;
-    Ok(value)
 }
 
 fn cell(words: &mut Words) -> Result<Cell, String> {

@@ -7,11 +7,9 @@
 //! - convex: Z″ > 0;
 //! - rising: Z′ > 0, or falling: Z′ < 0.
 //!
-//! From the first impact on, Z > 0 is carried forward by pieces that are rising; or convex, if Z′ > 0 where
-//! they begin, and so where they end; or open, but then Z′ is no longer known. Likewise it is carried
-//! backward from the last impact, by pieces that are falling, convex or open. Both must meet. In a window
-//! between, 2πk − W ≤ t ≤ 2πk + W, all pieces are open, too, if Z″ ≥ μ > 0 there and Z(2πk) − Z′(2πk)²/2μ >
-//! 0, which is ν times q̂ − σ − ν q̂′²/2μ.
+//! `touch::carry` says how these carry Z > 0 from both impacts. In a window between, 2πk − W ≤ t ≤ 2πk + W,
+//! all pieces are open, too, if Z″ ≥ μ > 0 there and Z(2πk) − Z′(2πk)²/2μ > 0, which is ν times q̂ − σ − ν
+//! q̂′²/2μ.
 //!
 //! An impact's phase is known by an interval. So the first pieces may be before it or hold it: what is said
 //! of Z there is said of the motion that is free for all times, and open they are not if they hold it.
@@ -19,7 +17,10 @@
 use super::{Fault, Interval, map::Legs, work::Work};
 use crate::{
     rejection::{GoOn, claim},
-    touch::legs::Impact,
+    touch::{
+        carry::{self, Piece},
+        legs::Impact,
+    },
 };
 
 /// Proves it for every leg of a cell, of these strengths.
@@ -71,15 +72,6 @@ struct Gap {
     height: Interval,
     slope: Interval,
     bend: Interval,
-}
-
-/// What is certain of the gap on a piece.
-#[derive(Clone, Copy)]
-struct Piece {
-    open: bool,
-    convex: bool,
-    rising: bool,
-    falling: bool,
 }
 
 impl Flight<'_> {
@@ -148,27 +140,6 @@ impl Flight<'_> {
     }
 
     fn is_open(&self, go_on: GoOn) -> Result<bool, Fault> {
-        let pieces = self.pieces(go_on)?;
-        let forward = carried(pieces.iter().map(|piece| (piece.rising, piece.convex, piece.open)));
-        let backward = carried(pieces.iter().rev().map(|piece| (piece.falling, piece.convex, piece.open)));
-        Ok(forward + backward >= pieces.len())
+        Ok(carry::is_open(&self.pieces(go_on)?))
     }
-}
-
-/// How many pieces carry Z > 0 away from an impact: those on which Z moves away from the wall; on which it is
-/// convex, and is known to do so where they begin; or on which it is open.
-pub(super) fn carried(pieces: impl Iterator<Item = (bool, bool, bool)>) -> usize {
-    let mut leaves = true;
-    let mut count = 0;
-    for (moving, convex, open) in pieces {
-        if moving || (leaves && convex) {
-            leaves = true;
-        } else if open {
-            leaves = false;
-        } else {
-            break;
-        }
-        count += 1;
-    }
-    count
 }

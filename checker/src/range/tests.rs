@@ -2,14 +2,13 @@
 
 use super::{
     Interval,
-    gaps::carried,
     legs::leg,
     proof,
     text::{Certificate, read},
 };
 use crate::{
     lines::Lines,
-    touch::{flow::EXPONENTIALS, legs::Cell, wall::Wall},
+    touch::{carry::carried, flow::EXPONENTIALS, legs::Cell, wall::Wall},
 };
 
 const RANGE_1: &str = include_str!("../../tests/data/range-1.txt");

@@ -40,6 +40,13 @@ pub(crate) fn line<T>(
     lines.line_within(LONGEST, name, parse)
 }
 
+/// A line with a number from 1.
+pub(crate) fn count(lines: &mut Lines, name: &str, what: &str, most: u64) -> Result<u64, Rejection> {
+    let value = line(lines, name, |words| words.number(what, most))?;
+    lines.form(value > 0, format_args!("{what} is at least 1"))?;
+    Ok(value)
+}
+
 pub(crate) fn decimal(words: &mut Words) -> Result<Decimal, String> {
     Decimal::read::<48>(words, DIGITS)
 }

@@ -37,6 +37,13 @@ pub(crate) struct Shape {
 }
 
 impl Wall {
+    /// With no window: for what is said of it at a phase alone.
+    pub fn free(harmonics: Vec<(u64, [Interval; 2])>) -> Wall {
+        let plain = matches!(harmonics[..], [(1, [Interval::ONE, Interval::ZERO])]);
+        let (window, bend, ends) = (Interval::ZERO, Interval::ONE, [Interval::ZERO; 2]);
+        Wall { harmonics, plain, window, bend, ends }
+    }
+
     /// With the window cut into pieces to prove that 0 < W < π/2 and −g″ > 0 there.
     pub fn new(
         harmonics: Vec<(u64, [Interval; 2])>,
@@ -45,9 +52,7 @@ impl Wall {
         go_on: GoOn,
     ) -> Result<Wall, Fault> {
         claim((window + window).is_below(Interval::PI), "the window is not below pi/2")?;
-        let plain = matches!(harmonics[..], [(1, [Interval::ONE, Interval::ZERO])]);
-        let (bend, ends) = (Interval::ONE, [Interval::ZERO; 2]);
-        let mut wall = Wall { harmonics, plain, window, bend, ends };
+        let mut wall = Wall { window, ..Wall::free(harmonics) };
         let whole = (-window).hull(window);
         for piece in 0..pieces {
             go_on()?;

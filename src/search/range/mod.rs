@@ -5,8 +5,9 @@
 //! map keeps are found in plain floats (`map`, `close`), and the checker judges each cell. What is proved is
 //! what it accepts as a whole. Which graph is born at the touch says [`born`]; where that is nothing,
 //! [`prove_nothing`] proves that no motion stays near; that there is nothing else near, [`prove_alone`]; what
-//! of it goes farther than all of it, [`single_orbits`] and [`prove_farther`]. Which values of a machine's
-//! parameter have these depths says [`parameter_range`]. Not here: reports.
+//! of it goes farther than all of it, [`prove_farther`]; and each orbit of one impact, [`single_orbits`], along
+//! its curve, [`prove_single`]. Which values of a machine's parameter have these depths says
+//! [`parameter_range`]. Not here: reports.
 //!
 //! ```
 //! use grazing::certificate;
@@ -35,6 +36,7 @@ mod nothing;
 mod others;
 mod parameter;
 mod parts;
+mod single;
 mod write;
 
 use num_rational::BigRational;
@@ -43,8 +45,9 @@ use num_traits::ToPrimitive;
 pub use self::{
     born::{Born, born},
     nothing::{NothingProblem, NothingProof, prove_nothing},
-    parameter::{ParameterRange, SystemOver, Touching, parameter_range},
+    parameter::{ParameterRange, SystemOver, Touching, is_as_deep, parameter_range},
     parts::{prove_farther, single_orbits},
+    single::{SingleProblem, SingleProof, prove_single},
 };
 use self::{
     close::{Budget, Closed, close},

@@ -130,6 +130,26 @@ pub fn parameter_range(
     Ok(None)
 }
 
+/// Whether the depth at a parameter is certainly at least this.
+///
+/// # Errors
+/// As [`Touching::of`].
+pub fn is_as_deep(
+    system: SystemOver,
+    side: Option<Side>,
+    parameter: &BigRational,
+    depth: &BigRational,
+    behind: bool,
+) -> Result<bool> {
+    let Touching { ratio, top: [least, greatest], .. } = Touching::of(&system(parameter, parameter)?, side)?;
+    let Some(ratio) = ratio.constant() else { return Ok(false) };
+    let one = BigRational::one();
+    // √R ≤ (1 − depth) √h beyond, √R ≥ (1 + depth) √h before, whatever h is.
+    let limit = if behind { one - depth } else { one + depth };
+    let square = &limit * &limit;
+    Ok(!limit.is_negative() && if behind { ratio <= square * least } else { ratio >= square * greatest })
+}
+
 /// The fraction of the least denominator from lo to hi.
 fn simplest(lo: &BigRational, hi: &BigRational) -> BigRational {
     if hi.is_negative() {

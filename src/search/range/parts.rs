@@ -1,5 +1,5 @@
-//! What goes farther than the whole graph that is born: each orbit of one impact by itself, and the graph
-//! without the letter that ends first.
+//! What goes farther than the whole graph that is born: each orbit of one impact, and the graph without the
+//! letter that ends first.
 
 use num_traits::ToPrimitive;
 
@@ -9,14 +9,11 @@ use crate::{error::Result, monitor::Monitor, search::chaos::LetterGraph};
 /// A part is worth a certificate if it goes so many times as deep as the whole.
 const FARTHER: f64 = 1.02;
 
-/// The graphs of the orbits with one impact: of each letter that may follow itself, that letter alone. None
-/// if that is all there is.
+/// The periods of the orbits with one impact: of each letter that may follow itself.
 #[must_use]
-pub fn single_orbits(graph: &LetterGraph) -> Vec<LetterGraph> {
+pub fn single_orbits(graph: &LetterGraph) -> Vec<u64> {
     let loops = (0..graph.letters.len()).filter(|&v| graph.next[v].contains(&v));
-    let single = |v: usize| LetterGraph { letters: vec![graph.letters[v]], next: vec![vec![0]] };
-    let all: Vec<LetterGraph> = loops.map(single).collect();
-    if graph.letters.len() > 1 { all } else { Vec::new() }
+    loops.map(|v| graph.letters[v]).collect()
 }
 
 /// Of the graphs that lack one letter of the problem's, and what cannot go on without it, the one that is
@@ -63,14 +60,10 @@ mod tests {
 
     #[test]
     fn letters_that_follow_themselves_are_orbits() {
-        let letters =
-            |graph: &LetterGraph| single_orbits(graph).into_iter().map(|one| one.letters[0]).collect();
-        let all: Vec<u64> = letters(&LetterGraph::full(&[1, 3]));
-        assert_eq!(all, [1, 3]);
+        assert_eq!(single_orbits(&LetterGraph::full(&[1, 3])), [1, 3]);
         // 2 follows 5 alone.
-        let some: Vec<u64> = letters(&LetterGraph { letters: vec![2, 5], next: vec![vec![1], vec![0, 1]] });
-        assert_eq!(some, [5]);
-        let none: Vec<u64> = letters(&LetterGraph::full(&[4]));
-        assert!(none.is_empty());
+        let some = LetterGraph { letters: vec![2, 5], next: vec![vec![1], vec![0, 1]] };
+        assert_eq!(single_orbits(&some), [5]);
+        assert_eq!(single_orbits(&LetterGraph::full(&[4])), [4]);
     }
 }

@@ -6,18 +6,23 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
 use super::{
-    super::super::range::{ALL, NOTHING, ORBIT, PART, PROVED, RangeRow, SideRange, downwards, inwards, why},
+    super::super::range::{
+        ALL, NOTHING, ORBIT, PART, PROVED, RangeRow, SideRange, StabilityRow, downwards, inwards, why,
+        why_single,
+    },
     grazing::OscillatorGrazing,
 };
 use crate::{
+    certificate::single::Word,
     error::{Error, Result},
     motion::System,
-    number::{Real, certain_digits},
+    number::{Real, certain_digits, parse_rational},
     search::{
         chaos::{LetterGraph, RationalFunction},
         range::{
-            Born, NothingProblem, RangeEffort, RangeEnd, RangeProblem, RangeProof, Touching, born,
-            parameter_range, prove, prove_alone, prove_farther, prove_nothing, single_orbits,
+            Born, NothingProblem, ParameterRange, RangeEffort, RangeEnd, RangeProblem, RangeProof,
+            SingleProblem, SingleProof, Touching, born, is_as_deep, parameter_range, prove, prove_alone,
+            prove_farther, prove_nothing, prove_single, single_orbits,
         },
     },
 };
@@ -28,8 +33,10 @@ const LONGEST: u64 = 30;
 const DEEPEST: [f64; 2] = [4.0, 0.999];
 /// A small step of the parameter: it opens the gap by this part of the motion's size.
 const STEP: f64 = 1e-6;
-/// Of the effort of all that is born, what each orbit of one impact has of its own; less where they are more.
+/// Each orbit of one impact has such a part of the effort of all that is born.
 const SHARE: u64 = 4;
+/// How often a step from an end is made longer.
+const STEPS: u32 = 6;
 /// Digits of ends.
 const DIGITS: i32 = 12;
 
@@ -129,11 +136,67 @@ impl Near<'_> {
             all.push(self.judged(behind, (PART, &graph, false), Ok(proof), self.effort)?);
         }
         let orbits = single_orbits(&problem.graph);
-        let part = RangeEffort(self.effort.0 / SHARE.max(orbits.len() as u64));
-        for graph in orbits {
-            let alone = RangeProblem { graph, ..problem.clone() };
-            let found = prove(&alone, part, monitor)?;
-            all.push(self.judged(behind, (ORBIT, &alone.graph, false), found, part)?);
+        let part = RangeEffort(self.effort.0 / SHARE);
+        for periods in orbits {
+            let RangeProblem { ranges, harmonics, deepest, .. } = problem.clone();
+            all.push(self.single(&SingleProblem { ranges, behind, harmonics, periods, deepest }, part)?);
+        }
+        Ok(all)
+    }
+
+    /// The orbit of one impact, along its curve.
+    fn single(&self, problem: &SingleProblem, effort: RangeEffort) -> Result<SideRange> {
+        let behind = problem.behind;
+        let mut found = match prove_single(problem, effort, self.point.job.monitor)? {
+            Err(end) => {
+                let row = RangeRow::open(behind, "undecided", Some(why_single(&end, effort)));
+                SideRange { row, text: None }
+            }
+            Ok(proof) => {
+                let mut row = self.over(behind, &proof.depth, why_single(&proof.end, effort))?;
+                let proved = row.verdict == PROVED;
+                if proved {
+                    row.stability = self.stability(behind, &proof)?;
+                }
+                SideRange { row, text: proved.then_some(proof.text) }
+            }
+        };
+        (found.row.of, found.row.periods) = (ORBIT, vec![problem.periods]);
+        Ok(found)
+    }
+
+    /// Where it is stable, over the parameter: parts that are shown to be in the proof's.
+    fn stability(&self, behind: bool, proof: &SingleProof) -> Result<Vec<StabilityRow>> {
+        let system = |from: &BigRational, to: &BigRational| functions(self.point, from, to);
+        let mut all = Vec::new();
+        let mut from: Option<&BigRational> = None;
+        for (depth, word) in &proof.parts {
+            let begin = from.replace(depth);
+            let word = match word {
+                Word::Stable => "stable",
+                Word::Unstable => "unstable",
+                Word::Open => continue,
+            };
+            let Some(to) = self.over(behind, depth, String::new())?.end else { continue };
+            let Some(begin) = begin else {
+                all.push(StabilityRow { word, from: None, to });
+                continue;
+            };
+            // Beyond the greatest parameter up to the depth where it begins, by less and less.
+            let Some(range) = self.parameters(behind, begin)? else { continue };
+            let end = parse_rational(&to)?;
+            let mut step = &range.end * BigRational::new(1.into(), 10u64.pow(DIGITS as u32).into());
+            for _ in 0..STEPS {
+                let value = if end > range.end { &range.end + step.abs() } else { &range.end - step.abs() };
+                let text = inwards(&value, &end, DIGITS);
+                let value = parse_rational(&text)?;
+                let inside = if end > range.end { value < end } else { value > end };
+                if inside && is_as_deep(&system, None, &value, begin, behind)? {
+                    all.push(StabilityRow { word, from: Some(text), to });
+                    break;
+                }
+                step = step * BigRational::from_integer(10.into());
+            }
         }
         Ok(all)
     }
@@ -192,12 +255,18 @@ impl Near<'_> {
         Ok(SideRange { row, text })
     }
 
-    /// The values of the parameter with depths up to one.
-    fn over(&self, behind: bool, depth: &BigRational, reason: String) -> Result<RangeRow> {
+    /// The values of the parameter with depths up to one, exactly.
+    fn parameters(&self, behind: bool, depth: &BigRational) -> Result<Option<ParameterRange>> {
         let [at, unit] = &self.start;
         let system = |from: &BigRational, to: &BigRational| functions(self.point, from, to);
+        parameter_range(&system, None, [at, unit], depth, behind)
+    }
+
+    /// The values of the parameter with depths up to one.
+    fn over(&self, behind: bool, depth: &BigRational, reason: String) -> Result<RangeRow> {
+        let [_, unit] = &self.start;
         let open = |why: String| RangeRow::open(behind, "undecided", Some(why));
-        Ok(match parameter_range(&system, None, [at, unit], depth, behind) {
+        Ok(match self.parameters(behind, depth) {
             Err(error) if error.is_interrupted() => return Err(error),
             Err(error) => open(error.to_string()),
             Ok(None) => {
