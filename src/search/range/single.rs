@@ -209,6 +209,11 @@ impl Search<'_> {
     }
 }
 
+/// Six digits of a depth, downwards; 0 of one that a certificate has no digits for.
+fn six(depth: f64) -> f64 {
+    if depth < 1e-13 { 0.0 } else { write::depth(depth) }
+}
+
 /// What is known of the multipliers, part by part: each word from where all other cells have ended to where
 /// they begin, and nothing between.
 fn parts(found: &[Found], deepest: f64) -> Vec<Part> {
@@ -219,10 +224,10 @@ fn parts(found: &[Found], deepest: f64) -> Vec<Part> {
         // Six digits upwards, or from the touch on.
         let from = match at {
             0 => 0.0,
-            _ => write::depth(float(found[at - 1].depths[1]) * (1.0 + 1.1e-5)),
+            _ => six((float(found[at - 1].depths[1]) * (1.0 + 1.1e-5)).max(1e-12)),
         };
         at += run.len();
-        let to = write::depth(float(run[run.len() - 1].depths[2]).min(last));
+        let to = six(float(run[run.len() - 1].depths[2]).min(last));
         let before = all.last().map_or(0.0, |part| part.0);
         if run[0].word != Word::Open && from.max(before) < to {
             if from > before {
@@ -231,7 +236,7 @@ fn parts(found: &[Found], deepest: f64) -> Vec<Part> {
             all.push((to, run[0].word));
         }
     }
-    let last = write::depth(last);
+    let last = six(last);
     if all.last().is_none_or(|part| part.0 < last) && last > 0.0 {
         all.push((last, Word::Open));
     }
