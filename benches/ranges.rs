@@ -5,13 +5,13 @@
 //!     cargo bench --bench ranges -- orbits 500 [SEED] [EFFORT] >orbits.csv
 //!     cargo bench --bench ranges -- orbits.csv
 //!
-//! The second and the fourth command set the tables of docs/ranges.md from such files. Of each oscillator (natural over
-//! drive frequency from 0.1 to 3 and damping ratio from 0.003 to 0.5, both log-uniform, restitution from 0.3
-//! to 1, one fixed stop, F cos t) both sides of the touch: a line per side for the whole graph that is born,
-//! or for each orbit of one impact. The truth is followed in floats, by other formulas than the
-//! library's (`truth`): periodic words of up to six impacts, from the touch to where the first of them is no
-//! motion or no longer alone (a fold, a flip). Without a number of oscillators or a file it does nothing.
-//! Cost: some 10 s of processor time for an oscillator.
+//! The second and the fourth command set the tables of docs/ranges.md from such files. Of each oscillator
+//! (natural over drive frequency from 0.1 to 3 and damping ratio from 0.003 to 0.5, both log-uniform,
+//! restitution from 0.3 to 1, one fixed stop, F cos t) both sides of the touch: a line per side for the whole
+//! graph that is born, or for each orbit of one impact. The truth is followed in floats, by other formulas
+//! than the library's (`truth`): periodic words of up to six impacts, from the touch to where the first of
+//! them is no motion or no longer alone (a fold, a flip). Without a number of oscillators or a file it does
+//! nothing. Cost: some 10 s of processor time for an oscillator.
 
 #[path = "ranges/orbits.rs"]
 mod orbits;

@@ -160,8 +160,8 @@ fn confirm(machine: &Machine, row: &RangeRow, claim: &Claim, value: f64, word: &
     }
 }
 
-/// The orbit of one impact at a value of the parameter is one, and stable where that is said, which is told: its
-/// phase by the law of impact, its multipliers from the machine's own equations.
+/// The orbit of one impact at a value of the parameter is one, and stable where that is said, which is told:
+/// its phase by the law of impact, its multipliers from the machine's own equations.
 fn confirm_single(machine: &Machine, row: &RangeRow, value: f64) -> bool {
     let side = if row.side == "beyond" { 1.0 } else { -1.0 };
     let ([force, gap], top, n) = (machine.values(value), machine.top(), row.periods[0]);
@@ -258,7 +258,8 @@ fn orbits_beside_walls_of_several_harmonics_are_in_their_ranges() {
     }
 }
 
-/// The orbit of two periods that is born beyond the touch flips where the range says, and is stable from there.
+/// The orbit of two periods that is born beyond the touch flips where the range says, and is stable from
+/// there.
 #[test]
 fn an_orbit_is_proved_past_its_flip() {
     let machine = Machine {

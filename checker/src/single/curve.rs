@@ -13,8 +13,8 @@
 //! σν = 1 − g + Q,    σ dν/dt = −g′ + K g″,    V = a − g′ = (1 − H)(−g′),    1 − H = −τ(1 − tr E + det E)/S
 //! ```
 //!
-//! The multipliers are those of ES′, where S′, the derivative of an impact, is −τ on the diagonal and has (τr +
-//! r′)/v below it: v = −V/τ is the velocity relative to the wall before the impact, r and r′ are the
+//! The multipliers are those of ES′, where S′, the derivative of an impact, is −τ on the diagonal and has (τr
+//! + r′)/v below it: v = −V/τ is the velocity relative to the wall before the impact, r and r′ are the
 //! accelerations before and after it, and r′ + τr = (1 + τ)(−g″ + (c + kK)(−g′)). So, with w = |g′|,
 //!
 //! ```text

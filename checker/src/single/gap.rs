@@ -7,8 +7,8 @@
 //! Z = g′(t) (x(u) − K) + g(t) − g(t + u)
 //! ```
 //!
-//! with Z = 0 at both ends, Z′ > 0 at the first and Z′ < 0 at the last by S2. The time is cut into pieces, and
-//! on each of them, for all phases of a cell, it is seen whether Z is open, convex, rising or falling, as
+//! with Z = 0 at both ends, Z′ > 0 at the first and Z′ < 0 at the last by S2. The time is cut into pieces,
+//! and on each of them, for all phases of a cell, it is seen whether Z is open, convex, rising or falling, as
 //! `touch::carry` has these; by the mean-value form in t and u about the middles of both.
 //!
 //! A run of convex pieces, on which Z″ ≥ μ > 0, is open as well if Z(u₀) − Z′(u₀)²/2μ > 0 for some u₀ in it.

@@ -74,11 +74,11 @@
 //! cell 0.012
 //! ```
 //!
-//! By hand: E₁₁ = −0.7197, E₁₂ = −0.3771, E₂₂ = −0.6820 and det E = 0.5335, hence S = 1.7197 + 0.8·(−1.2155) =
-//! 0.7473 and K = 1.8·(−0.3771)/0.7473 = −0.9083. With D = −1 the phase −θ has ν = 0.9083 sin θ − (1 − cos θ),
-//! which is 0.0108 at θ = 0.012 and increases up to tan θ = 0.9083, the fold. 1 − tr E + det E = 2.935 > 0, as
-//! S2 wants. There g″/g′ = −cos θ/sin θ = −83.3, c + kK = −0.172, and Θ = 0.8·1.4017 + 1.8·(−0.3771)·0.7473/
-//! 2.935·(−83.5) = 15.6 > 1 + Δ = 1.34: it is unstable.
+//! By hand: E₁₁ = −0.7197, E₁₂ = −0.3771, E₂₂ = −0.6820 and det E = 0.5335, hence S = 1.7197 + 0.8·(−1.2155)
+//! = 0.7473 and K = 1.8·(−0.3771)/0.7473 = −0.9083. With D = −1 the phase −θ has ν = 0.9083 sin θ − (1 − cos
+//! θ), which is 0.0108 at θ = 0.012 and increases up to tan θ = 0.9083, the fold. 1 − tr E + det E = 2.935 >
+//! 0, as S2 wants. There g″/g′ = −cos θ/sin θ = −83.3, c + kK = −0.172, and Θ = 0.8·1.4017 +
+//! 1.8·(−0.3771)·0.7473/ 2.935·(−83.5) = 15.6 > 1 + Δ = 1.34: it is unstable.
 //!
 //! # Cost
 //!
@@ -127,8 +127,8 @@ asymptotically stable, both multipliers being inside the unit circle; in one cal
 one of them being outside.";
 
 /// What is found of one cell, from 0, if S1 to S3 hold in it: for a search, which finds cell after cell. What
-/// is proved is what [`check`](crate::check) accepts as a whole. The parts play no role. `stop` is asked after
-/// every microsecond or few of work whether to end.
+/// is proved is what [`check`](crate::check) accepts as a whole. The parts play no role. `stop` is asked
+/// after every microsecond or few of work whether to end.
 ///
 /// # Errors
 /// The condition that fails, or that it was stopped.

@@ -12,7 +12,8 @@ fn certificate(text: &str) -> super::Certificate {
     read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false)).unwrap_or_else(|why| panic!("{why}"))
 }
 
-/// No check takes more exponentials than its cost, and what has no share to spare takes a sixth of it or more.
+/// No check takes more exponentials than its cost, and what has no share to spare takes a sixth of it or
+/// more.
 #[test]
 fn the_cost_bounds_the_exponentials() {
     for text in [SINGLE_1, SINGLE_2, SINGLE_3, &SINGLE_2.replace("pieces 48", "pieces 200")] {

@@ -5,8 +5,8 @@
 //! map keeps are found in plain floats (`map`, `close`), and the checker judges each cell. What is proved is
 //! what it accepts as a whole. Which graph is born at the touch says [`born`]; where that is nothing,
 //! [`prove_nothing`] proves that no motion stays near; that there is nothing else near, [`prove_alone`]; what
-//! of it goes farther than all of it, [`prove_farther`]; and each orbit of one impact, [`single_orbits`], along
-//! its curve, [`prove_single`]. Which values of a machine's parameter have these depths says
+//! of it goes farther than all of it, [`prove_farther`]; and each orbit of one impact, [`single_orbits`],
+//! along its curve, [`prove_single`]. Which values of a machine's parameter have these depths says
 //! [`parameter_range`]. Not here: reports.
 //!
 //! ```
