@@ -13,9 +13,9 @@
 //! σν = 1 − g + Q,    σ dν/dt = −g′ + K g″,    V = a − g′ = (1 − H)(−g′),    1 − H = −τ(1 − tr E + det E)/S
 //! ```
 //!
-//! The multipliers are those of ES′, where S′, the derivative of an impact, is −τ on the diagonal and has (τr
-//! + r′)/v below it: v = −V/τ is the velocity relative to the wall before the impact, r and r′ are the
-//! accelerations before and after it, and r′ + τr = (1 + τ)(−g″ + (c + kK)(−g′)). So, with w = |g′|,
+//! The multipliers are those of ES′, where S′, the derivative of an impact, is −τ on the diagonal and has R/v
+//! below it: v = −V/τ is the velocity relative to the wall before the impact, and R is the acceleration after
+//! it and τ times that before it, R = (1 + τ)(−g″ + (c + kK)(−g′)). So, with w = |g′|,
 //!
 //! ```text
 //! Δ = τ² det E,    Θ w = −τ tr E w + (1 + τ)E₁₂ S/(1 − tr E + det E) (D(−g″) + (c + kK) w)
