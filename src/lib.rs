@@ -68,6 +68,7 @@
 //! | [`local`] | u_k, b_{n,k}, c_n at one point on every rung; the ladder of signs |
 //! | [`existence`] | Theorem 2 and Conjecture 1: claims, decisions, the edges of the areas |
 //! | [`word`] | the word theorem: every impact pattern in two dimensions, their number and entropy |
+//! | [`tolerance`] | machines as measured: words and shares on boxes of parameters |
 //! | [`pattern`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
 //! | [`motion`] | what moves: forces, series, the equation of one coordinate, its free motion, the minimum test |
 //! | [`continuation`] | curves of orbits, events on them, switching, multipliers, Newton's method, normal forms |
@@ -114,6 +115,7 @@ pub mod search;
 mod source;
 mod study;
 pub mod symbol;
+pub mod tolerance;
 pub mod word;
 
 pub use error::{Error, Result, Spot};

@@ -14,7 +14,7 @@ mod figure;
 use grazing::{
     certificate, continuation, existence, farey,
     internals::{output, printable, processor, random, rows, study},
-    local, many, motion, number, one, pattern, run, scene, search, symbol, word,
+    local, many, motion, number, one, pattern, run, scene, search, symbol, tolerance, word,
 };
 
 mod error {

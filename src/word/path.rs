@@ -164,8 +164,19 @@ impl Word {
         limit: usize,
         monitor: &dyn Monitor,
     ) -> Result<Word> {
+        Word::of_set(rectangle, rectangle.realm(), positive, limit, monitor)
+    }
+
+    /// The word that all points of any set in a realm have in common, by signs that hold at all of them.
+    pub(crate) fn of_set(
+        signs: &dyn Signs,
+        realm: Realm,
+        positive: bool,
+        limit: usize,
+        monitor: &dyn Monitor,
+    ) -> Result<Word> {
         limited(limit)?;
-        Walk { signs: rectangle, limit, monitor, word: Word::empty(positive) }.run(rectangle.realm())
+        Walk { signs, limit, monitor, word: Word::empty(positive) }.run(realm)
     }
 
     /// The word for eµ > 0 in the part of region 3 where period n = `period`, m = `numerator`, occurs on the
@@ -377,6 +388,11 @@ pub(crate) trait Signs {
     fn side(&self, n: u64) -> std::result::Result<Sign, Rung>;
     /// The sign of b_{n,k}.
     fn deciding(&self, n: u64, k: u64) -> SignDecision;
+    /// Whether period n certainly does not occur though the sign of u_n is open: on a set with points on both
+    /// sides of m/n, b_{n,upper} < 0 above s and b_{n,lower} < 0 below it, and u_n = 0 with a₂ < 1 only.
+    fn absent(&self, _n: u64, _lower: u64, _upper: u64) -> bool {
+        false
+    }
     /// What is said of the period whose sign was not decided.
     fn open(&self, next: u64, rung: Rung) -> Extent;
     /// Whether a₂ = 1.
@@ -618,6 +634,10 @@ impl Walk<'_> {
                     } else {
                         Extent::Complete { next: Some(n) }
                     };
+                    return Ok(());
+                }
+                Err(_) if self.signs.absent(n, lower.period, upper.period) => {
+                    self.word.extent = Extent::Complete { next: Some(n) };
                     return Ok(());
                 }
                 Err(rung) => {

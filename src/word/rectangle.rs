@@ -20,8 +20,8 @@ use crate::{
 /// The largest index of a sign on a rectangle.
 const LONGEST: u64 = 512;
 
-/// Bits of the balls: u_{n+1} = a₁u_n − a₂u_{n−1} loses up to 1.3 bits per step.
-const BITS: u32 = 1024;
+/// Bits of the balls for each index: u_{n+1} = a₁u_n − a₂u_{n−1} loses up to 1.3 bits per step.
+const BITS: u32 = 2;
 
 /// A closed rectangle of the (a₁, a₂) plane with 0 < a₂ ≤ 1.
 #[derive(Debug, Clone)]
@@ -44,6 +44,12 @@ impl Rectangle {
     /// # Errors
     /// An input error unless lower ≤ upper and 0 < a₂ ≤ 1.
     pub fn new(a1: [BigRational; 2], a2: [BigRational; 2]) -> Result<Rectangle> {
+        Rectangle::reaching(a1, a2, LONGEST)
+    }
+
+    /// The same, whose signs are told for indices below `longest`. Cost: that many steps, with balls of twice
+    /// as many bits, 128 at least.
+    pub(crate) fn reaching(a1: [BigRational; 2], a2: [BigRational; 2], longest: u64) -> Result<Rectangle> {
         for (name, [lower, upper]) in [("a1", &a1), ("a2", &a2)] {
             if lower > upper {
                 return Err(Error::input(format!(
@@ -57,7 +63,7 @@ impl Rectangle {
                 a2[0], a2[1]
             )));
         }
-        let precision = Precision::new(BITS);
+        let precision = Precision::new((BITS * longest as u32).max(128));
         let two = BigRational::from_integer(2.into());
         let middle = [&a1, &a2].map(|[lower, upper]| (lower + upper) / &two);
         let half = [&a1, &a2].map(|[lower, upper]| Ball::ratio(&((upper - lower) / &two), &precision));
@@ -69,7 +75,7 @@ impl Rectangle {
         let (mut u, mut slope) = (vec![integer(0), integer(1)], vec![integer(0), integer(0)]);
         let mut power = vec![integer(1)];
         let step = |x: &[Ball], n: usize| c1.clone() * &x[n] - &(c2.clone() * &x[n - 1]);
-        for n in 1..LONGEST as usize {
+        for n in 1..longest as usize {
             slope.push(step(&slope, n) + &u[n]);
             u.push(step(&u, n));
             power.push(power[n - 1].clone() * &c2);

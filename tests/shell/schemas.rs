@@ -16,7 +16,7 @@ use serde_json::Value;
 
 /// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a
 /// command of the list writes itself.
-const JSON: [&str; 43] = [
+const JSON: [&str; 47] = [
     "intervals 3..=5",
     "intervals 3..=5 --decimals 4",
     "intervals --pattern 3,5",
@@ -37,6 +37,10 @@ const JSON: [&str; 43] = [
     "evaluate --n 5 --s 1/7",
     "evaluate --n 4 --s 1/8",
     "classify --r 0.99 --s 21/100",
+    "classify --r 0.97+-1% --s 0.37",
+    "word --r 0.97±1% --s 0.37..=0.38",
+    "word --frequency 3.7Hz --damping-ratio 0.1±20% --drive 10Hz",
+    "word --frequency 3.7Hz±1% --damping-ratio 0.1±20% --drive 10Hz --shares --cells 200",
     "classify --summary",
     "existence {root}/examples/maps/focus.toml --max-period 3",
     "existence {root}/examples/maps/singular.toml --max-period 3 --exact",

@@ -22,7 +22,7 @@ pub fn python(folder: &Path, arguments: &[&str]) -> io::Result<Output> {
 
 /// Every command that writes a LaTeX table, with the awkward texts among them; `{in}` is a folder with the
 /// certificates that are cited.
-const TABLES: [&str; 24] = [
+const TABLES: [&str; 27] = [
     "intervals 3..=9",
     "intervals 3..=9 --decimals 6",
     "intervals --two-impacts 5",
@@ -31,6 +31,9 @@ const TABLES: [&str; 24] = [
     "word --a1 -1/4 --a2 1/2 --certificate {in}/word_1.txt",
     "word --a1 -26/100..=-1/4 --a2 1/2..=51/100",
     "word --r 0.97 --s 0.37",
+    "word --r 0.97±1% --s 0.37..=0.38",
+    "word --frequency 3.7Hz±1% --damping-ratio 0.1±20% --drive 10Hz --shares --cells 200",
+    "classify --r 0.97+-1% --s 0.37",
     "word --r 1.25 --s 0.37 --returns",
     "word --r 0.97 --s 0.37 --returns",
     "boundary 3..=8",
@@ -427,6 +430,9 @@ const SHARD: &[&str] =
     &["", "x", "1", "0/3", "4/3", "1/0", "-1/3", "1/", "/3", "1/2/3", "1.5/3", "1/99999999999999999999"];
 const INPUT: &[&str] = &["", "/nonexistent/file", ".", "/dev/null"];
 
+const MEASURE: &[&str] =
+    &["", "x", "Hz", "1Hz2", "-1Hz", "1Hz±", "1Hz±-1%", "1Hz..=2", "2Hz..=1Hz", "1Hz±1kHz", "1Hz±200%", "1m"];
+
 /// A command that would be right, with a hole `@`, and what must not be put there.
 const HOLES: &[(&str, &[&str])] = &[
     ("verify @", RANGE),
@@ -464,6 +470,10 @@ const HOLES: &[(&str, &[&str])] = &[
     ("word --r @ --s 1/5", NUMBER),
     ("word --r 1/2 --s @", NUMBER),
     ("word --r 1/2 --s 1/5 --max-period @", COUNT),
+    ("word --r 1/2±1% --s 1/5 --shares --cells @", COUNT),
+    ("word --frequency @ --damping-ratio 0.1 --drive 10Hz", MEASURE),
+    ("word --frequency 3Hz --damping-ratio @ --drive 10Hz", MEASURE),
+    ("word --frequency 3Hz --damping-ratio 0.1 --drive @", MEASURE),
     ("word --r 1/2 --s 1/5 --letters @", COUNT),
     ("existence @", INPUT),
     ("existence examples/maps/focus.toml --max-period @", COUNT),

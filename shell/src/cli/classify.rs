@@ -3,9 +3,13 @@
 use std::{io::Write, path::PathBuf};
 
 use clap::Parser;
-use num_rational::BigRational;
 
-use super::{Outcome, reported};
+use super::{
+    Outcome,
+    place::{Asked, Place},
+    reported,
+    shares::{self, Limits},
+};
 use crate::{
     cli::choice::choice,
     cli::progress::Interrupt,
@@ -13,7 +17,7 @@ use crate::{
     existence::{Existence, large_eigenvalue_sign, up_to},
     local::{Forward, Ladder, Point, Region},
     monitor::Monitor,
-    number::{parse_integer, parse_rational},
+    number::parse_integer,
     output::{
         Caption, Column, Destination, FileRegistry, Print, Setting, TableCell, TableFormat, TableWriter,
     },
@@ -22,6 +26,8 @@ use crate::{
 
 /// The largest --max-period.
 const LIMIT: u64 = 100_000;
+/// How many cells of a box are looked at.
+const CELLS: u64 = 2_000;
 
 /// Say which single-impact orbits exist at one point, period by period.
 ///
@@ -31,27 +37,22 @@ const LIMIT: u64 = 100_000;
 /// opposite sign, which forbid an orbit; or the boundary on which the point lies, where the theory is silent.
 /// For a2 > 1 the time-reversed system is classified, which has the same orbits.
 ///
+/// With intervals, as in --r 0.97±1% --s 0.2..=0.21 or --frequency 12.3Hz±1% --damping-ratio 0.02±20% --drive
+/// 10Hz, the table has for each period and case whether the orbit exists everywhere in the box, nowhere, or
+/// in a part of it (differs), and bounds of the share of the box in which it does.
+///
 /// Exit code 0: every period is decided; 2: wrong usage; 3: of some period the theory is silent, or it is
 /// undecided.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing classify --r 0.99 --s 21/100
   grazing classify --a1 -3/2 --a2 0.9 --max-period 6
+  grazing classify --frequency 12.3Hz±1% --damping-ratio 0.02±20% --drive 10Hz
   grazing classify --summary")]
-#[command(group(clap::ArgGroup::new("point").required(true).args(["a1", "r", "summary"])))]
+#[command(group(clap::ArgGroup::new("point").required(true).args(["a1", "r", "frequency", "summary"])))]
 pub(super) struct Args {
-    /// The trace a1.
-    #[arg(long, requires = "a2", allow_hyphen_values = true, value_parser = parse_rational, value_name = "X")]
-    a1: Option<BigRational>,
-    /// The determinant a2 > 0.
-    #[arg(long, requires = "a1", allow_hyphen_values = true, value_parser = parse_rational, value_name = "Y")]
-    a2: Option<BigRational>,
-    /// The modulus r > 0.
-    #[arg(long, requires = "s", allow_hyphen_values = true, value_parser = parse_rational, value_name = "R")]
-    r: Option<BigRational>,
-    /// The angle as a fraction of a turn, 0 < s < 1/2.
-    #[arg(long, requires = "r", allow_hyphen_values = true, value_parser = parse_rational, value_name = "S")]
-    s: Option<BigRational>,
+    #[command(flatten)]
+    place: Place,
     /// The periods are 1 to P, at most 100000.
     #[arg(long, alias = "max-n", value_name = "P", default_value_t = 15, value_parser = parse_integer::<u64>,
           conflicts_with = "summary")]
@@ -67,6 +68,13 @@ pub(super) struct Args {
     output: Option<PathBuf>,
 }
 
+impl Args {
+    /// The name of its JSON.
+    pub(super) fn json_name(&self) -> &'static str {
+        if self.place.is_box() { "grazing-classify-box 1" } else { "grazing-classify 1" }
+    }
+}
+
 pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     let destination = files.destination(args.output.as_deref())?;
     if args.summary {
@@ -76,8 +84,18 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         let last = args.max_period;
         return Err(Error::input(format!("--max-period {last}: a whole number from 1 to {LIMIT}")));
     }
-    let (plane, polar) = (args.a1.as_ref().zip(args.a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()));
-    let (place, at) = (forward(plane, polar)?, coordinates(plane, polar));
+    let asked = match args.place.asked()? {
+        Asked::Point(asked) => asked,
+        Asked::Box(asked) if !args.place.drive_varies() => {
+            let limits = Limits { cells: CELLS, last: args.max_period };
+            return shares::classify(&asked.0, &asked.1, limits, args.format, &destination, interrupt);
+        }
+        Asked::Box(..) => {
+            let why = "every part of a box counts by its size";
+            return Err(Error::input(format!("--drive: give it as one number here, for {why}")));
+        }
+    };
+    let (place, at) = (asked.forward()?, asked.coordinates());
     let ladder = Ladder::default().with_profile(interrupt.profile());
     let found = up_to(&ladder, &place.point, args.max_period, || interrupt.check())?;
     interrupt.check()?;
@@ -91,18 +109,6 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     });
     let open = |existence| !matches!(existence, &Existence::Orbit(_) | &Existence::None { .. });
     reported(if found.iter().any(open) { Outcome::Undecided } else { Outcome::Done }, written)
-}
-
-/// The point given by (a₁, a₂) or by (r, s), with a₂ ≤ 1.
-pub(super) fn forward(
-    plane: Option<(&BigRational, &BigRational)>,
-    polar: Option<(&BigRational, &BigRational)>,
-) -> Result<Forward> {
-    match (plane, polar) {
-        (Some((a1, a2)), _) => Forward::plane(a1.clone(), a2.clone()),
-        (_, Some((r, s))) => Forward::polar(r.clone(), s.clone()),
-        _ => Err(Error::input("give a point by --a1 and --a2, or by --r and --s")),
-    }
 }
 
 /// The words for both signs of eµ, as far as they are soon found.
@@ -129,15 +135,6 @@ fn words(point: &Point, out: &mut dyn Write) -> Result<()> {
         }
     }
     Ok(())
-}
-
-/// The coordinates of a point in LaTeX; one that was not given is left out.
-pub(super) fn coordinates(
-    plane: Option<(&BigRational, &BigRational)>,
-    polar: Option<(&BigRational, &BigRational)>,
-) -> String {
-    let plane = plane.map(|(a1, a2)| format!("$a_1 = {a1}$, $a_2 = {a2}$"));
-    plane.or_else(|| polar.map(|(r, s)| format!("$r = {r}$, $s = {s}$"))).unwrap_or_default()
 }
 
 pub(super) fn describe(region: Region) -> String {

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::One;
 use serde_json::json;
 
-use super::{Outcome, PrintFormat, classify::coordinates, range::whole, reported};
+use super::{Outcome, PrintFormat, place::coordinates, range::whole, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},

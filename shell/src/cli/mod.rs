@@ -17,6 +17,7 @@ mod formula;
 mod fuzz;
 mod intervals;
 mod merge;
+mod place;
 mod profile;
 pub(crate) mod progress;
 mod range;
@@ -25,6 +26,7 @@ mod returns;
 mod run;
 mod sequence;
 mod shards;
+mod shares;
 mod shell;
 mod two_impacts;
 mod verify;
@@ -298,7 +300,7 @@ impl Command {
                 let name = if args.is_measure() { "grazing-measure 1" } else { "grazing-intervals 1" };
                 (args.format == intervals::Format::Json).then_some(name)
             }
-            Command::Classify(args) => table(args.format, "grazing-classify 1"),
+            Command::Classify(args) => table(args.format, args.json_name()),
             Command::Word(args) => (args.format == word::Format::Json).then_some(args.json_name()),
             Command::Existence(args) => table(args.format, "grazing-existence 1"),
             Command::Fuzz(args) => report(args.format, "grazing-fuzz 2"),

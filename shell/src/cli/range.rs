@@ -1,8 +1,10 @@
-//! Ranges on the command line: of whole numbers, `N`, `A..=B` or `A-B`, and of exact ones, `X` or `A..=B`.
+//! Ranges on the command line: of whole numbers, `N`, `A..=B` or `A-B`, and of exact ones, `X`, `A..=B` or
+//! `X±Y`, also with a unit.
 
 use std::{num::IntErrorKind, ops::RangeInclusive, str::FromStr};
 
 use num_rational::BigRational;
+use num_traits::{One, Signed};
 
 use crate::{
     error::{Error, Result},
@@ -98,19 +100,128 @@ impl FromStr for Span {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self> {
-        let (lower, upper) = match text.split_once("..=") {
-            Some((lower, upper)) => (parse_rational(lower)?, parse_rational(upper)?),
-            None => (parse_rational(text)?, parse_rational(text)?),
-        };
-        if lower > upper {
-            return Err(Error::input(format!("the interval is reversed: write {upper}..={lower}")));
+        let Measure { span, unit } = text.parse()?;
+        match unit {
+            None => Ok(span),
+            Some(unit) => Err(Error::input(format!("{text:?} has no unit here, not {}", unit.name))),
         }
-        Ok(Span([lower, upper]))
     }
 }
 
 impl Span {
     pub fn is_interval(&self) -> bool {
         self.0[0] != self.0[1]
+    }
+}
+
+/// A unit of frequency: how many of the first of its kind it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Unit {
+    pub name: &'static str,
+    /// Units of one kind have rational ratios.
+    pub kind: &'static str,
+    size: (u32, u32),
+}
+
+const UNITS: [Unit; 5] = [
+    Unit { name: "rad/s", kind: "rad/s", size: (1, 1) },
+    Unit { name: "kHz", kind: "Hz", size: (1000, 1) },
+    Unit { name: "mHz", kind: "Hz", size: (1, 1000) },
+    Unit { name: "rpm", kind: "Hz", size: (1, 60) },
+    Unit { name: "Hz", kind: "Hz", size: (1, 1) },
+];
+
+/// A closed interval with a unit or without one, in the first unit of its kind.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Measure {
+    pub span: Span,
+    pub unit: Option<Unit>,
+}
+
+/// `X`, `A..=B`, `X±Y` or `X±P%`, and `+-` for `±`; a unit stands behind a number, or behind the last for
+/// all.
+impl FromStr for Measure {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        let mut known: Option<Unit> = None;
+        let mut units = Vec::new();
+        let mut number = |part: &str| {
+            let part = part.trim();
+            let unit = UNITS.into_iter().find(|unit| part.ends_with(unit.name));
+            units.push(unit);
+            if let (Some(unit), Some(before)) = (unit, known)
+                && unit != before
+            {
+                return Err(Error::input(format!(
+                    "{text:?} has two units: {} and {}",
+                    before.name, unit.name
+                )));
+            }
+            known = known.or(unit);
+            let digits = unit.map_or(part, |unit| part[..part.len() - unit.name.len()].trim_end());
+            Ok(parse_rational(digits)?)
+        };
+        let both = text.split_once("±").or_else(|| text.split_once("+-"));
+        let [lower, upper] = if let Some((middle, by)) = both {
+            let middle = number(middle)?;
+            let by = match by.trim().strip_suffix('%') {
+                Some(percent) => {
+                    let part = parse_rational(percent.trim_end())? / BigRational::from_integer(100.into());
+                    part * middle.abs()
+                }
+                None => number(by)?,
+            };
+            if by.is_negative() {
+                return Err(Error::input(format!("{text:?}: a tolerance is not negative")));
+            }
+            [&middle - &by, middle + by]
+        } else if let Some((lower, upper)) = text.split_once("..=") {
+            let ends = [number(lower)?, number(upper)?];
+            if ends[0] > ends[1] {
+                return Err(Error::input(format!(
+                    "the interval is reversed: write {}..={}",
+                    upper.trim(),
+                    lower.trim()
+                )));
+            }
+            ends
+        } else {
+            let value = number(text)?;
+            [value.clone(), value]
+        };
+        // The last unit is everybody's, the first alone is that of a percentage or of a mistake.
+        if units.first().is_some_and(Option::is_some) && units.last().is_some_and(Option::is_none) {
+            return Err(Error::input(format!("{text:?}: the unit stands behind the last number")));
+        }
+        let size =
+            known.map_or(BigRational::one(), |unit| BigRational::new(unit.size.0.into(), unit.size.1.into()));
+        Ok(Measure { span: Span([lower * &size, upper * size]), unit: known })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ends(text: &str) -> Option<[String; 2]> {
+        text.parse::<Measure>().ok().map(|measure| measure.span.0.map(|end| end.to_string()))
+    }
+
+    #[test]
+    fn tolerances_are_read_in_every_form() {
+        let some = |lower: &str, upper: &str| Some([lower.to_string(), upper.to_string()]);
+        assert_eq!(ends("12.5Hz±4%"), some("12", "13"));
+        assert_eq!(ends("12.5 +- 0.5 Hz"), some("12", "13"));
+        assert_eq!(ends("12.5Hz±0.5Hz"), some("12", "13"));
+        assert_eq!(ends("12..=13kHz"), some("12000", "13000"));
+        assert_eq!(ends("750rpm"), some("25/2", "25/2"));
+        assert_eq!(ends("-2±50%"), some("-3", "-1"));
+        assert_eq!(ends("1/3"), some("1/3", "1/3"));
+        for wrong in ["12.5Hz±0.5", "12Hz..=13", "12Hz±1kHz", "3±-1", "2..=1", "Hz", "1±%", "1±2±3", ""]
+        {
+            assert_eq!(ends(wrong), None, "{wrong}");
+        }
+        assert!("0.02Hz".parse::<Span>().unwrap_err().is_input());
     }
 }

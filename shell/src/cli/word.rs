@@ -7,25 +7,26 @@ use std::{
 };
 
 use clap::{ArgGroup, Parser, ValueEnum};
-use num_rational::BigRational;
 use serde_json::{Value as Json, json};
 
 use super::{
     Outcome, cite,
-    classify::{coordinates, describe, forward},
-    range::Span,
+    classify::describe,
+    place::{self, Asked, Bounds, Place, REVERSED},
     reported, returns,
+    shares::Limits,
 };
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
-    local::{Forward, Ladder, Point},
-    number::{certain_digits, parse_integer, parse_rational},
+    local::{Forward, Ladder, Point, Region},
+    number::{certain_digits, parse_integer},
     output::{
         Caption, Column, Destination, FileRegistry, Print, Setting, TableCell, TableFormat, TableWriter, say,
     },
     printable::Printable,
     search::{Certified, WordCertificate, WordPlace, certify_word},
+    tolerance::ParameterBox,
     word::{ClosedWalks, Edge, Entropy, Extent, Letter, Rectangle, Relation, Word},
 };
 
@@ -45,9 +46,11 @@ const BITS: u32 = 64;
 /// period, which is above 0 exactly where two single-impact periods coexist. An impact pattern exists where
 /// every period in it may follow the one before it, cyclically.
 ///
-/// With intervals, as in --a1 0.3..=0.301 --a2 1/2, the answer holds for all points of the box, which may
-/// meet several regions. What is not the same for all of them, or cannot be shown to be, is open; the letter
-/// ? stands for a c_n that is 0 or has not one sign. --certificate writes down why the answer is right.
+/// With intervals, as in --a1 0.3..=0.301 --a2 1/2, --r 0.97±1% --s 0.2..=0.21 or --frequency 12.3Hz±1%
+/// --damping-ratio 0.02±20% --drive 10Hz, the answer holds for all points of the box, which may meet several
+/// regions. What is not the same for all of them, or cannot be shown to be, is open; the letter ? stands for
+/// a c_n that is 0 or has not one sign. --shares says in which part of the box chaos is born, each period and
+/// each word occurs. --certificate writes down why the answer is right.
 ///
 /// Exit code 0: everything is decided; 2: wrong usage, or a file that cannot be written; 3: a sign is zero or
 /// undecided, the word has more letters than were asked for, what was found could not be certified, or
@@ -56,21 +59,12 @@ const BITS: u32 = 64;
 #[command(after_help = "Examples:
   grazing word --r 0.4633 --s 0.16327
   grazing word --a1 1.9 --a2 0.95 --format dot -o word.dot
-  grazing word --r 1.25 --s 0.37 --returns")]
-#[command(group = ArgGroup::new("point").required(true).args(["a1", "r"]))]
+  grazing word --r 1.25 --s 0.37 --returns
+  grazing word --frequency 3.7Hz±1% --damping-ratio 0.1±20% --drive 10Hz --shares")]
+#[command(group = ArgGroup::new("point").required(true).args(["a1", "r", "frequency"]))]
 pub(super) struct Args {
-    /// The trace a1, or an interval of it.
-    #[arg(long, requires = "a2", allow_hyphen_values = true, value_name = "X|A..=B")]
-    a1: Option<Span>,
-    /// The determinant a2 > 0, or an interval of it.
-    #[arg(long, requires = "a1", allow_hyphen_values = true, value_name = "Y|A..=B")]
-    a2: Option<Span>,
-    /// The modulus r > 0.
-    #[arg(long, requires = "s", allow_hyphen_values = true, value_parser = parse_rational, value_name = "R")]
-    r: Option<BigRational>,
-    /// The angle as a fraction of a turn, 0 < s < 1/2.
-    #[arg(long, requires = "r", allow_hyphen_values = true, value_parser = parse_rational, value_name = "S")]
-    s: Option<BigRational>,
+    #[command(flatten)]
+    place: Place,
     /// Count the patterns of periods 1 to P, at most 400.
     #[arg(long, value_name = "P", default_value_t = 12, value_parser = parse_integer::<u64>)]
     max_period: u64,
@@ -86,6 +80,14 @@ pub(super) struct Args {
     /// 1 the return times of a border collision.
     #[arg(long, conflicts_with_all = ["certificate", "max_period"])]
     returns: bool,
+    /// Say of a box instead in which share of it chaos is born, each period and each word occurs: bounds,
+    /// from cells on which that is certain.
+    #[arg(long, conflicts_with_all = ["certificate", "returns"])]
+    shares: bool,
+    /// Look at C cells for --shares, at most 1000000.
+    #[arg(long, value_name = "C", default_value_t = 2_000, requires = "shares",
+          value_parser = parse_integer::<u64>)]
+    cells: u64,
     /// Let the certificate rest on the word theorem: one sign per letter, and so all periods.
     #[arg(long, requires = "certificate")]
     by_theorem: bool,
@@ -100,7 +102,11 @@ pub(super) struct Args {
 impl Args {
     /// The name of its JSON.
     pub(super) fn json_name(&self) -> &'static str {
-        if self.returns { "grazing-returns 1" } else { "grazing-word 1" }
+        match (self.returns, self.shares) {
+            (true, _) => "grazing-returns 1",
+            (_, true) => "grazing-shares 1",
+            _ => "grazing-word 1",
+        }
     }
 }
 
@@ -145,6 +151,9 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     if args.returns {
         return return_times(args, &destination, interrupt);
     }
+    if args.shares {
+        return shares(args, &destination, interrupt);
+    }
     let file = args.certificate.as_deref().map(|path| files.write("--certificate", path)).transpose()?;
     let given = Given::new(args)?;
     if given.reversed && file.is_some() {
@@ -159,7 +168,8 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         .map(|positive| {
             let word = match &given.place {
                 At::Point(point) => Word::at(&ladder, point, positive, args.letters, &progress)?,
-                At::Box(rectangle) => Word::in_rectangle(rectangle, positive, args.letters, &progress)?,
+                At::Rectangle(rectangle) => Word::in_rectangle(rectangle, positive, args.letters, &progress)?,
+                At::Box(of) => of.word(positive, args.letters, &progress)?,
             };
             let cases = [true, false]
                 .into_iter()
@@ -214,14 +224,27 @@ fn return_times(args: &Args, destination: &Destination, interrupt: &Interrupt) -
         Format::LatexSiunitx => TableFormat::LatexSiunitx,
         Format::Dot => return Err(Error::input("--format dot draws pattern graphs: leave out --returns")),
     };
-    if [&args.a1, &args.a2].into_iter().flatten().any(Span::is_interval) {
-        return Err(Error::input("--returns is asked at one point: give --a1 and --a2 as numbers"));
-    }
-    let single = |span: &Option<Span>| span.as_ref().map(|span| span.0[0].clone());
-    let plane = single(&args.a1).zip(single(&args.a2));
-    let (plane, polar) = (plane.as_ref().map(|(x, y)| (x, y)), args.r.as_ref().zip(args.s.as_ref()));
-    let (forward, at) = (forward(plane, polar)?, coordinates(plane, polar));
+    let (forward, at) = match args.place.asked()? {
+        Asked::Point(point) => (point.forward()?, point.coordinates()),
+        Asked::Box(..) => {
+            return Err(Error::input("--returns is asked at one point: give its coordinates as numbers"));
+        }
+    };
     returns::run(&forward, &at, args.letters, format, destination, interrupt)
+}
+
+/// `--shares`.
+fn shares(args: &Args, destination: &Destination, interrupt: &Interrupt) -> Result<Outcome> {
+    let Asked::Box(asked) = args.place.asked()? else {
+        return Err(Error::input("--shares are those of a box: give at least one coordinate as an interval"));
+    };
+    if args.place.drive_varies() {
+        return Err(Error::input(
+            "--shares: give --drive as one number, for every part of a box counts by its size",
+        ));
+    }
+    let limits = Limits { cells: args.cells, last: args.max_period };
+    super::shares::run(&asked.0, &asked.1, limits, args.format, destination, interrupt)
 }
 
 /// What the table of the words shows; `certificate` is the one that proves it.
@@ -280,7 +303,8 @@ fn table(sides: &[Side], format: TableFormat, caption: &Caption, out: &mut dyn W
 /// Where the words are asked for.
 enum At {
     Point(Box<Point>),
-    Box(Box<Rectangle>),
+    Rectangle(Box<Rectangle>),
+    Box(Box<ParameterBox>),
 }
 
 struct Given {
@@ -290,42 +314,52 @@ struct Given {
     heading: String,
     /// The place in LaTeX.
     at: String,
-    /// The bounds of a box.
-    bounds: Option<[[String; 2]; 2]>,
+    /// The names and bounds of a box, and of a machine's whether γ > 0.
+    bounds: Option<(Bounds, Option<Option<bool>>)>,
 }
 
 impl Given {
     fn new(args: &Args) -> Result<Given> {
-        if let (Some(a1), Some(a2)) = (&args.a1, &args.a2)
-            && (a1.is_interval() || a2.is_interval())
-        {
-            let bounds = [a1, a2].map(|span| span.0.each_ref().map(ToString::to_string));
-            let rectangle = Rectangle::new(a1.0.clone(), a2.0.clone())?;
+        let (of, bounds) = match args.place.asked()? {
+            Asked::Point(asked) => {
+                let Forward { point, region, reversed } = asked.forward()?;
+                let time = if reversed { REVERSED } else { "" };
+                let heading = format!("{}{time}", describe(region));
+                let place = At::Point(Box::new(point));
+                return Ok(Given { place, reversed, heading, at: asked.coordinates(), bounds: None });
+            }
+            Asked::Box(of) => *of,
+        };
+        let at = format!("all points with {}", place::in_latex(&bounds));
+        let shown = place::shown(&bounds);
+        let (place, heading, gamma) = if bounds[0].0 == "a1" {
+            let rectangle = Rectangle::new(bounds[0].1.clone(), bounds[1].1.clone())?;
             let region = rectangle.region().map_or("The box meets a line between regions".into(), describe);
-            let heading = format!(
-                "All points with {} <= a1 <= {}, {} <= a2 <= {}. {region}",
-                bounds[0][0], bounds[0][1], bounds[1][0], bounds[1][1]
-            );
-            let place = At::Box(Box::new(rectangle));
-            let span = |i: usize| format!("${} \\le a_{} \\le {}$", bounds[i][0], i + 1, bounds[i][1]);
-            let at = format!("all points with {}, {}", span(0), span(1));
-            return Ok(Given { place, reversed: false, heading, at, bounds: Some(bounds) });
-        }
-        let point = |span: &Option<Span>| span.as_ref().map(|span| span.0[0].clone());
-        let (a1, a2) = (point(&args.a1), point(&args.a2));
-        let (plane, polar) = (a1.as_ref().zip(a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()));
-        let Forward { point, region, reversed } = forward(plane, polar)?;
-        let at = coordinates(plane, polar);
-        let time = if reversed { ", after reversing time (a2 > 1): patterns are read backwards" } else { "" };
-        let heading = format!("{}{time}", describe(region));
-        Ok(Given { place: At::Point(Box::new(point)), reversed, heading, at, bounds: None })
+            (At::Rectangle(Box::new(rectangle)), format!("All points with {shown}. {region}"), None)
+        } else if of.has_gamma() {
+            let gamma = of.gamma_is_positive();
+            let sign = match gamma {
+                Some(true) => "gamma > 0 for all of them",
+                Some(false) => "gamma < 0 for all of them",
+                None => "gamma has not one sign, or may be 0",
+            };
+            (At::Box(Box::new(of)), format!("All machines with {shown}. {sign}"), Some(gamma))
+        } else {
+            (At::Box(Box::new(of)), format!("All points with {shown}. {}", describe(Region::Three)), None)
+        };
+        Ok(Given { place, reversed: false, heading, at, bounds: Some((bounds, gamma)) })
     }
 }
 
 fn certify(args: &Args, given: &Given, sides: &[Side], interrupt: &Interrupt) -> Result<Certified> {
     let place = match &given.place {
         At::Point(point) => WordPlace::Point(point),
-        At::Box(rectangle) => WordPlace::Rectangle(rectangle),
+        At::Rectangle(rectangle) => WordPlace::Rectangle(rectangle),
+        At::Box(_) => {
+            return Err(Error::input(
+                "--certificate: for a point, or for intervals of --a1 and --a2; there is none yet of other boxes",
+            ));
+        }
     };
     let words: Vec<&Word> = sides.iter().map(|side| &side.word).collect();
     let last = args.max_period;
@@ -494,7 +528,7 @@ fn json_report(given: &Given, sides: &[Side], certificate: Option<&Path>, out: &
             })
         })
         .collect();
-    let bounds = given.bounds.as_ref().map(|[a1, a2]| json!({ "a1": a1, "a2": a2 }));
+    let bounds = given.bounds.as_ref().map(|(bounds, gamma)| place::json(bounds, *gamma));
     let report = json!({
         "format": "grazing-word 1",
         "region": given.heading,

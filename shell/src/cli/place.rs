@@ -1,0 +1,189 @@
+//! Where a theory is asked: at a point, or on a box of parameters, as the arguments of `classify` and `word`
+//! say.
+
+use num_rational::BigRational;
+use serde_json::{Map, Value as Json, json};
+
+use super::range::{Measure, Span};
+use crate::{
+    error::{Error, Result},
+    local::Forward,
+    tolerance::ParameterBox,
+};
+
+/// A point or a box.
+#[derive(Debug, clap::Args)]
+pub(super) struct Place {
+    /// The trace a1, or an interval of it: 0.3, 0.3..=0.301, 0.3±1% (+- is read as ±).
+    #[arg(long, requires = "a2", allow_hyphen_values = true, value_name = "X|A..=B")]
+    a1: Option<Span>,
+    /// The determinant a2 > 0, or an interval of it.
+    #[arg(long, requires = "a1", allow_hyphen_values = true, value_name = "Y|A..=B")]
+    a2: Option<Span>,
+    /// The modulus r > 0, or an interval of it.
+    #[arg(long, requires = "s", allow_hyphen_values = true, value_name = "R|A..=B")]
+    r: Option<Span>,
+    /// The angle as a fraction of a turn, 0 < s < 1/2, or an interval of it.
+    #[arg(long, requires = "r", allow_hyphen_values = true, value_name = "S|A..=B")]
+    s: Option<Span>,
+    /// A machine's undamped natural frequency, as in 12.3Hz±1%; Hz, mHz, kHz, rpm, rad/s, or none.
+    #[arg(long, requires_all = ["damping_ratio", "drive"], allow_hyphen_values = true, value_name = "F")]
+    frequency: Option<Measure>,
+    /// Its damping ratio, as in 0.02±20%.
+    #[arg(long, requires = "frequency", allow_hyphen_values = true, value_name = "Z")]
+    damping_ratio: Option<Span>,
+    /// The frequency of its drive, once per period of which it touches the stop.
+    #[arg(long, requires = "frequency", allow_hyphen_values = true, value_name = "F")]
+    drive: Option<Measure>,
+}
+
+/// The names of two parameters and their bounds.
+pub(super) type Bounds = [(&'static str, [BigRational; 2]); 2];
+
+/// What was asked about.
+pub(super) enum Asked {
+    Point(AskedPoint),
+    /// All points of a box.
+    Box(Box<(ParameterBox, Bounds)>),
+}
+
+/// A point in the coordinates that it was given in.
+pub(super) enum AskedPoint {
+    Plane(BigRational, BigRational),
+    Polar(BigRational, BigRational),
+}
+
+/// What is said of a point with a₂ > 1.
+pub(super) const REVERSED: &str = ", after reversing time (a2 > 1): patterns are read backwards";
+
+impl AskedPoint {
+    /// The point with a₂ ≤ 1.
+    pub fn forward(&self) -> Result<Forward> {
+        match self {
+            AskedPoint::Plane(a1, a2) => Forward::plane(a1.clone(), a2.clone()),
+            AskedPoint::Polar(r, s) => Forward::polar(r.clone(), s.clone()),
+        }
+    }
+
+    /// The coordinates in LaTeX.
+    pub fn coordinates(&self) -> String {
+        match self {
+            AskedPoint::Plane(a1, a2) => coordinates(Some((a1, a2)), None),
+            AskedPoint::Polar(r, s) => coordinates(None, Some((r, s))),
+        }
+    }
+}
+
+impl Place {
+    pub fn asked(&self) -> Result<Asked> {
+        if let (Some(frequency), Some(damping), Some(drive)) =
+            (&self.frequency, &self.damping_ratio, &self.drive)
+        {
+            let ratio = ratio(frequency, drive)?;
+            let of = ParameterBox::machine(ratio.clone(), damping.0.clone())
+                .map_err(|error| Error::input(format!("--frequency, --damping-ratio: {error}")))?;
+            let bounds = [("ratio", ratio), ("damping_ratio", damping.0.clone())];
+            return Ok(Asked::Box(Box::new((of, bounds))));
+        }
+        let (names, [first, second]) = match (&self.a1, &self.a2, &self.r, &self.s) {
+            (Some(a1), Some(a2), _, _) => (["a1", "a2"], [a1, a2]),
+            (_, _, Some(r), Some(s)) => (["r", "s"], [r, s]),
+            _ => return Err(Error::input("give a point by --a1 and --a2, or by --r and --s")),
+        };
+        let is_plane = names[0] == "a1";
+        if !first.is_interval() && !second.is_interval() {
+            let point = if is_plane { AskedPoint::Plane } else { AskedPoint::Polar };
+            return Ok(Asked::Point(point(first.0[0].clone(), second.0[0].clone())));
+        }
+        let make = if is_plane { ParameterBox::plane } else { ParameterBox::polar };
+        let of = make(first.0.clone(), second.0.clone())?;
+        let bounds = [(names[0], first.0.clone()), (names[1], second.0.clone())];
+        Ok(Asked::Box(Box::new((of, bounds))))
+    }
+
+    /// Whether that is a box.
+    pub fn is_box(&self) -> bool {
+        let spans = [&self.a1, &self.a2, &self.r, &self.s];
+        self.frequency.is_some() || spans.into_iter().flatten().any(Span::is_interval)
+    }
+
+    /// Whether the drive is known only up to a tolerance, so that not all natural over drive frequencies of
+    /// the box count alike.
+    pub fn drive_varies(&self) -> bool {
+        self.drive.as_ref().is_some_and(|drive| drive.span.is_interval())
+    }
+}
+
+/// Natural over drive frequency.
+fn ratio(frequency: &Measure, drive: &Measure) -> Result<[BigRational; 2]> {
+    let kind = |measure: &Measure| measure.unit.map(|unit| unit.kind);
+    if kind(frequency) != kind(drive) {
+        let name = |measure: &Measure| kind(measure).unwrap_or("none");
+        return Err(Error::input(format!(
+            "--frequency and --drive need units of one kind, not {} and {}",
+            name(frequency),
+            name(drive)
+        )));
+    }
+    let ([natural, natural_most], [drive, drive_most]) = (&frequency.span.0, &drive.span.0);
+    if *drive <= BigRational::from_integer(0.into()) {
+        return Err(Error::input(format!("--drive from {drive} to {drive_most}: above 0")));
+    }
+    Ok([natural / drive_most, natural_most / drive])
+}
+
+/// The coordinates of a point in LaTeX; one that was not given is left out.
+pub(super) fn coordinates(
+    plane: Option<(&BigRational, &BigRational)>,
+    polar: Option<(&BigRational, &BigRational)>,
+) -> String {
+    let plane = plane.map(|(a1, a2)| format!("$a_1 = {a1}$, $a_2 = {a2}$"));
+    plane.or_else(|| polar.map(|(r, s)| format!("$r = {r}$, $s = {s}$"))).unwrap_or_default()
+}
+
+/// As `97/100 <= r <= 49/50, 1/5 <= s <= 21/100`.
+pub(super) fn shown(bounds: &Bounds) -> String {
+    let one =
+        |(name, [lower, upper]): &(&str, [BigRational; 2])| format!("{lower} <= {} <= {upper}", spoken(name));
+    format!("{}, {}", one(&bounds[0]), one(&bounds[1]))
+}
+
+/// A parameter in text.
+pub(super) fn spoken(name: &str) -> &str {
+    match name {
+        "ratio" => "natural/drive",
+        "damping_ratio" => "damping ratio",
+        name => name,
+    }
+}
+
+/// A parameter in LaTeX's maths mode.
+fn in_maths(name: &str) -> &str {
+    match name {
+        "a1" => "a_1",
+        "a2" => "a_2",
+        "ratio" => "\\omega_0/\\Omega",
+        "damping_ratio" => "\\zeta",
+        name => name,
+    }
+}
+
+/// The bounds in LaTeX.
+pub(super) fn in_latex(bounds: &Bounds) -> String {
+    let one = |(name, [lower, upper]): &(&str, [BigRational; 2])| {
+        format!("${lower} \\le {} \\le {upper}$", in_maths(name))
+    };
+    format!("{}, {}", one(&bounds[0]), one(&bounds[1]))
+}
+
+/// The bounds as JSON, with the sign of γ of a machine's box: null where there is not one.
+pub(super) fn json(bounds: &Bounds, gamma: Option<Option<bool>>) -> Json {
+    let mut all = Map::new();
+    for (name, ends) in bounds {
+        all.insert((*name).into(), json!(ends.each_ref().map(ToString::to_string)));
+    }
+    if let Some(gamma) = gamma {
+        all.insert("sign_gamma".into(), json!(gamma.map(|positive| if positive { 1 } else { -1 })));
+    }
+    Json::Object(all)
+}

@@ -1,0 +1,452 @@
+//! What `word --shares` and `classify` say of a box of parameters: shares of it, from a partition.
+
+use std::io::Write;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use serde_json::{Value as Json, json};
+
+use super::{
+    Outcome,
+    place::{self, Bounds},
+    progress::{Interrupt, Progress},
+    reported,
+    word::Format,
+};
+use crate::{
+    error::{Error, Result},
+    existence::Case,
+    output::{
+        Caption, Column, Destination, Print, Setting, TableCell, TableFormat, TableWriter, decimal_above,
+        decimal_below,
+    },
+    tolerance::{ParameterBox, Partition, Share, Spread, Statement},
+    word::Word,
+};
+
+/// The most --cells.
+const MOST_CELLS: u64 = 1_000_000;
+/// The largest period of which a box is asked.
+const LAST: u64 = 400;
+/// How many words of one sign of eµ the text lists.
+const WORDS: usize = 12;
+
+/// How long is looked, and up to which period.
+pub(super) struct Limits {
+    pub cells: u64,
+    pub last: u64,
+}
+
+/// A sign of eµ and, where γ is free, one of γ.
+#[derive(Clone, Copy)]
+struct Signs {
+    positive: bool,
+    gamma: Option<bool>,
+}
+
+/// What is asked of a box, all of it.
+struct Report<'a> {
+    of: &'a ParameterBox,
+    bounds: &'a Bounds,
+    partition: Partition,
+    gamma: Option<bool>,
+}
+
+impl<'a> Report<'a> {
+    fn new(
+        of: &'a ParameterBox,
+        bounds: &'a Bounds,
+        limits: &Limits,
+        interrupt: &Interrupt,
+    ) -> Result<Report<'a>> {
+        if !(1..=MOST_CELLS).contains(&limits.cells) {
+            return Err(Error::input(format!("--cells {}: from 1 to {MOST_CELLS}", limits.cells)));
+        }
+        if !(1..=LAST).contains(&limits.last) {
+            return Err(Error::input(format!("--max-period {}: from 1 to {LAST} of a box", limits.last)));
+        }
+        let progress = Progress::new(interrupt, 0, "cells");
+        let partition = Partition::new(of, limits.cells, &progress)?;
+        Ok(Report { of, bounds, partition, gamma: of.gamma_is_positive() })
+    }
+
+    /// The signs that are told apart: a machine has its own γ.
+    fn signs(&self) -> Vec<Signs> {
+        let both = [true, false];
+        if self.of.has_gamma() {
+            return both.map(|positive| Signs { positive, gamma: None }).to_vec();
+        }
+        both.into_iter()
+            .flat_map(|positive| both.map(|gamma| Signs { positive, gamma: Some(gamma) }))
+            .collect()
+    }
+
+    fn chaos(&self, signs: Signs) -> Share {
+        self.partition.share(match signs.case() {
+            Some(case) => Statement::Chaos(case),
+            None => Statement::ChaosAt { positive: signs.positive },
+        })
+    }
+
+    fn orbit(&self, signs: Signs, n: u64) -> Share {
+        self.partition.share(match signs.case() {
+            Some(case) => Statement::Orbit { case, n },
+            None => Statement::OrbitAt { positive: signs.positive, n },
+        })
+    }
+
+    fn period(&self, positive: bool, n: u64) -> Share {
+        self.partition.share(Statement::Period { positive, n })
+    }
+
+    fn gamma_of(&self, signs: Signs) -> Option<bool> {
+        signs.gamma.or(self.gamma)
+    }
+
+    /// The box in LaTeX.
+    fn in_maths(&self) -> String {
+        place::in_latex(self.bounds)
+    }
+
+    fn heading(&self) -> String {
+        let shown = place::shown(self.bounds);
+        if !self.of.has_gamma() {
+            return format!("All points with {shown}");
+        }
+        let gamma = match self.gamma {
+            Some(true) => "gamma > 0 for all of them",
+            Some(false) => "gamma < 0 for all of them",
+            None => "gamma has not one sign, or may be 0",
+        };
+        format!("All machines with {shown}. {gamma}")
+    }
+}
+
+impl Signs {
+    fn case(self) -> Option<Case> {
+        let gamma = self.gamma?;
+        // The case with these signs, b and c being those of an orbit in it.
+        Some(Case::from_signs(self.positive, self.positive == gamma))
+    }
+
+    fn name(self) -> String {
+        match self.case() {
+            Some(case) => format!("case {case}"),
+            None => format!("e*mu {} 0", if self.positive { '>' } else { '<' }),
+        }
+    }
+
+    /// The same in LaTeX's maths mode.
+    fn in_maths(self) -> String {
+        match self.case() {
+            Some(case) => case.to_string(),
+            None => format!("e\\mu {} 0", if self.positive { '>' } else { '<' }),
+        }
+    }
+}
+
+fn name(verdict: Spread) -> &'static str {
+    match verdict {
+        Spread::Everywhere => "everywhere",
+        Spread::Nowhere => "nowhere",
+        Spread::Differs => "differs",
+        Spread::Open => "open",
+    }
+}
+
+fn sign(positive: bool) -> i64 {
+    if positive { 1 } else { -1 }
+}
+
+/// Bounds of a share, in decimals that lie on the right side of it.
+fn ends(share: &Share) -> [String; 2] {
+    [decimal_below(&share.lower, 6), decimal_above(&share.upper, 6)]
+}
+
+/// The same in words.
+fn said(share: &Share) -> String {
+    let hundred = BigInt::from(100);
+    let (lower, upper) = (&share.lower * &hundred, &share.upper * &hundred);
+    match share.spread() {
+        Spread::Everywhere => "in all of it".into(),
+        Spread::Nowhere => "in none of it".into(),
+        Spread::Differs | Spread::Open => {
+            format!("in {} % to {} % of it", decimal_below(&lower, 2), decimal_above(&upper, 2))
+        }
+    }
+}
+
+/// A place, as decimals for reading.
+fn at(bounds: &Bounds, point: &[BigRational; 2]) -> String {
+    let one = |i: usize| format!("{} = {}", place::spoken(bounds[i].0), decimal_below(&point[i], 6));
+    format!("{}, {}", one(0), one(1))
+}
+
+/// `grazing word --shares`.
+pub(super) fn run(
+    of: &ParameterBox,
+    bounds: &Bounds,
+    limits: Limits,
+    format: Format,
+    destination: &Destination,
+    interrupt: &Interrupt,
+) -> Result<Outcome> {
+    let table = match format {
+        Format::Text | Format::Json => None,
+        Format::Csv => Some(TableFormat::Csv),
+        Format::Latex => Some(TableFormat::Latex),
+        Format::LatexSiunitx => Some(TableFormat::LatexSiunitx),
+        Format::Dot => return Err(Error::input("--format dot draws pattern graphs: leave out --shares")),
+    };
+    let report = Report::new(of, bounds, &limits, interrupt)?;
+    let rows = rows(&report, limits.last);
+    let open = rows.iter().any(|row| row.word.is_none() && row.share.spread() == Spread::Open);
+    let written = destination.write(|out| match table {
+        Some(format) => write_table(&report, &rows, format, out),
+        None if format == Format::Json => write_json(&report, &rows, out),
+        None => Ok(out.write_all(text(&report, &rows).as_bytes())?),
+    });
+    reported(if open { Outcome::Undecided } else { Outcome::Done }, written)
+}
+
+/// One statement and its share.
+struct Row {
+    what: &'static str,
+    positive: bool,
+    /// Of chaos alone.
+    gamma: Option<bool>,
+    n: Option<u64>,
+    word: Option<Word>,
+    name: String,
+    share: Share,
+}
+
+/// Everything that is said: chaos, periods, words.
+fn rows(report: &Report, last: u64) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for signs in report.signs() {
+        rows.push(Row {
+            what: "chaos",
+            positive: signs.positive,
+            gamma: report.gamma_of(signs),
+            n: None,
+            word: None,
+            name: signs.name(),
+            share: report.chaos(signs),
+        });
+    }
+    for positive in [true, false] {
+        for n in 1..=last {
+            let share = report.period(positive, n);
+            let name = format!("period {n}");
+            let row = Row { what: "period", positive, gamma: None, n: Some(n), word: None, name, share };
+            if row.share.spread() != Spread::Nowhere {
+                rows.push(row);
+            }
+        }
+        for (word, share) in report.partition.words(positive) {
+            let name = word.letters();
+            rows.push(Row { what: "word", positive, gamma: None, n: None, word: Some(word), name, share });
+        }
+    }
+    rows
+}
+
+fn text(report: &Report, rows: &[Row]) -> String {
+    let partition = &report.partition;
+    let settled = decimal_below(&(partition.settled() * BigInt::from(100)), 2);
+    let mut text = format!(
+        "{}\nShares of this box, every part counting by its size: {} cells, the words certain on {settled} % of it\n",
+        report.heading(),
+        partition.cells(),
+    );
+    text += "\nChaos is born\n";
+    for row in rows.iter().filter(|row| row.what == "chaos") {
+        text += &format!("  {}: {}\n", row.name, said(&row.share));
+        if let (Spread::Differs, Some(with), Some(without)) =
+            (row.share.spread(), &row.share.with, &row.share.without)
+        {
+            let [with, without] = [with, without].map(|point| at(report.bounds, point));
+            text += &format!("    so at {with}, not at {without}\n");
+        }
+    }
+    for positive in [true, false] {
+        let of = |what: &'static str| rows.iter().filter(move |r| r.what == what && r.positive == positive);
+        text += &format!("\nPeriods between impacts, e*mu {} 0\n", if positive { '>' } else { '<' });
+        for row in of("period") {
+            text += &format!("  {}: {}\n", row.name, said(&row.share));
+        }
+        let words: Vec<&Row> = of("word").collect();
+        text += &format!("Words, e*mu {} 0\n", if positive { '>' } else { '<' });
+        for row in words.iter().take(WORDS) {
+            let periods = row.word.as_ref().map_or(String::new(), listed);
+            text += &format!("  {} ({periods}): {}\n", row.name, said(&row.share));
+        }
+        if words.len() > WORDS {
+            text += &format!("  and {} more\n", words.len() - WORDS);
+        }
+    }
+    if partition.is_exhausted() {
+        text += "\nMore --cells make the bounds narrower.\n";
+    }
+    text
+}
+
+fn listed(word: &Word) -> String {
+    if word.is_endless() {
+        return "every period".into();
+    }
+    word.vertices().iter().map(|vertex| vertex.period.to_string()).collect::<Vec<_>>().join(", ")
+}
+
+fn write_json(report: &Report, rows: &[Row], out: &mut dyn Write) -> Result<()> {
+    let point = |point: &Option<[BigRational; 2]>| {
+        point.as_ref().map(|point| point.each_ref().map(ToString::to_string))
+    };
+    let of = |what: &str, keys: &dyn Fn(&Row) -> Json| -> Vec<Json> {
+        rows.iter()
+            .filter(|row| row.what == what)
+            .map(|row| {
+                let mut all = keys(row);
+                all["sign_emu"] = json!(sign(row.positive));
+                all["verdict"] = json!(name(row.share.spread()));
+                all["share"] = json!(ends(&row.share));
+                all["with"] = json!(point(&row.share.with));
+                all["without"] = json!(point(&row.share.without));
+                all
+            })
+            .collect()
+    };
+    let gamma = report.of.has_gamma().then_some(report.gamma);
+    let all = json!({
+        "format": "grazing-shares 1",
+        "region": report.heading(),
+        "box": place::json(report.bounds, gamma),
+        "cells": report.partition.cells(),
+        "exhausted": report.partition.is_exhausted(),
+        "settled": decimal_below(&report.partition.settled(), 6),
+        "chaos": of("chaos", &|row| json!({ "sign_gamma": row.gamma.map(sign) })),
+        "periods": of("period", &|row| json!({ "n": row.n })),
+        "words": of("word", &|row| {
+            let word = row.word.as_ref();
+            let periods = word.map(|w| w.vertices().iter().map(|v| v.period).collect::<Vec<_>>());
+            json!({ "letters": row.name, "periods": periods, "endless": word.map(Word::is_endless) })
+        }),
+    });
+    serde_json::to_writer_pretty(&mut *out, &all)
+        .map_err(|error| Error::from(std::io::Error::from(error)))?;
+    Ok(writeln!(out)?)
+}
+
+fn write_table(report: &Report, rows: &[Row], format: TableFormat, out: &mut dyn Write) -> Result<()> {
+    let print = format.is_print();
+    let mut columns = vec![Column::new("what", "", 0).print(Print::Left)];
+    columns.extend(signs_columns(print));
+    columns.extend([
+        Column::new("n", "$n$", 0),
+        Column::new("word", "word", 0).print(Print::Left),
+        Column::new("verdict", "holds", 0).print(Print::Left),
+        Column::new("lower", "at least", 0),
+        Column::new("upper", "at most", 0),
+    ]);
+    let caption = Caption {
+        text: format!(
+            "Where in the box {} chaos is born, a period can occur between impacts, and a word is that of the \
+             point: bounds of the share of the box.",
+            report.in_maths()
+        ),
+        label: "tab:shares".into(),
+    };
+    let setting = Setting { caption: Some(&caption), ..Setting::default() };
+    let mut table = TableWriter::set(out, format, "grazing-shares 1", columns, setting)?;
+    for row in rows {
+        let [lower, upper] = ends(&row.share);
+        let signs = Signs { positive: row.positive, gamma: row.gamma };
+        let mut cells = vec![TableCell::Text(row.what)];
+        let case = signs.in_maths();
+        cells.extend(signs_cells(print, Some((row.positive, row.gamma)), &case));
+        cells.extend([
+            row.n.map_or(TableCell::Empty, |n| TableCell::Int(n as i64)),
+            if row.word.is_some() { TableCell::Text(&row.name) } else { TableCell::Empty },
+            TableCell::Text(name(row.share.spread())),
+            TableCell::Text(&lower),
+            TableCell::Text(&upper),
+        ]);
+        table.row(&cells)?;
+    }
+    table.finish()
+}
+
+/// The signs of a row: two columns for machines, one in print.
+fn signs_columns(print: bool) -> Vec<Column> {
+    if print {
+        return vec![Column::new("case", "case", 0)];
+    }
+    vec![Column::new("sign_emu", "", 0), Column::new("sign_gamma", "", 0)]
+}
+
+fn signs_cells(print: bool, signs: Option<(bool, Option<bool>)>, case: &str) -> Vec<TableCell<'_>> {
+    if print {
+        return vec![signs.map_or(TableCell::Empty, |_| TableCell::Maths(case))];
+    }
+    let cell = |positive: Option<bool>| positive.map_or(TableCell::Empty, |p| TableCell::Int(sign(p)));
+    vec![cell(signs.map(|signs| signs.0)), cell(signs.and_then(|signs| signs.1))]
+}
+
+/// `grazing classify` on a box: for each period the cases in which it has an orbit somewhere, and where.
+pub(super) fn classify(
+    of: &ParameterBox,
+    bounds: &Bounds,
+    limits: Limits,
+    format: TableFormat,
+    destination: &Destination,
+    interrupt: &Interrupt,
+) -> Result<Outcome> {
+    let report = Report::new(of, bounds, &limits, interrupt)?;
+    let mut rows: Vec<(u64, Option<Signs>, Share)> = Vec::new();
+    for n in 1..=limits.last {
+        let all = report.signs().into_iter().map(|signs| (n, Some(signs), report.orbit(signs, n)));
+        let (none, some): (Vec<_>, Vec<_>) = all.partition(|row| row.2.spread() == Spread::Nowhere);
+        if some.is_empty() {
+            rows.extend(none.into_iter().take(1).map(|(n, _, share)| (n, None, share)));
+        }
+        rows.extend(some);
+    }
+    let open = rows.iter().any(|row| row.2.spread() == Spread::Open);
+    let written = destination.write(|out| {
+        if format == TableFormat::Table && destination.is_stdout() {
+            writeln!(out, "{}", report.heading())?;
+            for signs in report.signs() {
+                writeln!(out, "{}: chaos is born {}", signs.name(), said(&report.chaos(signs)))?;
+            }
+        }
+        let print = format.is_print();
+        let mut columns = vec![
+            Column::new("n", "$n$", 6),
+            Column::new("existence", "orbit", 10).print(Print::Left),
+        ];
+        columns.extend(signs_columns(print));
+        columns.extend([Column::new("lower", "at least", 0), Column::new("upper", "at most", 0)]);
+        let caption = Caption {
+            text: format!(
+                "Orbits with one impact in $n$ periods in the box {}: in which case they exist everywhere, or \
+                 in a part of it, and bounds of its share.",
+                report.in_maths()
+            ),
+            label: "tab:classify-box".into(),
+        };
+        let setting = Setting { caption: Some(&caption), ..Setting::default() };
+        let mut table = TableWriter::set(out, format, "grazing-classify-box 1", columns, setting)?;
+        for (n, signs, share) in &rows {
+            let [lower, upper] = ends(share);
+            let signs = signs.map(|signs| (signs.positive, report.gamma_of(signs)));
+            let case = signs.map_or(String::new(), |(positive, gamma)| Signs { positive, gamma }.in_maths());
+            let mut cells = vec![TableCell::Int(*n as i64), TableCell::Text(name(share.spread()))];
+            cells.extend(signs_cells(print, signs, &case));
+            cells.extend([TableCell::Text(&lower), TableCell::Text(&upper)]);
+            table.row(&cells)?;
+        }
+        table.finish()
+    });
+    reported(if open { Outcome::Undecided } else { Outcome::Done }, written)
+}

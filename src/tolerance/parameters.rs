@@ -1,0 +1,155 @@
+//! Boxes of parameters, checked once.
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::tube::Tube;
+use crate::{
+    error::{Error, Result},
+    monitor::Monitor,
+    word::{Rectangle, Word},
+};
+
+/// What the two parameters of a box are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Coordinates {
+    /// Natural frequency over that of the drive, and damping ratio.
+    Machine,
+    /// r and s.
+    Polar,
+    /// a₁ and a₂.
+    Plane,
+}
+
+/// All points with two parameters between bounds, both included.
+///
+/// ```
+/// use grazing::{number::parse_rational, tolerance::ParameterBox};
+/// let bounds = [parse_rational("0.98")?, parse_rational("0.99")?];
+/// assert!(ParameterBox::polar(bounds.clone(), [parse_rational("0.2")?, parse_rational("0.21")?]).is_ok());
+/// assert!(ParameterBox::polar(bounds.clone(), bounds).unwrap_err().is_input());
+/// # Ok::<(), grazing::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParameterBox {
+    pub(super) coordinates: Coordinates,
+    pub(super) bounds: [[BigRational; 2]; 2],
+}
+
+impl ParameterBox {
+    /// A linear machine of one degree of freedom that touches its stop once per period of the drive:
+    /// `ratio` = ω₀/Ω, its undamped natural frequency over that of the drive, and `damping` = ζ.
+    ///
+    /// a₂ = r² with r = exp(−2πζω₀/Ω); the eigenvalues turn by σ = √(1−ζ²) ω₀/Ω per period if ζ < 1, s is the
+    /// distance of σ to the nearest integer, and sign γ = sign sin 2πσ (72)–(74).
+    ///
+    /// # Errors
+    /// An input error unless 0 < `ratio` ≤ 1000, 0 ≤ `damping` ≤ 1000, lower ends first.
+    pub fn machine(ratio: [BigRational; 2], damping: [BigRational; 2]) -> Result<ParameterBox> {
+        let most = BigRational::from_integer(1000.into());
+        let both = |x: &[BigRational; 2]| x[1] <= most;
+        if !ratio[0].is_positive() || !both(&ratio) {
+            return Err(Error::input(format!(
+                "natural over drive frequency from {} to {}: above 0 and at most 1000",
+                ratio[0], ratio[1]
+            )));
+        }
+        if damping[0].is_negative() || !both(&damping) {
+            return Err(Error::input(format!(
+                "damping ratio from {} to {}: from 0 to 1000",
+                damping[0], damping[1]
+            )));
+        }
+        ParameterBox::ordered(Coordinates::Machine, [ratio, damping])
+    }
+
+    /// Modulus and angle of complex eigenvalues.
+    ///
+    /// # Errors
+    /// An input error unless 0 < r ≤ 1 and 0 < s < ½, lower ends first.
+    pub fn polar(r: [BigRational; 2], s: [BigRational; 2]) -> Result<ParameterBox> {
+        if !r[0].is_positive() || r[1] > BigRational::one() {
+            return Err(Error::input(format!(
+                "r from {} to {}: a box lies in 0 < r <= 1 (for r > 1 reverse time: 1/r and s)",
+                r[0], r[1]
+            )));
+        }
+        if !s[0].is_positive() || &s[1] + &s[1] >= BigRational::one() {
+            return Err(Error::input(format!("s from {} to {}: a box lies in 0 < s < 1/2", s[0], s[1])));
+        }
+        ParameterBox::ordered(Coordinates::Polar, [r, s])
+    }
+
+    /// Trace and determinant.
+    ///
+    /// # Errors
+    /// An input error unless 0 < a₂ ≤ 1, lower ends first.
+    pub fn plane(a1: [BigRational; 2], a2: [BigRational; 2]) -> Result<ParameterBox> {
+        Rectangle::reaching(a1.clone(), a2.clone(), 2)?;
+        ParameterBox::ordered(Coordinates::Plane, [a1, a2])
+    }
+
+    fn ordered(coordinates: Coordinates, bounds: [[BigRational; 2]; 2]) -> Result<ParameterBox> {
+        for [lower, upper] in &bounds {
+            if lower > upper {
+                return Err(Error::input(format!("from {lower} to {upper}: the lower end comes first")));
+            }
+        }
+        Ok(ParameterBox { coordinates, bounds })
+    }
+
+    /// The bounds of both parameters.
+    pub fn bounds(&self) -> &[[BigRational; 2]; 2] {
+        &self.bounds
+    }
+
+    /// The middle.
+    pub fn centre(&self) -> [BigRational; 2] {
+        self.bounds.each_ref().map(|[lower, upper]| (lower + upper) / BigRational::from_integer(2.into()))
+    }
+
+    /// Whether it is one point.
+    pub fn is_point(&self) -> bool {
+        self.bounds.iter().all(|[lower, upper]| lower == upper)
+    }
+
+    /// The two halves, cut across one parameter.
+    pub(super) fn halves(&self, axis: usize) -> [ParameterBox; 2] {
+        let middle = (&self.bounds[axis][0] + &self.bounds[axis][1]) / BigRational::from_integer(2.into());
+        [1, 0].map(|end| {
+            let mut half = self.clone();
+            half.bounds[axis][end] = middle.clone();
+            half
+        })
+    }
+
+    /// The word that all points have in common, of at most `limit` letters, as
+    /// [`Word::in_rectangle`](crate::word::Word::in_rectangle) has it for (a₁, a₂).
+    ///
+    /// Cost: each of its O(`limit`) signs is asked on the cells of one partition, at most
+    /// 4096 of them.
+    ///
+    /// # Errors
+    /// An input error if `limit` is not in 1..=[`MAX_LETTERS`](crate::word::MAX_LETTERS); the monitor's
+    /// interruption.
+    pub fn word(&self, positive: bool, limit: usize, monitor: &dyn Monitor) -> Result<Word> {
+        let tube = Tube::new(self);
+        Word::of_set(&tube, tube.realm(), positive, limit, monitor)
+    }
+
+    /// The sign of γ at every point of a machine's box, if it is certain that there is one. `None` for other
+    /// boxes, in which γ is free.
+    pub fn gamma_is_positive(&self) -> Option<bool> {
+        Tube::new(self).gamma()
+    }
+
+    /// Whether γ is a function of the parameters.
+    pub fn has_gamma(&self) -> bool {
+        self.coordinates == Coordinates::Machine
+    }
+}
+
+/// Whether nothing lies between.
+pub(super) fn is_flat([lower, upper]: &[BigRational; 2]) -> bool {
+    (upper - lower).is_zero()
+}
