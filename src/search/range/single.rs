@@ -62,7 +62,7 @@ const OPEN: f64 = 5e-4;
 const CELLS: usize = 2000;
 const PARTS: usize = 60;
 /// No phase is beyond this.
-const FARTHEST: f64 = 3.14;
+const FARTHEST: f64 = 3.125;
 
 /// The largest range that is found, or why there is none.
 ///

@@ -195,7 +195,7 @@ impl Near<'_> {
                     all.push(StabilityRow { word, from: Some(text), to });
                     break;
                 }
-                step = step * BigRational::from_integer(10.into());
+                step *= BigRational::from_integer(10.into());
             }
         }
         Ok(all)
