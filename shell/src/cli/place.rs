@@ -96,7 +96,10 @@ impl Place {
             return Ok(Asked::Point(point(first.0[0].clone(), second.0[0].clone())));
         }
         let make = if is_plane { ParameterBox::plane } else { ParameterBox::polar };
-        let of = make(first.0.clone(), second.0.clone())?;
+        let of = make(first.0.clone(), second.0.clone()).map_err(|error| {
+            let one = |name: &str, Span([lower, upper]): &Span| format!("{name} = {lower}..={upper}");
+            Error::input(format!("{}, {}: {error}", one(names[0], first), one(names[1], second)))
+        })?;
         let bounds = [(names[0], first.0.clone()), (names[1], second.0.clone())];
         Ok(Asked::Box(Box::new((of, bounds))))
     }
