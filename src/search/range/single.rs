@@ -221,10 +221,10 @@ fn parts(found: &[Found], deepest: f64) -> Vec<Part> {
     let Some(last) = found.last().map(|cell| float(cell.depths[2]).min(deepest)) else { return Vec::new() };
     let mut at = 0;
     for run in found.chunk_by(|one, next| one.word == next.word) {
-        // Six digits upwards, or from the touch on.
+        // Six digits upwards, which smaller depths do not have; or from the touch on.
         let from = match at {
             0 => 0.0,
-            _ => six((float(found[at - 1].depths[1]) * (1.0 + 1.1e-5)).max(1e-12)),
+            _ => six((float(found[at - 1].depths[1]) * (1.0 + 1.1e-5)).max(1e-9)),
         };
         at += run.len();
         let to = six(float(run[run.len() - 1].depths[2]).min(last));
