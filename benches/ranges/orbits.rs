@@ -77,21 +77,25 @@ impl Floats {
             if place * (first - last) <= 0.0 {
                 return Some("speed 0");
             }
+            let small = depth(t) < 1e-5;
+            let margin = if small { 0.0 } else { 1e-3 };
             let at = |u: f64, x: f64| place * (x - 1.0) + t.cos() - (t + u).cos();
             let gap: Vec<f64> = motion.iter().map(|&(u, x)| at(u, x)).collect();
             let touches = gap.windows(3).zip(motion.windows(3)).any(|(three, times)| {
                 let [a, b, c] = [three[0], three[1], three[2]];
-                // The least of the parabola through three samples, if it is between them, says where to look.
+                // The least of the parabola through three samples, if it is between them, says where to look;
+                // of small depths it says all, for what is looked at is of their square.
                 let bend = a - 2.0 * b + c;
                 let slope = (c - a) / 2.0;
                 let near =
-                    bend > 0.0 && slope.abs() <= bend && b - slope * slope / (2.0 * bend) <= 1e-3 * bend;
+                    bend > 0.0 && slope.abs() <= bend && b - slope * slope / (2.0 * bend) <= margin * bend;
                 let (from, to) = (times[0].0, times[2].0);
-                near && (1..400).any(|i| {
-                    let u = from + (to - from) * f64::from(i) / 400.0;
-                    let [e11, e12, ..] = self.flow(u);
-                    u > 0.0 && u < time && at(u, e11 + e12 * first) <= 0.0
-                })
+                near && (small
+                    || (1..400).any(|i| {
+                        let u = from + (to - from) * f64::from(i) / 400.0;
+                        let [e11, e12, ..] = self.flow(u);
+                        u > 0.0 && u < time && at(u, e11 + e12 * first) <= 0.0
+                    }))
             });
             let open = gap[1..gap.len() - 1].iter().all(|&z| z > 0.0);
             (touches || !open).then_some("touch")
