@@ -470,14 +470,24 @@ fn text(heading: &str, sides: &[Side], certificate: Option<&Path>) -> String {
             };
         }
     }
-    let cut = sides.iter().flat_map(|side| &side.cases).any(|case| case.at_least);
-    let sentence = if chaotic.is_empty() && cut {
-        "Whether chaos is born is not decided: it is certain in none of the four cases (sign e*mu, sign gamma)."
-            .into()
-    } else if chaotic.is_empty() {
-        "Chaos is born in none of the four cases (sign e*mu, sign gamma).".into()
-    } else {
-        format!("Chaos is born in these cases (sign e*mu, sign gamma):\n  {}", chaotic.join("\n  "))
+    let open = |case: &&Case| case.at_least && !matches!(case.entropy, Entropy::Positive { .. });
+    let open: Vec<String> = sides
+        .iter()
+        .flat_map(|side| &side.cases)
+        .filter(open)
+        .map(|case| case.relation.case().to_string())
+        .collect();
+    let sentence = match (&chaotic[..], &open[..]) {
+        ([], []) => "Chaos is born in none of the four cases (sign e*mu, sign gamma).".into(),
+        ([], _) => {
+            "Whether chaos is born is not decided: it is certain in none of the four cases (sign e*mu, sign gamma)."
+                .into()
+        }
+        _ => {
+            let born = chaotic.join("\n  ");
+            let left = if open.is_empty() { String::new() } else { format!("\nNot decided: {}", open.join(", ")) };
+            format!("Chaos is born in these cases (sign e*mu, sign gamma):\n  {born}{left}")
+        }
     };
     let _ = writeln!(text, "\n{sentence}");
     if let Some(path) = certificate {
