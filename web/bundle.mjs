@@ -16,12 +16,11 @@ async function bundled(options) {
   return outputFiles[0].text.trim();
 }
 
-/** What may not stand in a string in a script as it is. */
-const UNSAFE = new Set([...'\0\n\r"\\'].map((letter) => letter.charCodeAt(0)));
+/** What may not stand in a template of a script as it is. */
+const UNSAFE = new Set([...'\0\r`\\'].map((letter) => letter.charCodeAt(0)));
 
-/** What would end or hide a script in a page if it followed `<`. */
-const TAGS = new Set([..."/!"].map((letter) => letter.charCodeAt(0)));
-const LESS = "<".charCodeAt(0);
+/** What would end or hide a script in a page, or begin an expression in a template. */
+const PAIRS = new Set(["</", "<!", "${"]);
 
 /**
  * Bytes as letters, seven bits in each, of which the unsafe ones are 256 up: a tenth shorter than base64.
@@ -40,7 +39,7 @@ function packed(bytes) {
     bits &= (1 << count) - 1;
   }
   if (count > 0) codes.push((bits << (7 - count)) & 127);
-  const unsafe = (code, next) => UNSAFE.has(code) || (code === LESS && TAGS.has(next));
+  const unsafe = (code, next) => UNSAFE.has(code) || PAIRS.has(String.fromCharCode(code, next));
   return codes.map((code, i) => String.fromCharCode(unsafe(code, codes[i + 1]) ? code + 256 : code)).join("");
 }
 
@@ -68,7 +67,7 @@ const code = await bundled({
   define: { WORKER: JSON.stringify(worker), WASM: '"PACKED"' },
 });
 if (!code.includes('"PACKED"')) throw new Error("the script has no place for the WebAssembly");
-const script = code.replaceAll("</script", "<\\/script").replace('"PACKED"', () => `"${wasm}"`);
+const script = code.replaceAll("</script", "<\\/script").replace('"PACKED"', () => `\`${wasm}\``);
 
 // Nothing may be fetched from anywhere: the page is what this file holds.
 const hash = createHash("sha256").update(script).digest("base64");
