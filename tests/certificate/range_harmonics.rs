@@ -177,7 +177,7 @@ fn confirm_single(machine: &Machine, row: &RangeRow, value: f64) -> bool {
     let way = -side * law.signum();
     let [mut lo, mut hi] = [0.0, 1e-6];
     while at(way * hi) < 0.0 {
-        (lo, hi) = (hi, 1.02 * hi);
+        (lo, hi) = (hi, 1.002 * hi);
         assert!(hi < 3.2, "{what}");
     }
     for _ in 0..80 {
@@ -216,7 +216,8 @@ fn confirmed(machine: &Machine, found: &GrazingReport) -> usize {
         let [force, gap] = machine.values(touch);
         assert!((force * machine.free(machine.top(), 0) / gap - 1.0).abs() < 1e-12, "{row:?}");
         if row.of == "orbit" {
-            for share in [0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0] {
+            // Not next to a fold, which steps of the phase here would pass.
+            for share in [0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99] {
                 confirm_single(machine, row, touch + share * (end - touch));
                 count += 1;
             }
@@ -266,10 +267,10 @@ fn an_orbit_is_proved_past_its_flip() {
         damping: 0.1,
         stiffness: 1.15,
         restitution: 0.8,
-        waves: vec![(1.0, 1.0, 0.0)],
+        waves: vec![(1.0, 0.3, 0.0)],
         varied: "F",
     };
-    let found = machine.found("range = { effort = 40000 }");
+    let found = machine.found("reach = 3\nrange = { effort = 40000 }");
     let orbits = || found.range.iter().flatten().filter(|row| row.of == "orbit" && row.side == "beyond");
     let row = orbits().find(|row| row.periods == [2]).unwrap();
     let [first, second] = &row.stability[..] else { panic!("{row:?}") };
@@ -281,7 +282,7 @@ fn an_orbit_is_proved_past_its_flip() {
     for (value, stable) in [(to, false), (from, true), (0.5 * (touch + to), false), (end, true)] {
         assert_eq!(confirm_single(&machine, row, value), stable, "{value}");
     }
-    assert_eq!(orbits().count(), 4);
+    assert!(orbits().all(|row| row.verdict == "proved" && !row.stability.is_empty()));
     assert!(confirmed(&machine, &found) > 20);
 }
 

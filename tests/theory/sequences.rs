@@ -155,7 +155,7 @@ fn what_is_wrong_is_said() {
         ("word --returns --r 0 --s 1/3", "r = 0: the modulus is above 0"),
         ("word --returns --r 1/2 --s 1/2", "s = 1/2 is outside 0 < s < 1/2"),
         ("word --returns --a1 2 --a2 1", "complex eigenvalues"),
-        ("word --returns --a1 0.1..=0.2 --a2 1", "give --a1 and --a2 as numbers"),
+        ("word --returns --a1 0.1..=0.2 --a2 1", "--returns is asked at one point"),
         ("figure returns -o /dev/null", "give its name"),
     ] {
         let (code, out, err) = run(arguments, Path::new("."));
