@@ -13,8 +13,8 @@
 //! ```
 //! use grazing::{number::parse_rational, tolerance::{ParameterBox, Partition, Statement, Spread}};
 //! let q = |text| parse_rational(text);
-//! // 0.6 to 0.61 times the drive's frequency, damping ratio 0.1 up to 20 %.
-//! let machine = ParameterBox::machine([q("0.6")?, q("0.61")?], [q("0.08")?, q("0.12")?])?;
+//! // 0.6 to 0.61 times the drive's frequency, damping ratio 0.1 up to 10 %.
+//! let machine = ParameterBox::machine([q("0.6")?, q("0.61")?], [q("0.09")?, q("0.11")?])?;
 //! let word = machine.word(true, 100, &())?;
 //! assert_eq!((word.letters().as_str(), word.is_whole()), ("DUD", true));
 //! // γ < 0: chaos is born for eµ > 0, whatever the machine is within these bounds.
