@@ -19,7 +19,7 @@ mod table;
 /// results (`build.rs` has the list). Programs from the same sources agree in it, whatever built them.
 pub const PROGRAM: &str = concat!(env!("CARGO_PKG_VERSION"), "+", env!("GRAZING_SOURCES"));
 
-pub use bounds::{decimal_above, decimal_below, decimal_near};
+pub use bounds::{decimal_above, decimal_below, decimal_near, decimal_or_fraction};
 pub use destination::stdout_is_untouched;
 pub use destination::{Destination, OutputFile, say, say_to};
 pub use escape::{latex, latex_numbers};

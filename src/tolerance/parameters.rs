@@ -1,7 +1,8 @@
 //! Boxes of parameters, checked once.
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, Zero, pow};
 
 use super::tube::Tube;
 use crate::{
@@ -106,6 +107,19 @@ impl ParameterBox {
     /// The middle.
     pub fn centre(&self) -> [BigRational; 2] {
         self.bounds.each_ref().map(|[lower, upper]| (lower + upper) / BigRational::from_integer(2.into()))
+    }
+
+    /// A point of it near its middle, in as few decimals as one has; the middle itself if 30 are too few.
+    pub fn short_point(&self) -> [BigRational; 2] {
+        let middle = self.centre();
+        [0, 1].map(|i| {
+            let least = (&self.bounds[i][0] + &middle[i]) / BigRational::from_integer(2.into());
+            let rounded = |places: usize| {
+                let scale = BigRational::from_integer(pow(BigInt::from(10), places));
+                (&middle[i] * &scale).floor() / scale
+            };
+            (0..=30).map(rounded).find(|x| *x >= least).unwrap_or_else(|| middle[i].clone())
+        })
     }
 
     /// Whether it is one point.

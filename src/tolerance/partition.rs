@@ -108,9 +108,9 @@ pub struct Share {
     pub lower: BigRational,
     /// At most this share has it.
     pub upper: BigRational,
-    /// The middle of the largest cell on which it holds.
+    /// A point of the largest cell on which it holds, in few decimals.
     pub with: Option<[BigRational; 2]>,
-    /// The middle of the largest cell on which it does not.
+    /// A point of the largest cell on which it does not.
     pub without: Option<[BigRational; 2]>,
 }
 
@@ -131,7 +131,7 @@ impl Share {
 pub struct Partition {
     leaves: Vec<Leaf>,
     cells: u64,
-    exhausted: bool,
+    cut: bool,
 }
 
 impl Partition {
@@ -167,11 +167,11 @@ impl Partition {
             let Some((_, (leaf, axis))) = open.pop_first() else { break };
             next.extend(leaf.cell.halves(axis).map(|half| (half, leaf.depth + 1)));
         }
-        let exhausted = !open.is_empty();
+        let cut = !open.is_empty();
         let mut leaves = settled;
         leaves.extend(open.into_values().map(|(leaf, _)| leaf));
         leaves.sort_by_key(|leaf| leaf.depth);
-        Ok(Partition { leaves, cells, exhausted })
+        Ok(Partition { leaves, cells, cut })
     }
 
     /// The cells, the largest first.
@@ -184,9 +184,9 @@ impl Partition {
         self.cells
     }
 
-    /// Whether more cells might tell more.
-    pub fn is_exhausted(&self) -> bool {
-        self.exhausted
+    /// Whether cells are left that were not halved for want of more: more of them might tell more.
+    pub fn is_cut(&self) -> bool {
+        self.cut
     }
 
     /// The share of the box in which a statement holds, every part of the box counting by its size. Cost:
@@ -203,7 +203,7 @@ impl Partition {
             if let Some(holds) = holds(leaf) {
                 let side = usize::from(!holds);
                 sums[side] += 1 << (DEEPEST - leaf.depth);
-                at[side].get_or_insert_with(|| leaf.cell.centre());
+                at[side].get_or_insert_with(|| leaf.cell.short_point());
             }
         }
         let whole = BigInt::from(1u64 << DEEPEST);

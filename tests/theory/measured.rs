@@ -54,6 +54,33 @@ fn shares_name_points_that_the_word_at_them_confirms() {
     assert!(bound(0) < inner(0) && inner(1) < bound(1), "{finer}");
 }
 
+/// Across a border, in a box however narrow, the text names two points that lie in it, exactly.
+#[test]
+fn witnesses_of_a_narrow_box_lie_in_it() {
+    let chaotic = |ratio: f64| {
+        let (_, word) = json(&format!("word --frequency {ratio} --damping-ratio 0.02 --drive 1"));
+        word["words"][0]["cases"][0]["chaotic"] == true
+    };
+    let (mut lo, mut hi) = (1.22, 1.24);
+    assert!(chaotic(lo) != chaotic(hi));
+    while hi - lo > 1e-9 {
+        let middle = (lo + hi) / 2.0;
+        if chaotic(middle) == chaotic(lo) { lo = middle } else { hi = middle }
+    }
+    let asked =
+        format!("word --frequency {lo}..={hi} --damping-ratio 0.02 --drive 1 --shares --max-period 4");
+    let (_, text, _) = run(&asked);
+    let line = text.lines().find(|line| line.contains("so at ")).unwrap_or_else(|| panic!("{text}"));
+    let places: Vec<f64> = line
+        .split("natural/drive = ")
+        .skip(1)
+        .map(|rest| rest.split(',').next().unwrap().parse().unwrap())
+        .collect();
+    let [with, without] = places[..] else { panic!("{line}") };
+    assert!([with, without].iter().all(|place| (lo..=hi).contains(place)), "{line}: {lo} to {hi}");
+    assert_eq!((chaotic(with), chaotic(without)), (true, false), "{line}");
+}
+
 #[test]
 fn a_table_of_a_box_has_the_verdicts_of_its_periods() {
     let (code, table) = json(&format!("classify {MACHINE} --max-period 5"));

@@ -18,7 +18,7 @@ use crate::{
     existence::Case,
     output::{
         Caption, Column, Destination, Print, Setting, TableCell, TableFormat, TableWriter, decimal_above,
-        decimal_below,
+        decimal_below, decimal_or_fraction,
     },
     tolerance::{ParameterBox, Partition, Share, Spread, Statement},
     word::Word,
@@ -176,9 +176,9 @@ fn said(share: &Share) -> String {
     }
 }
 
-/// A place, as decimals for reading.
+/// A place, exactly.
 fn at(bounds: &Bounds, point: &[BigRational; 2]) -> String {
-    let one = |i: usize| format!("{} = {}", place::spoken(bounds[i].0), decimal_below(&point[i], 6));
+    let one = |i: usize| format!("{} = {}", place::spoken(bounds[i].0), decimal_or_fraction(&point[i]));
     format!("{}, {}", one(0), one(1))
 }
 
@@ -286,7 +286,7 @@ fn text(report: &Report, rows: &[Row]) -> String {
             text += &format!("  and {} more\n", words.len() - WORDS);
         }
     }
-    if partition.is_exhausted() {
+    if partition.is_cut() {
         text += "\nMore --cells make the bounds narrower.\n";
     }
     text
@@ -323,7 +323,7 @@ fn write_json(report: &Report, rows: &[Row], out: &mut dyn Write) -> Result<()> 
         "region": report.heading(),
         "box": place::json(report.bounds, gamma),
         "cells": report.partition.cells(),
-        "exhausted": report.partition.is_exhausted(),
+        "cut": report.partition.is_cut(),
         "settled": decimal_below(&report.partition.settled(), 6),
         "chaos": of("chaos", &|row| json!({ "sign_gamma": row.gamma.map(sign) })),
         "periods": of("period", &|row| json!({ "n": row.n })),
