@@ -529,18 +529,10 @@ class Letter:
 class File:
     """A certificate, read and held to its form."""
     def __init__(self, text):
-        self.lines = text.removesuffix("\n").split("\n")
-        self.lines = [line.removesuffix("\r") for line in self.lines]
-        need(self.take() == "grazing-certificate 1", "not a certificate")
-        kind = self.take()
-        need(kind in ("kind chaos 3", "kind chaos 4"), "not of kind chaos 3 or 4")
-        self.mirrored = kind == "kind chaos 4"
-        need(self.take() == "statement " + (STATEMENT_4 if self.mirrored else STATEMENT_3), "another statement")
-        need(all(len(line.encode()) <= 2000 for line in self.lines), "a line is too long")
         names = ("damping", "stiffness", "force", "restitution", "depth")
-        self.ranges = [self.ordered(self.words(name, 2), fraction) for name in names]
-        c, k, f, tau, nu = self.ranges
-        need(tau[0] > 0 and nu[0] >= 0 and nu[1] > 0, "restitution and depth must be positive")
+        self.mirrored = self.start(text, {"chaos 3": STATEMENT_3, "chaos 4": STATEMENT_4}, names) == "chaos 4"
+        c, k, f, _, nu = self.ranges
+        need(nu[0] >= 0 and nu[1] > 0, "the depth must be positive")
         need(f == (0, 0) or (c == k == (0, 0) and nu[0] > 0 and not self.mirrored), "this force is not allowed")
         self.side = {"1": 1, "-1": -1}.get(self.words("side", 1)[0])
         need(self.side, "a side is 1 or -1")
@@ -561,6 +553,18 @@ class File:
         self.read_complete()
         need(not self.lines, "the file goes on")
         need(self.cost(total) <= 6_000_000, "the check would cost too much")
+
+    def start(self, text, statements, names=("damping", "stiffness", "restitution")):
+        """The lines up to the ranges of these names; of these kinds, each with its statement, which it is."""
+        self.lines = [line.removesuffix("\r") for line in text.removesuffix("\n").split("\n")]
+        need(self.take() == "grazing-certificate 1", "not a certificate")
+        name, _, kind = self.take().partition(" ")
+        need(name == "kind" and kind in statements, "not of kind " + " or ".join(statements))
+        need(self.take() == "statement " + statements[kind], "another statement")
+        need(all(len(line.encode()) <= 2000 for line in self.lines), "a line is too long")
+        self.ranges = [self.ordered(self.words(name, 2), fraction) for name in names]
+        need(self.ranges[names.index("restitution")][0] > 0, "restitution must be positive")
+        return kind
 
     def take(self): return self.lines.pop(0) if self.lines else ""
 

@@ -27,13 +27,7 @@ STATEMENT = (
 class File(chaos.File):
     """A certificate, read and held to its form."""
     def __init__(self, text):
-        self.lines = [line.removesuffix("\r") for line in text.removesuffix("\n").split("\n")]
-        need(self.take() == "grazing-certificate 1", "not a certificate")
-        need(self.take() == "kind nothing", "not of kind nothing")
-        need(self.take() == "statement " + STATEMENT, "another statement")
-        need(all(len(line.encode()) <= 2000 for line in self.lines), "a line is too long")
-        self.ranges = [self.ordered(self.words(name, 2), fraction) for name in ("damping", "stiffness", "restitution")]
-        need(self.ranges[2][0] > 0, "restitution must be positive")
+        self.start(text, {"nothing": STATEMENT})
         self.side, self.mirrored, self.letters = 1, False, []
         self.read_wall()
         self.window = number(decimal(self.words("window", 1)[0], True))

@@ -195,21 +195,7 @@ class Cell:
             all_signs += signs
             if k < n:
                 all_signs += [self.signs(k, start, a, t) for t in window.hull(TWO * PI - window).cut(pieces)]
-        count = len(all_signs)
-
-        def reach(way, sign):
-            """How far Z > 0 is carried; the slope is known at first."""
-            known, far = True, 0
-            for open, slope, convex, _ in way:
-                if slope == sign or (known and convex):
-                    known = True
-                elif open:
-                    known = False
-                else:
-                    return far
-                far += 1
-            return far
-        return reach(all_signs, 1) + reach(reversed(all_signs), -1) >= count
+        return carried(all_signs)
 
     def signs(self, k, start, a, t):
         """On a piece: whether Z > 0; the sign of Z′ or 0; whether Z″ > 0; the least Z″."""
@@ -220,6 +206,23 @@ class Cell:
         slope = slope if slope.both(better).empty() else slope.both(better)
         open = z.lo > 0 or (z_mid + slope * away).lo > 0
         return open, (slope.lo > 0) - (slope.hi < 0), bend.lo > 0, bend.lo
+
+
+def carried(signs):
+    """Whether Z > 0 is carried over all pieces from both ends, where it moves away from 0; of each piece whether Z > 0,
+    the sign of Z′ or 0, and whether Z″ > 0."""
+    def reach(way, sign):
+        known, far = True, 0
+        for open, slope, convex, *_ in way:
+            if slope == sign or (known and convex):
+                known = True
+            elif open:
+                known = False
+            else:
+                return far
+            far += 1
+        return far
+    return reach(signs, 1) + reach(reversed(signs), -1) >= len(signs)
 
 
 class Edge:
@@ -306,15 +309,7 @@ class Alone(chaos.Others):
 class File(chaos.File):
     """A certificate, read and held to its form."""
     def __init__(self, text):
-        self.lines = [line.removesuffix("\r") for line in text.removesuffix("\n").split("\n")]
-        need(self.take() == "grazing-certificate 1", "not a certificate")
-        kind = self.take()
-        need(kind in ("kind range", "kind range 2"), "not of kind range")
-        self.second = kind == "kind range 2"
-        need(self.take() == "statement " + (STATEMENT_2 if self.second else STATEMENT), "another statement")
-        need(all(len(line.encode()) <= 2000 for line in self.lines), "a line is too long")
-        self.ranges = [self.ordered(self.words(name, 2), fraction) for name in ("damping", "stiffness", "restitution")]
-        need(self.ranges[2][0] > 0, "restitution must be positive")
+        self.second = self.start(text, {"range": STATEMENT, "range 2": STATEMENT_2}) == "range 2"
         self.side = {"1": 1, "-1": -1}.get(self.words("side", 1)[0])
         need(self.side, "a side is 1 or -1")
         self.read_wall()

@@ -5,13 +5,15 @@ usage: single.py FILE…    prints "FILE: proved, orbit of one impact" or "FILE:
                           rejected.
 
 Written from the form (the head of checker/src/single/mod.rs) and from proofs/ranges.md alone. Numbers and the free
-motion are those of chaos.py, the second reader of kind chaos: nothing of the checker's. What a motion is between two
-impacts is found from the linear equations of its ends, by Cramer's rule, and multipliers from the product of matrices.
+motion are those of chaos.py, and how gaps are carried is that of range.py, second readers too: nothing of the
+checker's. What a motion is between two impacts is found from the linear equations of its ends, by Cramer's rule, and
+multipliers from the product of matrices.
 """
 from fractions import Fraction
 
 import chaos
 from chaos import CIRCLE, ONE, PI, ZERO, Flow, Range, decimal, fraction, need, number, whole
+from range import carried
 
 STATEMENT = (
     "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b in "
@@ -46,13 +48,7 @@ def circle(t):
 class File(chaos.File):
     """A certificate, read and held to its form."""
     def __init__(self, text):
-        self.lines = [line.removesuffix("\r") for line in text.removesuffix("\n").split("\n")]
-        need(self.take() == "grazing-certificate 1", "not a certificate")
-        need(self.take() == "kind single", "not of kind single")
-        need(self.take() == "statement " + STATEMENT, "another statement")
-        need(all(len(line.encode()) <= 2000 for line in self.lines), "a line is too long")
-        self.ranges = [self.ordered(self.words(name, 2), fraction) for name in ("damping", "stiffness", "restitution")]
-        need(self.ranges[2][0] > 0, "restitution must be positive")
+        self.start(text, {"single": STATEMENT})
         self.side = self.sign("side")
         self.read_wall()
         self.n = whole(self.words("periods", 1)[0], 1, 1000)
@@ -216,19 +212,7 @@ class File(chaos.File):
                 for n in closed:
                     signs[n][0] = True
             i = max(j, i + 1)
-
-        def reach(way, sign):
-            known, far = True, 0
-            for open, slope, convex in way:
-                if slope == sign or (known and convex):
-                    known = True
-                elif open:
-                    known = False
-                else:
-                    return far
-                far += 1
-            return far
-        return reach(signs, 1) + reach(reversed(signs), -1) >= end
+        return carried(signs)
 
     def told(self):
         """What is said in the parts."""

@@ -10,12 +10,15 @@ use super::{
 };
 use crate::rejection::{GoOn, claim};
 
-/// What is found of a cell.
+/// What is found of a cell: depths in units of 2⁻⁴⁸, and multipliers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Found {
-    /// Numbers that all its depths are at least and at most, whatever the parameters, and one that they
-    /// reach, in units of 2⁻⁴⁸.
-    pub depths: [i128; 3],
+    /// All its depths are at least this, whatever the parameters.
+    pub least: i128,
+    /// And at most this.
+    pub greatest: i128,
+    /// They reach this, whatever the parameters.
+    pub reach: i128,
     /// What is certain of the multipliers in all of it.
     pub word: Word,
 }
@@ -23,12 +26,12 @@ pub struct Found {
 impl Found {
     /// Whether no depth of the cell is between these two, the second included.
     fn is_apart(&self, from: Fraction, to: Fraction) -> bool {
-        let [least, greatest, _] = self.depths.map(Interval::units);
+        let (least, greatest) = (Interval::units(self.least), Interval::units(self.greatest));
         greatest.is_up_to(from.enclosed()) || to.enclosed().is_up_to(least)
     }
 
     fn reaches(&self, depth: Fraction) -> bool {
-        depth.enclosed().is_up_to(Interval::units(self.depths[2]))
+        depth.enclosed().is_up_to(Interval::units(self.reach))
     }
 }
 
@@ -68,8 +71,8 @@ pub(super) fn cells(
             curve.runs(&at.shape, index == 0)?;
             claim(curve.is_clear(&free, &at, go_on)?, "the gap may not be positive (S3)")?;
             let [least, _] = if index == 0 { [0; 2] } else { curve.depth(from).in_units() };
-            let [sure, greatest] = curve.depth(to).in_units();
-            Ok(Found { depths: [least, greatest, sure], word: curve.word(&at.shape) })
+            let [reach, greatest] = curve.depth(to).in_units();
+            Ok(Found { least, greatest, reach, word: curve.word(&at.shape) })
         };
         let place = format!("cell {} of {}", index + 1, certificate.cells.len());
         all.push(prove().map_err(|fault: Fault| fault.at(place))?);

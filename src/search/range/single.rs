@@ -128,7 +128,7 @@ impl Search<'_> {
         let mut step = if phase > 0.0 { 0.01 * phase } else { FIRST };
         loop {
             monitor.advance(0)?;
-            if self.found.last().is_some_and(|cell| float(cell.depths[2]) >= deepest) {
+            if self.found.last().is_some_and(|cell| float(cell.reach) >= deepest) {
                 return Ok(RangeEnd::Asked);
             }
             if self.certificate.cells.len() >= CELLS || budget.is_spent() {
@@ -218,16 +218,16 @@ fn six(depth: f64) -> f64 {
 /// they begin, and nothing between.
 fn parts(found: &[Found], deepest: f64) -> Vec<Part> {
     let mut all: Vec<(f64, Word)> = Vec::new();
-    let Some(last) = found.last().map(|cell| float(cell.depths[2]).min(deepest)) else { return Vec::new() };
+    let Some(last) = found.last().map(|cell| float(cell.reach).min(deepest)) else { return Vec::new() };
     let mut at = 0;
     for run in found.chunk_by(|one, next| one.word == next.word) {
         // Six digits upwards, which smaller depths do not have; or from the touch on.
         let from = match at {
             0 => 0.0,
-            _ => six((float(found[at - 1].depths[1]) * (1.0 + 1.1e-5)).max(1e-9)),
+            _ => six((float(found[at - 1].greatest) * (1.0 + 1.1e-5)).max(1e-9)),
         };
         at += run.len();
-        let to = six(float(run[run.len() - 1].depths[2]).min(last));
+        let to = six(float(run[run.len() - 1].reach).min(last));
         let before = all.last().map_or(0.0, |part| part.0);
         if run[0].word != Word::Open && from.max(before) < to {
             if from > before {
