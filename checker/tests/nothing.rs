@@ -5,7 +5,10 @@ mod common;
 
 use std::f64::consts::TAU;
 
-use common::{NOTHING, Random, Touching, answer, damage, float, nth, rejected, second_reader, with};
+use common::{
+    NOTHING, Random, Touching, answer, are_refused, damage, damaged_are_true, float, nth, second_reader,
+    trials, with,
+};
 use grazing_check::nothing::STATEMENT;
 
 #[test]
@@ -135,21 +138,7 @@ fn malformed() -> Vec<(String, &'static str)> {
 
 #[test]
 fn forgeries_are_refused() {
-    println!("{} forgeries, {} more of the form", forgeries().len(), malformed().len());
-    let wrong: Vec<String> = forgeries()
-        .into_iter()
-        .filter_map(|(text, reason)| {
-            let why = answer(&text).map_or_else(|why| why.to_string(), |_| "accepted".into());
-            let end: Vec<&str> = text.lines().skip(3).collect();
-            let known = why.contains("false") && why.contains(reason);
-            (!known).then(|| format!("{reason}: {why} {end:?}\n"))
-        })
-        .collect();
-    assert!(wrong.is_empty(), "{}", wrong.concat());
-    for (text, reason) in malformed() {
-        let why = rejected(&text);
-        assert!(why.contains(reason), "{reason}: {why}");
-    }
+    are_refused(&forgeries(), &malformed());
 }
 
 /// The reader in Python, written from the form and the theorem alone, gives the same verdicts.
@@ -309,26 +298,8 @@ fn lie(text: &str, motions: usize) -> Option<String> {
 /// GRAZING_TRIALS of them.
 #[test]
 fn what_is_accepted_of_damaged_certificates_is_true() {
-    let trials = std::env::var("GRAZING_TRIALS").ok().and_then(|n| n.parse().ok()).unwrap_or(600);
     assert_eq!(lie(NOTHING, 100), None);
-    let mut random = Random(4);
-    let [mut refused, mut unchanged, mut still] = [0; 3];
-    for _ in 0..trials {
-        let mut damaged = damage(&mut random, NOTHING);
-        if random.below(4) == 0 {
-            damaged = damage(&mut random, &damaged);
-        }
-        if answer(&damaged).is_err() {
-            refused += 1;
-        } else if damaged == NOTHING {
-            unchanged += 1;
-        } else {
-            still += 1;
-            assert_eq!(lie(&damaged, 2), None, "{damaged}");
-        }
-    }
-    println!("{refused} rejected, {unchanged} unchanged, {still} still true");
-    assert!(still > trials / 50 && refused > trials / 3, "{still} accepted, {refused} rejected");
+    damaged_are_true(4, trials(600), NOTHING, |text| lie(text, 2));
 }
 
 /// The floats see what is false: something that is born, and a time that is too short.

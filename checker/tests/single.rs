@@ -6,7 +6,8 @@ mod common;
 use std::f64::consts::TAU;
 
 use common::{
-    Random, SINGLE_1, SINGLE_2, SINGLE_3, answer, damage, float, flow, nth, rejected, second_reader, with,
+    Random, SINGLE_1, SINGLE_2, SINGLE_3, answer, are_refused, damage, damaged_are_true, float, flow, nth,
+    second_reader, trials, with,
 };
 use grazing_check::single::STATEMENT;
 
@@ -96,17 +97,23 @@ fn forgeries() -> Vec<(String, &'static str)> {
     touching.push(cells(SINGLE_2, "1/100 open", &["0.5"]));
     touching.push(with(SINGLE_2, "pieces", "pieces 1"));
     touching.push(with(SINGLE_2, "pieces", "pieces 4"));
-    for (stiffness, n) in [("3/10", 2), ("3/10", 4), ("3/10", 7), ("1/2", 3), ("2/5", 2)] {
+    // Orbits of other periods, of which floats see that the wall is in their way from the touch on.
+    let before = touching.len();
+    for (stiffness, n) in ["1/10", "3/20", "3/10", "2/5", "3/4", "23/20"]
+        .iter()
+        .flat_map(|stiffness| (2..8).map(move |n| (stiffness, n)))
+    {
         let text = with(SINGLE_1, "stiffness", &format!("stiffness {stiffness} {stiffness}"));
         let text = with(&text, "periods", &format!("periods {n}"));
         for direction in ["1", "-1"] {
             let text = with(&text, "direction", &format!("direction {direction}"));
             let text = cells(&text, "1/1000 open", &["0.002"]);
-            if rejected(&text).contains("(S3)") {
+            if lie(&text).is_some_and(|why| why.starts_with("no gap")) {
                 touching.push(text);
             }
         }
     }
+    assert!(touching.len() > before + 2, "{}", touching.len() - before);
     add("the gap may not be positive (S3)", touching);
     let parts = |index: usize, lines: &[&str]| -> Vec<String> {
         lines.iter().map(|line| nth(SINGLE_2, "part ", index, &format!("part {line}"))).collect()
@@ -174,20 +181,7 @@ fn malformed() -> Vec<(String, &'static str)> {
 
 #[test]
 fn forgeries_are_refused() {
-    let wrong: Vec<String> = forgeries()
-        .into_iter()
-        .filter_map(|(text, reason)| {
-            let why = answer(&text).map_or_else(|why| why.to_string(), |_| "accepted".into());
-            let end: Vec<&str> = text.lines().skip(3).take(14).collect();
-            let known = why.contains("false") && why.contains(reason);
-            (!known).then(|| format!("{reason}: {why} {end:?}\n"))
-        })
-        .collect();
-    assert!(wrong.is_empty(), "{}", wrong.concat());
-    for (text, reason) in malformed() {
-        let why = rejected(&text);
-        assert!(why.contains(reason), "{reason}: {why}");
-    }
+    are_refused(&forgeries(), &malformed());
 }
 
 /// The reader in Python, written from the form and the theorem alone, refuses nothing that passes, and passes
@@ -389,27 +383,8 @@ fn lie(text: &str) -> Option<String> {
 /// GRAZING_TRIALS of each certificate.
 #[test]
 fn what_is_accepted_of_damaged_certificates_is_true() {
-    let trials = std::env::var("GRAZING_TRIALS").ok().and_then(|n| n.parse().ok()).unwrap_or(400);
     for (seed, text) in [(1, SINGLE_1), (2, SINGLE_2), (3, SINGLE_3)] {
-        assert_eq!(lie(text), None);
-        let mut random = Random(seed);
-        let [mut refused, mut unchanged, mut still] = [0; 3];
-        for _ in 0..trials {
-            let mut damaged = damage(&mut random, text);
-            if random.below(4) == 0 {
-                damaged = damage(&mut random, &damaged);
-            }
-            if answer(&damaged).is_err() {
-                refused += 1;
-            } else if damaged == text {
-                unchanged += 1;
-            } else {
-                still += 1;
-                assert_eq!(lie(&damaged), None, "{damaged}");
-            }
-        }
-        println!("{refused} rejected, {unchanged} unchanged, {still} still true");
-        assert!(still > trials / 50 && refused > trials / 3, "{still} accepted, {refused} rejected");
+        damaged_are_true(seed, trials(400), text, lie);
     }
 }
 

@@ -172,6 +172,52 @@ pub fn damage(random: &mut Random, text: &str) -> String {
     lines.join("\n") + "\n"
 }
 
+/// GRAZING_TRIALS, or a sample of so many.
+pub fn trials(sample: usize) -> usize {
+    std::env::var("GRAZING_TRIALS").ok().and_then(|n| n.parse().ok()).unwrap_or(sample)
+}
+
+/// Damages a certificate so many times: of what is still accepted nothing is a `lie`, nor is it before.
+pub fn damaged_are_true(seed: u64, trials: usize, text: &str, lie: impl Fn(&str) -> Option<String>) {
+    assert_eq!(lie(text), None);
+    let mut random = Random(seed);
+    let [mut refused, mut unchanged, mut still] = [0; 3];
+    for _ in 0..trials {
+        let mut damaged = damage(&mut random, text);
+        if random.below(4) == 0 {
+            damaged = damage(&mut random, &damaged);
+        }
+        if answer(&damaged).is_err() {
+            refused += 1;
+        } else if damaged == text {
+            unchanged += 1;
+        } else {
+            still += 1;
+            assert_eq!(lie(&damaged), None, "{damaged}");
+        }
+    }
+    println!("{refused} rejected, {unchanged} unchanged, {still} still true");
+    assert!(still > trials / 50 && refused > trials / 3, "{still} accepted, {refused} rejected");
+}
+
+/// False claims are refused as false for the reasons given with them, and what is of no form for its reasons.
+pub fn are_refused(forgeries: &[(String, &str)], malformed: &[(String, &str)]) {
+    println!("{} forgeries, {} more of the form", forgeries.len(), malformed.len());
+    let mut wrong = String::new();
+    for (text, reason) in forgeries {
+        let why = answer(text).map_or_else(|why| why.to_string(), |_| "accepted".into());
+        if !(why.contains("false") && why.contains(reason)) {
+            let lines: Vec<&str> = text.lines().skip(3).collect();
+            wrong += &format!("{reason}: {why} {lines:?}\n");
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+    for (text, reason) in malformed {
+        let why = rejected(text);
+        assert!(why.contains(reason), "{reason}: {why}");
+    }
+}
+
 /// Another word: a digit changed, the sign, nearby by a thousandth or a tenth, or a word from elsewhere.
 fn changed(random: &mut Random, word: &str, lines: &[String]) -> String {
     let short = |x: f64| {
