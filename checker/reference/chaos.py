@@ -465,6 +465,9 @@ class Others:
         need(ratio <= 0 and j < self.longest, "a leg may be longer (C2)")
         return {n: (EVERYTHING, EVERYTHING) for n in range(1, self.longest + 1)}
 
+    def counted(self, count):
+        """So many impacts or legs are looked at."""
+
     def between(self, known, m, n):
         """The strengths of impacts after a leg of m periods and before one of n; None if there can be none."""
         (a, _), (_, p) = known[n], known[m]
@@ -475,13 +478,15 @@ class Others:
 
     def narrowed(self, known, first):
         cell, impacts, found = self.cell, {}, {}
-        for m, n in product(known, repeat=2):
-            s = self.between(known, m, n)
-            if s:
-                impacts[m, n] = cell.impacts(s, self.parts)
         others = [1] if first else list(known)  # at first all are alike
+        for m, n in product(known, repeat=2):
+            s = self.between(known, m, n) if m in others or n in others else None
+            if s:
+                self.counted(self.parts)
+                impacts[m, n] = cell.impacts(s, self.parts)
         for n, m, x in product(known, others, others):
             for start, stop in product(impacts.get((m, n), ()), impacts.get((n, x), ())):
+                self.counted(1)
                 one = self.possible(known, m, n, x, start, stop)
                 if one:
                     found[n] = tuple(y.hull(z) for y, z in zip(one, found.get(n, one)))

@@ -236,7 +236,7 @@ class Alone(chaos.Others):
         near = SimpleNamespace(mirrored=False, wall=file.wall, side=file.side, letters=[], longest=lambda: file.most,
                                complete=(bound, file.most, parts, file.rounds))
         super().__init__(chaos.Cell(near, (c, k, ZERO, tau, nu)))
-        self.file, self.nu, self.lines, self.left = file, nu, lines, file.rounds
+        self.file, self.nu, self.lines = file, nu, lines
 
     def none(self):
         periods = [letter.periods for letter in self.file.letters]
@@ -279,20 +279,25 @@ class Alone(chaos.Others):
                 known[n] = Range(-half.hi, speed.hi), Range(-slowest, half.hi)
         return known
 
+    def counted(self, count):
+        self.file.room -= count * max(self.longest + 5, 36 * len(self.file.harmonics))
+        need(self.file.room >= 0, "that there are no others costs too much (C)")
+
     def done(self, known):
-        self.left -= 1
-        if self.left:
-            return False
         edges, sets = self.file.edges, [number(x.low, x.high) for x in self.lines]
         for m, n in product(known, repeat=2):
             s = self.between(known, m, n)
             if s:
                 edge = self.letter.get(m), self.letter.get(n)
-                need(edge in edges, "there may be an impact that is no edge's (C)")
+                if edge not in edges:
+                    return False
                 sets[edges.index(edge)] = s
         for _ in range(self.rounds):
             if self.inside(sets):
                 return True
+            count, pairs = len(edges), len(self.file.pairs)
+            self.counted(max(letter.periods for letter in self.file.letters) + 1 + self.parts * count)
+            self.counted(2 * pairs * self.parts**2 + self.parts * count)
             work = Cell(self.file, self.nu, sets, self.parts)
             for e in range(len(sets)):
                 image = None
@@ -322,7 +327,8 @@ class File(chaos.File):
         need(contraction < 1, "the contraction must be below 1")
         self.contraction = number(contraction)
         if self.second:
-            self.most, self.rounds = (whole(self.words(name, 1)[0], 1, 100) for name in ("longest", "rounds"))
+            self.most, self.rounds = (whole(self.words(name, 1)[0], 1, most)
+                                      for name, most in (("longest", 1000), ("rounds", 100)))
         self.edges = [(u, v) for u, letter in enumerate(self.letters) for v in letter.next]
         self.pairs = [(d, e) for d, (_, u) in enumerate(self.edges) for e, (v, _) in enumerate(self.edges) if u == v]
         self.read_cells()
@@ -382,9 +388,7 @@ class File(chaos.File):
         for cell in self.cells:
             total += map(cell[1]) + 23 * h * count + gaps + cell[2] * map(before[1])
             if cell[4]:
-                (_, k, d), n, q = cell[4], self.most, self.rounds
-                near = 2 * n + 3 + 23 * h + q * n**2 * k * 36 * h + (n + (q - 1) * n**3) * k**2 * (n + 5)
-                total += d * (near + q * map(k))
+                total += cell[4][2] * (2 * self.most + 3 + 23 * h)
             before = cell
         return total
 
@@ -392,6 +396,7 @@ class File(chaos.File):
         """Proves everything; the title."""
         self.told()
         self.wall = Wall(self.harmonics, self.window, self.pieces)
+        self.room = 50_000_000  # what that there are no others may cost
         least, former = Fraction(0), None
         for cell in self.cells:
             depth, parts, steps, lines, others = cell

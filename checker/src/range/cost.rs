@@ -1,4 +1,5 @@
-//! What a check costs, known before it is begun: exponentials, and what takes as long as one.
+//! What a check costs, known before it is begun: exponentials, and what takes as long as one. Not here: C3 and
+//! F where there are no others, which are counted while they are done (`others`).
 //!
 //! The table is in the head of `mod.rs`; that no check takes more exponentials than this says is a test.
 
@@ -8,9 +9,9 @@ use super::text::{Alone, Cell, Certificate};
 /// shapes each, the wall's two bends there, and its drop.
 const IMPACT: u64 = 23;
 /// The same of such an impact and of one at a point.
-const BOTH: u64 = IMPACT + 13;
+pub(super) const BOTH: u64 = IMPACT + 13;
 /// A leg with its derivatives: two exponentials, and three rounds that narrow it.
-const LEG: u64 = 5;
+pub(super) const LEG: u64 = 5;
 
 impl Certificate {
     /// The cost of the check; below 10¹⁸ of each cell, as no number is beyond its limit.
@@ -34,10 +35,8 @@ impl Certificate {
             longest + 1 + count * harmonics * BOTH * parts + legs
         };
         let others = |cell: &Cell| {
-            let (Some(Alone { longest, rounds }), Some(others)) = (self.alone, cell.others) else { return 0 };
-            let impacts = IMPACT * harmonics + rounds * longest.pow(2) * others.parts * BOTH * harmonics;
-            let legs = (longest + (rounds - 1) * longest.pow(3)) * others.parts.pow(2) * (LEG + longest);
-            others.slices * (2 * longest + 3 + impacts + legs + rounds * map(others.parts))
+            let (Some(Alone { longest, .. }), Some(others)) = (self.alone, cell.others) else { return 0 };
+            others.slices * (2 * longest + 3 + IMPACT * harmonics)
         };
         let before = self.cells.first().into_iter().chain(&self.cells);
         let cells = self.cells.iter().zip(before).map(|(cell, before)| {

@@ -31,7 +31,7 @@
 //! growth LO HI               the paths of T periods grow at least like LO^T and at most like HI^T;
 //!                            1 ≤ LO < HI
 //! contraction K              0 < K < 1
-//! longest N                  of version 2: 1 to 100
+//! longest N                  of version 2: 1 to 1000
 //! rounds Q                   of version 2: 1 to 100
 //! cells M                    1 to 10000, then M blocks
 //! cell NU S R                ν from that of the block before, at first 0/1, to NU, a larger fraction; each
@@ -72,8 +72,8 @@
 //!
 //! For a line others the letters' periods are different, and S is above |s| in the edges' ranges. In each of
 //! D parts of the cell C1 and C2 of `touch::near` hold with S and N, for σ = −1 what is in `touch::settled`
-//! for C2; after Q rounds of C3 only impacts of edges are left, with strengths in some ranges X; and X, up to
-//! Q times replaced by what it has in common with F of it, comes to lie in the edges' ranges.
+//! for C2; after at most Q rounds of C3 only impacts of edges are left, with strengths in some ranges X; and
+//! X, up to Q times replaced by what it has in common with F of it, comes to lie in the edges' ranges.
 //!
 //! # Example
 //!
@@ -99,7 +99,8 @@
 //!
 //! # Cost
 //!
-//! Counted are exponentials, and what takes as long; at most 50,000,000. The wall takes one for each
+//! Counted are exponentials, and what takes as long; at most 50,000,000, and as many that are counted while
+//! C3 and F are done. The wall takes one for each
 //! harmonic: H. With E edges, J pieces, the longest letter L, and for each letter of n periods p predecessors
 //! and f followers, in S parts and R steps:
 //!
@@ -112,9 +113,11 @@
 //!     and              23 H E                      impacts as wholes
 //!     for each letter  p f ((2n + 1) J (2 + 2 H) + n)    gaps
 //!     for each step    the first four again, with the parts S of the cell before
-//!     others S K D     D (2 N + 3 + 23 H + Q N² K 36 H + (N + (Q − 1) N³) K² (N + 5)), and D Q times the
-//!                      first four with the parts K
+//!     others S K D     D (2 N + 3 + 23 H)
 //! ```
+//!
+//! Counted while it is done: each part of an impact, each leg, E over a number of periods and each sum of
+//! velocities in F counts 36 H, or N + 5 if that is more.
 //!
 //! Memory: the certificate, and the parts and legs of a cell.
 
@@ -131,6 +134,7 @@ mod text;
 mod words;
 mod work;
 
+use self::others::Room;
 use super::{
     Proved, Rejection,
     lines::Lines,
@@ -194,7 +198,7 @@ pub fn cell_holds(
     cell: usize,
     stop: &mut dyn FnMut() -> bool,
 ) -> Result<(), String> {
-    proof::cells(certificate, cell..cell + 1, &mut || unless(stop())).map_err(Fault::reason)
+    proof::cells(certificate, cell..cell + 1, &mut Room::new(), &mut || unless(stop())).map_err(Fault::reason)
 }
 
 /// Whether one cell's claim that there are no others holds, from 0: for a search, as

@@ -2,9 +2,13 @@
 //! after some rounds of C3 (`near`) the impacts that are left are the edges'. What is known of their
 //! strengths then is narrowed by F, as between cells (`link`), until it lies in the edges' ranges. So the
 //! motion solves the equations of a path of the graph there, and they have one solution.
+//!
+//! How many legs C3 leaves is not known before, so what it costs is counted while it is done (`Room`).
 
 use super::{
-    Fault, Interval, link,
+    COST, Fault, Interval,
+    cost::{BOTH, LEG},
+    link,
     proof::Problem,
     text::{Alone, Others},
     work::{Graph, Numbers},
@@ -17,12 +21,35 @@ use crate::{
     },
 };
 
+/// What C3 and the rounds of F may still cost, in exponentials.
+pub(super) struct Room(u64);
+
+impl Room {
+    /// Of a whole check.
+    pub fn new() -> Room {
+        Room(COST)
+    }
+
+    /// What is left.
+    #[cfg(test)]
+    pub fn left(&self) -> u64 {
+        self.0
+    }
+
+    fn take(&mut self, cost: u64) -> Result<(), Fault> {
+        let reason = || format!("that there are no others costs more than {COST} exponentials (C)");
+        self.0 = self.0.checked_sub(cost).ok_or_else(|| Fault::False(reason()))?;
+        Ok(())
+    }
+}
+
 /// Proves it at some depths, with these numbers of the edges.
 pub(super) fn none(
     problem: &Problem,
     depths: Interval,
     numbers: &[Numbers],
     (alone, others): (&Alone, &Others),
+    room: &mut Room,
     go_on: GoOn,
 ) -> Result<(), Fault> {
     let (graph, cell) = (&problem.graph, problem.cell(depths));
@@ -41,12 +68,28 @@ pub(super) fn none(
     } else {
         near.settled(alone.longest)?
     };
+    // A leg, with the gaps between, or an impact.
+    let each = (LEG + alone.longest).max(BOTH * problem.harmonics());
+    let counted: GoOn = &mut || room.take(each).and_then(|()| go_on());
+    let mut left = String::new();
     for round in 0..alone.rounds {
-        known = near.narrowed(&known, round == 0, go_on)?;
+        let before = known;
+        known = near.narrowed(&before, round == 0, counted)?;
+        match impacts(graph, &near, &known, numbers) {
+            Ok(sets) => {
+                let steps = [others.parts, alone.rounds];
+                if link::within(problem, depths, sets, [numbers; 2], steps, counted)? {
+                    return Ok(());
+                }
+                left = "there may be other impacts between the letters (C)".into();
+            }
+            Err(reason) => left = reason,
+        }
+        if round > 0 && known == before {
+            break;
+        }
     }
-    let sets = impacts(graph, &near, &known, numbers).map_err(Fault::False)?;
-    let known = link::within(problem, depths, sets, [numbers; 2], [others.parts, alone.rounds], go_on)?;
-    claim(known, "there may be other impacts between the letters (C)")
+    Err(Fault::False(left))
 }
 
 /// The strengths that are left at each edge, or an impact that may be no edge's. Where none are left at an

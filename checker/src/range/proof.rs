@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use super::{
-    Fault, Interval, Lines, Rejection, gaps, link, others,
+    Fault, Interval, Lines, Rejection, gaps, link,
+    others::{self, Room},
     text::{Cell as Block, Certificate},
     work::{Graph, Numbers, Work, numbers},
 };
@@ -17,6 +18,7 @@ pub(super) struct Problem<'a> {
     pub graph: Graph,
     behind: bool,
     wall: &'a Wall,
+    harmonics: u64,
     /// c, k, τ.
     parameters: [Interval; 3],
     side: Interval,
@@ -30,6 +32,7 @@ impl<'a> Problem<'a> {
             graph: Graph::new(certificate),
             behind: certificate.behind,
             wall,
+            harmonics: certificate.harmonics.len() as u64,
             parameters: certificate.ranges.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed())),
             side: if certificate.behind { Interval::ONE } else { -Interval::ONE },
             pieces: certificate.pieces,
@@ -40,6 +43,11 @@ impl<'a> Problem<'a> {
     /// Whether σ = 1.
     pub fn is_behind(&self) -> bool {
         self.behind
+    }
+
+    /// How many harmonics the wall has.
+    pub fn harmonics(&self) -> u64 {
+        self.harmonics
     }
 
     /// At these depths.
@@ -56,11 +64,12 @@ impl<'a> Problem<'a> {
         depths: Interval,
         block: &Block,
         numbers: &[Numbers],
+        room: &mut Room,
         go_on: GoOn,
     ) -> Result<(), Fault> {
         match (&certificate.alone, &block.others) {
             (Some(alone), Some(claim)) => (0..claim.slices).try_for_each(|slice| {
-                others::none(self, depths.part(slice, claim.slices), numbers, (alone, claim), go_on)
+                others::none(self, depths.part(slice, claim.slices), numbers, (alone, claim), room, go_on)
             }),
             _ => Ok(()),
         }
@@ -80,11 +89,17 @@ impl<'a> Problem<'a> {
 /// Proves everything in every cell.
 pub(super) fn run(certificate: &Certificate, lines: &mut Lines) -> Result<(), Rejection> {
     let all = 0..certificate.cells.len();
-    cells(certificate, all, &mut || lines.go_on()).map_err(|fault| lines.rejection(fault))
+    cells(certificate, all, &mut Room::new(), &mut || lines.go_on()).map_err(|fault| lines.rejection(fault))
 }
 
 /// Proves everything in some cells, the first of them being linked to the one before it.
-pub(super) fn cells(certificate: &Certificate, which: Range<usize>, go_on: GoOn) -> Result<(), Fault> {
+/// `room` is for that there are no others.
+pub(super) fn cells(
+    certificate: &Certificate,
+    which: Range<usize>,
+    room: &mut Room,
+    go_on: GoOn,
+) -> Result<(), Fault> {
     let wall = wall(certificate, go_on)?;
     let problem = Problem::new(certificate, &wall);
     for index in which {
@@ -98,7 +113,7 @@ pub(super) fn cells(certificate: &Certificate, which: Range<usize>, go_on: GoOn)
             }
             let depths = least.hull(block.depth.enclosed());
             problem.holds(depths, block, &latter, go_on)?;
-            problem.alone(certificate, depths, block, &latter, go_on)
+            problem.alone(certificate, depths, block, &latter, room, go_on)
         };
         let place = format!("cell {} of {}", index + 1, certificate.cells.len());
         prove().map_err(|fault| fault.at(place))?;
@@ -112,7 +127,8 @@ pub(super) fn alone(certificate: &Certificate, index: usize, go_on: GoOn) -> Res
     let block = &certificate.cells[index];
     let before = index.checked_sub(1).map(|before| certificate.cells[before].depth.enclosed());
     let depths = before.unwrap_or(Interval::ZERO).hull(block.depth.enclosed());
-    Problem::new(certificate, &wall).alone(certificate, depths, block, &numbers(block), go_on)
+    let (problem, room) = (Problem::new(certificate, &wall), &mut Room::new());
+    problem.alone(certificate, depths, block, &numbers(block), room, go_on)
 }
 
 fn wall(certificate: &Certificate, go_on: GoOn) -> Result<Wall, Fault> {

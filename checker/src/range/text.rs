@@ -24,7 +24,7 @@ const PIECES: u64 = 1000;
 /// The most parts of a range of strengths.
 const PARTS: u64 = 64;
 /// The longest leg of other motions, and the most rounds.
-const LONGEST: u64 = 100;
+const LONGEST: u64 = 1000;
 const ROUNDS: u64 = 100;
 /// The most parts of a cell's depths.
 const SLICES: u64 = 1000;

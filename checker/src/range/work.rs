@@ -115,7 +115,8 @@ impl<'a> Work<'a> {
         go_on: GoOn,
     ) -> Result<Work<'a>, Fault> {
         let longest = graph.periods.iter().copied().max().unwrap_or(0);
-        let turns = (0..=longest).map(|n| cell.turned(n)).collect();
+        let turns: Result<Vec<Matrix>, Fault> =
+            (0..=longest).map(|n| go_on().map(|()| cell.turned(n))).collect();
         let mut all = Vec::new();
         for (edge, strengths) in strengths.iter().enumerate() {
             let mut cut = Vec::new();
@@ -129,7 +130,7 @@ impl<'a> Work<'a> {
             }
             all.push(cut);
         }
-        Ok(Work { graph, cell, centre, turns, parts: all })
+        Ok(Work { graph, cell, centre, turns: turns?, parts: all })
     }
 
     /// E over so many periods.

@@ -94,8 +94,8 @@ impl Near<'_> {
         // At first all are alike.
         let others = if first { 1 } else { count };
         let mut impacts = vec![None; count * count];
-        for (m, n) in (0..count).flat_map(|m| (0..count).map(move |n| (m, n))) {
-            go_on()?;
+        let pairs = (0..count).flat_map(|m| (0..count).map(move |n| (m, n)));
+        for (m, n) in pairs.filter(|&(m, n)| m < others || n < others) {
             if let Some(s) = self.between(known, m, n) {
                 let Some(cut) = self.cell.parts(s, self.parts, go_on)? else { return Err(outside()) };
                 impacts[m * count + n] = Some(cut);

@@ -23,7 +23,7 @@ use crate::{
 const WIDER: [f64; 4] = [1.5, 1.3, 1.1, 1.02];
 const PARTS: [[u64; 2]; 6] = [[2, 1], [2, 2], [4, 1], [2, 4], [4, 4], [8, 4]];
 /// The longest legs before the touch that are looked at, and how much longer they may become in later cells.
-const LONGEST: u64 = 60;
+const LONGEST: u64 = 200;
 const LONGER: u64 = 3;
 /// Rounds of C3, and of F.
 const ROUNDS: u64 = 6;
