@@ -19,6 +19,20 @@ impl Fixed<96> {
     /// The least interval of this kind with π in it: ⌊π·2⁹⁶⌋ and one more (the tests of `motion` show sin
     /// change its sign there).
     pub const PI: Self = Fixed { lo: 0x3243f6a8885a308d313198a2e, hi: 0x3243f6a8885a308d313198a2f };
+
+    /// The roots, to some 2⁻⁶³ of themselves or 2⁻⁹⁶; the whole line if one may be of a number below 0.
+    pub fn roots(self) -> Self {
+        if self.is_whole() || self.lo < 0 {
+            return Self::WHOLE;
+        }
+        // √(x 2⁻⁹⁶) = √(x 2^s) 2^(48 − s/2) 2⁻⁹⁶ for an even s with x 2^s < 2¹²⁷.
+        let root = |x: i128| {
+            let s = ((x | 1).leading_zeros() - 1).min(96) & !1;
+            ((x << s).isqrt(), 48 - s / 2)
+        };
+        let ((lo, down), (hi, up)) = (root(self.lo), root(self.hi));
+        Self::new(lo << down, (hi + 1) << up)
+    }
 }
 
 impl Fixed<48> {
@@ -54,6 +68,7 @@ impl<const POINT: u32> Fixed<POINT> {
     pub const WHOLE: Self = Fixed { lo: -Self::FAR, hi: Self::FAR };
     pub const ZERO: Self = Fixed { lo: 0, hi: 0 };
     pub const ONE: Self = Fixed { lo: 1 << POINT, hi: 1 << POINT };
+    pub const MINUS_ONE: Self = Fixed { lo: -(1 << POINT), hi: -(1 << POINT) };
 
     fn new(lo: i128, hi: i128) -> Self {
         if lo <= -Self::FAR || hi >= Self::FAR { Self::WHOLE } else { Fixed { lo, hi } }

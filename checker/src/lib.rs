@@ -40,6 +40,7 @@
 //! | `word-by-theorem` | the signs that the word theorem asks for there, and so all periods | [`word`] |
 //! | `orbit`, `orbit 2`, `orbit 3` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not; 2: for all coefficients in intervals; 3: the same of the motion without impacts, which is clear of every wall | [`orbit`] |
 //! | `event`, `event 2` | that such an orbit bifurcates (saddle-node, flip) or grazes at a parameter in an interval; 2: for all coefficients in intervals | [`event`] |
+//! | `branch` | such an orbit over a range of a parameter, at every value, and where it is stable | [`branch`] |
 //! | `chaos 3`, `chaos 4` | that every bi-infinite path of a graph of letters, each of so many periods, is an orbit of an oscillator, over ranges of parameters; 4: between two walls, each the other's mirror image, both met | [`chaos`] |
 //! | `range`, `range 2` | the motions that are born where an oscillator touches its wall, for every bi-infinite path of a graph, from the touch to a distance; 2: and that no others are near | [`range`] |
 //! | `nothing` | that beyond the touch nothing is born and no motion stays near, to a distance | [`nothing`] |
@@ -74,6 +75,7 @@
 //! certificates lives elsewhere.
 
 mod arithmetic;
+pub mod branch;
 pub mod chaos;
 pub mod cover;
 mod decimal;
@@ -106,7 +108,7 @@ use lines::Lines;
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 18] = [
+const KINDS: [Kind; 19] = [
     Kind::first(theorem2::KIND, theorem2::STATEMENT, theorem2::check),
     Kind::first(cover::KIND, cover::STATEMENT, cover::check),
     Kind::first(orbit::KIND, orbit::STATEMENT, orbit::check::<orbit::Fraction>),
@@ -115,6 +117,7 @@ const KINDS: [Kind; 18] = [
     Kind::first(word::KIND_BY_THEOREM, word::STATEMENT_BY_THEOREM, word::check_by_theorem),
     Kind::first(orbit::KIND, orbit::STATEMENT_2, orbit::check::<orbit::Range>).version(" 2"),
     Kind::first(event::KIND, event::STATEMENT_2, event::check::<event::RangeQuotient>).version(" 2"),
+    Kind::first(branch::KIND, branch::STATEMENT, branch::check),
     Kind::first(chaos::KIND, chaos::STATEMENT_3, chaos::check::<false>).version(" 3"),
     Kind::first(chaos::KIND, chaos::STATEMENT_4, chaos::check::<true>).version(" 4"),
     Kind::first(range::KIND, range::STATEMENT, range::check::<false>),

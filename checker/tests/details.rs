@@ -17,8 +17,8 @@ use std::{
 };
 
 use common::{
-    CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, FREE, FREE_MACHINE, GRAZING, NOTHING, ORBIT_4, RANGE_1,
-    RANGE_ALONE, SADDLE_NODE, SINGLE_1, THEOREM2, WORD, WORD_BY_THEOREM, answer, resealed, with,
+    BRANCH, CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, FREE, FREE_MACHINE, GRAZING, NOTHING, ORBIT_4, RANGE_1,
+    RANGE_ALONE, SADDLE_NODE, SINGLE_1, THEOREM2, WORD, WORD_BY_THEOREM, answer, first_cells, resealed, with,
 };
 use grazing_check::{Checked, Rejection, kinds};
 
@@ -34,7 +34,17 @@ fn samples() -> [Vec<String>; 3] {
     let ball = with(BALL, "orbit", "orbit 1 unstable");
     [
         owned(&[THEOREM2, COVER, WORD, WORD_BY_THEOREM, ENTROPY]),
-        owned(&[ORBIT_4, RANGES, SADDLE_NODE, GRAZING, RESPONSE, &ball, FREE, FREE_MACHINE]),
+        owned(&[
+            ORBIT_4,
+            RANGES,
+            SADDLE_NODE,
+            GRAZING,
+            RESPONSE,
+            &ball,
+            FREE,
+            FREE_MACHINE,
+            &first_cells(BRANCH, 2),
+        ]),
         owned(&[
             RANGE_1,
             RANGE_ALONE,
@@ -291,6 +301,20 @@ fn follows(sample: &Checked, changed: &Checked, mirrored: bool) -> bool {
             changed.title == sample.title
                 && detail(changed, "motion").split(" + ").next()
                     == detail(sample, "motion").split(" + ").next()
+        }
+        // Whether the orbit is there, and stable, is looked at in `branch.rs`.
+        "branch" => {
+            let word =
+                |checked| detail(checked, "stability").split(' ').next().unwrap_or_default().to_string();
+            let ends = |checked| numbers(detail(checked, "parameter"));
+            let ([from, to, ..], [new_from, new_to, ..]) = (&ends(sample)[..], &ends(changed)[..]) else {
+                panic!("{changed}")
+            };
+            let room = to - from;
+            detail(changed, "pattern") == detail(sample, "pattern")
+                && (word(changed) == word(sample) || word(changed) == "open")
+                && from - room < *new_from
+                && *new_to < to + room
         }
         // Whether the orbit is there, and stable, is looked at in `single.rs`.
         "single" => {

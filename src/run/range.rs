@@ -54,7 +54,7 @@ row! {
 pub struct StabilityRow {
     /// "stable" or "unstable"; between parts it is neither proved to be one nor the other.
     pub word: &'static str,
-    /// The value of the parameter where it begins, rounded inwards; absent at the touch, which is not in it.
+    /// The value of the parameter where it begins, rounded inwards; absent at a touch, which is not in it.
     pub from: Option<String>,
     /// The value of the parameter where it ends, rounded inwards.
     pub to: String,

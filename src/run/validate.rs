@@ -4,7 +4,7 @@
 use serde::Serialize;
 
 use super::{
-    Finding, Job, Judgement, Lines, Status,
+    Finding, Job, Judgement, Lines, StabilityRow, Status,
     engine::{Engine, Proof, Prover, by_engine},
     row,
 };
@@ -60,10 +60,14 @@ row! {
         pub parameter: Option<String>,
         /// The width of its enclosure.
         pub width: Option<f64>,
-        /// The least value that the certificate leaves to it, exactly.
+        /// The least value that the certificate leaves to it, exactly; of an orbit over a range the range's.
         pub lower: Option<String>,
         /// The greatest.
         pub upper: Option<String>,
+        /// Over a range where the orbit is stable, part by part.
+        pub stability: Vec<StabilityRow>,
+        /// Why the range goes no further than this, if it is not all that was asked for.
+        pub range_ends: Option<String>,
     }
 }
 
@@ -99,7 +103,8 @@ impl Finding for ValidateFindings {
             format!("pattern {} near {:?}: {}", text(pattern), row.solution, text(reason))
         };
         let first = |verdict: &str| self.proofs.iter().find(|row| row.proved.verdict == verdict).map(said);
-        match (first("refuted"), first("undecided")) {
+        let short = || self.proofs.iter().find_map(ProofRow::short);
+        match (first("refuted"), first("undecided").or_else(short)) {
             (Some(which), _) => Status::refuted(which),
             (None, Some(which)) => Status::undecided(which),
             (None, None) if !self.proofs.is_empty() => Status::Done,
@@ -132,8 +137,11 @@ pub(crate) fn validate(task: &ValidateTask, job: &Job) -> Result<ValidateFinding
 
 fn of<E: Engine>(task: &ValidateTask, job: &Job, engine: &E) -> Result<ValidateFindings> {
     let mut found = ValidateFindings::default();
-    if let (Some(event), Some(parameter)) = (task.event, &task.parameter) {
-        engine.prove_events(task, event, parameter, &mut found)?;
+    if let Some(parameter) = &task.parameter {
+        match task.event {
+            Some(event) => engine.prove_events(task, event, parameter, &mut found)?,
+            None => engine.prove_branches(task, parameter, &mut found)?,
+        }
         return Ok(found);
     }
     // What no certificate can hold is said before the search.
@@ -206,7 +214,23 @@ impl Proved {
 impl ProofRow {
     pub(super) fn of<T>(verdict: &Verdict<T>, pattern: String, solution: Vec<f64>) -> ProofRow {
         let proved = Proved::of(verdict, Some(pattern));
-        ProofRow { proved, solution, parameter: None, width: None, lower: None, upper: None }
+        ProofRow {
+            proved,
+            solution,
+            parameter: None,
+            width: None,
+            lower: None,
+            upper: None,
+            stability: Vec::new(),
+            range_ends: None,
+        }
+    }
+
+    /// That less is proved than was asked for.
+    fn short(&self) -> Option<String> {
+        let ProofRow { lower, upper, range_ends, .. } = self;
+        let all = lower.as_ref().zip(upper.as_ref()).zip(range_ends.as_ref());
+        all.map(|((lower, upper), why)| format!("proved from {lower} to {upper}, which is not all: {why}"))
     }
 }
 

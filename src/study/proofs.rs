@@ -127,6 +127,7 @@ impl ProofSizes {
 pub const PAPER: &str = include_str!("../../examples/scenes/nordmark-2001.toml");
 /// The same with proofs of chaos.
 pub const CHAOS: &str = include_str!("../../examples/scenes/nordmark-2001-chaos.toml");
+const BRANCHES: &str = include_str!("../../examples/scenes/nordmark-2001-branches.toml");
 /// The same stop with so much damping that both eigenvalues are real: orbits of every period are born.
 const OVERDAMPED: &str = r#"
 format = "grazing-scene 1"
@@ -172,13 +173,14 @@ range = { effort = 20000 }
 "#;
 
 /// Tasks of scenes that write certificates: kind, n, scene, task.
-const SCENES: [(&str, u64, &str, &str); 13] = [
+const SCENES: [(&str, u64, &str, &str); 14] = [
     ("event", 3, PAPER, "proved-mu_pd"),
     ("event", 4, PAPER, "proved-mu_sn"),
     ("event", 6, PAPER, "proved-mu_gr3"),
     ("event 2", 3, PAPER, "proved-mu_pd"),
     ("event 2", 4, PAPER, "proved-mu_sn"),
     ("event 2", 6, PAPER, "proved-mu_gr3"),
+    ("branch", 3, BRANCHES, "period-3"),
     ("chaos 3", 2, CHAOS, "few"),
     ("chaos 3", 3, CHAOS, "figure10"),
     ("chaos 4", 3, MIRRORED, "touched"),

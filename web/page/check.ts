@@ -53,6 +53,8 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
   orbit: ([n], detail) => orbit("oscillator", n, detail),
   event: ([n], detail) =>
     `A periodic orbit of ${several(n)} has an event: ${detail.get("event") ?? "the one listed"} (${detail.get("parameter") ?? ""}).`,
+  branch: ([n], detail) =>
+    `A periodic orbit of ${several(n)} is there at every value of ${detail.get("parameter") ?? "the range listed"}: ${detail.get("stability") ?? ""}.`,
   chaos: (_, detail, title) => {
     const each = `Every path of its letters is a motion of the oscillator: ${detail.get("letters") ?? ""}.`;
     return title === "chaos" ? `The oscillator is chaotic. ${each}` : `${each} That it is chaotic is not proved.`;

@@ -4,16 +4,13 @@ use std::fmt;
 
 use super::{
     super::motion::text::{
-        DIGITS, decimal, read_count, read_flights, read_impacts, read_matrix, read_radius, read_system,
-        write_proof,
+        DIGITS, decimal, read_count, read_flights, read_impacts, read_matrix, read_name, read_radius,
+        read_system, write_proof,
     },
     Decimal, Impact, Lines, Quotient, Rejection, Side, System, Version, Words,
 };
 use crate::lines::LONGEST;
 use crate::rejection::ensure;
-
-/// The longest name of a parameter.
-const NAME: usize = 32;
 
 /// What happens.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -116,23 +113,10 @@ impl<C: Version> fmt::Display for Certificate<C> {
     }
 }
 
-/// A letter or _, then letters, digits or _.
-fn is_name(word: &str) -> bool {
-    let letter = |byte: u8| byte.is_ascii_alphabetic() || byte == b'_';
-    let bytes = word.as_bytes();
-    bytes.first().is_some_and(|&first| letter(first))
-        && bytes.len() <= NAME
-        && bytes.iter().all(|&byte| letter(byte) || byte.is_ascii_digit())
-}
-
 /// Reads everything after the kind line.
 pub(super) fn read<C: Version>(lines: &mut Lines) -> Result<Certificate<C>, Rejection> {
     let system: System<C> = read_system(lines, C::STATEMENT)?;
-    let (name, parameter) = lines.line("parameter", |words| {
-        let name = words.word("the parameter's name")?;
-        ensure(is_name(name), format_args!("expected a name of at most {NAME} letters, digits and _"))?;
-        Ok((name.to_string(), decimal(words)?))
-    })?;
+    let (name, parameter) = lines.line("parameter", |words| Ok((read_name(words)?, decimal(words)?)))?;
     let at = lines.number();
     let (event, m) = lines.line("event", |words| {
         let event = words.word("saddle-node, flip or grazing")?;

@@ -5,7 +5,7 @@
 //! with ω = √(k − c²/4) if that is real, cosh and sinh if not. For c = 0 and k = 1 it is cos t + A sin t.
 //! Entries: [[a, b], [−kb, a − cb]].
 
-use super::number::Number;
+use super::{Interval, number::Number};
 
 /// The numbers a + bA for one A.
 #[derive(Debug, Clone, Copy)]
@@ -34,10 +34,47 @@ impl<N: Number> Ring<N> {
         Element { a: x.a * y.a - self.stiffness * square, b: x.a * y.b + x.b * y.a - self.damping * square }
     }
 
+    /// For c = −1 and k = 0 it is 1 + (e^t − 1) A, A² = A.
+    const GROWTH: Ring<N> = Ring { damping: N::MINUS_ONE, stiffness: N::ZERO };
+
     /// exp(tA) for every enclosed t, its middle apart, so that an interval of t is no wider than it must be.
     pub fn exp(self, t: N) -> Element<N> {
+        if let Some(found) = self.by_roots(t) {
+            return found;
+        }
         let middle = N::constant(t.value().middle());
         self.times(self.series(middle), self.series(t - middle))
+    }
+
+    /// The same where c or k is an interval of some width, which the squares of the series would make wider
+    /// each time: with ω² = k − c²/4 it is e^−ct/2 (cos ωt + sin ωt/ω (A + c/2)), or so in cosh and sinh; none
+    /// where the sign of ω² is not certain.
+    fn by_roots(self, t: N) -> Option<Element<N>> {
+        let narrow = |x: N| {
+            let x = x.value();
+            (x - x.middle()).magnitude().is_below(Interval::ONE.shifted_down(60))
+        };
+        if narrow(self.damping) && narrow(self.stiffness) {
+            return None;
+        }
+        let half = self.damping.shifted_down(1);
+        let square = self.stiffness - half.squared();
+        let growth = |x: N| {
+            let e = Self::GROWTH.exp(x);
+            e.a + e.b
+        };
+        let (even, odd) = if square.value().is_positive() {
+            let omega = square.root();
+            let (circle, decay) = (Self::CIRCLE.exp(omega * t), growth(-(half * t)));
+            (decay * circle.a, (decay * circle.b).over(omega))
+        } else if (-square.value()).is_positive() {
+            let omega = (-square).root();
+            let [up, down] = [omega - half, -omega - half].map(|rate| growth(rate * t));
+            ((up + down).shifted_down(1), (up - down).shifted_down(1).over(omega))
+        } else {
+            return None;
+        };
+        Some(Element { a: even + half * odd, b: odd })
     }
 
     /// (exp(tA/2^j))^(2^j) with ‖tA/2^j‖ ≤ 1/4, by rows: ‖A‖ ≤ max(1, |k| + |c|).
@@ -61,7 +98,7 @@ impl<N: Number> Ring<N> {
         // ≤ |t′| ‖A‖ + |t| (|c′| + |k′|).
         let [most_t, most_c, most_k] = [t, self.damping, self.stiffness].map(|x| x.value().magnitude());
         let [along_t, along_c, along_k] = [t, self.damping, self.stiffness].map(|x| x.slope().magnitude());
-        let bend = along_t * (most_c + most_k + super::Interval::ONE) + most_t * (along_c + along_k);
+        let bend = along_t * (most_c + most_k + Interval::ONE) + most_t * (along_c + along_k);
         let rest = bend.shifted_down(106);
         let sum = Element { a: sum.a.outwards(rest), b: sum.b.outwards(rest) };
         (0..halvings).fold(sum, |x, _| self.times(x, x))
@@ -84,6 +121,51 @@ mod tests {
         super::{Interval, number::Dual},
         *,
     };
+
+    /// By roots all is enclosed that the series gives at points of the intervals, with its derivatives, and
+    /// little else: some times what these move.
+    #[test]
+    fn roots_enclose_the_series() {
+        let mut state = 5u64;
+        let mut random = |below: i128| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            i128::from(state >> 33) % below
+        };
+        let (mut wave, mut growth) = (0, 0);
+        for _ in 0..400 {
+            let [c, k, t] = [random(2000), random(3000), random(20_000)];
+            let [dc, dk] = [random(2000) - 1000, random(2000) - 1000];
+            // Each number a thousandth, its slope too; wide by a millionth on both sides.
+            let wide = Interval::ratio(1, 1_000_000);
+            let dual = |x: i128, slope: i128, width: Interval| Dual {
+                value: Interval::ratio(x, 1000).widened(width),
+                slope: Interval::ratio(slope, 1000),
+            };
+            let ring = |width: Interval| Ring { damping: dual(c, dc, width), stiffness: dual(k, dk, width) };
+            let time = dual(t, 0, Interval::ZERO);
+            let Some(found) = ring(wide).by_roots(time) else { continue };
+            (wave, growth) = if 4000 * k > c * c { (wave + 1, growth) } else { (wave, growth + 1) };
+            for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
+                let shift = |i: i128| Interval::ratio(i - 1, 1_100_000);
+                let mut point = ring(Interval::ZERO);
+                point.damping.value = point.damping.value + shift(i);
+                point.stiffness.value = point.stiffness.value + shift(j);
+                let series = point.exp(time);
+                for (all, one) in [(found.a, series.a), (found.b, series.b)] {
+                    let holds = |all: Interval, one: Interval| all.common(one) == Some(one);
+                    assert!(
+                        holds(all.value, one.value) && holds(all.slope, one.slope),
+                        "{c} {k} {t}: {all:?} {one:?}"
+                    );
+                    let (width, critical) =
+                        ((all.value - all.value.middle()).magnitude(), (4000 * k - c * c).abs() < 100_000);
+                    assert!(critical || width.is_below(Interval::ratio(1, 200)), "{c} {k} {t}: {all:?}");
+                }
+            }
+        }
+        assert!(wave > 100 && growth > 30, "{wave} {growth}");
+        assert!(Ring::<Dual>::CIRCLE.by_roots(Dual::ONE).is_none());
+    }
 
     /// Here nothing is rounded, so that what is seen is the rest of the series: in the derivative it grows
     /// with the speed at which the argument moves, 2²⁰.

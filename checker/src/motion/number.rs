@@ -11,6 +11,7 @@ pub(crate) trait Number:
 {
     const ZERO: Self;
     const ONE: Self;
+    const MINUS_ONE: Self;
 
     /// A number whose derivative is 0.
     fn constant(value: Interval) -> Self;
@@ -33,6 +34,9 @@ pub(crate) trait Number:
     /// The squares.
     fn squared(self) -> Self;
 
+    /// The roots; nothing is known where the number may be negative, nor of the derivative at 0.
+    fn root(self) -> Self;
+
     /// The same number, known to lie between −1 and 1.
     fn within_unit(self) -> Self;
 
@@ -43,6 +47,7 @@ pub(crate) trait Number:
 impl Number for Interval {
     const ZERO: Self = Interval::ZERO;
     const ONE: Self = Interval::ONE;
+    const MINUS_ONE: Self = Interval::MINUS_ONE;
 
     fn constant(value: Interval) -> Self {
         value
@@ -72,6 +77,10 @@ impl Number for Interval {
         self.squared()
     }
 
+    fn root(self) -> Self {
+        self.roots()
+    }
+
     fn within_unit(self) -> Self {
         self.within_unit()
     }
@@ -91,6 +100,7 @@ pub(crate) struct Dual {
 impl Number for Dual {
     const ZERO: Self = Dual { value: Interval::ZERO, slope: Interval::ZERO };
     const ONE: Self = Dual { value: Interval::ONE, slope: Interval::ZERO };
+    const MINUS_ONE: Self = Dual { value: Interval::MINUS_ONE, slope: Interval::ZERO };
 
     fn constant(value: Interval) -> Self {
         Dual { value, slope: Interval::ZERO }
@@ -121,6 +131,11 @@ impl Number for Dual {
     fn squared(self) -> Self {
         let half = self.value * self.slope;
         Dual { value: self.value.squared(), slope: half + half }
+    }
+
+    fn root(self) -> Self {
+        let root = self.value.roots();
+        Dual { value: root, slope: self.slope.over(root + root) }
     }
 
     fn within_unit(self) -> Self {

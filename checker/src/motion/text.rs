@@ -15,7 +15,9 @@ const IMPACTS: u64 = 24;
 pub(crate) const HARMONICS: u64 = 1000;
 /// The most periods between two impacts.
 pub(crate) const PERIODS: u64 = 10_000;
-/// The most exponentials that a check may take.
+/// The longest name of a parameter.
+const NAME: usize = 32;
+/// The most exponentials that the check of an orbit may take.
 const WORK: u64 = 1_000_000;
 
 /// A coefficient of a system.
@@ -303,6 +305,18 @@ pub(crate) fn read_impacts<C: Coefficient>(
     Ok(impacts)
 }
 
+/// Reads a parameter's name: a letter or _, then letters, digits or _.
+pub(crate) fn read_name(words: &mut Words) -> Result<String, String> {
+    let letter = |byte: u8| byte.is_ascii_alphabetic() || byte == b'_';
+    let name = words.word("the parameter's name")?;
+    let bytes = name.as_bytes();
+    let holds = bytes.first().is_some_and(|&first| letter(first))
+        && bytes.len() <= NAME
+        && bytes.iter().all(|&byte| letter(byte) || byte.is_ascii_digit());
+    ensure(holds, format_args!("expected a name of at most {NAME} letters, digits and _"))?;
+    Ok(name.to_string())
+}
+
 /// Reads R and W.
 pub(crate) fn read_radius(lines: &mut Lines) -> Result<(Decimal, Decimal), Rejection> {
     lines.line("radius", |words| Ok((decimal(words)?, decimal(words)?)))
@@ -325,19 +339,30 @@ pub(crate) fn read_flights(
     count: usize,
     work: impl Fn(u64) -> u64,
 ) -> Result<Vec<Vec<Decimal>>, Rejection> {
+    let (flights, _) = read_pieces(lines, count, WORK, work)?;
+    lines.end("the file goes on after the last flight")?;
+    Ok(flights)
+}
+
+/// Reads the pieces of so many flights, which may make the check take up to `most`; and how many they are.
+pub(crate) fn read_pieces(
+    lines: &mut Lines,
+    count: usize,
+    most: u64,
+    work: impl Fn(u64) -> u64,
+) -> Result<(Vec<Vec<Decimal>>, u64), Rejection> {
     let mut flights = Vec::new();
     let mut pieces = 0;
     for _ in 0..count {
-        let count = lines.line("flight", |words| words.number("the number of pieces", WORK))?;
+        let count = lines.line("flight", |words| words.number("the number of pieces", most))?;
         lines.form(count > 0, "a flight has at least one piece")?;
         pieces += count;
         let work = work(pieces);
         let reason = format_args!(
-            "the check would take up to {work} exponentials, more than {WORK}: fewer pieces or harmonics"
+            "the check would take up to {work} exponentials, more than {most}: fewer pieces or harmonics"
         );
-        lines.form(work <= WORK, reason)?;
+        lines.form(work <= most, reason)?;
         flights.push((0..count).map(|_| lines.line("until", decimal)).collect::<Result<_, _>>()?);
     }
-    lines.end("the file goes on after the last flight")?;
-    Ok(flights)
+    Ok((flights, pieces))
 }

@@ -40,21 +40,22 @@ impl<'a, C: Coefficient> Proof<'a, C> {
     pub fn run(&self, go_on: GoOn) -> Result<(), Fault> {
         let unknowns = self.boxes.solution(self, go_on)?;
         self.cycle.is_orbit(&unknowns, &self.certificate.flights, None, go_on)?;
-        self.stability(&unknowns, go_on)
+        self.certificate.claim.holds(self.cycle.multipliers(&unknowns, go_on)?)
     }
+}
 
-    /// With T the trace of the linearised map once round and D its determinant: stable iff D < 1 and 1 + D ±
-    /// T > 0, unstable if one is < 0.
-    fn stability(&self, x: &[Interval], go_on: GoOn) -> Result<(), Fault> {
-        let [trace, determinant] = self.cycle.multipliers(x, go_on)?;
+impl Claim {
+    /// Whether it is true where these are the trace T and the determinant D of the linearised map once round:
+    /// stable iff D < 1 and 1 + D ± T > 0, unstable if one is < 0.
+    pub(crate) fn holds(self, [trace, determinant]: [Interval; 2]) -> Result<(), Fault> {
         let sum = Interval::ONE + determinant;
         let conditions = [Interval::ONE - determinant, sum - trace, sum + trace];
-        let holds = match self.certificate.claim {
+        let holds = match self {
             Claim::Stable => conditions.iter().all(|x| x.is_positive()),
             Claim::Unstable => conditions.iter().any(|&x| (-x).is_positive()),
             Claim::Open => true,
         };
-        claim(holds, format_args!("the orbit is not certainly {}", self.certificate.claim))
+        claim(holds, format_args!("the orbit is not certainly {self}"))
     }
 }
 

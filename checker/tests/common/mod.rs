@@ -24,6 +24,8 @@ pub const RANGE_12: &str = include_str!("../data/range-12.txt");
 pub const RANGE_13: &str = include_str!("../data/range-13.txt");
 pub const RANGE_ALONE: &str = include_str!("../data/range-alone.txt");
 pub const RANGE_BEFORE: &str = include_str!("../data/range-before.txt");
+pub const BRANCH: &str = include_str!("../data/branch.txt");
+pub const BRANCH_2: &str = include_str!("../data/branch-2.txt");
 pub const SINGLE_1: &str = include_str!("../data/single-1.txt");
 pub const SINGLE_2: &str = include_str!("../data/single-2.txt");
 pub const SINGLE_3: &str = include_str!("../data/single-3.txt");
@@ -83,6 +85,14 @@ pub fn nth(text: &str, start: &str, at: usize, line: &str) -> String {
     let all: Vec<&str> = lines.collect();
     assert!(seen > at, "{start}: line {at} is not there");
     all.join("\n") + "\n"
+}
+
+/// A branch with its first cells alone.
+pub fn first_cells(text: &str, cells: usize) -> String {
+    let (head, rest) = text.split_once("\ncell ").unwrap();
+    let blocks: Vec<&str> = rest.trim_end().split("\ncell ").take(cells).collect();
+    let blocks: Vec<String> = blocks.iter().map(|block| format!("\ncell {block}")).collect();
+    with(&format!("{head}{}\n", blocks.concat()), "cells", &format!("cells {cells}"))
 }
 
 /// A fraction or a decimal.

@@ -213,6 +213,14 @@ pub(crate) trait Engine {
         bits: u32,
     ) -> Result<std::result::Result<impl Prover<Self::Orbit>, String>>;
 
+    /// Proves each orbit of the task over a range of a parameter.
+    fn prove_branches(
+        &self,
+        task: &ValidateTask,
+        parameter: &str,
+        found: &mut ValidateFindings,
+    ) -> Result<()>;
+
     /// Proves the event nearest to each admissible orbit of the task.
     fn prove_events(
         &self,

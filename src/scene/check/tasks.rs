@@ -326,16 +326,57 @@ impl Checked<'_> {
             return self
                 .fail("event", &format!("{name}: only saddle-node, flip and grazing can be validated"));
         }
-        match (&task.event, &task.parameter) {
-            (None, None) => Ok(()),
-            (Some(_), Some(parameter)) => self.parameter(parameter),
-            _ => Err(scene.fail(self.path, "event and parameter belong together: give both or neither")),
+        let Some(parameter) = &task.parameter else {
+            return match task.event.is_some() || task.has_range() {
+                true => {
+                    Err(scene.fail(self.path, "has no parameter, which `event`, `from` and `to` are about"))
+                }
+                false => Ok(()),
+            };
+        };
+        self.parameter(parameter)?;
+        match (task.event.is_some(), task.has_range()) {
+            (true, false) => Ok(()),
+            (false, true) => self.proved_over(task, parameter),
+            (true, true) => self.fail("event", "is proved by itself: leave `from` and `to` out"),
+            (false, false) => {
+                let message =
+                    "varies in no way: give `from` or `to`, to prove orbits over a range, or `event`";
+                self.fail("parameter", message)
+            }
         }
     }
 
+    /// The range over which orbits are proved, with the scene's value in it.
+    fn proved_over(&self, task: &ValidateTask, parameter: &str) -> Result<()> {
+        let scene = self.scene;
+        let (_, own) = &scene.parameters[scene.parameter(parameter)?];
+        let [from, to] = [&task.from, &task.to].map(|end| end.as_ref().unwrap_or(own));
+        if task.orbit.pattern.is_empty() {
+            return self.fail("orbit.pattern", "must have an impact to be proved over a range");
+        }
+        if from > own {
+            return self
+                .fail("from", &format!("is above the scene's {parameter}, at which the orbit is found"));
+        }
+        if to < own {
+            return self
+                .fail("to", &format!("is below the scene's {parameter}, at which the orbit is found"));
+        }
+        if from == to {
+            return self.fail("to", "is `from`: a range has a least and a greatest value");
+        }
+        Ok(())
+    }
+
     fn machine_proof(&self, task: &ValidateTask) -> Result<()> {
-        if task.event.is_some() || task.parameter.is_some() {
-            let key = if task.event.is_some() { "event" } else { "parameter" };
+        let keys = [
+            ("event", task.event.is_some()),
+            ("from", task.from.is_some()),
+            ("to", task.to.is_some()),
+            ("parameter", task.parameter.is_some()),
+        ];
+        if let Some((key, _)) = keys.iter().find(|(_, given)| *given) {
             return self.only_one(key, "is proved");
         }
         if task.orbit.pattern.is_empty() {

@@ -4,8 +4,8 @@
 //! Krawczyk's test over balls with first derivatives proves that the equations of an impact pattern, extended
 //! by the event's condition where one is asked for, have exactly one solution in a box. Approximations serve
 //! to choose the box only. Proved orbits and events are written as certificates, which `grazing check` proves
-//! again. The motion without impacts (`free`) is in closed form and needs no test. Not here: continuation
-//! and approximate orbits.
+//! again. The motion without impacts (`free`) is in closed form and needs no test. Over a range of a
+//! parameter an orbit is proved cell by cell (`branch`). Not here: continuation and approximate orbits.
 //!
 //! ```
 //! use grazing::number::Precision;
@@ -26,6 +26,7 @@
 //! ```
 
 mod admissible;
+mod branch;
 mod equations;
 mod event;
 mod free;
@@ -37,6 +38,7 @@ mod repetition;
 mod solution;
 mod write;
 
+pub use branch::{BranchProblem, ProvedBranch, branch};
 pub use event::{Condition, ProvedEvent, event, event_in};
 pub use free::{ProvedFreeMotion, free_motion};
 pub use jet::Jet;

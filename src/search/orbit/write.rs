@@ -168,7 +168,7 @@ fn accepted_event<C: event::Version + Clone>(
 }
 
 /// Why the checker does not accept a certificate.
-fn refusal(text: &str) -> Option<String> {
+pub(super) fn refusal(text: &str) -> Option<String> {
     certificate::check(&mut text.as_bytes()).err().map(|rejection| rejection.to_string())
 }
 
@@ -184,11 +184,11 @@ fn impacts(list: &[super::ExpectedImpact], centre: &[BigRational]) -> Result<Vec
     list.iter().enumerate().map(one).collect()
 }
 
-fn lists(lists: &[Vec<BigRational>]) -> Result<Vec<Vec<Decimal>>> {
+pub(super) fn lists(lists: &[Vec<BigRational>]) -> Result<Vec<Vec<Decimal>>> {
     lists.iter().map(|list| list.iter().map(decimal).collect()).collect()
 }
 
-fn side(side: motion::Side) -> Side {
+pub(super) fn side(side: motion::Side) -> Side {
     match side {
         motion::Side::Lower => Side::Lower,
         motion::Side::Upper => Side::Upper,
@@ -196,7 +196,10 @@ fn side(side: motion::Side) -> Side {
 }
 
 /// A linear system with its coefficients as the checker reads them.
-fn converted<T, C>(system: &motion::System<T>, convert: &dyn Fn(&T) -> Result<C>) -> Result<System<C>> {
+pub(super) fn converted<T, C>(
+    system: &motion::System<T>,
+    convert: &dyn Fn(&T) -> Result<C>,
+) -> Result<System<C>> {
     let harmonics = |list: &[motion::Harmonic<T>]| {
         let one = |h: &motion::Harmonic<T>| {
             Ok(Harmonic { k: h.k.into(), cos: convert(&h.cos)?, sin: convert(&h.sin)? })
@@ -259,7 +262,7 @@ pub(crate) fn range_of(lo: &BigRational, hi: &BigRational) -> Result<Range> {
 }
 
 /// A quotient divided by the greatest magnitude in its denominator, in intervals.
-fn range_quotient(x: &Quotient) -> Result<event::RangeQuotient> {
+pub(super) fn range_quotient(x: &Quotient) -> Result<event::RangeQuotient> {
     let too_large = || Error::input("a coefficient is too large an expression of the parameter");
     let [numerator, denominator] = x.polynomials().ok_or_else(too_large)?;
     let greatest = denominator.iter().map(Signed::abs).max().ok_or_else(too_large)?;

@@ -289,6 +289,11 @@ impl<'j> Engine for Machines<'j> {
         })
     }
 
+    fn prove_branches(&self, _: &ValidateTask, _: &str, _: &mut ValidateFindings) -> Result<()> {
+        // Refused when the scene was read.
+        Err(Error::input("orbits of machines are not proved over a range"))
+    }
+
     fn prove_events(
         &self,
         _: &ValidateTask,

@@ -281,6 +281,15 @@ impl<'j> Engine for Oscillators<'j> {
         Ok(Ok(OrbitProver { job: self.job, system, precision }))
     }
 
+    fn prove_branches(
+        &self,
+        task: &ValidateTask,
+        parameter: &str,
+        found: &mut ValidateFindings,
+    ) -> Result<()> {
+        proofs::branches(task, parameter, self, found)
+    }
+
     fn prove_events(
         &self,
         task: &ValidateTask,

@@ -7,8 +7,8 @@ use num_traits::ToPrimitive;
 
 use super::{
     super::super::{
-        Job, Judgement, ProofRow, ValidateFindings,
-        engine::{Proof, Prover, SEVERAL_PERIODS},
+        Job, Judgement, ProofRow, StabilityRow, ValidateFindings,
+        engine::{Engine, Proof, Prover, SEVERAL_PERIODS},
         validate::{all, digits, starts},
     },
     Oscillators, named, speeds, turn,
@@ -25,8 +25,10 @@ use crate::{
         grazing,
         orbit::{Family, Itinerary, Orbit, Unknowns},
     },
-    scene::{SceneFamily, validate::ValidateTask},
-    search::orbit::{self, Condition, ExpectedImpact, Jet, Quotient, Stability, Verdict},
+    scene::{self, SceneFamily, validate::ValidateTask},
+    search::orbit::{
+        self, BranchProblem, Condition, ExpectedImpact, Jet, ProvedBranch, Quotient, Stability, Verdict,
+    },
 };
 
 /// Proves orbits of one oscillator.
@@ -107,22 +109,8 @@ pub(super) fn events(
     let precision = Precision::new(task.bits);
     let family = job.family(name)?;
     let start = family.value();
-    let exact = |parameter: &Jet| {
-        let values = job.scene.parameters.iter().map(|(other, value)| {
-            if other == name { parameter.clone() } else { Jet::ratio(value, &precision) }
-        });
-        let values: Vec<Jet> = values.collect();
-        job.scene.system()?.try_map(|expression| expression.evaluate(&values, &precision))
-    };
+    let exact = |parameter: &Jet| system_at(job, name, parameter, &precision);
     found.event = Some(event.name());
-    // The family as a function of the parameter, for the certificates.
-    let family_of = || {
-        let values = job.scene.parameters.iter().map(|(other, value)| {
-            if other == name { Quotient::parameter() } else { Quotient::ratio(value, &()) }
-        });
-        let values: Vec<Quotient> = values.collect();
-        job.scene.system()?.try_map(|expression| expression.evaluate(&values, &()))
-    };
     let mut known: Vec<BigRational> = Vec::new();
     for orbit in starts(task, engine, &family.at(start)?, found)? {
         job.check()?;
@@ -157,7 +145,8 @@ pub(super) fn events(
             row.proved.phases = Some(all(&turns(&proof.phases, &precision)));
             row.proved.speeds = Some(all(&proof.velocities));
             row.proved.only_within = proof.radius.to_f64();
-            match family_of().and_then(|system| orbit::event_certificate(&system, name, &proof)) {
+            let family = system_at(job, name, &Quotient::parameter(), &());
+            match family.and_then(|system| orbit::event_certificate(&system, name, &proof)) {
                 Ok((text, [lower, upper])) => {
                     (row.lower, row.upper) = (Some(lower), Some(upper));
                     found.certify(&mut row, &job.task.name, text);
@@ -168,6 +157,96 @@ pub(super) fn events(
         }
         found.proofs.push(row);
     }
+    Ok(())
+}
+
+/// The oscillator at a value of a parameter, of whatever numbers.
+fn system_at<R: scene::Coefficient>(
+    job: &Job,
+    name: &str,
+    parameter: &R,
+    context: &R::Context,
+) -> Result<System<R>> {
+    let values = job
+        .scene
+        .parameters
+        .iter()
+        .map(|(other, value)| if other == name { parameter.clone() } else { R::ratio(value, context) });
+    let values: Vec<R> = values.collect();
+    job.scene.system()?.try_map(|expression| expression.evaluate(&values, context))
+}
+
+/// Proves each admissible orbit of the task over the range of its parameter.
+///
+/// # Errors
+/// Where the system is not defined; an interruption.
+pub(super) fn branches(
+    task: &ValidateTask,
+    name: &str,
+    engine: &Oscillators,
+    found: &mut ValidateFindings,
+) -> Result<()> {
+    let job = engine.job;
+    let precision = Precision::new(task.bits);
+    let (_, at) = &job.scene.parameters[job.scene.parameter(name)?];
+    let family = |parameter: &Jet| system_at(job, name, parameter, &precision);
+    let system = system_at(job, name, &Quotient::parameter(), &())?;
+    for orbit in starts(task, engine, &<Oscillators as Engine>::system(engine, None)?, found)? {
+        job.check()?;
+        if !orbit.admissibility.is_admissible() {
+            found.nothing(speeds(&orbit), "the solution to begin with is not admissible".into());
+            continue;
+        }
+        let impacts = impacts(&orbit.itinerary, &orbit.z);
+        let problem = BranchProblem {
+            family: &family,
+            system: &system,
+            name,
+            impacts: &impacts,
+            at: at.clone(),
+            over: [&task.from, &task.to].map(|end| end.clone().unwrap_or_else(|| at.clone())),
+            precision: precision.clone(),
+        };
+        let solution = impacts.iter().flat_map(|impact| [turn(impact.phase), impact.velocity]).collect();
+        let rung = Rung::Ball(precision.bits());
+        let verdict = timed(job.monitor, rung, || orbit::branch(&problem, job.monitor))?;
+        let mut row = ProofRow::of(&verdict, named(&orbit.itinerary, job), solution);
+        if let Verdict::Proved(proof) = verdict {
+            over(&mut row, &proof)?;
+            found.certify(&mut row, &job.task.name, proof.text);
+        }
+        found.proofs.push(row);
+    }
+    Ok(())
+}
+
+/// What a proof over a range says, in its row.
+fn over(row: &mut ProofRow, proof: &ProvedBranch) -> Result<()> {
+    let text = |x: &BigRational| orbit::decimal(x).map(|x| x.to_string());
+    let [least, greatest] = &proof.range;
+    (row.lower, row.upper) = (Some(text(least)?), Some(text(greatest)?));
+    let parts = proof.parts();
+    row.proved.stable = match &parts[..] {
+        [(_, only)] => Some(judged(*only)),
+        _ => None,
+    };
+    let mut from = text(least)?;
+    for (to, stability) in &parts {
+        let to = text(to)?;
+        let word = match stability {
+            Some(Stability::Stable) => "stable",
+            Some(Stability::Unstable) => "unstable",
+            None => "",
+        };
+        if !word.is_empty() {
+            row.stability.push(StabilityRow { word, from: Some(from), to: to.clone() });
+        }
+        from = to;
+    }
+    let ways = ["down", "up"].iter().zip(&proof.ends);
+    let short: Vec<String> =
+        ways.filter_map(|(way, end)| Some(format!("{way}: {}", end.as_ref()?))).collect();
+    row.range_ends = (!short.is_empty()).then(|| short.join("; "));
     Ok(())
 }
 
