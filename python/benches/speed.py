@@ -69,14 +69,22 @@ def classifications():
     rng = np.random.default_rng(1)
     count = 1_000_000
     r, s = np.sqrt(rng.uniform(0.1, 1, count)), rng.uniform(0.001, 0.499, count)
-    seconds, found = least(lambda: grazing.classify_many(r=r, s=s), 1)
+    seconds, found = least(lambda: grazing.classify_many(r=r, s=s, floats="binary"), 1)
     print(f"classify_many (r, s): {count} points, {seconds:.2f} s, {1e6 * seconds / count:.2f} µs per point")
     a1, a2 = rng.uniform(-2, 2, count), rng.uniform(0.01, 1, count)
-    seconds, _ = least(lambda: grazing.classify_many(a1=a1, a2=a2), 1)
+    seconds, _ = least(lambda: grazing.classify_many(a1=a1, a2=a2, floats="binary"), 1)
     print(f"classify_many (a1, a2): {count} points, {seconds:.2f} s, {1e6 * seconds / count:.2f} µs per point")
+    p = rng.integers(1, 499, count)
+    seconds, exact = least(lambda: grazing.classify_many(r=grazing.Fractions(99, 100), s=grazing.Fractions(p, 1000)), 1)
+    print(f"classify_many (r, s) of int64: {count} points, {seconds:.2f} s, {1e6 * seconds / count:.2f} µs per point")
+    if (exact[:500] != grazing.classify_many(r="99/100", s=[Fraction(int(x), 1000) for x in p[:500]])).any():
+        raise SystemExit("pairs of int64 and Fractions differ")
     few = 2000
-    seconds, one = least(lambda: [grazing.classify(r=Fraction(x), s=Fraction(y)) for x, y in zip(r[:few], s[:few])], 1)
-    print(f"classify one by one: {1e6 * seconds / few:.1f} µs per point")
+    points = [(Fraction(x), Fraction(y)) for x, y in zip(r[:few], s[:few])]
+    seconds, one = least(lambda: [grazing.classify(r=x, s=y) for x, y in points])
+    print(f"classify one by one, 15 periods: {1e6 * seconds / few:.1f} µs per point")
+    seconds, _ = least(lambda: [grazing.classify(r="0.95", s="3/8") for _ in points])
+    print(f"classify one point of short decimals, 15 periods: {1e6 * seconds / few:.1f} µs")
     for row, many in zip(one, found):
         if [bool(e.cases) for e in row] != [0 < bits < 16 for bits in many.tolist()]:
             raise SystemExit("classify and classify_many differ")

@@ -15,9 +15,12 @@ The functions are those of the command line ``grazing``: :func:`check`, :func:`v
 
 from pathlib import Path as _Path
 
+from ._arrays import Fractions
+from ._boxes import Share, Shares, shares
 from ._errors import (
     Error,
     FileError,
+    ForkedError,
     GrazingWarning,
     InputError,
     InternalError,
@@ -48,10 +51,11 @@ from ._theory import FuzzReport, PatternReport, existence, fuzz
 STYLE = str(_Path(__file__).with_name("grazing.mplstyle"))
 
 __all__ = [
-    "Case", "Classification", "Done", "EVENT_KINDS", "Edge", "End", "Error", "Existence", "Failed", "FileError",
-    "FuzzReport", "GrazingWarning", "InputError", "InternalError", "InterruptedWork", "Interval", "Intervals",
-    "MissingPackageError", "Motions", "NothingFound", "NumberOverflowError", "Outcome", "PatternReport",
-    "Pending", "Proved", "Record", "Refuted", "Rejected", "Run", "STYLE", "Scene", "Task", "TaskReport", "Undecided",
-    "Value", "Word", "WordCase", "WordReport", "__version__", "boundary", "check", "classify", "classify_many",
-    "evaluate", "existence", "fuzz", "intervals", "verify", "word",
+    "Case", "Classification", "Done", "EVENT_KINDS", "Edge", "End", "Error", "Existence", "Failed",
+    "FileError", "ForkedError", "Fractions", "FuzzReport", "GrazingWarning", "InputError", "InternalError",
+    "InterruptedWork", "Interval", "Intervals", "MissingPackageError", "Motions", "NothingFound",
+    "NumberOverflowError", "Outcome", "PatternReport", "Pending", "Proved", "Record", "Refuted", "Rejected",
+    "Run", "STYLE", "Scene", "Share", "Shares", "Task", "TaskReport", "Undecided", "Value", "Word",
+    "WordCase", "WordReport", "__version__", "boundary", "check", "classify", "classify_many", "evaluate",
+    "existence", "fuzz", "intervals", "shares", "verify", "word",
 ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from typing import Any
 
 
 class Error(Exception):
@@ -44,6 +45,20 @@ class Error(Exception):
         # An OSError's own text has its number and its file once more.
         return str(self.args[0])
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        parts = dict(self.__dict__)
+        if isinstance(self, OSError):
+            parts.update(errno=self.errno, filename=self.filename, strerror=self.strerror)
+        return (_again, (type(self), str(self), parts))
+
+
+def _again(kind: type[Error], message: str, parts: dict[str, Any]) -> Error:
+    """The error that was pickled, all its parts with it."""
+    error = kind(message)
+    for name, value in parts.items():
+        setattr(error, name, value)
+    return error
+
 
 class InputError(Error, ValueError):
     """A value that the caller gave is outside what the function is defined for."""
@@ -65,6 +80,11 @@ class InternalError(Error, RuntimeError):
     """A fault of the library itself: please report it."""
 
 
+class ForkedError(Error, RuntimeError):
+    """This process was forked from one in which the library had threads, and has none of them: start processes
+    with ``multiprocessing.get_context("spawn")``."""
+
+
 class MissingPackageError(Error, ImportError):
     """An optional package is not installed; the message says which and how to get it."""
 
@@ -79,6 +99,7 @@ _KINDS: dict[str, type[Error]] = {
     "io": FileError,
     "interrupted": InterruptedWork,
     "internal": InternalError,
+    "forked": ForkedError,
 }
 
 

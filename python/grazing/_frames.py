@@ -26,4 +26,4 @@ def frame(rows: Iterable[Any] | Mapping[str, Any]) -> Any:
 def _plain(row: Any) -> dict[str, Any]:
     if dataclasses.is_dataclass(row):
         return {field.name: getattr(row, field.name) for field in dataclasses.fields(row)}
-    return dict(row)
+    return row._asdict() if hasattr(row, "_asdict") else dict(row)

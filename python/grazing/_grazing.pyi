@@ -16,15 +16,17 @@ __all__ = [
     "check_file",
     "check_text",
     "classify",
-    "classify_exactly",
     "classify_many",
     "evaluate",
     "existence",
+    "forced",
     "fuzz",
     "intervals",
     "overflow",
+    "shares",
     "verify",
     "word",
+    "word_in_box",
 ]
 
 __version__: str
@@ -32,6 +34,9 @@ _Exact = int | Fraction | Decimal | str
 _Progress = Callable[[int, int, str], Any] | None
 _Bounds = tuple[Fraction, Fraction]
 _Proved = tuple[str, str, str, tuple[int, int] | None, list[tuple[str, str]], int]
+_Row = tuple[int, str, tuple[tuple[int, int], ...], tuple[int, ...], int | None, int | None, int | None]
+_Ends = tuple[_Exact, _Exact]
+_Column = tuple[str, Any]
 _Verdict = tuple[str, _Proved | None, str | None, int | None, str | None]
 
 def check_file(path: str | os.PathLike[str]) -> _Verdict: ...
@@ -44,26 +49,24 @@ def intervals(first: int, last: int, progress: _Progress) -> dict[str, npt.NDArr
 def boundary(
     first: int, last: int, m: int | None, at: list[_Exact] | None, digits: int, progress: _Progress
 ) -> list[tuple[int, int, int, int, int | None, str, _Bounds | None, _Bounds | None]]: ...
-def classify(
-    first: _Exact, second: _Exact, polar: bool, max_n: int
-) -> tuple[str, bool, list[tuple[int, str, list[tuple[int, int, int]], int | None, int | None, int | None]]]: ...
+def classify(first: _Exact, second: _Exact, polar: bool, max_n: int) -> tuple[str, bool, list[_Row]]: ...
 def classify_many(
-    first: npt.NDArray[np.float64],
-    second: npt.NDArray[np.float64],
+    first: _Column,
+    second: _Column,
     polar: bool,
-    found: npt.NDArray[np.uint8],
-    progress: _Progress,
-) -> None: ...
-def classify_exactly(
-    first: list[_Exact],
-    second: list[_Exact],
-    polar: bool,
+    skipped: npt.NDArray[np.bool_] | None,
     found: npt.NDArray[np.uint8],
     progress: _Progress,
 ) -> None: ...
 def word(
     first: _Exact, second: _Exact, polar: bool, max_period: int, letters: int, certificate: str | None
 ) -> tuple[str, str | None, str | None]: ...
+def word_in_box(
+    first: _Ends, second: _Ends, kind: str, max_period: int, letters: int, certificate: str | None
+) -> tuple[str, str | None, str | None]: ...
+def shares(
+    first: _Ends, second: _Ends, kind: str, cells: int, last: int, progress: _Progress
+) -> str: ...
 def evaluate(
     first: _Exact, second: _Exact, polar: bool, n: int, k: int | None, bits: int
 ) -> list[tuple[int | None, str, str, str | None]]: ...
@@ -76,6 +79,7 @@ def existence(
     exact: bool,
     progress: _Progress,
 ) -> tuple[str, list[str]]: ...
+def forced(what: str) -> Any: ...
 def fuzz(
     first: int, last: int, cases: int, seed: int, definition_share: float, progress: _Progress
 ) -> str: ...
@@ -95,6 +99,7 @@ class Scene:
     def parameters(self) -> list[tuple[str, Fraction]]: ...
     @property
     def tasks(self) -> list[tuple[str, str | None, str, list[tuple[str, Fraction]]]]: ...
+    def is_same(self, other: Scene) -> bool: ...
     def with_parameters(self, changes: list[tuple[str, _Exact]]) -> Scene: ...
     def check(self, task: int, changes: list[tuple[str, _Exact]]) -> None: ...
     def run(

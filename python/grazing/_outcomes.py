@@ -6,10 +6,27 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+
+from . import _html
+
+
+def same(one: Any, two: Any) -> bool:
+    """Whether two values are equal; arrays entry by entry, where a NaN is as any other."""
+    if isinstance(one, np.ndarray) and isinstance(two, np.ndarray):
+        alike = one.dtype == two.dtype and one.shape == two.shape
+        return alike and bool(np.array_equal(one, two, equal_nan=one.dtype.kind == "f"))
+    if isinstance(one, np.ndarray) or isinstance(two, np.ndarray):
+        return False
+    if isinstance(one, list) and isinstance(two, list):
+        return len(one) == len(two) and all(map(same, one, two))
+    return bool(one == two)
+
 
 class Record(Mapping[str, Any]):
     """Named values: ``record.name`` is ``record["name"]``, unless mappings have a method of that name, as
-    ``values``."""
+    ``values``. Records with the same names and equal values are equal, arrays entry by entry; a record that holds
+    no list and no array can be hashed."""
 
     __slots__ = ("_values",)
 
@@ -36,6 +53,14 @@ class Record(Mapping[str, Any]):
 
     def __len__(self) -> int:
         return len(self._values)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Mapping):
+            return NotImplemented
+        return self.keys() == other.keys() and all(same(value, other[name]) for name, value in self.items())
+
+    def __hash__(self) -> int:
+        return hash(frozenset(self._values.items()))
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._values]
@@ -79,6 +104,14 @@ class Outcome:
             f"an outcome is no bool, this one is {kind}: ask isinstance(outcome, grazing.Proved), since what is "
             "not proved may be refuted, undecided or not reached"
         )
+
+    def why(self) -> str:
+        """Why it is no better: witness, reason, budget, what is left, or the error; nothing for Proved and Done."""
+        parts = (getattr(self, name, "") for name in ("witness", "reason", "budget", "left", "error"))
+        return "; ".join(str(part) for part in parts if part)
+
+    def _repr_html_(self) -> str:
+        return _html.verdict(type(self).__name__, self.statement, self.why())
 
 
 @dataclass(frozen=True)
@@ -127,8 +160,16 @@ class NothingFound(Outcome):
     reason: str = ""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Failed(Outcome):
     """It could not be done; ``error`` says why."""
 
     error: Exception | None = None
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Failed):
+            return NotImplemented
+        kinds = type(self.error) is type(other.error)
+        return kinds and str(self.error) == str(other.error) and super().__eq__(other)
+
+    __hash__ = Outcome.__hash__

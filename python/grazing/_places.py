@@ -8,13 +8,15 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any, overload
+from typing import Any, NamedTuple, overload
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _grazing
+from . import _grazing, _html, _plots
 from ._arguments import Exact, natural, point
+from ._arrays import Numbers, column, mask
+from ._boxes import Ends, box, is_box
 from ._errors import InputError
 from ._frames import frame
 from ._outcomes import Outcome, Proved, Undecided
@@ -36,8 +38,7 @@ class Case(enum.IntFlag):
     UNDECIDED = 32
 
 
-@dataclass(frozen=True)
-class Existence:
+class Existence(NamedTuple):
     """What is known of the single-impact orbits of period ``n`` at a point."""
 
     n: int
@@ -92,6 +93,24 @@ class Classification(Sequence[Existence]):
         """A pandas frame, one row per period."""
         return frame(self.found)
 
+    def plot(self, axes: Any = None) -> Any:
+        """A picture of the periods with an orbit, by case, on Matplotlib's ``axes`` or new ones, which are given
+        back."""
+        return _plots.classification(self, axes)
+
+    def _repr_html_(self) -> str:
+        head = ("n", "verdict", "cases (sign eµ, sign γ)", "because")
+        rows = ((row.n, row.verdict, tuple(map(_html.case, row.cases)), _because(row)) for row in self)
+        turned = ", time reversed" if self.reversed else ""
+        return _html.table(f"region {self.region}{turned}", head, rows, len(self))
+
+
+def _because(row: Existence) -> str:
+    """What forbids an orbit, or what is 0."""
+    if row.positive_k is not None:
+        return f"b with k = {row.positive_k} > 0 > b with k = {row.negative_k}"
+    return "" if row.zero_k is None else f"b with k = {row.zero_k} is 0"
+
 
 def classify(
     *, a1: Exact | None = None, a2: Exact | None = None, r: Exact | None = None, s: Exact | None = None,
@@ -101,89 +120,57 @@ def classify(
 
     The point: trace and determinant ``a1``, ``a2`` > 0 of the linear map over one forcing period, or modulus
     ``r`` > 0 and angle ``s`` (of a turn, 0 < s < 1/2) of its complex eigenvalues. Every sign is certain.
+
+    Cost: some microseconds. Up to 64 periods at a point with numbers of up to 256 bits are decided at once, all
+    else on a thread, where Ctrl-C is heard.
     """
     first, second, polar = point(a1, a2, r, s)
     region, reversed_, rows = _grazing.classify(first, second, polar, natural("max_n", max_n))
-    found = tuple(
-        Existence(n, verdict, tuple((e, g) for e, g, _ in cases), tuple(x for *_, x in cases), plus, minus, zero)
-        for n, verdict, cases, plus, minus, zero in rows
-    )
-    return Classification(region, reversed_, found)
+    return Classification(region, reversed_, tuple(map(Existence._make, rows)))
 
 
 def classify_many(
     *,
-    a1: npt.ArrayLike | None = None,
-    a2: npt.ArrayLike | None = None,
-    r: npt.ArrayLike | None = None,
-    s: npt.ArrayLike | None = None,
+    a1: Numbers | None = None,
+    a2: Numbers | None = None,
+    r: Numbers | None = None,
+    s: Numbers | None = None,
     max_n: int = 15,
+    floats: str | None = None,
     progress: Progress = None,
 ) -> npt.NDArray[np.uint8]:
     """The same at many points, on all cores: an array of the bits of :class:`Case`.
 
-    The arrays are broadcast against each other to one shape S; contiguous float64 arrays of that shape are read
-    where they are. Each float is taken as the binary fraction that it is: a grid of floats has no other
-    meaning, and it may miss a boundary that passes through the decimal (s = 0.2 lies beside 1/5). Nothing is
-    rounded: fractions, decimals, integers of any size and exact text are taken as they are, alone or among
-    floats.
+    The arrays are broadcast against each other to one shape S. Their numbers are exact: integers, Fractions,
+    Decimals, text, fractions of other packages (``flint.fmpq``, ``sympy.Rational``), alone or as lists and
+    arrays of any shape; or :class:`Fractions`, two arrays of integers. Nothing is rounded. Contiguous arrays of
+    int64 and of float64 are read where they are.
 
-    :return: uint8 of shape S + (max_n,); entry ``[..., n - 1]`` is 0 where no orbit of period n exists.
+    :param floats: what a float means; without it floats are refused. ``"binary"``: the binary fraction that it is,
+        so that a grid may miss a boundary that passes through the decimal (s = 0.2 lies beside 1/5).
+        ``"decimal"``: its shortest decimal, as in a scene: 0.2 is 1/5.
+    :return: uint8 of shape S + (max_n,); entry ``[..., n - 1]`` is 0 where no orbit of period n exists. Masked
+        arrays give a masked array: a point is not looked at where one of its numbers is masked.
     :raises InputError: for a point outside the theory, named by its place in the flattened arrays.
-    :raises TypeError: for what is no number, and for floats of more than 64 bits.
+    :raises TypeError: for floats without ``floats``, for floats of more than 64 bits, and for what is no number.
     """
     first, second, polar = point(a1, a2, r, s)
     last = natural("max_n", max_n)
     if not 1 <= last <= 100_000:  # The array would be made before the compiled part looks.
         raise InputError(f"max_n = {last}: a whole number from 1 to 100000")
-    one, two = np.broadcast_arrays(_numbers(first), _numbers(second))
-    found = np.zeros((one.size, last), np.uint8)
+    one, two = column(first, floats), column(second, floats)
+    shape = np.broadcast_shapes(one.shape, two.shape)
+    hidden = mask(shape, one, two)
+    found = np.zeros((math.prod(shape), last), np.uint8)
     with shown(progress) as bar:
-        if one.dtype == two.dtype == np.float64:
-            flat = (np.ascontiguousarray(one).reshape(-1), np.ascontiguousarray(two).reshape(-1))
-            _grazing.classify_many(*flat, polar, found, bar)
-        else:
-            _grazing.classify_exactly(_exactly(one), _exactly(two), polar, found, bar)
-    return found.reshape(one.shape + (last,))
-
-
-def _numbers(values: npt.ArrayLike) -> npt.NDArray[Any]:
-    """A float64 array of the same numbers, or an array of objects if floats do not hold them all."""
-    # NumPy would make floats of a list of integers and floats.
-    array = np.asarray(values) if hasattr(values, "__array__") else np.array(values, dtype=object)
-    if array.dtype.kind == "f" and array.dtype.itemsize <= 8:
-        return array.astype(np.float64, copy=False)
-    if array.dtype.kind == "f":
-        raise TypeError(f"an array of {array.dtype}: give float64, or exact numbers")
-    if array.dtype.kind not in "iuUO":
-        raise TypeError(f"an array of {array.dtype} holds no real numbers")
-    held = array.astype(object)
-    if all(_is_held(x) for x in held.flat):
-        return held.astype(np.float64)
-    return held
-
-
-def _is_held(x: object) -> bool:
-    """Whether this is a float of at most 64 bits, or an integer that one holds."""
-    if isinstance(x, (bool, np.bool_)):
-        return False
-    if isinstance(x, (int, np.integer)):
-        return abs(int(x)) <= 2**53
-    return isinstance(x, float) or isinstance(x, np.floating) and x.itemsize <= 8
-
-
-def _exactly(array: npt.NDArray[Any]) -> list[Exact]:
-    """The numbers, floats as the fractions that they are."""
-    def exact(place: int, x: Any) -> Exact:
-        if isinstance(x, np.floating) and x.itemsize > 8:
-            raise TypeError(f"point {place}: {x!r} has more than 64 bits: give an exact number")
-        if not isinstance(x, (float, np.floating)):
-            return x  # type: ignore[no-any-return]
-        if not math.isfinite(x):
-            raise InputError(f"point {place}: {x} is not finite")
-        return Fraction(float(x))
-
-    return [exact(place, x) for place, x in enumerate(array.flat)]
+        _grazing.classify_many(
+            one.flat(shape, hidden), two.flat(shape, hidden), polar,
+            None if hidden is None else hidden.reshape(-1), found, bar,
+        )
+    found = found.reshape(shape + (last,))
+    if hidden is None:
+        return found
+    return np.ma.MaskedArray(found, np.repeat(hidden[..., None], last, axis=-1))
 
 
 # Values.
@@ -256,19 +243,23 @@ class WordCase:
         """The middle of the enclosure, rounded."""
         return None if self.entropy is None else float(sum(self.entropy) / 2)
 
+    def plot(self, axes: Any = None) -> Any:
+        """The graph: an arrow to each period that may follow, dashed where that is open."""
+        return _plots.graph(self, axes)
+
 
 @dataclass(frozen=True)
 class Word:
     """The periods that can occur between impacts for one sign of eµ, in path order."""
 
     sign_emu: int
-    #: For each period U (c_n > 0) or D (c_n < 0).
+    #: For each period U (c_n > 0) or D (c_n < 0); in a box ? where c_n has not one sign.
     letters: str
     periods: tuple[int, ...]
     #: Their places m/n on the Stern–Brocot path to s.
     fractions: tuple[Fraction, ...] = field(repr=False)
     #: Why the word ends: ``"all"`` (every period occurs), ``"complete"``, ``"boundary"``, ``"singular"``,
-    #: ``"undecided"``, ``"cut"`` (the limit on letters), ``"odd"`` (on a₁ = −(a₂ + 1): every odd period, and 2)
+    #: ``"undecided"``, ``"straddled"`` (points of a box may differ), ``"cut"`` (the limit on letters), ``"odd"`` (on a₁ = −(a₂ + 1): every odd period, and 2)
     #: or ``"line"`` (on a₁ = a₂ + 1: period 1, without a letter).
     end: str
     #: The first period on the path that does not occur, or is not decided.
@@ -279,8 +270,9 @@ class Word:
 
 @dataclass(frozen=True)
 class WordReport:
-    """Both words at a point."""
+    """Both words at a point, or what the words of all points of a box have in common."""
 
+    #: As of a classification; empty of a box that meets several, and of machines as measured.
     region: str
     reversed: bool
     #: For eµ > 0 and for eµ < 0.
@@ -304,26 +296,50 @@ class WordReport:
         why += [f"edges of case {c.case}" for w in self.words for c in w.cases if c.open]
         return Undecided(statement, budget="; ".join(why)) if why else Proved(statement)
 
+    def plot(self, axes: Any = None) -> Any:
+        """The periods of both words at their places m/n."""
+        return _plots.word(self, axes)
+
+    def _repr_html_(self) -> str:
+        head = ("case (sign eµ, sign γ)", "letters", "ends", "single orbits", "entropy", "chaotic")
+        rows = (
+            (_html.case(case.case), word.letters, word.end, case.loops, _rate(case), "yes" if case.chaotic else
+             "not shown" if case.lower_bound else "no")
+            for word in self.words for case in word.cases
+        )
+        turned = ", time reversed" if self.reversed else ""
+        return _html.table(f"region {self.region}{turned}", head, rows, 4)
+
+
+def _rate(case: WordCase) -> str | None:
+    rate = case.entropy_float()
+    return None if rate is None else f"{'≥ ' if case.lower_bound else ''}{rate:.6g}"
+
 
 def word(
-    *, a1: Exact | None = None, a2: Exact | None = None, r: Exact | None = None, s: Exact | None = None,
+    *, a1: Ends | None = None, a2: Ends | None = None, r: Ends | None = None, s: Ends | None = None,
+    ratio: Ends | None = None, damping_ratio: Ends | None = None,
     max_period: int = 12, letters: int = 200, certificate: str | None = None,
 ) -> WordReport:
     """Every impact pattern at one point (as for :func:`classify`): which periods occur between impacts, which
-    may follow which, how many patterns there are, and their entropy.
+    may follow which, how many patterns there are, and their entropy. Where a coordinate is a pair of numbers, or for
+    a machine as measured, by ``ratio`` and ``damping_ratio`` (see :func:`shares`), what is said holds for all points
+    of the box, and the word ends where two of them may differ.
 
     :param max_period: patterns are counted up to this period, at most 400.
     :param letters: the words end after this many letters, at most 2000.
     :param certificate: ``"signs"`` or ``"theorem"`` for a certificate in ``report.certificate``, which
         :func:`check` proves again; ``"theorem"`` lets it rest on the word theorem.
     """
-    first, second, polar = point(a1, a2, r, s)
-    text, written, why = _grazing.word(
-        first, second, polar, natural("max_period", max_period), natural("letters", letters), certificate
-    )
+    limits = natural("max_period", max_period), natural("letters", letters), certificate
+    if is_box(a1, a2, r, s) or ratio is not None or damping_ratio is not None:
+        given = {"a1": a1, "a2": a2, "r": r, "s": s, "ratio": ratio, "damping_ratio": damping_ratio}
+        text, written, why = _grazing.word_in_box(*box(given), *limits)
+    else:
+        text, written, why = _grazing.word(*point(a1, a2, r, s), *limits)
     report = json.loads(text)
     words = tuple(_word(side) for side in report["words"])
-    return WordReport(report["region"], report["reversed"], (words[0], words[1]), written, why)
+    return WordReport(report["region"] or "", report["reversed"], (words[0], words[1]), written, why)
 
 
 def _word(side: dict[str, Any]) -> Word:

@@ -11,10 +11,11 @@ from typing import Any, overload
 import numpy as np
 import numpy.typing as npt
 
-from . import _grazing
+from . import _grazing, _html, _plots
 from ._arguments import Exact, Periods, as_periods, natural, whole_file
+from ._arrays import Fractions
 from ._frames import frame
-from ._outcomes import Outcome, Proved, Record, Refuted, Rejected, Undecided
+from ._outcomes import Outcome, Pending, Proved, Record, Refuted, Rejected, Undecided, same
 from ._progress import Progress, shown
 
 
@@ -65,7 +66,8 @@ def verify(
     :param certificate: a file for a certificate, which :func:`check` proves again. It appears only if all is
         proved, and only when complete; if it cannot be made, that is said before the work.
     :return: :class:`Proved`, with the counts of intervals, stretches and points in ``details``;
-        :class:`Refuted` with the n and the interval; :class:`Undecided` if enclosures leave periods open.
+        :class:`Refuted` with the n and the interval, or the n for which two methods disagree;
+        :class:`Undecided` if enclosures leave periods open; :class:`Pending` if periods were not reached.
 
     Cost: O(n²) for each period n, on all cores.
     """
@@ -81,6 +83,8 @@ def verify(
         return Proved(statement, details=details)
     if verdict == "refuted":
         return Refuted(statement, witness=witness or "", details=details)
+    if verdict == "pending":
+        return Pending(statement, left=f"{counts['pending']} periods", details=details)
     return Undecided(statement, budget=f"enclosures leave {counts['undecided']} periods open", details=details)
 
 
@@ -133,6 +137,24 @@ class Intervals(Sequence[Interval]):
             row["deciding"] or None,
         )
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Intervals):
+            return NotImplemented
+        return all(same(column, other.columns[name]) for name, column in self.columns.items())
+
+    #: Arrays can be changed.
+    __hash__ = None  # type: ignore[assignment]
+
+    @property
+    def left(self) -> Fractions:
+        """The left ends, exactly, as an array for :func:`classify_many`."""
+        return Fractions(self.columns["left_numerator"], self.columns["left_denominator"])
+
+    @property
+    def right(self) -> Fractions:
+        """The right ends."""
+        return Fractions(self.columns["right_numerator"], self.columns["right_denominator"])
+
     def __repr__(self) -> str:
         return f"<Intervals: {len(self)} rows>" if len(self) > 8 else f"Intervals({list(self)!r})"
 
@@ -142,6 +164,15 @@ class Intervals(Sequence[Interval]):
         ends = {"left": [row.left for row in self], "right": [row.right for row in self]}
         table = frame({**whole, **ends, "deciding": [row.deciding for row in self]})
         return table.astype({"deciding": "Int64"})
+
+    def plot(self, axes: Any = None) -> Any:
+        """A bar for each interval on Matplotlib's ``axes`` or new ones, which are given back."""
+        return _plots.intervals(self, axes)
+
+    def _repr_html_(self) -> str:
+        rows = ((row.n, row.m, _html.case(row.case), row.left, row.right, row.deciding) for row in self)
+        return _html.table("intervals of s on r = 1", ("n", "m", "case (sign eµ, sign γ)", "left", "right", "deciding k"),
+                           rows, len(self))
 
 
 def intervals(periods: Periods, *, progress: Progress = None) -> Intervals:

@@ -13,11 +13,11 @@ from typing import Any, overload
 import numpy as np
 import numpy.typing as npt
 
-from . import _grazing
+from . import _grazing, _html, _plots
 from ._arguments import Exact, natural, toml_source
 from ._errors import FileError, InputError, refused
 from ._frames import frame
-from ._outcomes import Done, Failed, NothingFound, Outcome, Pending, Proved, Record, Refuted, Undecided
+from ._outcomes import Done, Failed, NothingFound, Outcome, Pending, Proved, Record, Refuted, Undecided, same
 from ._progress import Progress, shown
 
 #: What the numbers of ``data.event_kind`` mean.
@@ -74,6 +74,9 @@ class TaskReport:
     def __str__(self) -> str:
         return self.text.rstrip("\n")
 
+    def __hash__(self) -> int:
+        return hash((self.task, self.kind, self.text))
+
     def frame(self, name: str | None = None) -> Any:
         """A pandas frame of a table of the findings, as ``report.frame("orbits")``; of all points of branches
         without a name."""
@@ -83,6 +86,14 @@ class TaskReport:
         if name not in tables:
             raise InputError(f"task {self.task} has no table {name!r}; there is {', '.join(tables) or 'none'}")
         return frame(self.findings[name])
+
+    def plot(self, axes: Any = None) -> Any:
+        """A picture of the arrays, of tasks that simulate, section, diagram, basins and map, on Matplotlib's ``axes``
+        or new ones, which are given back."""
+        return _plots.report(self, axes)
+
+    def _repr_html_(self) -> str:
+        return self.outcome._repr_html_() + _html.preformatted(str(self))
 
 
 class Run(Sequence[TaskReport]):
@@ -113,6 +124,16 @@ class Run(Sequence[TaskReport]):
     def __str__(self) -> str:
         return "\n".join(map(str, self._reports))
 
+    def __eq__(self, other: object) -> bool:
+        return self._reports == other._reports if isinstance(other, Run) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._reports)
+
+    def _repr_html_(self) -> str:
+        rows = ((r.task, r.kind, type(r.outcome).__name__, r.outcome.why()) for r in self._reports)
+        return _html.table(f"{len(self)} tasks", ("task", "kind", "outcome", "why"), rows, len(self))
+
     @property
     def outcome(self) -> Outcome:
         """The worst of all: refuted, failed, pending, undecided, nothing found, done, proved."""
@@ -137,9 +158,9 @@ class End(enum.IntEnum):
     TOO_STEEP = 5
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Motions:
-    """Many motions on a stroboscopic section."""
+    """Many motions on a stroboscopic section. Equal are those with the same arrays, to the bit."""
 
     #: (q, u) of motion i at record j: float64 of shape (N, records, 2), NaN where a motion did not come.
     points: npt.NDArray[np.float64] = field(repr=False)
@@ -150,13 +171,26 @@ class Motions:
     #: The forcing periods of the records, counted from the start: int64 of shape (records,).
     periods: npt.NDArray[np.int64] = field(repr=False)
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Motions):
+            return NotImplemented
+        return all(same(getattr(self, name), getattr(other, name)) for name in self.__dataclass_fields__)
+
+    #: Arrays can be changed.
+    __hash__ = None  # type: ignore[assignment]
+
+    def plot(self, axes: Any = None) -> Any:
+        """The records on Matplotlib's ``axes`` or new ones, which are given back."""
+        return _plots.motions(self, axes)
+
     def __repr__(self) -> str:
         ended = {End(code).name: int(count) for code, count in zip(*np.unique(self.ends, return_counts=True))}
         return f"<Motions: {len(self.ends)} motions, {len(self.periods)} records, ends {ended}>"
 
 
 class Scene:
-    """An oscillator or a machine, and tasks.
+    """An oscillator or a machine, and tasks. It is pickled with its source, its name and its values; scenes are equal
+    where these are.
 
     ``Scene(source)`` takes a path to a TOML file, TOML text (with a line feed in it), or a dict of the same
     keys (docs/scenes.md, docs/machines.md). In a dict a float means its shortest decimal, as in a file: 0.8 is
@@ -176,6 +210,16 @@ class Scene:
         self = cls.__new__(cls)
         self._scene = scene
         return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_again, (self._scene.text, self._scene.name, tuple(self._scene.parameters)))
+
+    def __eq__(self, other: object) -> bool:
+        """Whether nothing tells them apart: source and its name, and the parameters' values."""
+        return self._scene.is_same(other._scene) if isinstance(other, Scene) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash((self._scene.text, self._scene.name, tuple(self._scene.parameters)))
 
     @property
     def title(self) -> str:
@@ -310,6 +354,11 @@ class Scene:
                 first, names, values, float(phase), transient, every, points, impacts, ends, bar
             )
         return Motions(points, impacts, ends, transient + every * np.arange(records))
+
+
+def _again(text: str, name: str, parameters: tuple[tuple[str, Fraction], ...]) -> Scene:
+    """The scene that was pickled; files that it names are read again."""
+    return Scene._of(_grazing.Scene.from_toml(text, name).with_parameters(list(parameters)))
 
 
 #: In a report's JSON, what does not belong to the findings.

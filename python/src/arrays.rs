@@ -6,8 +6,8 @@ use grazing::{
     Result,
     one::attractor::map::{MapCell, MapEnd},
     run::{
-        BasinsFindings, DiagramFindings, Findings, Job, Keeper, MapFindings, SectionFindings, SectionSet,
-        SeriesOf, SeriesPoint, StopEvent,
+        AttractorProofs, BasinsFindings, DiagramFindings, Findings, GrazingFindings, Job, Keeper,
+        MapFindings, SectionFindings, SectionSet, SeriesOf, SeriesPoint, StopEvent,
     },
 };
 use numpy::{IntoPyArray, PyArrayMethods};
@@ -43,6 +43,11 @@ impl Data {
     fn table(&mut self, name: &'static str, numbers: Vec<f64>, columns: usize) {
         let rows = numbers.len().checked_div(columns).unwrap_or(0);
         self.arrays.insert(name, Array::Floats(numbers, vec![rows, columns]));
+    }
+
+    /// The certificates of attractors that were seen.
+    fn proofs(&mut self, proofs: Option<&AttractorProofs>) {
+        self.certificates.extend(proofs.iter().flat_map(|proofs| proofs.certificates.iter().cloned()));
     }
 
     /// As a dict: no number is copied.
@@ -134,7 +139,16 @@ impl Keeper for Collector {
             Findings::Simulation(_) => self.series(),
             Findings::Section(found) => section(found, &mut self.data),
             Findings::Basins(found) => basins(found, &mut self.data),
-            Findings::Diagram(found) => diagram(found, &mut self.data),
+            Findings::Diagram(found) => {
+                diagram(found, &mut self.data);
+                self.data.proofs(found.proofs.as_ref());
+            }
+            Findings::Grazing(found) => {
+                if let GrazingFindings::Found(found) = &**found {
+                    self.data.certificates.extend(found.certificates.iter().cloned());
+                    self.data.proofs(found.proofs.as_ref());
+                }
+            }
             Findings::Map(found) => map(found, &mut self.data),
             Findings::Branch(found) => self.data.rows = Some(text(serde_json::to_string(&found.rows))?),
             Findings::Validate(found) => self.data.certificates.clone_from(&found.certificates),

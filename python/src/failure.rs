@@ -36,6 +36,14 @@ pub fn panicked(py: Python<'_>, cause: &(dyn std::any::Any + Send)) -> PyErr {
     made(py, ("internal", message, none.clone(), None, none.clone(), none.clone(), none, None))
 }
 
+/// Work was asked for whose threads stayed in the process from which this one was forked.
+pub fn forked(py: Python<'_>) -> PyErr {
+    let message = "this process was forked from one whose threads did grazing's work, and has none of them: start \
+                   processes by multiprocessing.get_context(\"spawn\"), or fork before the first long work";
+    let none = None::<String>;
+    made(py, ("forked", message.into(), none.clone(), None, none.clone(), none.clone(), none, None))
+}
+
 type Parts = (
     &'static str,
     String,

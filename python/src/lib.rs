@@ -7,8 +7,12 @@
 
 mod arrays;
 mod batch;
+mod boxes;
+mod classify;
+mod columns;
 mod exact;
 mod failure;
+mod forced;
 mod places;
 mod proofs;
 mod scene;
@@ -24,5 +28,8 @@ fn _grazing(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<scene::Scene>()?;
     proofs::add(module)?;
     theory::add(module)?;
-    places::add(module)
+    places::add(module)?;
+    classify::add(module)?;
+    boxes::add(module)?;
+    forced::add(module)
 }

@@ -37,21 +37,25 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 }
 
 /// What a checker found: (verdict, what is proved, SHA-256 of what was read, line, reason).
-type Verdict = (&'static str, Option<Proved>, Option<String>, Option<u64>, Option<String>);
+pub type Verdict = (&'static str, Option<Proved>, Option<String>, Option<u64>, Option<String>);
 
 /// (kind, title, statement, first and last period if these are a range, details, lines).
-type Proved =
+pub type Proved =
     (&'static str, &'static str, &'static str, Option<(u64, u64)>, Vec<(&'static str, String)>, u64);
 
 fn checked(watch: &Watch, mut stream: impl Read, name: &str) -> Result<Verdict> {
     let mut hashed = Hashed::new(&mut stream);
     let answer = check_until(&mut BufReader::with_capacity(1 << 16, &mut hashed), &mut || watch.is_over());
-    let hash = Some(hashed.finish());
+    verdict(answer, hashed.finish(), name)
+}
+
+/// What is told of the checker's answer to what was read.
+pub fn verdict(answer: std::result::Result<Checked, Rejection>, hash: String, name: &str) -> Result<Verdict> {
     Ok(match answer {
         Ok(Checked { kind, title, statement, range, detail, lines }) => {
             let range = range.map(|range| range.into_inner());
             let proved = (kind, title, statement, range, detail, lines);
-            ("proved", Some(proved), hash, None, None)
+            ("proved", Some(proved), Some(hash), None, None)
         }
         Err(Rejection::Malformed { line, reason }) => ("malformed", None, None, Some(line), Some(reason)),
         Err(Rejection::False { line, reason }) => ("false", None, None, Some(line), Some(reason)),
@@ -88,9 +92,11 @@ fn overflow(py: Python<'_>) -> PyResult<u64> {
 /// The largest period that is proved, as on the command line: deciding it takes minutes.
 const LONGEST: u64 = 200_000;
 
-/// Theorem 2 for a range of periods: (verdict, witness, counts, certificate).
+/// Verdict, witness, counts, certificate.
+pub type Answer<'py> = (&'static str, Option<String>, Bound<'py, PyDict>, Option<String>);
+
+/// Theorem 2 for a range of periods.
 #[pyfunction]
-#[allow(clippy::type_complexity)]
 fn verify<'py>(
     py: Python<'py>,
     first: u64,
@@ -98,7 +104,7 @@ fn verify<'py>(
     method: &str,
     certificate: bool,
     progress: Option<Bound<'py, PyAny>>,
-) -> PyResult<(&'static str, Option<String>, Bound<'py, PyDict>, Option<String>)> {
+) -> PyResult<Answer<'py>> {
     let method = match method {
         "exact" => ProofMethod::Exact,
         "interval" => ProofMethod::Interval,
@@ -112,7 +118,7 @@ fn verify<'py>(
         let message = "a certificate holds what the exact method found: use method = \"exact\" or \"both\"";
         return Err(raise(py, &Error::input(message)));
     }
-    let (proof, text) = watched(py, progress.as_ref(), move |watch| {
+    let find = move |watch: &Watch| {
         if !(1..=LONGEST).contains(&first) || !(first..=LONGEST).contains(&last) {
             return Err(Error::input(format!(
                 "the periods {first}..={last}: from 1 to {LONGEST}, and not empty"
@@ -120,15 +126,28 @@ fn verify<'py>(
         }
         let passes = if certificate { 2 } else { 1 };
         watch.begin(passes * (last - first + 1), "periods");
-        let proof = prove_theorem2(first..=last, method, watch)?;
+        prove_theorem2(first..=last, method, watch)
+    };
+    proved(py, (first, last), certificate, find, progress.as_ref())
+}
+
+/// What is told of the proof that `find` comes to; a certificate, if it is asked for and all is proved.
+pub fn proved<'py>(
+    py: Python<'py>,
+    (first, last): (u64, u64),
+    certificate: bool,
+    find: impl FnOnce(&Watch) -> Result<Proof> + Send + 'static,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Answer<'py>> {
+    let (proof, text) = watched(py, progress, move |watch| {
+        let proof = find(watch)?;
         let whole = proof.pending == 0 && proof.undecided == 0;
-        let good = whole && proof.refuted.is_none() && proof.contradiction.is_none();
-        let mut text = Vec::new();
-        if certificate && good {
-            write_theorem2(first..=last, &proof, &mut text, watch)?;
+        if !certificate || !whole || proof.refuted.is_some() || proof.contradiction.is_some() {
+            return Ok((proof, None));
         }
-        let text = (certificate && good).then(|| String::from_utf8_lossy(&text).into_owned());
-        Ok((proof, text))
+        let mut text = Vec::new();
+        write_theorem2(first..=last, &proof, &mut text, watch)?;
+        Ok((proof, Some(String::from_utf8_lossy(&text).into_owned())))
     })?;
     let (verdict, witness) = match &proof {
         Proof { contradiction: Some(n), .. } => {

@@ -75,6 +75,11 @@ impl Scene {
         self.inner.tasks.iter().map(one).collect()
     }
 
+    /// Whether nothing tells them apart: names, texts, files beside them, parameters.
+    fn is_same(&self, other: &Scene) -> bool {
+        self.inner == other.inner && self.text == other.text && self.name == other.name
+    }
+
     /// The same with other values of some parameters.
     fn with_parameters(&self, py: Python<'_>, changes: Vec<(String, Exact)>) -> PyResult<Scene> {
         let changes = exact(changes);

@@ -1,11 +1,15 @@
 //! Work on a thread of its own, so that Python goes on: other threads run, a progress callback is told how
-//! far it is, and Ctrl-C is heard.
+//! far it is, and Ctrl-C is heard. What is over in a moment is done at once, without a thread.
+//!
+//! A process that is forked has none of the threads of the one it came from: there, work for threads is an
+//! error.
 
 use std::{
     panic::{AssertUnwindSafe, catch_unwind},
+    process,
     sync::{
         Arc, Condvar, Mutex, MutexGuard, PoisonError,
-        atomic::{AtomicBool, AtomicU64, Ordering},
+        atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering},
     },
     thread,
     time::{Duration, Instant},
@@ -18,7 +22,7 @@ use pyo3::{
 };
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::failure::{panicked, raise};
+use crate::failure::{forked, panicked, raise};
 
 /// Between two looks at Ctrl-C and at the progress.
 const PAUSE: Duration = Duration::from_millis(50);
@@ -97,6 +101,14 @@ impl<T> Slot<T> {
     }
 }
 
+/// Does work of some microseconds on this thread, without the interpreter's lock: a thread would cost more,
+/// and Ctrl-C is heard after it.
+pub fn at_once<T: Send>(py: Python<'_>, work: impl FnOnce() -> Result<T> + Send) -> PyResult<T> {
+    let found = py.detach(|| catch_unwind(AssertUnwindSafe(work)));
+    let found = found.map_err(|cause| panicked(py, &*cause))?;
+    found.map_err(|error| raise(py, &error))
+}
+
 /// Does the work on another thread, without the interpreter's lock. `progress` is called with (done, total,
 /// unit) some times a second, and once at the end; whatever it raises, KeyboardInterrupt included, ends the
 /// work and is raised. Work that does not listen is left behind after a moment: it ends when it next looks.
@@ -107,7 +119,7 @@ pub fn watched<T: Send + 'static>(
 ) -> PyResult<T> {
     let (watch, slot) = (Arc::new(Watch::default()), Arc::new(Slot::new()));
     let (listener, result) = (watch.clone(), slot.clone());
-    let pool = pool()?;
+    let pool = pool(py)?;
     let workers = pool.clone();
     let spawned = builder().spawn(move || result.fill(&listener, |watch| workers.install(|| work(watch))));
     spawned.map_err(|error| no_thread(&error))?;
@@ -121,7 +133,7 @@ pub fn watched_here<T: Send>(
     work: impl FnOnce(&Watch) -> Result<T> + Send,
 ) -> PyResult<T> {
     let (watch, slot) = (Watch::default(), Slot::new());
-    let pool = pool()?;
+    let pool = pool(py)?;
     thread::scope(|scope| {
         let thread = || slot.fill(&watch, |watch| pool.install(|| work(watch)));
         let spawned = builder().spawn_scoped(scope, thread);
@@ -141,8 +153,22 @@ fn no_thread(error: &std::io::Error) -> PyErr {
 /// The threads that share the work.
 static POOL: Mutex<Option<Arc<ThreadPool>>> = Mutex::new(None);
 
+/// The process that has them; 0 before there are any. It is set before the lock is taken, which a fork may
+/// leave taken for ever.
+static HOME: AtomicU32 = AtomicU32::new(0);
+
+/// Whether this process was forked from one that had threads.
+pub fn is_forked() -> bool {
+    let home = HOME.load(Ordering::Relaxed);
+    home != 0 && home != process::id()
+}
+
 /// The threads of the next work: as many as there are cores, or as RAYON_NUM_THREADS says.
-fn pool() -> PyResult<Arc<ThreadPool>> {
+fn pool(py: Python<'_>) -> PyResult<Arc<ThreadPool>> {
+    let _ = HOME.compare_exchange(0, process::id(), Ordering::Relaxed, Ordering::Relaxed);
+    if is_forked() {
+        return Err(forked(py));
+    }
     let mut pool = lock(&POOL);
     if let Some(pool) = &*pool {
         return Ok(pool.clone());
@@ -184,7 +210,12 @@ fn attend<T: Send>(
     while !py.detach(|| slot.wait()) {
         match (&raised, grace) {
             (None, _) => {
-                if let Err(error) = py.check_signals().and_then(|()| tell()) {
+                let heard = py.check_signals().and_then(|()| tell());
+                // The callback may have forked, and gone on in the child, where nothing fills the slot.
+                if grace.is_some() && is_forked() {
+                    return Err(forked(py));
+                }
+                if let Err(error) = heard {
                     watch.stop.store(true, Ordering::Relaxed);
                     raised = Some((error, Instant::now()));
                 }
@@ -206,9 +237,12 @@ fn attend<T: Send>(
     let found = found.map_err(|error| raise(py, &error))?;
     py.check_signals()?;
     tell()?;
-    let warn = py.import("grazing._errors")?.getattr("warn")?;
-    for note in &lock(&watch.told).notes {
-        warn.call1((note,))?;
+    let notes = std::mem::take(&mut lock(&watch.told).notes);
+    if !notes.is_empty() {
+        let warn = py.import("grazing._errors")?.getattr("warn")?;
+        for note in notes {
+            warn.call1((note,))?;
+        }
     }
     Ok(found)
 }

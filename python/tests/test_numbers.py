@@ -60,7 +60,7 @@ def test_edges_of_numbers():
     # Of many points before an array is made for the answers.
     for max_n in [0, 100_001, 2**60, -1]:
         with pytest.raises(grazing.InputError, match="max_n"):
-            grazing.classify_many(r=1, s=[0.2], max_n=max_n)
+            grazing.classify_many(r=1, s=[0.2], max_n=max_n, floats="binary")
 
 
 def test_a_point_is_given_by_one_pair():

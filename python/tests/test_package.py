@@ -9,7 +9,7 @@ import sys
 import pytest
 
 import grazing
-from grazing import _grazing
+from grazing import _arrays, _grazing
 
 
 def test_every_public_name_is_documented():
@@ -17,7 +17,8 @@ def test_every_public_name_is_documented():
         thing = getattr(grazing, name)
         if inspect.isclass(thing) or callable(thing):
             assert inspect.getdoc(thing), name
-    for cls in (grazing.Scene, grazing.Run, grazing.TaskReport, grazing.Intervals):
+    for cls in (grazing.Scene, grazing.Run, grazing.TaskReport, grazing.Intervals, grazing.Fractions, grazing.Shares,
+                grazing.Classification, grazing.WordReport, grazing.WordCase, grazing.Motions):
         for name, member in inspect.getmembers(cls, inspect.isfunction):
             if not name.startswith("_"):
                 assert inspect.getdoc(member), f"{cls.__name__}.{name}"
@@ -52,8 +53,9 @@ def test_the_package_is_typed_and_has_its_style():
 
 
 def test_examples_of_docstrings():
-    assert doctest.testmod(grazing).failed == 0
-    assert doctest.testmod(grazing).attempted > 0
+    for module in (grazing, _arrays):
+        found = doctest.testmod(module)
+        assert found.failed == 0 and found.attempted > 0, module
 
 
 def test_without_pandas_a_frame_says_how_to_get_it(monkeypatch):

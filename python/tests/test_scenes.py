@@ -245,3 +245,41 @@ def test_machines_have_a_column_for_each_coordinate(root):
     assert two.data.q.shape == two.data.u.shape == (len(two.data.time), 2)
     with pytest.raises(grazing.InputError, match="format"):
         scene.simulate([[0.0, 0.0]], 1)
+
+
+#: The paper's oscillator without tasks.
+def oscillator(root, *tasks):
+    text = (root / "tests/data/kinds.toml").read_text()
+    return grazing.Scene(text[: text.index("[[tasks]]")] + "\n".join(tasks))
+
+
+def test_what_is_not_settled_has_no_period():
+    # A damping that a thousand periods do not show, and a stop out of reach.
+    slow = {**MACHINE, "system": {**MACHINE["system"], "damping": "1/1000000", "stiffness": "4/9"}, "walls": [
+        {"side": "upper", "offset": 100, "restitution": 1}]}
+    task = {"name": "diagram", "kind": "diagram", "parameter": "F", "range": [1, 2], "count": 3, "starts": [{"q": 0}]}
+    (report,) = grazing.Scene({**slow, "tasks": [task]}).run()
+    assert isinstance(report.outcome, grazing.Undecided) and "transient" in report.outcome.budget
+    assert len(report.findings.not_settled) == 3 and set(report.data.period.tolist()) == {-2}
+
+
+def test_proofs_beside_what_is_seen_come_with_certificates(root):
+    touch = '[[tasks]]\nname = "touch"\nkind = "grazing"\nparameter = "mu"\nprove = true\nrange = true\n'
+    seen = """[[tasks]]
+name = "seen"
+kind = "diagram"
+parameter = "mu"
+range = [-0.05, -0.04]
+count = 2
+starts = [{ q = 0 }, { q = 2 }]
+points = 20
+prove = true
+"""
+    for report in oscillator(root, touch, seen).run():
+        findings = json.dumps(report.findings, default=dict)
+        named = {part for part in findings.split('"') if part.endswith(".certificate")}
+        assert named and set(report.certificates) == named
+        for text in report.certificates.values():
+            assert isinstance(grazing.check(text), grazing.Proved)
+        # What is seen is floating point, whatever is proved beside it.
+        assert not isinstance(report.outcome, grazing.Proved)

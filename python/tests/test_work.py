@@ -46,7 +46,7 @@ LONG = {
     [
         lambda: grazing.verify("20000..=60000"),
         lambda: grazing.intervals("3..=100000"),
-        lambda: grazing.classify_many(r=np.full(10**7, 0.99), s=np.full(10**7, 0.21), max_n=30),
+        lambda: grazing.classify_many(r=np.full(10**7, 0.99), s=np.full(10**7, 0.21), max_n=30, floats="binary"),
         lambda: grazing.boundary("3..=5000", digits=50),
         lambda: grazing.fuzz(10**9),
         lambda: grazing.Scene(LONG).simulate(np.zeros((2000, 2)), 10**9, every=10**9),

@@ -1,0 +1,201 @@
+"""Pictures of results by Matplotlib, which is imported here when one is drawn. Each function draws on the axes that
+it is given, or on new ones, and gives them back."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._errors import InputError, MissingPackageError
+
+if TYPE_CHECKING:
+    from ._places import Classification, WordCase, WordReport
+    from ._proofs import Intervals
+    from ._scene import Motions, TaskReport
+
+#: The cases (sign eµ, sign γ), each with its colour of Okabe and Ito's set, as in the figures here.
+CASES = {(1, 1): "#0072B2", (1, -1): "#D55E00", (-1, 1): "#009E73", (-1, -1): "#CC79A7"}
+GREY = "#999999"
+
+
+def on(axes: Any) -> Any:
+    """The axes, or new ones."""
+    try:
+        import matplotlib.pyplot as plt  # type: ignore[import-untyped, unused-ignore]
+    except ImportError:
+        raise MissingPackageError(
+            "pictures need the package matplotlib, which is not installed; pip install 'grazing[figures]'"
+        ) from None
+    return plt.subplots()[1] if axes is None else axes
+
+
+def name(case: tuple[int, int]) -> str:
+    """A case in a legend."""
+    emu, gamma = ("> 0" if sign > 0 else "< 0" for sign in case)
+    return f"eµ {emu}, γ {gamma}"
+
+
+def _legend(axes: Any) -> None:
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(loc="upper left", bbox_to_anchor=(1, 1), fontsize="small")
+
+
+def classification(found: Classification, axes: Any) -> Any:
+    """A square for each orbit, by period and case; where it is not known, a mark in every case's row."""
+    axes = on(axes)
+    rows = {case: 3 - place for place, case in enumerate(CASES)}
+    for case, colour in CASES.items():
+        periods = [row.n for row in found if case in row.cases]
+        if periods:
+            axes.scatter(periods, [rows[case]] * len(periods), s=60, marker="s", color=colour, label=name(case))
+    for label, marker, verdicts in (
+        ("boundary: Theorem 1 is silent", "|", ("singular boundary", "iterate boundary", "sign boundary")),
+        ("undecided", "x", ("undecided",)),
+    ):
+        periods = [row.n for row in found if row.verdict in verdicts]
+        if periods:
+            at = [(n, y) for n in periods for y in rows.values()]
+            axes.scatter(*zip(*at), s=60, marker=marker, color=GREY, label=label)
+    axes.set_yticks(list(rows.values()), [name(case) for case in rows])
+    axes.set(xlabel="period n", xlim=(0.5, len(found) + 0.5), ylim=(-0.5, 3.5), title="Orbits with one impact")
+    _legend(axes)
+    return axes
+
+
+def word(report: WordReport, axes: Any) -> Any:
+    """The periods of both words at their places m/n: upwards triangles for U, downwards for D, joined in path
+    order."""
+    axes = on(axes)
+    for one, colour in zip(report.words, (CASES[1, 1], CASES[-1, 1])):
+        sign = ">" if one.sign_emu > 0 else "<"
+        places = [float(place) for place in one.fractions]
+        axes.plot(places, one.periods, color=colour, linewidth=0.8, label=f"eµ {sign} 0, ends: {one.end}")
+        for letter, marker in (("U", "^"), ("D", "v"), ("?", "o")):
+            chosen = [(x, n) for x, n, own in zip(places, one.periods, one.letters) if own == letter]
+            if chosen:
+                axes.plot(*zip(*chosen), marker, color=colour, markersize=7)
+    axes.set(xlabel="m/n", ylabel="period n", title="Periods between impacts")
+    _legend(axes)
+    return axes
+
+
+def graph(case: WordCase, axes: Any) -> Any:
+    """The pattern graph: an arrow from i to j where a flight of j periods may follow one of i, dashed where that is
+    open; a ring around a period that may follow itself."""
+    axes = on(axes)
+    periods = sorted({n for edge in (*case.edges, *case.open) for n in edge} | set(case.loops))
+    turn = {n: 2 * math.pi * place / max(1, len(periods)) for place, n in enumerate(periods)}
+    at = {n: (math.sin(angle), math.cos(angle)) for n, angle in turn.items()}
+    for edges, style in ((case.edges, "solid"), (case.open, "dashed")):
+        for i, j in edges:
+            if i == j:
+                ring = axes.scatter(*at[i], s=700, facecolors="none", edgecolors=CASES[case.case], linestyles=style)
+                ring.set_gid(f"{i}-{j}")
+                continue
+            arrow = axes.annotate("", at[j], at[i], arrowprops={
+                "arrowstyle": "-|>", "color": CASES[case.case], "linestyle": style, "shrinkA": 14, "shrinkB": 14,
+                "connectionstyle": "arc3,rad=0.12",
+            })
+            arrow.set_gid(f"{i}-{j}")
+    for n, place in at.items():
+        axes.text(*place, str(n), ha="center", va="center")
+    axes.set(xlim=(-1.4, 1.4), ylim=(-1.4, 1.4), aspect="equal", title=f"What may follow what: {name(case.case)}")
+    axes.axis("off")
+    return axes
+
+
+def intervals(table: Intervals, axes: Any) -> Any:
+    """A bar from end to end for each interval, on a row for each period."""
+    axes = on(axes)
+    columns = table.columns
+    left, right = (columns[f"{end}_numerator"] / columns[f"{end}_denominator"] for end in ("left", "right"))
+    for case, colour in CASES.items():
+        own = (columns["sign_emu"] == case[0]) & (columns["sign_gamma"] == case[1])
+        if own.any():
+            axes.barh(columns["n"][own], (right - left)[own], 0.7, left[own], color=colour, label=name(case))
+    axes.set(xlabel="s", ylabel="period n", xlim=(0, 0.5), title="Where orbits with one impact exist on r = 1")
+    _legend(axes)
+    return axes
+
+
+def motions(found: Motions, axes: Any) -> Any:
+    """The records of the motions, each in one colour."""
+    axes = on(axes)
+    number = np.broadcast_to(np.arange(len(found.points))[:, None], found.points.shape[:2])
+    axes.scatter(found.points[..., 0], found.points[..., 1], s=2, c=number)
+    axes.set(xlabel="q", ylabel="u", title=f"{len(found.ends)} motions, once a period")
+    return axes
+
+
+def report(found: TaskReport, axes: Any) -> Any:
+    """What a task's arrays show."""
+    draw = _KINDS.get(found.kind)
+    if draw is None or not (found.data or found.rows):
+        raise InputError(
+            f"task {found.task} of kind {found.kind} has no arrays to draw; those of kind {', '.join(_KINDS)} have"
+        )
+    axes = on(axes)
+    draw(found, axes)
+    axes.set_title(f"{found.task}: {type(found.outcome).__name__}")
+    _legend(axes)
+    return axes
+
+
+#: Marks of events, by the numbers of EVENT_KINDS.
+_EVENTS = (("impact", "o"), ("tangency", "*"), ("stick", "s"), ("release", "^"), ("touch", "d"))
+
+
+def _simulate(found: TaskReport, axes: Any) -> None:
+    data = found.data
+    axes.plot(data.time, data.q, linewidth=1)
+    # Along the axis of time: where a stop is then, the arrays do not say.
+    for number, (label, marker) in enumerate(_EVENTS):
+        times = data.event_time[data.event_kind == number]
+        if len(times):
+            at = [0.02] * len(times)
+            axes.plot(times, at, marker, transform=axes.get_xaxis_transform(), label=label, markersize=4)
+    axes.set(xlabel="time, in forcing periods", ylabel="q")
+
+
+def _section(found: TaskReport, axes: Any) -> None:
+    for number in np.unique(found.data.attractor):
+        points = found.data.points[found.data.attractor == number]
+        label = f"attractor {number + 1}" if number >= 0 else f"orbit {-number}"
+        axes.plot(points[:, 0], points[:, 1], "." if number >= 0 else "x", label=label, markersize=4)
+    axes.set(xlabel="q", ylabel="u")
+
+
+def _diagram(found: TaskReport, axes: Any) -> None:
+    axes.plot(found.data.value, found.data.points[:, 0], ".", markersize=2)
+    axes.set(xlabel=found.findings.get("parameter", "parameter"), ylabel="q")
+
+
+def _grid(axes: Any, x: Any, y: Any, cells: Any, words: list[str]) -> None:
+    """Cells by their numbers, of which each that there is has a word in the legend."""
+    import matplotlib.pyplot as plt
+    from matplotlib.colors import BoundaryNorm, ListedColormap
+
+    colours = [plt.get_cmap("tab20")(place % 20) for place in range(len(words))]
+    norm = BoundaryNorm(np.arange(len(words) + 1) - 0.5, len(words)) if len(words) > 1 else None
+    axes.pcolormesh(x, y, cells, cmap=ListedColormap(colours), norm=norm, shading="nearest")
+    for colour, words_ in zip(colours, words):
+        axes.plot([], [], "s", color=colour, label=words_)
+
+
+def _basins(found: TaskReport, axes: Any) -> None:
+    words = [f"period {row.period}" if row.period else row.end for row in found.findings.basins]
+    _grid(axes, found.data.q, found.data.u, found.data.cells, words)
+    axes.set(xlabel="q", ylabel="u")
+
+
+def _map(found: TaskReport, axes: Any) -> None:
+    words = {0: "not periodic", -1: "ended", -2: "not settled"}
+    kinds, cells = np.unique(found.data.period, return_inverse=True)
+    labels = [words.get(int(kind), f"period {kind}") for kind in kinds]
+    _grid(axes, found.data.first, found.data.second, cells.reshape(found.data.period.shape), labels)
+    axes.set(xlabel=found.findings.get("parameter", "first"), ylabel=found.findings.get("second", "second"))
+
+
+_KINDS = {"simulate": _simulate, "section": _section, "diagram": _diagram, "basins": _basins, "map": _map}

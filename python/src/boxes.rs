@@ -1,0 +1,182 @@
+//! What holds at all points of a box of parameters: words, and shares of the box.
+
+use grazing::{
+    Error, Monitor, Result,
+    existence::Case,
+    local::Region,
+    num_rational::BigRational,
+    search::{Certified, WordPlace, certify_word},
+    tolerance::{ParameterBox, Partition, Share, Spread, Statement},
+    word::{Rectangle, Word},
+};
+use pyo3::{prelude::*, types::PyModule, wrap_pyfunction};
+use serde_json::{Value as Json, json};
+
+use crate::{
+    exact::Exact,
+    places::{Told, certificate_kind, check_limits, side},
+    watch::{Watch, watched},
+};
+
+pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(word_in_box, module)?)?;
+    module.add_function(wrap_pyfunction!(shares, module)?)
+}
+
+/// The ends of a parameter.
+type Ends = (Exact, Exact);
+
+fn ends((lower, upper): Ends) -> [BigRational; 2] {
+    [lower.0, upper.0]
+}
+
+fn of(kind: &str, first: [BigRational; 2], second: [BigRational; 2]) -> Result<ParameterBox> {
+    match kind {
+        "plane" => ParameterBox::plane(first, second),
+        "polar" => ParameterBox::polar(first, second),
+        _ => ParameterBox::machine(first, second),
+    }
+}
+
+/// What the words of all points of a box have in common, as `word` has it of a point.
+#[pyfunction]
+fn word_in_box(
+    py: Python<'_>,
+    first: Ends,
+    second: Ends,
+    kind: String,
+    max_period: u64,
+    letters: usize,
+    certificate: Option<String>,
+) -> PyResult<Told> {
+    watched(py, None, move |watch| {
+        check_limits(max_period, letters)?;
+        let (first, second) = (ends(first), ends(second));
+        // Of (a₁, a₂) as the command line: a rectangle may meet several regions, and has certificates.
+        let rectangle =
+            (kind == "plane").then(|| Rectangle::new(first.clone(), second.clone())).transpose()?;
+        let of = of(&kind, first, second)?;
+        let words = [true, false].map(|positive| match &rectangle {
+            Some(rectangle) => Word::in_rectangle(rectangle, positive, letters, watch),
+            None => of.word(positive, letters, watch),
+        });
+        let [ahead, behind] = words;
+        let words = [ahead?, behind?];
+        let region = match &rectangle {
+            Some(rectangle) => rectangle.region(),
+            None => (!of.has_gamma()).then_some(Region::Three),
+        };
+        let sides: Vec<Json> =
+            words.iter().map(|word| side(word, false, max_period)).collect::<Result<_>>()?;
+        let report = json!({ "region": region, "reversed": false, "words": sides }).to_string();
+        let Some(certificate) = certificate else { return Ok((report, None, None)) };
+        let Some(rectangle) = &rectangle else {
+            return Err(Error::input(
+                "a certificate is for a point, or a box of a1 and a2; there is none yet of others",
+            ));
+        };
+        let kind = certificate_kind(&certificate, max_period)?;
+        let all: Vec<&Word> = words.iter().collect();
+        let found = certify_word(WordPlace::Rectangle(rectangle), &all, kind, &mut || watch.is_over())?;
+        Ok(match found {
+            Certified::Text(text) => (report, Some(text), None),
+            Certified::Undecided(why) => (report, None, Some(why)),
+        })
+    })
+}
+
+/// The most cells, as on the command line, and the largest period of which a box is asked.
+const MOST_CELLS: u64 = 1_000_000;
+const LAST: u64 = 400;
+
+/// The shares of a box in which chaos is born, each period occurs, each word is that of the point: JSON.
+#[pyfunction]
+fn shares(
+    py: Python<'_>,
+    first: Ends,
+    second: Ends,
+    kind: String,
+    cells: u64,
+    last: u64,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    watched(py, progress.as_ref(), move |watch| {
+        if !(1..=MOST_CELLS).contains(&cells) {
+            return Err(Error::input(format!("cells = {cells}: from 1 to {MOST_CELLS}")));
+        }
+        if !(1..=LAST).contains(&last) {
+            return Err(Error::input(format!("max_period = {last}: from 1 to {LAST} of a box")));
+        }
+        Ok(all_shares(&of(&kind, ends(first), ends(second))?, cells, last, watch)?.to_string())
+    })
+}
+
+fn all_shares(of: &ParameterBox, cells: u64, last: u64, watch: &Watch) -> Result<Json> {
+    watch.begin(0, "cells");
+    let partition = Partition::new(of, cells, watch)?;
+    let sign = |positive: bool| if positive { 1 } else { -1 };
+    let mut rows = Vec::new();
+    let mut tell = |what: &str, positive: bool, more: Json, share: &Share| {
+        let mut row = told(share);
+        row["what"] = json!(what);
+        row["sign_emu"] = json!(sign(positive));
+        if let (Json::Object(row), Json::Object(more)) = (&mut row, more) {
+            row.extend(more);
+        }
+        rows.push(row);
+    };
+    let gamma = of.gamma_is_positive();
+    for positive in [true, false] {
+        if of.has_gamma() {
+            let share = partition.share(Statement::ChaosAt { positive });
+            tell("chaos", positive, json!({ "sign_gamma": gamma.map(sign) }), &share);
+            continue;
+        }
+        for gamma in [true, false] {
+            let case = Case::from_signs(positive, positive == gamma);
+            tell(
+                "chaos",
+                positive,
+                json!({ "sign_gamma": sign(gamma) }),
+                &partition.share(Statement::Chaos(case)),
+            );
+        }
+    }
+    for positive in [true, false] {
+        for n in 1..=last {
+            let share = partition.share(Statement::Period { positive, n });
+            if share.spread() != Spread::Nowhere {
+                tell("period", positive, json!({ "n": n }), &share);
+            }
+        }
+        for (word, share) in partition.words(positive) {
+            let periods: Vec<u64> = word.vertices().iter().map(|vertex| vertex.period).collect();
+            let more = json!({ "letters": word.letters(), "periods": periods, "endless": word.is_endless() });
+            tell("word", positive, more, &share);
+        }
+    }
+    Ok(json!({
+        "sign_gamma": gamma.map(sign),
+        "cells": partition.cells(),
+        "cut": partition.is_cut(),
+        "settled": partition.settled().to_string(),
+        "rows": rows,
+    }))
+}
+
+fn told(share: &Share) -> Json {
+    let verdict = match share.spread() {
+        Spread::Everywhere => "everywhere",
+        Spread::Nowhere => "nowhere",
+        Spread::Differs => "differs",
+        Spread::Open => "open",
+    };
+    let point = |at: &Option<[BigRational; 2]>| at.as_ref().map(|at| at.each_ref().map(ToString::to_string));
+    json!({
+        "verdict": verdict,
+        "lower": share.lower.to_string(),
+        "upper": share.upper.to_string(),
+        "with": point(&share.with),
+        "without": point(&share.without),
+    })
+}
