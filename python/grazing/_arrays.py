@@ -29,7 +29,7 @@ class Fractions:
         parts = [_whole(name, part) for name, part in (("numerators", numerators), ("denominators", denominators))]
         #: int64 arrays of one shape.
         self.numerators, self.denominators = np.broadcast_arrays(*map(np.ma.getdata, parts))
-        masks = [part.mask for part in parts if isinstance(part, np.ma.MaskedArray)]
+        masks = [np.ma.getmaskarray(part) for part in parts if isinstance(part, np.ma.MaskedArray)]
         self._mask = _together(self.shape, masks)
 
     @property
@@ -39,15 +39,15 @@ class Fractions:
     def __len__(self) -> int:
         return len(self.numerators)
 
-    def __getitem__(self, place: Any) -> Fraction | Fractions:
-        """One of them as a Fraction, or some."""
+    def __getitem__(self, place: Any) -> Any:
+        """One of them as a Fraction (or ``numpy.ma.masked``), or some."""
         above, below = self.numerators[place], self.denominators[place]
         hidden = None if self._mask is None else self._mask[place]
         if np.ndim(above) > 0:
             return Fractions(above if hidden is None else np.ma.MaskedArray(above, hidden), below)
         return np.ma.masked if hidden else Fraction(int(above), int(below))
 
-    def __iter__(self) -> Iterator[Fraction | Fractions]:
+    def __iter__(self) -> Iterator[Any]:
         return (self[place] for place in range(len(self)))
 
     def __repr__(self) -> str:

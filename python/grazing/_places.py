@@ -167,10 +167,10 @@ def classify_many(
             one.flat(shape, hidden), two.flat(shape, hidden), polar,
             None if hidden is None else hidden.reshape(-1), found, bar,
         )
-    found = found.reshape(shape + (last,))
+    shaped = found.reshape(shape + (last,))
     if hidden is None:
-        return found
-    return np.ma.MaskedArray(found, np.repeat(hidden[..., None], last, axis=-1))
+        return shaped
+    return np.ma.MaskedArray(shaped, np.repeat(hidden[..., None], last, axis=-1))
 
 
 # Values.

@@ -30,7 +30,7 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 const LONGEST: u64 = 100_000;
 
 /// Up to this period, at points with numbers of up to this many bits, a classification takes some
-/// microseconds, and where signs are zero milliseconds.
+/// microseconds; where many signs are zero, at most some tenths of a second.
 const SHORT: u64 = 64;
 const SHORT_BITS: u64 = 256;
 
