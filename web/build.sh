@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the page, one file: dist/grazing.html. With --quick it is larger and slower, and sooner there.
+# Builds the page, one file: dist/grazing.html. With --quick it is larger and slower, and sooner there. In one folder
+# the same sources, compiler and packages give the same bytes.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -13,6 +14,9 @@ elif [ "$#" -gt 0 ]; then
     exit 2
 fi
 export CARGO_TARGET_DIR="$PWD/target"
+# What a panic names is a file of the sources, not of this computer.
+root=$(cd .. && pwd)
+export RUSTFLAGS="--remap-path-prefix=$root=. --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=~/.cargo"
 
 [ -d node_modules ] || npm ci --silent
 

@@ -2,7 +2,7 @@
 
 import { Failure } from "./panel";
 
-/** The worker's script, and the gzipped WebAssembly with seven bits in each letter, put in by the bundler. */
+/** The worker's script, and the compressed WebAssembly with seven bits in each letter, put in by the bundler. */
 declare const WORKER: string;
 declare const WASM: string;
 
@@ -29,27 +29,27 @@ interface Waiting extends Call {
 let compiled: Promise<WebAssembly.Module> | undefined;
 let script: string | undefined;
 
-/** The bytes in a text with seven bits in each letter; a rest of less than a byte is none. */
-function unpack(text: string): Uint8Array<ArrayBuffer> {
-  const bytes = new Uint8Array(Math.floor((text.length * 7) / 8));
-  let [bits, count, at] = [0, 0, 0];
-  for (let index = 0; index < text.length; index++) {
-    bits = ((bits & 127) << 7) | (text.charCodeAt(index) & 127);
-    count += 7;
-    if (count >= 8) {
-      count -= 8;
-      bytes[at++] = bits >> count;
-    }
-  }
-  return bytes;
+/** Compiles the program, once, in a worker of its own: the page stays alive meanwhile. */
+function compile(): Promise<WebAssembly.Module> {
+  compiled ??= new Promise((resolve, reject) => {
+    const worker = start();
+    worker.onmessage = ({ data }: MessageEvent<WebAssembly.Module | string>) => {
+      worker.terminate();
+      if (data instanceof WebAssembly.Module) resolve(data);
+      else reject(new Error(data));
+    };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      reject(new Error(event.message || "the page's worker does not start"));
+    };
+    worker.postMessage(WASM);
+  });
+  return compiled;
 }
 
-function compile(): Promise<WebAssembly.Module> {
-  compiled ??= (async () => {
-    const stream = new Blob([unpack(WASM)]).stream().pipeThrough(new DecompressionStream("gzip"));
-    return WebAssembly.compile(await new Response(stream).arrayBuffer());
-  })();
-  return compiled;
+function start(): Worker {
+  script ??= URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" }));
+  return new Worker(script);
 }
 
 /** A worker with the calls that wait for it. */
@@ -111,8 +111,7 @@ export class Lane {
   }
 
   #start(module: WebAssembly.Module): Worker {
-    script ??= URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" }));
-    const worker = new Worker(script);
+    const worker = start();
     worker.onmessage = ({ data }: MessageEvent<Answer>) => {
       if (this.#worker === worker) this.#hear(data);
     };

@@ -1,13 +1,14 @@
 // Runs in the worker, behind the script that wasm-bindgen wrote: takes calls, gives answers.
 
 import type { Answer, Call } from "./compute";
+import { inflate, unpack } from "./inflate";
 
 declare const wasm_bindgen: ((init: { module_or_path: WebAssembly.Module }) => Promise<unknown>) &
   Record<string, (...args: unknown[]) => unknown>;
 
 const scope = globalThis as unknown as {
-  onmessage: (event: MessageEvent<WebAssembly.Module | Call>) => void;
-  postMessage(answer: Answer, transfer?: Transferable[]): void;
+  onmessage: (event: MessageEvent<WebAssembly.Module | string | Call>) => void;
+  postMessage(answer: Answer | WebAssembly.Module | string, transfer?: Transferable[]): void;
   grazingPanic(message: string): void;
   grazingProgress(done: number, total: number): void;
 };
@@ -29,6 +30,14 @@ scope.grazingProgress = (done, total) => {
 };
 
 scope.onmessage = async ({ data }) => {
+  if (typeof data === "string") {
+    try {
+      scope.postMessage(await WebAssembly.compile(inflate(unpack(data))));
+    } catch (thrown) {
+      scope.postMessage(String(thrown));
+    }
+    return;
+  }
   if (data instanceof WebAssembly.Module) {
     ready = wasm_bindgen({ module_or_path: data });
     return;

@@ -1,11 +1,17 @@
-//! Writes the JavaScript that calls the page's WebAssembly, and the WebAssembly it calls:
+//! Writes the JavaScript that calls the page's WebAssembly, and the WebAssembly it calls, compressed:
 //! `grazing-web-bindgen FILE.wasm FOLDER`. Nothing else lives here.
 //!
 //! It is the library of wasm-bindgen's own tool; as a package of this workspace it has, by the lockfile, the
 //! version of what the page is built with, and is built in a third of the tool's time.
 
-use std::{env, process::ExitCode};
+use std::{
+    env, fs,
+    io::{Result, Write},
+    path::Path,
+    process::ExitCode,
+};
 
+use lzma_rust2::{LzmaOptions, LzmaWriter};
 use wasm_bindgen_cli_support::Bindgen;
 
 fn main() -> ExitCode {
@@ -26,5 +32,22 @@ fn main() -> ExitCode {
         eprintln!("grazing-web-bindgen: {error:?}");
         return ExitCode::from(2);
     }
+    let folder = Path::new(folder);
+    if let Err(error) = compress(&folder.join("grazing_bg.wasm"), &folder.join("grazing.lzma")) {
+        eprintln!("grazing-web-bindgen: {error}");
+        return ExitCode::from(2);
+    }
     ExitCode::SUCCESS
+}
+
+/// Writes a file as an `.lzma` file with its size in the header, which `xz --format=lzma -d` reads too; a
+/// fifth shorter than gzip's. The page reads it by `page/inflate.ts`.
+fn compress(from: &Path, to: &Path) -> Result<()> {
+    let bytes = fs::read(from)?;
+    let mut options = LzmaOptions::with_preset(9);
+    // Instructions are not aligned: what matters is the byte before, not the place.
+    (options.lc, options.lp, options.pb) = (4, 0, 0);
+    let mut writer = LzmaWriter::new(Vec::new(), &options, true, false, Some(bytes.len() as u64))?;
+    writer.write_all(&bytes)?;
+    fs::write(to, writer.finish()?)
 }
