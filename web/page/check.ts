@@ -3,7 +3,7 @@
 import { Lane } from "./compute";
 import { EXAMPLES } from "./examples";
 import { listing } from "./listing";
-import { type Context, element, Failure, type Panel } from "./panel";
+import { type Context, element, Failure, type Panel, scroller } from "./panel";
 
 /** What the program says of a file (`src/check.rs`). */
 interface Found {
@@ -16,7 +16,7 @@ interface Found {
   statement?: string;
   line?: number;
   reason?: string;
-  what?: "shard" | "format" | "version" | "unknown" | null;
+  what?: "shard" | "mark" | "utf-16" | "format" | "version" | "unknown" | null;
   known?: string[];
   bytes: number;
   sha256: string;
@@ -25,6 +25,8 @@ interface Found {
 /** Long work, which is ended by ending its worker: it has one of its own. */
 const lane = new Lane();
 const CANCELLED = "The check was cancelled: there is no verdict.";
+/** The longest text that is shown in the field once it is pasted. */
+const LONGEST = 200_000;
 const encoder = new TextEncoder();
 const number = new Intl.NumberFormat("en");
 
@@ -109,6 +111,20 @@ function verdict(found: Found): { good: boolean | undefined; heading: string; te
         heading: "Not a certificate: a shard",
         text: "It holds one machine's part of a job. “grazing merge” puts the parts together.",
       };
+    case "mark":
+      return {
+        good: false,
+        heading: "Malformed: a byte order mark",
+        text:
+          "Before its first line stand the bytes EF BB BF, which an editor has put there (“UTF-8 with BOM”). A certificate has " +
+          "none: save it as UTF-8 without one.",
+      };
+    case "utf-16":
+      return {
+        good: false,
+        heading: "Malformed: UTF-16 text",
+        text: "It begins with the byte order mark of UTF-16 (“Unicode”, in some editors). A certificate is UTF-8 without one.",
+      };
     case "format":
       return {
         good: false,
@@ -136,7 +152,7 @@ function pairs(rows: [string, string][]): HTMLElement {
   for (const [name, value] of rows) {
     body.append(element("tr", {}, element("th", { scope: "row" }, name), element("td", {}, value)));
   }
-  return element("div", { class: "scroll" }, element("table", { class: "facts" }, body));
+  return scroller("Facts", element("table", { class: "facts" }, body));
 }
 
 /** All that is shown of one file. */
@@ -265,21 +281,38 @@ export const check: Panel = {
       void take(choose.files ?? []);
       examples.value = "";
     });
-    go.addEventListener("click", () => {
-      begin([{ name: "pasted text", bytes: encoder.encode(pasted.value) }]);
+    const text = (bytes: Uint8Array): void => {
+      begin([{ name: "pasted text", bytes }]);
       examples.value = "";
       context.permalink({});
+    };
+    go.addEventListener("click", () => text(encoder.encode(pasted.value)));
+    // The browser lays out every line of a field: what is long is checked at once, as a file is.
+    pasted.addEventListener("paste", (event) => {
+      const data = event.clipboardData?.getData("text/plain") ?? "";
+      if (data.length <= LONGEST) return;
+      event.preventDefault();
+      pasted.value = "";
+      text(encoder.encode(data));
     });
     showExample = (id) => {
       const example = EXAMPLES.find((example) => example.id === id);
-      if (!example) return;
+      if (!example) {
+        // Back to before there was one.
+        if (examples.value !== "") begin([]);
+        examples.value = "";
+        return;
+      }
       examples.value = id;
       pasted.value = example.text;
       choose.value = "";
       context.permalink({ example: id });
       begin([{ name: example.title, bytes: encoder.encode(example.text) }]);
     };
-    examples.addEventListener("change", () => showExample(examples.value));
+    examples.addEventListener("change", () => {
+      context.step();
+      showExample(examples.value);
+    });
     root.addEventListener("dragover", (event) => {
       event.preventDefault();
       drop.classList.add("over");

@@ -1,6 +1,6 @@
 // A certificate's lines: those about the beginning and about a fault, and all on demand.
 
-import { element } from "./panel";
+import { element, scroller } from "./panel";
 
 /** Lines shown at the beginning, and on each side of a fault. */
 const FIRST = 24;
@@ -10,15 +10,48 @@ const MORE = 500;
 /** Bytes shown of one line. */
 const WIDTH = 240;
 
+/** Of so many lines one has its place noted: a file of line feeds alone has a hundred million. */
+const STEP = 4096;
+
 const decoder = new TextDecoder();
+const encoder = new TextEncoder();
 const number = new Intl.NumberFormat("en");
 
-/** Where the lines begin; the last entry is where the next would. */
-function starts(bytes: Uint8Array): number[] {
-  const found = [0];
-  for (let at = bytes.indexOf(10); at >= 0; at = bytes.indexOf(10, at + 1)) found.push(at + 1);
-  if (found[found.length - 1] !== bytes.length) found.push(bytes.length);
-  return found;
+/** Where lines stand in a file, by their numbers from 1. */
+class Lines {
+  readonly count: number;
+  /** Where the lines 1, 1 + STEP, … begin. */
+  readonly #noted = [0];
+
+  constructor(private readonly bytes: Uint8Array) {
+    const { length } = bytes;
+    let ends = 0;
+    for (let at = 0; at < length; at++) {
+      if (bytes[at] !== 10) continue;
+      ends++;
+      if (ends % STEP === 0) this.#noted.push(at + 1);
+    }
+    this.count = ends + (length > 0 && bytes[length - 1] !== 10 ? 1 : 0);
+  }
+
+  /** From where a line goes to where: its line feed is not of it. */
+  place(line: number): [number, number] {
+    let from = this.#noted[Math.floor((line - 1) / STEP)]!;
+    for (let rest = (line - 1) % STEP; rest > 0; rest--) from = this.bytes.indexOf(10, from) + 1;
+    const end = this.bytes.indexOf(10, from);
+    return [from, end < 0 ? this.bytes.length : end];
+  }
+
+  /** The first line that begins so, or none. */
+  find(beginning: string): number {
+    const wanted = encoder.encode(beginning);
+    let from = 0;
+    for (let line = 1; line <= this.count; line++) {
+      if (wanted.every((byte, i) => this.bytes[from + i] === byte)) return line;
+      from = this.bytes.indexOf(10, from) + 1;
+    }
+    return this.count + 1;
+  }
 }
 
 /** What is wrong, and on which line, from 1. */
@@ -29,21 +62,19 @@ export interface Fault {
 
 /** The lines of a certificate with a tick at what was proved, if all is, or a cross where it is not. */
 export function listing(bytes: Uint8Array, fault: Fault | undefined): HTMLElement {
-  const begin = starts(bytes);
-  const count = begin.length - 1;
+  const lines = new Lines(bytes);
+  const { count } = lines;
   const body = element("tbody");
   const table = element("table", { class: "lines" }, element("caption", { class: "unseen" }, "The certificate"), body);
-  const made = element("div", {}, element("div", { class: "scroll" }, table));
+  const made = element("div", {}, scroller("Lines of the certificate", table));
 
   const text = (line: number): string => {
-    const [from, to] = [begin[line - 1] ?? 0, begin[line] ?? 0];
-    const end = bytes[to - 1] === 10 ? to - 1 : to;
+    const [from, end] = lines.place(line);
     const shown = decoder.decode(bytes.subarray(from, Math.min(end, from + WIDTH)));
     return end - from > WIDTH ? `${shown}… (${number.format(end - from)} bytes)` : shown;
   };
   /** The statement's line: it and what follows are what is proved. */
-  let claims = 1;
-  while (claims <= count && !text(claims).startsWith("statement ")) claims++;
+  const claims = fault ? 0 : lines.find("statement ");
 
   const row = (line: number): HTMLElement[] => {
     const beyond = line > count;

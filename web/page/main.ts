@@ -3,7 +3,7 @@
 import { check, openCheck } from "./check";
 import { Lane } from "./compute";
 import { motion } from "./motion";
-import { COLOURS, type Context, element, type Panel } from "./panel";
+import { COLOURS, type Context, element, hyphens, type Panel } from "./panel";
 import { plane } from "./plane";
 import { theory } from "./theory";
 
@@ -55,7 +55,14 @@ const shown: Shown[] = panels.map((panel) => {
   return { panel, tab, root, mounted: false, link: `#${panel.id}` };
 });
 
-const setFragment = (fragment: string): void => history.replaceState(null, "", fragment);
+/** Whether what is put into the address next is a step of the reader's, which Back undoes. */
+let stepping = false;
+
+function setFragment(fragment: string): void {
+  if (stepping && fragment !== location.hash) history.pushState(null, "", fragment);
+  else history.replaceState(null, "", fragment);
+  stepping = false;
+}
 
 function contextOf(entry: Shown): Context {
   return {
@@ -66,10 +73,18 @@ function contextOf(entry: Shown): Context {
       entry.link = `#${entry.panel.id}${query ? `?${query}` : ""}`;
       if (!entry.root.hidden) setFragment(entry.link);
     },
+    step() {
+      stepping = true;
+    },
+    go(id, state) {
+      stepping = true;
+      take(`#${id}?${new URLSearchParams(state)}`);
+    },
     announce,
     save,
     openCheck(certificate) {
       const target = shown.find(({ panel }) => panel === check);
+      stepping = true;
       if (target) show(target);
       openCheck(certificate);
     },
@@ -92,19 +107,34 @@ function show(entry: Shown): void {
   setFragment(entry.link);
 }
 
-/** Takes over what the address says. */
-function follow(): void {
-  const fragment = location.hash;
+/** Keys of a link that hold what a file says, to the letter. */
+const VERBATIM = ["scene", "name"];
+
+/** Shows what a fragment says. */
+function take(fragment: string): void {
   const [id, query = ""] = fragment.slice(1).split(/\?(.*)/s);
   const entry = shown.find(({ panel }) => panel.id === id) ?? shown[0];
   if (!entry) return;
   if (entry.panel.id === id) entry.link = fragment;
+  const known = entry.mounted;
   show(entry);
-  if (query) entry.panel.restore(new URLSearchParams(query));
+  const state = new URLSearchParams(query);
+  for (const [key, value] of state) if (!VERBATIM.includes(key)) state.set(key, hyphens(value));
+  // A bare link leads back to the beginning.
+  if (query || known) entry.panel.restore(state);
+}
+
+/** Takes over what the address says, by a link, Back or Forward. */
+function follow(): void {
+  stepping = false;
+  take(location.hash);
 }
 
 for (const [index, entry] of shown.entries()) {
-  entry.tab.addEventListener("click", () => show(entry));
+  entry.tab.addEventListener("click", () => {
+    stepping = true;
+    show(entry);
+  });
   entry.tab.addEventListener("keydown", (event) => {
     const count = shown.length;
     const to = new Map([
@@ -116,6 +146,7 @@ for (const [index, entry] of shown.entries()) {
     const target = to === undefined ? undefined : shown[to];
     if (!target) return;
     event.preventDefault();
+    stepping = true;
     show(target);
     target.tab.focus();
   });
@@ -172,5 +203,15 @@ for (const kind of ["dragover", "drop"]) document.addEventListener(kind, (event)
 /** For scripts and for the browser's console: `await grazing.compute("evaluate", "polar", "1", "1/7", 5, 0, 128)`. */
 Object.assign(globalThis, { grazing: { compute: (name: string, ...args: unknown[]) => lane.call(name, args) } });
 
-addEventListener("hashchange", follow);
+/** A minus sign that was copied from somewhere becomes what numbers are written with, where it is typed. */
+function plain({ target }: Event): void {
+  if (!(target instanceof HTMLInputElement) || target.type !== "text" || !target.value.includes("−")) return;
+  const at = target.selectionStart;
+  target.value = hyphens(target.value);
+  target.setSelectionRange(at, at);
+}
+for (const kind of ["input", "change"]) document.addEventListener(kind, plain, { capture: true });
+
+// A link within the page, an address that is typed, Back and Forward.
+addEventListener("popstate", follow);
 follow();

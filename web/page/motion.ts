@@ -20,7 +20,7 @@ import {
   type Slice,
   type StrikesAnswer,
 } from "./motion-pictures";
-import { type Context, csv, element, Failure, type Panel } from "./panel";
+import { type Context, csv, element, Failure, type Panel, scroller } from "./panel";
 import { type Layer, Plot, type View } from "./plot";
 
 interface Parameter {
@@ -54,6 +54,13 @@ const VIEWS = {
   tasks: "Tasks",
 } as const;
 type ViewName = keyof typeof VIEWS;
+
+/** The fields by the names that a request has for them, and the tasks that it makes. */
+const FIELDS: Record<string, string> = { transient: "periods first", periods: "then shown", count: "values", phase: "at phase" };
+
+/** A message about a view with the name of the field: the reader's scene has no such task, nor that line. */
+const byField = (message: string): string =>
+  message.replace(/^(?:[^:]*:\d+: tasks\[\d+\]\.(?:starts?(?:\[\d+\])?\.)?)?(\w+)(?= = |: )/, (_, key: string) => FIELDS[key] ?? key);
 
 /** Values of the parameter that the attractor is found at in one call. */
 const PIECE = 6;
@@ -96,6 +103,8 @@ class MotionPanel implements Panel {
   private view: ViewName = "time";
   /** Counts changes: an answer to an earlier one is not shown. */
   private change = 0;
+  /** Counts the links that were followed. */
+  private links = 0;
   private timers: ReturnType<typeof setTimeout>[] = [];
   private born: BornAnswer | null = null;
   private fitted: View | null = null;
@@ -136,7 +145,10 @@ class MotionPanel implements Panel {
   }
 
   restore(state: URLSearchParams): void {
-    this.ready = this.ready.then(() => this.take(state));
+    const mine = ++this.links;
+    // What is shown until then belongs to another address.
+    for (const timer of this.timers) clearTimeout(timer);
+    this.ready = this.ready.then(() => (mine === this.links ? this.take(state) : undefined));
   }
 
   // The page's parts.
@@ -188,12 +200,14 @@ class MotionPanel implements Panel {
     choose.addEventListener("click", () => file.click());
     const paper = element("button", { type: "button" }, "The paper’s oscillator");
     paper.addEventListener("click", () => {
+      this.context.step();
       this.ready = this.openPaper();
     });
     const save = element("button", { type: "button" }, "Save scene");
     save.addEventListener("click", () => void this.saveScene());
 
     parts.parameter.addEventListener("change", () => {
+      this.context.step();
       this.takeRange();
       this.changed();
     });
@@ -237,7 +251,10 @@ class MotionPanel implements Panel {
     const tabs = element("div", { role: "group", class: "motion-tabs", "aria-label": "Views of the motion" });
     for (const [view, title] of Object.entries(VIEWS) as [ViewName, string][]) {
       const tab = element("button", { type: "button" }, title);
-      tab.addEventListener("click", () => this.show(view));
+      tab.addEventListener("click", () => {
+        this.context.step();
+        this.show(view);
+      });
       parts.tabs.set(view, tab);
       tabs.append(tab);
     }
@@ -274,7 +291,9 @@ class MotionPanel implements Panel {
       parts.readout.value = point === null ? "" : `${shown(point.x.toNumber())}, ${shown(point.y.toNumber())}${point.layer?.label ? ` · ${point.layer.label}` : ""}`;
     });
     this.plot.onClick((point) => {
-      if (this.view === "attractor" || this.view === "born") this.set(this.parts.parameter.value, short(point.x.toNumber()));
+      if (this.view !== "attractor" && this.view !== "born") return;
+      this.context.step();
+      this.set(this.parts.parameter.value, short(point.x.toNumber()));
     });
     for (const kind of ["dragover", "drop"] as const) {
       root.addEventListener(kind, (event) => {
@@ -294,6 +313,7 @@ class MotionPanel implements Panel {
   }
 
   private async openFile(file: File): Promise<void> {
+    this.context.step();
     await (this.ready = this.open(await file.text(), file.name, false));
   }
 
@@ -430,7 +450,8 @@ class MotionPanel implements Panel {
       return await answer;
     } catch (failed) {
       if (change !== undefined && change !== this.change) return null;
-      this.problem(failed instanceof Failure ? failed : new Failure(String(failed)));
+      const message = failed instanceof Error ? failed.message : String(failed);
+      this.problem(new Failure(change === undefined ? message : byField(message)));
       return null;
     }
   }
@@ -485,7 +506,7 @@ class MotionPanel implements Panel {
   private async take(state: URLSearchParams): Promise<void> {
     const text = state.get("scene");
     if (text !== null) await this.open(text, state.get("name") ?? "scene.toml", false);
-    else if (!this.isPaper && state.size > 0) await this.openPaper();
+    else if (!this.isPaper) await this.openPaper();
     const { parts } = this;
     if (!this.scene) return;
     const parameter = state.get("parameter");
@@ -499,7 +520,7 @@ class MotionPanel implements Panel {
     for (const key of ["phase", "q", "u"] as const) parts.start[key].value = state.get(key) ?? parts.start[key].value;
     for (const { name, value } of this.scene.parameters) this.set(name, state.get(`v.${name}`) ?? value);
     const view = state.get("view");
-    this.show(view !== null && view in VIEWS ? (view as ViewName) : this.view);
+    this.show(view !== null && view in VIEWS ? (view as ViewName) : "time");
   }
 
   // Views.
@@ -747,8 +768,9 @@ class MotionPanel implements Panel {
   }
 
   private bornTable(rows: BornRow[], branches: Map<number, BranchAnswer>, failures: Map<number, string>, located: number): HTMLElement {
-    // What rounding leaves at 0 is not shown.
-    const grazing = Math.abs(located) < 1e-14 ? 0 : located;
+    // What rounding leaves of 0 is not shown: it is small beside the values that were looked at.
+    const size = Math.max(Math.abs(Number(this.parts.from.value)), Math.abs(Number(this.parts.to.value)));
+    const grazing = Math.abs(located) <= 1e-12 * size ? 0 : located;
     const name = this.parts.parameter.value;
     const heads = ["pattern", "born for", `L: multiplier ≈ L (${name} − ${shown(grazing, 4)})⁻ᵐ`, "multiplier found", "prediction within 10 % for"];
     const body = rows.map((row, i) => {
@@ -764,7 +786,7 @@ class MotionPanel implements Panel {
     });
     const caption = element("p", { class: "muted" }, "Dotted: the prediction, straight lines through the grazing. Thick: stable orbits of the true system; dashed: unstable ones. Grey points: impacts of the simulated motion.");
     const table = element("table", {}, element("thead", {}, element("tr", {}, ...heads.map((head) => element("th", { scope: "col" }, head)))), element("tbody", {}, ...body));
-    return element("div", {}, caption, element("div", { class: "scroll" }, table));
+    return element("div", {}, caption, scroller("Orbits born", table));
   }
 
   // Tasks and files.
@@ -800,9 +822,9 @@ class MotionPanel implements Panel {
     parts.answer.replaceChildren(
       element("div", { class: "row" }, save, ...buttons),
       element("h2", {}, `${task}: ${findings.status}`),
-      element("div", { class: "scroll" }, element("pre", {}, found.report)),
+      scroller("Report", element("pre", {}, found.report)),
       ...tables,
-      element("details", {}, element("summary", {}, "JSON"), element("div", { class: "scroll" }, element("pre", {}, found.json))),
+      element("details", {}, element("summary", {}, "JSON"), scroller("JSON", element("pre", {}, found.json))),
     );
     this.context.announce(`${task}: ${findings.status}`);
   }
@@ -824,7 +846,7 @@ class MotionPanel implements Panel {
       element("thead", {}, element("tr", {}, ...columns.map((column) => element("th", { scope: "col" }, column)))),
       element("tbody", {}, ...rows.map((row) => element("tr", {}, ...columns.map((column) => element("td", { class: "numbers" }, cell(row[column])))))),
     );
-    return [element("h2", {}, key), element("div", { class: "scroll" }, table), element("div", { class: "row" }, save)];
+    return [element("h2", {}, key), scroller(key, table), element("div", { class: "row" }, save)];
   }
 }
 

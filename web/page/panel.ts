@@ -26,6 +26,10 @@ export interface Context {
   latest(name: string, ...args: unknown[]): Promise<any>;
   /** Puts the panel's state into the address, so that a link leads back to it. */
   permalink(state: Record<string, string>): void;
+  /** What is put into the address next is a step of the reader's: Back leads to what was before it. */
+  step(): void;
+  /** Shows a panel with a state, as a link does. */
+  go(id: string, state: Record<string, string>): void;
   /** Says a text to who listens to the page. */
   announce(text: string): void;
   /** Offers a file for download. */
@@ -65,6 +69,17 @@ export function csv(rows: unknown[][]): string {
   const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   return rows.map((row) => `${row.map((cell) => quoted(String(cell))).join(",")}\n`).join("");
 }
+
+/** What is wider or higher than its place: it scrolls, by keyboard too. */
+export function scroller(label: string, ...children: (Node | string)[]): HTMLElement {
+  return element("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": label }, ...children);
+}
+
+/** Numbers for reading, with minus signs. */
+export const minus = (text: string): string => text.replaceAll("-", "−");
+
+/** Numbers as programs read them: what is copied from this page has minus signs. */
+export const hyphens = (text: string): string => text.replaceAll("−", "-");
 
 /** An element with attributes and children; an attribute whose value is `false` is left out. */
 export function element<K extends keyof HTMLElementTagNameMap>(

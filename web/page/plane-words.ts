@@ -1,7 +1,7 @@
 // What the Plane panel says of a point: its words, which orbits exist there and why, the record picture.
 
 import type { Exact } from "./exact";
-import { element } from "./panel";
+import { element, minus, scroller } from "./panel";
 import { CASES } from "./plane-colours";
 
 /** An exact point, by the names that the command line has for its coordinates. */
@@ -32,7 +32,8 @@ export const REGIONS: Record<string, string> = {
   line: "On a line |a₁| = a₂ + 1, where an eigenvalue is 1 or −1",
 };
 
-export const minus = (text: string) => text.replaceAll("-", "−");
+/** A rate for reading, however small: what is above 0 is not shown as 0. */
+const rate = (x: number): string => (x < 1e-3 ? minus(x.toExponential(3)) : x.toFixed(6));
 
 /** What is said of a point. */
 export function said(place: Place, facts: PointFacts): HTMLElement[] {
@@ -45,9 +46,9 @@ export function said(place: Place, facts: PointFacts): HTMLElement[] {
   const region = element("p", {}, `${REGIONS[facts.region] ?? facts.region}${facts.reversed ? "; time reversed, as a₂ > 1" : ""}.`);
   const words = facts.words.map((word) => {
     const sign = word.sign_emu > 0 ? ">" : "<";
-    const rates = word.entropy.map(({ sign_gamma, rate, at_least }) => {
-      const chaos = `chaos is born, entropy ${at_least ? "at least " : ""}${rate?.[0].toFixed(6)}`;
-      const value = rate === null ? (at_least ? "no pattern is certain" : "nothing is born") : rate[1] > 0 ? chaos : "motions are born, but no chaos";
+    const rates = word.entropy.map(({ sign_gamma, rate: bounds, at_least }) => {
+      const chaos = `chaos is born, entropy ${at_least ? "at least " : ""}${bounds ? rate(bounds[0]) : ""}`;
+      const value = bounds === null ? (at_least ? "no pattern is certain" : "nothing is born") : bounds[1] > 0 ? chaos : "motions are born, but no chaos";
       return `γ ${sign_gamma > 0 ? ">" : "<"} 0: ${value}`;
     });
     const more = ["complete", "boundary", "singular"].includes(word.end.kind) ? "" : ", …";
@@ -71,9 +72,9 @@ export function said(place: Place, facts: PointFacts): HTMLElement[] {
     element("tbody", {}, ...rows),
   );
   const command = element("p", { class: "muted" }, "On the command line: ", element("code", {}, `grazing word ${facts.options}`));
-  const parts: HTMLElement[] = [head, region, ...words, element("div", { class: "scroll" }, table)];
+  const parts: HTMLElement[] = [head, region, ...words, scroller("Orbits of each period", table)];
   if (facts.records) parts.splice(2, 0, records(facts.records));
-  return [...parts, element("div", { class: "scroll" }, command)];
+  return [...parts, scroller("The command", command)];
 }
 
 /** The record picture: λ, λ², … seen from 1. Period n exists where λⁿ is farther to a side than all before it. */

@@ -3,34 +3,13 @@
 // Everything decided comes from the program (web/src/plane.rs); here it is asked for, drawn and worded.
 
 import { Exact } from "./exact";
-import { COLOURS, colour, type Context, element, type Panel } from "./panel";
-import { CASES, mix, MOST, onScale, PLAIN, spread } from "./plane-colours";
-import { minus, type Place, type PointFacts, REGIONS, said } from "./plane-words";
-import { type Layer, type Options, type Origin, Plot, type View } from "./plot";
+import { COLOURS, colour, type Context, element, Failure, hyphens, minus, type Panel } from "./panel";
+import { CASES, mix, MOST, onScale, PLAIN } from "./plane-colours";
+import { type Area, type Areas, type Colouring, fillOf, layersOf } from "./plane-layers";
+import { type Place, type PointFacts, REGIONS, said } from "./plane-words";
+import { type Options, type Origin, Plot, type View } from "./plot";
 
 type Chart = "plane" | "disc" | "strip";
-type Colouring = "case" | "word" | "entropy";
-
-/** One item of the answer of `plane_view`. */
-interface Area {
-  kind: "area" | "more" | "undecided";
-  n: number;
-  m: number;
-  case: string;
-  shape: number[];
-  edges: number[][];
-  letters?: string;
-  periods?: number[];
-  entropy?: number | "none";
-}
-
-interface Areas {
-  origin: { x: string; y: string };
-  areas: Area[];
-  finer: number;
-  cut: number;
-  open: number;
-}
 
 const CHARTS: Record<Chart, { name: string; options: Options }> = {
   plane: {
@@ -70,6 +49,9 @@ class PlanePanel implements Panel {
   /** Counts what the reader does; and at which count something was refused last. */
   private turn = 0;
   private refused = 0;
+  /** Counts the links that were followed. */
+  private restored = 0;
+  private restoring = false;
   private pause: ReturnType<typeof setTimeout> | undefined;
   private fields!: {
     chart: HTMLSelectElement;
@@ -139,6 +121,7 @@ class PlanePanel implements Panel {
     );
     form.addEventListener("submit", (event) => {
       event.preventDefault();
+      this.acted();
       void this.go();
     });
     const canvas = element("canvas", { id: "plane-canvas", class: "plot" });
@@ -167,14 +150,21 @@ class PlanePanel implements Panel {
       if (point === null || this.place !== null) return;
       void this.explain(this.placeAt(point), false);
     });
-    this.plot.onClick((point) => this.choose(this.placeAt(point)));
+    this.plot.onClick((point) => {
+      this.acted();
+      this.choose(this.placeAt(point));
+    });
     new ResizeObserver(() => this.refresh()).observe(canvas);
     document.addEventListener(COLOURS, () => this.paint());
     const changed = (what: () => void) => () => {
+      this.acted();
       what();
       this.refresh();
     };
-    fields.chart.addEventListener("change", () => void this.setChart(fields.chart.value as Chart));
+    fields.chart.addEventListener("change", () => {
+      this.acted();
+      void this.setChart(fields.chart.value as Chart);
+    });
     fields.colouring.addEventListener("change", changed(() => (this.colouring = fields.colouring.value as Colouring)));
     for (const field of [fields.sign, fields.gamma, fields.last, fields.only]) {
       field.addEventListener("change", changed(() => {}));
@@ -199,16 +189,36 @@ class PlanePanel implements Panel {
     fields.only.checked = state.get("only") === "1";
     if (chart !== null && chart in CHARTS && chart !== this.chart) this.useChart(chart as Chart);
     const turn = ++this.turn;
-    void this.restorePlace(state).catch((error: unknown) => this.complain(error, turn));
+    const mine = ++this.restored;
+    // What is shown until then belongs to another address.
+    this.restoring = true;
+    void this.restorePlace(state, mine)
+      .catch((error: unknown) => this.complain(error, turn))
+      .finally(() => {
+        if (mine !== this.restored) return;
+        this.restoring = false;
+        this.refresh();
+      });
   }
 
-  /** An exact number as the command line reads it. */
-  private async number(text: string): Promise<Exact> {
-    return Exact.parse((await this.context.compute("number", text.replaceAll("−", "-"))).exact);
+  /** The reader goes on, before what a link says is there if it is not yet. */
+  private acted(): void {
+    this.restored++;
+    this.restoring = false;
+    this.context.step();
   }
 
-  private async restorePlace(state: URLSearchParams): Promise<void> {
-    const exact = (key: string) => this.number(state.get(key) ?? "");
+  /** An exact number as the command line reads it, of the field or the key of a link with that name. */
+  private async number(text: string, name: string): Promise<Exact> {
+    try {
+      return Exact.parse((await this.context.compute("number", hyphens(text))).exact);
+    } catch (failed) {
+      throw new Failure(`${name}: ${failed instanceof Error ? failed.message : String(failed)}`);
+    }
+  }
+
+  private async restorePlace(state: URLSearchParams, mine: number): Promise<void> {
+    const exact = (key: string) => this.number(state.get(key) ?? "", key);
     if (state.has("x") && state.has("y")) {
       const size = (key: string, other: number) => {
         const value = Number(state.get(key));
@@ -216,6 +226,7 @@ class PlanePanel implements Panel {
       };
       const { width, height } = this.plot.view;
       const centre = { x: await exact("x"), y: await exact("y") };
+      if (mine !== this.restored) return;
       this.plot.setView({ ...centre, width: size("w", width), height: size("h", height) });
     }
     const place = state.has("a1")
@@ -223,8 +234,10 @@ class PlanePanel implements Panel {
       : state.has("r")
         ? { r: await exact("r"), s: await exact("s") }
         : null;
+    // Back was pressed again meanwhile.
+    if (mine !== this.restored) return;
     if (place) await this.choosePlace(place, state.has("x") ? "mark" : "show");
-    this.refresh();
+    else if (this.place) await this.choosePlace(null, "mark");
   }
 
   private file(ending: string): string {
@@ -283,11 +296,12 @@ class PlanePanel implements Panel {
     const { fields } = this;
     const turn = ++this.turn;
     try {
-      const [first, second] = [await this.number(fields.first.value), await this.number(fields.second.value)];
+      const [x, y] = [this.labels.first.textContent ?? "", this.labels.second.textContent ?? ""];
+      const [first, second] = [await this.number(fields.first.value, x), await this.number(fields.second.value, y)];
       const place = fields.kind.value === "polar" ? { r: first, s: second } : { a1: first, a2: second };
       let width: number | undefined;
       if (fields.width.value.trim() !== "") {
-        width = (await this.number(fields.width.value)).toNumber();
+        width = (await this.number(fields.width.value, "width of the view")).toNumber();
         if (!(width > 0)) throw new RangeError("the width of the view is above 0");
       }
       this.complain(null, turn);
@@ -324,12 +338,16 @@ class PlanePanel implements Panel {
     const make = element("button", { type: "button", class: "first" }, "Certificate, made and checked");
     make.addEventListener("click", () => void this.certify(place, make));
     const let_go = element("button", { type: "button" }, "Let go");
-    let_go.addEventListener("click", () => this.choose(null));
+    let_go.addEventListener("click", () => {
+      this.acted();
+      this.choose(null);
+    });
     this.link();
     this.chosen.append(element("div", { class: "row" }, make, let_go));
     await this.explain(place, true);
+    if (this.place !== place) return;
     await this.mark(place, how, width);
-    this.link();
+    if (this.place === place) this.link();
   }
 
   /** Marks a point in the chart; moves there if it is out of sight, or if that is asked for. */
@@ -374,6 +392,7 @@ class PlanePanel implements Panel {
   }
 
   private link(): void {
+    if (this.restoring) return;
     const { fields, plot } = this;
     const { x, y, width, height } = plot.view;
     const state: Record<string, string> = {
@@ -468,43 +487,11 @@ class PlanePanel implements Panel {
     this.status.textContent = `${minus(parts.join("; "))}.`;
   }
 
-  /** The fill of an area, or null where nothing is claimed. */
-  private fill(area: Area): string | null {
-    const paper = colour("background");
-    if (area.kind !== "area") return null;
-    if (this.colouring === "case") return mix(paper, colour(CASES[area.case] ?? "c7"), 0.42);
-    if (this.fields.only.checked) return mix(paper, colour(CASES[area.case] ?? "c7"), 0.42);
-    if (area.letters === undefined) return area.n === 1 ? paper : null;
-    if (this.colouring === "word") return mix(paper, onScale(spread(area.letters)), 0.75);
-    if (area.entropy === undefined) return null;
-    if (area.entropy === "none") return paper;
-    return area.entropy > 0 ? onScale(area.entropy / MOST) : PLAIN;
-  }
-
   /** Draws the last answer in the present colours. */
   private paint(): void {
     if (!this.answer || !this.shown) return;
     const { origin, areas } = this.answer;
-    const [paper, muted, bad] = [colour("background"), colour("muted"), colour("bad")];
-    const layers: Layer[] = [];
-    const edges = new Map<string, number[]>();
-    for (const area of areas) {
-      const xy = Float64Array.from(area.shape);
-      const fill = this.fill(area);
-      const name = area.letters ?? `${area.n}`;
-      const label = `${area.kind} n=${area.n} m=${area.m} ${area.case} ${name}`;
-      layers.push({ kind: "polygon", xy, colour: fill ?? paper, label });
-      if (fill === null) {
-        layers.push({ kind: "polygon", xy, colour: area.kind === "undecided" ? bad : muted, hatch: true, opacity: 0.8, label });
-      }
-      const ink = this.colouring === "case" ? (CASES[area.case] ?? "c7") : "text";
-      const line = edges.get(ink) ?? [];
-      for (const edge of area.edges) line.push(...edge, NaN, NaN);
-      edges.set(ink, line);
-    }
-    for (const [ink, line] of edges) {
-      layers.push({ kind: "curve", xy: Float64Array.from(line), colour: colour(ink), width: 0.8, label: `edges ${ink}` });
-    }
+    const layers = layersOf(areas, this.colouring, this.fields.only.checked);
     this.plot.setLayers(layers, { x: Exact.parse(origin.x), y: Exact.parse(origin.y) });
     this.explainColours(areas);
   }
@@ -536,7 +523,7 @@ class PlanePanel implements Panel {
     } else {
       keys.push(element("span", {}, "one colour for each word"));
     }
-    if (areas.some((area) => this.fill(area) === null && area.kind !== "undecided")) {
+    if (areas.some((area) => fillOf(area, this.colouring, this.fields.only.checked) === null && area.kind !== "undecided")) {
       keys.push(sample(colour("muted"), "more periods occur: beyond N, or not drawn", true));
     }
     if (areas.some((area) => area.kind === "undecided")) keys.push(sample(colour("bad"), "undecided", true));

@@ -95,7 +95,8 @@ export class Plot {
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "application");
     canvas.setAttribute("aria-roledescription", "plot");
-    canvas.style.touchAction = "none";
+    // A finger that moves up or down scrolls the page; two zoom and move the picture.
+    canvas.style.touchAction = "pan-y";
     this.describe();
     new ResizeObserver(() => this.schedule()).observe(canvas);
     document.addEventListener(COLOURS, () => this.schedule());

@@ -2,7 +2,7 @@
 // the impact patterns; and small certificates, made here and checked in the Check panel.
 
 import { Lane } from "./compute";
-import { type Context, element, Failure, type Panel } from "./panel";
+import { type Context, element, Failure, type Panel, scroller } from "./panel";
 
 /** Certificates may take long to find: they have a worker of their own, which can be ended. */
 const lane = new Lane();
@@ -17,7 +17,7 @@ function table(caption: string, heads: string[], rows: Cell[][]): HTMLElement {
   );
   const made = element("table", { class: "numbers" }, element("caption", {}, caption), element("thead", {}, head));
   made.append(element("tbody", {}, ...body));
-  return element("div", { class: "scroll" }, made);
+  return scroller(caption, made);
 }
 
 const sign = (value: number | null): string => (value === null ? "" : value > 0 ? "+" : "−");
@@ -36,6 +36,15 @@ function because({ n, positive_k, negative_k, zero_k }: Record<string, number | 
   if (zero_k !== null) return formula(`b_{${n},${zero_k}} = 0`);
   return formula(positive_k === null ? "" : `b_{${n},${positive_k}} > 0 > b_{${n},${negative_k}}`);
 }
+
+/** The fields by the names of the program's arguments. */
+const FIELDS: Record<string, string> = {
+  a1: "a₁",
+  a2: "a₂",
+  max_n: "periods up to",
+  max_period: "patterns of period up to",
+  last: "Certificate for n",
+};
 
 /** A field with its label. */
 function field(label: string, value: string, size: number): { input: HTMLInputElement; label: HTMLLabelElement } {
@@ -80,11 +89,14 @@ export const theory: Panel = {
       const [where, first, second] = at();
       context.permalink({ place: where, x: first, y: second, n: periods.input.value });
     };
+    /** What a link asks for is no step of the reader's. */
+    let restoring = false;
     /** Counts what was asked for: an answer to an earlier question is not shown. */
     let turn = 0;
     /** Does the work and shows its table, or what is wrong; a certificate, as text, goes to the Check panel. */
     const run = async (name: string, work: () => Promise<HTMLElement | string>): Promise<void> => {
       const mine = ++turn;
+      if (!restoring) context.step();
       link();
       lane.cancel("The search was cancelled.");
       busy.hidden = false;
@@ -94,7 +106,7 @@ export const theory: Panel = {
         shown = await work();
       } catch (thrown) {
         const failure = thrown instanceof Failure ? thrown : new Failure(String(thrown));
-        said = `${failure.key ? `${failure.key}: ` : ""}${failure.message}`;
+        said = `${failure.key ? `${FIELDS[failure.key] ?? failure.key}: ` : ""}${failure.message}`;
         shown = element("p", { class: "notice bad" }, said);
       }
       if (mine !== turn) return;
@@ -116,7 +128,7 @@ export const theory: Panel = {
 
     orbits.addEventListener("click", () =>
       run("Which orbits exist", async () => {
-        const found = await context.compute("classify", ...at(), whole(periods.input, "periods"));
+        const found = await context.compute("classify", ...at(), whole(periods.input, "max_n"));
         const rows = found.rows.map((row: Record<string, any>) => [
           row.n,
           row.existence,
@@ -146,7 +158,7 @@ export const theory: Panel = {
     patterns.addEventListener("click", () =>
       run("Impact patterns", async () => {
         if (place.value !== "plane") throw new Failure("the patterns are those of a trace a₁ and a determinant a₂");
-        const last = whole(longest.input, "patterns");
+        const last = whole(longest.input, "max_period");
         const blocks: Node[] = [];
         for (const positive of [true, false]) {
           const found = await context.compute("existence", x.input.value, y.input.value, positive, last);
@@ -158,7 +170,7 @@ export const theory: Panel = {
     );
     const range = (): [number, number] => {
       const [, first, last] = certificate.input.value.match(/^\s*(\d{1,4})\s*(?:(?:\.\.=?|–|-)\s*(\d{1,4})\s*)?$/) ?? [];
-      if (!first) throw new Failure(`“${certificate.input.value}” is no range of periods, such as 3..=12`);
+      if (!first) throw new Failure(`“${certificate.input.value}” is no range of periods, such as 3..=12`, undefined, "last");
       return [Number(first), Number(last ?? first)];
     };
     prove.addEventListener("click", () =>
@@ -202,12 +214,15 @@ export const theory: Panel = {
     }
     restore = (state) => {
       const [where, first, second] = [state.get("place"), state.get("x"), state.get("y")];
+      if (first === null && second === null) return;
       if (where === "polar" || where === "plane") place.value = where;
       names();
       if (first !== null) x.input.value = first;
       if (second !== null) y.input.value = second;
       periods.input.value = state.get("n") ?? periods.input.value;
+      restoring = true;
       orbits.click();
+      restoring = false;
     };
   },
   restore(state: URLSearchParams): void {

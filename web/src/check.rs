@@ -34,9 +34,9 @@ impl BufRead for Told<'_> {
 /// Checks a certificate of any kind; `progress` is told the bytes read and their number, after every line.
 ///
 /// `verdict` is `proved`, `false`, `malformed` or `undecided`; `what` says what a malformed file is: a
-/// `shard`, a certificate of another `format`, of another `version` of its kind or of an `unknown` kind; none
-/// of these. `known` lists the kinds. `title` is what is proved, in a word. `line` (from 1) and `reason` say
-/// where and why it was rejected.
+/// `shard`, text behind a byte order `mark` or in `utf-16`, a certificate of another `format`, of another
+/// `version` of its kind or of an `unknown` kind; none of these. `known` lists the kinds. `title` is what is
+/// proved, in a word. `line` (from 1) and `reason` say where and why it was rejected.
 pub fn check(bytes: &[u8], progress: &mut dyn FnMut(usize, usize)) -> String {
     let mut hash = Sha256::default();
     hash.update(bytes);
@@ -94,6 +94,8 @@ fn kind(bytes: &[u8]) -> Option<&str> {
 /// What a file is that was rejected in its first two lines.
 fn what(bytes: &[u8], line: u64) -> Option<&'static str> {
     match line {
+        1 if bytes.starts_with(b"\xef\xbb\xbf") => Some("mark"),
+        1 if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") => Some("utf-16"),
         1 => {
             let first = head(bytes).next()?;
             if first.starts_with("grazing-shard ") {
@@ -130,9 +132,14 @@ mod tests {
             ("grazing-certificate 1\nkind cover\nrange\n", json!(null)),
             ("", json!(null)),
             ("something else\n", json!(null)),
+            ("\u{feff}grazing-certificate 1\nkind cover\n", json!("mark")),
         ] {
             let found = of(text);
             assert_eq!((&found["verdict"], &found["what"]), (&json!("malformed"), &what), "{text:?}");
         }
+        // What an editor saves as "Unicode".
+        let wide: Vec<u8> = "\u{feff}grazing".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let found: Value = serde_json::from_str(&check(&wide, &mut |_, _| {})).unwrap();
+        assert_eq!(found["what"], "utf-16");
     }
 }

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::{
     attractor::value,
-    document::quoted,
+    document::{self, quoted},
     request::Request,
     task::{finished, job},
     theory::{self, Local},
@@ -61,8 +61,14 @@ pub fn born(request: &Request) -> Result<Value> {
             json!(speeds)
         })
         .collect();
+    // The largest value that was looked at: the end of the range, or the scene's own.
+    let size =
+        |key: &str| request.exact(key).ok().and_then(|end| document::float(&end)).map_or(0.0, f64::abs);
+    let own = changeable.scene.parameters.iter().find(|(name, _)| name == parameter);
+    let own = own.and_then(|(_, value)| document::float(value)).map_or(0.0, f64::abs);
+    let size = size("from").max(size("to")).max(own);
     Ok(json!({
-        "sentences": theory::sentences(&json, most),
+        "sentences": theory::sentences(&json, most, size),
         "place": theory::place(&json),
         "slopes": predicted,
         "report": json,

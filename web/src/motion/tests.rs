@@ -328,10 +328,9 @@ fn the_theory_in_words() {
     assert!(words.contains("mu > 0, case (−,+): the orbits of periods 1, 2, 3 with one impact"), "{words}");
     assert!(words.contains("chaos") && words.contains("entropy 0.609377"), "{words}");
     assert!(words.contains("mu < 0, case (+,+): the orbit of period 4 with one impact"), "{words}");
-    let seen =
-        "just before, at mu = -0.000200, the motion stays (period 1, no impact, from 0.0000 to 0.0000)";
+    let seen = "just before, at mu = -0.0002, the motion stays (period 1, no impact, from 0 to 0)";
     assert!(words.contains(&format!("Seen, which is evidence and no theory: {seen}")), "{words}");
-    assert!(words.contains("just beyond, at mu = 0.000200, "), "{words}");
+    assert!(words.contains("just beyond, at mu = 0.0002, "), "{words}");
     assert_eq!(
         found["place"]["a1"].as_str().unwrap().parse::<f64>().unwrap(),
         found["report"]["a1"].as_f64().unwrap()

@@ -90,6 +90,24 @@ fn solve(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
     found.iter().all(|x| x.is_finite()).then_some(found)
 }
 
+/// A number to that many decimals, and however small to at least four digits: 10⁻²⁰ is not 0.
+fn digits(x: f64, decimals: usize) -> String {
+    let power = if x == 0.0 { 0.0 } else { x.abs().log10().floor() };
+    if !(-4.0..9.0).contains(&power) {
+        let text = format!("{x:.5e}");
+        let (leading, power) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{power}", leading.trim_end_matches('0').trim_end_matches('.'));
+    }
+    let text = format!("{x:.0$}", decimals.max((3.0 - power).max(0.0) as usize));
+    let trimmed = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    trimmed.to_string()
+}
+
+/// A number found by rounded steps in a range of that size: what rounding leaves of 0 is 0.
+fn located(x: f64, size: f64) -> f64 {
+    if x.abs() <= 1e-12 * size { 0.0 } else { x }
+}
+
 /// What a grazing's report says of one side of the bifurcation.
 fn side(row: &Value, born: &[Value], per: &str, most: u64, place: Option<[f64; 2]>) -> String {
     let text = |key: &str| row[key].as_str().unwrap_or_default().to_string();
@@ -117,7 +135,7 @@ fn side(row: &Value, born: &[Value], per: &str, most: u64, place: Option<[f64; 2
     let what = match (row["chaos"].as_bool(), row["entropy"].as_str()) {
         (Some(true), Some(entropy)) => {
             let at_least = if row["at_least"] == true { "at least " } else { "" };
-            let short: String = entropy.chars().take(8).collect();
+            let short = entropy.parse().map_or_else(|_| entropy.to_string(), |rate| digits(rate, 6));
             let apart = if all { "any number of".to_string() } else { periods.join(", ") };
             format!(
                 " and with them chaos, impacts being {apart} {per}s apart: entropy {at_least}{short} per {per}"
@@ -151,8 +169,8 @@ fn letters([a1, a2]: [f64; 2], positive: bool) -> Option<String> {
 }
 
 /// The report of a task of kind `grazing` with patterns up to the period `most`, in sentences; empty for one
-/// that found nothing.
-pub fn sentences(report: &Value, most: u64) -> Vec<String> {
+/// that found nothing. `size` is that of the parameter's values, the largest one looked at.
+pub fn sentences(report: &Value, most: u64, size: f64) -> Vec<String> {
     let Some(parameter) = report["parameter"].as_f64() else { return Vec::new() };
     let name = report["varied"].as_str().unwrap_or_default();
     let wall = match report["stop"].as_str() {
@@ -160,12 +178,7 @@ pub fn sentences(report: &Value, most: u64) -> Vec<String> {
         Some(stop) => format!("the stop “{stop}”"),
         None => "a wall".to_string(),
     };
-    let parameter = if parameter.abs() < 1e-14 { "0".to_string() } else { format!("{parameter:.9}") };
-    let parameter = if parameter.contains('.') {
-        parameter.trim_end_matches('0').trim_end_matches('.').to_string()
-    } else {
-        parameter
-    };
+    let parameter = digits(located(parameter, size), 9);
     let mut all = vec![format!("At {name} = {parameter} the motion without impacts grazes {wall}.")];
     if let (Some(a1), Some(a2)) = (report["a1"].as_f64(), report["a2"].as_f64()) {
         let region = match report["region"].as_str() {
@@ -176,7 +189,11 @@ pub fn sentences(report: &Value, most: u64) -> Vec<String> {
         let gamma = report["gamma"]
             .as_f64()
             .map_or(String::new(), |gamma| format!(", γ {} 0", if gamma > 0.0 { '>' } else { '<' }));
-        all.push(format!("Over one period, its linear part has a₁ = {a1:.6}, a₂ = {a2:.6}{region}{gamma}."));
+        all.push(format!(
+            "Over one period, its linear part has a₁ = {}, a₂ = {}{region}{gamma}.",
+            digits(a1, 6),
+            digits(a2, 6)
+        ));
     }
     if let Some(open) = report["open"].as_str() {
         all.push(format!("The local theory is silent: {open}."));
@@ -222,7 +239,8 @@ pub fn sentences(report: &Value, most: u64) -> Vec<String> {
 fn seen(report: &Value, name: &str) -> Option<String> {
     let rows = report["seen"].as_array()?;
     let row = |row: &Value| {
-        let at = row["value"].as_f64().map_or(String::new(), |value| format!("{name} = {value:.6}"));
+        let at =
+            row["value"].as_f64().map_or(String::new(), |value| format!("{name} = {}", digits(value, 6)));
         let from = match row["place"].as_str()? {
             "before" => "just before, at",
             "beyond" => "just beyond, at",
@@ -237,8 +255,10 @@ fn seen(report: &Value, name: &str) -> Option<String> {
         let ends =
             row["extent"].as_array().and_then(|ends| Some((ends.first()?.as_f64()?, ends.get(1)?.as_f64()?)));
         let quantity = if report["stop"].is_null() { "" } else { "a gap " };
-        let ends =
-            ends.map_or(String::new(), |(low, high)| format!(", {quantity}from {low:.4} to {high:.4}"));
+        let ends = ends.map_or(String::new(), |(low, high)| {
+            let [low, high] = [low, high].map(|end| digits(located(end, low.abs().max(high.abs())), 4));
+            format!(", {quantity}from {low} to {high}")
+        });
         Some(format!("{from} {at}, {what} ({}{ends})", row["motion"].as_str()?))
     };
     let all: Vec<String> = rows.iter().filter_map(row).collect();
@@ -256,5 +276,40 @@ pub fn place(report: &Value) -> Value {
     match (report["a1"].as_f64(), report["a2"].as_f64()) {
         (Some(a1), Some(a2)) => json!({ "a1": format!("{a1:?}"), "a2": format!("{a2:?}") }),
         _ => Value::Null,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_numbers_are_shown_and_what_rounding_leaves_is_not() {
+        for (x, decimals, text) in [
+            (0.0, 4, "0"),
+            (1e-20, 9, "1e-20"),
+            (-1.25e-7, 4, "-1.25e-7"),
+            (0.00021, 4, "0.00021"),
+            (-0.05, 9, "-0.05"),
+            (0.4803477689, 6, "0.480348"),
+            (0.707106781186, 9, "0.707106781"),
+            (1200.0, 4, "1200"),
+            (3e12, 6, "3e12"),
+        ] {
+            assert_eq!(digits(x, decimals), text);
+        }
+        assert_eq!(digits(located(1.4e-17, 0.1), 9), "0");
+        assert_eq!(digits(located(1e-20, 2e-20), 9), "1e-20");
+        // A machine whose parameter is of that size, and what is seen beside its touch.
+        let report = json!({
+            "parameter": 1e-20, "varied": "gap", "stop": "upper", "a1": 1e-9, "a2": 0.2, "region": "3",
+            "open": null, "chaos": [], "born": [], "half": false,
+            "seen": [{ "value": 1.0001e-20, "place": "before", "what": "stays", "motion": "period 1",
+                "extent": [-1e-20, 1e-20] }],
+        });
+        let all = sentences(&report, 4, 2e-20).join(" ");
+        for text in ["At gap = 1e-20 the", "a₁ = 1e-9,", "at gap = 1.0001e-20,", "from -1e-20 to 1e-20"] {
+            assert!(all.contains(text), "{text}: {all}");
+        }
     }
 }
