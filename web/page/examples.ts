@@ -5,6 +5,7 @@ import cover from "../../checker/tests/data/cover.txt";
 import event from "../../checker/tests/data/event-gr3.txt";
 import machine from "../../checker/tests/data/machine-masses.txt";
 import orbit from "../../checker/tests/data/orbit-4.txt";
+import range from "../../checker/tests/data/range-12.txt";
 import theorem2 from "../../checker/tests/data/theorem2.txt";
 import wordByTheorem from "../../checker/tests/data/word-by-theorem.txt";
 import word from "../../checker/tests/data/word.txt";
@@ -30,6 +31,7 @@ export const EXAMPLES: readonly Example[] = [
   { id: "event", title: "A grazing bifurcation of an orbit", text: event },
   { id: "machine", title: "A periodic orbit of two masses and a stop", text: machine },
   { id: "chaos", title: "Chaos: every sequence of two letters", text: chaos },
+  { id: "range", title: "Chaos, from the touch to 1000 times the drive", text: range },
   { id: "word", title: "The word at a point, by signs", text: word },
   { id: "word-by-theorem", title: "The word at a point, by the theorem", text: wordByTheorem },
   { id: "false", title: "Theorem 2 with one sign changed: false", text: damaged(theorem2, /\+ \+$/m, "- +") },

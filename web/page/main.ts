@@ -5,9 +5,10 @@ import { Lane } from "./compute";
 import { motion } from "./motion";
 import { COLOURS, type Context, element, hyphens, type Panel } from "./panel";
 import { plane } from "./plane";
+import { start } from "./start";
 import { theory } from "./theory";
 
-const panels: Panel[] = [plane, motion, theory, check];
+const panels: Panel[] = [start, plane, motion, theory, check];
 
 /** What is shared by all panels but for long work, which takes a lane of its own. */
 const lane = new Lane();

@@ -15,19 +15,19 @@ test("every tab shows its panel and no other, by mouse and by keyboard", async (
   const { page, errors } = await open(chromium);
   const tabs = page.getByRole("tab");
   const names = await tabs.allTextContents();
-  assert.deepEqual(names, ["Plane", "Oscillator", "Theory", "Check"]);
+  assert.deepEqual(names, ["Start", "Plane", "Oscillator", "Theory", "Check"]);
   const shown = async () => {
     const panels = await page.getByRole("tabpanel").all();
     assert.equal(panels.length, 1);
     return panels[0].getAttribute("id");
   };
-  for (const [index, id] of ["plane", "motion", "theory", "check"].entries()) {
+  for (const [index, id] of ["start", "plane", "motion", "theory", "check"].entries()) {
     await tabs.nth(index).click();
     assert.equal(await shown(), `panel-${id}`);
     assert.equal(new URL(page.url()).hash.split("?")[0], `#${id}`);
   }
-  await tabs.nth(3).focus();
-  for (const [key, id] of [["ArrowRight", "plane"], ["ArrowLeft", "check"], ["Home", "plane"], ["End", "check"]]) {
+  await tabs.nth(4).focus();
+  for (const [key, id] of [["ArrowRight", "start"], ["ArrowLeft", "check"], ["Home", "start"], ["End", "check"]]) {
     await page.keyboard.press(key);
     assert.equal(await shown(), `panel-${id}`);
     assert.equal(await page.evaluate(() => document.activeElement.id), `tab-${id}`);
