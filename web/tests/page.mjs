@@ -1,10 +1,12 @@
 // A browser with the built page, for the tests: what every panel's test begins with.
 
 import { existsSync } from "node:fs";
+import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
 export const ROOT = new URL("../..", import.meta.url).pathname;
-export const FILE = new URL("../dist/grazing.html", import.meta.url);
+/** The page: the file in GRAZING_PAGE, or what was built. */
+export const FILE = process.env.GRAZING_PAGE ? pathToFileURL(process.env.GRAZING_PAGE) : new URL("../dist/grazing.html", import.meta.url);
 
 /** The command line: the program in GRAZING, or what the root has built. */
 export function program() {
@@ -16,7 +18,7 @@ export function program() {
 
 /** The browser: the one in CHROMIUM, or Debian's. */
 export async function browser() {
-  if (!existsSync(FILE)) throw new Error("dist/grazing.html is missing: run web/build.sh");
+  if (!existsSync(FILE)) throw new Error(`${FILE.pathname} is missing: run web/build.sh`);
   const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
   return chromium.launch({ executablePath, args: ["--no-sandbox"] });
 }

@@ -1,0 +1,102 @@
+// Faults put into the page one by one, each of which a named test must find: `node mutants.mjs [NAME…]`, after
+// `build.sh`; without names, all. A fault that no test finds survives, is listed, and makes this fail.
+
+import { spawnSync } from "node:child_process";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { page } from "./bundle.mjs";
+
+const here = (path) => new URL(path, import.meta.url).pathname;
+
+const COLOUR = "pixels, legend and files have the case that the command line finds: light";
+const CLICK = "a click chooses the point under it, and what is said is of that point: light";
+const ENTROPY = "entropies have README's colours, legend and picture, gamma > 0";
+const WORDS = "words are said as the command line says them, before the touch and beyond it";
+const REJECTED = "a rejected certificate is shown as rejected and a proved one as proved, in colour, word and mark: light";
+const TABLES = "the tables of a point are those of the command line, cell by cell";
+const MOTION = "the motion and its impacts are drawn where the command line has them: light";
+const PHASES = "the phase plane and the section are drawn where the command line has them: light";
+const ATTRACTOR = "the attractor is drawn where the command line has it, and a click takes its value: light";
+const NUMBERS = "the numbers of the motion are the command line's: period, impacts, exponent, pattern, stability, multipliers";
+const BORN = "what is born is said and listed as the command line lists it";
+const STABLE = "branches called stable are stable on the command line, and unstable ones are not; predictions rise from the grazing";
+const START = "the first screen says what is seen, born and proved on either side of the touch: light";
+
+/** Name, file of page/, what is replaced (it stands there once), by what, and the test that finds it. */
+const MUTANTS = [
+  ["picture-upside-down", "plot.ts", "cy - (y + dy) * sy", "cy + (y + dy) * sy", "plane-read", COLOUR],
+  ["picture-mirrored", "plot.ts", "[cx + (x + dx) * sx,", "[cx - (x + dx) * sx,", "plane-read", COLOUR],
+  ["motion-upside-down", "plot.ts", "cy - (y + dy) * sy", "cy + (y + dy) * sy", "motion-read", MOTION],
+  ["legend-cases", "plane.ts", "`innermost area: case ${minus(name)}`", '`innermost area: case ${minus(name === "(+,+)" ? "(+,-)" : "(+,+)")}`', "plane-read", COLOUR],
+  ["legend-colour", "plane.ts", "keys.push(sample(mix(paper, colour(ink), 0.42), text));", 'keys.push(sample(mix(paper, colour("c3"), 0.42), text));', "plane-read", COLOUR],
+  ["sign-of-emu", "plane.ts", "sign: fields.sign.value,\n      gamma", 'sign: fields.sign.value === "+" ? "-" : "+",\n      gamma', "plane-read", COLOUR],
+  ["more-claimed", "plane-layers.ts", 'if (area.kind !== "area") return null;', "", "plane-read", COLOUR],
+  ["svg-mirrored", "surface.ts", 'text += `${i === 0 ? "M" : "L"}${round(part[i]!)} ', 'text += `${i === 0 ? "M" : "L"}${round(this.width - part[i]!)} ', "plane-read", COLOUR],
+  ["pdf-upside-down", "pdf.ts", 'this.parts.push(`${round(part[i]!)} ${round(part[i + 1]!)} ${i', 'this.parts.push(`${round(part[i]!)} ${round(this.height - part[i + 1]!)} ${i', "plane-read", COLOUR],
+  ["csv-signs", "plot.ts", "...origin, xy[i], xy[i + 1]]", "...origin, xy[i], -xy[i + 1]!]", "plane-read", COLOUR],
+  ["click-mirrored", "plot.ts", "place(seen.x, ((px - left) / width - 0.5)", "place(seen.x, (0.5 - (px - left) / width)", "plane-read", CLICK],
+  ["mark-elsewhere", "plot.ts", "const [x, y] = this.transform(mark.at)(0, 0);", "const [x, y] = this.transform(mark.at)(0, 0).map((p) => p + 9) as [number, number];", "plane-read", CLICK],
+  ["orbit-none", "plane-words.ts", 'existence === "none" ? "none"', 'existence === "none" ? "(+,+)"', "plane-read", CLICK],
+  ["chaos-denied", "plane-words.ts", "bounds[1] > 0 ? chaos", "bounds[1] < 0 ? chaos", "plane-read", WORDS],
+  ["before-and-beyond", "plane-words.ts", '${word.sign_emu > 0 ? "Before" : "Beyond"}', '${word.sign_emu < 0 ? "Before" : "Beyond"}', "plane-read", WORDS],
+  ["entropy-scale", "plane-layers.ts", "onScale(area.entropy / MOST) : PLAIN", "onScale(1 - area.entropy / MOST) : PLAIN", "plane-read", ENTROPY],
+  ["entropy-grey", "plane-layers.ts", 'if (area.entropy === "none") return paper;', 'if (area.entropy === "none") return PLAIN;', "plane-read", "entropies have README's colours, legend and picture, gamma < 0"],
+  ["powers-clockwise", "plane-words.ts", "const [x, y] = at(power.re, power.im);", "const [x, y] = at(power.re, -power.im);", "plane-read", "the record picture has the powers of the eigenvalue where they are, counterclockwise"],
+  ["rejected-green", "check.ts", 'good ? "good" : "bad"}` },', '"good"}` },', "words-read", REJECTED],
+  ["rejected-tick", "check.ts", 'good ? "✓" : "✗"', '"✓"', "words-read", REJECTED],
+  ["false-is-proved", "check.ts", "heading: `Rejected: ${at} is false`", "heading: `Proved: ${at}`", "words-read", REJECTED],
+  ["ticks-on-rejected", "listing.ts", "!fault && line >= claims", "line >= claims", "words-read", REJECTED],
+  ["good-is-red", "style.css", "--good: #00694a;", "--good: #a83200;", "words-read", REJECTED],
+  ["stable-unstable", "check.ts", "`, and it is ${word}`", '`, and it is ${word === "stable" ? "unstable" : "stable"}`', "words-read", "of every certificate what is shown is what the command line's checker says"],
+  ["signs-of-theory", "theory.ts", 'value > 0 ? "+" : "−"', 'value < 0 ? "+" : "−"', "words-read", TABLES],
+  ["reasons-exchanged", "theory.ts", "`b_{${n},${positive_k}} > 0 > b_{${n},${negative_k}}`", "`b_{${n},${negative_k}} > 0 > b_{${n},${positive_k}}`", "words-read", TABLES],
+  ["gamma-exchanged", "theory.ts", '`γ ${positive ? ">" : "<"} 0`', '`γ ${positive ? "<" : ">"} 0`', "words-read", TABLES],
+  ["impacts-early", "motion-pictures.ts", "(strike) => [strike.time, strike.at", "(strike) => [strike.time - 0.1, strike.at", "motion-read", MOTION],
+  ["speeds-reversed", "motion-pictures.ts", "const here = [found.places[i] ?? NaN, found.rates[i] ?? NaN];", "const here = [found.places[i] ?? NaN, -(found.rates[i] ?? NaN)];", "motion-read", PHASES],
+  ["free-and-impacts", "motion-pictures.ts", "impacts === 0 ? free : periodic", "impacts === 0 ? periodic : free", "motion-read", ATTRACTOR],
+  ["stability-of-orbit", "motion.ts", 'orbit.stable === true ? "stable" : orbit.stable === false ? "unstable"', 'orbit.stable === true ? "unstable" : orbit.stable === false ? "stable"', "motion-read", NUMBERS],
+  ["real-and-imaginary", "motion.ts", "const [re, im] = pair;", "const [im, re] = pair;", "motion-read", NUMBERS],
+  ["impacts-misnamed", "motion-pictures.ts", 'impact: ["impact",', 'impact: ["tangency",', "motion-read", MOTION],
+  ["sides-of-born", "motion.ts", "const cells = [row.side,", 'const cells = [row.side.replace("<", "≥").replace(">", "<").replace("≥", ">"),', "motion-read", BORN],
+  ["branch-stability", "motion-pictures.ts", "isStable === true ? [stable, unstable] : [unstable, stable]", "isStable === true ? [unstable, stable] : [stable, unstable]", "motion-read", STABLE],
+  ["sides-of-the-touch", "start.ts", 'endsWith(drive < 1 ? "< 0" : "> 0")', 'endsWith(drive > 1 ? "< 0" : "> 0")', "start", START],
+  ["proved-too-far", "start.ts", "BigInt(den) - BigInt(num)", "BigInt(num)", "start", START],
+  ["mass-upside-down", "start-picture.ts", "height * ((CEILING - place)", "height * ((place - FLOOR)", "start", "the mass is above its stop, still before the touch and thrown up beyond it"],
+  ["back-forgets", "main.ts", "history.pushState(null", "history.replaceState(null", "back", "Back leads through tabs, points, examples and links, and Forward again"],
+];
+
+const wanted = process.argv.slice(2);
+const unknown = wanted.filter((name) => !MUTANTS.some(([known]) => known === name));
+if (unknown.length > 0) {
+  console.error(`no mutant ${unknown.join(", ")}; there are ${MUTANTS.map(([name]) => name).join(", ")}`);
+  process.exit(2);
+}
+
+/** The program that is tried. */
+function changed([name, file, from, to]) {
+  const text = readFileSync(here(`page/${file}`), "utf8");
+  if (text.split(from).length !== 2) throw new Error(`${name}: page/${file} does not have it once: ${from}`);
+  return { [file]: text.replace(from, () => to) };
+}
+
+mkdirSync(here("target"), { recursive: true });
+const file = here("target/mutant.html");
+let survived = 0;
+const begun = Date.now();
+const tried = MUTANTS.filter(([name]) => wanted.length === 0 || wanted.includes(name));
+for (const mutant of tried) {
+  const [name, , , , tests, title] = mutant;
+  writeFileSync(file, await page(changed(mutant)));
+  const pattern = `^${title.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}$`;
+  const run = spawnSync(process.execPath, ["--test", "--test-reporter=tap", `--test-name-pattern=${pattern}`, here(`tests/${tests}.test.mjs`)], {
+    env: { ...process.env, GRAZING_PAGE: file },
+    encoding: "utf8",
+  });
+  if (!new RegExp(`^\\s*(not )?ok \\d+ - ${pattern.slice(1, -1)}`, "m").test(run.stdout)) {
+    throw new Error(`${name}: no test “${title}” in tests/${tests}.test.mjs\n${run.stdout}${run.stderr}`);
+  }
+  const killed = run.status !== 0;
+  survived += killed ? 0 : 1;
+  console.log(`${killed ? "killed  " : "SURVIVED"} ${name}: ${title}`);
+}
+console.log(`${tried.length - survived} of ${tried.length} faults of the page found, in ${Math.round((Date.now() - begun) / 1000)} s`);
+process.exitCode = survived > 0 ? 1 : 0;
