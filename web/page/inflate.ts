@@ -1,6 +1,6 @@
 // The WebAssembly out of the page: seven bits in each letter of a text, then an .lzma file (LZMA's "alone" format).
 //
-// LZMA is a fifth shorter than gzip, which browsers have built in. Its decoder is this file; the encoder stands in
+// LZMA is a quarter shorter than gzip, which browsers have built in. Its decoder is this file; the encoder stands in
 // web/bindgen.
 
 /** The bytes in a text with seven bits in each letter (`packed` in bundle.mjs); a rest of less than a byte is none. */

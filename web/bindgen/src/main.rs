@@ -41,7 +41,7 @@ fn main() -> ExitCode {
 }
 
 /// Writes a file as an `.lzma` file with its size in the header, which `xz --format=lzma -d` reads too; a
-/// fifth shorter than gzip's. The page reads it by `page/inflate.ts`.
+/// quarter shorter than gzip's. The page reads it by `page/inflate.ts`.
 fn compress(from: &Path, to: &Path) -> Result<()> {
     let bytes = fs::read(from)?;
     let mut options = LzmaOptions::with_preset(9);
