@@ -371,7 +371,9 @@ class File(chaos.File):
         if words == ["no"]:
             return None
         need(len(words) == 3, "others no, or three numbers")
-        return decimal(words[0], True), whole(words[1], 1, 64), whole(words[2], 1, 1000)
+        bound, parts, slices = decimal(words[0], True), whole(words[1], 1, 64), whole(words[2], 1, 1000)
+        need(parts**2 * slices <= 1000, "too many parts")
+        return bound, parts, slices
 
     def cost(self):
         """In exponentials, as the form says."""

@@ -275,7 +275,7 @@ fn malformed() -> Vec<(String, &'static str)> {
     let others = [
         ("kind", "kind range", "longer than"),
         ("longest", "longest 0", "at least 1"),
-        ("longest", "longest 101", "100"),
+        ("longest", "longest 1001", "1000"),
         ("rounds", "rounds 0", "at least 1"),
         ("rounds", "rounds 101", "100"),
         ("others", "others 0 2 1", "positive"),
@@ -286,7 +286,7 @@ fn malformed() -> Vec<(String, &'static str)> {
         ("others", "others 40 2 1001", "1000"),
         ("others", "others 40 2", "expected"),
         ("others", "others no 2 1", "unexpected"),
-        ("others", "others 3 64 1000", "exponentials"),
+        ("others", "others 3 8 16", "K² D is at most 1000"),
     ];
     all.extend(others.map(|(start, line, reason)| (with(RANGE_ALONE, start, line), reason)));
     // Nothing is checked of letters that nothing precedes or follows, or of a graph without a cycle: each

@@ -38,7 +38,7 @@
 //!                            edge's range is cut into S parts (1 to 64); that the motions are those of the
 //!                            block before takes up to R steps (0 to 1000; of the first block 0)
 //! others S K D               of version 2: no others with |g′| ≤ νS/2 at all impacts; strengths are cut into
-//!                            K parts (1 to 64), the cell's depths into D (1 to 1000). Or: others no
+//!                            K parts, the cell's depths into D, K² D ≤ 1000. Or: others no
 //! edge A B m w               one line for each edge of the graph, in the order of its first letter and then
 //!                            of its second: s lies from A to B, A < B; a factor; a weight > 0
 //! ```

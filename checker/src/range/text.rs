@@ -26,8 +26,9 @@ const PARTS: u64 = 64;
 /// The longest leg of other motions, and the most rounds.
 const LONGEST: u64 = 1000;
 const ROUNDS: u64 = 100;
-/// The most parts of a cell's depths.
+/// The most parts of a cell's depths, and of them times those of both strengths.
 const SLICES: u64 = 1000;
+const PLACES: u64 = 1000;
 /// The most steps from one cell to the next.
 const STEPS: u64 = 1000;
 /// The most lines edge.
@@ -212,6 +213,7 @@ fn others(words: &mut Words) -> Result<Option<Others>, String> {
     let (strength, parts) = (positive(words, "a strength")?, words.number("the number of parts", PARTS)?);
     let slices = words.number("the number of slices", SLICES)?;
     ensure(parts > 0 && slices > 0, "there is at least 1 part and 1 slice")?;
+    ensure(parts * parts * slices <= PLACES, format_args!("K² D is at most {PLACES}"))?;
     Ok(Some(Others { strength, parts, slices }))
 }
 
