@@ -48,7 +48,8 @@ pub const NOT_COMPARED: [(&str, &str); 24] = [
 ];
 
 /// Of proofs: texts of a file, and ends of enclosures that need not be the same to be true.
-const OF_CERTIFICATES: [&str; 4] = ["certificate", "no_certificate", "lower", "upper"];
+const OF_CERTIFICATES: [&str; 6] =
+    ["certificate", "no_certificate", "lower", "upper", "stability", "range_ends"];
 
 /// How a form's report is read in the frame of the scene that it was made from.
 #[derive(Debug, Clone)]
