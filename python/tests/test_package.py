@@ -4,6 +4,7 @@ import doctest
 import importlib.resources
 import inspect
 import re
+import runpy
 import sys
 
 import pytest
@@ -85,3 +86,15 @@ def test_a_record_is_read_by_name():
 
 def test_version():
     assert re.fullmatch(r"\d+\.\d+\.\d+", grazing.__version__)
+
+
+def test_every_mutant_is_a_change_of_the_sources_and_names_a_test(root):
+    # The list of python/mutants.py keeps up with what it changes; python/mutants.sh runs it.
+    names = runpy.run_path(str(root / "python/mutants.py"))
+    mutants = names["MUTANTS"]
+    assert len({mutant.name for mutant in mutants}) == len(mutants) >= 25
+    for mutant in mutants:
+        text = (root / "python" / mutant.file).read_text()
+        assert text.count(mutant.old) == 1 and mutant.old != mutant.new, mutant.name
+        file, test = mutant.test.split("::")
+        assert f"def {test}(" in (root / "python/tests" / file).read_text(), mutant.name
