@@ -3,7 +3,11 @@
 // Each test program uses a part of this.
 #![allow(dead_code)]
 
-use std::{fs, path::Path, process::Command};
+use std::{
+    fs,
+    path::Path,
+    process::{Command, Output},
+};
 
 use serde_json::Value;
 
@@ -42,17 +46,24 @@ pub fn task(name: &str, kind: &str, keys: &str) -> String {
 
 /// The report of a scene's tasks as JSON, the exit code and what was written to standard error.
 pub fn run(scene: &str, tasks: &[String], folder: &Path) -> (Value, i32, String) {
-    let file = folder.join("scene.toml");
-    fs::write(&file, format!("{scene}{}", tasks.concat())).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_grazing"))
-        .args(["run", "--format", "json", "-o"])
-        .arg(folder)
-        .arg(&file)
-        .output()
-        .unwrap();
+    let output = output(scene, tasks, folder);
     let error = String::from_utf8_lossy(&output.stderr).into_owned();
     let report = serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{e}: {error}"));
     (report, output.status.code().unwrap(), error)
+}
+
+/// What is said of a scene that is refused: it prints no report.
+pub fn refused(scene: &str, tasks: &[String], folder: &Path) -> String {
+    let output = output(scene, tasks, folder);
+    assert!(!output.status.success() && output.stdout.is_empty(), "{output:?}");
+    String::from_utf8(output.stderr).unwrap()
+}
+
+fn output(scene: &str, tasks: &[String], folder: &Path) -> Output {
+    let file = folder.join("scene.toml");
+    fs::write(&file, format!("{scene}{}", tasks.concat())).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    command.args(["run", "--format", "json", "-o"]).arg(folder).arg(&file).output().unwrap()
 }
 
 pub fn number(value: &Value) -> f64 {
