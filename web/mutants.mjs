@@ -96,7 +96,8 @@ for (const mutant of tried) {
   }
   const killed = run.status !== 0;
   survived += killed ? 0 : 1;
-  console.log(`${killed ? "killed  " : "SURVIVED"} ${name}: ${title}`);
+  const why = /^\s*error: (?:\|-\s*)?['"]?(.{0,100})/m.exec(run.stdout)?.[1] ?? "";
+  console.log(`${killed ? "killed  " : "SURVIVED"} ${name}: ${title}${killed ? `: ${why}` : ""}`);
 }
 console.log(`${tried.length - survived} of ${tried.length} faults of the page found, in ${Math.round((Date.now() - begun) / 1000)} s`);
 process.exitCode = survived > 0 ? 1 : 0;
