@@ -119,6 +119,11 @@ function take(fragment: string): void {
   if (entry.panel.id === id) entry.link = fragment;
   const known = entry.mounted;
   show(entry);
+  if (query && entry.panel.id === id) {
+    // A panel that is new has put its beginning there.
+    entry.link = fragment;
+    setFragment(fragment);
+  }
   const state = new URLSearchParams(query);
   for (const [key, value] of state) if (!VERBATIM.includes(key)) state.set(key, hyphens(value));
   // A bare link leads back to the beginning.
