@@ -56,8 +56,8 @@ enum Image {
 }
 
 /// The angle as a fraction of a turn.
-#[derive(Debug)]
-struct Turn {
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Turn {
     s: F,
     /// Whether s = 0 is among its values, or region 2, where u_n > 0.
     at_zero: bool,
@@ -96,6 +96,14 @@ impl Cell {
             Image::Polar { .. } => Realm::Inside,
             Image::Plane(rectangle) => rectangle.realm(),
             Image::Two => Realm::Two,
+        }
+    }
+
+    /// The angle, of complex eigenvalues and those that border on them.
+    pub fn turn(&self) -> Option<Turn> {
+        match &self.image {
+            Image::Polar { turn, .. } => Some(*turn),
+            _ => None,
         }
     }
 
@@ -215,7 +223,7 @@ fn nothing(axis: usize) -> Image {
 
 impl Turn {
     /// The sign of sin 2πns, and in the limit at 0 and ½ of u_n.
-    fn sign(&self, n: u64) -> Option<Sign> {
+    pub fn sign(&self, n: u64) -> Option<Sign> {
         let x = whole(2) * &F::ratio(&BigRational::from_integer(n.into()), &()) * &self.s;
         let half_turns = n as f64 - 1.0;
         let whole = if self.at_half { half_turns } else { x.lo().floor() };
@@ -320,8 +328,10 @@ fn at_border(x: F, band: f64, axis: usize) -> Image {
 }
 
 impl Signs for Cell {
+    /// Up to [`LONGEST`] only: near s = 0 the first period that is open may be any, and would be looked for.
     fn side(&self, n: u64) -> Result<Sign, Rung> {
-        self.u(n).ok_or(Rung::Exact)
+        let asked = n <= LONGEST || matches!(self.image, Image::Two);
+        if asked { self.u(n).ok_or(Rung::Exact) } else { Err(Rung::Exact) }
     }
 
     fn deciding(&self, n: u64, k: u64) -> SignDecision {

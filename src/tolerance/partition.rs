@@ -1,17 +1,21 @@
 //! A box cut into cells on which the words are known, and the share of it in which a statement holds.
 
-use std::collections::{BTreeMap, HashSet};
+use std::{
+    cmp::Reverse,
+    collections::{BTreeMap, HashSet},
+};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 
 use super::{
-    cell::{Cell, LONGEST},
+    cell::{Cell, LONGEST, Turn},
+    normal::Normal,
     parameters::{ParameterBox, is_flat},
 };
 use crate::{
-    error::Result,
+    error::{Error, Result},
     existence::Case,
     monitor::Monitor,
     number::Sign,
@@ -19,7 +23,7 @@ use crate::{
 };
 
 /// A cell is not halved more often than this, so that shares are whole numbers of 2⁻⁶².
-const DEEPEST: u32 = 62;
+pub(super) const DEEPEST: u32 = 62;
 
 /// The most letters of a word on a cell.
 const LETTERS: usize = 64;
@@ -34,10 +38,14 @@ pub struct Leaf {
     pub cell: ParameterBox,
     /// Its share of the box is 2^−`depth`.
     pub depth: u32,
+    /// How much it counts, at least, in units of 2^−`DEEPEST`.
+    part: u64,
     /// What the words for eµ > 0 and eµ < 0 have in common.
     pub words: [Word; 2],
     /// Whether γ > 0, where that is a function of the parameters and the same at all points.
     pub gamma: Option<bool>,
+    /// The angle, if there is one.
+    turn: Option<Turn>,
     /// Whether chaos is born for eµ > 0 where γ > 0, and where γ < 0.
     ahead: [Option<bool>; 2],
     /// Of each word the periods that may go on from it, where no other does.
@@ -112,16 +120,18 @@ pub struct Share {
     pub with: Option<[BigRational; 2]>,
     /// A point of the largest cell on which it does not.
     pub without: Option<[BigRational; 2]>,
+    /// Whether it is open on some cell.
+    pub open: bool,
 }
 
 impl Share {
-    /// What is certain of all points.
+    /// What is certain of all points of the box.
     pub fn spread(&self) -> Spread {
         match (&self.with, &self.without) {
-            _ if self.lower.is_one() => Spread::Everywhere,
-            _ if self.upper == BigRational::from_integer(0.into()) => Spread::Nowhere,
             (Some(_), Some(_)) => Spread::Differs,
-            _ => Spread::Open,
+            _ if self.open => Spread::Open,
+            (_, None) => Spread::Everywhere,
+            (None, _) => Spread::Nowhere,
         }
     }
 }
@@ -130,6 +140,8 @@ impl Share {
 #[derive(Debug, Clone)]
 pub struct Partition {
     leaves: Vec<Leaf>,
+    /// What all of it counts.
+    whole: u64,
     cells: u64,
     cut: bool,
 }
@@ -143,6 +155,20 @@ impl Partition {
     /// # Errors
     /// The monitor's interruption.
     pub fn new(of: &ParameterBox, limit: u64, monitor: &dyn Monitor) -> Result<Partition> {
+        Partition::weighted(of, None, limit, monitor)
+    }
+
+    /// The same where the parts of the box count by a normal distribution, if there is one, and what lies
+    /// beyond the box counts as open. What counts most is halved first.
+    ///
+    /// # Errors
+    /// The monitor's interruption.
+    pub fn weighted(
+        of: &ParameterBox,
+        normal: Option<&Normal>,
+        limit: u64,
+        monitor: &dyn Monitor,
+    ) -> Result<Partition> {
         let mut settled = Vec::new();
         // By rank, then by age.
         let mut open = BTreeMap::new();
@@ -152,10 +178,15 @@ impl Partition {
             for (cell, depth) in next.drain(..) {
                 monitor.advance(1)?;
                 cells += 1;
-                let (leaf, axis) = Leaf::new(cell, depth)?;
+                let (mut leaf, axis) = Leaf::new(cell, depth)?;
+                if let Some(normal) = normal {
+                    leaf.part = normal.part(&leaf.cell);
+                }
                 match axis {
                     Some(axis) => {
-                        let rank = depth + if leaf.is_chaos_open() { 0 } else { HEADSTART };
+                        // In halvings of what counts; of the box, if every part counts alike.
+                        let halvings = DEEPEST - leaf.part.checked_ilog2().unwrap_or(0);
+                        let rank = halvings + if leaf.is_chaos_open() { 0 } else { HEADSTART };
                         open.insert((rank, cells), (leaf, axis));
                     }
                     None => settled.push(leaf),
@@ -170,11 +201,28 @@ impl Partition {
         let cut = !open.is_empty();
         let mut leaves = settled;
         leaves.extend(open.into_values().map(|(leaf, _)| leaf));
-        leaves.sort_by_key(|leaf| leaf.depth);
-        Ok(Partition { leaves, cells, cut })
+        leaves.sort_by_key(|leaf| Reverse(leaf.part));
+        Ok(Partition { leaves, whole: 1 << DEEPEST, cells, cut })
     }
 
-    /// The cells, the largest first.
+    /// Samples, each of which counts alike: shares are those of the samples, and no bound of any other.
+    ///
+    /// # Errors
+    /// An input error if there is none; the monitor's interruption.
+    pub fn of_samples(samples: &[ParameterBox], monitor: &dyn Monitor) -> Result<Partition> {
+        let whole = samples.len() as u64;
+        if whole == 0 {
+            return Err(Error::input("no samples"));
+        }
+        let leaf = |of: &ParameterBox| {
+            monitor.advance(1)?;
+            Ok(Leaf { part: 1, ..Leaf::new(of.clone(), 0)?.0 })
+        };
+        let leaves = samples.iter().map(leaf).collect::<Result<_>>()?;
+        Ok(Partition { leaves, whole, cells: whole, cut: false })
+    }
+
+    /// The cells, the one that counts most first.
     pub fn leaves(&self) -> &[Leaf] {
         &self.leaves
     }
@@ -199,17 +247,20 @@ impl Partition {
     pub(super) fn share_by(&self, holds: impl Fn(&Leaf) -> Option<bool>) -> Share {
         let mut sums = [0u64; 2];
         let mut at = [None, None];
+        let mut open = false;
         for leaf in &self.leaves {
-            if let Some(holds) = holds(leaf) {
-                let side = usize::from(!holds);
-                sums[side] += 1 << (DEEPEST - leaf.depth);
-                at[side].get_or_insert_with(|| leaf.cell.short_point());
-            }
+            let Some(holds) = holds(leaf) else {
+                open = true;
+                continue;
+            };
+            let side = usize::from(!holds);
+            sums[side] += leaf.part;
+            at[side].get_or_insert_with(|| leaf.cell.short_point());
         }
-        let whole = BigInt::from(1u64 << DEEPEST);
+        let whole = BigInt::from(self.whole);
         let [lower, rest] = sums.map(|sum| BigRational::new(sum.into(), whole.clone()));
         let [with, without] = at;
-        Share { lower, upper: BigRational::one() - rest, with, without }
+        Share { lower, upper: BigRational::one() - rest, with, without, open }
     }
 
     /// The different words for a sign of eµ that are whole on some cell, the one with the largest share
@@ -228,6 +279,11 @@ impl Partition {
         found
     }
 
+    /// The cell that counts most of those on which a word is open, or γ.
+    pub fn open(&self) -> Option<&Leaf> {
+        self.leaves.iter().find(|leaf| !leaf.is_settled())
+    }
+
     /// The share of the box on which the words for both signs of eµ, and γ if the box has one, are certain.
     pub fn settled(&self) -> BigRational {
         self.share_by(|leaf| leaf.is_settled().then_some(true)).lower
@@ -241,7 +297,7 @@ fn spelling(word: &Word) -> (Vec<(u64, Letter)>, bool) {
 
 impl Leaf {
     /// What is certain on a cell, and across which parameter to halve it if there is hope of more.
-    fn new(cell: ParameterBox, depth: u32) -> Result<(Leaf, Option<usize>)> {
+    pub(super) fn new(cell: ParameterBox, depth: u32) -> Result<(Leaf, Option<usize>)> {
         let signs = Cell::new(&cell);
         let word = |positive| Word::of_set(&signs, signs.realm(), positive, LETTERS, &());
         // The axis is that of the last open sign: eµ > 0 comes last.
@@ -254,14 +310,16 @@ impl Leaf {
         let words = [ahead, behind];
         let ahead = [true, false].map(|gamma| signs.chaos_ahead(gamma));
         let beyond = [beyond_ahead(&signs, &words[0]), beyond_behind(&signs, &words[1])];
-        let leaf = Leaf { gamma: signs.gamma, words, depth, cell, ahead, beyond };
+        let part = 1 << (DEEPEST - depth);
+        let leaf = Leaf { gamma: signs.gamma, words, depth, part, turn: signs.turn(), cell, ahead, beyond };
         let hope = |word: &Word| matches!(word.extent(), Extent::Straddled { next } if next <= LONGEST);
         let open = leaf.is_gamma_open() || leaf.words.iter().any(hope);
         let can = depth < DEEPEST && !leaf.cell.is_point();
         Ok((leaf, (open && can).then_some(axis)))
     }
 
-    fn is_gamma_open(&self) -> bool {
+    /// Whether the cell has a γ of its own whose sign is not certain.
+    pub fn is_gamma_open(&self) -> bool {
         self.cell.has_gamma() && self.gamma.is_none()
     }
 
@@ -326,7 +384,14 @@ impl Leaf {
     }
 
     fn has_orbit(&self, case: Case, n: u64) -> Option<bool> {
-        match (self.has(case.sign_emu() > 0, n)?, wanted(case)) {
+        let positive = case.sign_emu() > 0;
+        let Some(found) = self.has(positive, n) else {
+            // Its letter would be that of its side of s, and for eµ < 0 it would be D.
+            let turn = self.turn?;
+            let upper = positive && turn.sign(n)? == Sign::Negative;
+            return (upper != (wanted(case) == Letter::U)).then_some(false);
+        };
+        match (found, wanted(case)) {
             (None, _) => Some(false),
             (Some(Letter::Either), _) => None,
             (Some(letter), wanted) => Some(letter == wanted),

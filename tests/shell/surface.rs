@@ -22,7 +22,7 @@ pub fn python(folder: &Path, arguments: &[&str]) -> io::Result<Output> {
 
 /// Every command that writes a LaTeX table, with the awkward texts among them; `{in}` is a folder with the
 /// certificates that are cited.
-const TABLES: [&str; 27] = [
+const TABLES: [&str; 28] = [
     "intervals 3..=9",
     "intervals 3..=9 --decimals 6",
     "intervals --two-impacts 5",
@@ -33,6 +33,7 @@ const TABLES: [&str; 27] = [
     "word --r 0.97 --s 0.37",
     "word --r 0.97±1% --s 0.37..=0.38",
     "word --frequency 3.7Hz±1% --damping-ratio 0.1±20% --drive 10Hz --shares --cells 200",
+    "word --frequency 3.7Hz±1% --damping-ratio 0.1 --drive 10Hz --decides --max-period 3",
     "classify --r 0.97+-1% --s 0.37",
     "word --r 1.25 --s 0.37 --returns",
     "word --r 0.97 --s 0.37 --returns",
@@ -471,6 +472,8 @@ const HOLES: &[(&str, &[&str])] = &[
     ("word --r 1/2 --s @", NUMBER),
     ("word --r 1/2 --s 1/5 --max-period @", COUNT),
     ("word --r 1/2±1% --s 1/5 --shares --cells @", COUNT),
+    ("word --r 1/2 --s 1/5 --decides --cells @", COUNT),
+    ("word --samples @", INPUT),
     ("word --frequency @ --damping-ratio 0.1 --drive 10Hz", MEASURE),
     ("word --frequency 3Hz --damping-ratio @ --drive 10Hz", MEASURE),
     ("word --frequency 3Hz --damping-ratio 0.1 --drive @", MEASURE),

@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 fn run(arguments: &str) -> (i32, String, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
@@ -125,8 +125,143 @@ fn what_cannot_be_asked_is_said() {
         ("word --r 0.9±1% --s 0.3 --shares --cells 0", "--cells 0"),
         ("word --r 0.9±1% --s 0.3 --shares --format dot", "leave out --shares"),
         ("word --frequency 1Hz --drive 1Hz", "--damping-ratio"),
+        ("word --r 0.9±1% --s 0.3 --cells 7", "--shares"),
+        ("word --r 0.9±1% --s 0.3 --shares --decides", "--decides"),
+        ("word --r 1.1 --s 0.3 --decides", "for r > 1 reverse time"),
+        ("word --r 0.9 --s 0.3 --decides --format dot", "leave out --decides"),
+        ("word --r 0.9 --s 0.3 --decides --max-period 500", "--max-period 500"),
+        ("word --r 0.9±1% --s 0.3 --normal", "--shares"),
+        ("word --r 0.9..=0.91 --s 0.3±1% --shares --normal", "as X±Y"),
     ] {
         let (code, out, error) = run(arguments);
         assert!(code == 2 && error.contains(says), "{arguments}: {code} {out}{error}");
+    }
+}
+
+/// Every change that is named is one by `word` at machines just before it and just at it, in every parameter.
+#[test]
+fn what_decides_is_confirmed_by_the_word_at_both_of_its_ends() {
+    let machine = |values: &[String]| {
+        let [f, z, d] = values else { panic!("{values:?}") };
+        json(&format!("word --frequency {f} --damping-ratio {z} --drive {d}")).1
+    };
+    let (code, decides) =
+        json("word --frequency 12.3Hz±1% --damping-ratio 0.02±20% --drive 600rpm --decides --max-period 4");
+    assert!(code == 0 || code == 3, "{decides}");
+    let given: Vec<(String, f64)> = decides["parameters"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|parameter| {
+            let unit = parameter["unit"].as_str().unwrap_or("");
+            (unit.to_string(), fraction(&parameter["value"]))
+        })
+        .collect();
+    assert_eq!(
+        given.iter().map(|(unit, x)| (unit.as_str(), *x)).collect::<Vec<_>>(),
+        [("Hz", 12.3), ("", 0.02), ("rpm", 600.0)]
+    );
+    let start = [json!("123/10"), json!("1/50"), json!("600")];
+    let mut confirmed = 0;
+    for question in decides["questions"].as_array().unwrap() {
+        let side = usize::from(question["sign_emu"] == -1);
+        for change in question["changes"].as_array().unwrap() {
+            let moved =
+                ["frequency", "damping_ratio", "drive"].iter().position(|n| change["parameter"] == *n);
+            let moved = moved.unwrap();
+            let at = |value: &Value| {
+                let mut values = start.clone();
+                values[moved] = value.clone();
+                let with_unit = |(value, (unit, _)): (&Value, &(String, f64))| {
+                    format!("{}{unit}", value.as_str().unwrap())
+                };
+                machine(&values.iter().zip(&given).map(with_unit).collect::<Vec<_>>())
+            };
+            let [before, by] = ["unchanged_to", "changed_by"].map(|end| &change[end]);
+            let grows = change["direction"] == 1;
+            assert_eq!(fraction(before) > given[moved].1, grows, "{change}");
+            if change["verdict"] != "changes" {
+                continue;
+            }
+            let whole = change["whole_box"] == true;
+            let width = (fraction(by) - fraction(before)).abs() / given[moved].1;
+            assert!(width < if whole { 1e-2 } else { 1e-7 }, "{width} {change}");
+            let truth = |word: &Value| match question["what"].as_str().unwrap() {
+                "chaos" => {
+                    let gamma = word["box"]["sign_gamma"].clone();
+                    let case = &word["words"][side]["cases"][usize::from(gamma == -1)];
+                    assert_eq!(case["sign_gamma"], gamma);
+                    json!([gamma, case["chaotic"]])
+                }
+                "word" => word["words"][side]["letters"].clone(),
+                _ => {
+                    let periods = word["words"][side]["periods"].as_array().unwrap().clone();
+                    json!(periods.contains(&question["n"]))
+                }
+            };
+            let origin = machine(&["12.3Hz".into(), "0.02".into(), "600rpm".into()]);
+            assert_eq!(truth(&at(before)), truth(&origin), "{question}");
+            // Of all of the box it is said where the first machine changes, not that this one does.
+            assert!(whole || truth(&at(by)) != truth(&origin), "{question}");
+            confirmed += usize::from(!whole);
+        }
+    }
+    assert!(confirmed > 12, "{confirmed}: {decides}");
+}
+
+/// An exact number as JSON has it.
+fn fraction(value: &Value) -> f64 {
+    let text = value.as_str().unwrap();
+    let (above, below) = text.split_once('/').unwrap_or((text, "1"));
+    above.parse::<f64>().unwrap() / below.parse::<f64>().unwrap()
+}
+
+/// A distribution is concentrated about its middle: within ±1 deviation are 68 % of each parameter, and what
+/// is everywhere in the box is at least so likely as the cells cover.
+#[test]
+fn normal_shares_count_by_their_probability() {
+    let (code, shares) = json("word --r 0.9 --s 0.2±0.05 --shares --normal --cells 600 --max-period 3");
+    let bounds = |row: &Value| [0, 1].map(|i| row["share"][i].as_str().unwrap().parse::<f64>().unwrap());
+    let row = |n: u64| {
+        let rows = shares["periods"].as_array().unwrap();
+        bounds(rows.iter().find(|row| row["sign_emu"] == -1 && row["n"] == n).unwrap())
+    };
+    // For eµ < 0 period 2 occurs where s < 1/4, one deviation above the middle, and period 3 where s < 1/6.
+    let all = |[lower, upper]: [f64; 2], truth: f64| lower <= truth && truth <= upper && upper - lower < 1e-4;
+    assert!(all(row(2), 0.841_344_746) && all(row(3), 0.252_492_538), "{shares}");
+    assert!(all(row(1), 1.0), "{shares}");
+    assert_eq!(shares["normal"]["s"], json!(["1/5", "1/20"]));
+    assert_eq!(code, 0, "{shares}");
+}
+
+#[test]
+fn samples_are_counted_one_by_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("machines.csv");
+    let rows: Vec<[f64; 3]> =
+        (0..40).map(|i| [12.1 + 0.01 * f64::from(i), 0.016 + 0.0002 * f64::from(i * 7 % 40), 10.0]).collect();
+    let text: String = rows.iter().map(|[f, z, d]| format!("{d},x,{z:.4},{f:.2}\n")).collect();
+    std::fs::write(&file, format!("drive, note, damping_ratio, frequency\n{text}")).unwrap();
+    let (code, counted) = json(&format!("word --samples {} --max-period 4", file.display()));
+    assert_eq!((code, &counted["samples"]), (0, &json!(40)), "{counted}");
+    let truth = rows.iter().filter(|[f, z, d]| {
+        let (_, word) = json(&format!("word --frequency {f:.2} --damping-ratio {z:.4} --drive {d}"));
+        assert_eq!(word["box"]["sign_gamma"], 1);
+        word["words"][0]["cases"][0]["chaotic"] == true
+    });
+    let share = format!("{:.6}", truth.count() as f64 / 40.0);
+    assert_eq!(counted["chaos"][0]["share"], json!([share, share]), "{counted}");
+    let (_, text, _) = run(&format!("word --samples {}", file.display()));
+    assert!(text.contains("Counted, which bounds no share of others: 40 samples"), "{text}");
+    for (text, says) in [
+        ("frequency,drive\n1,1\n", "one of these sets: frequency,damping_ratio,drive; ratio,"),
+        ("r,s\n", "no samples"),
+        ("r,s\n0.9,0.3\n0.9,x\n", "sample 2"),
+        ("r,s\n0.9,0.7\n", "sample 1: s from 7/10"),
+        ("frequency,damping_ratio,drive\n1,0.1,0\n", "a drive of 0"),
+    ] {
+        std::fs::write(&file, text).unwrap();
+        let (code, _, error) = run(&format!("word --samples {}", file.display()));
+        assert!(code == 2 && error.contains(says), "{text}: {error}");
     }
 }

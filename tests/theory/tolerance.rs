@@ -3,12 +3,13 @@
 use crate::common;
 
 use common::config;
-use grazing::existence::Case;
+use grazing::existence::{Case, by_definition};
 use grazing::local::{Ladder, Plane, Point, Polar};
 use grazing::number::{Ball, Elementary, Precision, Real};
-use grazing::tolerance::{ParameterBox, Partition, Spread, Statement};
+use grazing::tolerance::{ParameterBox, Partition, Spread, Statement, Toward, Way};
 use grazing::word::{Edge, Extent, Letter, Rectangle, Relation, Word};
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 use proptest::prelude::*;
 
 type Q = BigRational;
@@ -19,15 +20,17 @@ fn q(p: i64, d: i64) -> Q {
 
 const CASES: [Case; 4] = [Case::PlusPlus, Case::PlusMinus, Case::MinusPlus, Case::MinusMinus];
 
-/// Both words at a point: for eµ > 0 and for eµ < 0.
+/// Both words at a point: for eµ > 0 and for eµ < 0; and the point, or of a machine one with its words.
 struct Exact {
     words: [Word; 2],
+    point: Point,
 }
 
 impl Exact {
-    fn at(point: &Point) -> Exact {
+    fn at(point: Point) -> Exact {
         let ladder = Ladder::default();
-        Exact { words: [true, false].map(|positive| Word::at(&ladder, point, positive, 200, &()).unwrap()) }
+        let words = [true, false].map(|positive| Word::at(&ladder, &point, positive, 200, &()).unwrap());
+        Exact { words, point }
     }
 
     /// At a machine: a₁ and a₂ enclosed to 200 bits, and the words of that rectangle. None where even that is
@@ -47,10 +50,16 @@ impl Exact {
             (x.clone() + &(Ball::integer(1, &precision) / &x)) / &Ball::integer(2, &precision)
         };
         let ends = |x: &Ball| x.exact_bounds().map(|(lo, hi)| [lo, hi]).unwrap();
-        let a1 = ends(&(Ball::integer(2, &precision) * &r * &swing));
-        let rectangle = Rectangle::new(a1, ends(&(r.clone() * &r))).unwrap();
+        let [a1, a2] = [Ball::integer(2, &precision) * &r * &swing, r.clone() * &r].map(|x| ends(&x));
+        let point = Point::Plane(Plane::new(a1[0].clone(), a2[0].clone()).unwrap());
+        let rectangle = Rectangle::new(a1, a2).unwrap();
         let words = [true, false].map(|positive| Word::in_rectangle(&rectangle, positive, 200, &()).unwrap());
-        words.iter().all(Word::is_whole).then_some(Exact { words })
+        words.iter().all(Word::is_whole).then_some(Exact { words, point })
+    }
+
+    /// The cases in which an orbit of period n with one impact exists, by Theorem 1's signs; no word is asked.
+    fn orbits(&self, n: u64) -> Vec<Case> {
+        by_definition(&Ladder::default(), &self.point, n).cases(n)
     }
 
     fn word(&self, positive: bool) -> &Word {
@@ -121,6 +130,7 @@ fn compare(of: &ParameterBox, at: &[Q; 2], exact: &Exact, cells: u64) -> u64 {
                 }
                 if let Some(orbit) = leaf.holds(Statement::Orbit { case, n }) {
                     assert_eq!(orbit, orbits(n), "{case} {n}");
+                    assert!(n > 9 || orbit == exact.orbits(n).contains(&case), "{case} {n}, by definition");
                 }
             }
             for (from, to) in (1..7).flat_map(|i| (1..7).map(move |j| (i, j))) {
@@ -140,13 +150,18 @@ fn along(bounds: &[[Q; 2]; 2], by: [i64; 2]) -> [Q; 2] {
 }
 
 /// How many points are drawn in each of the three coordinates: a sample, or GRAZING_POINTS of them by hand.
-fn points(sample: u32) -> ProptestConfig {
+fn points(sample: u32) -> u32 {
     let many = std::env::var("GRAZING_POINTS").ok().map(|many| many.parse().expect("a number of points"));
-    ProptestConfig { cases: many.unwrap_or(sample), ..config() }
+    many.unwrap_or(sample)
+}
+
+/// Of the boxes with one point each there are fewer.
+fn boxes(sample: u32) -> ProptestConfig {
+    ProptestConfig { cases: points(sample * PER_BOX as u32).div_ceil(PER_BOX as u32), ..config() }
 }
 
 proptest! {
-    #![proptest_config(points(60))]
+    #![proptest_config(boxes(60))]
 
     #[test]
     fn machines_are_what_their_box_says(
@@ -171,7 +186,7 @@ proptest! {
         let s = [q(s, 1000), q((s + wide).min(499), 1000)];
         let of = ParameterBox::polar(r, s).unwrap();
         let at = along(of.bounds(), by);
-        let exact = Exact::at(&Point::Polar(Polar::new(at[0].clone(), at[1].clone()).unwrap()));
+        let exact = Exact::at(Point::Polar(Polar::new(at[0].clone(), at[1].clone()).unwrap()));
         compare(&of, &at, &exact, cells);
     }
 
@@ -185,7 +200,7 @@ proptest! {
             [q(a2, 1000), q((a2 + wide).min(1000), 1000)],
         ).unwrap();
         let at = along(of.bounds(), by);
-        let exact = Exact::at(&Point::Plane(Plane::new(at[0].clone(), at[1].clone()).unwrap()));
+        let exact = Exact::at(Point::Plane(Plane::new(at[0].clone(), at[1].clone()).unwrap()));
         compare(&of, &at, &exact, cells);
     }
 }
@@ -226,4 +241,188 @@ fn much_is_decided_and_shares_bound_what_is_counted() {
         }
     }
     assert!(differ >= 1, "no period ends in this box");
+}
+
+/// How many points are drawn in one box.
+const PER_BOX: usize = 40;
+
+/// The same numbers everywhere, from 0 to 1009.
+struct Drawn(u64);
+
+impl Drawn {
+    fn below(&mut self, bound: u64) -> i64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) % bound) as i64
+    }
+}
+
+/// A random box in one of the three coordinates.
+fn tube(kind: usize, drawn: &mut Drawn) -> ParameterBox {
+    let mut around = |least: i64, most: i64, parts: u64| {
+        let middle = q(least + drawn.below((most - least) as u64), 1000);
+        let by = q(1 + drawn.below(parts), 1000);
+        [&middle - &by, middle + by]
+    };
+    match kind {
+        0 => ParameterBox::machine(around(100, 3_000, 30), around(120, 400, 100)),
+        1 => ParameterBox::polar(around(200, 980, 20), around(30, 460, 20)),
+        _ => ParameterBox::plane(around(-1_900, 1_900, 60), around(100, 930, 60)),
+    }
+    .unwrap()
+}
+
+fn at_point(kind: usize, [x, y]: [Q; 2]) -> Option<Exact> {
+    match kind {
+        0 => Exact::of_machine(&x, &y),
+        1 => Some(Exact::at(Point::Polar(Polar::new(x, y).unwrap()))),
+        _ => Some(Exact::at(Point::Plane(Plane::new(x, y).unwrap()))),
+    }
+}
+
+/// What is counted over many boxes: how often a statement is true at points drawn, and how often it would be at
+/// least and at most by the shares.
+#[derive(Default, Clone)]
+struct Tally {
+    counted: f64,
+    bounds: [f64; 2],
+    points: f64,
+}
+
+/// Random points of random boxes: none contradicts what is said of its box; and the points counted lie within
+/// the sums of the shares' bounds, but for what chance may do once in 10⁹ (Hoeffding).
+#[test]
+fn random_points_contradict_no_verdict_and_lie_within_the_shares() {
+    for kind in 0..3 {
+        let mut drawn = Drawn(37 + kind as u64);
+        let statements: Vec<Statement> = CASES
+            .into_iter()
+            .flat_map(|case| [1, 2, 3, 4, 5].map(|n| Statement::Orbit { case, n }))
+            .chain(CASES.map(Statement::Chaos))
+            .chain(
+                [true, false]
+                    .into_iter()
+                    .flat_map(|positive| (1..9).map(move |n| Statement::Period { positive, n })),
+            )
+            .collect();
+        let mut tallies = vec![Tally::default(); statements.len()];
+        let mut decided = 0;
+        for _ in 0..points(400).div_ceil(PER_BOX as u32) {
+            let of = tube(kind, &mut drawn);
+            let partition = Partition::new(&of, 200, &()).unwrap();
+            let points: Vec<Exact> = (0..PER_BOX)
+                .filter_map(|_| at_point(kind, along(of.bounds(), [drawn.below(1010), drawn.below(1010)])))
+                .collect();
+            for positive in [true, false] {
+                let word = of.word(positive, 30, &()).unwrap();
+                points.iter().for_each(|exact| word_holds(&word, exact));
+            }
+            for (statement, tally) in statements.iter().zip(&mut tallies) {
+                let share = partition.share(*statement);
+                let holds = points.iter().filter(|exact| is_true(*statement, exact)).count();
+                match share.spread() {
+                    Spread::Everywhere => assert_eq!(holds, points.len(), "{statement:?} {of:?}"),
+                    Spread::Nowhere => assert_eq!(holds, 0, "{statement:?} {of:?}"),
+                    _ => {}
+                }
+                decided += usize::from(share.spread() != Spread::Open);
+                tally.counted += holds as f64;
+                tally.points += points.len() as f64;
+                for (sum, bound) in tally.bounds.iter_mut().zip([&share.lower, &share.upper]) {
+                    *sum += points.len() as f64 * bound.to_f64().unwrap();
+                }
+            }
+        }
+        assert!(decided > statements.len() * 8, "{decided} verdicts in coordinates {kind}");
+        for (statement, Tally { counted, bounds: [lower, upper], points }) in statements.iter().zip(tallies) {
+            // exp(-2t²/N) = 10⁻⁹; and a grid of 1010 values in each direction is not quite a continuum.
+            let chance = (points * 1e9f64.ln() / 2.0).sqrt() + 0.002 * points;
+            let fits = lower - chance <= counted && counted <= upper + chance;
+            assert!(fits, "{statement:?}: {counted} of {points}, not {lower} to {upper}");
+        }
+    }
+}
+
+/// By the word at a point; orbits and chaos, which is two of them, by Theorem 1.
+fn is_true(statement: Statement, exact: &Exact) -> bool {
+    match statement {
+        Statement::Orbit { case, n } => exact.orbits(n).contains(&case),
+        Statement::Chaos(case) => {
+            let word = exact.word(case.sign_emu() > 0);
+            let last = word.vertices().iter().map(|vertex| vertex.period).max().unwrap_or(1).max(3);
+            Relation::new(word, case.sign_gamma() > 0, false, last).unwrap().loops().len() > 1
+        }
+        Statement::Period { positive, n } => exact.letter(positive, n).is_some(),
+        _ => unreachable!("not asked"),
+    }
+}
+
+/// From the middle of random boxes, on every way: before a change a statement is at random points what it is at
+/// the middle, and at the change it is not; the other parameter stays, or is anywhere in the box.
+#[test]
+fn nothing_changes_before_a_change_and_something_at_it() {
+    let mut drawn = Drawn(4);
+    let (mut changes, mut same) = (0, 0);
+    for round in 0..points(9).min(3_000) as usize {
+        let kind = round % 3;
+        let of = tube(kind, &mut drawn);
+        let from = of.centre();
+        let case = CASES[drawn.below(4) as usize];
+        let positive = case.sign_emu() > 0;
+        let n = 1 + drawn.below(5) as u64;
+        for to in (0..8).map(|i| Toward { axis: i % 2, rises: i / 2 % 2 == 0, whole: i >= 4 }) {
+            let mut way = Way::new(&of, &from, to, 150).unwrap();
+            for statement in [Statement::Chaos(case), Statement::Period { positive, n }] {
+                let Some(change) = way.first(statement, &()).unwrap() else { continue };
+                let mut at = |x: Q| {
+                    let other = if to.whole { drawn.below(1010) } else { 0 };
+                    let mut point = if to.whole { along(of.bounds(), [other, other]) } else { from.clone() };
+                    point[to.axis] = x;
+                    point
+                };
+                for part in [q(0, 1), q(1, 3), q(7, 9), q(1, 1)] {
+                    let x = &from[to.axis] + (&change.before - &from[to.axis]) * part;
+                    let Some(exact) = at_point(kind, at(x)) else { continue };
+                    // With all of the box nothing may be said, not even of its middle line.
+                    if change.before != from[to.axis] {
+                        assert_eq!(is_true(statement, &exact), change.holds, "{statement:?} {to:?} {of:?}");
+                        same += 1;
+                    }
+                }
+                let Some(after) = change.after else { continue };
+                let mut point = after.cell.centre();
+                point[to.axis] = change.by.unwrap();
+                for point in [point, after.cell.short_point()] {
+                    let Some(exact) = at_point(kind, point) else { continue };
+                    assert_ne!(is_true(statement, &exact), change.holds, "{statement:?} {to:?} {of:?}");
+                    changes += 1;
+                }
+            }
+        }
+    }
+    assert!(changes > 30 && same > 100, "{changes} changes, {same} points before");
+}
+
+/// Where the truth is known: for eµ < 0 the periods are those with 2ns < 1, and at r = 1 for eµ > 0 nothing
+/// depends on more than the order of fractions.
+#[test]
+fn changes_are_where_they_are_known_to_be() {
+    let point = |x: Q| [x.clone(), x];
+    let of = ParameterBox::polar(point(q(9, 10)), point(q(1, 5))).unwrap();
+    let first = |axis, rises, n| {
+        let mut way = Way::new(&of, &of.centre(), Toward { axis, rises, whole: false }, 2_000).unwrap();
+        way.first(Statement::Period { positive: false, n }, &()).unwrap().unwrap()
+    };
+    for (rises, n, at) in [(true, 2, q(1, 4)), (false, 3, q(1, 6)), (false, 4, q(1, 8))] {
+        let change = first(1, rises, n);
+        let [low, high] = if rises {
+            [change.before.clone(), change.by.clone().unwrap()]
+        } else {
+            [change.by.clone().unwrap(), change.before.clone()]
+        };
+        assert!(low <= at && at <= high && high - low < q(1, 1_000_000_000), "{n}: {change:?}");
+        assert!(!change.open && change.holds == rises);
+    }
+    // It does not depend on r, down to where is looked.
+    let change = first(0, false, 2);
+    assert_eq!((change.by, change.open, change.before), (None, false, q(9, 20)));
 }

@@ -92,9 +92,9 @@ impl Periods {
     }
 }
 
-/// The ends of a closed interval of numbers, equal for a single one.
+/// The ends of a closed interval of numbers, equal for a single one, and whether it is written `X±Y`.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Span(pub [BigRational; 2]);
+pub(super) struct Span(pub [BigRational; 2], pub bool);
 
 impl FromStr for Span {
     type Err = Error;
@@ -130,6 +130,13 @@ const UNITS: [Unit; 5] = [
     Unit { name: "rpm", kind: "Hz", size: (1, 60) },
     Unit { name: "Hz", kind: "Hz", size: (1, 1) },
 ];
+
+impl Unit {
+    /// How many of it a value in the first unit of its kind is.
+    pub fn of(self, value: &BigRational) -> BigRational {
+        value * BigRational::new(self.size.1.into(), self.size.0.into())
+    }
+}
 
 /// A closed interval with a unit or without one, in the first unit of its kind.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -196,7 +203,7 @@ impl FromStr for Measure {
         }
         let size =
             known.map_or(BigRational::one(), |unit| BigRational::new(unit.size.0.into(), unit.size.1.into()));
-        Ok(Measure { span: Span([lower * &size, upper * size]), unit: known })
+        Ok(Measure { span: Span([lower * &size, upper * size], both.is_some()), unit: known })
     }
 }
 

@@ -20,8 +20,8 @@ use crate::{
         Caption, Column, Destination, Print, Setting, TableCell, TableFormat, TableWriter, decimal_above,
         decimal_below, decimal_or_fraction,
     },
-    tolerance::{ParameterBox, Partition, Share, Spread, Statement},
-    word::Word,
+    tolerance::{DEVIATIONS, Leaf, Normal, ParameterBox, Partition, Share, Spread, Statement},
+    word::{Extent, Word},
 };
 
 /// The most --cells.
@@ -37,16 +37,50 @@ pub(super) struct Limits {
     pub last: u64,
 }
 
+impl Limits {
+    /// That neither is too large.
+    pub fn check(&self) -> Result<()> {
+        if !(1..=MOST_CELLS).contains(&self.cells) {
+            return Err(Error::input(format!("--cells {}: from 1 to {MOST_CELLS}", self.cells)));
+        }
+        if !(1..=LAST).contains(&self.last) {
+            return Err(Error::input(format!("--max-period {}: from 1 to {LAST} of a box", self.last)));
+        }
+        Ok(())
+    }
+}
+
 /// A sign of eµ and, where γ is free, one of γ.
 #[derive(Clone, Copy)]
-struct Signs {
-    positive: bool,
-    gamma: Option<bool>,
+pub(super) struct Signs {
+    pub positive: bool,
+    pub gamma: Option<bool>,
+}
+
+/// The signs that are told apart: a machine has its own γ.
+pub(super) fn signs(of: &ParameterBox) -> Vec<Signs> {
+    let both = [true, false];
+    if of.has_gamma() {
+        return both.map(|positive| Signs { positive, gamma: None }).to_vec();
+    }
+    both.into_iter().flat_map(|positive| both.map(|gamma| Signs { positive, gamma: Some(gamma) })).collect()
+}
+
+/// How the parts of a box count.
+#[derive(Clone, Copy)]
+pub(super) enum Weight<'a> {
+    /// By their size.
+    Size,
+    /// By a distribution.
+    Normal(&'a Normal),
+    /// There are but samples.
+    Samples(&'a [ParameterBox]),
 }
 
 /// What is asked of a box, all of it.
 struct Report<'a> {
     of: &'a ParameterBox,
+    weight: Weight<'a>,
     bounds: &'a Bounds,
     partition: Partition,
     gamma: Option<bool>,
@@ -54,38 +88,27 @@ struct Report<'a> {
 
 impl<'a> Report<'a> {
     fn new(
-        of: &'a ParameterBox,
+        (of, weight): (&'a ParameterBox, Weight<'a>),
         bounds: &'a Bounds,
         limits: &Limits,
         interrupt: &Interrupt,
     ) -> Result<Report<'a>> {
-        if !(1..=MOST_CELLS).contains(&limits.cells) {
-            return Err(Error::input(format!("--cells {}: from 1 to {MOST_CELLS}", limits.cells)));
-        }
-        if !(1..=LAST).contains(&limits.last) {
-            return Err(Error::input(format!("--max-period {}: from 1 to {LAST} of a box", limits.last)));
-        }
+        limits.check()?;
         let progress = Progress::new(interrupt, 0, "cells");
-        let partition = Partition::new(of, limits.cells, &progress)?;
-        Ok(Report { of, bounds, partition, gamma: of.gamma_is_positive() })
-    }
-
-    /// The signs that are told apart: a machine has its own γ.
-    fn signs(&self) -> Vec<Signs> {
-        let both = [true, false];
-        if self.of.has_gamma() {
-            return both.map(|positive| Signs { positive, gamma: None }).to_vec();
-        }
-        both.into_iter()
-            .flat_map(|positive| both.map(|gamma| Signs { positive, gamma: Some(gamma) }))
-            .collect()
+        let partition = match weight {
+            Weight::Size => Partition::new(of, limits.cells, &progress)?,
+            Weight::Normal(normal) => Partition::weighted(of, Some(normal), limits.cells, &progress)?,
+            Weight::Samples(all) => Partition::of_samples(all, &progress)?,
+        };
+        let gamma = match weight {
+            Weight::Samples(_) => common_gamma(&partition),
+            _ => of.gamma_is_positive(),
+        };
+        Ok(Report { of, weight, bounds, partition, gamma })
     }
 
     fn chaos(&self, signs: Signs) -> Share {
-        self.partition.share(match signs.case() {
-            Some(case) => Statement::Chaos(case),
-            None => Statement::ChaosAt { positive: signs.positive },
-        })
+        self.partition.share(signs.chaos())
     }
 
     fn orbit(&self, signs: Signs, n: u64) -> Share {
@@ -110,15 +133,17 @@ impl<'a> Report<'a> {
 
     fn heading(&self) -> String {
         let shown = place::shown(self.bounds);
+        let all = if matches!(self.weight, Weight::Samples(_)) { "Samples" } else { "All points" };
         if !self.of.has_gamma() {
-            return format!("All points with {shown}");
+            return format!("{all} with {shown}");
         }
+        let all = if all == "Samples" { "Samples of machines" } else { "All machines" };
         let gamma = match self.gamma {
             Some(true) => "gamma > 0 for all of them",
             Some(false) => "gamma < 0 for all of them",
             None => "gamma has not one sign, or may be 0",
         };
-        format!("All machines with {shown}. {gamma}")
+        format!("{all} with {shown}. {gamma}")
     }
 }
 
@@ -129,7 +154,15 @@ impl Signs {
         Some(Case::from_signs(self.positive, self.positive == gamma))
     }
 
-    fn name(self) -> String {
+    /// That chaos is born.
+    pub fn chaos(self) -> Statement<'static> {
+        match self.case() {
+            Some(case) => Statement::Chaos(case),
+            None => Statement::ChaosAt { positive: self.positive },
+        }
+    }
+
+    pub fn name(self) -> String {
         match self.case() {
             Some(case) => format!("case {case}"),
             None => format!("e*mu {} 0", if self.positive { '>' } else { '<' }),
@@ -137,7 +170,7 @@ impl Signs {
     }
 
     /// The same in LaTeX's maths mode.
-    fn in_maths(self) -> String {
+    pub fn in_maths(self) -> String {
         match self.case() {
             Some(case) => case.to_string(),
             None => format!("e\\mu {} 0", if self.positive { '>' } else { '<' }),
@@ -154,7 +187,7 @@ fn name(verdict: Spread) -> &'static str {
     }
 }
 
-fn sign(positive: bool) -> i64 {
+pub(super) fn sign(positive: bool) -> i64 {
     if positive { 1 } else { -1 }
 }
 
@@ -163,14 +196,25 @@ fn ends(share: &Share) -> [String; 2] {
     [decimal_below(&share.lower, 6), decimal_above(&share.upper, 6)]
 }
 
+/// The sign of γ that all samples have.
+fn common_gamma(partition: &Partition) -> Option<bool> {
+    let first = partition.leaves().first()?.gamma?;
+    partition.leaves().iter().all(|leaf| leaf.gamma == Some(first)).then_some(first)
+}
+
 /// The same in words.
-fn said(share: &Share) -> String {
-    let hundred = BigInt::from(100);
-    let (lower, upper) = (&share.lower * &hundred, &share.upper * &hundred);
-    match share.spread() {
-        Spread::Everywhere => "in all of it".into(),
-        Spread::Nowhere => "in none of it".into(),
-        Spread::Differs | Spread::Open => {
+fn said(share: &Share, weight: Weight) -> String {
+    let times = |by: u64| [&share.lower, &share.upper].map(|end| end * BigInt::from(by));
+    match (share.spread(), weight) {
+        (Spread::Everywhere, Weight::Size) => "in all of it".into(),
+        (Spread::Nowhere, Weight::Size) => "in none of it".into(),
+        (_, Weight::Samples(all)) => {
+            let [least, most] = times(all.len() as u64);
+            let to = if share.open { format!(" to {most}") } else { String::new() };
+            format!("in {least}{to} of them")
+        }
+        _ => {
+            let [lower, upper] = times(100);
             format!("in {} % to {} % of it", decimal_below(&lower, 2), decimal_above(&upper, 2))
         }
     }
@@ -184,7 +228,7 @@ fn at(bounds: &Bounds, point: &[BigRational; 2]) -> String {
 
 /// `grazing word --shares`.
 pub(super) fn run(
-    of: &ParameterBox,
+    of: (&ParameterBox, Weight),
     bounds: &Bounds,
     limits: Limits,
     format: Format,
@@ -224,7 +268,7 @@ struct Row {
 /// Everything that is said: chaos, periods, words.
 fn rows(report: &Report, last: u64) -> Vec<Row> {
     let mut rows = Vec::new();
-    for signs in report.signs() {
+    for signs in signs(report.of) {
         rows.push(Row {
             what: "chaos",
             positive: signs.positive,
@@ -255,14 +299,23 @@ fn rows(report: &Report, last: u64) -> Vec<Row> {
 fn text(report: &Report, rows: &[Row]) -> String {
     let partition = &report.partition;
     let settled = decimal_below(&(partition.settled() * BigInt::from(100)), 2);
+    let by = match report.weight {
+        Weight::Size => "Shares of this box, every part counting by its size".to_string(),
+        Weight::Samples(_) => "Counted, which bounds no share of others".to_string(),
+        Weight::Normal(normal) => format!(
+            "Shares of the distribution{}; beyond these {DEVIATIONS} deviations all is open",
+            place::distributed(report.bounds, normal.parameters())
+        ),
+    };
     let mut text = format!(
-        "{}\nShares of this box, every part counting by its size: {} cells, the words certain on {settled} % of it\n",
+        "{}\n{by}: {} {}, the words certain on {settled} % of it\n",
         report.heading(),
         partition.cells(),
+        if matches!(report.weight, Weight::Samples(_)) { "samples" } else { "cells" },
     );
     text += "\nChaos is born\n";
     for row in rows.iter().filter(|row| row.what == "chaos") {
-        text += &format!("  {}: {}\n", row.name, said(&row.share));
+        text += &format!("  {}: {}\n", row.name, said(&row.share, report.weight));
         if let (Spread::Differs, Some(with), Some(without)) =
             (row.share.spread(), &row.share.with, &row.share.without)
         {
@@ -274,22 +327,49 @@ fn text(report: &Report, rows: &[Row]) -> String {
         let of = |what: &'static str| rows.iter().filter(move |r| r.what == what && r.positive == positive);
         text += &format!("\nPeriods between impacts, e*mu {} 0\n", if positive { '>' } else { '<' });
         for row in of("period") {
-            text += &format!("  {}: {}\n", row.name, said(&row.share));
+            text += &format!("  {}: {}\n", row.name, said(&row.share, report.weight));
         }
         let words: Vec<&Row> = of("word").collect();
         text += &format!("Words, e*mu {} 0\n", if positive { '>' } else { '<' });
         for row in words.iter().take(WORDS) {
             let periods = row.word.as_ref().map_or(String::new(), listed);
-            text += &format!("  {} ({periods}): {}\n", row.name, said(&row.share));
+            text += &format!("  {} ({periods}): {}\n", row.name, said(&row.share, report.weight));
         }
         if words.len() > WORDS {
             text += &format!("  and {} more\n", words.len() - WORDS);
         }
     }
+    if let Some(leaf) = partition.open() {
+        let part = place::within(&of_cell(report.bounds, leaf));
+        text += &format!("\nOpen, in the first place: {}, at {part}\n", why_open(leaf));
+    }
     if partition.is_cut() {
-        text += "\nMore --cells make the bounds narrower.\n";
+        text += "More --cells make the bounds narrower.\n";
     }
     text
+}
+
+/// The bounds of a cell.
+fn of_cell(bounds: &Bounds, leaf: &Leaf) -> Bounds {
+    let [first, second] = leaf.cell.bounds().clone();
+    [(bounds[0].0, first), (bounds[1].0, second)]
+}
+
+/// What is not certain on a cell.
+fn why_open(leaf: &Leaf) -> String {
+    if leaf.is_gamma_open() {
+        return "gamma may be 0".into();
+    }
+    let sides = [true, false].into_iter().filter(|&positive| !leaf.word(positive).is_whole());
+    let why = sides.map(|positive| {
+        let why = match leaf.word(positive).extent() {
+            Extent::Straddled { next } => format!("whether period {next} occurs"),
+            Extent::Cut => "how a long word goes on".into(),
+            _ => "where the theory is silent".into(),
+        };
+        format!("{why}, e*mu {} 0", if positive { '>' } else { '<' })
+    });
+    why.collect::<Vec<_>>().join("; ")
 }
 
 fn listed(word: &Word) -> String {
@@ -322,9 +402,21 @@ fn write_json(report: &Report, rows: &[Row], out: &mut dyn Write) -> Result<()> 
         "format": "grazing-shares 1",
         "region": report.heading(),
         "box": place::json(report.bounds, gamma),
+        "normal": match report.weight {
+            Weight::Normal(normal) => place::json_normal(report.bounds, normal.parameters()),
+            _ => Json::Null,
+        },
+        "samples": match report.weight {
+            Weight::Samples(all) => json!(all.len()),
+            _ => Json::Null,
+        },
         "cells": report.partition.cells(),
         "cut": report.partition.is_cut(),
         "settled": decimal_below(&report.partition.settled(), 6),
+        "open": report.partition.open().map(|leaf| json!({
+            "cell": place::json(&of_cell(report.bounds, leaf), None),
+            "why": why_open(leaf),
+        })),
         "chaos": of("chaos", &|row| json!({ "sign_gamma": row.gamma.map(sign) })),
         "periods": of("period", &|row| json!({ "n": row.n })),
         "words": of("word", &|row| {
@@ -352,8 +444,13 @@ fn write_table(report: &Report, rows: &[Row], format: TableFormat, out: &mut dyn
     let caption = Caption {
         text: format!(
             "Where in the box {} chaos is born, a period can occur between impacts, and a word is that of the \
-             point: bounds of the share of the box.",
-            report.in_maths()
+             point: bounds of the share of {}.",
+            report.in_maths(),
+            match report.weight {
+                Weight::Size => "the box",
+                Weight::Normal(_) => "a normal distribution around its middle",
+                Weight::Samples(_) => "the samples, which bounds no other",
+            }
         ),
         label: "tab:shares".into(),
     };
@@ -378,14 +475,18 @@ fn write_table(report: &Report, rows: &[Row], format: TableFormat, out: &mut dyn
 }
 
 /// The signs of a row: two columns for machines, one in print.
-fn signs_columns(print: bool) -> Vec<Column> {
+pub(super) fn signs_columns(print: bool) -> Vec<Column> {
     if print {
         return vec![Column::new("case", "case", 0)];
     }
     vec![Column::new("sign_emu", "", 0), Column::new("sign_gamma", "", 0)]
 }
 
-fn signs_cells(print: bool, signs: Option<(bool, Option<bool>)>, case: &str) -> Vec<TableCell<'_>> {
+pub(super) fn signs_cells(
+    print: bool,
+    signs: Option<(bool, Option<bool>)>,
+    case: &str,
+) -> Vec<TableCell<'_>> {
     if print {
         return vec![signs.map_or(TableCell::Empty, |_| TableCell::Maths(case))];
     }
@@ -402,10 +503,10 @@ pub(super) fn classify(
     destination: &Destination,
     interrupt: &Interrupt,
 ) -> Result<Outcome> {
-    let report = Report::new(of, bounds, &limits, interrupt)?;
+    let report = Report::new((of, Weight::Size), bounds, &limits, interrupt)?;
     let mut rows: Vec<(u64, Option<Signs>, Share)> = Vec::new();
     for n in 1..=limits.last {
-        let all = report.signs().into_iter().map(|signs| (n, Some(signs), report.orbit(signs, n)));
+        let all = signs(report.of).into_iter().map(|signs| (n, Some(signs), report.orbit(signs, n)));
         let (none, some): (Vec<_>, Vec<_>) = all.partition(|row| row.2.spread() == Spread::Nowhere);
         if some.is_empty() {
             rows.extend(none.into_iter().take(1).map(|(n, _, share)| (n, None, share)));
@@ -416,8 +517,8 @@ pub(super) fn classify(
     let written = destination.write(|out| {
         if format == TableFormat::Table && destination.is_stdout() {
             writeln!(out, "{}", report.heading())?;
-            for signs in report.signs() {
-                writeln!(out, "{}: chaos is born {}", signs.name(), said(&report.chaos(signs)))?;
+            for signs in signs(report.of) {
+                writeln!(out, "{}: chaos is born {}", signs.name(), said(&report.chaos(signs), report.weight))?;
             }
         }
         let print = format.is_print();

@@ -40,7 +40,7 @@ impl ViewArgs {
             }
             span => Ok(span
                 .as_ref()
-                .map(|Span([low, high])| (Plain::ratio(low, &()).0, Plain::ratio(high, &()).0))),
+                .map(|Span([low, high], _)| (Plain::ratio(low, &()).0, Plain::ratio(high, &()).0))),
         };
         Ok(View { x: ends("x", &self.x_limits)?, y: ends("y", &self.y_limits)?, turns: self.q_modulo_2pi })
     }

@@ -12,9 +12,10 @@ use serde_json::{Value as Json, json};
 use super::{
     Outcome, cite,
     classify::describe,
+    decides,
     place::{self, Asked, Bounds, Place, REVERSED},
-    reported, returns,
-    shares::Limits,
+    reported, returns, samples,
+    shares::{Limits, Weight},
 };
 use crate::{
     cli::progress::{Interrupt, Progress},
@@ -50,7 +51,8 @@ const BITS: u32 = 64;
 /// --damping-ratio 0.02±20% --drive 10Hz, the answer holds for all points of the box, which may meet several
 /// regions. What is not the same for all of them, or cannot be shown to be, is open; the letter ? stands for
 /// a c_n that is 0 or has not one sign. --shares says in which part of the box chaos is born, each period and
-/// each word occurs. --certificate writes down why the answer is right.
+/// each word occurs; --decides, at which frequency, damping or drive that changes. --certificate writes down
+/// why the answer is right.
 ///
 /// Exit code 0: everything is decided; 2: wrong usage, or a file that cannot be written; 3: a sign is zero or
 /// undecided, the word has more letters than were asked for, what was found could not be certified, or
@@ -60,8 +62,10 @@ const BITS: u32 = 64;
   grazing word --r 0.4633 --s 0.16327
   grazing word --a1 1.9 --a2 0.95 --format dot -o word.dot
   grazing word --r 1.25 --s 0.37 --returns
-  grazing word --frequency 3.7Hz±1% --damping-ratio 0.1±20% --drive 10Hz --shares")]
-#[command(group = ArgGroup::new("point").required(true).args(["a1", "r", "frequency"]))]
+  grazing word --frequency 3.7Hz±1% --damping-ratio 0.1±20% --drive 10Hz --shares
+  grazing word --frequency 3.7Hz --damping-ratio 0.1 --drive 10Hz --decides")]
+#[command(group = ArgGroup::new("point").required(true).args(["a1", "r", "frequency", "samples"]))]
+#[command(group = ArgGroup::new("of_cells").args(["shares", "decides"]))]
 pub(super) struct Args {
     #[command(flatten)]
     place: Place,
@@ -84,8 +88,20 @@ pub(super) struct Args {
     /// from cells on which that is certain.
     #[arg(long, conflicts_with_all = ["certificate", "returns"])]
     shares: bool,
-    /// Look at C cells for --shares, at most 1000000.
-    #[arg(long, value_name = "C", default_value_t = 2_000, requires = "shares",
+    /// Read X±Y as a normal parameter with deviation Y, independent of the other one: --shares are
+    /// probabilities, from cells as far as five deviations; what lies beyond counts as open.
+    #[arg(long, requires = "shares")]
+    normal: bool,
+    /// Count the verdicts of the machines in a CSV with columns frequency, damping_ratio and drive in one unit
+    /// (or ratio, damping_ratio; r, s; a1, a2), a sample per line: counts, which bound no share of others.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["certificate", "returns", "shares", "decides"])]
+    samples: Option<PathBuf>,
+    /// Say instead how far each parameter may go alone, from the point or the middle of the box, before a
+    /// verdict changes: whether chaos is born, the word, and each period that occurs.
+    #[arg(long, conflicts_with_all = ["certificate", "returns", "shares"])]
+    decides: bool,
+    /// Look at C cells for --shares, or for each direction of --decides, at most 1000000.
+    #[arg(long, value_name = "C", default_value_t = 2_000, requires = "of_cells",
           value_parser = parse_integer::<u64>)]
     cells: u64,
     /// Let the certificate rest on the word theorem: one sign per letter, and so all periods.
@@ -102,9 +118,10 @@ pub(super) struct Args {
 impl Args {
     /// The name of its JSON.
     pub(super) fn json_name(&self) -> &'static str {
-        match (self.returns, self.shares) {
-            (true, _) => "grazing-returns 1",
-            (_, true) => "grazing-shares 1",
+        match self {
+            Args { returns: true, .. } => "grazing-returns 1",
+            Args { shares: true, .. } | Args { samples: Some(_), .. } => "grazing-shares 1",
+            Args { decides: true, .. } => "grazing-decides 1",
             _ => "grazing-word 1",
         }
     }
@@ -151,8 +168,17 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     if args.returns {
         return return_times(args, &destination, interrupt);
     }
+    let limits = Limits { cells: args.cells, last: args.max_period };
+    if let Some(file) = &args.samples {
+        let (all, bounds) = samples::read(file, files)?;
+        let of = (&all[0], Weight::Samples(&all));
+        return super::shares::run(of, &bounds, limits, args.format, &destination, interrupt);
+    }
     if args.shares {
-        return shares(args, &destination, interrupt);
+        return shares(args, limits, &destination, interrupt);
+    }
+    if args.decides {
+        return decides::run(args.place.given()?, &limits, args.format, &destination, interrupt);
     }
     let file = args.certificate.as_deref().map(|path| files.write("--certificate", path)).transpose()?;
     let given = Given::new(args)?;
@@ -234,7 +260,7 @@ fn return_times(args: &Args, destination: &Destination, interrupt: &Interrupt) -
 }
 
 /// `--shares`.
-fn shares(args: &Args, destination: &Destination, interrupt: &Interrupt) -> Result<Outcome> {
+fn shares(args: &Args, limits: Limits, destination: &Destination, interrupt: &Interrupt) -> Result<Outcome> {
     let Asked::Box(asked) = args.place.asked()? else {
         return Err(Error::input("--shares are those of a box: give at least one coordinate as an interval"));
     };
@@ -243,8 +269,19 @@ fn shares(args: &Args, destination: &Destination, interrupt: &Interrupt) -> Resu
             "--shares: give --drive as one number, for every part of a box counts by its size",
         ));
     }
-    let limits = Limits { cells: args.cells, last: args.max_period };
-    super::shares::run(&asked.0, &asked.1, limits, args.format, destination, interrupt)
+    let (of, bounds) = *asked;
+    if args.normal {
+        let (normal, of, bounds) = args.place.normal(&of, &bounds)?;
+        return super::shares::run(
+            (&of, Weight::Normal(&normal)),
+            &bounds,
+            limits,
+            args.format,
+            destination,
+            interrupt,
+        );
+    }
+    super::shares::run((&of, Weight::Size), &bounds, limits, args.format, destination, interrupt)
 }
 
 /// What the table of the words shows; `certificate` is the one that proves it.
