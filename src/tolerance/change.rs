@@ -1,9 +1,9 @@
 //! What decides: how far one parameter may go before a statement changes.
 //!
-//! A [`Way`] leads one parameter from a point outwards, the other one staying where it is, or anywhere within
-//! the box. Cells of that way are halved, the nearest open one first. So a statement is certainly the same on
-//! all of the way up to the near end of the first cell on which that stays open, and it has certainly changed
-//! on the first cell on which it is something else.
+//! An [`Excursion`] leads one parameter from a point outwards, the other one staying where it is, or anywhere
+//! within the box. Cells of that way are halved, the nearest open one first. So a statement is certainly the
+//! same on all of the way up to the near end of the first cell on which that stays open, and it has certainly
+//! changed on the first cell on which it is something else.
 
 use std::{cmp::Reverse, collections::BinaryHeap};
 
@@ -50,7 +50,7 @@ pub struct Change {
 
 /// The way of one parameter away from a point.
 #[derive(Debug)]
-pub struct Way {
+pub struct Excursion {
     axis: usize,
     rises: bool,
     from: Leaf,
@@ -79,13 +79,13 @@ pub struct Toward {
     pub whole: bool,
 }
 
-impl Way {
+impl Excursion {
     /// Away from a point of a box, as far as [`reach`](ParameterBox::reach) says, with at most `limit` cells
     /// for all that is asked of it.
     ///
     /// # Errors
     /// An input error if the point is not in the box.
-    pub fn new(of: &ParameterBox, from: &[BigRational; 2], to: Toward, limit: u64) -> Result<Way> {
+    pub fn new(of: &ParameterBox, from: &[BigRational; 2], to: Toward, limit: u64) -> Result<Excursion> {
         let Toward { axis, rises, whole } = to;
         if (0..2).any(|i| from[i] < of.bounds[i][0] || of.bounds[i][1] < from[i]) {
             return Err(Error::input(format!("the point {}, {} is not in the box", from[0], from[1])));
@@ -100,7 +100,7 @@ impl Way {
             BigRational::new(BigInt::one(), BigInt::one() << if whole { FINEST_WHOLE } else { FINEST });
         let finest = bounds.each_ref().map(|[lower, upper]| (upper - lower) * &part);
         let (from, _) = Leaf::new(cell([at(0), at(1)]), 0)?;
-        let mut way = Way { axis, rises, from, end, finest, nodes: Vec::new(), limit };
+        let mut way = Excursion { axis, rises, from, end, finest, nodes: Vec::new(), limit };
         way.push(cell(bounds))?;
         Ok(way)
     }
@@ -221,7 +221,7 @@ impl Way {
 }
 
 impl ParameterBox {
-    /// How far a [`Way`] leads from a value of one parameter, down and up: to half of it and to twice it
+    /// How far an [`Excursion`] leads from a value of one parameter, down and up: to half of it and twice it
     /// within the theory's bounds, of the damping ratio from 0 to 0.99, and by 1 of a₁.
     pub fn reach(&self, axis: usize, from: &BigRational) -> [BigRational; 2] {
         let q = |p: i64, d: i64| BigRational::new(p.into(), d.into());

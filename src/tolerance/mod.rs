@@ -8,8 +8,8 @@
 //! [`ParameterBox::word`] is what the words of all points have in common. [`Partition`] cuts a box where
 //! words differ and bounds the share of the box in which a statement holds: the cells where it certainly
 //! does, and those where it certainly does not. [`Statement`]s are three-valued on a cell; on the box they
-//! hold everywhere, nowhere or in a part of it ([`Spread`]), or are open. [`Way`]s say how far one parameter
-//! may go from a point before a statement changes.
+//! hold everywhere, nowhere or in a part of it ([`Spread`]), or are open. [`Excursion`]s say how far one
+//! parameter may go from a point before a statement changes.
 //!
 //! ```
 //! use grazing::{number::parse_rational, tolerance::{ParameterBox, Partition, Statement, Spread}};
@@ -34,7 +34,7 @@ mod parameters;
 mod partition;
 mod tube;
 
-pub use change::{Change, Toward, Way};
-pub use normal::{DEVIATIONS, Normal};
+pub use change::{Change, Excursion, Toward};
+pub use normal::{DEVIATIONS, NormalParameters};
 pub use parameters::ParameterBox;
 pub use partition::{Leaf, Partition, Share, Spread, Statement};

@@ -7,8 +7,8 @@
 //! Φ(z) − ½ = e^{−z²/2}/√(2π) · Σ_{m≥0} z^{2m+1}/(1·3·…·(2m+1)),
 //! ```
 //!
-//! all terms with the sign of z. From a term on with z² ≤ (2m+3)/2 each is at most half the one before, so that
-//! the rest is at most the last one counted. In balls; no quantile is taken from anywhere.
+//! all terms with the sign of z. From a term on with z² ≤ (2m+3)/2 each is at most half the one before, so
+//! that the rest is at most the last one counted. In balls; no quantile is taken from anywhere.
 
 use std::{cell::RefCell, collections::HashMap};
 
@@ -25,7 +25,7 @@ use crate::{
     number::{Ball, Elementary, Precision, Real},
 };
 
-/// How many deviations the cells reach; what lies beyond counts as open. Within are 0.9999994 of each parameter.
+/// How many deviations the cells reach; what lies beyond counts as open.
 pub const DEVIATIONS: i32 = 5;
 
 const BITS: u32 = 96;
@@ -34,7 +34,7 @@ const TERMS: i32 = 64;
 
 /// Two independent normal parameters, or one, the other being known.
 #[derive(Debug, Clone)]
-pub struct Normal {
+pub struct NormalParameters {
     /// The middle and the deviation of each.
     parameters: [[BigRational; 2]; 2],
     /// Φ − ½ at the edges asked, between two whole numbers of 2⁻⁶².
@@ -47,7 +47,7 @@ impl ParameterBox {
     ///
     /// # Errors
     /// An input error if the box is a point.
-    pub fn normal(&self) -> Result<(Normal, ParameterBox)> {
+    pub fn normal(&self) -> Result<(NormalParameters, ParameterBox)> {
         if self.is_point() {
             return Err(Error::input("a distribution needs a deviation: write X±Y"));
         }
@@ -87,11 +87,11 @@ impl ParameterBox {
         let wide = ParameterBox { coordinates: self.coordinates, bounds };
         let [m0, m1] = middle;
         let [d0, d1] = deviation;
-        Ok((Normal { parameters: [[m0, d0], [m1, d1]], known: RefCell::default() }, wide))
+        Ok((NormalParameters { parameters: [[m0, d0], [m1, d1]], known: RefCell::default() }, wide))
     }
 }
 
-impl Normal {
+impl NormalParameters {
     /// The middle and the deviation of each parameter; 0 for one that is known.
     pub fn parameters(&self) -> &[[BigRational; 2]; 2] {
         &self.parameters
@@ -152,7 +152,8 @@ fn beyond_half(z: &BigRational) -> [i64; 2] {
 mod tests {
     use super::*;
 
-    /// Against tables: Φ(1) = 0.841344746068543, Φ(1.96) = 0.975002104851780, 1 − Φ(5) = 2.866515718791939·10⁻⁷
+    /// Against tables: Φ(1) = 0.841344746068543, Φ(1.96) = 0.975002104851780 and 1 − Φ(5) =
+    /// 2.866515718791939·10⁻⁷
     /// (Abramowitz and Stegun, tables 26.1 and 26.2), each to one in its last digit.
     #[test]
     fn the_normal_distribution_is_as_in_tables() {

@@ -11,7 +11,7 @@ use num_traits::One;
 
 use super::{
     cell::{Cell, LONGEST, Turn},
-    normal::Normal,
+    normal::NormalParameters,
     parameters::{ParameterBox, is_flat},
 };
 use crate::{
@@ -165,7 +165,7 @@ impl Partition {
     /// The monitor's interruption.
     pub fn weighted(
         of: &ParameterBox,
-        normal: Option<&Normal>,
+        normal: Option<&NormalParameters>,
         limit: u64,
         monitor: &dyn Monitor,
     ) -> Result<Partition> {

@@ -6,7 +6,7 @@ use common::config;
 use grazing::existence::{Case, by_definition};
 use grazing::local::{Ladder, Plane, Point, Polar};
 use grazing::number::{Ball, Elementary, Precision, Real};
-use grazing::tolerance::{ParameterBox, Partition, Spread, Statement, Toward, Way};
+use grazing::tolerance::{Excursion, ParameterBox, Partition, Spread, Statement, Toward};
 use grazing::word::{Edge, Extent, Letter, Rectangle, Relation, Word};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -57,7 +57,7 @@ impl Exact {
         words.iter().all(Word::is_whole).then_some(Exact { words, point })
     }
 
-    /// The cases in which an orbit of period n with one impact exists, by Theorem 1's signs; no word is asked.
+    /// The cases in which an orbit of period n with one impact exists, by Theorem 1's signs, without words.
     fn orbits(&self, n: u64) -> Vec<Case> {
         by_definition(&Ladder::default(), &self.point, n).cases(n)
     }
@@ -279,8 +279,8 @@ fn at_point(kind: usize, [x, y]: [Q; 2]) -> Option<Exact> {
     }
 }
 
-/// What is counted over many boxes: how often a statement is true at points drawn, and how often it would be at
-/// least and at most by the shares.
+/// What is counted over many boxes: how often a statement is true at points drawn, and how often it would be
+/// by the shares, at least and at most.
 #[derive(Default, Clone)]
 struct Tally {
     counted: f64,
@@ -356,8 +356,8 @@ fn is_true(statement: Statement, exact: &Exact) -> bool {
     }
 }
 
-/// From the middle of random boxes, on every way: before a change a statement is at random points what it is at
-/// the middle, and at the change it is not; the other parameter stays, or is anywhere in the box.
+/// From the middle of random boxes, on every way: before a change a statement is at random points what it is
+/// at the middle, and at the change it is not; the other parameter stays, or is anywhere in the box.
 #[test]
 fn nothing_changes_before_a_change_and_something_at_it() {
     let mut drawn = Drawn(4);
@@ -370,7 +370,7 @@ fn nothing_changes_before_a_change_and_something_at_it() {
         let positive = case.sign_emu() > 0;
         let n = 1 + drawn.below(5) as u64;
         for to in (0..8).map(|i| Toward { axis: i % 2, rises: i / 2 % 2 == 0, whole: i >= 4 }) {
-            let mut way = Way::new(&of, &from, to, 150).unwrap();
+            let mut way = Excursion::new(&of, &from, to, 150).unwrap();
             for statement in [Statement::Chaos(case), Statement::Period { positive, n }] {
                 let Some(change) = way.first(statement, &()).unwrap() else { continue };
                 let mut at = |x: Q| {
@@ -409,7 +409,7 @@ fn changes_are_where_they_are_known_to_be() {
     let point = |x: Q| [x.clone(), x];
     let of = ParameterBox::polar(point(q(9, 10)), point(q(1, 5))).unwrap();
     let first = |axis, rises, n| {
-        let mut way = Way::new(&of, &of.centre(), Toward { axis, rises, whole: false }, 2_000).unwrap();
+        let mut way = Excursion::new(&of, &of.centre(), Toward { axis, rises, whole: false }, 2_000).unwrap();
         way.first(Statement::Period { positive: false, n }, &()).unwrap().unwrap()
     };
     for (rises, n, at) in [(true, 2, q(1, 4)), (false, 3, q(1, 6)), (false, 4, q(1, 8))] {

@@ -20,7 +20,7 @@ use crate::{
         Caption, Column, Destination, Print, Setting, TableCell, TableFormat, TableWriter, decimal_above,
         decimal_below, decimal_near,
     },
-    tolerance::{Change, Leaf, Statement, Toward, Way},
+    tolerance::{Change, Excursion, Leaf, Statement, Toward},
     word::Word,
 };
 
@@ -57,13 +57,13 @@ struct Report {
 
 /// The ways of one coordinate in one direction: with the other at its middle, and anywhere in the box.
 struct Ways {
-    middle: Way,
-    whole: Option<Way>,
+    middle: Excursion,
+    whole: Option<Excursion>,
 }
 
 impl Ways {
     fn new(given: &Given, axis: usize, rises: bool, cells: u64) -> Result<Ways> {
-        let way = |whole| Way::new(&given.of, &given.from, Toward { axis, rises, whole }, cells);
+        let way = |whole| Excursion::new(&given.of, &given.from, Toward { axis, rises, whole }, cells);
         let [lower, upper] = &given.of.bounds()[1 - axis];
         Ok(Ways { middle: way(false)?, whole: (lower != upper).then(|| way(true)).transpose()? })
     }
@@ -123,7 +123,8 @@ impl Report {
             }
             question.rows.sort_by_cached_key(|row| given.size(row));
         }
-        let cells = ways.iter().map(|ways| ways.middle.cells() + ways.whole.as_ref().map_or(0, Way::cells));
+        let cells =
+            ways.iter().map(|ways| ways.middle.cells() + ways.whole.as_ref().map_or(0, Excursion::cells));
         Ok(Report { cells: cells.sum(), given, from, questions })
     }
 

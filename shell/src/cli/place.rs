@@ -11,7 +11,7 @@ use crate::{
     error::{Error, Result},
     local::Forward,
     output::{decimal_near, decimal_or_fraction},
-    tolerance::{Normal, ParameterBox},
+    tolerance::{NormalParameters, ParameterBox},
 };
 
 /// A point or a box.
@@ -226,7 +226,11 @@ impl Place {
     ///
     /// # Errors
     /// An input error for what is not written `X±Y`, or not a number.
-    pub fn normal(&self, of: &ParameterBox, bounds: &Bounds) -> Result<(Normal, ParameterBox, Bounds)> {
+    pub fn normal(
+        &self,
+        of: &ParameterBox,
+        bounds: &Bounds,
+    ) -> Result<(NormalParameters, ParameterBox, Bounds)> {
         let spans = [&self.a1, &self.a2, &self.r, &self.s, &self.damping_ratio].into_iter().flatten();
         let mut all = spans.chain(self.frequency.as_ref().map(|frequency| &frequency.span));
         if all.any(|span| span.is_interval() && !span.1) {

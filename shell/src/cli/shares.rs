@@ -20,7 +20,7 @@ use crate::{
         Caption, Column, Destination, Print, Setting, TableCell, TableFormat, TableWriter, decimal_above,
         decimal_below, decimal_or_fraction,
     },
-    tolerance::{DEVIATIONS, Leaf, Normal, ParameterBox, Partition, Share, Spread, Statement},
+    tolerance::{DEVIATIONS, Leaf, NormalParameters, ParameterBox, Partition, Share, Spread, Statement},
     word::{Extent, Word},
 };
 
@@ -72,7 +72,7 @@ pub(super) enum Weight<'a> {
     /// By their size.
     Size,
     /// By a distribution.
-    Normal(&'a Normal),
+    Normal(&'a NormalParameters),
     /// There are but samples.
     Samples(&'a [ParameterBox]),
 }

@@ -92,8 +92,8 @@ pub(super) struct Args {
     /// probabilities, from cells as far as five deviations; what lies beyond counts as open.
     #[arg(long, requires = "shares")]
     normal: bool,
-    /// Count the verdicts of the machines in a CSV with columns frequency, damping_ratio and drive in one unit
-    /// (or ratio, damping_ratio; r, s; a1, a2), a sample per line: counts, which bound no share of others.
+    /// Count the verdicts of the machines in a CSV with columns frequency, damping_ratio and drive in one
+    /// unit (or ratio, damping_ratio; r, s; a1, a2), a sample per line: counts, which bound no share.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["certificate", "returns", "shares", "decides"])]
     samples: Option<PathBuf>,
     /// Say instead how far each parameter may go alone, from the point or the middle of the box, before a
