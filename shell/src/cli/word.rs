@@ -63,7 +63,7 @@ const BITS: u32 = 64;
   grazing word --a1 1.9 --a2 0.95 --format dot -o word.dot
   grazing word --r 1.25 --s 0.37 --returns
   grazing word --frequency 3.7Hz±1% --damping-ratio 0.1±20% --drive 10Hz --shares
-  grazing word --frequency 3.7Hz --damping-ratio 0.1 --drive 10Hz --decides")]
+  grazing word --frequency 3.7Hz --damping-ratio 0.1 --drive 10Hz --decides --max-period 1")]
 #[command(group = ArgGroup::new("point").required(true).args(["a1", "r", "frequency", "samples"]))]
 #[command(group = ArgGroup::new("of_cells").args(["shares", "decides"]))]
 pub(super) struct Args {
