@@ -7,8 +7,8 @@ mod common;
 use std::f64::consts::TAU;
 
 use common::{
-    BRANCH, BRANCH_2, Random, answer, are_refused, damaged_are_true, eliminate, first_cells, float, flow, nth, rejected,
-    resealed, trials, with,
+    BRANCH, BRANCH_2, Random, answer, are_refused, damaged_are_true, eliminate, first_cells, float, flow,
+    nth, rejected, resealed, trials, with,
 };
 use grazing_check::branch::STATEMENT;
 

@@ -17,8 +17,9 @@ use std::{
 };
 
 use common::{
-    BRANCH, CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, FREE, FREE_MACHINE, GRAZING, NOTHING, ORBIT_4, RANGE_1,
-    RANGE_ALONE, SADDLE_NODE, SINGLE_1, THEOREM2, WORD, WORD_BY_THEOREM, answer, first_cells, resealed, with,
+    BRANCH, CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, FREE, FREE_MACHINE, GRAZING, NOTHING, ORBIT_4,
+    RANGE_1, RANGE_ALONE, SADDLE_NODE, SINGLE_1, THEOREM2, WORD, WORD_BY_THEOREM, answer, first_cells,
+    resealed, with,
 };
 use grazing_check::{Checked, Rejection, kinds};
 

@@ -14,9 +14,9 @@ use crate::{
 keys! {
     /// Proves that exact orbits exist, each the only one in a box, admissible, and stable or not; with `from`
     /// or `to` at every value of a parameter in a range. With `event` it proves that an orbit bifurcates at a
-    /// parameter in an interval. Writes a certificate for each. For linear systems. Of an orbit without impacts, of period 1, it proves that it is the only one
-    /// and clear of every stop; of its bifurcations only a grazing. Bifurcations and ranges are proved where
-    /// the engine is `one`.
+    /// parameter in an interval. Writes a certificate for each. For linear systems. Of an orbit without
+    /// impacts, of period 1, it proves that it is the only one and clear of every stop; of its bifurcations
+    /// only a grazing. Bifurcations and ranges are proved where the engine is `one`.
     pub struct ValidateTask {
         /// which orbits; the proof starts from their approximations
         orbit: OrbitKeys,

@@ -18,13 +18,13 @@
 //! …                            LOWER..UPPER
 //! parameter NAME               its name
 //! branch M                     the number of impacts, 1 to 24
-//! strike SIDE N                M lines: lower or upper, the periods to the next impact (0 to 10000, not all 0)
+//! strike SIDE N                M lines: lower or upper, the periods to the next impact (0 to 10000)
 //! cells K                      1 to 10000, then K blocks
 //! cell LO HI CLAIM             p from LO to HI, LO < HI, LO that of the block before; stable, unstable, or
 //!                              open (no claim)
 //! at T V T' V'                 M lines: the phase and the incoming relative speed at the cell's middle, and
 //!                              their rates
-//! radius R W                   the orbit is the only one within R of the line, and it lies within W; 0 < W ≤ R
+//! radius R W                   the only orbit within R of the line, and it lies within W; 0 < W ≤ R
 //! row C …                      2M lines of 2M numbers, about the inverse of the equations' derivative
 //! flight J                     for each impact, J ≥ 1, and J lines
 //! until T                      the times since its impact at which pieces end
@@ -34,8 +34,8 @@
 //!
 //! # Rules
 //!
-//! Let p₀ be a cell's middle, y its point, y′ its rates, δ = p − p₀ with |δ| ≤ d, F the equations, C the rows.
-//! For all p of the cell at once:
+//! Let p₀ be a cell's middle, y its point, y′ its rates, δ = p − p₀ with |δ| ≤ d, F the equations, C the
+//! rows. For all p of the cell at once:
 //!
 //! - B1: for r = R and r = W, and X all numbers with |ξ| ≤ r in each unknown,
 //!   −C F(y + y′δ; p) + (I − C F_x(y + y′δ + X; p)) X lies in the interior of X. The first is enclosed by
@@ -45,9 +45,9 @@
 //! - B3: what is claimed of the multipliers, as of kind `orbit`;
 //! - B4: at the value that two cells share the former's solution is within R of the latter's line.
 //!
-//! B1 at each p is Krawczyk's test about y + y′δ: there is exactly one solution within R of it, with a regular
-//! F_x, so that it depends on p as smoothly as F does. B4 says that both cells have the same one where they
-//! meet.
+//! B1 at each p is Krawczyk's test about y + y′δ: there is exactly one solution within R of it, with a
+//! regular F_x, so that it depends on p as smoothly as F does. B4 says that both cells have the same one
+//! where they meet.
 //!
 //! # Cost
 //!

@@ -47,8 +47,8 @@ impl<N: Number> Ring<N> {
     }
 
     /// The same where c or k is an interval of some width, which the squares of the series would make wider
-    /// each time: with ω² = k − c²/4 it is e^−ct/2 (cos ωt + sin ωt/ω (A + c/2)), or so in cosh and sinh; none
-    /// where the sign of ω² is not certain.
+    /// each time: with ω² = k − c²/4 it is e^−ct/2 (cos ωt + sin ωt/ω (A + c/2)), or so in cosh and sinh;
+    /// none where the sign of ω² is not certain.
     fn by_roots(self, t: N) -> Option<Element<N>> {
         let narrow = |x: N| {
             let x = x.value();

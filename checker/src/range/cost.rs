@@ -1,5 +1,5 @@
-//! What a check costs, known before it is begun: exponentials, and what takes as long as one. Not here: C3 and
-//! F where there are no others, which are counted while they are done (`others`).
+//! What a check costs, known before it is begun: exponentials, and what takes as long as one. Not here: C3
+//! and F where there are no others, which are counted while they are done (`others`).
 //!
 //! The table is in the head of `mod.rs`; that no check takes more exponentials than this says is a test.
 

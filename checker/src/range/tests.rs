@@ -78,8 +78,8 @@ fn gaps_are_carried_by_what_is_known() {
     }
 }
 
-/// No check takes more exponentials than its cost with what is counted meanwhile, and what has no share to spare takes a third of it or
-/// more.
+/// No check takes more exponentials than its cost with what is counted meanwhile, and what has no share to
+/// spare takes a third of it or more.
 #[test]
 fn the_cost_bounds_the_exponentials() {
     let many: Vec<String> = (2..=40).map(|j| format!("harmonic {j} 0/1 0/1 0/1 0/1")).collect();
