@@ -44,7 +44,7 @@ fn samples() -> [Vec<String>; 3] {
             &ball,
             FREE,
             FREE_MACHINE,
-            &first_cells(BRANCH, 2),
+            &first_cells(BRANCH, 1),
         ]),
         owned(&[
             RANGE_1,

@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { browser, open, ROOT } from "./page.mjs";
-import { axes, channels, colours, layersOf, legend, LOOKS, said, same, saved } from "./pictures.mjs";
+import { axes, channels, colours, layersOf, legend, LOOKS, READ, said, same, saved } from "./pictures.mjs";
 
 let chromium;
 let folder;
@@ -83,7 +83,7 @@ const keyed = async (page) => {
 
 const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-for (const [look, options] of Object.entries(LOOKS)) {
+for (const [look, options] of READ) {
   test(`the motion and its impacts are drawn where the command line has them: ${look}`, async () => {
     const { page, errors } = await panel("time", options);
     const svg = await saved(page, button(page, "Save SVG"));

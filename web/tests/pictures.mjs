@@ -171,3 +171,8 @@ export const LOOKS = {
   dark: { colorScheme: "dark" },
   phone: { colorScheme: "light", viewport: { width: 360, height: 780 }, hasTouch: true, isMobile: true },
 };
+
+/** Those that are read: all, or what GRAZING_LOOKS names, as in `light,phone`. */
+export const READ = Object.entries(LOOKS).filter(
+  ([look]) => !process.env.GRAZING_LOOKS || process.env.GRAZING_LOOKS.split(",").includes(look),
+);

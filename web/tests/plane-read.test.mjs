@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { browser, open } from "./page.mjs";
-import { around, axes, channels, colours, coloursOfPdf, coloursOfSvg, innermost, layersOf, legend, LOOKS, mostOf, said, same, saved } from "./pictures.mjs";
+import { around, axes, channels, colours, coloursOfPdf, coloursOfSvg, innermost, layersOf, legend, LOOKS, READ, mostOf, said, same, saved } from "./pictures.mjs";
 
 let chromium;
 before(async () => {
@@ -96,7 +96,7 @@ async function picture(page, all) {
 const plain = (text) => text.replaceAll("−", "-");
 const state = (page) => new URLSearchParams(new URL(page.url()).hash.split("?")[1] ?? "");
 
-for (const [look, options] of Object.entries(LOOKS)) {
+for (const [look, options] of READ) {
   test(`pixels, legend and files have the case that the command line finds: ${look}`, async () => {
     for (const [chart, sign] of [["plane", 1], ["disc", 1], ["strip", 1], ["plane", -1]]) {
       const { page, errors } = await open(chromium, `#plane?chart=${chart}&n=${LAST}&sign=${sign > 0 ? "%2B" : "-"}`, options);

@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { browser, open } from "./page.mjs";
-import { channels, LOOKS, said, same } from "./pictures.mjs";
+import { channels, READ, said, same } from "./pictures.mjs";
 
 const data = new URL("../../checker/tests/data/", import.meta.url);
 const folder = mkdtempSync(join(tmpdir(), "grazing-read-"));
@@ -108,7 +108,7 @@ const VERDICTS = {
   dark: { good: [95, 211, 168], bad: [255, 157, 112] },
 };
 
-for (const [look, options] of Object.entries(LOOKS)) {
+for (const [look, options] of READ) {
   test(`a rejected certificate is shown as rejected and a proved one as proved, in colour, word and mark: ${look}`, async () => {
     const { page, errors } = await open(chromium, "#check", options);
     const theorem2 = readFileSync(new URL("theorem2.txt", data), "utf8");
