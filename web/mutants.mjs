@@ -39,7 +39,7 @@ const MUTANTS = [
   ["chaos-denied", "plane-words.ts", "bounds[1] > 0 ? chaos", "bounds[1] < 0 ? chaos", "plane-read", WORDS],
   ["before-and-beyond", "plane-words.ts", '${word.sign_emu > 0 ? "Before" : "Beyond"}', '${word.sign_emu < 0 ? "Before" : "Beyond"}', "plane-read", WORDS],
   ["entropy-scale", "plane-layers.ts", "onScale(area.entropy / MOST) : PLAIN", "onScale(1 - area.entropy / MOST) : PLAIN", "plane-read", ENTROPY],
-  ["entropy-grey", "plane-layers.ts", 'if (area.entropy === "none") return paper;', 'if (area.entropy === "none") return PLAIN;', "plane-read", "entropies have README's colours, legend and picture, gamma < 0"],
+  ["entropy-grey", "plane-layers.ts", "onScale(area.entropy / MOST) : PLAIN", "onScale(area.entropy / MOST) : paper", "plane-read", "entropies have README's colours, legend and picture, gamma > 0"],
   ["powers-clockwise", "plane-words.ts", "const [x, y] = at(power.re, power.im);", "const [x, y] = at(power.re, -power.im);", "plane-read", "the record picture has the powers of the eigenvalue where they are, counterclockwise"],
   ["rejected-green", "check.ts", 'good ? "good" : "bad"}` },', '"good"}` },', "words-read", REJECTED],
   ["rejected-tick", "check.ts", 'good ? "✓" : "✗"', '"✓"', "words-read", REJECTED],
