@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { browser, heap, open } from "./page.mjs";
+import { LONG } from "./pictures.mjs";
 
 const data = new URL("../../checker/tests/data/", import.meta.url);
 const read = (name) => readFileSync(new URL(name, data), "utf8");
@@ -157,7 +158,7 @@ test("a long check can be cancelled, and the next one works", async () => {
   assert.deepEqual(errors, []);
 });
 
-test("a thousand checks leave no memory behind", async () => {
+test("a thousand checks leave no memory behind", { skip: LONG }, async () => {
   const { page, errors } = await open(chromium, "#check?example=word");
   const memory = await heap(page);
   const rounds = (count) =>

@@ -172,7 +172,9 @@ export const LOOKS = {
   phone: { colorScheme: "light", viewport: { width: 360, height: 780 }, hasTouch: true, isMobile: true },
 };
 
-/** Those that are read: all, or what GRAZING_LOOKS names, as in `light,phone`. */
-export const READ = Object.entries(LOOKS).filter(
-  ([look]) => !process.env.GRAZING_LOOKS || process.env.GRAZING_LOOKS.split(",").includes(look),
-);
+/** Whether a look is read: all are, or those that GRAZING_LOOKS names, as in `light,phone`. */
+export const isRead = (look) => !process.env.GRAZING_LOOKS || process.env.GRAZING_LOOKS.split(",").includes(look);
+export const READ = Object.entries(LOOKS).filter(([look]) => isRead(look));
+
+/** Why the longest tests are left out, if they are. */
+export const LONG = process.env.GRAZING_LOOKS ? "GRAZING_LOOKS leaves out whether memory grows" : false;
