@@ -19,20 +19,6 @@ impl Fixed<96> {
     /// The least interval of this kind with π in it: ⌊π·2⁹⁶⌋ and one more (the tests of `motion` show sin
     /// change its sign there).
     pub const PI: Self = Fixed { lo: 0x3243f6a8885a308d313198a2e, hi: 0x3243f6a8885a308d313198a2f };
-
-    /// The roots, to some 2⁻⁶³ of themselves or 2⁻⁹⁶; the whole line if one may be of a number below 0.
-    pub fn roots(self) -> Self {
-        if self.is_whole() || self.lo < 0 {
-            return Self::WHOLE;
-        }
-        // √(x 2⁻⁹⁶) = √(x 2^s) 2^(48 − s/2) 2⁻⁹⁶ for an even s with x 2^s < 2¹²⁷.
-        let root = |x: i128| {
-            let s = ((x | 1).leading_zeros() - 1).min(96) & !1;
-            ((x << s).isqrt(), 48 - s / 2)
-        };
-        let ((lo, down), (hi, up)) = (root(self.lo), root(self.hi));
-        Self::new(lo << down, (hi + 1) << up)
-    }
 }
 
 impl Fixed<48> {
@@ -42,12 +28,7 @@ impl Fixed<48> {
     /// Between these numbers the root of its greatest number is; the whole line if that is below 0 or not
     /// known.
     pub fn root(self) -> Self {
-        if self.is_whole() || self.hi < 0 {
-            return Self::WHOLE;
-        }
-        // √(x 2⁻⁴⁸) = √(x 2⁴⁸) 2⁻⁴⁸, and x < 2⁶³.
-        let root = (self.hi << 48).isqrt();
-        Self::new(root, root + 1)
+        self.greatest().roots()
     }
 
     /// The `i`-th of `n` parts of it from the left; they overlap at most by rounding and leave nothing out.
@@ -179,6 +160,20 @@ impl<const POINT: u32> Fixed<POINT> {
     /// Its greatest number, as a point.
     pub fn greatest(self) -> Self {
         if self.is_whole() { self } else { Fixed { lo: self.hi, ..self } }
+    }
+
+    /// The roots, to a unit or some 2⁻⁶³ of themselves; the whole line if one may be of a number below 0.
+    pub fn roots(self) -> Self {
+        if self.is_whole() || self.lo < 0 {
+            return Self::WHOLE;
+        }
+        // With P = POINT: √(x 2^−P) = √(x 2^s) 2^(P/2 − s/2) 2^−P for an even s with x 2^s < 2¹²⁷.
+        let root = |x: i128| {
+            let s = ((x | 1).leading_zeros() - 1).min(POINT) & !1;
+            ((x << s).isqrt(), (POINT - s) / 2)
+        };
+        let ((lo, down), (hi, up)) = (root(self.lo), root(self.hi));
+        Self::new(lo << down, (hi + 1) << up)
     }
 
     /// The halves.
