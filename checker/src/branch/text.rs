@@ -74,6 +74,19 @@ fn work(harmonics: u64, pieces: u64, impacts: u64) -> u64 {
 }
 
 impl Certificate {
+    /// The range by what is claimed of stability: neighbouring cells of one claim together.
+    #[must_use]
+    pub fn parts(&self) -> Vec<(Claim, [Decimal; 2])> {
+        let mut parts: Vec<(Claim, [Decimal; 2])> = Vec::new();
+        for cell in &self.cells {
+            match parts.last_mut().filter(|(claim, _)| *claim == cell.claim) {
+                Some((_, [_, to])) => *to = cell.parameter[1],
+                None => parts.push((cell.claim, cell.parameter)),
+            }
+        }
+        parts
+    }
+
     /// The pattern as of an orbit whose impacts are nowhere.
     pub(super) fn impacts(&self) -> Vec<Impact> {
         let nowhere = Decimal { digits: 0, places: 0 };

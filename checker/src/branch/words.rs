@@ -2,7 +2,7 @@
 
 use super::{
     super::motion::words::{pattern, system},
-    Certificate, Claim, Decimal,
+    Certificate,
 };
 
 /// Names and values: the parameter's range, where the orbit is stable, the pattern, the boxes, the
@@ -27,14 +27,7 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
 
 /// Where it is stable, unstable, or nothing is claimed.
 fn stability(certificate: &Certificate) -> String {
-    let mut parts: Vec<(Claim, [Decimal; 2])> = Vec::new();
-    for cell in &certificate.cells {
-        match parts.last_mut().filter(|(claim, _)| *claim == cell.claim) {
-            Some((_, [_, to])) => *to = cell.parameter[1],
-            None => parts.push((cell.claim, cell.parameter)),
-        }
-    }
-    let word = |claim: Claim| if claim == Claim::Open { "open" } else { claim.said() };
-    let all = parts.iter().map(|(claim, [from, to])| format!("{} from {from} to {to}", word(*claim)));
+    let parts = certificate.parts();
+    let all = parts.iter().map(|(claim, [from, to])| format!("{claim} from {from} to {to}"));
     all.collect::<Vec<_>>().join("; ")
 }

@@ -9,11 +9,11 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero, pow};
 
 use super::{
-    ExpectedImpact, Jet, Quotient, Stability, Verdict, admissible,
+    ExpectedImpact, Jet, Quotient, Verdict, admissible,
     krawczyk::{self, Preconditioner, rounded},
     linear::Linear,
     solution::{equations, stability, start},
-    write::{converted, decimal, lists, range_quotient, refusal, side},
+    write::{claim, converted, decimal, lists, range_quotient, refusal, side},
 };
 use crate::{
     certificate::{
@@ -52,27 +52,8 @@ pub struct ProvedBranch {
     pub certificate: Certificate,
     /// Its text.
     pub text: String,
-    /// The least and the greatest value of the parameter.
-    pub range: [BigRational; 2],
     /// Why it goes no further, down and up; none where all is proved that was asked for.
     pub ends: [Option<String>; 2],
-}
-
-impl ProvedBranch {
-    /// Where the orbit is stable or not, neighbouring cells together: the last value of each part, from the
-    /// least one of the range on.
-    #[must_use]
-    pub fn parts(&self) -> Vec<(BigRational, Option<Stability>)> {
-        let mut parts: Vec<(BigRational, Option<Stability>)> = Vec::new();
-        for cell in &self.certificate.cells {
-            let (to, word) = (value(cell.parameter[1]), said(cell.claim));
-            match parts.last_mut().filter(|(_, last)| *last == word) {
-                Some((last, _)) => *last = to,
-                None => parts.push((to, word)),
-            }
-        }
-        parts
-    }
 }
 
 /// The first cell is such a part of the range, and no cell is smaller than the second.
@@ -85,19 +66,22 @@ const OPEN: i64 = 2048;
 const ROOMS: [i64; 3] = [2, 8, 32];
 /// The most cells.
 const CELLS: usize = 2000;
-/// The most decimals of an end that is no decimal.
+/// The most decimals of an end that is no decimal, and those of the shortest range.
 const PLACES: u32 = 20;
+const SHORTEST: usize = 15;
+/// The checker's numbers are below this.
+const FAR: i64 = 1 << 30;
 /// Decimals of rates.
 const RATE: u32 = 12;
 
 /// The orbit over the largest part of the range that is found, up and down from where it is given; or why
 /// there is none.
 ///
-/// Cost: for each cell that is tried O(m³) operations of m impacts, and the checker.
+/// An end of the range that is no decimal is rounded inwards. Where the family is not defined the range ends,
+/// too. Cost: for each cell that is tried O(m³) operations of m impacts, and the checker.
 ///
 /// # Errors
-/// An input error: the value is not in the range, or a coefficient does not fit a certificate; an
-/// interruption.
+/// An input error: the value is not in the range; an interruption.
 pub fn branch(problem: &BranchProblem, monitor: &dyn Monitor) -> Result<Verdict<ProvedBranch>> {
     let [least, greatest] = &problem.over;
     if !(*least <= problem.at && problem.at <= *greatest && least < greatest) {
@@ -105,7 +89,20 @@ pub fn branch(problem: &BranchProblem, monitor: &dyn Monitor) -> Result<Verdict<
             "the range of the parameter must hold the value at which the orbit is known",
         ));
     }
-    let mut search = Search::new(problem)?;
+    if greatest - least < BigRational::new(1.into(), pow(BigInt::from(10), SHORTEST)) {
+        return Ok(Verdict::Undecided(format!(
+            "the range is shorter than 10^-{SHORTEST}: give a longer one"
+        )));
+    }
+    if [least, greatest].iter().any(|end| end.abs() >= BigRational::from_integer(FAR.into())) {
+        let why =
+            "the parameter is not below 2^30 everywhere, where the checker's numbers end: take another unit";
+        return Ok(Verdict::Undecided(why.into()));
+    }
+    let mut search = match Search::new(problem) {
+        Ok(search) => search,
+        Err(why) => return Ok(Verdict::Undecided(why.to_string())),
+    };
     let mut ends = [None, None];
     for way in [Way::Up, Way::Down] {
         ends[way as usize] = search.follow(way, monitor)?;
@@ -117,9 +114,7 @@ pub fn branch(problem: &BranchProblem, monitor: &dyn Monitor) -> Result<Verdict<
     if let Some(why) = refusal(&text) {
         return Ok(Verdict::Undecided(format!("the checker does not accept the branch: {why}")));
     }
-    let cells = &search.certificate.cells;
-    let range = [value(cells[0].parameter[0]), value(cells[cells.len() - 1].parameter[1])];
-    Ok(Verdict::Proved(ProvedBranch { certificate: search.certificate, text, range, ends }))
+    Ok(Verdict::Proved(ProvedBranch { certificate: search.certificate, text, ends }))
 }
 
 /// Which way the parameter goes.
@@ -142,7 +137,8 @@ struct Search<'a> {
     /// Without cells, and with those that are found.
     head: Certificate,
     certificate: Certificate,
-    /// The value that the first cells share, a decimal, and the last tangents, down and up.
+    /// The range's ends and the value that the first cells share, decimals; the last tangents, down and up.
+    over: [BigRational; 2],
     seam: BigRational,
     last: [Tangent; 2],
 }
@@ -163,17 +159,18 @@ impl<'a> Search<'a> {
         let point = point.ok_or_else(|| Error::input("an orbit has finite phases and speeds"))?;
         let rates = vec![BigRational::zero(); point.len()];
         let tangent = Tangent { at: problem.at.clone(), point, rates };
-        // To the nearest decimal in the range.
-        let seam = rounded(&problem.at, PLACES).clamp(problem.over[0].clone(), problem.over[1].clone());
-        Ok(Search { problem, certificate: head.clone(), head, seam, last: [tangent.clone(), tangent] })
+        let over = [Way::Down, Way::Up].map(|way| inwards(&problem.over[way as usize], way));
+        let near =
+            if decimal(&problem.at).is_ok() { problem.at.clone() } else { rounded(&problem.at, PLACES) };
+        let seam = near.clamp(over[0].clone(), over[1].clone());
+        Ok(Search { problem, certificate: head.clone(), head, over, seam, last: [tangent.clone(), tangent] })
     }
 
     /// Cell after cell one way; why there is no next one before the range's end.
     fn follow(&mut self, way: Way, monitor: &dyn Monitor) -> Result<Option<String>> {
-        let [least, greatest] = &self.problem.over;
-        let all = greatest - least;
+        let all = &self.over[1] - &self.over[0];
         let part = |n: i64| &all / BigInt::from(n);
-        let end = inwards(&self.problem.over[way as usize], way);
+        let end = self.over[way as usize].clone();
         let (mut from, mut step) = (self.seam.clone(), part(FIRST));
         loop {
             monitor.advance(0)?;
@@ -185,7 +182,12 @@ impl<'a> Search<'a> {
             }
             let to = beyond(&from, &step, &end, way);
             let ends = if way == Way::Up { [&from, &to] } else { [&to, &from] };
-            let why = match self.cell(ends, way)? {
+            let found = match self.cell(ends, way) {
+                Err(error) if error.is_interrupted() => return Err(error),
+                Err(error) => Err(error.to_string()),
+                Ok(found) => found,
+            };
+            let why = match found {
                 Ok((cell, _)) if cell.claim == Claim::Open && step > part(OPEN) => None,
                 Ok((cell, tangent)) => match self.added(cell, way) {
                     Ok(()) => {
@@ -269,11 +271,7 @@ impl<'a> Search<'a> {
             Verdict::Refuted(why) | Verdict::Undecided(why) => return Ok(Err(why)),
         };
         let (trace, determinant) = equations.multipliers(&unknowns)?;
-        let claim = match stability(&trace.value, &determinant.value, precision) {
-            Some(Stability::Stable) => Claim::Stable,
-            Some(Stability::Unstable) => Claim::Unstable,
-            None => Claim::Open,
-        };
+        let claim = claim(stability(&trace.value, &determinant.value, precision));
         let m = self.problem.impacts.len();
         let line = |i: usize| {
             Ok(Line {
@@ -398,17 +396,4 @@ fn beyond(from: &BigRational, step: &BigRational, end: &BigRational, way: Way) -
         Way::Down => ((from - step) * &scale).ceil().min((from * &scale).ceil() - BigInt::from(1)) / &scale,
     }
     .clamp(end.min(from).clone(), end.max(from).clone())
-}
-
-/// A decimal of a certificate.
-fn value(x: crate::certificate::orbit::Decimal) -> BigRational {
-    BigRational::new(x.digits.into(), pow(BigInt::from(10), x.places as usize))
-}
-
-fn said(claim: Claim) -> Option<Stability> {
-    match claim {
-        Claim::Stable => Some(Stability::Stable),
-        Claim::Unstable => Some(Stability::Unstable),
-        Claim::Open => None,
-    }
 }

@@ -92,7 +92,7 @@ pub fn free_certificate(system: &motion::System<BigRational>, motion: &ProvedFre
 }
 
 /// What is claimed of the multipliers.
-fn claim(stability: Option<Stability>) -> Claim {
+pub(super) fn claim(stability: Option<Stability>) -> Claim {
     match stability {
         Some(Stability::Stable) => Claim::Stable,
         Some(Stability::Unstable) => Claim::Unstable,

@@ -8,12 +8,13 @@ use num_traits::ToPrimitive;
 use super::{
     super::super::{
         Job, Judgement, ProofRow, StabilityRow, ValidateFindings,
-        engine::{Engine, Proof, Prover, SEVERAL_PERIODS},
+        engine::{Proof, Prover, SEVERAL_PERIODS},
         validate::{all, digits, starts},
     },
     Oscillators, named, speeds, turn,
 };
 use crate::{
+    certificate::orbit::{Claim, Decimal},
     continuation::{Bifurcation, BranchSearch, nearest},
     error::{Error, Result},
     local::Rung,
@@ -189,9 +190,10 @@ pub(super) fn branches(
     let job = engine.job;
     let precision = Precision::new(task.bits);
     let (_, at) = &job.scene.parameters[job.scene.parameter(name)?];
+    let floats = job.family(name)?;
     let family = |parameter: &Jet| system_at(job, name, parameter, &precision);
     let system = system_at(job, name, &Quotient::parameter(), &())?;
-    for orbit in starts(task, engine, &<Oscillators as Engine>::system(engine, None)?, found)? {
+    for orbit in starts(task, engine, &floats.at(floats.value())?, found)? {
         job.check()?;
         if !orbit.admissibility.is_admissible() {
             found.nothing(speeds(&orbit), "the solution to begin with is not admissible".into());
@@ -212,7 +214,7 @@ pub(super) fn branches(
         let verdict = timed(job.monitor, rung, || orbit::branch(&problem, job.monitor))?;
         let mut row = ProofRow::of(&verdict, named(&orbit.itinerary, job), solution);
         if let Verdict::Proved(proof) = verdict {
-            over(&mut row, &proof)?;
+            over(&mut row, &proof);
             found.certify(&mut row, &job.task.name, proof.text);
         }
         found.proofs.push(row);
@@ -221,33 +223,29 @@ pub(super) fn branches(
 }
 
 /// What a proof over a range says, in its row.
-fn over(row: &mut ProofRow, proof: &ProvedBranch) -> Result<()> {
-    let text = |x: &BigRational| orbit::decimal(x).map(|x| x.to_string());
-    let [least, greatest] = &proof.range;
-    (row.lower, row.upper) = (Some(text(least)?), Some(text(greatest)?));
-    let parts = proof.parts();
-    row.proved.stable = match &parts[..] {
-        [(_, only)] => Some(judged(*only)),
+fn over(row: &mut ProofRow, proof: &ProvedBranch) {
+    let parts = proof.certificate.parts();
+    row.lower = parts.first().map(|(_, [from, _])| from.to_string());
+    row.upper = parts.last().map(|(_, [_, to])| to.to_string());
+    row.proved.stable = match parts[..] {
+        [(Claim::Stable, _)] => Some(Judgement::Yes),
+        [(Claim::Unstable, _)] => Some(Judgement::No),
+        [(Claim::Open, _)] => Some(Judgement::Marginal),
         _ => None,
     };
-    let mut from = text(least)?;
-    for (to, stability) in &parts {
-        let to = text(to)?;
-        let word = match stability {
-            Some(Stability::Stable) => "stable",
-            Some(Stability::Unstable) => "unstable",
-            None => "",
+    let said = |(claim, [from, to]): (Claim, [Decimal; 2])| {
+        let word = match claim {
+            Claim::Stable => "stable",
+            Claim::Unstable => "unstable",
+            Claim::Open => return None,
         };
-        if !word.is_empty() {
-            row.stability.push(StabilityRow { word, from: Some(from), to: to.clone() });
-        }
-        from = to;
-    }
+        Some(StabilityRow { word, from: Some(from.to_string()), to: to.to_string() })
+    };
+    row.stability = parts.into_iter().filter_map(said).collect();
     let ways = ["down", "up"].iter().zip(&proof.ends);
     let short: Vec<String> =
         ways.filter_map(|(way, end)| Some(format!("{way}: {}", end.as_ref()?))).collect();
     row.range_ends = (!short.is_empty()).then(|| short.join("; "));
-    Ok(())
 }
 
 /// Impacts, parameter and condition near which the event is expected.
