@@ -8,23 +8,12 @@ use serde_json::Value;
 
 use crate::tasks::{refused, run, task};
 
-/// The paper's oscillator.
-const NORDMARK: &str = r#"
-format = "grazing-scene 3"
-title = "the paper's oscillator"
-[parameters]
-d = 0.6
-w = 4.9
-mu = -0.05
-[system]
-damping = "2*d/w"
-stiffness = "1/w^2"
-[[stops]]
-side = "lower"
-offset = -1
-harmonics = [{ k = 1, cos = "1 + mu" }]
-restitution = 1
-"#;
+const EXAMPLE: &str = include_str!("../../examples/scenes/nordmark-2001-branches.toml");
+
+/// The paper's oscillator, without the example's tasks.
+fn nordmark() -> &'static str {
+    EXAMPLE.split("[[tasks]]").next().unwrap()
+}
 
 fn end(row: &Value, name: &str) -> f64 {
     row[name].as_str().unwrap().parse().unwrap()
@@ -36,7 +25,7 @@ fn end(row: &Value, name: &str) -> f64 {
 fn ranges_end_where_orbits_do() {
     let folder = tempfile::tempdir().unwrap();
     let keys = "orbit = { pattern = [4] }\nparameter = \"mu\"\nfrom = -0.09\nto = 0.1";
-    let (report, code, error) = run(NORDMARK, &[task("far", "validate", keys)], folder.path());
+    let (report, code, error) = run(nordmark(), &[task("far", "validate", keys)], folder.path());
     assert_eq!(code, 3, "{error}");
     let found = &report["tasks"][0];
     assert!(found["reason"].as_str().unwrap().contains("which is not all"), "{report}");
@@ -62,7 +51,7 @@ fn ranges_end_where_orbits_do() {
 #[test]
 fn parts_are_stable_as_orbits_at_single_values_are() {
     let folder = tempfile::tempdir().unwrap();
-    let at = |mu: &str| NORDMARK.replace("mu = -0.05", &format!("mu = {mu}"));
+    let at = |mu: &str| nordmark().replace("mu = -0.05", &format!("mu = {mu}"));
     let keys = "orbit = { pattern = [3] }\nparameter = \"mu\"\nfrom = 0.003\nto = 0.01";
     let (report, code, error) = run(&at("0.005"), &[task("flip", "validate", keys)], folder.path());
     assert_eq!(code, 0, "{error}");
@@ -84,10 +73,61 @@ fn parts_are_stable_as_orbits_at_single_values_are() {
         }
     }
     let keys = "orbit = { pattern = [4] }\nparameter = \"w\"\nfrom = 4.88\nto = 4.92";
-    let (report, code, error) = run(NORDMARK, &[task("w", "validate", keys)], folder.path());
+    let (report, code, error) = run(nordmark(), &[task("w", "validate", keys)], folder.path());
     assert_eq!(code, 0, "{error}");
     for row in report["tasks"][0]["proofs"].as_array().unwrap() {
         assert_eq!((row["lower"].as_str(), row["upper"].as_str()), (Some("4.88"), Some("4.92")), "{row}");
+    }
+}
+
+/// What the example says of itself.
+#[test]
+fn the_example_is_proved_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let (report, code, error) = run(EXAMPLE, &[], folder.path());
+    assert_eq!(code, 0, "{error}");
+    let tasks = report["tasks"].as_array().unwrap();
+    let counts: Vec<usize> = tasks.iter().map(|task| task["proofs"].as_array().unwrap().len()).collect();
+    assert_eq!(counts, [2, 1, 1]);
+    for row in tasks.iter().flat_map(|task| task["proofs"].as_array().unwrap()) {
+        assert!(row["verdict"] == "proved" && row["range_ends"].is_null(), "{row}");
+    }
+}
+
+/// Ends where the oscillator is not defined, or that no certificate can hold, are the range's, and ends that
+/// are no decimals are rounded inwards.
+#[test]
+fn edges_of_parameters_end_ranges() {
+    let folder = tempfile::tempdir().unwrap();
+    let row = |scene: &str, keys: &str| {
+        let (report, code, error) = run(scene, &[task("edge", "validate", keys)], folder.path());
+        let rows = report["tasks"][0]["proofs"].as_array().unwrap().clone();
+        assert!(!rows.is_empty(), "{report} {error}");
+        (rows, code)
+    };
+    // A restitution below 0 there is not.
+    let (rows, code) = row(nordmark(), "orbit = { pattern = [4] }\nparameter = \"tau\"\nfrom = -0.5");
+    assert_eq!(code, 3);
+    for row in &rows {
+        let (lower, upper) = (end(row, "lower"), end(row, "upper"));
+        assert!(row["verdict"] == "proved" && lower >= 0.0 && lower < 1.0 && upper == 1.0, "{row}");
+        assert!(row["range_ends"].as_str().unwrap().starts_with("down: "), "{row}");
+    }
+    // A third is no decimal.
+    let third = nordmark().replace("mu = -0.05", "mu = \"-1/30\"");
+    let (rows, code) = row(&third, "orbit = { pattern = [4] }\nparameter = \"mu\"\nto = \"-2/61\"");
+    assert_eq!(code, 0);
+    for row in &rows {
+        let ends = (row["lower"].as_str(), row["upper"].as_str());
+        assert_eq!(ends, (Some("-0.03333333333333333333"), Some("-0.03278688524590163935")), "{row}");
+    }
+    for (keys, expected) in
+        [("from = -0.05\nto = \"-0.05 + 10^-16\"", "shorter than 10^-15"), ("to = 1e10", "below 2^30")]
+    {
+        let keys = format!("orbit = {{ pattern = [4] }}\nparameter = \"mu\"\n{keys}");
+        let (rows, code) = row(nordmark(), &keys);
+        assert_eq!(code, 3);
+        assert!(rows[0]["reason"].as_str().unwrap().contains(expected), "{rows:?}");
     }
 }
 
@@ -105,7 +145,7 @@ fn ranges_that_cannot_be_are_refused() {
         ("orbit = { pattern = [] }\nparameter = \"mu\"\nfrom = -0.06".into(), "must have an impact"),
         ("orbit = { pattern = [4] }\nparameter = \"nu\"\nfrom = -0.06".into(), "nu"),
     ] {
-        let error = refused(NORDMARK, &[task("v", "validate", &keys)], folder.path());
+        let error = refused(nordmark(), &[task("v", "validate", &keys)], folder.path());
         assert!(error.contains(expected), "{keys}: {error}");
     }
 }

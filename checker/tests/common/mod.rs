@@ -26,6 +26,7 @@ pub const RANGE_ALONE: &str = include_str!("../data/range-alone.txt");
 pub const RANGE_BEFORE: &str = include_str!("../data/range-before.txt");
 pub const BRANCH: &str = include_str!("../data/branch.txt");
 pub const BRANCH_2: &str = include_str!("../data/branch-2.txt");
+pub const BRANCH_SPLICED: &str = include_str!("../data/branch-spliced.txt");
 pub const SINGLE_1: &str = include_str!("../data/single-1.txt");
 pub const SINGLE_2: &str = include_str!("../data/single-2.txt");
 pub const SINGLE_3: &str = include_str!("../data/single-3.txt");
