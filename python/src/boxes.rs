@@ -2,11 +2,10 @@
 
 use grazing::{
     Error, Monitor, Result,
-    existence::Case,
     local::Region,
     num_rational::BigRational,
-    search::{Certified, WordPlace, certify_word},
-    tolerance::{ParameterBox, Partition, Share, Spread, Statement},
+    search::WordPlace,
+    tolerance::{LAST_PERIOD, MOST_CELLS, ParameterBox, Partition, Share, Spread, Subject, Verdict},
     word::{Rectangle, Word},
 };
 use pyo3::{prelude::*, types::PyModule, wrap_pyfunction};
@@ -14,7 +13,7 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     exact::Exact,
-    places::{Told, certificate_kind, check_limits, side},
+    places::{Told, certificate_kind, certified, check_limits, side},
     watch::{Watch, watched},
 };
 
@@ -76,18 +75,9 @@ fn word_in_box(
             ));
         };
         let kind = certificate_kind(&certificate, max_period)?;
-        let all: Vec<&Word> = words.iter().collect();
-        let found = certify_word(WordPlace::Rectangle(rectangle), &all, kind, &mut || watch.is_over())?;
-        Ok(match found {
-            Certified::Text(text) => (report, Some(text), None),
-            Certified::Undecided(why) => (report, None, Some(why)),
-        })
+        certified(report, WordPlace::Rectangle(rectangle), &words, kind, watch)
     })
 }
-
-/// The most cells, as on the command line, and the largest period of which a box is asked.
-const MOST_CELLS: u64 = 1_000_000;
-const LAST: u64 = 400;
 
 /// The shares of a box in which chaos is born, each period occurs, each word is that of the point: JSON.
 #[pyfunction]
@@ -104,8 +94,8 @@ fn shares(
         if !(1..=MOST_CELLS).contains(&cells) {
             return Err(Error::input(format!("cells = {cells}: from 1 to {MOST_CELLS}")));
         }
-        if !(1..=LAST).contains(&last) {
-            return Err(Error::input(format!("max_period = {last}: from 1 to {LAST} of a box")));
+        if !(1..=LAST_PERIOD).contains(&last) {
+            return Err(Error::input(format!("max_period = {last}: from 1 to {LAST_PERIOD} of a box")));
         }
         Ok(all_shares(&of(&kind, ends(first), ends(second))?, cells, last, watch)?.to_string())
     })
@@ -115,46 +105,30 @@ fn all_shares(of: &ParameterBox, cells: u64, last: u64, watch: &Watch) -> Result
     watch.begin(0, "cells");
     let partition = Partition::new(of, cells, watch)?;
     let sign = |positive: bool| if positive { 1 } else { -1 };
-    let mut rows = Vec::new();
-    let mut tell = |what: &str, positive: bool, more: Json, share: &Share| {
-        let mut row = told(share);
+    let gamma = of.gamma_is_positive();
+    let row = |Verdict { subject, share }| {
+        let (what, positive, more) = match subject {
+            Subject::Chaos(signs) => {
+                let gamma = signs.gamma.or(gamma).map(sign);
+                ("chaos", signs.positive, json!({ "sign_gamma": gamma }))
+            }
+            Subject::Period { positive, n } => ("period", positive, json!({ "n": n })),
+            Subject::Word { positive, word } => {
+                let periods: Vec<u64> = word.vertices().iter().map(|vertex| vertex.period).collect();
+                let more =
+                    json!({ "letters": word.letters(), "periods": periods, "endless": word.is_endless() });
+                ("word", positive, more)
+            }
+        };
+        let mut row = told(&share);
         row["what"] = json!(what);
         row["sign_emu"] = json!(sign(positive));
         if let (Json::Object(row), Json::Object(more)) = (&mut row, more) {
             row.extend(more);
         }
-        rows.push(row);
+        row
     };
-    let gamma = of.gamma_is_positive();
-    for positive in [true, false] {
-        if of.has_gamma() {
-            let share = partition.share(Statement::ChaosAt { positive });
-            tell("chaos", positive, json!({ "sign_gamma": gamma.map(sign) }), &share);
-            continue;
-        }
-        for gamma in [true, false] {
-            let case = Case::from_signs(positive, positive == gamma);
-            tell(
-                "chaos",
-                positive,
-                json!({ "sign_gamma": sign(gamma) }),
-                &partition.share(Statement::Chaos(case)),
-            );
-        }
-    }
-    for positive in [true, false] {
-        for n in 1..=last {
-            let share = partition.share(Statement::Period { positive, n });
-            if share.spread() != Spread::Nowhere {
-                tell("period", positive, json!({ "n": n }), &share);
-            }
-        }
-        for (word, share) in partition.words(positive) {
-            let periods: Vec<u64> = word.vertices().iter().map(|vertex| vertex.period).collect();
-            let more = json!({ "letters": word.letters(), "periods": periods, "endless": word.is_endless() });
-            tell("word", positive, more, &share);
-        }
-    }
+    let rows: Vec<Json> = partition.verdicts(of.signs(), last).into_iter().map(row).collect();
     Ok(json!({
         "sign_gamma": gamma.map(sign),
         "cells": partition.cells(),

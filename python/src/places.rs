@@ -13,7 +13,11 @@ use grazing::{
 use pyo3::{prelude::*, types::PyModule, wrap_pyfunction};
 use serde_json::{Value as Json, json};
 
-use crate::{exact::Exact, failure::raise, watch::watched};
+use crate::{
+    exact::Exact,
+    failure::raise,
+    watch::{Watch, watched},
+};
 
 pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(word, module)?)?;
@@ -58,6 +62,21 @@ pub fn certificate_kind(name: &str, last: u64) -> Result<WordCertificate> {
     }
 }
 
+/// A report of words with the certificate of them, or why there is none.
+pub fn certified(
+    report: String,
+    at: WordPlace,
+    words: &[Word],
+    kind: WordCertificate,
+    watch: &Watch,
+) -> Result<Told> {
+    let words: Vec<&Word> = words.iter().collect();
+    Ok(match certify_word(at, &words, kind, &mut || watch.is_over())? {
+        Certified::Text(text) => (report, Some(text), None),
+        Certified::Undecided(why) => (report, None, Some(why)),
+    })
+}
+
 /// The words at a point, and a certificate if one is asked for.
 #[pyfunction]
 fn word(
@@ -90,11 +109,7 @@ fn word(
                 "a certificate for a2 > 1: certify the time-reversed system, at a1/a2 and 1/a2 (or 1/r and s)",
             ));
         }
-        let all: Vec<&Word> = words.iter().collect();
-        Ok(match certify_word(WordPlace::Point(&place.point), &all, kind, &mut || watch.is_over())? {
-            Certified::Text(text) => (report.to_string(), Some(text), None),
-            Certified::Undecided(why) => (report.to_string(), None, Some(why)),
-        })
+        certified(report.to_string(), WordPlace::Point(&place.point), &words, kind, watch)
     })
 }
 

@@ -33,8 +33,10 @@ mod normal;
 mod parameters;
 mod partition;
 mod tube;
+mod verdicts;
 
 pub use change::{Change, Excursion, Toward};
 pub use normal::{DEVIATIONS, NormalParameters};
 pub use parameters::ParameterBox;
 pub use partition::{Leaf, Partition, Share, Spread, Statement};
+pub use verdicts::{LAST_PERIOD, MOST_CELLS, Signs, Subject, Verdict};

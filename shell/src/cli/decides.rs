@@ -9,18 +9,19 @@ use serde_json::{Value as Json, json};
 use super::{
     Outcome,
     place::{self, Given, Parameter},
+    pretty,
     progress::{Interrupt, Progress},
     reported,
-    shares::{self, Limits, Signs, sign},
+    shares::{self, Limits, sign},
     word::Format,
 };
 use crate::{
-    error::{Error, Result},
+    error::Result,
     output::{
         Caption, Column, Destination, Print, Setting, TableCell, TableFormat, TableWriter, decimal_above,
         decimal_below, decimal_near,
     },
-    tolerance::{Change, Excursion, Leaf, Statement, Toward},
+    tolerance::{Change, Excursion, Leaf, Signs, Statement, Toward},
     word::Word,
 };
 
@@ -182,7 +183,7 @@ impl Given {
 fn asked(given: &Given, from: &Leaf, last: u64) -> Vec<Question> {
     let new = |what, signs, n| Question { what, signs, n, holds: None, rows: Vec::new() };
     let mut all: Vec<Question> =
-        shares::signs(&given.of).into_iter().map(|signs| new("chaos", signs, None)).collect();
+        given.of.signs().into_iter().map(|signs| new("chaos", signs, None)).collect();
     for positive in [true, false] {
         let signs = Signs { positive, gamma: None };
         all.push(new("word", signs, None));
@@ -215,18 +216,12 @@ pub(super) fn run(
     destination: &Destination,
     interrupt: &Interrupt,
 ) -> Result<Outcome> {
-    let table = match format {
-        Format::Text | Format::Json => None,
-        Format::Csv => Some(TableFormat::Csv),
-        Format::Latex => Some(TableFormat::Latex),
-        Format::LatexSiunitx => Some(TableFormat::LatexSiunitx),
-        Format::Dot => return Err(Error::input("--format dot draws pattern graphs: leave out --decides")),
-    };
+    let format = format.of_table("--decides")?;
     let report = Report::new(given, limits, interrupt)?;
-    let written = destination.write(|out| match table {
-        Some(format) => write_table(&report, format, out),
-        None if format == Format::Json => write_json(&report, out),
-        None => Ok(out.write_all(text(&report).as_bytes())?),
+    let written = destination.write(|out| match format {
+        TableFormat::Table => Ok(out.write_all(text(&report).as_bytes())?),
+        TableFormat::Json => write_json(&report, out),
+        table => write_table(&report, table, out),
     });
     reported(if report.is_open() { Outcome::Undecided } else { Outcome::Done }, written)
 }
@@ -269,7 +264,7 @@ fn text(report: &Report) -> String {
 
 /// What is asked, what is true at the point, and which parameters decide it within their tolerances.
 fn title(report: &Report, question: &Question) -> String {
-    let name = question.signs.name();
+    let name = shares::spoken(question.signs);
     let is = |yes, no| match question.holds {
         Some(true) => yes,
         Some(false) => no,
@@ -413,9 +408,7 @@ fn write_json(report: &Report, out: &mut dyn Write) -> Result<()> {
         "cells": report.cells,
         "questions": questions,
     });
-    serde_json::to_writer_pretty(&mut *out, &all)
-        .map_err(|error| Error::from(std::io::Error::from(error)))?;
-    Ok(writeln!(out)?)
+    pretty(&all, out)
 }
 
 fn write_table(report: &Report, format: TableFormat, out: &mut dyn Write) -> Result<()> {
@@ -444,7 +437,7 @@ fn write_table(report: &Report, format: TableFormat, out: &mut dyn Write) -> Res
     let mut table = TableWriter::set(out, format, "grazing-decides 1", columns, setting)?;
     for question in &report.questions {
         let signs = question.signs;
-        let case = signs.in_maths();
+        let case = shares::in_maths(signs);
         for row in &question.rows {
             let (before, by) = ends(given, row);
             let parameter = &given.parameters[row.parameter];

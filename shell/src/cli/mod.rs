@@ -256,6 +256,12 @@ fn reported(outcome: Outcome, written: Result<()>) -> Result<Outcome> {
     }
 }
 
+/// One JSON value, over several lines.
+fn pretty(value: &serde_json::Value, out: &mut dyn io::Write) -> Result<()> {
+    serde_json::to_writer_pretty(&mut *out, value).map_err(|error| Error::from(io::Error::from(error)))?;
+    Ok(writeln!(out)?)
+}
+
 fn run(cli: Cli, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     match cli.command {
         Command::Verify(args) => verify::run(&args, files, interrupt),

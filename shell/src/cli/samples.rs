@@ -36,6 +36,11 @@ pub(super) fn read(file: &Path, files: &FileRegistry) -> Result<(Vec<ParameterBo
             "{name}: the first line names the columns, one of these sets: {known}"
         )));
     };
+    let (names, of): (_, fn(_, _) -> _) = match columns[0] {
+        "r" => (["r", "s"], ParameterBox::polar),
+        "a1" => (["a1", "a2"], ParameterBox::plane),
+        _ => (["ratio", "damping_ratio"], ParameterBox::machine),
+    };
     let mut samples = Vec::new();
     let mut hull: Option<[[BigRational; 2]; 2]> = None;
     for (index, row) in reader.records().enumerate() {
@@ -47,11 +52,6 @@ pub(super) fn read(file: &Path, files: &FileRegistry) -> Result<(Vec<ParameterBo
             .collect::<Result<_>>()
             .map_err(in_row)?;
         let point = sample(columns[0], &values).map_err(in_row)?;
-        let of = match columns[0] {
-            "r" => ParameterBox::polar,
-            "a1" => ParameterBox::plane,
-            _ => ParameterBox::machine,
-        };
         let [first, second] = point.each_ref().map(|x| [x.clone(), x.clone()]);
         samples.push(of(first, second).map_err(in_row)?);
         match &mut hull {
@@ -68,11 +68,6 @@ pub(super) fn read(file: &Path, files: &FileRegistry) -> Result<(Vec<ParameterBo
         }
     }
     let [first, second] = hull.ok_or_else(|| Error::input(format!("{name}: no samples")))?;
-    let names = match columns[0] {
-        "r" => ["r", "s"],
-        "a1" => ["a1", "a2"],
-        _ => ["ratio", "damping_ratio"],
-    };
     Ok((samples, [(names[0], first), (names[1], second)]))
 }
 

@@ -9,25 +9,24 @@ use serde_json::{Value as Json, json};
 use super::{
     Outcome,
     place::{self, Bounds},
+    pretty,
     progress::{Interrupt, Progress},
     reported,
     word::Format,
 };
 use crate::{
     error::{Error, Result},
-    existence::Case,
     output::{
         Caption, Column, Destination, Print, Setting, TableCell, TableFormat, TableWriter, decimal_above,
         decimal_below, decimal_or_fraction,
     },
-    tolerance::{DEVIATIONS, Leaf, NormalParameters, ParameterBox, Partition, Share, Spread, Statement},
+    tolerance::{
+        DEVIATIONS, LAST_PERIOD, Leaf, MOST_CELLS, NormalParameters, ParameterBox, Partition, Share, Signs,
+        Spread, Subject, Verdict,
+    },
     word::{Extent, Word},
 };
 
-/// The most --cells.
-const MOST_CELLS: u64 = 1_000_000;
-/// The largest period of which a box is asked.
-const LAST: u64 = 400;
 /// How many words of one sign of eµ the text lists.
 const WORDS: usize = 12;
 
@@ -43,27 +42,14 @@ impl Limits {
         if !(1..=MOST_CELLS).contains(&self.cells) {
             return Err(Error::input(format!("--cells {}: from 1 to {MOST_CELLS}", self.cells)));
         }
-        if !(1..=LAST).contains(&self.last) {
-            return Err(Error::input(format!("--max-period {}: from 1 to {LAST} of a box", self.last)));
+        if !(1..=LAST_PERIOD).contains(&self.last) {
+            return Err(Error::input(format!(
+                "--max-period {}: from 1 to {LAST_PERIOD} of a box",
+                self.last
+            )));
         }
         Ok(())
     }
-}
-
-/// A sign of eµ and, where γ is free, one of γ.
-#[derive(Clone, Copy)]
-pub(super) struct Signs {
-    pub positive: bool,
-    pub gamma: Option<bool>,
-}
-
-/// The signs that are told apart: a machine has its own γ.
-pub(super) fn signs(of: &ParameterBox) -> Vec<Signs> {
-    let both = [true, false];
-    if of.has_gamma() {
-        return both.map(|positive| Signs { positive, gamma: None }).to_vec();
-    }
-    both.into_iter().flat_map(|positive| both.map(|gamma| Signs { positive, gamma: Some(gamma) })).collect()
 }
 
 /// How the parts of a box count.
@@ -111,23 +97,12 @@ impl<'a> Report<'a> {
         self.partition.share(signs.chaos())
     }
 
-    fn orbit(&self, signs: Signs, n: u64) -> Share {
-        self.partition.share(match signs.case() {
-            Some(case) => Statement::Orbit { case, n },
-            None => Statement::OrbitAt { positive: signs.positive, n },
-        })
-    }
-
-    fn period(&self, positive: bool, n: u64) -> Share {
-        self.partition.share(Statement::Period { positive, n })
-    }
-
     fn gamma_of(&self, signs: Signs) -> Option<bool> {
         signs.gamma.or(self.gamma)
     }
 
     /// The box in LaTeX.
-    fn in_maths(&self) -> String {
+    fn in_latex(&self) -> String {
         place::in_latex(self.bounds)
     }
 
@@ -147,34 +122,19 @@ impl<'a> Report<'a> {
     }
 }
 
-impl Signs {
-    fn case(self) -> Option<Case> {
-        let gamma = self.gamma?;
-        // The case with these signs, b and c being those of an orbit in it.
-        Some(Case::from_signs(self.positive, self.positive == gamma))
+/// Signs in text.
+pub(super) fn spoken(signs: Signs) -> String {
+    match signs.case() {
+        Some(case) => format!("case {case}"),
+        None => format!("e*mu {} 0", if signs.positive { '>' } else { '<' }),
     }
+}
 
-    /// That chaos is born.
-    pub fn chaos(self) -> Statement<'static> {
-        match self.case() {
-            Some(case) => Statement::Chaos(case),
-            None => Statement::ChaosAt { positive: self.positive },
-        }
-    }
-
-    pub fn name(self) -> String {
-        match self.case() {
-            Some(case) => format!("case {case}"),
-            None => format!("e*mu {} 0", if self.positive { '>' } else { '<' }),
-        }
-    }
-
-    /// The same in LaTeX's maths mode.
-    pub fn in_maths(self) -> String {
-        match self.case() {
-            Some(case) => case.to_string(),
-            None => format!("e\\mu {} 0", if self.positive { '>' } else { '<' }),
-        }
+/// The same in LaTeX's maths mode.
+pub(super) fn in_maths(signs: Signs) -> String {
+    match signs.case() {
+        Some(case) => case.to_string(),
+        None => format!("e\\mu {} 0", if signs.positive { '>' } else { '<' }),
     }
 }
 
@@ -235,20 +195,15 @@ pub(super) fn run(
     destination: &Destination,
     interrupt: &Interrupt,
 ) -> Result<Outcome> {
-    let table = match format {
-        Format::Text | Format::Json => None,
-        Format::Csv => Some(TableFormat::Csv),
-        Format::Latex => Some(TableFormat::Latex),
-        Format::LatexSiunitx => Some(TableFormat::LatexSiunitx),
-        Format::Dot => return Err(Error::input("--format dot draws pattern graphs: leave out --shares")),
-    };
+    let option = if matches!(of.1, Weight::Samples(_)) { "--samples" } else { "--shares" };
+    let format = format.of_table(option)?;
     let report = Report::new(of, bounds, &limits, interrupt)?;
     let rows = rows(&report, limits.last);
     let open = rows.iter().any(|row| row.word.is_none() && row.share.spread() == Spread::Open);
-    let written = destination.write(|out| match table {
-        Some(format) => write_table(&report, &rows, format, out),
-        None if format == Format::Json => write_json(&report, &rows, out),
-        None => Ok(out.write_all(text(&report, &rows).as_bytes())?),
+    let written = destination.write(|out| match format {
+        TableFormat::Table => Ok(out.write_all(text(&report, &rows).as_bytes())?),
+        TableFormat::Json => write_json(&report, &rows, out),
+        table => write_table(&report, &rows, table, out),
     });
     reported(if open { Outcome::Undecided } else { Outcome::Done }, written)
 }
@@ -267,33 +222,26 @@ struct Row {
 
 /// Everything that is said: chaos, periods, words.
 fn rows(report: &Report, last: u64) -> Vec<Row> {
-    let mut rows = Vec::new();
-    for signs in signs(report.of) {
-        rows.push(Row {
+    let row = |Verdict { subject, share }| match subject {
+        Subject::Chaos(signs) => Row {
             what: "chaos",
             positive: signs.positive,
             gamma: report.gamma_of(signs),
             n: None,
             word: None,
-            name: signs.name(),
-            share: report.chaos(signs),
-        });
-    }
-    for positive in [true, false] {
-        for n in 1..=last {
-            let share = report.period(positive, n);
+            name: spoken(signs),
+            share,
+        },
+        Subject::Period { positive, n } => {
             let name = format!("period {n}");
-            let row = Row { what: "period", positive, gamma: None, n: Some(n), word: None, name, share };
-            if row.share.spread() != Spread::Nowhere {
-                rows.push(row);
-            }
+            Row { what: "period", positive, gamma: None, n: Some(n), word: None, name, share }
         }
-        for (word, share) in report.partition.words(positive) {
+        Subject::Word { positive, word } => {
             let name = word.letters();
-            rows.push(Row { what: "word", positive, gamma: None, n: None, word: Some(word), name, share });
+            Row { what: "word", positive, gamma: None, n: None, word: Some(word), name, share }
         }
-    }
-    rows
+    };
+    report.partition.verdicts(report.of.signs(), last).into_iter().map(row).collect()
 }
 
 fn text(report: &Report, rows: &[Row]) -> String {
@@ -425,9 +373,7 @@ fn write_json(report: &Report, rows: &[Row], out: &mut dyn Write) -> Result<()> 
             json!({ "letters": row.name, "periods": periods, "endless": word.map(Word::is_endless) })
         }),
     });
-    serde_json::to_writer_pretty(&mut *out, &all)
-        .map_err(|error| Error::from(std::io::Error::from(error)))?;
-    Ok(writeln!(out)?)
+    pretty(&all, out)
 }
 
 fn write_table(report: &Report, rows: &[Row], format: TableFormat, out: &mut dyn Write) -> Result<()> {
@@ -445,7 +391,7 @@ fn write_table(report: &Report, rows: &[Row], format: TableFormat, out: &mut dyn
         text: format!(
             "Where in the box {} chaos is born, a period can occur between impacts, and a word is that of the \
              point: bounds of the share of {}.",
-            report.in_maths(),
+            report.in_latex(),
             match report.weight {
                 Weight::Size => "the box",
                 Weight::Normal(_) => "a normal distribution around its middle",
@@ -458,9 +404,8 @@ fn write_table(report: &Report, rows: &[Row], format: TableFormat, out: &mut dyn
     let mut table = TableWriter::set(out, format, "grazing-shares 1", columns, setting)?;
     for row in rows {
         let [lower, upper] = ends(&row.share);
-        let signs = Signs { positive: row.positive, gamma: row.gamma };
         let mut cells = vec![TableCell::Text(row.what)];
-        let case = signs.in_maths();
+        let case = in_maths(Signs { positive: row.positive, gamma: row.gamma });
         cells.extend(signs_cells(print, Some((row.positive, row.gamma)), &case));
         cells.extend([
             row.n.map_or(TableCell::Empty, |n| TableCell::Int(n as i64)),
@@ -506,7 +451,8 @@ pub(super) fn classify(
     let report = Report::new((of, Weight::Size), bounds, &limits, interrupt)?;
     let mut rows: Vec<(u64, Option<Signs>, Share)> = Vec::new();
     for n in 1..=limits.last {
-        let all = signs(report.of).into_iter().map(|signs| (n, Some(signs), report.orbit(signs, n)));
+        let share = |signs: Signs| report.partition.share(signs.orbit(n));
+        let all = report.of.signs().into_iter().map(|signs| (n, Some(signs), share(signs)));
         let (none, some): (Vec<_>, Vec<_>) = all.partition(|row| row.2.spread() == Spread::Nowhere);
         if some.is_empty() {
             rows.extend(none.into_iter().take(1).map(|(n, _, share)| (n, None, share)));
@@ -517,8 +463,8 @@ pub(super) fn classify(
     let written = destination.write(|out| {
         if format == TableFormat::Table && destination.is_stdout() {
             writeln!(out, "{}", report.heading())?;
-            for signs in signs(report.of) {
-                writeln!(out, "{}: chaos is born {}", signs.name(), said(&report.chaos(signs), report.weight))?;
+            for signs in report.of.signs() {
+                writeln!(out, "{}: chaos is born {}", spoken(signs), said(&report.chaos(signs), report.weight))?;
             }
         }
         let print = format.is_print();
@@ -532,7 +478,7 @@ pub(super) fn classify(
             text: format!(
                 "Orbits with one impact in $n$ periods in the box {}: in which case they exist everywhere, or \
                  in a part of it, and bounds of its share.",
-                report.in_maths()
+                report.in_latex()
             ),
             label: "tab:classify-box".into(),
         };
@@ -541,7 +487,7 @@ pub(super) fn classify(
         for (n, signs, share) in &rows {
             let [lower, upper] = ends(share);
             let signs = signs.map(|signs| (signs.positive, report.gamma_of(signs)));
-            let case = signs.map_or(String::new(), |(positive, gamma)| Signs { positive, gamma }.in_maths());
+            let case = signs.map_or(String::new(), |(positive, gamma)| in_maths(Signs { positive, gamma }));
             let mut cells = vec![TableCell::Int(*n as i64), TableCell::Text(name(share.spread()))];
             cells.extend(signs_cells(print, signs, &case));
             cells.extend([TableCell::Text(&lower), TableCell::Text(&upper)]);

@@ -14,7 +14,7 @@ use super::{
     classify::describe,
     decides,
     place::{self, Asked, Bounds, Place, REVERSED},
-    reported, returns, samples,
+    pretty, reported, returns, samples,
     shares::{Limits, Weight},
 };
 use crate::{
@@ -143,6 +143,22 @@ pub(super) enum Format {
     LatexSiunitx,
 }
 
+impl Format {
+    /// As the format of a table; `option` is what prints no graphs.
+    pub fn of_table(self, option: &str) -> Result<TableFormat> {
+        match self {
+            Format::Text => Ok(TableFormat::Table),
+            Format::Json => Ok(TableFormat::Json),
+            Format::Csv => Ok(TableFormat::Csv),
+            Format::Latex => Ok(TableFormat::Latex),
+            Format::LatexSiunitx => Ok(TableFormat::LatexSiunitx),
+            Format::Dot => {
+                Err(Error::input(format!("--format dot draws pattern graphs: leave out {option}")))
+            }
+        }
+    }
+}
+
 /// One sign of γ of a word.
 struct Case {
     relation: Relation,
@@ -242,14 +258,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
 
 /// `--returns`.
 fn return_times(args: &Args, destination: &Destination, interrupt: &Interrupt) -> Result<Outcome> {
-    let format = match args.format {
-        Format::Text => TableFormat::Table,
-        Format::Json => TableFormat::Json,
-        Format::Csv => TableFormat::Csv,
-        Format::Latex => TableFormat::Latex,
-        Format::LatexSiunitx => TableFormat::LatexSiunitx,
-        Format::Dot => return Err(Error::input("--format dot draws pattern graphs: leave out --returns")),
-    };
+    let format = args.format.of_table("--returns")?;
     let (forward, at) = match args.place.asked()? {
         Asked::Point(point) => (point.forward()?, point.coordinates()),
         Asked::Box(..) => {
@@ -584,9 +593,7 @@ fn json_report(given: &Given, sides: &[Side], certificate: Option<&Path>, out: &
         "words": sides,
         "certificate": certificate.map(|path| path.display().to_string()),
     });
-    serde_json::to_writer_pretty(&mut *out, &report)
-        .map_err(|error| Error::from(std::io::Error::from(error)))?;
-    Ok(writeln!(out)?)
+    pretty(&report, out)
 }
 
 fn json_case(case: &Case) -> Json {
