@@ -239,7 +239,7 @@ class StartPanel implements Panel {
     const beyond = drive > 1;
     parts.says.textContent =
       drive < 1
-        ? `Before the touch: only the free motion is seen. The mass rests, and the stop stays ${Number((1 - drive).toFixed(6))} below it.`
+        ? `Before the touch: the mass rests, and stays at rest. The stop stays ${Number((1 - drive).toFixed(6))} below it; a mass that is thrown may hit it.`
         : beyond
           ? "Beyond the touch: the mass cannot rest any more. However gently it is touched, it jumps."
           : "The touch: the stop just reaches the mass, at no speed.";
@@ -261,7 +261,7 @@ class StartPanel implements Panel {
     if (!row) return "…";
     const apart = `with impacts ${either(row.periods)} periods of the drive apart`;
     if (row.chaos) return `chaos, motions ${apart}, in endlessly many sequences. Near the touch all are unstable: you see something else.`;
-    return `motions ${apart}, unstable, and no chaos. You do not see them: the free motion attracts.`;
+    return `motions ${apart}, and no chaos. Near the touch all are unstable: a mass at rest stays at rest.`;
   }
 
   /** What the certificate proves of every drive beyond the touch; null while it is not checked, or where it is refused. */
