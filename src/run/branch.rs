@@ -4,9 +4,9 @@
 use serde::Serialize;
 
 use super::{
-    Analysed, Finding, Job, Lines, Status,
+    Analysed, Finding, Job, Lines, PieceProofs, Status,
     engine::{AnalysedEvent, Branches, Engine, OrbitSource, by_engine},
-    row,
+    pieces, row,
 };
 use crate::{
     attractor::detection::Detection,
@@ -42,6 +42,8 @@ row! {
         pub criticality: Option<&'static str>,
         /// The branch's length from the start, negative on the backward side.
         pub length: f64,
+        /// The file of the certificate that proves that there is an orbit, and that near this one.
+        pub certificate: Option<String>,
     }
 }
 
@@ -105,6 +107,8 @@ pub struct BranchFindings {
     pub starts: Vec<StartRow>,
     /// The labelled points.
     pub labels: Vec<BranchRow>,
+    /// What is proved of them; null if that was not asked for.
+    pub proofs: Option<PieceProofs>,
     /// Every point. Not in JSON: it is the task's CSV file.
     #[serde(skip)]
     pub rows: Vec<BranchRow>,
@@ -128,7 +132,8 @@ impl Finding for BranchFindings {
                 .find(|end| lost(end))
                 .map(|end| format!("branch {i} was not followed to an end: {end}"))
         });
-        broken.map_or(Status::Done, Status::undecided)
+        let proved = || self.proofs.as_ref().map_or(Status::Done, PieceProofs::status);
+        broken.map_or_else(proved, Status::undecided)
     }
 
     fn lines(&self, lines: &mut Lines) {
@@ -141,6 +146,9 @@ impl Finding for BranchFindings {
             if let Some(meaning) = kind.meaning().filter(|_| self.labels.iter().any(is_one)) {
                 lines.say(kind.name(), meaning);
             }
+        }
+        if let Some(proofs) = &self.proofs {
+            proofs.lines(lines);
         }
     }
 }
@@ -166,10 +174,15 @@ where
             follow(&task.starts, &source, range, way, &task.options, job)?
         }
     };
+    let (proofs, marks) = match task.prove {
+        true => pieces::prove(&branches, &task.parameter, engine, job)
+            .map(|(proofs, marks)| (Some(proofs), marks))?,
+        false => (None, Vec::new()),
+    };
     let varied: Vec<String> = [&task.parameter].into_iter().chain(&task.second).cloned().collect();
     let mut rows = Vec::new();
     for (branch, number) in branches.iter().zip(1..) {
-        for point in &branch.points {
+        for (point, place) in branch.points.iter().zip(0..) {
             let names = varied.iter().map(String::as_str);
             let at: Vec<(&str, f64)> = names.zip(point.parameters.iter().copied()).collect();
             let AnalysedEvent { orbit, form, .. } = source.analysed(&point.orbit, &at, point.event)?;
@@ -184,6 +197,7 @@ where
                 coefficient,
                 criticality,
                 length: point.length,
+                certificate: marks.get(number - 1).and_then(|marks| marks[place].clone()),
             });
         }
     }
@@ -192,6 +206,7 @@ where
         points: rows.len(),
         starts,
         labels: rows.iter().filter(|row| row.label.is_some()).cloned().collect(),
+        proofs,
         rows,
         branches: branches.into(),
     })

@@ -190,13 +190,12 @@ pub(super) fn starts<E: Engine>(
 impl Proved {
     /// What a verdict says by itself.
     pub(super) fn of<T>(verdict: &Verdict<T>, pattern: Option<String>) -> Proved {
-        let (verdict, reason) = match verdict {
-            Verdict::Proved(_) => ("proved", None),
-            Verdict::Refuted(why) => ("refuted", Some(why.clone())),
-            Verdict::Undecided(why) => ("undecided", Some(why.clone())),
+        let reason = match verdict {
+            Verdict::Proved(_) => None,
+            Verdict::Refuted(why) | Verdict::Undecided(why) => Some(why.clone()),
         };
         Proved {
-            verdict,
+            verdict: verdict.word(),
             pattern,
             reason,
             phases: None,

@@ -9,6 +9,7 @@ mod bifurcations;
 mod formats;
 mod forms;
 mod input;
+mod proved_branches;
 mod proved_ranges;
 mod scales;
 mod scene_runs;

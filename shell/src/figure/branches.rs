@@ -1,4 +1,5 @@
-//! Branches of periodic orbits over a parameter, with attractors behind them: stable solid, unstable broken.
+//! Branches of periodic orbits over a parameter, with attractors behind them: stable solid, unstable broken,
+//! what is proved on a band.
 
 use std::{collections::HashSet, f64::consts::TAU};
 
@@ -18,10 +19,19 @@ use crate::{
 pub struct DrawnBranch {
     /// What it is, for the CSV.
     pub name: String,
-    /// Parameter, displacement, whether stable; on a curve of bifurcations nothing is said of that.
-    pub at: Vec<(f64, f64, Option<Judgement>)>,
+    /// Parameter, displacement, what is said of the orbit.
+    pub at: Vec<(f64, f64, Said)>,
     /// Labels: parameter, displacement, text.
     pub labels: Vec<(f64, f64, String)>,
+}
+
+/// What is said of an orbit; on a curve of bifurcations nothing.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Said {
+    /// Whether it is stable.
+    pub stable: Option<Judgement>,
+    /// Over which values of the parameter it is proved, if it is.
+    pub proved: Option<[f64; 2]>,
 }
 
 /// Points of attractors.
@@ -59,20 +69,22 @@ pub fn branches(
 ) -> Result<()> {
     let mut rows = Vec::new();
     for curve in curves {
-        for (x, y, stable) in &curve.at {
+        for (x, y, said) in &curve.at {
             let label = curve.labels.iter().find(|label| (label.0, label.1) == (*x, *y));
             rows.push(vec![
                 curve.name.clone(),
                 x.to_string(),
                 y.to_string(),
-                stability(*stable).to_string(),
+                stability(said.stable).to_string(),
                 label.map_or(String::new(), |label| label.2.clone()),
+                said.proved.map_or("", |_| "yes").to_string(),
             ]);
         }
     }
     for set in scatter {
         let row = |(x, y): &(f64, f64)| {
-            vec![set.name.clone(), x.to_string(), y.to_string(), "attracting".into(), String::new()]
+            let [none, nor] = [String::new(), String::new()];
+            vec![set.name.clone(), x.to_string(), y.to_string(), "attracting".into(), none, nor]
         };
         rows.extend(set.at.iter().map(row));
     }
@@ -84,7 +96,7 @@ pub fn branches(
             draw(&curves, &scatter, axes, view)
         }
     };
-    place.save(&canvas, &["set", "parameter", "q", "stability", "label"], &rows)
+    place.save(&canvas, &["set", "parameter", "q", "stability", "label", "proved"], &rows)
 }
 
 /// What of the curves and attractors a view shows; a curve in pieces has its name at each, but for pieces of
@@ -132,12 +144,35 @@ impl DrawnBranch {
     /// Which points have a solid line: those that are not unstable. One that rounding decides goes with what
     /// follows it, or, at the end, with what comes before.
     fn solid(&self) -> Vec<bool> {
-        let decided = |i: &usize| self.at[*i].2 != Some(Judgement::Marginal);
+        let decided = |i: &usize| self.at[*i].2.stable != Some(Judgement::Marginal);
         let count = self.at.len();
         let near = |i: usize| (i..count).find(decided).or((0..i).rev().find(decided));
-        (0..count).map(|i| near(i).is_some_and(|i| self.at[i].2 != Some(Judgement::No))).collect()
+        (0..count).map(|i| near(i).is_some_and(|i| self.at[i].2.stable != Some(Judgement::No))).collect()
     }
 }
+
+impl DrawnBranch {
+    /// What is proved of it on paper: between points of which one is proved as far as its proof goes.
+    fn bands(&self, path: &Smooth, frame: &PlotFrame) -> Vec<Vec<At>> {
+        let mut bands: Vec<Vec<At>> = Vec::new();
+        for (i, pair) in self.at.windows(2).enumerate() {
+            let [one, other] = [pair[0].2.proved, pair[1].2.proved];
+            let Some(over) = one.or(other) else { continue };
+            let [from, to] = over.map(|value| frame.at((value, pair[0].1)).0);
+            let inside = |at: &At| (one.is_some() && other.is_some()) || (from..=to).contains(&at.0);
+            let piece: Vec<At> = path.points(i, i + 1).into_iter().filter(inside).collect();
+            match bands.last_mut().filter(|band| band.last() == piece.first()) {
+                Some(band) => band.extend(&piece[1..]),
+                None => bands.push(piece),
+            }
+        }
+        bands.retain(|band| band.len() > 1);
+        bands
+    }
+}
+
+/// The band under what is proved: its width and colour.
+const BAND: (f64, Colour) = (5.0, Colour(190, 222, 208));
 
 /// Lengths of a dash and of the gap after it.
 const DASHES: [f64; 2] = [4.0, 2.4];
@@ -164,6 +199,11 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2], view: &Vie
             });
         }
     }
+    if curves.iter().flat_map(|curve| &curve.at).any(|at| at.2.proved.is_some()) {
+        legend.add("proved", |canvas: &mut Canvas, (x, y): At| {
+            canvas.line(vec![(x - 9.0, y), (x + 9.0, y)], line(BAND.1, BAND.0));
+        });
+    }
     for (up, name) in [(None, "attractors"), (Some(true), "swept up"), (Some(false), "swept down")] {
         let Some(set) = scatter.iter().find(|set| set.up == up && !set.at.is_empty()) else { continue };
         let (size, colour) = set.dot();
@@ -176,7 +216,10 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2], view: &Vie
         COLUMN,
         190.0 + high,
         "Branches of periodic orbits over a parameter",
-        &format!("{} over {}: stable solid, unstable broken, attractors as dots.", axes[1], axes[0]),
+        &format!(
+            "{} over {}: stable solid, unstable broken, what is proved on a band, attractors as dots.",
+            axes[1], axes[0]
+        ),
     );
     let all = || {
         let lines = curves.iter().flat_map(|curve| curve.at.iter().map(|at| (at.0, at.1)));
@@ -209,6 +252,8 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2], view: &Vie
     let paths = paths_in(&frame);
     let smooth: Vec<Smooth> = paths.iter().map(|path| Smooth(path)).collect();
     let lines: Vec<Vec<At>> = smooth.iter().map(|curve| curve.points(0, usize::MAX)).collect();
+    let bands = curves.iter().zip(&smooth).flat_map(|(curve, path)| curve.bands(path, &frame)).collect();
+    canvas.lines(bands, line(BAND.1, BAND.0));
     let mut labels = Labels::new(&lines, frame.inside());
     let mut marked: Vec<Label> = Vec::new();
     for ((curve, path), solid) in curves.iter().zip(&smooth).zip(&solid) {
@@ -476,7 +521,8 @@ mod tests {
     fn what_rounding_decides_is_drawn_as_what_follows_it() {
         use Judgement::{Marginal, No, Yes};
         let solid = |all: &[Judgement]| {
-            let at = all.iter().map(|&one| (0.0, 0.0, Some(one))).collect();
+            let said = |&one: &Judgement| (0.0, 0.0, Said { stable: Some(one), proved: None });
+            let at = all.iter().map(said).collect();
             DrawnBranch { name: String::new(), at, labels: Vec::new() }.solid()
         };
         assert_eq!(solid(&[No, Marginal, Yes]), [false, true, true]);
@@ -484,7 +530,8 @@ mod tests {
         // Of an undamped oscillator: no orbit attracts.
         assert_eq!(solid(&[Marginal, Marginal]), [false, false]);
         assert!(solid(&[]).is_empty());
-        let events = DrawnBranch { name: String::new(), at: vec![(0.0, 0.0, None)], labels: Vec::new() };
+        let events =
+            DrawnBranch { name: String::new(), at: vec![(0.0, 0.0, Said::default())], labels: Vec::new() };
         assert_eq!(events.solid(), [true]);
     }
 

@@ -33,7 +33,7 @@ mod touch;
 mod view;
 mod words;
 
-pub use branches::{DrawnBranch, Scatter, branches};
+pub use branches::{DrawnBranch, Said, Scatter, branches};
 pub use coexistence::coexistence;
 pub use cover::{FINEST, areas};
 pub use digits::{digits_figure, digits_table};

@@ -30,7 +30,7 @@ use crate::{
         PatternOf, SearchReach,
     },
     error::Result,
-    pattern::{Map, Report as Verdict},
+    pattern::{Map, Report},
     scene::{
         BasinsTask, SectionTask,
         branches::{BranchStart, BranchTask},
@@ -38,7 +38,10 @@ use crate::{
         simulate::{SimulateTask, Start},
         validate::ValidateTask,
     },
-    search::range::RangeEffort,
+    search::{
+        orbit::{ProvedBranch, Verdict},
+        range::RangeEffort,
+    },
 };
 
 /// Calls the rest with the engine that the job's scene is for.
@@ -213,6 +216,13 @@ pub(crate) trait Engine {
         bits: u32,
     ) -> Result<std::result::Result<impl Prover<Self::Orbit>, String>>;
 
+    /// What proves orbits of the scene's systems over ranges of a parameter.
+    fn range_prover<'e>(
+        &'e self,
+        parameter: &'e str,
+        bits: u32,
+    ) -> Result<Box<dyn RangeProver<Self::Orbit> + 'e>>;
+
     /// Proves each orbit of the task over a range of a parameter.
     fn prove_branches(
         &self,
@@ -255,6 +265,21 @@ const SEVERAL_PERIODS: &str = "of motions without impacts the one that comes bac
 pub(crate) trait Prover<O> {
     /// What is proved of the orbit near an approximation.
     fn prove(&self, approximation: &O) -> Result<Proof>;
+}
+
+/// What proves orbits over ranges of a parameter.
+pub(crate) trait RangeProver<O> {
+    /// What is proved of the orbit near an approximation at a value, over a range that holds the value.
+    fn prove(
+        &self,
+        approximation: &O,
+        at: &BigRational,
+        over: [BigRational; 2],
+    ) -> Result<Verdict<ProvedBranch>>;
+
+    /// Whether an approximation at a value of the parameter is of the orbit that is proved there, as nearly as
+    /// floats tell.
+    fn holds(&self, proof: &ProvedBranch, approximation: &O, at: f64) -> bool;
 }
 
 /// What was proved, and if so the certificate, or why there is none.
@@ -331,7 +356,7 @@ pub trait OrbitSource {
 }
 
 /// What the local theory says of a pattern.
-pub(crate) type Theory<'m> = Box<dyn Fn(&[u64]) -> Verdict + 'm>;
+pub(crate) type Theory<'m> = Box<dyn Fn(&[u64]) -> Report + 'm>;
 
 /// A grazing bifurcation, for the task `grazing`.
 pub(crate) trait GrazingPoint {
@@ -348,7 +373,7 @@ pub(crate) trait GrazingPoint {
     fn theory<'m>(&self, map: &'m Map) -> Result<Theory<'m>>;
 
     /// L: the large multiplier of one round of a pattern is L (eµ)^{−m} to leading order.
-    fn leading(&self, periods: &[u64], verdict: &Verdict) -> Option<f64>;
+    fn leading(&self, periods: &[u64], verdict: &Report) -> Option<f64>;
 
     /// What the task's distance is measured in if it gives none: the size of motions there.
     fn size(&self) -> Result<f64>;
@@ -368,11 +393,6 @@ pub(crate) trait GrazingPoint {
 
     /// The orbit of the true system near the leading-order solution of a pattern, at a parameter `away` from
     /// the bifurcation; the inner error is why none was found.
-    fn orbit(
-        &self,
-        periods: &[u64],
-        verdict: &Verdict,
-        parameter: f64,
-        away: f64,
-    ) -> Result<Result<Analysed>>;
+    fn orbit(&self, periods: &[u64], verdict: &Report, parameter: f64, away: f64)
+    -> Result<Result<Analysed>>;
 }

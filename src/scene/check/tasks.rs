@@ -214,6 +214,13 @@ impl Checked<'_> {
                 );
             }
         }
+        if task.prove {
+            if task.second.is_some() {
+                return self.fail("prove", "proves orbits over one parameter: leave it or `second` out");
+            }
+            self.only_one("prove", "works")?;
+            self.provable("prove")?;
+        }
         self.options(&task.options)
     }
 

@@ -4,6 +4,8 @@
 //! the line, how far from it the orbit may be, the pieces of its flights and where its multipliers are; the
 //! checker judges each cell. What is proved is what it accepts as a whole.
 
+use std::f64::consts::TAU;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero, pow};
@@ -18,7 +20,7 @@ use super::{
 use crate::{
     certificate::{
         branch::{Cell, Certificate, Line, Strike, cell_holds},
-        orbit::Claim,
+        orbit::{Claim, Decimal},
     },
     error::{Error, Result},
     monitor::Monitor,
@@ -55,6 +57,37 @@ pub struct ProvedBranch {
     /// Why it goes no further, down and up; none where all is proved that was asked for.
     pub ends: [Option<String>; 2],
 }
+
+impl ProvedBranch {
+    /// Whether approximate impacts at a value of the parameter are within the box in which the orbit that is
+    /// proved there is the only one, as nearly as floats tell.
+    #[must_use]
+    pub fn holds(&self, impacts: &[ExpectedImpact], parameter: f64) -> bool {
+        let near = |cell: &Cell| {
+            let [from, to] = cell.parameter.map(float);
+            let away = parameter - f64::midpoint(from, to);
+            let room = float(cell.radius) + ROUNDING;
+            let within = |(line, impact): (&Line, &ExpectedImpact)| {
+                let [phase, velocity] = line.rates.map(|rate| float(rate) * away);
+                let late = impact.phase - float(line.phase) - phase;
+                let fast = impact.velocity - float(line.velocity) - velocity;
+                (late - TAU * (late / TAU).round()).abs() <= room && fast.abs() <= room
+            };
+            (from..=to).contains(&parameter)
+                && cell.lines.len() == impacts.len()
+                && cell.lines.iter().zip(impacts).all(within)
+        };
+        self.certificate.cells.iter().any(near)
+    }
+}
+
+/// About a decimal.
+fn float(x: Decimal) -> f64 {
+    x.digits as f64 / 10f64.powi(x.places as i32)
+}
+
+/// What an approximation may be off.
+const ROUNDING: f64 = 1e-9;
 
 /// The first cell is such a part of the range, and no cell is smaller than the second.
 const FIRST: i64 = 8;

@@ -62,6 +62,16 @@ pub enum Verdict<T> {
 }
 
 impl<T> Verdict<T> {
+    /// "proved", "refuted" or "undecided".
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        match self {
+            Verdict::Proved(_) => "proved",
+            Verdict::Refuted(_) => "refuted",
+            Verdict::Undecided(_) => "undecided",
+        }
+    }
+
     /// What follows from what is proved.
     ///
     /// # Errors

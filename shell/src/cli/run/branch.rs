@@ -6,13 +6,13 @@ use super::Job;
 use crate::{
     continuation::{BranchPoint, FollowedOrbit, OrbitBranch, record_as},
     error::Result,
-    figure,
+    figure::{self, Said},
     many::{self, branch::Patterns},
     one::{
         branch::{Branch, record},
         orbit::{Family, Orbit, Oscillator},
     },
-    run::{BranchFindings, FoundBranches, JudgedOrbit, form},
+    run::{BranchFindings, BranchRow, FoundBranches, JudgedOrbit, form},
     scene::{Frame, MachineSceneFamily, SceneFamily, branches::BranchTask, phase},
 };
 
@@ -82,16 +82,31 @@ fn write<O: JudgedOrbit>(
         job.write(&file, |out| Ok(writeln!(out, "{text}")?))?;
         files.push(file);
     }
-    let (curves, axes) = match &task.second {
+    let (mut curves, axes) = match &task.second {
         None => (all.iter().map(draw).collect::<Result<Vec<_>>>()?, [task.parameter.as_str(), axis]),
         Some(second) => {
             let locus = |branch: &OrbitBranch<O>| locus(branch, &named(branch));
             (all.iter().map(locus).collect(), [task.parameter.as_str(), second.as_str()])
         }
     };
+    let over = |row: &BranchRow| {
+        let pieces = &found.proofs.as_ref()?.rows;
+        pieces
+            .iter()
+            .find(|piece| piece.certificate.is_some() && piece.certificate == row.certificate)?
+            .over()
+    };
+    for (curve, number) in curves.iter_mut().zip(1..) {
+        let rows = found.rows.iter().filter(|row| row.branch == number);
+        curve.at.iter_mut().zip(rows).for_each(|((_, _, said), row)| said.proved = over(row));
+    }
     figure::branches(&curves, &[], axes, &job.place())?;
     files.extend(job.figure());
     files.push(job.csv(&found.rows, "-points.csv")?);
+    if let Some(proofs) = &found.proofs {
+        files.push(job.csv(&proofs.rows, "-proofs.csv")?);
+        files.extend(job.certificates(&proofs.certificates)?);
+    }
     Ok(files)
 }
 
@@ -100,7 +115,7 @@ fn locus<O: FollowedOrbit>(branch: &OrbitBranch<O>, pattern: &str) -> figure::Dr
     let place = |point: &BranchPoint<O>| (point.parameters[0], point.parameters[1]);
     figure::DrawnBranch {
         name: format!("{} of the impact pattern ({pattern})", branch.name()),
-        at: branch.points.iter().map(|point| (place(point).0, place(point).1, None)).collect(),
+        at: branch.points.iter().map(|point| (place(point).0, place(point).1, Said::default())).collect(),
         labels: branch
             .points
             .iter()
@@ -120,7 +135,8 @@ pub(super) fn curve<O: JudgedOrbit>(
     for point in &branch.points {
         let parameter = point.parameters[0];
         let height = height(point)?;
-        curve.at.push((parameter, height, Some(point.orbit.stable(point.event))));
+        let stable = Some(point.orbit.stable(point.event));
+        curve.at.push((parameter, height, Said { stable, proved: None }));
         if let Some(kind) = point.kind() {
             curve.labels.push((parameter, height, kind.to_string()));
         }

@@ -58,6 +58,15 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             Numbered("", ".certificate"),
         ],
         Kind::GrazingTask(_) => &[Fixed(".csv"), Fixed("-seen.csv")],
+        Kind::BranchTask(task) if task.prove => &[
+            Fixed(".json"),
+            Numbered("", ".json"),
+            Picture,
+            Fixed(".csv"),
+            Fixed("-points.csv"),
+            Fixed("-proofs.csv"),
+            Numbered("", ".certificate"),
+        ],
         Kind::BranchTask(_) => {
             &[Fixed(".json"), Numbered("", ".json"), Picture, Fixed(".csv"), Fixed("-points.csv")]
         }

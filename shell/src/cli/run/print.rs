@@ -44,6 +44,11 @@ pub(super) fn reports(scene: &str, all: &[TaskReport], out: &mut dyn Write) -> R
         let (blocks, certificates) = match &report.findings {
             _ if beside.is_some() => beside.unwrap_or_default(),
             Some(Findings::Validate(found)) => (blocks(&found.proofs), found.certificates.clone()),
+            Some(Findings::Branch(found)) if found.proofs.is_some() => {
+                let proofs = found.proofs.iter();
+                let certificates = proofs.clone().flat_map(|x| x.certificates.clone());
+                (proofs.flat_map(|x| blocks(&x.rows)).collect(), certificates.collect())
+            }
             Some(Findings::Orbit(found)) => (blocks(&found.orbits), Vec::new()),
             Some(Findings::Event(found)) => (blocks(&found.found), Vec::new()),
             Some(Findings::Chaos(found)) => {

@@ -22,7 +22,7 @@ use super::{
     super::{
         Analysed, Complex, Job, Judgement, Keeper, SectionFindings, SimulationFindings, ValidateFindings,
     },
-    Engine, JudgedOrbit, Prover, StartPlane,
+    Engine, JudgedOrbit, Prover, RangeProver, StartPlane,
 };
 use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, dynamics::Dynamics},
@@ -287,6 +287,11 @@ impl<'j> Engine for Machines<'j> {
             }
             Err(error) => Err(error.to_string()),
         })
+    }
+
+    fn range_prover<'e>(&'e self, _: &'e str, _: u32) -> Result<Box<dyn RangeProver<Orbit> + 'e>> {
+        // Refused when the scene was read.
+        Err(Error::input("orbits of machines are not proved over a range"))
     }
 
     fn prove_branches(&self, _: &ValidateTask, _: &str, _: &mut ValidateFindings) -> Result<()> {

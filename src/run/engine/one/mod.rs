@@ -18,7 +18,7 @@ use super::{
     super::{
         Analysed, Complex, Job, Judgement, Keeper, SectionFindings, SimulationFindings, ValidateFindings,
     },
-    Engine, JudgedOrbit, Prover, StartPlane,
+    Engine, JudgedOrbit, Prover, RangeProver, StartPlane,
 };
 use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection},
@@ -279,6 +279,10 @@ impl<'j> Engine for Oscillators<'j> {
         let change: Vec<_> = change.map(|(name, value)| (name, value.clone())).into_iter().collect();
         let (system, precision) = (self.job.scene.exact(&change)?, Precision::new(bits));
         Ok(Ok(OrbitProver { job: self.job, system, precision }))
+    }
+
+    fn range_prover<'e>(&'e self, parameter: &'e str, bits: u32) -> Result<Box<dyn RangeProver<Orbit> + 'e>> {
+        Ok(Box::new(proofs::OverRange::new(self.job, parameter, bits)?))
     }
 
     fn prove_branches(

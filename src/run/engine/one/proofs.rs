@@ -7,14 +7,14 @@ use num_traits::ToPrimitive;
 
 use super::{
     super::super::{
-        Job, Judgement, ProofRow, StabilityRow, ValidateFindings,
-        engine::{Proof, Prover, SEVERAL_PERIODS},
+        Job, Judgement, ProofRow, ValidateFindings,
+        engine::{Proof, Prover, RangeProver, SEVERAL_PERIODS},
+        pieces::Stretch,
         validate::{all, digits, starts},
     },
     Oscillators, named, speeds, turn,
 };
 use crate::{
-    certificate::orbit::{Claim, Decimal},
     continuation::{Bifurcation, BranchSearch, nearest},
     error::{Error, Result},
     local::Rung,
@@ -177,6 +177,42 @@ fn system_at<R: scene::Coefficient>(
     job.scene.system()?.try_map(|expression| expression.evaluate(&values, context))
 }
 
+/// Proves orbits over ranges of a parameter.
+pub(super) struct OverRange<'e> {
+    job: &'e Job<'e>,
+    name: &'e str,
+    system: System<Quotient>,
+    precision: Precision,
+}
+
+impl<'e> OverRange<'e> {
+    pub fn new(job: &'e Job<'e>, name: &'e str, bits: u32) -> Result<OverRange<'e>> {
+        let system = system_at(job, name, &Quotient::parameter(), &())?;
+        Ok(OverRange { job, name, system, precision: Precision::new(bits) })
+    }
+}
+
+impl RangeProver<Orbit> for OverRange<'_> {
+    fn prove(
+        &self,
+        approximation: &Orbit,
+        at: &BigRational,
+        over: [BigRational; 2],
+    ) -> Result<Verdict<ProvedBranch>> {
+        let OverRange { job, name, system, precision } = self;
+        let impacts = impacts(&approximation.itinerary, &approximation.z);
+        let family = |parameter: &Jet| system_at(job, name, parameter, precision);
+        let (at, precision) = (at.clone(), precision.clone());
+        let rung = Rung::Ball(precision.bits());
+        let problem = BranchProblem { family: &family, system, name, impacts: &impacts, at, over, precision };
+        timed(job.monitor, rung, || orbit::branch(&problem, job.monitor))
+    }
+
+    fn holds(&self, proof: &ProvedBranch, approximation: &Orbit, at: f64) -> bool {
+        proof.holds(&impacts(&approximation.itinerary, &approximation.z), at)
+    }
+}
+
 /// Proves each admissible orbit of the task over the range of its parameter.
 ///
 /// # Errors
@@ -188,64 +224,30 @@ pub(super) fn branches(
     found: &mut ValidateFindings,
 ) -> Result<()> {
     let job = engine.job;
-    let precision = Precision::new(task.bits);
+    let prover = OverRange::new(job, name, task.bits)?;
     let (_, at) = &job.scene.parameters[job.scene.parameter(name)?];
     let floats = job.family(name)?;
-    let family = |parameter: &Jet| system_at(job, name, parameter, &precision);
-    let system = system_at(job, name, &Quotient::parameter(), &())?;
     for orbit in starts(task, engine, &floats.at(floats.value())?, found)? {
         job.check()?;
         if !orbit.admissibility.is_admissible() {
             found.nothing(speeds(&orbit), "the solution to begin with is not admissible".into());
             continue;
         }
+        let over = [&task.from, &task.to].map(|end| end.clone().unwrap_or_else(|| at.clone()));
+        let verdict = prover.prove(&orbit, at, over)?;
         let impacts = impacts(&orbit.itinerary, &orbit.z);
-        let problem = BranchProblem {
-            family: &family,
-            system: &system,
-            name,
-            impacts: &impacts,
-            at: at.clone(),
-            over: [&task.from, &task.to].map(|end| end.clone().unwrap_or_else(|| at.clone())),
-            precision: precision.clone(),
-        };
         let solution = impacts.iter().flat_map(|impact| [turn(impact.phase), impact.velocity]).collect();
-        let rung = Rung::Ball(precision.bits());
-        let verdict = timed(job.monitor, rung, || orbit::branch(&problem, job.monitor))?;
         let mut row = ProofRow::of(&verdict, named(&orbit.itinerary, job), solution);
         if let Verdict::Proved(proof) = verdict {
-            over(&mut row, &proof);
+            let stretch = Stretch::of(&proof);
+            row.proved.stable = stretch.stable;
+            (row.lower, row.upper) = (Some(stretch.lower), Some(stretch.upper));
+            (row.stability, row.range_ends) = (stretch.stability, stretch.ends);
             found.certify(&mut row, &job.task.name, proof.text);
         }
         found.proofs.push(row);
     }
     Ok(())
-}
-
-/// What a proof over a range says, in its row.
-fn over(row: &mut ProofRow, proof: &ProvedBranch) {
-    let parts = proof.certificate.parts();
-    row.lower = parts.first().map(|(_, [from, _])| from.to_string());
-    row.upper = parts.last().map(|(_, [_, to])| to.to_string());
-    row.proved.stable = match parts[..] {
-        [(Claim::Stable, _)] => Some(Judgement::Yes),
-        [(Claim::Unstable, _)] => Some(Judgement::No),
-        [(Claim::Open, _)] => Some(Judgement::Marginal),
-        _ => None,
-    };
-    let said = |(claim, [from, to]): (Claim, [Decimal; 2])| {
-        let word = match claim {
-            Claim::Stable => "stable",
-            Claim::Unstable => "unstable",
-            Claim::Open => return None,
-        };
-        Some(StabilityRow { word, from: Some(from.to_string()), to: to.to_string() })
-    };
-    row.stability = parts.into_iter().filter_map(said).collect();
-    let ways = ["down", "up"].iter().zip(&proof.ends);
-    let short: Vec<String> =
-        ways.filter_map(|(way, end)| Some(format!("{way}: {}", end.as_ref()?))).collect();
-    row.range_ends = (!short.is_empty()).then(|| short.join("; "));
 }
 
 /// Impacts, parameter and condition near which the event is expected.
