@@ -362,8 +362,8 @@ fn forgeries() -> Vec<(String, &'static str)> {
     all
 }
 
-/// A cell of either orbit of period 4, each right by itself, which meet at one value: there is no way from one
-/// to the other.
+/// A cell of either orbit of period 4, each right by itself, which meet at one value: there is no way from
+/// one to the other.
 #[test]
 fn cells_of_different_orbits_are_not_one_branch() {
     let why = rejected(BRANCH_SPLICED);

@@ -5,7 +5,7 @@ use grazing::{
     local::Region,
     num_rational::BigRational,
     search::WordPlace,
-    tolerance::{LAST_PERIOD, MOST_CELLS, ParameterBox, Partition, Share, Spread, Subject, Verdict},
+    tolerance::{LAST_PERIOD, MOST_CELLS, ParameterBox, Partition, Share, Spread, Subject, SubjectVerdict},
     word::{Rectangle, Word},
 };
 use pyo3::{prelude::*, types::PyModule, wrap_pyfunction};
@@ -106,7 +106,7 @@ fn all_shares(of: &ParameterBox, cells: u64, last: u64, watch: &Watch) -> Result
     let partition = Partition::new(of, cells, watch)?;
     let sign = |positive: bool| if positive { 1 } else { -1 };
     let gamma = of.gamma_is_positive();
-    let row = |Verdict { subject, share }| {
+    let row = |SubjectVerdict { subject, share }| {
         let (what, positive, more) = match subject {
             Subject::Chaos(signs) => {
                 let gamma = signs.gamma.or(gamma).map(sign);

@@ -101,8 +101,8 @@ keys! {
         second_range: Vec<f64> = "[]",
         /// how they are followed
         options: Options = "{}",
-        /// whether to prove the orbits, piece by piece between saddle-nodes, as a task `validate` over a range
-        /// does, with a certificate for each piece; over one parameter, where the engine is `one`
+        /// whether to prove the orbits, piece by piece between saddle-nodes, as a task `validate` over a
+        /// range does, with a certificate for each piece; over one parameter, where the engine is `one`
         prove: bool = "false",
         /// when the picture's displacement, where the engine is `many` the gap to a stop, is taken, as a
         /// fraction of the forcing period

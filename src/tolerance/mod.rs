@@ -39,4 +39,4 @@ pub use change::{Change, Excursion, Toward};
 pub use normal::{DEVIATIONS, NormalParameters};
 pub use parameters::ParameterBox;
 pub use partition::{Leaf, Partition, Share, Spread, Statement};
-pub use verdicts::{LAST_PERIOD, MOST_CELLS, Signs, Subject, Verdict};
+pub use verdicts::{CaseSigns, LAST_PERIOD, MOST_CELLS, Subject, SubjectVerdict};

@@ -14,14 +14,14 @@ pub const LAST_PERIOD: u64 = 400;
 
 /// A sign of eµ and, where γ is free, one of γ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Signs {
+pub struct CaseSigns {
     /// Whether eµ > 0.
     pub positive: bool,
     /// Whether γ > 0; none where γ is a function of the parameters.
     pub gamma: Option<bool>,
 }
 
-impl Signs {
+impl CaseSigns {
     /// The case with these signs, if γ is free.
     pub fn case(self) -> Option<Case> {
         let gamma = self.gamma?;
@@ -50,7 +50,7 @@ impl Signs {
 #[derive(Debug, Clone)]
 pub enum Subject {
     /// Whether chaos is born.
-    Chaos(Signs),
+    Chaos(CaseSigns),
     /// Whether a period occurs between impacts.
     Period {
         /// Whether eµ > 0.
@@ -69,7 +69,7 @@ pub enum Subject {
 
 /// In which share of a box something is so.
 #[derive(Debug, Clone)]
-pub struct Verdict {
+pub struct SubjectVerdict {
     /// What.
     pub subject: Subject,
     /// The share.
@@ -78,29 +78,32 @@ pub struct Verdict {
 
 impl ParameterBox {
     /// The signs that are told apart: a machine has its own γ.
-    pub fn signs(&self) -> Vec<Signs> {
+    pub fn signs(&self) -> Vec<CaseSigns> {
         let gammas: &[_] = if self.has_gamma() { &[None] } else { &[Some(true), Some(false)] };
         let all = [true, false].into_iter();
-        all.flat_map(|positive| gammas.iter().map(move |&gamma| Signs { positive, gamma })).collect()
+        all.flat_map(|positive| gammas.iter().map(move |&gamma| CaseSigns { positive, gamma })).collect()
     }
 }
 
 impl Partition {
-    /// Of a box with these signs: chaos, then for eµ > 0 and for eµ < 0 the periods up to `last` that occur, or
-    /// may, and the words.
-    pub fn verdicts(&self, signs: Vec<Signs>, last: u64) -> Vec<Verdict> {
-        let chaos =
-            |signs: Signs| Verdict { subject: Subject::Chaos(signs), share: self.share(signs.chaos()) };
-        let mut all: Vec<Verdict> = signs.into_iter().map(chaos).collect();
+    /// Of a box with these signs: chaos, then for eµ > 0 and for eµ < 0 the periods up to `last` that occur,
+    /// or may, and the words.
+    pub fn verdicts(&self, signs: Vec<CaseSigns>, last: u64) -> Vec<SubjectVerdict> {
+        let chaos = |signs: CaseSigns| SubjectVerdict {
+            subject: Subject::Chaos(signs),
+            share: self.share(signs.chaos()),
+        };
+        let mut all: Vec<SubjectVerdict> = signs.into_iter().map(chaos).collect();
         for positive in [true, false] {
-            let period = |n| Verdict {
+            let period = |n| SubjectVerdict {
                 subject: Subject::Period { positive, n },
                 share: self.share(Statement::Period { positive, n }),
             };
             all.extend((1..=last).map(period).filter(|one| one.share.spread() != Spread::Nowhere));
             let words = self.words(positive).into_iter();
             all.extend(
-                words.map(|(word, share)| Verdict { subject: Subject::Word { positive, word }, share }),
+                words
+                    .map(|(word, share)| SubjectVerdict { subject: Subject::Word { positive, word }, share }),
             );
         }
         all

@@ -114,7 +114,7 @@ fn edges_of_parameters_end_ranges() {
     assert_eq!(code, 3);
     for row in &rows {
         let (lower, upper) = (end(row, "lower"), end(row, "upper"));
-        assert!(row["verdict"] == "proved" && lower >= 0.0 && lower < 1.0 && upper == 1.0, "{row}");
+        assert!(row["verdict"] == "proved" && (0.0..1.0).contains(&lower) && upper == 1.0, "{row}");
         assert!(row["range_ends"].as_str().unwrap().starts_with("down: "), "{row}");
     }
     // A third is no decimal.

@@ -21,7 +21,7 @@ use crate::{
         Caption, Column, Destination, Print, Setting, TableCell, TableFormat, TableWriter, decimal_above,
         decimal_below, decimal_near,
     },
-    tolerance::{Change, Excursion, Leaf, Signs, Statement, Toward},
+    tolerance::{CaseSigns, Change, Excursion, Leaf, Statement, Toward},
     word::Word,
 };
 
@@ -31,7 +31,7 @@ const DIGITS: usize = 6;
 /// What is asked at the point, of one sign of eµ.
 struct Question {
     what: &'static str,
-    signs: Signs,
+    signs: CaseSigns,
     n: Option<u64>,
     /// Whether it holds there, where that is certain.
     holds: Option<bool>,
@@ -185,7 +185,7 @@ fn asked(given: &Given, from: &Leaf, last: u64) -> Vec<Question> {
     let mut all: Vec<Question> =
         given.of.signs().into_iter().map(|signs| new("chaos", signs, None)).collect();
     for positive in [true, false] {
-        let signs = Signs { positive, gamma: None };
+        let signs = CaseSigns { positive, gamma: None };
         all.push(new("word", signs, None));
         let word = from.word(positive);
         let periods = match word.is_endless() {

@@ -21,8 +21,8 @@ use crate::{
         decimal_below, decimal_or_fraction,
     },
     tolerance::{
-        DEVIATIONS, LAST_PERIOD, Leaf, MOST_CELLS, NormalParameters, ParameterBox, Partition, Share, Signs,
-        Spread, Subject, Verdict,
+        CaseSigns, DEVIATIONS, LAST_PERIOD, Leaf, MOST_CELLS, NormalParameters, ParameterBox, Partition,
+        Share, Spread, Subject, SubjectVerdict,
     },
     word::{Extent, Word},
 };
@@ -93,11 +93,11 @@ impl<'a> Report<'a> {
         Ok(Report { of, weight, bounds, partition, gamma })
     }
 
-    fn chaos(&self, signs: Signs) -> Share {
+    fn chaos(&self, signs: CaseSigns) -> Share {
         self.partition.share(signs.chaos())
     }
 
-    fn gamma_of(&self, signs: Signs) -> Option<bool> {
+    fn gamma_of(&self, signs: CaseSigns) -> Option<bool> {
         signs.gamma.or(self.gamma)
     }
 
@@ -122,8 +122,8 @@ impl<'a> Report<'a> {
     }
 }
 
-/// Signs in text.
-pub(super) fn spoken(signs: Signs) -> String {
+/// CaseSigns in text.
+pub(super) fn spoken(signs: CaseSigns) -> String {
     match signs.case() {
         Some(case) => format!("case {case}"),
         None => format!("e*mu {} 0", if signs.positive { '>' } else { '<' }),
@@ -131,7 +131,7 @@ pub(super) fn spoken(signs: Signs) -> String {
 }
 
 /// The same in LaTeX's maths mode.
-pub(super) fn in_maths(signs: Signs) -> String {
+pub(super) fn in_maths(signs: CaseSigns) -> String {
     match signs.case() {
         Some(case) => case.to_string(),
         None => format!("e\\mu {} 0", if signs.positive { '>' } else { '<' }),
@@ -222,7 +222,7 @@ struct Row {
 
 /// Everything that is said: chaos, periods, words.
 fn rows(report: &Report, last: u64) -> Vec<Row> {
-    let row = |Verdict { subject, share }| match subject {
+    let row = |SubjectVerdict { subject, share }| match subject {
         Subject::Chaos(signs) => Row {
             what: "chaos",
             positive: signs.positive,
@@ -405,7 +405,7 @@ fn write_table(report: &Report, rows: &[Row], format: TableFormat, out: &mut dyn
     for row in rows {
         let [lower, upper] = ends(&row.share);
         let mut cells = vec![TableCell::Text(row.what)];
-        let case = in_maths(Signs { positive: row.positive, gamma: row.gamma });
+        let case = in_maths(CaseSigns { positive: row.positive, gamma: row.gamma });
         cells.extend(signs_cells(print, Some((row.positive, row.gamma)), &case));
         cells.extend([
             row.n.map_or(TableCell::Empty, |n| TableCell::Int(n as i64)),
@@ -449,9 +449,9 @@ pub(super) fn classify(
     interrupt: &Interrupt,
 ) -> Result<Outcome> {
     let report = Report::new((of, Weight::Size), bounds, &limits, interrupt)?;
-    let mut rows: Vec<(u64, Option<Signs>, Share)> = Vec::new();
+    let mut rows: Vec<(u64, Option<CaseSigns>, Share)> = Vec::new();
     for n in 1..=limits.last {
-        let share = |signs: Signs| report.partition.share(signs.orbit(n));
+        let share = |signs: CaseSigns| report.partition.share(signs.orbit(n));
         let all = report.of.signs().into_iter().map(|signs| (n, Some(signs), share(signs)));
         let (none, some): (Vec<_>, Vec<_>) = all.partition(|row| row.2.spread() == Spread::Nowhere);
         if some.is_empty() {
@@ -487,7 +487,7 @@ pub(super) fn classify(
         for (n, signs, share) in &rows {
             let [lower, upper] = ends(share);
             let signs = signs.map(|signs| (signs.positive, report.gamma_of(signs)));
-            let case = signs.map_or(String::new(), |(positive, gamma)| in_maths(Signs { positive, gamma }));
+            let case = signs.map_or(String::new(), |(positive, gamma)| in_maths(CaseSigns { positive, gamma }));
             let mut cells = vec![TableCell::Int(*n as i64), TableCell::Text(name(share.spread()))];
             cells.extend(signs_cells(print, signs, &case));
             cells.extend([TableCell::Text(&lower), TableCell::Text(&upper)]);

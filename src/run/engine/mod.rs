@@ -277,8 +277,8 @@ pub(crate) trait RangeProver<O> {
         over: [BigRational; 2],
     ) -> Result<Verdict<ProvedBranch>>;
 
-    /// Whether an approximation at a value of the parameter is of the orbit that is proved there, as nearly as
-    /// floats tell.
+    /// Whether an approximation at a value of the parameter is of the orbit that is proved there, as nearly
+    /// as floats tell.
     fn holds(&self, proof: &ProvedBranch, approximation: &O, at: f64) -> bool;
 }
 
