@@ -234,6 +234,7 @@ pub(crate) fn why(end: &RangeEnd, effort: RangeEffort) -> String {
         RangeEnd::Map => "next to it no ranges of strengths are found that the map keeps: this ends the proof, not the motions".into(),
         RangeEnd::Refused(why) => format!("next to it the checker refuses: {why}"),
         RangeEnd::Work => format!("the work allowed is done, {} legs and steps: raise `effort`", effort.0),
+        RangeEnd::Wide => "farther away damping, stiffness or restitution change too much for one proof: this ends the proof, not the motions".into(),
         RangeEnd::Unbounded => "no bound is found for how long motions near stay off the stop".into(),
     }
 }

@@ -217,7 +217,7 @@ fn a_depth_is_an_amplitude_of_the_forcing() {
         assert!(inside && (float(&found.end) - end).abs() < 1e-9, "{} {end}", float(&found.end));
     }
     let all = Touching::of(&straight(&start, &start).unwrap(), Some(Side::Upper)).unwrap();
-    assert_eq!(all.parameters, ["1/10", "3/10", "4/5"].map(|x| parse_rational(x).unwrap()));
+    assert_eq!(all.parameters, ["1/10", "3/10", "4/5"].map(at));
     // The stop at 1 + F² is above the amplitude √2 F for every F: no touch.
     let bent = |from: &BigRational, to: &BigRational| machine(from, to, true);
     assert_eq!(parameter_range(&bent, None, [&start, &unit], &depth, true).unwrap(), None);

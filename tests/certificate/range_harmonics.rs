@@ -13,7 +13,9 @@ use grazing::{
 };
 use num_traits::ToPrimitive;
 
-/// A machine whose drive F and gap d are parameters, F times these waves: order, cosine, sine.
+/// A machine whose drive F, gap d, damping c and stiffness k are parameters, F times these waves: order,
+/// cosine, sine.
+#[derive(Clone)]
 struct Machine {
     damping: f64,
     stiffness: f64,
@@ -29,8 +31,8 @@ impl Machine {
         let waves = waves.map(|(k, a, b)| format!("{{ k = {k}, cos = \"{a}*F\", sin = \"{b}*F\" }}"));
         let waves = waves.collect::<Vec<_>>().join(", ");
         let text = format!(
-            "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nF = 0.5\nd = 1\n[system]\ndamping = \
-             {damping}\nstiffness = {stiffness}\nforcing = [{waves}]\n[[stops]]\nside = \"upper\"\noffset = \
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nF = 0.5\nd = 1\nc = \
+             {damping}\nk = {stiffness}\n[system]\ndamping = \"c\"\nstiffness = \"k\"\nforcing = [{waves}]\n[[stops]]\nside = \"upper\"\noffset = \
              \"d\"\nrestitution = {restitution}\n[[tasks]]\nname = \"g\"\nkind = \"grazing\"\nparameter = \
              \"{varied}\"\nmax_period = 1\nseen = false\n{keys}\n"
         );
@@ -69,9 +71,22 @@ impl Machine {
         (0..20).fold(highest, |t, _| t - self.free(t, 1) / self.free(t, 2))
     }
 
-    /// F and d at a value of the parameter.
-    fn values(&self, value: f64) -> [f64; 2] {
-        if self.varied == "F" { [value, 1.0] } else { [0.5, value] }
+    /// The machine at a value of the parameter, and F and d.
+    fn values(&self, value: f64) -> (Machine, [f64; 2]) {
+        let mut machine = self.clone();
+        let mut drive = [0.5, 1.0];
+        match self.varied {
+            "F" => drive[0] = value,
+            "d" => drive[1] = value,
+            "c" => machine.damping = value,
+            _ => machine.stiffness = value,
+        }
+        (machine, drive)
+    }
+
+    fn oscillator(&self, [force, gap]: [f64; 2]) -> Oscillator {
+        let all = [("F", force), ("d", gap), ("c", self.damping), ("k", self.stiffness)];
+        Oscillator::new(self.scene("").plain(&all).unwrap(), 1e-13).unwrap()
     }
 
     /// E₁₁, E₁₂, E₂₁, E₂₂.
@@ -122,7 +137,8 @@ impl Claim {
 /// The orbit of a word of letters at a value of the parameter lies in the certificate's ranges.
 fn confirm(machine: &Machine, row: &RangeRow, claim: &Claim, value: f64, word: &[usize]) {
     let side = if row.side == "beyond" { 1.0 } else { -1.0 };
-    let ([force, gap], top, m) = (machine.values(value), machine.top(), word.len());
+    let (machine, [force, gap]) = machine.values(value);
+    let (top, m) = (machine.top(), word.len());
     let height = force * machine.free(top, 0);
     let depth = side * (1.0 - gap / height);
     let what = format!("{} {word:?} at {value}, depth {depth}", row.side);
@@ -146,8 +162,7 @@ fn confirm(machine: &Machine, row: &RangeRow, claim: &Claim, value: f64, word: &
     };
     let start = (0..m).flat_map(|i| [top + phase[i], depth * height * arriving(i)]).collect();
     let strike = |&v: &usize| Strike { place: Side::Upper, periods: claim.periods[v] as u32 };
-    let system = machine.scene("").plain(&[("F", force), ("d", gap)]).unwrap();
-    let oscillator = Oscillator::new(system, 1e-13).unwrap();
+    let oscillator = machine.oscillator([force, gap]);
     let orbit = find(&oscillator, &Itinerary::new(word.iter().map(strike).collect()).unwrap(), start)
         .unwrap_or_else(|error| panic!("{what}: {error}"));
     assert!(orbit.admissibility.is_admissible(), "{what}: {orbit:?}");
@@ -164,7 +179,8 @@ fn confirm(machine: &Machine, row: &RangeRow, claim: &Claim, value: f64, word: &
 /// its phase by the law of impact, its multipliers from the machine's own equations.
 fn confirm_single(machine: &Machine, row: &RangeRow, value: f64) -> bool {
     let side = if row.side == "beyond" { 1.0 } else { -1.0 };
-    let ([force, gap], top, n) = (machine.values(value), machine.top(), row.periods[0]);
+    let (machine, [force, gap]) = machine.values(value);
+    let (top, n) = (machine.top(), row.periods[0]);
     let height = force * machine.free(top, 0);
     let depth = side * (1.0 - gap / height);
     let what = format!("{} {n} at {value}, depth {depth}", row.side);
@@ -187,8 +203,7 @@ fn confirm_single(machine: &Machine, row: &RangeRow, value: f64) -> bool {
     let t = way * lo;
     let speed = height * g(t, 1) * (1.0 - before * law);
     let strike = Strike { place: Side::Upper, periods: n as u32 };
-    let system = machine.scene("").plain(&[("F", force), ("d", gap)]).unwrap();
-    let oscillator = Oscillator::new(system, 1e-13).unwrap();
+    let oscillator = machine.oscillator([force, gap]);
     let orbit = find(&oscillator, &Itinerary::new(vec![strike]).unwrap(), vec![top + t, speed])
         .unwrap_or_else(|error| panic!("{what}: {error}"));
     assert!(orbit.admissibility.is_admissible(), "{what}: {orbit:?}");
@@ -213,8 +228,17 @@ fn confirmed(machine: &Machine, found: &GrazingReport) -> usize {
             found.certificates.iter().find(|(file, _)| Some(file) == row.certificate.as_ref()).unwrap();
         let [touch, end] = [&row.touch, &row.end].map(|text| float(text.as_ref().unwrap()));
         // The gap is the top there.
-        let [force, gap] = machine.values(touch);
-        assert!((force * machine.free(machine.top(), 0) / gap - 1.0).abs() < 1e-12, "{row:?}");
+        let (there, [force, gap]) = machine.values(touch);
+        assert!((force * there.free(there.top(), 0) / gap - 1.0).abs() < 1e-12, "{row:?}");
+        // The machines of the range are the certificate's, to what is rounded outwards.
+        for at in [touch, end] {
+            let (there, _) = machine.values(at);
+            for (name, value) in [("damping ", there.damping), ("stiffness ", there.stiffness)] {
+                let line = text.lines().find_map(|line| line.strip_prefix(name)).unwrap();
+                let [lo, hi] = [0, 1].map(|i| float(line.split(' ').nth(i).unwrap()));
+                assert!(lo - 1e-15 <= value && value <= hi + 1e-15, "{name}{value}: {line}");
+            }
+        }
         if row.of == "orbit" {
             // Not next to a fold, which steps of the phase here would pass.
             for share in [0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99] {
@@ -256,6 +280,23 @@ fn orbits_beside_walls_of_several_harmonics_are_in_their_ranges() {
         let count = confirmed(&machine, &found);
         println!("{damping} {stiffness} {varied}: {count} orbits");
         assert!(count >= least, "{count}: {:?}", found.range);
+    }
+}
+
+/// A parameter that moves damping or stiffness: of each value another machine, all of which are the
+/// certificate's.
+#[test]
+fn machines_that_change_with_the_parameter_have_ranges() {
+    for (force, damping, stiffness, varied, least) in [(1.4, 0.1, 0.28, "k", 28), (1.0, 0.3, 0.55, "c", 10)] {
+        let waves = vec![(1.0, force, 0.0)];
+        let machine = Machine { damping, stiffness, restitution: 0.8, waves, varied };
+        let found = machine.found("reach = 3\nrange = { effort = 100000 }");
+        assert_eq!(found.range_open, None);
+        let rows: Vec<_> = found.range.iter().flatten().collect();
+        assert!(rows.iter().all(|row| row.verdict != "undecided"), "{rows:?}");
+        let count = confirmed(&machine, &found);
+        println!("{varied}: {count} orbits");
+        assert!(count >= least, "{count}: {rows:?}");
     }
 }
 

@@ -124,7 +124,7 @@ impl RationalFunction {
     }
 
     /// The same of what is so called, where it must be so.
-    pub(super) fn bounded(&self, what: &str) -> Result<[BigRational; 2]> {
+    pub(in crate::search) fn bounded(&self, what: &str) -> Result<[BigRational; 2]> {
         let unbounded = || fail(&format!("{what} is not bounded by its values at the range's ends"));
         self.bounds().map_or_else(unbounded, Ok)
     }

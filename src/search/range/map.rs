@@ -22,7 +22,7 @@ pub(super) struct Edges {
     pub legs: Vec<[usize; 3]>,
 }
 
-/// An oscillator near a touch, at one value of its parameters but the depth.
+/// An oscillator near a touch.
 #[derive(Debug, Clone)]
 pub(super) struct Oscillator {
     /// c, k, τ.
@@ -34,7 +34,7 @@ pub(super) struct Oscillator {
 /// A leg's velocities in the middle, and the derivatives of both by s, s′ and ν.
 #[derive(Clone)]
 struct Leg {
-    middle: [f64; 2],
+    middle: [Span; 2],
     after: [Span; 3],
     before: [Span; 3],
 }
@@ -43,7 +43,7 @@ struct Leg {
 /// neighbouring edge with the greatest slope by its s.
 #[derive(Clone)]
 struct Term {
-    middle: f64,
+    middle: Span,
     own: Span,
     moved: Span,
     other: usize,
@@ -55,6 +55,8 @@ pub(super) struct Depths {
     cell: Cell,
     centre: Cell,
     turns: Vec<Flow>,
+    /// Whether c, k and τ are numbers.
+    fixed: bool,
 }
 
 /// What the map does on an edge.
@@ -101,7 +103,8 @@ impl Oscillator {
         let (cell, centre) = (self.cell(depth), self.cell(Span::point(depth.middle())));
         let longest = edges.letters.iter().copied().max().unwrap_or(0);
         let turns = (0..=longest).map(|n| cell.turned(n)).collect();
-        Depths { cell, centre, turns }
+        let fixed = self.parameters.iter().all(|x| x.width() == 0.0);
+        Depths { cell, centre, turns, fixed }
     }
 }
 
@@ -165,7 +168,9 @@ impl Depths {
             before = before.meet(moved);
         }
         let [after, before] = slopes;
-        Leg { middle: middle.map(Span::middle), after, before }
+        // Of one oscillator the middle is a number, but for rounding.
+        let middle = if self.fixed { middle.map(|x| Span::point(x.middle())) } else { middle };
+        Leg { middle, after, before }
     }
 
     /// F of strengths in so many parts, with these factors; none if a phase is out of reach or something is
@@ -205,7 +210,7 @@ impl Depths {
     fn value(&self, m: f64, [impact, middle]: &[Impact; 2], a: &Term, p: &Term) -> [Span; 2] {
         let [c1, c2] = self.cell.shares;
         let own = c1 * a.own + c2 * p.own;
-        let mean = c1 * (Span::point(a.middle) + a.moved) + c2 * (Span::point(p.middle) + p.moved);
+        let mean = c1 * (a.middle + a.moved) + c2 * (p.middle + p.moved);
         let slope = Span::point(1.0 - m) + own.times(m);
         [middle.s.times(1.0 - m) + mean.times(m) + slope * (impact.s - middle.s), own]
     }
@@ -219,11 +224,15 @@ impl Depths {
             for (i, first) in impacts[from].iter().enumerate() {
                 for (j, last) in impacts[to].iter().enumerate() {
                     let leg = self.leg(edges.letters[v], [first, last]);
-                    let term =
-                        |middle: f64, own: Span, slope: Span, depth: Span, other: usize, at: &[Impact; 2]| {
-                            let moved = slope * (at[0].s - at[1].s) + depth * deeper;
-                            Term { middle, own, moved, other, slope: slope.magnitude() }
-                        };
+                    let term = |middle: Span,
+                                own: Span,
+                                slope: Span,
+                                depth: Span,
+                                other: usize,
+                                at: &[Impact; 2]| {
+                        let moved = slope * (at[0].s - at[1].s) + depth * deeper;
+                        Term { middle, own, moved, other, slope: slope.magnitude() }
+                    };
                     let [own, other, depth] = leg.after;
                     after[from][i].push(term(leg.middle[0], own, other, depth, to, last));
                     let [other, own, depth] = leg.before;

@@ -116,6 +116,8 @@ pub enum RangeEnd {
     Work,
     /// No bound is found for how long the legs of motions near are.
     Unbounded,
+    /// Farther away damping, stiffness or restitution change too much for one proof.
+    Wide,
 }
 
 /// Into how many parts strengths are cut, one after the other.

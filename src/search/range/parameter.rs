@@ -8,6 +8,7 @@
 //! before, and ν increases away from the touch where R runs one way. All of this is exact; where it cannot be
 //! shown, the range is shorter or there is none.
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
@@ -31,12 +32,13 @@ pub struct ParameterRange {
     pub end: BigRational,
 }
 
-/// A machine near its touch: what does not change with the parameter.
+/// A machine near its touch, over a range of its parameter.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Touching {
-    /// c, k and τ, in a time in which the wall's period is 2π.
-    pub parameters: [BigRational; 3],
+    /// c, k and τ, each the least and the greatest, in a time in which the wall's period is 2π: exactly where
+    /// they do not change with the parameter, else rounded outwards.
+    pub parameters: [[BigRational; 2]; 3],
     /// R.
     pub ratio: RationalFunction,
     /// h is from the first to the second.
@@ -48,19 +50,37 @@ pub struct Touching {
 impl Touching {
     /// Of a system for a range of the parameter.
     ///
-    /// # Errors
-    /// An input error that says what is not covered: two walls, a wall's motion whose form changes with the
-    /// parameter, as seen from the motion without the wall, damping, stiffness or restitution that change.
+    /// # Errors An input error that says what is not covered: two walls, a wall's motion whose form changes
+    /// with the parameter, as seen from the motion without the wall, damping, stiffness or restitution that
+    /// are not between their values at the range's ends.
     pub fn of(system: &System<RationalFunction>, side: Option<Side>) -> Result<Touching> {
         let Touch { parameters, ratio, top, harmonics } = Touch::of(system, side)?;
-        let names = ["damping", "stiffness", "restitution"];
-        let fixed = parameters.iter().zip(names).map(|(value, name)| {
-            value.constant().ok_or_else(|| fail(&format!("the {name} changes with the parameter")))
-        });
-        let fixed: Vec<BigRational> = fixed.collect::<Result<_>>()?;
-        let parameters = fixed.try_into().map_err(|_| fail("three parameters"))?;
+        let [damping, stiffness, restitution] = &parameters;
+        let parameters = [
+            outwards(damping.bounded("the damping")?),
+            outwards(stiffness.bounded("the stiffness")?),
+            outwards(restitution.bounded("the restitution")?),
+        ];
         Ok(Touching { parameters, ratio, top, harmonics })
     }
+
+    /// Whether damping, stiffness or restitution change with the parameter.
+    #[must_use]
+    pub fn changes(&self) -> bool {
+        self.parameters.iter().any(|[lo, hi]| lo != hi)
+    }
+}
+
+/// Decimals of ranges of damping, stiffness and restitution.
+const PLACES: u32 = 10;
+
+/// One number as it is, two with few decimals and no less between them.
+fn outwards([lo, hi]: [BigRational; 2]) -> [BigRational; 2] {
+    if lo == hi {
+        return [lo, hi];
+    }
+    let scale = BigRational::from_integer(BigInt::from(10).pow(PLACES));
+    [(lo * &scale).floor() / &scale, (hi * &scale).ceil() / scale]
 }
 
 fn fail(message: &str) -> Error {

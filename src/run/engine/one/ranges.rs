@@ -20,9 +20,9 @@ use crate::{
     search::{
         chaos::{LetterGraph, RationalFunction},
         range::{
-            Born, NothingProblem, ParameterRange, RangeEffort, RangeEnd, RangeProblem, RangeProof,
-            SingleProblem, SingleProof, Touching, born, is_as_deep, parameter_range, prove, prove_alone,
-            prove_farther, prove_nothing, prove_single, single_orbits,
+            Born, NothingProblem, NothingProof, ParameterRange, RangeEffort, RangeEnd, RangeProblem,
+            RangeProof, SingleProblem, SingleProof, Touching, born, is_as_deep, parameter_range, prove,
+            prove_alone, prove_farther, prove_nothing, prove_single, single_orbits,
         },
     },
 };
@@ -39,6 +39,37 @@ const SHARE: u64 = 4;
 const STEPS: u32 = 6;
 /// Digits of ends.
 const DIGITS: i32 = 12;
+/// Where damping, stiffness or restitution change with the parameter: how many depths are tried, each with
+/// such a part of the effort; after one at which nothing is proved, one so many times smaller; and how near to
+/// all of it is all.
+const TRIES: u32 = 7;
+const PART_OF_EFFORT: u64 = 4;
+const SMALLER: f64 = 16.0;
+const NEARLY: f64 = 1e-3;
+
+/// The machines of a proof: all whose damping, stiffness and restitution are in these ranges.
+#[derive(Clone)]
+struct Machines {
+    ranges: [[BigRational; 2]; 3],
+    /// Up to here their parameter is known to be among those; none where they do not change with it.
+    until: Option<BigRational>,
+}
+
+/// What is proved to a depth.
+trait Deep {
+    fn reached(&mut self) -> (&BigRational, &mut RangeEnd);
+}
+
+macro_rules! deep {
+    ($($proof:ty),+) => {$(
+        impl Deep for $proof {
+            fn reached(&mut self) -> (&BigRational, &mut RangeEnd) {
+                (&self.depth, &mut self.end)
+            }
+        }
+    )+};
+}
+deep!(RangeProof, SingleProof, NothingProof);
 
 /// The machine near the touch.
 struct Near<'a> {
@@ -74,10 +105,12 @@ pub(super) fn ranges(
     let touching =
         functions(point, &(at - unit), &(at + unit)).and_then(|system| Touching::of(&system, None));
     let touching = match touching {
-        Ok(touching) if touching.parameters[2].is_positive() => touching,
+        Ok(touching) if touching.parameters[2][0].is_positive() => touching,
         Ok(_) => return Ok(Err("ranges are proved for a restitution above 0".into())),
         Err(error) => return Ok(Err(error.to_string())),
     };
+    // Several depths are tried where the machines change.
+    let effort = if touching.changes() { RangeEffort(effort.0 / PART_OF_EFFORT) } else { effort };
     let near = Near { point, effort, touching, start };
     let sides = [near.side(false)?, near.side(true)?];
     Ok(Ok(sides.into_iter().flatten().collect()))
@@ -107,8 +140,12 @@ impl Near<'_> {
             let row = RangeRow::open(behind, verdict, reason.map(String::from));
             Ok(vec![SideRange { row, text: None }])
         };
-        let [damping, stiffness, _] = &self.touching.parameters;
-        let (graph, whole) = match born([damping, stiffness], behind, LONGEST, self.point.job.monitor)? {
+        let [at, _] = &self.start;
+        let [damping, stiffness, _] = functions(self.point, at, at)
+            .and_then(|system| Touching::of(&system, None))?
+            .parameters
+            .map(|[value, _]| value);
+        let (graph, whole) = match born([&damping, &stiffness], behind, LONGEST, self.point.job.monitor)? {
             None => return open("undecided", Some("the word theorem does not apply")),
             Some(Born { graph: None, whole: true }) if behind => return Ok(vec![self.nothing()?]),
             Some(Born { graph: None, whole: true }) => return open(NOTHING, None),
@@ -117,46 +154,134 @@ impl Near<'_> {
             }
             Some(Born { graph: Some(graph), whole }) => (graph, whole),
         };
-        let problem = RangeProblem {
-            ranges: self.ranges(),
-            behind,
-            harmonics: self.touching.harmonics.clone(),
-            graph,
-            deepest: DEEPEST[usize::from(behind)],
-        };
+        let deepest = DEEPEST[usize::from(behind)];
+        let harmonics = self.touching.harmonics.clone();
+        let machines = Machines { ranges: self.touching.parameters.clone(), until: None };
+        let mut problem = RangeProblem { ranges: machines.ranges.clone(), behind, harmonics, graph, deepest };
         let monitor = self.point.job.monitor;
-        let found = prove(&problem, self.effort, monitor)?;
-        let found = match found {
-            Ok(proof) if whole => Ok(prove_alone(&problem, proof, self.effort, monitor)?),
-            found => found,
+        let found = self.widest(behind, self.effort, &|ranges, deepest, effort| {
+            prove(&RangeProblem { ranges, deepest, ..problem.clone() }, effort, monitor)
+        })?;
+        let (found, machines) = match found {
+            Ok((proof, machines)) => {
+                problem.ranges = machines.ranges.clone();
+                let proof = if whole { prove_alone(&problem, proof, self.effort, monitor)? } else { proof };
+                (Ok(proof), machines)
+            }
+            Err(end) => (Err(end), machines),
         };
         let depth = found.as_ref().map_or(0.0, |proof| proof.depth.to_f64().unwrap_or(0.0));
-        let mut all = vec![self.judged(behind, (ALL, &problem.graph, whole), found, self.effort)?];
-        if let Some((graph, proof)) = prove_farther(&problem, depth, self.effort, monitor)? {
-            all.push(self.judged(behind, (PART, &graph, false), Ok(proof), self.effort)?);
+        let mut all = vec![self.judged(behind, (ALL, &problem.graph, whole), found, &machines)?];
+        // Where the machines change with the depth, those of the whole are no measure for a part.
+        if !self.touching.changes()
+            && let Some((graph, proof)) = prove_farther(&problem, depth, self.effort, monitor)?
+        {
+            all.push(self.judged(behind, (PART, &graph, false), Ok(proof), &machines)?);
         }
-        let orbits = single_orbits(&problem.graph);
-        let part = RangeEffort(self.effort.0 / SHARE);
-        for periods in orbits {
+        for periods in single_orbits(&problem.graph) {
             let RangeProblem { ranges, harmonics, deepest, .. } = problem.clone();
-            all.push(self.single(&SingleProblem { ranges, behind, harmonics, periods, deepest }, part)?);
+            all.push(self.single(&SingleProblem { ranges, behind, harmonics, periods, deepest })?);
         }
         Ok(all)
     }
 
+    /// What is proved as far as it goes, and of which machines. Where damping, stiffness and restitution change
+    /// with the parameter, a proof is of all machines on the way to a depth: the deeper that is, the more these
+    /// are and the sooner the proof ends, so that a depth is looked for that is just reached.
+    fn widest<T: Deep>(
+        &self,
+        behind: bool,
+        effort: RangeEffort,
+        prove: &dyn Fn([[BigRational; 2]; 3], f64, RangeEffort) -> Result<std::result::Result<T, RangeEnd>>,
+    ) -> Result<std::result::Result<(T, Machines), RangeEnd>> {
+        let deepest = DEEPEST[usize::from(behind)];
+        if !self.touching.changes() {
+            let machines = Machines { ranges: self.touching.parameters.clone(), until: None };
+            return Ok(prove(machines.ranges.clone(), deepest, effort)?.map(|proof| (proof, machines)));
+        }
+        let (mut best, mut farthest): (Option<(T, Machines)>, f64) = (None, 0.0);
+        // All of the first is reached, not all of the second.
+        let (mut reached, mut asked, mut above, mut last) = (0.0f64, deepest, deepest, 0.0);
+        let mut end = RangeEnd::Wide;
+        for _ in 0..TRIES {
+            let found = match self.machines(behind, asked)? {
+                Some(machines) => {
+                    prove(machines.ranges.clone(), asked, effort)?.map(|proof| (proof, machines))
+                }
+                None => Err(RangeEnd::Wide),
+            };
+            let depth = match found {
+                Err(why) => {
+                    end = why;
+                    0.0
+                }
+                Ok((mut proof, machines)) => {
+                    let (depth, end) = proof.reached();
+                    let depth = depth.to_f64().unwrap_or(0.0);
+                    if asked < deepest && *end == RangeEnd::Asked {
+                        *end = RangeEnd::Wide;
+                    }
+                    if depth > farthest {
+                        (best, farthest) = (Some((proof, machines)), depth);
+                    }
+                    depth
+                }
+            };
+            // Narrower ranges of the machines do not make the proof go farther.
+            let settled = (depth - last).abs() <= 10.0 * NEARLY * depth && depth > 0.0 && depth < 0.5 * asked;
+            last = depth;
+            if depth >= asked * (1.0 - NEARLY) {
+                reached = asked;
+            } else {
+                (reached, above) = (reached.max(depth), asked);
+            }
+            if settled || reached >= above * (1.0 - 10.0 * NEARLY) {
+                break;
+            }
+            asked = if reached > 0.0 { (reached * above).sqrt() } else { above / SMALLER };
+        }
+        Ok(best.ok_or(end))
+    }
+
+    /// The machines from the touch to a depth; none if these are not known.
+    fn machines(&self, behind: bool, depth: f64) -> Result<Option<Machines>> {
+        let Some(depth) = BigRational::from_float(depth) else { return Ok(None) };
+        let found = self.parameters(behind, &depth).and_then(|range| {
+            let Some(ParameterRange { touch: [lo, hi], end }) = range else { return Ok(None) };
+            let (from, to) = if end > hi { (lo, end.clone()) } else { (end.clone(), hi) };
+            let touching = Touching::of(&functions(self.point, &from, &to)?, None)?;
+            let ranges = touching.parameters;
+            Ok(ranges[2][0].is_positive().then_some(Machines { ranges, until: Some(end) }))
+        });
+        match found {
+            Err(error) if error.is_interrupted() => Err(error),
+            // A machine on the way that is none, as one without a spring.
+            Err(_) => Ok(None),
+            Ok(machines) => Ok(machines),
+        }
+    }
+
     /// The orbit of one impact, along its curve.
-    fn single(&self, problem: &SingleProblem, effort: RangeEffort) -> Result<SideRange> {
+    fn single(&self, problem: &SingleProblem) -> Result<SideRange> {
         let behind = problem.behind;
-        let mut found = match prove_single(problem, effort, self.point.job.monitor)? {
+        let effort = RangeEffort(self.effort.0 / SHARE);
+        let found = self.widest(behind, effort, &|ranges, deepest, effort| {
+            prove_single(
+                &SingleProblem { ranges, deepest, ..problem.clone() },
+                effort,
+                self.point.job.monitor,
+            )
+        })?;
+        let mut found = match found {
             Err(end) => {
                 let row = RangeRow::open(behind, "undecided", Some(why_single(&end, effort)));
                 SideRange { row, text: None }
             }
-            Ok(proof) => {
-                let mut row = self.over(behind, &proof.depth, why_single(&proof.end, effort))?;
+            Ok((proof, machines)) => {
+                let mut row = self.over(behind, &proof.depth, &machines, why_single(&proof.end, effort))?;
                 let proved = row.verdict == PROVED;
                 if proved {
-                    row.stability = self.stability(behind, &proof)?;
+                    row.stability = self.stability(behind, &proof, &machines)?;
                 }
                 SideRange { row, text: proved.then_some(proof.text) }
             }
@@ -166,7 +291,7 @@ impl Near<'_> {
     }
 
     /// Where it is stable, over the parameter: parts that are shown to be in the proof's.
-    fn stability(&self, behind: bool, proof: &SingleProof) -> Result<Vec<StabilityRow>> {
+    fn stability(&self, behind: bool, proof: &SingleProof, machines: &Machines) -> Result<Vec<StabilityRow>> {
         let system = |from: &BigRational, to: &BigRational| functions(self.point, from, to);
         let mut all = Vec::new();
         let mut from: Option<&BigRational> = None;
@@ -177,7 +302,7 @@ impl Near<'_> {
                 Word::Unstable => "unstable",
                 Word::Open => continue,
             };
-            let Some(to) = self.over(behind, depth, String::new())?.end else { continue };
+            let Some(to) = self.over(behind, depth, machines, String::new())?.end else { continue };
             let Some(begin) = begin else {
                 all.push(StabilityRow { word, from: None, to });
                 continue;
@@ -201,20 +326,17 @@ impl Near<'_> {
         Ok(all)
     }
 
-    /// c, k and τ, known exactly.
-    fn ranges(&self) -> [[BigRational; 2]; 3] {
-        self.touching.parameters.each_ref().map(|x| [x.clone(), x.clone()])
-    }
-
     /// Beyond the touch, where nothing is born: that no motion stays near.
     fn nothing(&self) -> Result<SideRange> {
-        let deepest = DEEPEST[1];
-        let harmonics = self.touching.harmonics.clone();
-        let problem = NothingProblem { ranges: self.ranges(), harmonics, deepest };
-        let (mut row, text) = match prove_nothing(&problem, self.effort, self.point.job.monitor)? {
+        let harmonics = &self.touching.harmonics;
+        let found = self.widest(true, self.effort, &|ranges, deepest, effort| {
+            let problem = NothingProblem { ranges, harmonics: harmonics.clone(), deepest };
+            prove_nothing(&problem, effort, self.point.job.monitor)
+        })?;
+        let (mut row, text) = match found {
             Err(end) => (RangeRow::open(true, NOTHING, Some(why(&end, self.effort))), None),
-            Ok(proof) => {
-                let mut row = self.over(true, &proof.depth, why(&proof.end, self.effort))?;
+            Ok((proof, machines)) => {
+                let mut row = self.over(true, &proof.depth, &machines, why(&proof.end, self.effort))?;
                 if row.verdict == PROVED {
                     (row.leaves, row.zone) = (Some(proof.periods), Some(downwards(proof.zone() / TAU)));
                 }
@@ -232,12 +354,12 @@ impl Near<'_> {
         behind: bool,
         (of, graph, whole): (&'static str, &LetterGraph, bool),
         found: std::result::Result<RangeProof, RangeEnd>,
-        effort: RangeEffort,
+        machines: &Machines,
     ) -> Result<SideRange> {
         let mut found = match found {
-            Ok(proof) => self.proved(behind, proof, effort)?,
+            Ok(proof) => self.proved(behind, proof, machines)?,
             Err(end) => {
-                let row = RangeRow::open(behind, "undecided", Some(why(&end, effort)));
+                let row = RangeRow::open(behind, "undecided", Some(why(&end, self.effort)));
                 SideRange { row, text: None }
             }
         };
@@ -246,10 +368,10 @@ impl Near<'_> {
     }
 
     /// A proof over depths as one over the parameter.
-    fn proved(&self, behind: bool, proof: RangeProof, effort: RangeEffort) -> Result<SideRange> {
-        let mut row = self.over(behind, &proof.depth, why(&proof.end, effort))?;
+    fn proved(&self, behind: bool, proof: RangeProof, machines: &Machines) -> Result<SideRange> {
+        let mut row = self.over(behind, &proof.depth, machines, why(&proof.end, self.effort))?;
         if let Some(depth) = proof.alone.filter(|_| row.verdict == PROVED) {
-            row.alone = self.over(behind, &depth, String::new())?.end;
+            row.alone = self.over(behind, &depth, machines, String::new())?.end;
         }
         let text = (row.verdict == PROVED).then_some(proof.text);
         Ok(SideRange { row, text })
@@ -262,11 +384,23 @@ impl Near<'_> {
         parameter_range(&system, None, [at, unit], depth, behind)
     }
 
-    /// The values of the parameter with depths up to one.
-    fn over(&self, behind: bool, depth: &BigRational, reason: String) -> Result<RangeRow> {
+    /// The values of the parameter with depths up to one, of machines of a proof.
+    fn over(
+        &self,
+        behind: bool,
+        depth: &BigRational,
+        machines: &Machines,
+        reason: String,
+    ) -> Result<RangeRow> {
         let [_, unit] = &self.start;
         let open = |why: String| RangeRow::open(behind, "undecided", Some(why));
-        Ok(match self.parameters(behind, depth) {
+        let known = |range: ParameterRange| match &machines.until {
+            Some(until) if (*until > range.touch[1]) == (range.end > *until) => {
+                ParameterRange { end: until.clone(), ..range }
+            }
+            _ => range,
+        };
+        Ok(match self.parameters(behind, depth).map(|range| range.map(known)) {
             Err(error) if error.is_interrupted() => return Err(error),
             Err(error) => open(error.to_string()),
             Ok(None) => {
