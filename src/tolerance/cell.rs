@@ -213,6 +213,13 @@ impl Cell {
         }
         found.filter(|_| candidates.len() <= CANDIDATES as usize)
     }
+
+    /// The same for eµ < 0 and complex eigenvalues. The periods are those with 2ns < 1, all with the letter
+    /// D: for γ < 0 none follows itself, for γ > 0 all do, and a second one occurs iff 4s < 1.
+    pub fn chaos_behind(&self, gamma_is_positive: bool) -> Option<bool> {
+        let Image::Polar { turn, .. } = &self.image else { return None };
+        if gamma_is_positive { Some(turn.sign(2)? == Sign::Positive) } else { Some(false) }
+    }
 }
 
 /// An image of which nothing is known.

@@ -9,7 +9,8 @@
 //! words differ and bounds the share of the box in which a statement holds: the cells where it certainly
 //! does, and those where it certainly does not. [`Statement`]s are three-valued on a cell; on the box they
 //! hold everywhere, nowhere or in a part of it ([`Spread`]), or are open. [`Excursion`]s say how far one
-//! parameter may go from a point before a statement changes.
+//! parameter may go from a point before a statement changes. A [`ChaosChart`] says where in a plane of
+//! machines chaos is born.
 //!
 //! ```
 //! use grazing::{number::parse_rational, tolerance::{ParameterBox, Partition, Statement, Spread}};
@@ -28,6 +29,7 @@
 
 mod cell;
 mod change;
+mod chart;
 mod expansion;
 mod normal;
 mod parameters;
@@ -36,6 +38,7 @@ mod tube;
 mod verdicts;
 
 pub use change::{Change, Excursion, Toward};
+pub use chart::{ChaosChart, ChartCell};
 pub use normal::{DEVIATIONS, NormalParameters};
 pub use parameters::ParameterBox;
 pub use partition::{Leaf, Partition, Share, Spread, Statement};

@@ -1,5 +1,7 @@
 //! Boxes of parameters, checked once.
 
+use std::f64::consts::TAU;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero, pow};
@@ -102,6 +104,22 @@ impl ParameterBox {
     /// The bounds of both parameters.
     pub fn bounds(&self) -> &[[BigRational; 2]; 2] {
         &self.bounds
+    }
+
+    /// a₁ and a₂ where the parameters have these values, in floats: for pictures.
+    pub fn in_plane(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        match self.coordinates {
+            Coordinates::Plane => [x, y],
+            Coordinates::Polar => [2.0 * x * (TAU * y).cos(), x * x],
+            Coordinates::Machine => {
+                let (decay, swing) = (TAU * x * y, TAU * x * (1.0 - y * y).abs().sqrt());
+                let a1 = match y < 1.0 {
+                    true => 2.0 * (-decay).exp() * swing.cos(),
+                    false => (swing - decay).exp() + (-swing - decay).exp(),
+                };
+                [a1, (-2.0 * decay).exp()]
+            }
+        }
     }
 
     /// The middle.

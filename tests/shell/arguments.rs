@@ -97,8 +97,8 @@ fn negative_numbers_are_values() {
         "formula 5 @",
         "sequence tips @",
         "figure intervals @",
-        "figure records --r @",
-        "figure records --s @",
+        "figure records --r @ --s 1/5",
+        "figure records --r 1/2 --s @",
         &format!("{run_scene} --jobs @"),
         &format!("{run_scene} --shard @/3 -o part"),
     ] {

@@ -6,6 +6,7 @@ use grazing::{
     existence::{Case, by_definition, by_records, intervals},
     local::{Ladder, Point, Polar},
     number::parse_rational,
+    word::Word,
 };
 
 /// Draws a figure; returns the rows of its CSV by column name, and its SVG.
@@ -289,6 +290,80 @@ fn the_strips_of_the_shift_cross_its_bands() {
     assert_no_overlap(&svg);
 }
 
+/// A picture for each kind of box; its cells cover the box, and their words are those of `word` at a point.
+#[test]
+fn tolerances_are_shown_with_their_words() {
+    for (arguments, x, y, labelled) in [
+        ("", ["ratio_lower", "ratio_upper"], ["damping_lower", "damping_upper"], ["DUU", "DU", "DD"]),
+        // Across γ = 0, where the image folds, and much is open.
+        (
+            "--frequency 0.9..=1.1 --damping-ratio 0.01..=0.1 --drive 1",
+            ["ratio_lower", "ratio_upper"],
+            ["damping_lower", "damping_upper"],
+            ["s", "r", "other words"],
+        ),
+        ("--r 0.97±1% --s 0.37", ["r_lower", "r_upper"], ["s_lower", "s_upper"], ["D", "s", "r"]),
+        (
+            "--a1 0.3..=1.9 --a2 0.6±10%",
+            ["a1_lower", "a1_upper"],
+            ["a2_lower", "a2_upper"],
+            ["DUU (1, 3, 4)", "(1, …)", "open"],
+        ),
+        (
+            "--frequency 0.3±10% --damping-ratio 0.9..=1.1 --drive 1",
+            ["ratio_lower", "ratio_upper"],
+            ["damping_lower", "damping_upper"],
+            ["D (1, …)", "DDDD (1 to 4)", "open"],
+        ),
+    ] {
+        let (rows, svg) = draw(&format!("tolerance {arguments}"), "tolerance");
+        assert_no_overlap(&svg);
+        let shown = labels(&svg);
+        for text in labelled {
+            assert!(shown.iter().any(|(label, _)| label.contains(text)), "{arguments}: {text} in {shown:?}");
+        }
+        let exact = |row: &HashMap<String, String>, column: &str| parse_rational(&row[column]).unwrap();
+        let flat = exact(&rows[0], y[0]) == exact(&rows[0], y[1]);
+        let area: f64 = rows.iter().map(|row| 0.5f64.powf(number(row, "halvings"))).sum();
+        assert!((area - 1.0).abs() < 1e-12, "{arguments}: {area}");
+        let is_polar = x[0].starts_with('r') && x[0] != "ratio_lower";
+        for row in rows.iter().filter(|row| is_polar && !row["word_before"].is_empty()).take(20) {
+            let middle = |[lower, upper]: [&str; 2]| {
+                (exact(row, lower) + exact(row, upper)) / num_bigint::BigInt::from(2)
+            };
+            let point = Point::Polar(Polar::new(middle(x), middle(y)).unwrap());
+            for (column, positive) in [("word_before", true), ("word_beyond", false)] {
+                let word = Word::at(&Ladder::default(), &point, positive, 64, &()).unwrap();
+                assert!(row[column].is_empty() || row[column] == word.letters(), "{row:?}");
+            }
+        }
+        assert_eq!(flat, arguments.contains("--s 0.37"));
+    }
+}
+
+/// Small charts: cells cover the box once, and both sides of the touch differ somewhere.
+#[test]
+fn the_design_chart_covers_its_box() {
+    for (arguments, high) in [
+        ("design --frequency 0.3..=0.45 --drive 1 --damping-ratio 0.1..=0.2", 0.1),
+        ("design --frequency 36..=37Hz --drive 100Hz --damping-ratio 0.01..=0.1", 0.09),
+    ] {
+        let (rows, svg) = draw(arguments, "design");
+        assert_no_overlap(&svg);
+        let area = |row: &HashMap<String, String>| {
+            (number(row, "ratio_upper") - number(row, "ratio_lower"))
+                * (number(row, "damping_upper") - number(row, "damping_lower"))
+        };
+        let wide = if arguments.contains("Hz") { 0.01 } else { 0.15 };
+        let whole: f64 = rows.iter().map(area).sum();
+        assert!((whole / (wide * high) - 1.0).abs() < 1e-9, "{whole}");
+        let open: f64 = rows.iter().filter(|row| row["chaos_before"] == "open").map(area).sum();
+        assert!(open < 0.05 * whole, "{open}");
+        let is = |column: &str, said: &str| rows.iter().any(|row| row[column] == said);
+        assert!(is("chaos_before", "yes") && is("chaos_before", "no"), "{arguments}");
+    }
+}
+
 /// Of every picture on the pages, those of measured tables among them.
 #[test]
 fn no_text_on_the_pages_covers_another() {
@@ -307,10 +382,14 @@ fn wrong_numbers_are_named() {
     let cases = [
         ("4 2", "N = 2: this figure shows periods 3 to N, with N from 3 to 40"),
         ("records 61", "N = 61: this figure shows periods 1 to N, with N from 1 to 60"),
-        ("records --s 1/2", "s = 1/2 is outside 0 < s < 1/2"),
+        ("records --r 0.9 --s 1/2", "s = 1/2 is outside 0 < s < 1/2"),
         ("5 25", "N = 25: this figure shows one period N, with N from 3 to 24"),
         ("tips 3", "N = 3: this figure shows periods 4 to N, with N from 4 to 400"),
-        ("2 --r 0.9", "--r and --s belong to `grazing figure records`"),
+        ("2 --r 0.9 --s 0.2", "a point or a box belongs to `grazing figure records`"),
+        ("records --r 0.9±1% --s 0.2", "figure records shows one point"),
+        ("records --a1 0.9 --a2 0.2", "figure records shows a point by --r and --s"),
+        ("tolerance --r 0.9 --s 0.2", "figure tolerance shows a box"),
+        ("design --r 0.9±1% --s 0.2", "two different ends"),
     ];
     for (arguments, expected) in cases {
         let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));

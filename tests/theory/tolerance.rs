@@ -6,7 +6,7 @@ use common::config;
 use grazing::existence::{Case, by_definition};
 use grazing::local::{Ladder, Plane, Point, Polar};
 use grazing::number::{Ball, Elementary, Precision, Real};
-use grazing::tolerance::{Excursion, ParameterBox, Partition, Spread, Statement, Toward};
+use grazing::tolerance::{ChaosChart, Excursion, ParameterBox, Partition, Spread, Statement, Toward};
 use grazing::word::{Edge, Extent, Letter, Rectangle, Relation, Word};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -425,4 +425,49 @@ fn changes_are_where_they_are_known_to_be() {
     // It does not depend on r, down to where is looked.
     let change = first(0, false, 2);
     assert_eq!((change.by, change.open, change.before), (None, false, q(9, 20)));
+}
+
+/// A chart covers its box once, and what it says of chaos is true at random machines, by their words.
+#[test]
+fn a_chart_of_chaos_says_what_words_say() {
+    let mut drawn = Drawn(1);
+    let mut told = [[0; 2]; 2];
+    for (ratio, damping) in [
+        ([q(1, 10), q(21, 10)], [q(1, 256), q(1, 2)]),
+        ([q(3, 10), q(7, 10)], [q(1, 20), q(1, 10)]),
+        ([q(1, 2), q(3, 2)], [q(0, 1), q(5, 4)]),
+    ] {
+        let of = ParameterBox::machine(ratio, damping).unwrap();
+        let chart = ChaosChart::new(&of, 5, &()).unwrap();
+        let sides = [chart.columns.len() - 1, chart.rows.len() - 1];
+        let mut covered = vec![0; sides[0] * sides[1]];
+        for cell in &chart.cells {
+            for (i, j) in (cell.rows[0]..cell.rows[1])
+                .flat_map(|j| (cell.columns[0]..cell.columns[1]).map(move |i| (i, j)))
+            {
+                covered[j * sides[0] + i] += 1;
+            }
+            let size = (cell.rows[1] - cell.rows[0]) * (cell.columns[1] - cell.columns[0]);
+            if size == 1 && drawn.below(4) > 0 {
+                continue;
+            }
+            let bounds = chart.bounds(cell);
+            let at = along(&bounds, [drawn.below(1010), drawn.below(1010)]);
+            let Some(exact) = Exact::of_machine(&at[0], &at[1]) else { continue };
+            let [ratio, damping] = at.each_ref().map(|x| x.to_f64().unwrap());
+            let swing = if damping < 1.0 { (1.0 - damping * damping).sqrt() * ratio } else { 0.25 };
+            let gamma = (std::f64::consts::TAU * swing).sin() > 0.0;
+            for (chaos, positive) in cell.chaos.into_iter().zip([true, false]) {
+                let Some(born) = chaos else { continue };
+                let case = Case::from_signs(positive, positive == gamma);
+                let loops = (1..120).filter(|&n| exact.edge(case, n, n) == Edge::Yes).count();
+                assert_eq!(born, loops > 1, "{case} at {at:?}");
+                told[usize::from(positive)][usize::from(born)] += 1;
+            }
+        }
+        assert!(covered.iter().all(|&times| times == 1));
+    }
+    assert!(told.as_flattened().iter().all(|&times| times > 20), "{told:?}");
+    let point = ParameterBox::machine([q(1, 2), q(1, 2)], [q(1, 10), q(1, 5)]).unwrap();
+    assert!(ChaosChart::new(&point, 5, &()).unwrap_err().is_input());
 }

@@ -10,7 +10,12 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::{Outcome, run::paper, view::ViewArgs};
+use super::{
+    Outcome,
+    place::{self, Asked, AskedPoint, Place},
+    run::paper,
+    view::ViewArgs,
+};
 use crate::{
     certificate,
     cli::progress::{Interrupt, Progress},
@@ -26,6 +31,7 @@ use crate::{
         cover::{Cover, CoverOptions, certificate as assemble, cover},
     },
     study,
+    tolerance::ParameterBox,
 };
 
 /// Draw a figure as SVG, with its data as CSV beside it.
@@ -34,7 +40,8 @@ use crate::{
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing figure intervals 9 -o figures
-  grazing figure records --r 0.993 --s 0.205 -o figures")]
+  grazing figure records --r 0.993 --s 0.205 -o figures
+  grazing figure tolerance --frequency 12.3Hz±1% --damping-ratio 0.02±20% --drive 10Hz -o figures")]
 pub(super) struct Args {
     /// Which figure.
     #[arg(value_enum)]
@@ -46,12 +53,8 @@ pub(super) struct Args {
     /// As it was written once.
     #[arg(long = "n", hide = true, conflicts_with = "n", value_name = "N", value_parser = parse_integer::<u64>)]
     long_n: Option<u64>,
-    /// For records: the modulus of the eigenvalues, 0 < R <= 1; by default 0.993.
-    #[arg(long, value_name = "R", value_parser = parse_rational)]
-    r: Option<BigRational>,
-    /// For records: their angle in turns, 0 < S < 1/2; by default 0.205.
-    #[arg(long, value_name = "S", value_parser = parse_rational)]
-    s: Option<BigRational>,
+    #[command(flatten)]
+    place: Place,
     #[command(flatten)]
     view: ViewArgs,
     /// The folder for the files, or the picture's file: NAME.svg, NAME.pdf or NAME.png, its data in NAME.csv.
@@ -94,7 +97,8 @@ enum Figure {
     Chaos,
     /// Theorem 2's intervals for n = 3 to N.
     Intervals,
-    /// The powers of an eigenvalue seen from 1: their records are the periods that exist.
+    /// The powers of an eigenvalue seen from 1: their records are the periods that exist; by default with
+    /// --r 0.993 --s 0.205.
     Records,
     /// The words of the (a1, a2) plane and their entropy, areas of period up to N: where chaos is born.
     Words,
@@ -108,6 +112,12 @@ enum Figure {
     Returns,
     /// The lowest points of all areas beside their law for large n, n = 4 to N.
     Tips,
+    /// All machines that tolerances allow, by their words; by default --frequency 12.3Hz±1% --damping-ratio
+    /// 0.02±20% --drive 10Hz, and any box that `word` takes.
+    Tolerance,
+    /// Where a touch gives birth to chaos, over natural / drive frequency and damping ratio; by default
+    /// --frequency 0.1..=2.1 --drive 1 --damping-ratio 0.00390625..=0.5.
+    Design,
 }
 
 /// For how many periods the attractor is followed, and how many it is given to settle.
@@ -128,7 +138,20 @@ impl Figure {
     /// Whether N says what it shows.
     fn has_periods(self) -> bool {
         use Figure::*;
-        !matches!(self, Regions | Orbits | Branches | Diagram | Before | Near | After | Chaos | Returns)
+        !matches!(
+            self,
+            Regions
+                | Orbits
+                | Branches
+                | Diagram
+                | Before
+                | Near
+                | After
+                | Chaos
+                | Returns
+                | Tolerance
+                | Design
+        )
     }
 
     fn is_of_a_scene(self) -> bool {
@@ -138,6 +161,40 @@ impl Figure {
 }
 
 impl Args {
+    /// The box that the figure shows, and the names of its parameters; `default` if none is given.
+    fn boxed(&self, default: [[&str; 2]; 2]) -> Result<(ParameterBox, [&'static str; 2])> {
+        if !self.place.is_given() {
+            let ends = |[lower, upper]: [&str; 2]| -> Result<[BigRational; 2]> {
+                Ok([parse_rational(lower)?, parse_rational(upper)?])
+            };
+            let [ratio, damping] = default;
+            let of = ParameterBox::machine(ends(ratio)?, ends(damping)?)?;
+            return Ok((of, ["ratio", "damping_ratio"]));
+        }
+        match self.place.asked()? {
+            Asked::Box(asked) => Ok((asked.0, asked.1.map(|(name, _)| name))),
+            Asked::Point(_) => Err(self.wants("a box: give at least one parameter as an interval")),
+        }
+    }
+
+    /// r and s of the point that the figure shows.
+    fn point(&self) -> Result<[BigRational; 2]> {
+        if !self.place.is_given() {
+            return Ok([parse_rational("0.993")?, parse_rational("0.205")?]);
+        }
+        match self.place.asked()? {
+            Asked::Point(AskedPoint::Polar(r, s)) => Ok([r, s]),
+            Asked::Box(asked) => {
+                Err(self.wants(&format!("one point, not {}: give --r and --s", place::shown(&asked.1))))
+            }
+            Asked::Point(_) => Err(self.wants("a point by --r and --s")),
+        }
+    }
+
+    fn wants(&self, what: &str) -> Error {
+        Error::input(format!("figure {} shows {what}", self.figure.name()))
+    }
+
     /// Where the files go: `name` is that of the figure, if the output names none.
     fn place<'a>(&'a self, name: &'a str) -> Result<FigurePlace<'a>> {
         if self.output.is_dir() || self.output.extension().is_none() {
@@ -222,8 +279,10 @@ fn chaos(place: &FigurePlace, interrupt: &Interrupt) -> Result<()> {
 }
 
 pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
-    if args.figure != Figure::Records && (args.r.is_some() || args.s.is_some()) {
-        return Err(Error::input("--r and --s belong to `grazing figure records`"));
+    if args.place.is_given() && !matches!(args.figure, Figure::Records | Figure::Tolerance | Figure::Design) {
+        return Err(Error::input(
+            "a point or a box belongs to `grazing figure records`, `tolerance` and `design`",
+        ));
     }
     if !args.figure.is_of_a_scene() && !args.view.is_whole() {
         return Err(Error::input("--x-limits, --y-limits and --q-modulo-2pi belong to the figures 6 to 10"));
@@ -239,8 +298,6 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         files.claim("the picture's data", &place.data(), FileUse::Write)?;
     }
     make_folder(place.folder)?;
-    let number =
-        |given: &Option<BigRational>, default| given.clone().map_or_else(|| parse_rational(default), Ok);
     let n = given.unwrap_or(match args.figure {
         Figure::Areas => 8,
         Figure::Tips => 200,
@@ -262,7 +319,16 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         }
         Figure::Intervals => figure::intervals(n, &place)?,
         Figure::Records => {
-            figure::records(&number(&args.r, "0.993")?, &number(&args.s, "0.205")?, n, &place)?
+            let [r, s] = args.point()?;
+            figure::records(&r, &s, n, &place)?;
+        }
+        Figure::Tolerance => {
+            let (of, names) = args.boxed([["1.2177", "1.2423"], ["0.016", "0.024"]])?;
+            figure::tolerance(&of, names, &place, &Progress::new(interrupt, 0, "cells"))?;
+        }
+        Figure::Design => {
+            let (of, _) = args.boxed([["0.1", "2.1"], ["0.00390625", "0.5"]])?;
+            figure::design(&of, &place, &Progress::new(interrupt, 0, "parts"))?;
         }
         Figure::Words => figure::words(n, &place, &Progress::new(interrupt, n.saturating_sub(2), "periods"))?,
         Figure::Touch => {

@@ -95,7 +95,7 @@ enum Command {
     Farey(farey::Args),
     Boundary(boundary::Args),
     Sequence(sequence::Args),
-    Figure(figure::Args),
+    Figure(Box<figure::Args>),
     Formula(formula::Args),
     Evaluate(evaluate::Args),
     Accuracy(accuracy::Args),

@@ -216,6 +216,11 @@ impl Place {
         Ok(Given { of, bounds, from, parameters })
     }
 
+    /// Whether anything is given.
+    pub fn is_given(&self) -> bool {
+        self.a1.is_some() || self.r.is_some() || self.frequency.is_some()
+    }
+
     /// Whether that is a box.
     pub fn is_box(&self) -> bool {
         let spans = [&self.a1, &self.a2, &self.r, &self.s];
