@@ -1,5 +1,5 @@
 //! What leaves the program, for every part: tables in six formats, files that are whole or absent, journals,
-//! shards, rounded decimals.
+//! shards, rounded decimals; and samples over time, which come in.
 
 mod bounds;
 mod destination;
@@ -12,6 +12,7 @@ mod journal;
 mod lock;
 mod registry;
 mod row;
+mod samples;
 mod shard;
 mod table;
 
@@ -31,5 +32,6 @@ pub use journal::{Journal, SavedRun, torn};
 pub use registry::MADE;
 pub use registry::{Clash, FileRegistry, FileUse, NamedFile};
 pub use row::RowSetter;
+pub use samples::{SampleColumns, SampleLine, WrongLine, samples};
 pub use shard::{Shard, ShardFile, ShardWriter, ShardedTask, TaskInput};
 pub use table::{Caption, Column, Print, Setting, TableCell, TableFormat, TableWriter, decimal};

@@ -22,6 +22,7 @@ use crate::{
     error::Result,
     many::{Load, RealMatrix, RealVector, Record},
     number::Plain,
+    output::{SampleColumns, SampleLine, WrongLine, samples},
 };
 
 keys! {
@@ -69,16 +70,10 @@ pub struct MeasuredForce {
     pub(crate) direction: Vec<Expression>,
 }
 
-/// Most harmonics and samples.
+/// Most harmonics.
 const HARMONICS: u32 = 100;
-const SAMPLES: usize = 100_000;
 /// The longest file, in bytes.
 const LONGEST: u64 = 64 << 20;
-
-/// A line of the file, a time and a force.
-type Sample = (usize, f64, f64);
-/// What is wrong and in which line.
-type Wrong = (usize, String);
 
 impl MeasuredForce {
     /// Reads a record that is taken once.
@@ -93,7 +88,8 @@ impl MeasuredForce {
         }
         let place = at("file");
         let (beside, text) = place.beside(&keys.file, LONGEST)?;
-        let wrong = |(line, message): Wrong| place.fail(&format!("{}:{line}: {message}", beside.display()));
+        let wrong =
+            |(line, message): WrongLine| place.fail(&format!("{}:{line}: {message}", beside.display()));
         let samples = record(&text).map_err(wrong)?;
         let step = even(&samples).map_err(wrong)?;
         let values: Vec<f64> = samples.iter().map(|sample| sample.2).collect();
@@ -147,7 +143,8 @@ impl MeasuredForce {
         }
         let place = at("file");
         let (beside, text) = place.beside(&keys.file, LONGEST)?;
-        let wrong = |(line, message): Wrong| place.fail(&format!("{}:{line}: {message}", beside.display()));
+        let wrong =
+            |(line, message): WrongLine| place.fail(&format!("{}:{line}: {message}", beside.display()));
         let record = record(&text).map_err(wrong)?;
         let fitted = fit(&record, period, harmonics as usize).map_err(wrong)?;
         Ok(MeasuredForce { file: keys.file, direction, ..fitted })
@@ -172,7 +169,7 @@ impl MeasuredForce {
 const EVEN: f64 = 1e-3;
 
 /// The step of an even record.
-fn even(record: &[Sample]) -> std::result::Result<f64, Wrong> {
+fn even(record: &[SampleLine]) -> std::result::Result<f64, WrongLine> {
     let mut steps: Vec<f64> = record.windows(2).map(|pair| pair[1].1 - pair[0].1).collect();
     steps.sort_by(f64::total_cmp);
     let usual = steps[steps.len() / 2];
@@ -190,72 +187,17 @@ fn even(record: &[Sample]) -> std::result::Result<f64, Wrong> {
 }
 
 /// The samples of a file, by time.
-fn record(text: &str) -> std::result::Result<Vec<Sample>, Wrong> {
-    let text = text.trim_start_matches('\u{feff}');
-    let mut lines = (1..)
-        .zip(text.lines())
-        .map(|(line, content)| (line, content.trim()))
-        .filter(|(_, content)| !content.is_empty() && !content.starts_with('#'));
-    let (line, head) =
-        lines.next().ok_or((1, "holds no samples: columns time and force are needed".into()))?;
-    let separator = [';', ',', '\t'].into_iter().find(|c| head.contains(*c));
-    let cells = |content: &str| -> Vec<String> {
-        let bare = |cell: &str| cell.trim().trim_matches('"').to_string();
-        match separator {
-            Some(separator) => content.split(separator).map(bare).collect(),
-            None => content.split_whitespace().map(bare).collect(),
-        }
-    };
-    let names: Vec<String> = cells(head).iter().map(|name| name.to_lowercase()).collect();
-    let column = |name: &str| {
-        let found = names.iter().position(|known| known == name);
-        found.ok_or_else(|| {
-            let here = names.join(", ");
-            (line, format!("has no column {name:?}: the first line names the columns, as in time,force; here are {here}"))
-        })
-    };
-    let (time, force) = (column("time")?, column("force")?);
-    let mut all: Vec<Sample> = Vec::new();
-    for (line, content) in lines {
-        let cells = cells(content);
-        if cells.len() != names.len() {
-            return Err((
-                line,
-                format!("has {} cells; the first line names {} columns", cells.len(), names.len()),
-            ));
-        }
-        let number = |place: usize| {
-            let value = cells[place].parse::<f64>().ok().filter(|value| value.is_finite());
-            value.ok_or_else(|| {
-                (
-                    line,
-                    format!(
-                        "{:?} is not a finite number, written with a point: take the line out",
-                        cells[place]
-                    ),
-                )
+fn record(text: &str) -> std::result::Result<Vec<SampleLine>, WrongLine> {
+    samples(text, &|names| {
+        let column = |name: &str| {
+            let found = names.iter().position(|known| known == name);
+            found.ok_or_else(|| {
+                let here = names.join(", ");
+                format!("has no column {name:?}: the first line names the columns, as in time,force; here are {here}")
             })
         };
-        let (t, f) = (number(time)?, number(force)?);
-        if let Some(&(before, last, _)) = all.last()
-            && t <= last
-        {
-            let message = if t == last {
-                format!("the time {t} stands in line {before}, too: keep one of them")
-            } else {
-                format!("the time {t} is before that of line {before}, {last}: sort the lines by time")
-            };
-            return Err((line, message));
-        }
-        if all.len() == SAMPLES {
-            return Err((line, format!("more than {SAMPLES} samples: take fewer")));
-        }
-        all.push((line, t, f));
-    }
-    if all.len() < 3 {
-        return Err((line, format!("has {} samples; a force needs at least 3", all.len())));
-    }
-    Ok(all)
+        Ok(SampleColumns { time: column("time")?, value: column("force")?, named: true })
+    })
 }
 
 /// Harmonics that leave more than this share of the record's variation do not stand for it: more than half of
@@ -264,7 +206,7 @@ const UNTOLD: f64 = 0.5;
 
 /// The share of a record's variation, the mean square in time about its mean, that a model leaves: of all of
 /// the record, what lies beyond its whole periods too. 0 for a record that is constant, up to rounding.
-fn untold(record: &[Sample], model: impl Fn(f64) -> f64) -> f64 {
+fn untold(record: &[SampleLine], model: impl Fn(f64) -> f64) -> f64 {
     let time = |i: usize| record[i.min(record.len() - 1)].1;
     let weight = |i: usize| (time(i + 1) - time(i.saturating_sub(1))) / 2.0;
     let over = |value: &dyn Fn(f64, f64) -> f64| {
@@ -312,7 +254,7 @@ fn least_squares(folded: &[(f64, f64, usize)], count: usize, periods: usize) -> 
 }
 
 /// The harmonics of a record with this period.
-fn fit(record: &[Sample], period: f64, count: usize) -> std::result::Result<MeasuredForce, Wrong> {
+fn fit(record: &[SampleLine], period: f64, count: usize) -> std::result::Result<MeasuredForce, WrongLine> {
     let (first, last) = (record[0].1, record[record.len() - 1].1);
     let mut steps: Vec<f64> = record.windows(2).map(|pair| pair[1].1 - pair[0].1).collect();
     steps.sort_by(f64::total_cmp);
@@ -390,7 +332,7 @@ mod tests {
     }
 
     /// Samples of it at these times, with period 0.02.
-    fn samples(times: impl Iterator<Item = f64>) -> Vec<Sample> {
+    fn samples(times: impl Iterator<Item = f64>) -> Vec<SampleLine> {
         times.enumerate().map(|(i, t)| (i + 2, t, force(TAU * t / 0.02))).collect()
     }
 
@@ -426,7 +368,7 @@ mod tests {
     fn periods_on_top_of_one_another_are_averaged() {
         let off = [3.0, -1.0, -4.0, 1.0, 5.0, -9.0, 2.0, 3.0];
         for per_period in [40, 231] {
-            let record: Vec<Sample> = (0..8 * per_period)
+            let record: Vec<SampleLine> = (0..8 * per_period)
                 .map(|i| {
                     let t = 0.02 * i as f64 / per_period as f64;
                     (i + 2, t, force(TAU * t / 0.02) + off[i / per_period] / 8.0)
@@ -441,7 +383,7 @@ mod tests {
     /// Between samples the harmonics are within the bound of the straight lines.
     #[test]
     fn the_bound_holds_between_samples() {
-        let rough: Vec<Sample> = (0..60)
+        let rough: Vec<SampleLine> = (0..60)
             .map(|i| (i, 0.02 * i as f64 / 60.0, force(TAU * i as f64 / 60.0) + 0.1 * (i as f64 * 7.7).sin()))
             .collect();
         let fitted = fit(&rough, 0.02, 4).unwrap();
@@ -468,7 +410,7 @@ mod tests {
     /// A force of 80 N, whatever its mean and unit, is told from one folded at a period that is not its own.
     #[test]
     fn a_record_folded_at_a_wrong_period_is_refused() {
-        let record = |own: f64, mean: f64, unit: f64| -> Vec<Sample> {
+        let record = |own: f64, mean: f64, unit: f64| -> Vec<SampleLine> {
             let force =
                 |t: f64| unit * (mean + 80.0 * (TAU * t / own).cos() + 8.0 * (2.0 * TAU * t / own).sin());
             (0..2000).map(|i| (i + 2, 1e-4 * i as f64, force(1e-4 * i as f64))).collect()
@@ -493,7 +435,7 @@ mod tests {
         let (_, message) = fit(short, 0.013, 3).unwrap_err();
         assert!(message.contains("is not the period of the record"), "{message}");
         // A constant force has no variation, and harmonics that are 0.
-        let flat: Vec<Sample> = (0..50).map(|i| (i + 2, 0.001 * i as f64, 0.1)).collect();
+        let flat: Vec<SampleLine> = (0..50).map(|i| (i + 2, 0.001 * i as f64, 0.1)).collect();
         assert!(fit(&flat, 0.02, 3).unwrap().residual < 1e-14);
     }
 
