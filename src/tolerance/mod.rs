@@ -10,7 +10,8 @@
 //! does, and those where it certainly does not. [`Statement`]s are three-valued on a cell; on the box they
 //! hold everywhere, nowhere or in a part of it ([`Spread`]), or are open. [`Excursion`]s say how far one
 //! parameter may go from a point before a statement changes. A [`ChaosChart`] says where in a plane of
-//! machines chaos is born.
+//! machines chaos is born. A [`Decay`] finds frequency and damping ratio with their deviations in a record:
+//! floating point, without proof.
 //!
 //! ```
 //! use grazing::{number::parse_rational, tolerance::{ParameterBox, Partition, Statement, Spread}};
@@ -30,6 +31,7 @@
 mod cell;
 mod change;
 mod chart;
+mod decay;
 mod expansion;
 mod normal;
 mod parameters;
@@ -39,6 +41,7 @@ mod verdicts;
 
 pub use change::{Change, Excursion, Toward};
 pub use chart::{ChaosChart, ChartCell};
+pub use decay::{Decay, Estimate};
 pub use normal::{DEVIATIONS, NormalParameters};
 pub use parameters::ParameterBox;
 pub use partition::{Leaf, Partition, Share, Spread, Statement};

@@ -5,6 +5,7 @@ mod process;
 
 mod arguments;
 mod cli;
+mod decay;
 mod export;
 mod figures;
 mod parsers;

@@ -16,7 +16,7 @@ use serde_json::Value;
 
 /// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a
 /// command of the list writes itself.
-const JSON: [&str; 49] = [
+const JSON: [&str; 51] = [
     "intervals 3..=5",
     "intervals 3..=5 --decimals 4",
     "intervals --pattern 3,5",
@@ -43,6 +43,8 @@ const JSON: [&str; 49] = [
     "word --frequency 3.7Hz±1% --damping-ratio 0.1±20% --drive 10Hz --shares --cells 200",
     "word --frequency 222rpm±1% --damping-ratio 0.1±20% --drive 10Hz --decides --max-period 3",
     "word --r 0.97 --s 1/4 --decides --max-period 2 --cells 40",
+    "decay {root}/examples/decay.csv",
+    "decay {root}/examples/decay.csv --unit none",
     "classify --summary",
     "existence {root}/examples/maps/focus.toml --max-period 3",
     "existence {root}/examples/maps/singular.toml --max-period 3 --exact",

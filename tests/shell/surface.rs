@@ -288,7 +288,7 @@ fn reader() -> tempfile::TempDir {
     folder
 }
 
-pub const COMMANDS: [&str; 20] = [
+pub const COMMANDS: [&str; 21] = [
     "verify",
     "cover",
     "check",
@@ -296,6 +296,7 @@ pub const COMMANDS: [&str; 20] = [
     "intervals",
     "classify",
     "word",
+    "decay",
     "existence",
     "fuzz",
     "farey",
@@ -478,6 +479,12 @@ const HOLES: &[(&str, &[&str])] = &[
     ("word --frequency 3Hz --damping-ratio @ --drive 10Hz", MEASURE),
     ("word --frequency 3Hz --damping-ratio 0.1 --drive @", MEASURE),
     ("word --r 1/2 --s 1/5 --letters @", COUNT),
+    ("decay @", INPUT),
+    ("decay examples/decay.csv --column @", &["", "x", "time"]),
+    ("decay examples/decay.csv --from @", &["", "x", "nan", "inf", "1/2", "1e400", "9"]),
+    ("decay examples/decay.csv --until @", &["", "x", "nan", "-1"]),
+    ("decay examples/decay.csv --unit @", CHOICE),
+    ("decay examples/decay.csv --format @", CHOICE),
     ("existence @", INPUT),
     ("existence examples/maps/focus.toml --max-period @", COUNT),
     ("existence examples/maps/focus.toml --pattern @", &["", "x", "0", "1,", "1,x", "-1", "1,0"]),

@@ -11,6 +11,7 @@ mod appendix_b;
 mod boundary;
 mod classify;
 mod cover;
+mod decay;
 mod enclosures;
 mod entropy;
 mod farey;

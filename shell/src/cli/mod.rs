@@ -8,6 +8,7 @@ mod choice;
 mod cite;
 mod classify;
 mod cover;
+mod decay;
 mod decides;
 mod evaluate;
 mod existence;
@@ -90,6 +91,7 @@ enum Command {
     Intervals(intervals::Args),
     Classify(classify::Args),
     Word(word::Args),
+    Decay(decay::Args),
     Existence(existence::Args),
     Fuzz(fuzz::Args),
     Farey(farey::Args),
@@ -271,6 +273,7 @@ fn run(cli: Cli, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome>
         Command::Intervals(args) => intervals::run(&args, files, interrupt),
         Command::Classify(args) => classify::run(&args, files, interrupt),
         Command::Word(args) => word::run(&args, files, interrupt),
+        Command::Decay(args) => decay::run(&args, files),
         Command::Existence(args) => existence::run(&args, files, interrupt),
         Command::Fuzz(args) => fuzz::run(&args, files, interrupt),
         Command::Farey(args) => farey::run(&args, files, interrupt),
@@ -310,6 +313,7 @@ impl Command {
             }
             Command::Classify(args) => table(args.format, args.json_name()),
             Command::Word(args) => (args.format == word::Format::Json).then_some(args.json_name()),
+            Command::Decay(args) => report(args.format, "grazing-decay 1"),
             Command::Existence(args) => table(args.format, "grazing-existence 1"),
             Command::Fuzz(args) => report(args.format, "grazing-fuzz 2"),
             Command::Farey(args) => report(args.format, "grazing-farey 1"),
