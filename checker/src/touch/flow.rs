@@ -152,8 +152,8 @@ thread_local! {
 mod tests {
     use super::*;
 
-    /// Of intervals of c and k all is enclosed that their numbers give, often less than half as wide as by the
-    /// series alone.
+    /// Of intervals of c and k all is enclosed that their numbers give, often less than half as wide as by
+    /// the series alone.
     #[test]
     fn wide_coefficients_are_enclosed_closely() {
         let mut state = 7u64;

@@ -40,8 +40,8 @@ const STEPS: u32 = 6;
 /// Digits of ends.
 const DIGITS: i32 = 12;
 /// Where damping, stiffness or restitution change with the parameter: how many depths are tried, each with
-/// such a part of the effort; after one at which nothing is proved, one so many times smaller; and how near to
-/// all of it is all.
+/// such a part of the effort; after one at which nothing is proved, one so many times smaller; and how near
+/// to all of it is all.
 const TRIES: u32 = 7;
 const PART_OF_EFFORT: u64 = 4;
 const SMALLER: f64 = 16.0;
@@ -185,9 +185,9 @@ impl Near<'_> {
         Ok(all)
     }
 
-    /// What is proved as far as it goes, and of which machines. Where damping, stiffness and restitution change
-    /// with the parameter, a proof is of all machines on the way to a depth: the deeper that is, the more these
-    /// are and the sooner the proof ends, so that a depth is looked for that is just reached.
+    /// What is proved as far as it goes, and of which machines. Where damping, stiffness and restitution
+    /// change with the parameter, a proof is of all machines on the way to a depth: the deeper that is, the
+    /// more these are and the sooner the proof ends, so that a depth is looked for that is just reached.
     fn widest<T: Deep>(
         &self,
         behind: bool,
