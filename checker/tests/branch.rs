@@ -7,8 +7,9 @@ mod common;
 use std::f64::consts::TAU;
 
 use common::{
-    BRANCH, BRANCH_2, BRANCH_SPLICED, Random, answer, are_refused, damaged_are_true, eliminate, first_cells,
-    float, flow, nth, rejected, resealed, trials, with,
+    BRANCH, BRANCH_2, BRANCH_FREQUENCY, BRANCH_SPLICED, Random, answer, are_refused, damage,
+    damaged_are_true, eliminate, first_cells, float, flow, nth, rejected, resealed, second_reader, trials,
+    with,
 };
 use grazing_check::branch::STATEMENT;
 
@@ -377,9 +378,9 @@ fn cells_of_different_orbits_are_not_one_branch() {
     }
 }
 
-#[test]
-fn forged_claims_are_refused() {
-    let malformed = [
+/// What is of no form, with the reason.
+fn malformed() -> Vec<(String, &'static str)> {
+    let all = [
         ("kind", "kind branch 2", "expected a line"),
         ("branch", "branch 0", "a branch has at least one impact"),
         ("branch", "branch 25", "expected the number of impacts"),
@@ -399,9 +400,53 @@ fn forged_claims_are_refused() {
         ("flight", "flight 8000000", "the check would take up to"),
         ("damping", "damping 1/1", "expected LOWER..UPPER"),
     ];
-    let malformed: Vec<(String, &str)> =
-        malformed.iter().map(|(start, line, reason)| (with(BRANCH, start, line), *reason)).collect();
-    are_refused(&forgeries(), &malformed);
+    all.iter().map(|(start, line, reason)| (with(BRANCH, start, line), *reason)).collect()
+}
+
+#[test]
+fn forged_claims_are_refused() {
+    are_refused(&forgeries(), &malformed());
+}
+
+/// `reference/branch.py` was written from the form alone, with other formulas. Of whole files it takes one.
+#[test]
+fn a_second_reader_gives_the_same_verdicts() {
+    let one = first_cells(BRANCH, 1);
+    let right =
+        [BRANCH_2, &one, &first_cells(BRANCH, 5), &word(&one, "cell ", 0, 3, "open")].map(String::from);
+    let short = |text: &String| text.contains("\ncells 1\n");
+    let wrong = forgeries().into_iter().map(|(text, _)| text).filter(short);
+    let wrong = wrong.chain([BRANCH_SPLICED.into(), word(&one, "cell ", 0, 3, "stable")]);
+    let wrong = wrong.chain(malformed().into_iter().map(|(text, _)| text));
+    let all: Vec<(String, bool)> =
+        right.map(|text| (text, true)).into_iter().chain(wrong.map(|text| (text, false))).collect();
+    let Some(verdicts) = second_reader("branch.py", all.iter().map(|(text, _)| text)) else { return };
+    for ((text, right), line) in all.iter().zip(&verdicts) {
+        let ours = answer(text);
+        assert_eq!((ours.is_ok(), line.contains(": proved, ")), (*right, *right), "{ours:?}, {line}\n{text}");
+    }
+}
+
+/// What only one of the readers can prove may be true; what either accepts is.
+#[test]
+fn a_second_reader_accepts_no_damage_that_is_false() {
+    let (text, mut random) = (first_cells(BRANCH, 1), Random(74));
+    let damaged: Vec<String> = (0..trials(60)).map(|_| damage(&mut random, &text)).collect();
+    let Some(verdicts) = second_reader("branch.py", &damaged) else { return };
+    let (mut accepted, mut apart) = (0, 0);
+    for (text, line) in damaged.iter().zip(&verdicts) {
+        let (ours, theirs) = (answer(text), line.contains(": proved, "));
+        let is_malformed = matches!(ours, Err(grazing_check::Rejection::Malformed { .. }));
+        assert!(!(theirs && is_malformed), "{ours:?}, {line}\n{text}");
+        assert!(!theirs || lie(text).is_none(), "{line}\n{text}");
+        accepted += usize::from(theirs);
+        apart += usize::from(ours.is_ok() != theirs);
+    }
+    println!("{accepted} of {} accepted, {apart} by one of the readers alone", damaged.len());
+    assert!(
+        accepted > damaged.len() / 20 && apart <= damaged.len() / 20,
+        "{accepted} accepted, {apart} apart"
+    );
 }
 
 #[test]

@@ -26,6 +26,7 @@ pub const RANGE_ALONE: &str = include_str!("../data/range-alone.txt");
 pub const RANGE_BEFORE: &str = include_str!("../data/range-before.txt");
 pub const BRANCH: &str = include_str!("../data/branch.txt");
 pub const BRANCH_2: &str = include_str!("../data/branch-2.txt");
+pub const BRANCH_FREQUENCY: &str = include_str!("../data/branch-frequency.txt");
 pub const BRANCH_SPLICED: &str = include_str!("../data/branch-spliced.txt");
 pub const SINGLE_1: &str = include_str!("../data/single-1.txt");
 pub const SINGLE_2: &str = include_str!("../data/single-2.txt");
@@ -59,7 +60,9 @@ pub fn second_reader(script: &str, texts: impl IntoIterator<Item = impl AsRef<[u
         println!("SKIPPED: no python3 to run reference/{script} with ({error})");
         return None;
     }
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{script}-{}", std::process::id()));
+    // Tests of one file run side by side.
+    let own = format!("{script}-{}-{:?}", std::process::id(), std::thread::current().id());
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(own);
     fs::create_dir_all(&folder).unwrap();
     let mut files = Vec::new();
     for text in texts {
