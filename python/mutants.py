@@ -116,8 +116,8 @@ class Copy:
 
 
 PROOFS, PLACES, SCENE, THEORY = (f"grazing/_{name}.py" for name in ("proofs", "places", "scene", "theory"))
-FORCED, ARRAYS, BOXES, PROCESSES, SHOWN = (
-    f"test_{name}.py::" for name in ("forced", "arrays", "boxes", "processes", "shown"))
+FORCED, ARRAYS, BOXES, PROCESSES, SHOWN, MACHINES = (
+    f"test_{name}.py::" for name in ("forced", "arrays", "boxes", "processes", "shown", "machines"))
 
 MUTANTS = [
     # What is not proved would be.
@@ -220,6 +220,24 @@ MUTANTS = [
            'row.what == "word" and row.verdict == "open"', BOXES + "test_a_share_with_an_open_verdict_is_undecided"),
     Mutant("share-rounded-inwards", "grazing/_boxes.py", 'return f"{-(-share * 10**4 // 1) / 100:.2f} %"',
            'return f"{share * 10**4 // 1 / 100:.2f} %"', BOXES + "test_the_table_of_shares_is_rounded_outwards"),
+    Mutant("a-depth-for-all", "src/machines.rs", 'Ok((depth != self.simulator.minimum_depth()).then(',
+           'Ok((depth < 0.0).then(', MACHINES + "test_each_motion_of_a_machine_is_that_of_its_task"),
+    Mutant("velocities-per-radian", "src/machines.rs", '*to = u * rate', '*to = u',
+           MACHINES + "test_each_motion_of_a_machine_is_that_of_its_task"),
+    Mutant("transient-counted", "src/machines.rs", 'Ok((impacts - before, code(end)))', 'Ok((impacts, code(end)))',
+           MACHINES + "test_each_motion_of_a_machine_is_that_of_its_task"),
+    Mutant("one-machine-for-all", "src/machines.rs", 'Solved::new(plan, &plan.changes(motion))', 'Solved::new(plan, &plan.changes(0))',
+           MACHINES + "test_a_machine_is_followed_over_a_parameter"),
+    Mutant("behind-a-stop-in-motion", "src/machines.rs", 'return Ok((0, BEHIND_A_WALL));', 'return Ok((0, code(RunEnd::Reached)));',
+           MACHINES + "test_a_start_behind_a_stop_has_no_motion"),
+    Mutant("displacements-as-velocities", "grazing/_motions.py", 'return self._part(slice(self.coordinates, None))',
+           'return self._part(slice(None, self.coordinates))', MACHINES + "test_each_motion_of_a_machine_is_that_of_its_task"),
+    Mutant("fractions-rounded", "grazing/_frames.py", 'if floats and table[name].dtype == object:',
+           'if table[name].dtype == object:', "test_package.py::test_frames_of_lists_keep_whole_numbers_and_fractions"),
+    Mutant("ends-as-text", "grazing/_frames.py", '_EXACT = ("lower", "upper",', '_EXACT = ("lower",',
+           SHOWN + "test_what_is_proved_over_a_range_is_drawn_part_by_part"),
+    Mutant("grid-upside-down", SCENE, 'values = {name: (axes[::-1], array)', 'values = {name: (axes[::-1], array[::-1])',
+           "test_package.py::test_grids_are_datasets"),
     # What is shown.
     Mutant("cells-upside-down", "grazing/_plots.py", 'axes.pcolormesh(x, y, cells,', 'axes.pcolormesh(x, y, cells[::-1],',
            SHOWN + "test_pixels_are_the_cells_of_basins_and_maps"),
@@ -232,6 +250,14 @@ MUTANTS = [
            SHOWN + "test_arrows_are_the_edges_of_a_graph"),
     Mutant("signs-reversed", "grazing/_html.py", '"+" if sign > 0 else', '"+" if sign < 0 else',
            SHOWN + "test_the_table_of_a_classification_has_its_rows"),
+    Mutant("share-full-to-its-upper-end", "grazing/_plots.py", 'axes.barh(y, lower, 0.7, color=colour)',
+           'axes.barh(y, upper, 0.7, color=colour)', SHOWN + "test_bars_of_shares_are_full_up_to_the_lower_bound"),
+    Mutant("stable-unstable", "grazing/_plots.py", 'True: ("solid", "stable"), False: ("dashed", "unstable")',
+           'False: ("solid", "stable"), True: ("dashed", "unstable")', SHOWN + "test_branches_are_solid_where_they_are_stable"),
+    Mutant("flip-covered", "grazing/_plots.py", 'else part["from"]), _float(part.to)]', 'else lower), _float(part.to)]',
+           SHOWN + "test_what_is_proved_over_a_range_is_drawn_part_by_part"),
+    Mutant("other-coordinate", "grazing/_plots.py", 'part * found.coordinates + coordinate - 1]', 'part * found.coordinates]',
+           SHOWN + "test_motions_of_a_machine_are_drawn_by_coordinate_and_over_a_parameter"),
     Mutant("rejected-shown-proved", "grazing/_outcomes.py", '_html.verdict(type(self).__name__,', '_html.verdict("Proved",',
            SHOWN + "test_an_outcome_says_its_kind_and_why"),
     Mutant("not-escaped", "grazing/_html.py", 'more = f": {escape(why)}"', 'more = f": {why}"',

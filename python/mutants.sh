@@ -8,5 +8,5 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 python3 -m venv "$work/venv"
-"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check numpy pandas matplotlib pytest python-flint
+"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check numpy pandas xarray matplotlib pytest python-flint
 "$work/venv/bin/python" "$here/mutants.py" "$@"

@@ -11,7 +11,7 @@ trap 'rm -rf "$work"' EXIT
 python3 -m venv "$work/venv"
 python="$work/venv/bin/python"
 "$python" -m pip install --quiet --disable-pip-version-check 'maturin>=1.9,<2'
-"$python" -m pip install --quiet --disable-pip-version-check numpy pandas matplotlib pytest python-flint &
+"$python" -m pip install --quiet --disable-pip-version-check numpy pandas xarray matplotlib pytest python-flint &
 packages=$!
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$here/target}
 cargo fmt --manifest-path "$here/Cargo.toml" --check

@@ -28,7 +28,9 @@ from ._errors import (
     MissingPackageError,
     NumberOverflowError,
 )
+from ._frames import frame
 from ._grazing import __version__
+from ._motions import End, Motions
 from ._outcomes import Done, Failed, NothingFound, Outcome, Pending, Proved, Record, Refuted, Rejected, Undecided
 from ._places import (
     Case,
@@ -44,7 +46,7 @@ from ._places import (
     word,
 )
 from ._proofs import Edge, Interval, Intervals, boundary, check, intervals, verify
-from ._scene import EVENT_KINDS, End, Motions, Run, Scene, Task, TaskReport
+from ._scene import EVENT_KINDS, Run, Scene, Task, TaskReport
 from ._theory import FuzzReport, PatternReport, existence, fuzz
 
 #: The style of the project's figures: ``matplotlib.pyplot.style.use(grazing.STYLE)``.
@@ -57,5 +59,5 @@ __all__ = [
     "NumberOverflowError", "Outcome", "PatternReport", "Pending", "Proved", "Record", "Refuted", "Rejected",
     "Run", "STYLE", "Scene", "Share", "Shares", "Task", "TaskReport", "Undecided", "Value", "Word",
     "WordCase", "WordReport", "__version__", "boundary", "check", "classify", "classify_many", "evaluate",
-    "existence", "fuzz", "intervals", "shares", "verify", "word",
+    "existence", "frame", "fuzz", "intervals", "shares", "verify", "word",
 ]

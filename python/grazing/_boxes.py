@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, Union
 
-from . import _grazing, _html
+from . import _grazing, _html, _plots
 from ._arguments import Exact, natural
 from ._frames import frame
 from ._outcomes import Outcome, Proved, Undecided
@@ -97,6 +97,11 @@ class Shares:
     def to_frame(self) -> Any:
         """A pandas frame, one row per statement."""
         return frame(self.rows)
+
+    def plot(self, axes: Any = None) -> Any:
+        """A bar for each statement on Matplotlib's ``axes`` or new ones, which are given back: full up to where the
+        share is certain, pale where it may end."""
+        return _plots.shares(self, axes)
 
     def _repr_html_(self) -> str:
         rows = (

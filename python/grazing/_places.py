@@ -296,6 +296,16 @@ class WordReport:
         why += [f"edges of case {c.case}" for w in self.words for c in w.cases if c.open]
         return Undecided(statement, budget="; ".join(why)) if why else Proved(statement)
 
+    def to_frame(self) -> Any:
+        """A pandas frame, one row per case: its word, the single orbits, and the bounds of the entropy."""
+        return frame([
+            {"sign_emu": case.case[0], "sign_gamma": case.case[1], "letters": word.letters, "ends": word.end,
+             "next": word.next, "loops": case.loops, "edges": len(case.edges), "open": len(case.open),
+             "entropy_lower": case.entropy and case.entropy[0], "entropy_upper": case.entropy and case.entropy[1],
+             "lower_bound": case.lower_bound}
+            for word in self.words for case in word.cases
+        ])
+
     def plot(self, axes: Any = None) -> Any:
         """The periods of both words at their places m/n."""
         return _plots.word(self, axes)

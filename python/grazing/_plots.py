@@ -4,6 +4,7 @@ it is given, or on new ones, and gives them back."""
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,12 +13,17 @@ from ._errors import InputError, MissingPackageError
 
 if TYPE_CHECKING:
     from ._places import Classification, WordCase, WordReport
+    from ._boxes import Share, Shares
+    from ._motions import Motions
     from ._proofs import Intervals
-    from ._scene import Motions, TaskReport
+    from ._scene import TaskReport
 
 #: The cases (sign eµ, sign γ), each with its colour of Okabe and Ito's set, as in the figures here.
 CASES = {(1, 1): "#0072B2", (1, -1): "#D55E00", (-1, 1): "#009E73", (-1, -1): "#CC79A7"}
 GREY = "#999999"
+
+#: Rows of bars that a picture has; of how many they are is said.
+MOST_ROWS = 60
 
 
 def on(axes: Any) -> Any:
@@ -120,21 +126,59 @@ def intervals(table: Intervals, axes: Any) -> Any:
     return axes
 
 
-def motions(found: Motions, axes: Any) -> Any:
-    """The records of the motions, each in one colour."""
+def shares(found: Shares, axes: Any) -> Any:
+    """A bar for each statement: full up to the lower bound of its share, pale from there to the upper one."""
     axes = on(axes)
-    number = np.broadcast_to(np.arange(len(found.points))[:, None], found.points.shape[:2])
-    axes.scatter(found.points[..., 0], found.points[..., 1], s=2, c=number)
-    axes.set(xlabel="q", ylabel="u", title=f"{len(found.ends)} motions, once a period")
+    rows = found.rows[:MOST_ROWS]
+    for y, row in enumerate(rows):
+        lower, upper = float(row.lower), float(row.upper)
+        colour = CASES[row.sign_emu, 1]
+        axes.barh(y, lower, 0.7, color=colour)
+        axes.barh(y, upper - lower, 0.7, lower, color=colour, alpha=0.3)
+    axes.set_yticks(range(len(rows)), [_share(row) for row in rows])
+    axes.invert_yaxis()
+    more = f", {len(rows)} of {len(found.rows)} statements" if len(rows) < len(found.rows) else ""
+    axes.set(xlabel="share of the box", xlim=(0, 1), title=f"from {found.cells} cells{more}")
+    return axes
+
+
+def _share(row: Share) -> str:
+    """What a row is of, and its verdict."""
+    side = f"eµ {'>' if row.sign_emu > 0 else '<'} 0"
+    if row.what == "chaos":
+        gamma = {1: ", γ > 0", -1: ", γ < 0"}.get(row.sign_gamma or 0, "")
+        return f"{side}{gamma}: chaos, {row.verdict}"
+    return f"{side}: {row.what} {row.letters if row.n is None else row.n}, {row.verdict}"
+
+
+def motions(found: Motions, axes: Any, coordinate: int, over: str | None) -> Any:
+    """The records of the motions, each in one colour: u over q, or q over a parameter."""
+    if not 1 <= coordinate <= found.coordinates:
+        raise InputError(f"coordinate = {coordinate}: from 1 to {found.coordinates}")
+    if over is not None and over not in found.parameters:
+        known = ", ".join(found.parameters) or "none"
+        raise InputError(f"over = {over!r}: parameters that were varied are {known}")
+    axes = on(axes)
+    q, u = (found.points[..., part * found.coordinates + coordinate - 1] for part in (0, 1))
+    q_name, u_name = (part if found.coordinates == 1 else f"{part}{coordinate}" for part in "qu")
+    number = np.broadcast_to(np.arange(len(q))[:, None], q.shape)
+    if over is None:
+        axes.scatter(q, u, s=2, c=number)
+        axes.set(xlabel=q_name, ylabel=u_name)
+    else:
+        axes.scatter(np.broadcast_to(found.parameters[over][:, None], q.shape), q, s=2, c=number)
+        axes.set(xlabel=over, ylabel=q_name)
+    axes.set_title(f"{len(found.ends)} motions, once a period")
     return axes
 
 
 def report(found: TaskReport, axes: Any) -> Any:
     """What a task's arrays show."""
-    draw = _KINDS.get(found.kind)
-    if draw is None or not (found.data or found.rows):
+    draw, has = _KINDS.get(found.kind, (None, lambda found: False))
+    if draw is None or not has(found):
         raise InputError(
-            f"task {found.task} of kind {found.kind} has no arrays to draw; those of kind {', '.join(_KINDS)} have"
+            f"task {found.task} of kind {found.kind} has nothing to draw; those of kind {', '.join(_KINDS)} may have: arrays, "
+            "branches, or what is proved over a parameter"
         )
     axes = on(axes)
     draw(found, axes)
@@ -198,4 +242,88 @@ def _map(found: TaskReport, axes: Any) -> None:
     axes.set(xlabel=found.findings.get("parameter", "first"), ylabel=found.findings.get("second", "second"))
 
 
-_KINDS = {"simulate": _simulate, "section": _section, "diagram": _diagram, "basins": _basins, "map": _map}
+#: How what is known of stability is drawn, and its word.
+_STABLE = {True: ("solid", "stable"), False: ("dashed", "unstable"), "marginal": ("dotted", "marginal")}
+
+
+def _branch(found: TaskReport, axes: Any) -> None:
+    """Of one parameter the speed of the first impact over it, of two the curve in their plane; pale where it is no
+    orbit. Between points of two kinds the line is as at the former."""
+    varied, said = found.findings.varied, set()
+    for number in sorted({row.branch for row in found.rows}):
+        rows = [row for row in found.rows if row.branch == number]
+        places = [_place(row, len(varied)) for row in rows]
+        colour = f"C{(number - 1) % 10}"
+        for first, last in _runs([(row.stable, row.admissible) for row in rows]):
+            style, word = _STABLE[rows[first].stable]
+            label = None if word in said else word
+            said.add(word)
+            axes.plot(*zip(*places[first:last + 2]), color=colour, linestyle=style, label=label,
+                      alpha=0.3 if rows[first].admissible is False else 1)
+        for row, place in zip(rows, places):
+            if row.label:
+                axes.plot(*place, "o", color=colour, markersize=4)
+                axes.annotate(row.label, place, textcoords="offset points", xytext=(4, 4), fontsize="small")
+    names = [*varied, "speed of the first impact"]
+    axes.set(xlabel=names[0], ylabel=names[1])
+
+
+def _place(row: Any, count: int) -> tuple[float, float]:
+    """Where a point of a branch is drawn; of motions without impacts at speed 0."""
+    return tuple(row.parameters) if count == 2 else (row.parameters[0], row.speeds[0] if row.speeds else 0.0)
+
+
+def _runs(kinds: list[Any]) -> list[tuple[int, int]]:
+    """First and last place of each run of what is alike."""
+    ends = [i for i in range(len(kinds)) if i + 1 == len(kinds) or kinds[i] != kinds[i + 1]]
+    return list(zip([0, *(end + 1 for end in ends)], ends))
+
+
+def _proofs(found: TaskReport, axes: Any) -> None:
+    """A line for each orbit over the values of the parameter for which it is proved, broad where it is proved to be
+    stable or unstable; of events the values between which the parameter certainly is."""
+    _ranges(axes, [(row.pattern, row.lower, row.upper, row.stability) for row in found.findings.proofs if row.lower])
+    axes.set(xlabel="parameter", ylabel="pattern")
+
+
+def _touch(found: TaskReport, axes: Any) -> None:
+    """The same of what is born at a touch, from there to the end of its range."""
+    rows = [(f"{row.side}: {row.of} {', '.join(map(str, row.periods))}", row.touch, row.end, row.stability)
+            for row in found.findings.range if row.touch and row.end]
+    _ranges(axes, rows)
+    ends = sorted(abs(_float(end)) for _, _, end, _ in rows if _float(end))
+    if ends[-1] > 100 * ends[0] > 0:
+        axes.set_xscale("symlog", linthresh=ends[0])
+    axes.set(xlabel="parameter", ylabel="side")
+
+
+def _ranges(axes: Any, rows: list[tuple[str, str, str, Any]]) -> None:
+    said = set()
+    for y, (_, lower, upper, stability) in enumerate(rows):
+        axes.plot([_float(lower), _float(upper)], [y, y], "-|", color=GREY, linewidth=1, label=None if y else "proved")
+        for part in stability:
+            style, word = _STABLE[part.word == "stable"]
+            ends = [_float(lower if part["from"] is None else part["from"]), _float(part.to)]
+            axes.plot(ends, [y, y], color=CASES[1, 1] if word == "stable" else CASES[1, -1], linewidth=5, linestyle=style,
+                      solid_capstyle="butt", dash_capstyle="butt", label=None if word in said else word)
+            said.add(word)
+    axes.set_yticks(range(len(rows)), [row[0] for row in rows])
+    axes.set_ylim(-0.5, len(rows) - 0.5)
+    axes.locator_params("x", nbins=5)
+
+
+def _float(text: str) -> float:
+    return float(Fraction(text))
+
+
+def _arrays(found: TaskReport) -> bool:
+    return bool(found.data)
+
+
+#: For each kind of task what draws it, and whether there is something to draw.
+_KINDS: dict[str, tuple[Any, Any]] = {
+    "simulate": (_simulate, _arrays), "section": (_section, _arrays), "diagram": (_diagram, _arrays),
+    "basins": (_basins, _arrays), "map": (_map, _arrays), "branch": (_branch, lambda found: found.rows),
+    "validate": (_proofs, lambda found: any(row.lower for row in found.findings.get("proofs", ()))),
+    "grazing": (_touch, lambda found: any(row.touch and row.end for row in found.findings.get("range") or ())),
+}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import enum
 import json
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -10,15 +9,18 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, overload
 
-import numpy as np
 import numpy.typing as npt
 
-from . import _grazing, _html, _plots
-from ._arguments import Exact, natural, toml_source
+from . import _grazing, _html, _motions, _plots
+from ._arguments import Exact, toml_source
 from ._errors import FileError, InputError, refused
-from ._frames import frame
-from ._outcomes import Done, Failed, NothingFound, Outcome, Pending, Proved, Record, Refuted, Undecided, same
+from ._frames import dataset, frame
+from ._motions import Motions
+from ._outcomes import Done, Failed, NothingFound, Outcome, Pending, Proved, Record, Refuted, Undecided
 from ._progress import Progress, shown
+
+#: The axes of arrays on a grid, by kind of task.
+_GRIDS = {"basins": ("q", "u"), "map": ("first", "second")}
 
 #: What the numbers of ``data.event_kind`` mean.
 EVENT_KINDS = ("impact", "tangency", "stick", "release", "touch")
@@ -77,19 +79,31 @@ class TaskReport:
     def __hash__(self) -> int:
         return hash((self.task, self.kind, self.text))
 
-    def frame(self, name: str | None = None) -> Any:
+    def frame(self, name: str | None = None, *, floats: bool = False) -> Any:
         """A pandas frame of a table of the findings, as ``report.frame("orbits")``; of all points of branches
-        without a name."""
+        without a name. What the findings have exactly, as the ends of a proved range, are Fractions; with ``floats``
+        they are rounded to floats, and are no bounds any more."""
         if name is None:
-            return frame(self.rows)
+            return frame(self.rows, floats)
         tables = [key for key, value in self.findings.items() if isinstance(value, list)]
         if name not in tables:
             raise InputError(f"task {self.task} has no table {name!r}; there is {', '.join(tables) or 'none'}")
-        return frame(self.findings[name])
+        return frame(self.findings[name], floats)
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` of the arrays on a grid, of tasks of kind basins and map, by the names of their
+        axes."""
+        axes = _GRIDS.get(self.kind)
+        if axes is None or not self.data:
+            kinds = ", ".join(_GRIDS)
+            raise InputError(f"task {self.task} of kind {self.kind} has no arrays on a grid; those of kind {kinds} have")
+        values = {name: (axes[::-1], array) for name, array in self.data.items() if name not in axes}
+        return dataset(values, {axis: self.data[axis] for axis in axes})
 
     def plot(self, axes: Any = None) -> Any:
-        """A picture of the arrays, of tasks that simulate, section, diagram, basins and map, on Matplotlib's ``axes``
-        or new ones, which are given back."""
+        """A picture of what the task found, on Matplotlib's ``axes`` or new ones, which are given back: of the arrays
+        of tasks that simulate, section, diagram, basins and map; of branches, of what ``validate`` encloses over a
+        parameter, and of the ranges of ``grazing``."""
         return _plots.report(self, axes)
 
     def _repr_html_(self) -> str:
@@ -140,52 +154,6 @@ class Run(Sequence[TaskReport]):
         order = (Refuted, Failed, Pending, Undecided, NothingFound, Done, Proved)
         outcomes = [report.outcome for report in self._reports]
         return min(outcomes, key=lambda outcome: order.index(type(outcome)), default=Done("no task"))
-
-
-class End(enum.IntEnum):
-    """How a motion of :meth:`Scene.simulate` ended."""
-
-    #: It was followed to the end.
-    REACHED = 0
-    IMPACT_LIMIT = 1
-    #: It left every bound.
-    ESCAPED = 2
-    #: Its force is not smooth there.
-    NOT_SMOOTH = 3
-    #: Its start is behind a wall, so that it has no motion.
-    BEHIND_A_WALL = 4
-    #: Its force is too steep there: it changes in less than the shortest step.
-    TOO_STEEP = 5
-
-
-@dataclass(frozen=True, eq=False)
-class Motions:
-    """Many motions on a stroboscopic section. Equal are those with the same arrays, to the bit."""
-
-    #: (q, u) of motion i at record j: float64 of shape (N, records, 2), NaN where a motion did not come.
-    points: npt.NDArray[np.float64] = field(repr=False)
-    #: Impacts of each after the transient: uint64 of shape (N,).
-    impacts: npt.NDArray[np.uint64] = field(repr=False)
-    #: How each ended, as :class:`End`: uint8 of shape (N,).
-    ends: npt.NDArray[np.uint8] = field(repr=False)
-    #: The forcing periods of the records, counted from the start: int64 of shape (records,).
-    periods: npt.NDArray[np.int64] = field(repr=False)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Motions):
-            return NotImplemented
-        return all(same(getattr(self, name), getattr(other, name)) for name in self.__dataclass_fields__)
-
-    #: Arrays can be changed.
-    __hash__ = None  # type: ignore[assignment]
-
-    def plot(self, axes: Any = None) -> Any:
-        """The records on Matplotlib's ``axes`` or new ones, which are given back."""
-        return _plots.motions(self, axes)
-
-    def __repr__(self) -> str:
-        ended = {End(code).name: int(count) for code, count in zip(*np.unique(self.ends, return_counts=True))}
-        return f"<Motions: {len(self.ends)} motions, {len(self.periods)} records, ends {ended}>"
 
 
 class Scene:
@@ -308,10 +276,11 @@ class Scene:
         self, starts: npt.ArrayLike, periods: int, *, transient: int = 0, every: int = 1, phase: float = 0.0,
         parameters: Mapping[str, npt.ArrayLike] | None = None, progress: Progress = None,
     ) -> Motions:
-        """Follow many motions of an oscillator at once, on all cores, eight in a vector where it is linear.
+        """Follow many motions at once, on all cores; of a linear oscillator, eight in a vector.
 
-        :param starts: (q, u) of each: an array of shape (N, 2), read where it is if it is contiguous float64;
-            one pair is followed from for every value of ``parameters``.
+        :param starts: (q, u) of each: an array of shape (N, 2), read where it is if it is contiguous float64; of a
+            machine with c coordinates of shape (N, 2 c), all displacements, then all velocities. One state is
+            followed from for every value of ``parameters``.
         :param periods: forcing periods that are recorded, after the transient: the points of periods 0,
             ``every``, 2 ``every``, … are kept.
         :param transient: forcing periods before the first record.
@@ -322,38 +291,13 @@ class Scene:
         Each motion is, to the bit, that of the command line's simulation of one, and is floating point: no
         proof.
         """
-        every, transient = natural("every", every), natural("transient", transient)
-        if every == 0:
-            raise InputError("every = 0: from 1 up")
-        if not np.isfinite(phase):
-            raise InputError(f"phase = {phase}: a fraction of the forcing period")
-        first = np.ascontiguousarray(starts, dtype=np.float64)
-        if first.ndim == 1:
-            first = first.reshape(1, -1)
-        if first.ndim != 2 or first.shape[1] != 2:
-            raise InputError(f"starts have the shape {np.shape(starts)}: (N, 2), q and u of each motion")
-        names = list(parameters or {})
-        columns = [np.atleast_1d(np.asarray(value, np.float64)) for value in (parameters or {}).values()]
-        lengths = [len(first), *map(len, columns)]
-        count = max(lengths) if max(lengths) > 1 else min(lengths)
-        for name, column in zip(["starts", *names], [first, *columns]):
-            if len(column) not in (1, count) or (name != "starts" and column.ndim != 1):
-                raise InputError(f"{name} has the shape {column.shape}: one entry, or {count} as the longest has")
-            if name != "starts" and not np.isfinite(column).all():
-                raise InputError(f"{name} has values that are not finite")
-        if len(first) != count:
-            first = np.repeat(first, count, axis=0)
-        values = np.empty((count, len(names)))
-        for at, column in enumerate(columns):
-            values[:, at] = column
-        records = natural("periods", periods) // every + 1
-        points = np.empty((count, records, 2))
-        impacts, ends = np.empty(count, np.uint64), np.empty(count, np.uint8)
-        with shown(progress) as bar:
-            self._scene.simulate(
-                first, names, values, float(phase), transient, every, points, impacts, ends, bar
-            )
-        return Motions(points, impacts, ends, transient + every * np.arange(records))
+        return _motions.simulate(self._scene, starts, periods, transient, every, phase, parameters, progress)
+
+    def _repr_html_(self) -> str:
+        values = ", ".join(f"{name} = {value}" for name, value in self.parameters.items()) or "no parameters"
+        rows = ((one.name, one.kind, one.group, tuple(f"{k} = {v}" for k, v in one.set.items())) for one in self.tasks)
+        head = ("task", "kind", "group", "with")
+        return _html.table(f"{self.title}: {values}", head, rows, len(self.tasks))
 
 
 def _again(text: str, name: str, parameters: tuple[tuple[str, Fraction], ...]) -> Scene:

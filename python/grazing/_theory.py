@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, Union
 
-from . import _grazing
+from . import _grazing, _html
 from ._arguments import Periods, as_periods, natural, toml_source
 from ._errors import warn
 from ._outcomes import Done, Outcome, Proved, Record, Refuted, Undecided
@@ -101,6 +101,10 @@ class FuzzReport:
     decided: int
     #: How many were decided by what, and processor seconds: the tally of the command line.
     tally: Record = field(repr=False)
+
+    def _repr_html_(self) -> str:
+        rows = [(name, count) for name, count in self.tally.items() if not isinstance(count, (list, Record))]
+        return self.outcome._repr_html_() + _html.table(f"{self.decided} cases decided", ("what", "count"), rows, len(rows))
 
 
 def fuzz(

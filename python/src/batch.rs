@@ -6,18 +6,21 @@ use grazing::{
     Error, Monitor, Result,
     motion::{RunEnd, State, Time},
     one::simulate::{Settings, Simulator, batch::Batch},
-    scene::{Accuracy, Scene},
+    scene::{Accuracy, Body, Scene},
 };
 use rayon::prelude::*;
 
-use crate::watch::Watch;
+use crate::{machines, watch::Watch};
 
 /// Motions that are followed together: their tables fit a core's cache.
 const TOGETHER: usize = 256;
 
-/// What to follow. A start is (q, u), and each motion has a value of each varied parameter.
+/// What to follow. A start is the displacements of all coordinates, then their velocities, (q, u) of an
+/// oscillator; and each motion has a value of each varied parameter.
 pub struct Plan<'a> {
     pub scene: &'a Scene,
+    /// How many coordinates the scene has.
+    pub coordinates: usize,
     pub starts: &'a [f64],
     pub varied: &'a [String],
     pub values: &'a [f64],
@@ -29,15 +32,46 @@ pub struct Plan<'a> {
     pub records: usize,
 }
 
+impl Plan<'_> {
+    /// The values of the parameters that a motion has of its own.
+    pub fn changes(&self, motion: usize) -> Vec<(&str, f64)> {
+        let width = self.varied.len();
+        let values = &self.values[motion * width..][..width];
+        self.varied.iter().map(String::as_str).zip(values.iter().copied()).collect()
+    }
+
+    /// Where a motion starts.
+    ///
+    /// # Errors
+    /// An input error for numbers that are not finite.
+    pub fn start(&self, motion: usize) -> Result<&[f64]> {
+        let width = 2 * self.coordinates;
+        let start = &self.starts[motion * width..][..width];
+        if start.iter().all(|x| x.is_finite()) {
+            return Ok(start);
+        }
+        let all: Vec<String> = start.iter().map(ToString::to_string).collect();
+        Err(Error::input(format!("motion {motion}: the start ({}) is not finite", all.join(", "))))
+    }
+}
+
+/// How many coordinates a scene has.
+pub fn coordinates(scene: &Scene) -> usize {
+    match &scene.body {
+        Body::Machine(scene) => scene.machine.points(),
+        _ => 1,
+    }
+}
+
 /// How a motion ended, as `grazing.End`.
 const REACHED: u8 = 0;
 const IMPACT_LIMIT: u8 = 1;
 const ESCAPED: u8 = 2;
 const NOT_SMOOTH: u8 = 3;
-const BEHIND_A_WALL: u8 = 4;
+pub const BEHIND_A_WALL: u8 = 4;
 const TOO_STEEP: u8 = 5;
 
-fn code(end: RunEnd) -> u8 {
+pub fn code(end: RunEnd) -> u8 {
     match end {
         RunEnd::Reached => REACHED,
         RunEnd::ImpactLimit => IMPACT_LIMIT,
@@ -58,6 +92,9 @@ pub fn follow(
 ) -> Result<()> {
     for name in plan.varied {
         plan.scene.parameter(name)?;
+    }
+    if let Body::Machine(_) = plan.scene.body {
+        return machines::follow(plan, points, impacts, ends, watch);
     }
     let Accuracy { tolerance, minimum_depth } = plan.scene.accuracy;
     let (system, settings) =
@@ -96,11 +133,7 @@ pub fn follow(
 
 /// The simulator of a motion with parameters of its own.
 fn simulator(plan: &Plan, motion: usize, settings: &Settings) -> Result<Simulator> {
-    let width = plan.varied.len();
-    let values = &plan.values[motion * width..][..width];
-    let changes: Vec<(&str, f64)> =
-        plan.varied.iter().map(String::as_str).zip(values.iter().copied()).collect();
-    let system = plan.scene.plain(&changes);
+    let system = plan.scene.plain(&plan.changes(motion));
     system
         .and_then(|system| Simulator::new(&system, settings))
         .map_err(|error| error.context(format!("motion {motion}")))
@@ -121,15 +154,9 @@ fn lot_of<'a>(
     impacts.fill(0);
     let (mut runs, mut places) = (Vec::new(), Vec::new());
     for (index, end) in ends.iter_mut().enumerate() {
-        let [q, u] = [0, 1].map(|part| plan.starts[2 * (first + index) + part]);
-        if !q.is_finite() || !u.is_finite() {
-            return Err(Error::input(format!(
-                "motion {}: the start ({q}, {u}) is not finite",
-                first + index
-            )));
-        }
+        let start = plan.start(first + index)?;
         // A start that is finite is refused for one reason alone.
-        match simulator(index).start(Time::new(0, phase), q, u) {
+        match simulator(index).start(Time::new(0, phase), start[0], start[1]) {
             Ok(run) => {
                 runs.push((simulator(index), run));
                 places.push(index);

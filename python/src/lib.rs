@@ -13,6 +13,7 @@ mod columns;
 mod exact;
 mod failure;
 mod forced;
+mod machines;
 mod places;
 mod proofs;
 mod scene;

@@ -13,7 +13,7 @@ use pyo3::{prelude::*, types::PyDict};
 
 use crate::{
     arrays::{Collector, Data},
-    batch::{Plan, follow},
+    batch::{Plan, coordinates, follow},
     exact::Exact,
     failure::raise,
     watch::{watched, watched_here},
@@ -60,6 +60,12 @@ impl Scene {
     #[getter]
     fn is_machine(&self) -> bool {
         !matches!(self.inner.body, Body::Oscillator(_))
+    }
+
+    /// How many displacements a state of it has.
+    #[getter]
+    fn coordinates(&self) -> usize {
+        coordinates(&self.inner)
     }
 
     #[getter]
@@ -139,6 +145,7 @@ impl Scene {
         let records = points.shape()[1];
         let plan = Plan {
             scene: &self.inner,
+            coordinates: coordinates(&self.inner),
             starts: starts.as_slice()?,
             varied: &varied,
             values: values.as_slice()?,

@@ -6,8 +6,10 @@ import inspect
 import re
 import runpy
 import sys
+from fractions import Fraction
 
 import pytest
+from conftest import MACHINE
 
 import grazing
 from grazing import _arrays, _grazing
@@ -73,6 +75,62 @@ def test_frames_have_exact_numbers():
     assert list(table.columns) == ["n", "m", "sign_emu", "sign_gamma", "left", "right", "deciding"]
     assert table.left.iloc[1] == grazing.intervals("3..=5")[1].left
     assert len(grazing.classify(r=1, s="1/5").to_frame()) == 15
+
+
+def test_frames_of_lists_keep_whole_numbers_and_fractions():
+    pytest.importorskip("pandas")
+    edges = grazing.boundary("5..=6")
+    table = grazing.frame(edges)
+    assert list(table.columns) == ["n", "m", "case", "deciding", "kind", "s", "r"]
+    assert str(table.deciding.dtype) == "Int64" and table.deciding.isna().tolist() == [e.deciding is None for e in edges]
+    assert table.r.tolist() == [edge.r for edge in edges] and isinstance(table.r[1][0], Fraction)
+    floats = grazing.frame(edges, floats=True)
+    assert floats.r.tolist() == [tuple(map(float, edge.r)) for edge in edges]
+    values = grazing.frame(grazing.evaluate(5, r=1, s="1/7"))
+    assert values.k.tolist()[:-1] == [1, 2, 3, 4] and values.k.isna().tolist()[-1]
+    shares = grazing.frame(grazing.shares(r="0.97", s=("1/5", "21/100"), cells=40))
+    assert shares.lower.dtype == object and all(isinstance(share, Fraction) for share in shares.lower)
+    assert (grazing.frame(grazing.intervals(5), floats=True).left == [0.0, 0.1, 0.2, 1 / 3, 0.4]).all()
+    report = grazing.word(r="0.97", s="0.31")
+    words = report.to_frame()
+    for (_, row), case in zip(words.iterrows(), [case for word in report.words for case in word.cases]):
+        assert (row.sign_emu, row.sign_gamma, row.loops) == (*case.case, case.loops)
+        assert case.entropy is None or (row.entropy_lower, row.entropy_upper) == case.entropy
+    assert len(grazing.frame([])) == 0
+
+
+def test_motions_are_frames_and_datasets():
+    pytest.importorskip("pandas")
+    motions = grazing.Scene(MACHINE).simulate([0.0, 0.5], 6, every=3, parameters={"F": [0.25, 0.75]})
+    table = motions.to_frame()
+    assert list(table.columns) == ["motion", "period", "F", "q", "u"]
+    assert table.motion.tolist() == [0, 0, 0, 1, 1, 1] and table.period.tolist() == [0, 3, 6] * 2
+    assert table.F.tolist() == [0.25] * 3 + [0.75] * 3 and (table.u == motions.u.ravel()).all()
+    pytest.importorskip("xarray")
+    labelled = motions.to_xarray()
+    assert labelled.q.dims == ("motion", "period") and (labelled.u.sel(period=3) == motions.u[:, 1]).all()
+    assert labelled.F.values.tolist() == [0.25, 0.75] and (labelled.impacts == motions.impacts).all()
+
+
+def test_grids_are_datasets(root):
+    xarray = pytest.importorskip("xarray")
+    basins, map_, orbit = grazing.Scene(root / "tests/data/kinds.toml").run(["basins", "map", "orbit"])
+    grid = basins.to_xarray()
+    assert isinstance(grid, xarray.Dataset) and grid.cells.dims == ("u", "q")
+    u, q = basins.data.u[2], basins.data.q[0]
+    assert grid.cells.sel(u=u, q=q).item() == basins.data.cells[2, 0]
+    grid = map_.to_xarray()
+    assert set(grid.data_vars) == {"period", "impacts", "exponent"} and grid.period.shape == (2, 3)
+    assert (grid.first == map_.data.first).all()
+    with pytest.raises(grazing.InputError, match="no arrays on a grid; those of kind basins, map have"):
+        orbit.to_xarray()
+
+
+def test_without_xarray_a_dataset_says_how_to_get_it(monkeypatch):
+    monkeypatch.setitem(sys.modules, "xarray", None)
+    motions = grazing.Scene(MACHINE).simulate([0.0, 0.0], 1)
+    with pytest.raises(grazing.MissingPackageError, match="pip install 'grazing\\[labels\\]'"):
+        motions.to_xarray()
 
 
 def test_a_record_is_read_by_name():

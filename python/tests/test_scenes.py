@@ -243,8 +243,6 @@ def test_machines_have_a_column_for_each_coordinate(root):
     assert motion.data.q.shape == motion.data.u.shape == motion.data.time.shape
     two = grazing.Scene(root / "examples/machines/two-masses.toml").run("settled")[0]
     assert two.data.q.shape == two.data.u.shape == (len(two.data.time), 2)
-    with pytest.raises(grazing.InputError, match="format"):
-        scene.simulate([[0.0, 0.0]], 1)
 
 
 #: The paper's oscillator without tasks.

@@ -2,6 +2,7 @@
 
 import dataclasses
 import sys
+from fractions import Fraction
 from html.parser import HTMLParser
 
 import numpy as np
@@ -261,7 +262,7 @@ def test_pictures_of_tasks_are_their_arrays(pyplot, root):
         drawn = sum(len(line.get_xdata()) for line in axes.lines)
         assert drawn == len(report.data.points)
     assert axes.lines[0].get_xdata().tolist() == report.data.value.tolist()
-    with pytest.raises(grazing.InputError, match="simulate, section, diagram, basins, map"):
+    with pytest.raises(grazing.InputError, match="simulate, section, diagram, basins, map, branch"):
         grazing.Scene(MACHINE).run("first-touch")[0].plot()
 
 
@@ -273,6 +274,115 @@ def test_motions_are_drawn_on_the_axes_that_are_given(pyplot):
     assert (shown == motions.points.reshape(-1, 2)).all()
     for thing in (grazing.intervals(5), grazing.classify(r=1, s="1/7"), grazing.word(r="0.97", s="0.31")):
         assert thing.plot(axes) is axes
+
+
+def test_motions_of_a_machine_are_drawn_by_coordinate_and_over_a_parameter(pyplot, root):
+    text = (root / "examples/machines/two-masses.toml").read_text()
+    scene = grazing.Scene(text[: text.index("[[tasks]]")])
+    motions = scene.simulate([0.0] * 4, 5, transient=9, parameters={"F0": [6.0, 12.0, 24.0]})
+    for coordinate in (1, 2):
+        axes = motions.plot(coordinate=coordinate)
+        shown = np.asarray(axes.collections[0].get_offsets())
+        assert (shown[:, 0] == motions.q[..., coordinate - 1].ravel()).all()
+        assert (shown[:, 1] == motions.u[..., coordinate - 1].ravel()).all()
+        assert (axes.get_xlabel(), axes.get_ylabel()) == (f"q{coordinate}", f"u{coordinate}")
+    axes = motions.plot(coordinate=2, over="F0")
+    shown = np.asarray(axes.collections[0].get_offsets())
+    assert shown[:, 0].tolist() == np.repeat([6.0, 12.0, 24.0], 6).tolist()
+    assert (shown[:, 1] == motions.q[..., 1].ravel()).all() and axes.get_xlabel() == "F0"
+    with pytest.raises(grazing.InputError, match="from 1 to 2"):
+        motions.plot(coordinate=3)
+    with pytest.raises(grazing.InputError, match="that were varied are F0"):
+        motions.plot(over="F")
+
+
+def test_the_table_of_motions_counts_their_ends():
+    motions = grazing.Scene(MACHINE).simulate([[0.0, 0.0], [2.0, 0.0], [0.5, 1.0]], 12)
+    shown = Tables(motions._repr_html_())
+    reached = motions.impacts[motions.ends == 0]
+    assert shown.text.startswith("3 motions, 13 records")
+    assert shown.rows[1:] == [["REACHED", "2", str(reached.min()), str(reached.max())], ["BEHIND_A_WALL", "1", "0", "0"]]
+    assert reached.min() < reached.max()
+
+
+def test_the_tables_of_a_scene_and_of_a_campaign():
+    shown = Tables(grazing.Scene(MACHINE)._repr_html_())
+    assert shown.text.startswith("a driven mass and a stop: F = 1/2")
+    assert shown.rows[1:] == [["first-touch", "grazing", "", ""], ["after", "simulate", "motion", "F = 4/5"]]
+    report = grazing.fuzz(2000, periods="1..=8")
+    shown = Tables(report._repr_html_())
+    assert shown.text.startswith("Done Conjecture 1") and ["swept", str(report.tally.swept)] in shown.rows
+
+
+def test_bars_of_shares_are_full_up_to_the_lower_bound(pyplot):
+    found = grazing.shares(r=("0.96", "0.98"), s=("1/5", "21/100"), cells=60)
+    axes = found.plot()
+    names = [tick.get_text() for tick in axes.get_yticklabels()]
+    bars = [(bar.get_y() + bar.get_height() / 2, bar) for group in axes.containers for bar in group]
+    for y, (row, name) in enumerate(zip(found.rows, names)):
+        full, pale = (bar for place, bar in bars if place == y)
+        assert (full.get_x(), full.get_width()) == (0, float(row.lower)) and full.get_alpha() is None
+        assert pale.get_x() == float(row.lower) and pale.get_alpha() < 1
+        assert pale.get_x() + pale.get_width() == pytest.approx(float(row.upper))
+        assert name.startswith(f"eµ {'>' if row.sign_emu > 0 else '<'} 0") and name.endswith(row.verdict)
+        assert f"{row.what} {row.letters or row.n}" in name or row.what == "chaos"
+    assert len(names) == len(found.rows) and any(row.lower < row.upper for row in found.rows)
+    # Of more rows than a picture holds it says so.
+    long = dataclasses.replace(found, rows=found.rows * 20)
+    assert long.plot().get_title().endswith(f"60 of {len(long.rows)} statements")
+
+
+def test_branches_are_solid_where_they_are_stable(pyplot, root):
+    report = grazing.Scene(root / "tests/data/kinds.toml").run("branch")[0]
+    axes = report.plot()
+    styles = {"-": True, "--": False, ":": "marginal"}
+    shown = {}
+    for line in axes.lines:
+        if line.get_linestyle() in styles:
+            # The last point of a run is the first one of the next.
+            for place in list(zip(*line.get_data()))[:-1]:
+                shown[place] = styles[line.get_linestyle()]
+    wanted = {(row.parameters[0], row.speeds[0]): row.stable for row in report.rows}
+    last = (report.rows[-1].parameters[0], report.rows[-1].speeds[0])
+    assert {place: kind for place, kind in wanted.items() if place != last} == \
+        {place: kind for place, kind in shown.items() if place != last}
+    assert {True, False} <= set(wanted.values())
+    marks = {text.get_text(): text.xy for text in axes.texts}
+    assert marks == {row.label: (row.parameters[0], row.speeds[0]) for row in report.findings.labels}
+    assert axes.get_xlabel() == "mu"
+
+
+#: An orbit of the paper's oscillator, proved over a range through its flip.
+RANGE = """[[tasks]]
+name = "range"
+kind = "validate"
+set = { mu = 0.0054 }
+orbit = { pattern = [3] }
+parameter = "mu"
+from = 0.0053
+to = 0.0056
+"""
+
+
+def test_what_is_proved_over_a_range_is_drawn_part_by_part(pyplot, root):
+    text = (root / "examples/scenes/nordmark-2001-branches.toml").read_text()
+    (report,) = grazing.Scene(text[: text.index("[[tasks]]")] + RANGE).run()
+    assert isinstance(report.outcome, grazing.Proved)
+    (row,), axes = report.findings.proofs, report.plot()
+    whole, *parts = axes.lines
+    assert whole.get_xdata().tolist() == [float(row.lower), float(row.upper)] == [0.0053, 0.0056]
+    assert [(line.get_label(), line.get_linestyle(), *line.get_xdata()) for line in parts] == [
+        ("unstable", "--", 0.0053, float(row.stability[0].to)), ("stable", "-", float(row.stability[1]["from"]), 0.0056)]
+    assert [tick.get_text() for tick in axes.get_yticklabels()] == [row.pattern] and "range: Proved" in axes.get_title()
+    # Between the parts, where it flips, nothing is claimed.
+    assert parts[0].get_xdata()[1] < parts[1].get_xdata()[0]
+    for text in report.certificates.values():
+        checked = grazing.check(text)
+        assert isinstance(checked, grazing.Proved) and checked.details.kind == "branch"
+    # The ends are exact, and floats where asked for.
+    frame = report.frame("proofs")
+    assert [frame.lower[0], frame.upper[0]] == [Fraction(53, 10000), Fraction(56, 10000)]
+    assert report.frame("proofs", floats=True).lower[0] == 0.0053
 
 
 def test_without_matplotlib_a_picture_says_how_to_get_it(monkeypatch):

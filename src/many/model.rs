@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use super::{LinearEquations, Periodic, RealMatrix, RealVector, SpeedLaw, equations::check_symmetric};
+use super::{LinearEquations, Periodic, RealMatrix, RealVector, SpeedLaw, State, equations::check_symmetric};
 use crate::{
     error::{Error, Result},
     many::smooth::Record,
@@ -315,6 +315,20 @@ impl Machine<f64> {
         found.filter(|eta| eta.iter().all(|x| x.is_finite())).ok_or_else(|| {
             Error::input("the shapes at the coordinates do not determine the modes' amplitudes: start from 0, or leave `shapes` out")
         })
+    }
+
+    /// The state at phase `t` with these displacements and velocities of the coordinates, per unit of time.
+    ///
+    /// # Errors
+    /// An input error for lists of another length, and where the shapes at the points do not tell all
+    /// amplitudes.
+    pub fn state(&self, t: f64, q: &[f64], u: &[f64]) -> Result<State> {
+        let points = self.points();
+        if q.len() != points || u.len() != points {
+            return Err(Error::input(format!("a start has {points} displacements and velocities")));
+        }
+        let part = |given: &[f64]| self.coordinates(&RealVector::from_column_slice(given));
+        Ok(State { t, q: part(q)?, u: part(u)? / self.rate() })
     }
 
     /// A force on the coordinates q as one on the amplitudes.

@@ -63,6 +63,7 @@
 //! # Ok::<(), grazing::Error>(())
 //! ```
 
+mod depth;
 mod engine;
 mod peak;
 mod smooth;
@@ -140,7 +141,7 @@ pub struct Simulator {
     smooth: Option<Smooth>,
     /// The free machine first of all; others as they come up.
     free: Arc<Stage>,
-    stages: Mutex<Stages>,
+    stages: Arc<Mutex<Stages>>,
     /// w M⁻¹ C M⁻¹ wᵀ of each stop: by how much an impulse of 1 there changes z″ through damping.
     drags: Vec<f64>,
     settings: Settings,
@@ -178,7 +179,7 @@ impl Simulator {
             push.dot(&(&equations.damping * push))
         };
         let drags = (0..contacts.all().len()).map(drag).collect();
-        let (stages, settings, rate) = (Mutex::default(), settings.clone(), machine.rate());
+        let (stages, settings, rate) = (Arc::default(), settings.clone(), machine.rate());
         Ok(Simulator {
             equations,
             contacts,
@@ -226,7 +227,7 @@ impl Simulator {
             contacts: self.contacts.clone(),
             smooth: self.smooth.clone(),
             free: Arc::new(free),
-            stages: Mutex::default(),
+            stages: Arc::default(),
             drags: self.drags.clone(),
             settings: self.settings.clone(),
             rate: self.rate,
@@ -397,14 +398,9 @@ impl Simulator {
         }
         let state =
             State { t: time.phase, q: RealVector::from_column_slice(q), u: RealVector::from_column_slice(u) };
-        for contact in self.contacts.all() {
-            let [gap, _] = contact.gap(&state);
-            if contact.soft.is_none() && !self.through && gap < -self.settings.minimum_depth {
-                let name = &contact.name;
-                return Err(Error::input(format!(
-                    "the start lies behind the stop {name}: its gap is {gap:e}"
-                )));
-            }
+        if let Some((contact, gap)) = self.stop_before(&state) {
+            let name = &contact.name;
+            return Err(Error::input(format!("the start lies behind the stop {name}: its gap is {gap:e}")));
         }
         Run::new(self, time, state)
     }
