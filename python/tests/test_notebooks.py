@@ -16,8 +16,8 @@ import pytest
 NOTEBOOKS = sorted((Path(__file__).resolve().parents[1] / "notebooks").glob("*.ipynb"))
 
 
-def test_there_are_four():
-    assert [path.stem for path in NOTEBOOKS] == ["fuzzing", "intervals", "my-machine", "tolerances"]
+def test_there_are_five():
+    assert [path.stem for path in NOTEBOOKS] == ["accuracy", "fuzzing", "intervals", "my-machine", "tolerances"]
 
 
 def kept(cell):
