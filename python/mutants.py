@@ -221,7 +221,7 @@ MUTANTS = [
     Mutant("share-rounded-inwards", "grazing/_boxes.py", 'return f"{-(-share * 10**4 // 1) / 100:.2f} %"',
            'return f"{share * 10**4 // 1 / 100:.2f} %"', BOXES + "test_the_table_of_shares_is_rounded_outwards"),
     Mutant("a-depth-for-all", "src/machines.rs", 'Ok((depth != self.simulator.minimum_depth()).then(',
-           'Ok((depth < 0.0).then(', MACHINES + "test_each_motion_of_a_machine_is_that_of_its_task"),
+           'Ok((depth < 0.0).then(', MACHINES + "test_a_motion_has_the_depth_that_its_own_start_asks_for"),
     Mutant("velocities-per-radian", "src/machines.rs", '*to = u * rate', '*to = u',
            MACHINES + "test_each_motion_of_a_machine_is_that_of_its_task"),
     Mutant("transient-counted", "src/machines.rs", 'Ok((impacts - before, code(end)))', 'Ok((impacts, code(end)))',

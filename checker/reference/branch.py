@@ -19,9 +19,9 @@ import chaos
 from chaos import BITS, CIRCLE, ONE, PI, UNIT, ZERO, Flow, Range, exponential, need, number, roots, up
 
 STATEMENT = (
-    "For every choice of one number in each interval of the system of this digest and every value of its parameter from "
-    "the first cell's LO to the last cell's HI, exactly one choice of phases and incoming relative speeds within R of "
-    "the line of a cell that holds the value, the listed phases and speeds plus the listed rates times the distance "
+    "For every choice of one number in each interval of the system of this digest and every value of its parameter "
+    "from the first cell's LO to the last cell's HI, exactly one choice of phases and incoming relative speeds within "
+    "R of the line of a cell that holds the value, the listed phases and speeds plus the listed rates times the distance "
     "from the cell's middle, solves the equations of the pattern, and it lies within W. This is a periodic orbit: every "
     "impact has positive speed, strictly between impacts every gap to a wall is positive, and no smaller number of "
     "periods than that of all listed strikes is a period. Where two cells meet both have the same orbit, and with the "

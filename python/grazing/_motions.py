@@ -98,8 +98,8 @@ class Motions:
         if self.coordinates > 1:
             labels["coordinate"] = np.arange(1, self.coordinates + 1)
         labels.update({name: ("motion", values) for name, values in self.parameters.items()})
-        values = {"q": (axes, self.q), "u": (axes, self.u), "impacts": ("motion", self.impacts), "ends": ("motion", self.ends)}
-        return dataset(values, labels)
+        states = {"q": (axes, self.q), "u": (axes, self.u)}
+        return dataset({**states, "impacts": ("motion", self.impacts), "ends": ("motion", self.ends)}, labels)
 
     def plot(self, axes: Any = None, *, coordinate: int = 1, over: str | None = None) -> Any:
         """The records on Matplotlib's ``axes`` or new ones, which are given back: (q, u) of a coordinate, counted from

@@ -177,8 +177,8 @@ def report(found: TaskReport, axes: Any) -> Any:
     draw, has = _KINDS.get(found.kind, (None, lambda found: False))
     if draw is None or not has(found):
         raise InputError(
-            f"task {found.task} of kind {found.kind} has nothing to draw; those of kind {', '.join(_KINDS)} may have: arrays, "
-            "branches, or what is proved over a parameter"
+            f"task {found.task} of kind {found.kind} has nothing to draw; those of kind {', '.join(_KINDS)} may have: "
+            "arrays, branches, or what is proved over a parameter"
         )
     axes = on(axes)
     draw(found, axes)
@@ -304,8 +304,9 @@ def _ranges(axes: Any, rows: list[tuple[str, str, str, Any]]) -> None:
         for part in stability:
             style, word = _STABLE[part.word == "stable"]
             ends = [_float(lower if part["from"] is None else part["from"]), _float(part.to)]
-            axes.plot(ends, [y, y], color=CASES[1, 1] if word == "stable" else CASES[1, -1], linewidth=5, linestyle=style,
-                      solid_capstyle="butt", dash_capstyle="butt", label=None if word in said else word)
+            colour = CASES[1, 1] if word == "stable" else CASES[1, -1]
+            axes.plot(ends, [y, y], color=colour, linewidth=5, linestyle=style, solid_capstyle="butt",
+                      dash_capstyle="butt", label=None if word in said else word)
             said.add(word)
     axes.set_yticks(range(len(rows)), [row[0] for row in rows])
     axes.set_ylim(-0.5, len(rows) - 0.5)

@@ -96,7 +96,8 @@ class TaskReport:
         axes = _GRIDS.get(self.kind)
         if axes is None or not self.data:
             kinds = ", ".join(_GRIDS)
-            raise InputError(f"task {self.task} of kind {self.kind} has no arrays on a grid; those of kind {kinds} have")
+            what = f"task {self.task} of kind {self.kind}"
+            raise InputError(f"{what} has no arrays on a grid; those of kind {kinds} have")
         values = {name: (axes[::-1], array) for name, array in self.data.items() if name not in axes}
         return dataset(values, {axis: self.data[axis] for axis in axes})
 

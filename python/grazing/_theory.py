@@ -104,7 +104,8 @@ class FuzzReport:
 
     def _repr_html_(self) -> str:
         rows = [(name, count) for name, count in self.tally.items() if not isinstance(count, (list, Record))]
-        return self.outcome._repr_html_() + _html.table(f"{self.decided} cases decided", ("what", "count"), rows, len(rows))
+        table = _html.table(f"{self.decided} cases decided", ("what", "count"), rows, len(rows))
+        return self.outcome._repr_html_() + table
 
 
 def fuzz(

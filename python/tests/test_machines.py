@@ -44,6 +44,31 @@ def test_each_motion_of_a_machine_is_that_of_its_task(root, name):
     assert len({tuple(row) for row in motions.points[:, -1].tolist()}) == len(starts)
 
 
+def test_a_motion_has_the_depth_that_its_own_start_asks_for():
+    # How many bounces of a ball are counted until it rests follows from the depth, and that from how high it begins.
+    ball = """
+format = "grazing-scene 3"
+title = "a ball"
+engine = "many"
+[system]
+period = 4
+force = -16
+mass = 2
+[[stops]]
+name = "table"
+row = [1]
+offset = 0
+restitution = 0.5
+"""
+    starts = [[1.0, 0.0], [1000.0, 0.0], [0.0, 50.0]]
+    motions = grazing.Scene(ball).simulate(starts, 40)
+    for index, start in enumerate(starts):
+        (one,) = grazing.Scene(ball + task(start, 0, 0, 40)).run()
+        assert motions.impacts[index] == one.findings.impacts > 10
+        assert (motions.q[index] == one.data.q).all()
+    assert len(set(motions.impacts.tolist())) > 1
+
+
 @pytest.mark.parametrize("name", ["two-masses", "cantilever"])
 def test_a_machine_is_followed_over_a_parameter(root, name):
     path, (parameter, (start, *_)) = root / f"examples/machines/{name}.toml", MACHINES[name]

@@ -1,5 +1,6 @@
 """The package: stubs, docstrings, optional packages."""
 
+import dataclasses
 import doctest
 import importlib.resources
 import inspect
@@ -8,6 +9,7 @@ import runpy
 import sys
 from fractions import Fraction
 
+import numpy as np
 import pytest
 from conftest import MACHINE
 
@@ -115,10 +117,13 @@ def test_motions_are_frames_and_datasets():
 def test_grids_are_datasets(root):
     xarray = pytest.importorskip("xarray")
     basins, map_, orbit = grazing.Scene(root / "tests/data/kinds.toml").run(["basins", "map", "orbit"])
-    grid = basins.to_xarray()
-    assert isinstance(grid, xarray.Dataset) and grid.cells.dims == ("u", "q")
-    u, q = basins.data.u[2], basins.data.q[0]
-    assert grid.cells.sel(u=u, q=q).item() == basins.data.cells[2, 0]
+    # Each cell tells itself from the others.
+    cells = np.arange(9).reshape(3, 3)
+    grid = dataclasses.replace(basins, data=grazing.Record({**basins.data, "cells": cells})).to_xarray()
+    assert isinstance(grid, xarray.Dataset)
+    for j, u in enumerate(basins.data.u):
+        for i, q in enumerate(basins.data.q):
+            assert grid.cells.sel(u=u, q=q).item() == cells[j, i]
     grid = map_.to_xarray()
     assert set(grid.data_vars) == {"period", "impacts", "exponent"} and grid.period.shape == (2, 3)
     assert (grid.first == map_.data.first).all()
