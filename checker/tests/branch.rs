@@ -412,8 +412,8 @@ fn forged_claims_are_refused() {
 #[test]
 fn a_second_reader_gives_the_same_verdicts() {
     let one = first_cells(BRANCH, 1);
-    let right =
-        [BRANCH_2, &one, &first_cells(BRANCH, 5), &word(&one, "cell ", 0, 3, "open")].map(String::from);
+    let (some, open) = (first_cells(BRANCH, 5), word(&one, "cell ", 0, 3, "open"));
+    let right = [BRANCH_2, BRANCH_FREQUENCY, &one, &some, &open].map(String::from);
     let short = |text: &String| text.contains("\ncells 1\n");
     let wrong = forgeries().into_iter().map(|(text, _)| text).filter(short);
     let wrong = wrong.chain([BRANCH_SPLICED.into(), word(&one, "cell ", 0, 3, "stable")]);
