@@ -178,3 +178,6 @@ export const READ = Object.entries(LOOKS).filter(([look]) => isRead(look));
 
 /** Why the longest tests are left out, if they are. */
 export const LONG = process.env.GRAZING_LOOKS ? "GRAZING_LOOKS leaves out whether memory grows" : false;
+
+/** The samples of the checker that it refuses. */
+export const REFUSED = ["branch-spliced.txt", "machine-ball-twice.txt"];
