@@ -60,8 +60,11 @@ const shown: Shown[] = panels.map((panel) => {
 let stepping = false;
 
 function setFragment(fragment: string): void {
-  if (stepping && fragment !== location.hash) history.pushState(null, "", fragment);
-  else history.replaceState(null, "", fragment);
+  // What is there already is not put there again: that would end a step back that has just begun.
+  if (fragment !== location.hash) {
+    if (stepping) history.pushState(null, "", fragment);
+    else history.replaceState(null, "", fragment);
+  }
   stepping = false;
 }
 
