@@ -20,6 +20,8 @@ const NUMBERS = "the numbers of the motion are the command line's: period, impac
 const BORN = "what is born is said and listed as the command line lists it";
 const STABLE = "branches called stable are stable on the command line, and unstable ones are not; predictions rise from the grazing";
 const START = "the first screen says what is seen, born and proved on either side of the touch: light";
+const TABS = "every tab keeps the rules of axe-core, and explains its words: light";
+const EXPLAINED = "a word is explained under the pointer, at the focus and at a tap, and goes away";
 
 /** Name, file of page/, what is replaced (it stands there once), by what, and the test that finds it. */
 const MUTANTS = [
@@ -62,6 +64,13 @@ const MUTANTS = [
   ["proved-too-far", "start.ts", "BigInt(den) - BigInt(num)", "BigInt(num)", "start", START],
   ["mass-upside-down", "start-picture.ts", "height * ((CEILING - place)", "height * ((place - FLOOR)", "start", "the mass is above its stop, still before the touch and thrown up beyond it"],
   ["back-forgets", "main.ts", "history.pushState(null", "history.replaceState(null", "back", "Back leads through tabs, points, examples and links, and Forward again"],
+  ["case-exchanged", "words.ts", "In (+,−), eµ > 0 and γ < 0.", "In (+,−), eµ < 0 and γ > 0.", "tabs-read", EXPLAINED],
+  ["letters-exchanged", "words.ts", "U: its fraction m/n lies above", "U: its fraction m/n lies below", "tabs-read", EXPLAINED],
+  ["keys-explain-nothing", "words.ts", 'addEventListener("focusin"', 'addEventListener("focusing"', "tabs-read", EXPLAINED],
+  ["gamma-unexplained", "words.ts", "|(γ|", "|(γγ|", "tabs-read", TABS],
+  ["choice-unnamed", "plane.ts", 'element("select", { "aria-label": name })', 'element("select")', "tabs-read", TABS],
+  ["text-too-faint", "style.css", "--muted: #586069;", "--muted: #a8aeb6;", "tabs-read", TABS],
+  ["listing-unreachable", "panel.ts", 'class: "scroll", tabindex: 0', 'class: "scroll", tabindex: -1', "words-read", "the listing is reached and scrolled by keyboard"],
 ];
 
 const wanted = process.argv.slice(2);

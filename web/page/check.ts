@@ -147,12 +147,12 @@ function verdict(found: Found): { good: boolean | undefined; heading: string; te
   return { good: false, heading: `Malformed: ${at}`, text: `${found.reason}. The text is not of its documented form, and proves nothing.` };
 }
 
-function pairs(rows: [string, string][]): HTMLElement {
+function pairs(label: string, rows: [string, string][]): HTMLElement {
   const body = element("tbody");
   for (const [name, value] of rows) {
     body.append(element("tr", {}, element("th", { scope: "row" }, name), element("td", {}, value)));
   }
-  return scroller("Facts", element("table", { class: "facts" }, body));
+  return scroller(label, element("table", { class: "facts" }, body));
 }
 
 /** All that is shown of one file. */
@@ -169,11 +169,11 @@ function report(name: string, bytes: Uint8Array, found: Found, seconds: number):
   if (found.statement) {
     made.append(element("h3", {}, "Statement"), element("p", { class: "statement" }, found.statement));
   }
-  if (found.detail?.length) made.append(element("h3", {}, "What it leaves to the certificate"), pairs(found.detail));
+  if (found.detail?.length) made.append(element("h3", {}, "What it leaves to the certificate"), pairs(`What ${name} leaves to the certificate`, found.detail));
   const speed = found.bytes / 1e6 / seconds;
   made.append(
     element("h3", {}, "File"),
-    pairs([
+    pairs(`The file ${name}`, [
       ["name", name],
       ["kind", found.kind ?? "none"],
       ["size", `${number.format(found.bytes)} bytes${found.lines ? `, ${number.format(found.lines)} lines` : ""}`],
@@ -182,7 +182,7 @@ function report(name: string, bytes: Uint8Array, found: Found, seconds: number):
     ]),
   );
   const fault = found.verdict === "proved" ? undefined : { line: found.line ?? 1, reason: found.reason ?? "" };
-  made.append(element("h3", {}, "Lines"), listing(bytes, fault));
+  made.append(element("h3", {}, "Lines"), listing(name, bytes, fault));
   return made;
 }
 

@@ -61,12 +61,12 @@ export interface Fault {
 }
 
 /** The lines of a certificate with a tick at what was proved, if all is, or a cross where it is not. */
-export function listing(bytes: Uint8Array, fault: Fault | undefined): HTMLElement {
+export function listing(name: string, bytes: Uint8Array, fault: Fault | undefined): HTMLElement {
   const lines = new Lines(bytes);
   const { count } = lines;
   const body = element("tbody");
   const table = element("table", { class: "lines" }, element("caption", { class: "unseen" }, "The certificate"), body);
-  const made = element("div", {}, scroller("Lines of the certificate", table));
+  const made = element("div", {}, scroller(`Lines of the certificate ${name}`, table));
 
   const text = (line: number): string => {
     const [from, end] = lines.place(line);

@@ -7,6 +7,7 @@ import { COLOURS, type Context, element, hyphens, type Panel } from "./panel";
 import { plane } from "./plane";
 import { start } from "./start";
 import { theory } from "./theory";
+import { explainWords } from "./words";
 
 const panels: Panel[] = [start, plane, motion, theory, check];
 
@@ -205,6 +206,8 @@ find("link").addEventListener("click", async () => {
     prompt("The link to this view:", location.href);
   }
 });
+
+explainWords(find("panels"));
 
 // A file that misses its place would replace the page.
 for (const kind of ["dragover", "drop"]) document.addEventListener(kind, (event) => event.preventDefault());

@@ -8,6 +8,7 @@ import { CASES, mix, MOST, onScale, PLAIN } from "./plane-colours";
 import { type Area, type Areas, type Colouring, fillOf, layersOf } from "./plane-layers";
 import { type Place, type PointFacts, REGIONS, said } from "./plane-words";
 import { type Options, type Origin, Plot, type View } from "./plot";
+import { worded } from "./words";
 
 type Chart = "plane" | "disc" | "strip";
 
@@ -84,9 +85,9 @@ class PlanePanel implements Panel {
     const names = Object.fromEntries(Object.entries(CHARTS).map(([id, { name }]) => [id, name]));
     this.fields = {
       chart: select(names, "Chart"),
-      colouring: select({ case: "case", word: "word", entropy: "entropy" }, "Colour by"),
-      sign: select({ "+": "eµ > 0", "-": "eµ < 0" }, "Sign of eµ"),
-      gamma: select({ "+": "γ > 0", "-": "γ < 0" }, "Sign of γ"),
+      colouring: worded(select({ case: "case", word: "word", entropy: "entropy" }, "Colour by"), "case"),
+      sign: worded(select({ "+": "eµ > 0", "-": "eµ < 0" }, "Sign of eµ"), "emu"),
+      gamma: worded(select({ "+": "γ > 0", "-": "γ < 0" }, "Sign of γ"), "gamma"),
       last: input("20", 7, "numeric"),
       only: element("input", { type: "checkbox" }),
       kind: select({ plane: "a₁, a₂", polar: "r, s" }, "Coordinates"),

@@ -1,0 +1,20 @@
+// Every tab with content: where a link leads to it, and what is there once it is whole.
+
+import { open } from "./page.mjs";
+
+export const TABS = {
+  start: ["#start?drive=1.003", "#start-seen:has-text('evidence')"],
+  plane: ["#plane?a1=-1/4&a2=1/2&n=12", "#plane-status[data-full=true]"],
+  motion: ["#motion", "#panel-motion :text('The theory is of first order')"],
+  theory: ["#theory?place=plane&x=-3/2&y=9/10&n=9", "#theory-out table"],
+  check: ["#check?example=word", "#check-results [data-verdict=proved]"],
+  rejected: ["#check?example=false", "#check-results [data-verdict=false]"],
+};
+
+/** A tab with its content. */
+export async function tab(browser, name, options) {
+  const [fragment, whole] = TABS[name];
+  const opened = await open(browser, fragment, { reducedMotion: "reduce", ...options });
+  await opened.page.locator(whole).first().waitFor();
+  return opened;
+}
