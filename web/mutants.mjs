@@ -22,6 +22,8 @@ const STABLE = "branches called stable are stable on the command line, and unsta
 const START = "the first screen says what is seen, born and proved on either side of the touch: light";
 const TABS = "every tab keeps the rules of axe-core, and explains its words: light";
 const EXPLAINED = "a word is explained under the pointer, at the focus and at a tap, and goes away";
+const LINK = "a scene is in the link, packed; Back, a reload and another browser restore it";
+const NO_LINK = "a scene that no link holds is said to be in none";
 
 /** Name, file of page/, what is replaced (it stands there once), by what, and the test that finds it. */
 const MUTANTS = [
@@ -71,6 +73,10 @@ const MUTANTS = [
   ["choice-unnamed", "plane.ts", 'element("select", { "aria-label": name })', 'element("select")', "tabs-read", TABS],
   ["text-too-faint", "style.css", "--muted: #586069;", "--muted: #a8aeb6;", "tabs-read", TABS],
   ["listing-unreachable", "panel.ts", 'class: "scroll", tabindex: 0', 'class: "scroll", tabindex: -1', "words-read", "the listing is reached and scrolled by keyboard"],
+  ["scene-not-in-link", "motion.ts", "Object.assign(state, this.inLinks, {", "Object.assign(state, {", "links", LINK],
+  ["damage-unnoticed", "packed.ts", "|| crc(text) !== new DataView(bytes.buffer).getUint32(0)", "", "links", LINK],
+  ["refused-address-lost", "motion.ts", "    this.refused = true;\n", "", "links", LINK],
+  ["too-long-unsaid", "motion.ts", 'hidden = isPaper || !("why" in this.inLinks)', "hidden = true", "links", NO_LINK],
 ];
 
 const wanted = process.argv.slice(2);

@@ -113,7 +113,7 @@ function show(entry: Shown): void {
 }
 
 /** Keys of a link that hold what a file says, to the letter. */
-const VERBATIM = ["scene", "name"];
+const VERBATIM = ["scene", "packed", "name"];
 
 /** Shows what a fragment says. */
 function take(fragment: string): void {

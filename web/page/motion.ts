@@ -21,6 +21,7 @@ import {
   type StrikesAnswer,
 } from "./motion-pictures";
 import { type Context, csv, element, Failure, type Panel, scroller } from "./panel";
+import { canPack, type Linked, linked, unpack } from "./packed";
 import { type Layer, Plot, type View } from "./plot";
 
 interface Parameter {
@@ -66,8 +67,6 @@ const byField = (message: string): string =>
 const PIECE = 6;
 /** Values at which the motion is simulated beside the orbits born. */
 const BESIDE = 32;
-/** The longest scene that a link holds. */
-const LONGEST = 6000;
 
 /** A double as a short text that is exact. */
 const short = (x: number): string => String(Number(x.toPrecision(6)));
@@ -97,6 +96,10 @@ class MotionPanel implements Panel {
   private text = "";
   private name = "";
   private isPaper = true;
+  /** The scene as links hold it, or why they do not. */
+  private inLinks: Linked = { why: "" };
+  /** Whether the address says what is refused: it stays there until the reader goes on. */
+  private refused = false;
   private opened = 0;
   private scene: Opened | null = null;
   private values = new Map<string, string>();
@@ -111,6 +114,7 @@ class MotionPanel implements Panel {
   private ready: Promise<void> = Promise.resolve();
   private parts!: {
     title: HTMLElement;
+    unlinked: HTMLElement;
     sliders: HTMLElement;
     parameter: HTMLSelectElement;
     start: Record<"phase" | "q" | "u", HTMLInputElement>;
@@ -162,6 +166,7 @@ class MotionPanel implements Panel {
     const labelled = (text: string, input: HTMLElement) => element("label", {}, text, input);
     const parts = {
       title: element("h2", {}, "…"),
+      unlinked: element("p", { class: "notice", role: "status", hidden: true }),
       sliders: element("div", { class: "motion-sliders" }),
       parameter: element("select", { "aria-label": "Bifurcation parameter" }),
       start: { phase: field("phase of the start", "0", 4), q: field("displacement at the start", "0"), u: field("velocity at the start", "0") },
@@ -224,6 +229,7 @@ class MotionPanel implements Panel {
       parts.title,
       element("div", { class: "row" }, choose, paper, save, file),
       element("p", { class: "muted" }, "Or drop a scene (a TOML file) here. It stays in this browser."),
+      parts.unlinked,
       parts.sliders,
       element(
         "fieldset",
@@ -321,9 +327,13 @@ class MotionPanel implements Panel {
   private async open(text: string, name: string, isPaper: boolean): Promise<void> {
     const scene: Opened | null = await this.asked(this.context.compute("motion_open", JSON.stringify({ text, name })));
     if (!scene) return;
+    const inLinks: Linked = isPaper ? { why: "" } : await linked(text);
     this.text = text;
     this.name = name;
     this.isPaper = isPaper;
+    this.inLinks = inLinks;
+    this.parts.unlinked.hidden = isPaper || !("why" in this.inLinks);
+    this.parts.unlinked.textContent = "why" in this.inLinks ? `This scene is not in the link: ${this.inLinks.why}. Send it as a file.` : "";
     this.scene = scene;
     this.values = new Map(scene.parameters.map(({ name, value }) => [name, value]));
     const { parts } = this;
@@ -472,6 +482,7 @@ class MotionPanel implements Panel {
       this.timers.push(setTimeout(() => void work(), delay));
     };
     this.problem(null);
+    this.refused = false;
     if (this.view === "time" || this.view === "plane") void this.drawMotion(mine);
     if (this.view === "attractor") later(300, () => this.drawAttractor(mine));
     if (this.view !== "tasks") {
@@ -484,13 +495,11 @@ class MotionPanel implements Panel {
   private link(): void {
     const { parts, scene } = this;
     if (!scene) return;
+    if (this.refused) return;
     // Values alone would lead to the paper's scene with them.
-    if (!this.isPaper && this.text.length > LONGEST) return this.context.permalink({});
+    if (!this.isPaper && "why" in this.inLinks) return this.context.permalink({});
     const state: Record<string, string> = { view: this.view };
-    if (!this.isPaper) {
-      state.scene = this.text;
-      state.name = this.name;
-    }
+    if (!this.isPaper) Object.assign(state, this.inLinks, { name: this.name });
     for (const { name, value } of scene.parameters) {
       const now = this.values.get(name);
       if (now !== undefined && now !== value) state[`v.${name}`] = now;
@@ -504,10 +513,13 @@ class MotionPanel implements Panel {
   }
 
   private async take(state: URLSearchParams): Promise<void> {
-    const text = state.get("scene");
-    if (text !== null) await this.open(text, state.get("name") ?? "scene.toml", false);
+    const name = state.get("name") ?? "scene.toml";
+    const packed = state.get("packed");
+    const text = packed === null ? state.get("scene") : canPack() ? await unpack(packed) : null;
+    if (text !== null) await this.open(text, name, false);
     else if (!this.isPaper) await this.openPaper();
     const { parts } = this;
+    if (packed !== null && text === null) return this.refuse(name);
     if (!this.scene) return;
     const parameter = state.get("parameter");
     if (parameter !== null && this.scene.parameters.some(({ name }) => name === parameter)) {
@@ -521,6 +533,13 @@ class MotionPanel implements Panel {
     for (const { name, value } of this.scene.parameters) this.set(name, state.get(`v.${name}`) ?? value);
     const view = state.get("view");
     this.show(view !== null && view in VIEWS ? (view as ViewName) : "time");
+  }
+
+  /** What the link says of a scene is not there: that is said, the address stays, and the paper's scene is shown. */
+  private refuse(name: string): void {
+    this.refused = true;
+    const why = canPack() ? "its letters are not all there, or not the ones that were sent" : "this browser cannot unpack it (it lacks DecompressionStream)";
+    this.problem(new Failure(`The scene ${name} in the link cannot be read: ${why}. This is the paper’s oscillator instead.`));
   }
 
   // Views.
