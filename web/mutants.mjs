@@ -77,6 +77,8 @@ const MUTANTS = [
   ["damage-unnoticed", "packed.ts", "|| crc(text) !== new DataView(bytes.buffer).getUint32(0)", "", "links", LINK],
   ["refused-address-lost", "motion.ts", "    this.refused = true;\n", "", "links", LINK],
   ["too-long-unsaid", "motion.ts", 'hidden = isPaper || !("why" in this.inLinks)', "hidden = true", "links", NO_LINK],
+  ["periods-misnamed", "plane-layers.ts", "return positive || n === 1 ? `${n}` : `1–${n}`;", "return positive || n === 1 ? `${n + 1}` : `1–${n}`;", "plane-read", COLOUR],
+  ["periods-anywhere", "labels.ts", "run >= wide ? above + 1 : 0", "above + 1", "plane-read", COLOUR],
 ];
 
 const wanted = process.argv.slice(2);

@@ -18,6 +18,12 @@ export function mix(from: string, to: string, t: number): string {
   return `#${a.map((x, i) => Math.round(x + (b[i]! - x) * t).toString(16).padStart(2, "0")).join("")}`;
 }
 
+/** Black or white, whichever is read better on a colour. */
+export function inkOn(paper: string): string {
+  const light = (hex: string) => channels(hex).map((c) => (c / 255) ** 2.2).reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i]!, 0);
+  return light(paper) > 0.18 ? "#000000" : "#ffffff";
+}
+
 export function onScale(t: number): string {
   const at = Math.min(Math.max(t, 0), 1) * (SCALE.length - 1);
   const index = Math.min(Math.floor(at), SCALE.length - 2);

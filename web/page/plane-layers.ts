@@ -1,7 +1,7 @@
 // The areas that the program finds in a view of the plane (`plane_view`), as layers of a plot.
 
 import { colour } from "./panel";
-import { CASES, mix, MOST, onScale, PLAIN, spread } from "./plane-colours";
+import { CASES, inkOn, mix, MOST, onScale, PLAIN, spread } from "./plane-colours";
 import type { Layer } from "./plot";
 
 export type Colouring = "case" | "word" | "entropy";
@@ -16,6 +16,8 @@ export interface Area {
   edges: number[][];
   letters?: string;
   periods?: number[];
+  /** Whether every period occurs. */
+  every?: boolean;
   entropy?: number | "none";
 }
 
@@ -40,8 +42,14 @@ export function fillOf(area: Area, colouring: Colouring, only: boolean): string 
   return area.entropy > 0 ? onScale(area.entropy / MOST) : PLAIN;
 }
 
-/** Areas in the order of painting, in the present colours, and their edges above them. */
-export function layersOf(areas: Area[], colouring: Colouring, only: boolean): Layer[] {
+/** The periods that stand in an area: for eµ > 0 the innermost, which is the last that occurs; for eµ < 0 all of them. */
+function textOf({ n, every }: Area, positive: boolean): string {
+  if (every) return "all";
+  return positive || n === 1 ? `${n}` : `1–${n}`;
+}
+
+/** Areas in the order of painting, in the present colours, and their edges above them; periods for a sign of eµ. */
+export function layersOf(areas: Area[], colouring: Colouring, only: boolean, sign: string | null): Layer[] {
   const [paper, muted, bad] = [colour("background"), colour("muted"), colour("bad")];
   const layers: Layer[] = [];
   const edges = new Map<string, number[]>();
@@ -50,7 +58,13 @@ export function layersOf(areas: Area[], colouring: Colouring, only: boolean): La
     const fill = fillOf(area, colouring, only);
     const name = area.letters ?? `${area.n}`;
     const label = `${area.kind} n=${area.n} m=${area.m} ${area.case} ${name}`;
-    layers.push({ kind: "polygon", xy, colour: fill ?? paper, label });
+    const layer: Layer = { kind: "polygon", xy, colour: fill ?? paper, label };
+    // Where nothing is born for this sign of γ, no period is.
+    const nothing = colouring === "entropy" && area.entropy === "none";
+    if (area.kind === "area" && !only && sign !== null && !nothing) {
+      Object.assign(layer, { text: textOf(area, sign === "+"), region: `${label} ${area.every ?? false}`, ink: inkOn(fill ?? paper) });
+    }
+    layers.push(layer);
     if (fill === null) {
       layers.push({ kind: "polygon", xy, colour: area.kind === "undecided" ? bad : muted, hatch: true, opacity: 0.8, label });
     }

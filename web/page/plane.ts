@@ -492,7 +492,7 @@ class PlanePanel implements Panel {
   private paint(): void {
     if (!this.answer || !this.shown) return;
     const { origin, areas } = this.answer;
-    const layers = layersOf(areas, this.colouring, this.fields.only.checked);
+    const layers = layersOf(areas, this.colouring, this.fields.only.checked, this.fields.sign.value);
     this.plot.setLayers(layers, { x: Exact.parse(origin.x), y: Exact.parse(origin.y) });
     this.explainColours(areas);
   }
@@ -526,6 +526,10 @@ class PlanePanel implements Panel {
     }
     if (areas.some((area) => fillOf(area, this.colouring, this.fields.only.checked) === null && area.kind !== "undecided")) {
       keys.push(sample(colour("muted"), "more periods occur: beyond N, or not drawn", true));
+    }
+    if (!this.fields.only.checked) {
+      const words = this.fields.sign.value === "+" ? "the number in an area: its period n, the last that occurs" : "the numbers in an area: the periods that occur";
+      keys.push(element("span", {}, words));
     }
     if (areas.some((area) => area.kind === "undecided")) keys.push(sample(colour("bad"), "undecided", true));
     this.legend.replaceChildren(...keys);

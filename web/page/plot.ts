@@ -6,6 +6,7 @@
 
 import { contains, cutLine, cutPolygon, type Frame, near } from "./cut";
 import { Exact } from "./exact";
+import { labelled } from "./labels";
 import { COLOURS, csv } from "./panel";
 import { PdfSurface } from "./pdf";
 import { CanvasSurface, FONT, type Surface, SvgSurface } from "./surface";
@@ -50,6 +51,11 @@ export interface Layer {
   opacity?: number;
   /** Stripes in `colour` in place of a fill: what is not decided. */
   hatch?: boolean;
+  /** Stands in a polygon, as far as it is seen, if it fits there; polygons of one `region` have it once. */
+  text?: string;
+  region?: string;
+  /** The colour of that text. */
+  ink?: string;
 }
 
 export interface Options {
@@ -467,6 +473,7 @@ export class Plot {
         }
       }
     }
+    this.drawTexts(surface, colour, ink);
     for (const mark of this.marks) {
       const [x, y] = this.transform(mark.at)(0, 0);
       const main = colour(mark.colour);
@@ -487,6 +494,17 @@ export class Plot {
     const name = (label: string, base: string) => (base === "" ? label : `${label} = ${base} + …`);
     surface.text(name(xLabel, xs.base), left + width / 2, top + height + 32, "middle", ink);
     surface.text(name(yLabel, ys.base), 9, top + height / 2, "middle", ink, true);
+  }
+
+  private drawTexts(surface: Surface, colour: (name: string) => string, ink: string): void {
+    const polygons = this.layers.filter(({ kind }) => kind === "polygon");
+    const inks = new Map(polygons.flatMap(({ text, region, ink }) => (text === undefined ? [] : [[region ?? text, ink]])));
+    if (inks.size === 0) return;
+    const regions = polygons.map((layer) => ({ parts: this.parts(layer), text: layer.text ?? null, key: layer.region ?? layer.text ?? "" }));
+    const { left, top, width, height } = this.inside();
+    for (const { text, key, x, y } of labelled(regions, left, top, width, height)) {
+      surface.text(text, x, y, "middle", colour(inks.get(key) ?? ink));
+    }
   }
 
   /** Ticks of an axis in pixels with their labels, and the number that the labels are added to. */

@@ -282,7 +282,7 @@ class StartPanel implements Panel {
   private paintPlane(): void {
     const found = this.areas.get(this.drive() > 1 ? "-" : "+");
     if (!found) return;
-    this.plot.setLayers(layersOf(found.areas, "entropy", false), { x: Exact.parse(found.origin.x), y: Exact.parse(found.origin.y) });
+    this.plot.setLayers(layersOf(found.areas, "entropy", false, null), { x: Exact.parse(found.origin.x), y: Exact.parse(found.origin.y) });
     const { a1, a2 } = this.born?.report ?? {};
     if (typeof a1 === "number" && typeof a2 === "number") {
       this.plot.setMarks([{ at: { x: Exact.of(a1), y: Exact.of(a2) }, colour: "var(--bad)" }]);

@@ -27,13 +27,26 @@ const attribute = (tag, name) => new RegExp(` ${name}="([^"]*)"`).exec(tag)?.[1]
 /** A number as a label has it. */
 export const read = (label) => (/^[−-]?[\d.]+(e[−-]?\d+)?$/.test(label) ? Number(label.replaceAll("−", "-")) : NaN);
 
+const INSIDE = /<g clip-path[\s\S]*?<\/g>/g;
+
+/** The texts that stand in a picture saved as SVG: each with its middle in pixels, its colour, and the pixels that it takes. */
+export const textsIn = (svg) =>
+  svg.match(INSIDE).flatMap((inside) =>
+    [...inside.matchAll(/<text [^>]*>([^<]*)/g)].map(([tag, label]) => {
+      const text = Buffer.from(label, "latin1").toString("utf8");
+      const [x, y] = ["x", "y"].map((name) => Number(attribute(tag, name)));
+      return { text, at: [x, y], ink: attribute(tag, "fill"), box: [x - 3.3 * text.length, y - 6, x + 3.3 * text.length, y + 6] };
+    }),
+  );
+
 /**
  * The axes of a picture saved as SVG, from the labels of its ticks: `to` takes a place of the axes to pixels, `from` takes
  * pixels to a place.
  */
 export function axes(svg) {
   const ticks = { middle: [], end: [] };
-  for (const [tag, label] of svg.matchAll(/<text [^>]*>([^<]*)/g)) {
+  // What stands in the picture itself is cut to it.
+  for (const [tag, label] of svg.replace(INSIDE, "").matchAll(/<text [^>]*>([^<]*)/g)) {
     const text = Buffer.from(label, "latin1").toString("utf8");
     const anchor = attribute(tag, "text-anchor");
     const value = read(text);

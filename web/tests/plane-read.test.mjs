@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { browser, open } from "./page.mjs";
-import { around, axes, channels, colours, coloursOfPdf, coloursOfSvg, innermost, layersOf, legend, LOOKS, READ, mostOf, said, same, saved } from "./pictures.mjs";
+import { around, axes, channels, colours, coloursOfPdf, coloursOfSvg, innermost, layersOf, legend, LOOKS, READ, mostOf, said, same, saved, textsIn } from "./pictures.mjs";
 
 let chromium;
 before(async () => {
@@ -90,7 +90,36 @@ async function picture(page, all) {
   const canvas = page.locator("#plane-canvas");
   const keys = await legend(page, "#plane-legend .key", ".sample");
   const five = around(pixels);
-  return { pixels, keys, canvas: mostOf(await colours(canvas, five)), drawn: mostOf(await coloursOfSvg(page, svg, five)) };
+  return { svg, frame, pixels, keys, canvas: mostOf(await colours(canvas, five)), drawn: mostOf(await coloursOfSvg(page, svg, five)) };
+}
+
+/** The place of a chart, as the command line takes it. */
+const ANYWHERE = {
+  plane: ([x, y]) => [`--a1=${x.toFixed(5)}`, `--a2=${y.toFixed(5)}`],
+  disc: ([x, y]) => [`--a1=${(2 * x).toFixed(5)}`, `--a2=${(x * x + y * y).toFixed(5)}`],
+  strip: ([x, y]) => [`--s=${x.toFixed(5)}+1/9999991`, `--r=${y.toFixed(5)}`],
+};
+
+/** The periods that stand in the areas are those that the command line finds there, at every corner of what is written. */
+async function periodsStand(page, { svg, frame }, chart, sign) {
+  const texts = textsIn(svg);
+  assert.ok(texts.length >= 3 && new Set(texts.map(({ text }) => text)).size >= 2, `${chart}: ${texts.map(({ text }) => text)}`);
+  for (const [i, { text, at, box: [left, top, right, bottom], ink }] of texts.entries()) {
+    for (const corner of [at, [left, top], [right, top], [left, bottom], [right, bottom]]) {
+      const place = ANYWHERE[chart](frame.from(corner));
+      const rows = said("classify", ...place, "--max-n", String(BEYOND)).rows;
+      const periods = [...new Set(rows.filter((row) => row.existence === "orbit" && row.sign_emu === sign).map(({ n }) => n))];
+      const first = sign > 0 ? `${periods.at(-1)}` : periods.length === 1 ? "1" : `1–${periods.at(-1)}`;
+      if (sign < 0) assert.deepEqual(periods, Array.from(periods, (_, i) => i + 1), `${place}`);
+      assert.equal(text, periods.length === BEYOND ? "all" : first, `${chart}, ${place}: periods ${periods}`);
+    }
+    const others = texts.slice(i + 1).filter(({ box: [l, t, r, b] }) => l < right && left < r && t < bottom && top < b);
+    assert.deepEqual(others, [], `${text} is written over others`);
+    // It is on the canvas, too, in its colour.
+    const inside = Array.from({ length: Math.floor(right - left) * 12 }, (_, i) => [left + (i % Math.floor(right - left)), top + Math.floor(i / Math.floor(right - left))]);
+    const seen = await colours(page.locator("#plane-canvas"), inside);
+    assert.ok(seen.filter((pixel) => same(pixel, channels(ink), 80)).length >= 3, `${text} at ${at} is not on the canvas`);
+  }
 }
 
 const plain = (text) => text.replaceAll("−", "-");
@@ -101,7 +130,9 @@ for (const [look, options] of READ) {
     for (const [chart, sign] of [["plane", 1], ["disc", 1], ["strip", 1], ["plane", -1]]) {
       const { page, errors } = await open(chromium, `#plane?chart=${chart}&n=${LAST}&sign=${sign > 0 ? "%2B" : "-"}`, options);
       const all = places(chart, 12, (at) => innermostAt(at, sign), sign);
-      const { keys, canvas, drawn, pixels } = await picture(page, all);
+      const whole = await picture(page, all);
+      const { keys, canvas, drawn, pixels } = whole;
+      await periodsStand(page, whole, chart, sign);
       const cases = new Map(keys.map(({ text, colour }) => [/case (\(.,.\))/.exec(plain(text))?.[1], channels(colour)]));
       cases.delete(undefined);
       const printed = coloursOfPdf(await saved(page, button(page, "Save PDF")), pixels);

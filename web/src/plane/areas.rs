@@ -98,6 +98,8 @@ fn flat(points: &[[f64; 2]]) -> Vec<f64> {
 enum Kind<'a> {
     /// Inside, the word is this as far as its periods are ≤ N.
     Word(&'a Word),
+    /// Inside, every period occurs: the word of real eigenvalues does not list them.
+    Every(&'a Word),
     /// An area whose word was not asked for, or is too long.
     Plain,
     /// Inside, the word goes on beyond N, or beyond the limit on areas.
@@ -130,7 +132,10 @@ impl Painted {
             "shape": flat(&shape.outline),
             "edges": shape.edges.iter().map(|edge| flat(edge)).collect::<Vec<_>>(),
         });
-        if let Kind::Word(word) = kind {
+        if let Kind::Every(_) = kind {
+            area["every"] = json!(true);
+        }
+        if let Kind::Word(word) | Kind::Every(word) = kind {
             area["letters"] = json!(word.letters());
             let periods: Vec<u64> = word.vertices().iter().map(|vertex| vertex.period).collect();
             area["periods"] = json!(periods);
@@ -325,7 +330,8 @@ fn far(wanted: &Wanted, painted: &mut Painted) -> Result<()> {
     for (sign, cases) in [(1, [Case::MinusMinus, Case::PlusPlus]), (-1, [Case::MinusPlus, Case::PlusMinus])] {
         if let Some(shape) = outside(&wanted.view, sign) {
             let word = word_at(wanted, &Point::Plane(Plane::new(integer(3 * sign), ratio(1, 2))?))?;
-            painted.add(wanted, (1, 0), cases[usize::from(wanted.positive)], &Kind::Word(&word), &shape)?;
+            let kind = if wanted.positive { Kind::Every(&word) } else { Kind::Word(&word) };
+            painted.add(wanted, (1, 0), cases[usize::from(wanted.positive)], &kind, &shape)?;
         }
     }
     Ok(())
@@ -337,7 +343,7 @@ fn sectors(wanted: &Wanted, painted: &mut Painted) -> Result<()> {
     let case = Case::MinusPlus;
     if let Some(shape) = real_eigenvalues(view, 1) {
         let word = word_at(wanted, &Point::Plane(Plane::new(ratio(3, 2), ratio(11, 20))?))?;
-        painted.add(wanted, (0, 0), case, &Kind::Word(&word), &shape)?;
+        painted.add(wanted, (0, 0), case, &Kind::Every(&word), &shape)?;
     }
     if let Some(shape) = real_eigenvalues(view, -1) {
         let word = word_at(wanted, &Point::Plane(Plane::new(integer(-1), ratio(1, 1000))?))?;
