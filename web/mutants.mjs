@@ -24,6 +24,7 @@ const TABS = "every tab keeps the rules of axe-core, and explains its words: lig
 const EXPLAINED = "a word is explained under the pointer, at the focus and at a tap, and goes away";
 const LINK = "a scene is in the link, packed; Back, a reload and another browser restore it";
 const NO_LINK = "a scene that no link holds is said to be in none";
+const PHONE = "on a phone the picture comes first, the answer beside the finger, and the page scrolls";
 
 /** Name, file of page/, what is replaced (it stands there once), by what, and the test that finds it. */
 const MUTANTS = [
@@ -79,6 +80,9 @@ const MUTANTS = [
   ["too-long-unsaid", "motion.ts", 'hidden = isPaper || !("why" in this.inLinks)', "hidden = true", "links", NO_LINK],
   ["periods-misnamed", "plane-layers.ts", "return positive || n === 1 ? `${n}` : `1–${n}`;", "return positive || n === 1 ? `${n + 1}` : `1–${n}`;", "plane-read", COLOUR],
   ["periods-anywhere", "labels.ts", "run >= wide ? above + 1 : 0", "above + 1", "plane-read", COLOUR],
+  ["answer-elsewhere", "plot.ts", "Math.min(px - width / 2,", "Math.min(px + width / 2,", "frame", PHONE],
+  ["page-stuck", "plot.ts", 'touchAction = "pan-y"', 'touchAction = "none"', "frame", PHONE],
+  ["picture-last", "style.css", "#panel-plane > .split { order: -1; }", "#panel-plane > .split { order: 1; }", "frame", PHONE],
 ];
 
 const wanted = process.argv.slice(2);

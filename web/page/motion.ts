@@ -22,7 +22,7 @@ import {
 } from "./motion-pictures";
 import { type Context, csv, element, Failure, type Panel, scroller } from "./panel";
 import { canPack, type Linked, linked, unpack } from "./packed";
-import { type Layer, Plot, type View } from "./plot";
+import { type Layer, Plot, type Point, type View } from "./plot";
 
 interface Parameter {
   name: string;
@@ -293,10 +293,12 @@ class MotionPanel implements Panel {
     );
     root.append(element("style", {}, STYLE), element("div", { class: "motion" }, controls, views));
     this.plot = new Plot(parts.canvas, { xLabel: "t / 2π", yLabel: "q" });
+    const reading = (point: Point) => `${shown(point.x.toNumber())}, ${shown(point.y.toNumber())}${point.layer?.label ? ` · ${point.layer.label}` : ""}`;
     this.plot.onHover((point) => {
-      parts.readout.value = point === null ? "" : `${shown(point.x.toNumber())}, ${shown(point.y.toNumber())}${point.layer?.label ? ` · ${point.layer.label}` : ""}`;
+      parts.readout.value = point === null ? "" : reading(point);
     });
     this.plot.onClick((point) => {
+      if (point.touch) this.plot.say(reading(point), point.px, point.py);
       if (this.view !== "attractor" && this.view !== "born") return;
       this.context.step();
       this.set(this.parts.parameter.value, short(point.x.toNumber()));

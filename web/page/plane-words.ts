@@ -35,6 +35,18 @@ export const REGIONS: Record<string, string> = {
 /** A rate for reading, however small: what is above 0 is not shown as 0. */
 const rate = (x: number): string => (x < 1e-3 ? minus(x.toExponential(3)) : x.toFixed(6));
 
+/** The periods between impacts, with what is not listed. */
+const periodsOf = ({ periods, end }: PointFacts["words"][number]): string =>
+  periods.join(", ") + (["complete", "boundary", "singular"].includes(end.kind) ? "" : ", …");
+
+const side = (word: { sign_emu: number }): string => `${word.sign_emu > 0 ? "Before" : "Beyond"} the touch`;
+
+/** What is said beside the finger: a line for each side of the touch. */
+export function inShort({ words }: PointFacts): string {
+  const lines = words.map((word) => `${side(word)}: ${periodsOf(word)}`);
+  return `Periods between impacts\n${lines.join("\n")}`;
+}
+
 /** What is said of a point. */
 export function said(place: Place, facts: PointFacts): HTMLElement[] {
   const coordinate = (name: string, x: Exact) => {
@@ -51,13 +63,12 @@ export function said(place: Place, facts: PointFacts): HTMLElement[] {
       const value = bounds === null ? (at_least ? "no pattern is certain" : "nothing is born") : bounds[1] > 0 ? chaos : "motions are born, but no chaos";
       return `γ ${sign_gamma > 0 ? ">" : "<"} 0: ${value}`;
     });
-    const more = ["complete", "boundary", "singular"].includes(word.end.kind) ? "" : ", …";
     return element(
       "p",
       {},
-      element("strong", {}, `${word.sign_emu > 0 ? "Before" : "Beyond"} the touch, eµ ${sign} 0: `),
+      element("strong", {}, `${side(word)}, eµ ${sign} 0: `),
       element("span", { class: "numbers" }, word.letters || "–"),
-      `, periods between impacts ${word.periods.join(", ")}${more}. `,
+      `, periods between impacts ${periodsOf(word)}. `,
       element("span", { class: "muted" }, `${word.end.detail}; ${rates.join("; ")}.`),
     );
   });

@@ -6,7 +6,7 @@ import { Exact } from "./exact";
 import { COLOURS, colour, type Context, element, Failure, hyphens, minus, type Panel } from "./panel";
 import { CASES, mix, MOST, onScale, PLAIN } from "./plane-colours";
 import { type Area, type Areas, type Colouring, fillOf, layersOf } from "./plane-layers";
-import { type Place, type PointFacts, REGIONS, said } from "./plane-words";
+import { inShort, type Place, type PointFacts, REGIONS, said } from "./plane-words";
 import { type Options, type Origin, Plot, type View } from "./plot";
 import { worded } from "./words";
 
@@ -50,6 +50,8 @@ class PlanePanel implements Panel {
   /** Counts what the reader does; and at which count something was refused last. */
   private turn = 0;
   private refused = 0;
+  /** Where a finger chose the point, in pixels of the canvas. */
+  private touched: [number, number] | null = null;
   /** Counts the links that were followed. */
   private restored = 0;
   private restoring = false;
@@ -153,6 +155,7 @@ class PlanePanel implements Panel {
     });
     this.plot.onClick((point) => {
       this.acted();
+      this.touched = point.touch ? [point.px, point.py] : null;
       this.choose(this.placeAt(point));
     });
     new ResizeObserver(() => this.refresh()).observe(canvas);
@@ -321,6 +324,7 @@ class PlanePanel implements Panel {
   private async choosePlace(place: Place | null, how: "mark" | "show" | "go", width?: number): Promise<void> {
     this.place = place;
     this.chosen.replaceChildren();
+    this.plot.say(null);
     if (place === null) {
       this.plot.setMarks([]);
       this.plot.anchor = null;
@@ -553,6 +557,8 @@ class PlanePanel implements Panel {
     if (aloud) {
       const words = facts.words.map((word) => `e mu ${word.sign_emu > 0 ? "> 0" : "< 0"}: periods ${word.periods.join(", ")}`);
       this.context.announce(`${REGIONS[facts.region] ?? ""}. ${words.join(". ")}`);
+      if (this.touched && this.place === place) this.plot.say(inShort(facts), ...this.touched);
+      this.touched = null;
     }
   }
 }

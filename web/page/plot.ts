@@ -7,7 +7,7 @@
 import { contains, cutLine, cutPolygon, type Frame, near } from "./cut";
 import { Exact } from "./exact";
 import { labelled } from "./labels";
-import { COLOURS, csv } from "./panel";
+import { COLOURS, csv, element } from "./panel";
 import { PdfSurface } from "./pdf";
 import { CanvasSurface, FONT, type Surface, SvgSurface } from "./surface";
 import { ticksOf } from "./ticks";
@@ -34,6 +34,8 @@ export interface Point extends Origin {
   /** The layer hit: the topmost curve or point within some pixels, else the topmost polygon. */
   readonly layer?: Layer;
   readonly index?: number;
+  /** Whether a finger chose it. */
+  readonly touch?: boolean;
 }
 
 export interface Layer {
@@ -90,6 +92,8 @@ export class Plot {
   private scheduled = false;
   private cross = false;
   private marks: { at: Origin; colour: string; label?: string }[] = [];
+  /** What is said beside the finger. */
+  private readonly said = element("p", { class: "plot-said", hidden: true });
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -104,6 +108,7 @@ export class Plot {
     // A finger that moves up or down scrolls the page; two zoom and move the picture.
     canvas.style.touchAction = "pan-y";
     this.describe();
+    canvas.after(this.said);
     new ResizeObserver(() => this.schedule()).observe(canvas);
     document.addEventListener(COLOURS, () => this.schedule());
     this.listen();
@@ -116,6 +121,7 @@ export class Plot {
     this.homeIsGiven = options.home !== undefined;
     if (options.home) this.home = options.home;
     this.layers = [];
+    this.say(null);
     this.describe();
     this.schedule();
   }
@@ -135,10 +141,25 @@ export class Plot {
     this.schedule();
   }
 
+  /** Says something beside a place of the canvas, above it where there is room; or nothing. */
+  say(text: string | null, px = 0, py = 0): void {
+    const { said, canvas } = this;
+    said.hidden = text === null;
+    if (text === null) return;
+    said.textContent = text;
+    const { offsetWidth: width, offsetHeight: height } = said;
+    const left = Math.max(0, Math.min(px - width / 2, canvas.clientWidth - width));
+    // A finger hides what is below it.
+    const top = py - height - 24 >= 0 ? py - height - 24 : py + 24;
+    said.style.left = `${canvas.offsetLeft + left}px`;
+    said.style.top = `${canvas.offsetTop + top}px`;
+  }
+
   setView(view: View, quiet = false): void {
     const width = Math.min(Math.max(view.width, NARROWEST), WIDEST);
     const height = Math.min(Math.max(view.height, NARROWEST), WIDEST);
     this.view = { ...view, width, height };
+    this.say(null);
     this.schedule();
     if (!quiet) for (const told of this.views) told(this.visible());
   }
@@ -302,7 +323,7 @@ export class Plot {
       this.pointers.delete(event.pointerId);
       if (chosen && last && this.pointers.size === 0 && this.moved <= 4) {
         const { x, y } = place(event);
-        const point = this.at(x, y);
+        const point = { ...this.at(x, y), touch: event.pointerType === "touch" };
         for (const told of this.clicks) told(point);
       }
     };

@@ -1,9 +1,10 @@
-// The frame: tabs, keyboard, theme, links, size, and that nothing is fetched.
+// The frame: tabs, keyboard, theme, links, a phone, size, and that nothing is fetched.
 
 import assert from "node:assert/strict";
 import { statSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { browser, FILE, open } from "./page.mjs";
+import { LOOKS } from "./pictures.mjs";
 
 let chromium;
 before(async () => {
@@ -66,27 +67,54 @@ test("the theme is the system's, light or dark, and is remembered", async () => 
   assert.deepEqual(errors, []);
 });
 
-test("every control has a name, every canvas a text, and a phone is wide enough", async () => {
-  for (const colorScheme of ["light", "dark"]) {
-    const { page, errors } = await open(chromium, "", { colorScheme, viewport: { width: 360, height: 740 } });
-    for (const tab of await page.getByRole("tab").all()) {
-      await tab.click();
-      const name = await tab.textContent();
-      const wrong = await page.evaluate(() =>
-        [...document.querySelectorAll("button, input, select, textarea, canvas, svg[role=img], progress")]
-          .filter((one) => one.checkVisibility() && !one.closest("[aria-hidden=true]"))
-          .filter((one) => {
-            const own = one.matches("button") ? one.textContent : "";
-            const labels = [...(one.labels ?? [])].map((label) => label.textContent).join("");
-            return !(one.ariaLabel || one.getAttribute("aria-labelledby") || one.title || own || labels).trim();
-          })
-          .map((one) => one.outerHTML),
-      );
-      assert.deepEqual(wrong, [], name);
-      const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-      assert.ok(wide <= 0, `${name}: ${wide} pixels too wide`);
+/** Moves a finger over the page, as far up as that. */
+async function swipe(page, x, y, up) {
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, touchPoints) => client.send("Input.dispatchTouchEvent", { type, touchPoints });
+  await touch("touchStart", [{ x, y }]);
+  for (let step = 1; step <= 10; step++) await touch("touchMove", [{ x, y: y - (up * step) / 10 }]);
+  await touch("touchEnd", []);
+}
+
+test("on a phone the picture comes first, the answer beside the finger, and the page scrolls", async () => {
+  for (const [fragment, canvas, whole, answer] of [
+    ["#plane", "#plane-canvas", "#plane-status[data-full=true]", /^Periods between impacts\nBefore the touch: 1(, \d+)*(, …)?\nBeyond the touch: 1(, \d+)*(, …)?$/],
+    ["#motion", ".motion-canvas", "#panel-motion :text('The theory is of first order')", /^[\d.]+, −?[\d.]+(e−\d+)?( · .+)?$/],
+    ["#start", ".start-canvas", "#start-born:has-text('Near the touch')", null],
+  ]) {
+    const { page, errors } = await open(chromium, fragment, { ...LOOKS.phone, reducedMotion: "reduce" });
+    await page.locator(whole).waitFor();
+    const box = await page.locator(canvas).boundingBox();
+    const above = await page.evaluate((canvas) => {
+      const top = document.querySelector(canvas).getBoundingClientRect().top;
+      const panel = document.querySelector("[role=tabpanel]:not([hidden])");
+      return [...panel.querySelectorAll("input, select, form, table, button")].filter((one) => one.checkVisibility() && one.getBoundingClientRect().bottom <= top).map((one) => one.textContent);
+    }, canvas);
+    // The views of the motion stand above their picture.
+    assert.deepEqual(above.filter((text) => !["Motion over time", "Phase plane", "Stroboscopic section", "Attractor", "Orbits born", "Tasks"].includes(text)), [], fragment);
+    assert.ok(box.y + box.height < 780, `${fragment}: the picture is at ${JSON.stringify(box)}`);
+    if (answer) {
+      const [x, y] = [0.6 * box.width, 0.5 * box.height];
+      await page.locator(canvas).tap({ position: { x, y } });
+      const said = page.locator("[role=tabpanel]:not([hidden]) .plot-said");
+      await said.filter({ hasText: /\S/ }).waitFor();
+      assert.match(await said.textContent(), answer);
+      const own = await said.boundingBox();
+      const [px, py] = [box.x + x, box.y + y];
+      assert.ok(own.x >= 0 && own.x + own.width <= 360 && own.x <= px && own.x + own.width >= px, `${fragment}: ${JSON.stringify(own)} beside ${px}`);
+      // The finger is some 40 pixels wide, and hides nothing of it.
+      const away = Math.max(own.y - py, py - own.y - own.height);
+      assert.ok(away >= 15 && away <= 40, `${fragment}: ${away} pixels away`);
+      if (fragment === "#plane") {
+        const before = /Before the touch: (.*)/.exec(await said.textContent())[1];
+        const beside = await page.locator("#plane-facts p", { hasText: "Before the touch" }).textContent();
+        assert.ok(beside.includes(`periods between impacts ${before}.`), beside);
+      }
     }
+    await swipe(page, Math.round(box.x + box.width / 2), Math.round(box.y + box.height - 10), 200);
+    await page.waitForFunction(() => scrollY > 50);
     assert.deepEqual(errors, []);
+    await page.context().close();
   }
 });
 
