@@ -25,6 +25,8 @@ const EXPLAINED = "a word is explained under the pointer, at the focus and at a 
 const LINK = "a scene is in the link, packed; Back, a reload and another browser restore it";
 const NO_LINK = "a scene that no link holds is said to be in none";
 const PHONE = "on a phone the picture comes first, the answer beside the finger, and the page scrolls";
+const PARTS = "an orbit over a range is shown part by part, as the command line's checker lists the parts";
+const RANGE = "an orbit proved over a range is a table of its parts and its ends, with the certificate checked";
 
 /** Name, file of page/, what is replaced (it stands there once), by what, and the test that finds it. */
 const MUTANTS = [
@@ -83,6 +85,9 @@ const MUTANTS = [
   ["answer-elsewhere", "plot.ts", "Math.min(px - width / 2,", "Math.min(px + width / 2,", "frame", PHONE],
   ["page-stuck", "plot.ts", 'touchAction = "pan-y"', 'touchAction = "none"', "frame", PHONE],
   ["picture-last", "style.css", "#panel-plane > .split { order: -1; }", "#panel-plane > .split { order: 1; }", "frame", PHONE],
+  ["parts-exchanged", "parts.ts", "word: part![1]!", 'word: part![1] === "stable" ? "unstable" : "stable"', "words-read", PARTS],
+  ["open-is-stable", "parts.ts", 'word: "open" }', 'word: "stable" }', "motion", RANGE],
+  ["ends-unsaid", "parts.ts", "row.range_ends === null", "true", "motion", RANGE],
 ];
 
 const wanted = process.argv.slice(2);

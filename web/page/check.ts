@@ -4,6 +4,7 @@ import { Lane } from "./compute";
 import { EXAMPLES } from "./examples";
 import { listing } from "./listing";
 import { type Context, element, Failure, type Panel, scroller } from "./panel";
+import { partsOf, partsTable } from "./parts";
 
 /** What the program says of a file (`src/check.rs`). */
 interface Found {
@@ -56,7 +57,7 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
   event: ([n], detail) =>
     `A periodic orbit of ${several(n)} has an event: ${detail.get("event") ?? "the one listed"} (${detail.get("parameter") ?? ""}).`,
   branch: ([n], detail) =>
-    `A periodic orbit of ${several(n)} is there at every value of ${detail.get("parameter") ?? "the range listed"}: ${detail.get("stability") ?? ""}.`,
+    `A periodic orbit of ${several(n)} is there at every value of ${detail.get("parameter") ?? "the range listed"}. It moves continuously, and no other is near.`,
   chaos: (_, detail, title) => {
     const each = `Every path of its letters is a motion of the oscillator: ${detail.get("letters") ?? ""}.`;
     return title === "chaos" ? `The oscillator is chaotic. ${each}` : `${each} That it is chaotic is not proved.`;
@@ -67,7 +68,7 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
   nothing: (_, detail) =>
     `Beyond its touch, to the depth listed, nothing is born, and no motion of the oscillator stays near: ${detail.get("leaves") ?? ""}.`,
   single: (_, detail) =>
-    `From its touch to the depth listed, the oscillator has exactly one orbit of this kind: ${detail.get("orbit") ?? "one impact in the periods listed"}. It is ${detail.get("stability") ?? ""}.`,
+    `From its touch to the depth listed, the oscillator has exactly one orbit of this kind: ${detail.get("orbit") ?? "one impact in the periods listed"}. Where it is stable is listed below.`,
   entropy: () => "Words of periods between impacts have no more entropy than is listed, wherever they are born.",
   "machine-orbit": ([n], detail) => orbit("machine", n, detail),
 };
@@ -166,6 +167,9 @@ function report(name: string, bytes: Uint8Array, found: Found, seconds: number):
     element("p", {}, text),
   );
   const made = element("article", { "aria-label": name, "data-verdict": found.verdict }, notice);
+  const detail = new Map(found.detail ?? []);
+  const parts = found.verdict === "proved" ? partsOf(detail.get("stability") ?? "") : null;
+  if (parts) made.append(element("h3", {}, "Parts of the range"), partsTable(detail.get("parameter")?.split(",")[0] ?? "the depth ν", parts, name));
   if (found.statement) {
     made.append(element("h3", {}, "Statement"), element("p", { class: "statement" }, found.statement));
   }

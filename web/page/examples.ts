@@ -1,5 +1,6 @@
 // The certificates that the page brings along: the checker's own samples, and one of them damaged.
 
+import branch from "../../checker/tests/data/branch.txt";
 import chaos from "../../checker/tests/data/chaos-12.txt";
 import cover from "../../checker/tests/data/cover.txt";
 import event from "../../checker/tests/data/event-gr3.txt";
@@ -28,6 +29,7 @@ export const EXAMPLES: readonly Example[] = [
   { id: "theorem2", title: "Theorem 2 for n = 1 to 14", text: theorem2 },
   { id: "cover", title: "Conjecture 1 for n = 3 to 8: a cover", text: cover },
   { id: "orbit", title: "A periodic orbit of an oscillator", text: orbit },
+  { id: "branch", title: "An orbit at every value of a range", text: branch },
   { id: "event", title: "A grazing bifurcation of an orbit", text: event },
   { id: "machine", title: "A periodic orbit of two masses and a stop", text: machine },
   { id: "chaos", title: "Chaos: every sequence of two letters", text: chaos },

@@ -21,6 +21,7 @@ import {
   type StrikesAnswer,
 } from "./motion-pictures";
 import { type Context, csv, element, Failure, type Panel, scroller } from "./panel";
+import { inWords, proofOfRange, type RangeRow } from "./parts";
 import { canPack, type Linked, linked, unpack } from "./packed";
 import { type Layer, Plot, type Point, type View } from "./plot";
 
@@ -106,8 +107,9 @@ class MotionPanel implements Panel {
   private view: ViewName = "time";
   /** Counts changes: an answer to an earlier one is not shown. */
   private change = 0;
-  /** Counts the links that were followed. */
+  /** Counts the links that were followed, and the tasks that were run. */
   private links = 0;
+  private task = 0;
   private timers: ReturnType<typeof setTimeout>[] = [];
   private born: BornAnswer | null = null;
   private fitted: View | null = null;
@@ -822,6 +824,7 @@ class MotionPanel implements Panel {
   private async runTask(): Promise<void> {
     const { parts } = this;
     const task = parts.task.value;
+    const mine = ++this.task;
     parts.run.disabled = true;
     parts.stop.disabled = false;
     this.problem(null);
@@ -839,15 +842,30 @@ class MotionPanel implements Panel {
       button.addEventListener("click", () => this.context.openCheck(text));
       return button;
     });
+    const ranges = await this.ranges(findings, found.certificates);
+    if (mine !== this.task) return;
     const tables = Object.entries(findings).flatMap(([key, value]) => this.tableOf(task, key, value));
     parts.answer.replaceChildren(
       element("div", { class: "row" }, save, ...buttons),
       element("h2", {}, `${task}: ${findings.status}`),
+      ...ranges,
       scroller("Report", element("pre", {}, found.report)),
       ...tables,
       element("details", {}, element("summary", {}, "JSON"), scroller("JSON", element("pre", {}, found.json))),
     );
     this.context.announce(`${task}: ${findings.status}`);
+  }
+
+  /** Orbits that a task has proved over a range, part by part, each with its certificate checked. */
+  private async ranges(findings: Record<string, any>, certificates: { file: string; text: string }[]): Promise<Node[]> {
+    const rows: RangeRow[] = findings.kind === "validate" && !findings.event ? (findings.proofs ?? []) : [];
+    const made: Node[] = [];
+    for (const row of rows.filter(({ lower, upper }) => lower !== null && upper !== null)) {
+      const text = certificates.find(({ file }) => file === row.certificate)?.text;
+      const checked = text === undefined ? null : await this.context.compute("check", new TextEncoder().encode(text));
+      made.push(proofOfRange(row, checked));
+    }
+    return made;
   }
 
   /** A list of rows as a table, with its CSV. */
@@ -856,6 +874,7 @@ class MotionPanel implements Panel {
     const rows = value as Record<string, unknown>[];
     const columns = Object.keys(rows[0]!);
     const cell = (x: unknown): string => (x === null || x === undefined ? "" : typeof x === "object" ? JSON.stringify(x) : String(x));
+    const worded = (x: unknown) => (Array.isArray(x) && x.length > 0 && x.every((part) => part?.word && part.to) ? inWords(x) : cell(x));
     const save = element("button", { type: "button" }, `Save ${key} (CSV)`);
     save.addEventListener("click", () => {
       const cells = rows.map((row) => columns.map((column) => cell(row[column])));
@@ -865,7 +884,7 @@ class MotionPanel implements Panel {
       "table",
       {},
       element("thead", {}, element("tr", {}, ...columns.map((column) => element("th", { scope: "col" }, column)))),
-      element("tbody", {}, ...rows.map((row) => element("tr", {}, ...columns.map((column) => element("td", { class: "numbers" }, cell(row[column])))))),
+      element("tbody", {}, ...rows.map((row) => element("tr", {}, ...columns.map((column) => element("td", { class: "numbers" }, worded(row[column])))))),
     );
     return [element("h2", {}, key), scroller(key, table), element("div", { class: "row" }, save)];
   }

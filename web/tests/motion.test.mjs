@@ -329,6 +329,71 @@ test("twenty tasks give the numbers of the command line", async () => {
   assert.deepEqual(errors, []);
 });
 
+test("an orbit proved over a range is a table of its parts and its ends, with the certificate checked", async () => {
+  const { page, errors, root } = await panel("#motion?view=tasks");
+  const text = `${example("scenes/nordmark-2001-branches.toml").split("[[tasks]]")[0]}
+[[tasks]]
+name = "through-its-flip"
+kind = "validate"
+set = { mu = 0.0055 }
+orbit = { pattern = [3] }
+parameter = "mu"
+from = 0.00545
+to = 0.0055
+
+[[tasks]]
+name = "to-its-grazing"
+kind = "validate"
+set = { mu = -0.02446 }
+orbit = { pattern = [4] }
+parameter = "mu"
+from = -0.02447
+to = -0.02444
+`;
+  await openScene(root, "ranges.toml", text);
+  const plain = (text) => text.replaceAll("−", "-");
+  for (const task of ["through-its-flip", "to-its-grazing"]) {
+    await root.getByLabel("Task", { exact: true }).selectOption(task);
+    await root.getByRole("button", { name: "Run", exact: true }).click();
+    await root.getByRole("heading", { name: `${task}: ` }).waitFor({ timeout: 60_000 });
+    // That this is the command line's is what “twenty tasks” asks.
+    const { proofs } = JSON.parse(await root.locator("details pre").textContent()).tasks[0];
+    const sections = await root.locator(".motion-range").evaluateAll((all) =>
+      all.map((one) => ({
+        heading: one.querySelector("h3").textContent,
+        notice: [one.querySelector(".notice").className, one.querySelector(".notice").textContent],
+        rows: [...one.querySelectorAll("tbody tr")].map((row) => [...row.cells].map((cell) => cell.textContent)),
+        ends: [...one.querySelectorAll("p:not(.notice)")].map((end) => end.textContent),
+      })),
+    );
+    assert.equal(sections.length, proofs.length);
+    for (const [i, { pattern, lower, upper, stability, range_ends, certificate }] of proofs.entries()) {
+      const { heading, notice, rows, ends } = sections[i];
+      assert.equal(plain(heading), `The orbit of pattern (${pattern}), at every mu from ${lower} to ${upper}`);
+      assert.equal(notice[0], "notice good");
+      assert.match(notice[1], /^✓ Proved: the certificate has \d+ lines and was checked in this page just now\.$/);
+      await root.getByRole("button", { name: `Check ${certificate}` }).click();
+      const [, lines] = /(\d+) lines/.exec((await page.locator("#check-results article[data-verdict=proved] table.facts", { hasText: "SHA-256" }).textContent()).replaceAll(",", ""));
+      assert.ok(notice[1].includes(` ${lines} lines `), `${notice[1]}: ${lines}`);
+      await page.getByRole("tab", { name: "Oscillator" }).click();
+      // The parts cover the range without a gap: what is between those that are proved is open.
+      const proved = rows.filter(([, , word]) => !word.startsWith("open"));
+      assert.deepEqual(proved.map((row) => row.map(plain)), stability.map(({ from, to, word }) => [from, to, word]));
+      assert.equal(Number(plain(rows[0][0])), Number(lower));
+      assert.equal(Number(plain(rows.at(-1)[1])), Number(upper));
+      for (let j = 1; j < rows.length; j++) assert.equal(rows[j][0], rows[j - 1][1]);
+      if (range_ends === null) assert.deepEqual(ends, ["It is all of the range that was asked for."]);
+      else assert.deepEqual(plain(ends.join("; ")), range_ends.split("; ").map((end) => `It goes no further ${end}.`).join("; "));
+    }
+    if (task === "through-its-flip") assert.ok(sections[0].rows.length >= 2 && new Set(sections[0].rows.map(([, , word]) => word)).has("unstable"));
+    else assert.ok(sections.some(({ ends }) => ends.join().includes("It goes no further up: ")));
+    assert.equal(await root.locator("td", { hasText: '"word"' }).count(), 0);
+    await root.locator(".motion-range").evaluateAll((all) => all.forEach((one) => one.remove()));
+    await root.locator("h2").last().evaluate((heading) => heading.remove());
+  }
+  assert.deepEqual(errors, []);
+});
+
 test("a proof's certificate goes to the Check panel", async () => {
   const { page, errors, root } = await panel("#motion?view=tasks");
   await root.getByLabel("Task", { exact: true }).selectOption("period-4");

@@ -170,6 +170,32 @@ test("of every certificate what is shown is what the command line's checker says
   assert.deepEqual(errors, []);
 });
 
+test("an orbit over a range is shown part by part, as the command line's checker lists the parts", async () => {
+  const { page, errors } = await open(chromium, "#check");
+  const names = ["branch.txt", "branch-2.txt", "single-1.txt", "single-3.txt"];
+  await checked(page, Object.fromEntries(names.map((name) => [name, readFileSync(new URL(name, data), "utf8")])));
+  const shown = await page.locator("#check-results table.parts").evaluateAll((all) =>
+    all.map((table) => ({
+      caption: table.caption.textContent,
+      rows: [...table.tBodies[0].rows].map((row) => [...row.cells].map((cell) => cell.textContent)),
+    })),
+  );
+  const wanted = said("check", ...names.map((name) => new URL(name, data).pathname)).files;
+  assert.equal(shown.length, names.length);
+  for (const [i, { detail }] of wanted.entries()) {
+    const parts = detail.stability.split("; ").map((part) => {
+      const [word, ...rest] = part.split(" ");
+      const [from, to] = rest.filter((text) => /\d/.test(text));
+      return [from, to, word === "open" ? "open: neither is proved" : word];
+    });
+    assert.ok(parts.every(([from, to]) => from && to), detail.stability);
+    assert.deepEqual(shown[i].rows.map((row) => row.map(plain)), parts, names[i]);
+    const over = detail.parameter ? detail.parameter.split(",")[0] : "the depth ν";
+    assert.equal(shown[i].caption, `Where it is stable, over ${over}`, names[i]);
+  }
+  assert.deepEqual(errors, []);
+});
+
 test("a byte order mark is named, and a minus sign is read", async () => {
   const { page, errors } = await open(chromium, "#check");
   const word = readFileSync(new URL("word.txt", data), "utf8");
