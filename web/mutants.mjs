@@ -27,6 +27,7 @@ const NO_LINK = "a scene that no link holds is said to be in none";
 const PHONE = "on a phone the picture comes first, the answer beside the finger, and the page scrolls";
 const PARTS = "an orbit over a range is shown part by part, as the command line's checker lists the parts";
 const RANGE = "an orbit proved over a range is a table of its parts and its ends, with the certificate checked";
+const MARK = "a byte order mark is named, and a minus sign is read";
 
 /** Name, file of page/, what is replaced (it stands there once), by what, and the test that finds it. */
 const MUTANTS = [
@@ -75,7 +76,6 @@ const MUTANTS = [
   ["gamma-unexplained", "words.ts", "|(γ|", "|(γγ|", "tabs-read", TABS],
   ["choice-unnamed", "plane.ts", 'element("select", { "aria-label": name })', 'element("select")', "tabs-read", TABS],
   ["text-too-faint", "style.css", "--muted: #586069;", "--muted: #a8aeb6;", "tabs-read", TABS],
-  ["listing-unreachable", "panel.ts", 'class: "scroll", tabindex: 0', 'class: "scroll", tabindex: -1', "words-read", "the listing is reached and scrolled by keyboard"],
   ["scene-not-in-link", "motion.ts", "Object.assign(state, this.inLinks, {", "Object.assign(state, {", "links", LINK],
   ["damage-unnoticed", "packed.ts", "|| crc(text) !== new DataView(bytes.buffer).getUint32(0)", "", "links", LINK],
   ["refused-address-lost", "motion.ts", "    this.refused = true;\n", "", "links", LINK],
@@ -88,6 +88,10 @@ const MUTANTS = [
   ["parts-exchanged", "parts.ts", "word: part![1]!", 'word: part![1] === "stable" ? "unstable" : "stable"', "words-read", PARTS],
   ["open-is-stable", "parts.ts", 'word: "open" }', 'word: "stable" }', "motion", RANGE],
   ["ends-unsaid", "parts.ts", "row.range_ends === null", "true", "motion", RANGE],
+  ["mark-unnamed", "check.ts", "Malformed: a byte order mark", "Malformed: line 1", "words-read", MARK],
+  ["minus-unread", "main.ts", "target.value = hyphens(target.value);", "", "words-read", MARK],
+  ["key-for-field", "theory.ts", "FIELDS[failure.key] ?? failure.key", "failure.key", "words-read", "what is wrong is said of the field, by the name that stands beside it"],
+  ["listing-unreachable", "panel.ts", 'class: "scroll", tabindex: 0', 'class: "scroll", tabindex: -1', "words-read", "the listing is reached and scrolled by keyboard"],
 ];
 
 const wanted = process.argv.slice(2);

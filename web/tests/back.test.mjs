@@ -13,7 +13,7 @@ after(() => chromium?.close());
 const state = (page) => new URLSearchParams(new URL(page.url()).hash.split("?")[1] ?? "");
 
 test("Back leads through tabs, points, examples and links, and Forward again", async () => {
-  const { page, errors } = await open(chromium, "#plane?a1=-1/4&a2=1/2");
+  const { page, errors } = await open(chromium, "#plane?a1=-1/4&a2=1/2&n=4");
   const tab = (name) => page.getByRole("tab", { name, selected: true });
   const said = (text) => page.locator("#plane-facts .numbers").filter({ hasText: text }).first().waitFor();
   const go = async (a1) => {

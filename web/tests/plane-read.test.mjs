@@ -269,7 +269,7 @@ for (const gamma of [1, -1]) {
 }
 
 test("words are said as the command line says them, before the touch and beyond it", async () => {
-  const { page, errors } = await open(chromium, "#plane", LOOKS.light);
+  const { page, errors } = await open(chromium, "#plane?n=4", LOOKS.light);
   await rest(page);
   for (const [a1, a2] of [["-1/4", "1/2"], ["1/2", "9/10"], ["3/2", "11/20"], ["-1", "1/1000"], ["3", "1/2"]]) {
     await page.getByLabel("a₁", { exact: true }).fill(a1);
@@ -296,7 +296,7 @@ test("words are said as the command line says them, before the touch and beyond 
 });
 
 test("the record picture has the powers of the eigenvalue where they are, counterclockwise", async () => {
-  const { page, errors } = await open(chromium, "#plane?r=0.95&s=0.15", LOOKS.light);
+  const { page, errors } = await open(chromium, "#plane?r=0.95&s=0.15&n=4", LOOKS.light);
   await page.locator("figure.records svg").waitFor();
   const circles = await page.locator("figure.records circle").evaluateAll((all) =>
     all.map((one) => ["cx", "cy", "r"].map((name) => Number(one.getAttribute(name)))),

@@ -132,7 +132,7 @@ test("what is refused stays until the reader asks for something else", async () 
 });
 
 test("the point by r, s and by a1, a2, and beside a line, is said the same of", async () => {
-  const { page, errors } = await open(chromium, "#plane");
+  const { page, errors } = await open(chromium, "#plane?n=4");
   await rest(page);
   // What is said of a point, without the numbers by which it was given.
   const said = async (kind, first, second) => {
@@ -160,7 +160,7 @@ test("the point by r, s and by a1, a2, and beside a line, is said the same of", 
 });
 
 test("a point's certificate is made and proved in the Check panel", async () => {
-  const { page, errors } = await open(chromium, "#plane?a1=-1/4&a2=1/2");
+  const { page, errors } = await open(chromium, "#plane?a1=-1/4&a2=1/2&n=4");
   await page.getByRole("button", { name: /^Certificate/ }).click();
   await page.getByRole("tab", { name: "Check", selected: true }).waitFor();
   await page.locator("#panel-check").getByText(/proved/i).first().waitFor();

@@ -268,6 +268,16 @@ test("a hundred million line feeds are refused, pasted or in a file, and the pag
   assert.equal(await page.locator("#check-text").inputValue(), "");
   await refused.getByRole("button", { name: "Show lines 25 to 524" }).click();
   assert.ok((await refused.locator(".lines tr").count()) > 500);
+  const file = join(folder, "feeds.txt");
+  writeFileSync(file, Buffer.alloc(1e8, "\n"));
+  await page.locator("#check-files").setInputFiles(file);
+  const again = page.locator("#check-results [data-verdict=malformed][aria-label='feeds.txt']");
+  await again.waitFor({ timeout: 60_000 });
+  assert.ok((await again.textContent()).includes("100,000,000 bytes"));
+  // The page goes on: other tabs answer.
+  await page.getByRole("tab", { name: "Theory" }).click();
+  await button(page, "Which orbits exist").click();
+  await page.locator("#theory-out table").first().waitFor();
   assert.deepEqual(errors, []);
 });
 
