@@ -23,7 +23,7 @@ const PATTERN =
 const KINDS: readonly Word[] = ["emu", "gamma", "case", "letters"];
 
 /** Where a word is left alone: in controls, which have the description themselves, in what is quoted, and in pictures. */
-const LEFT = "button, a, label, summary, select, textarea, input, output, svg, code, details pre, style, .lines, .unseen";
+const LEFT = "button, .term, a, label, summary, select, textarea, input, output, svg, code, details pre, style, .lines, .unseen";
 
 /** How long the pointer may be on its way from a word to its text, in milliseconds. */
 const PATIENCE = 200;
@@ -52,7 +52,8 @@ function mark(text: Text): void {
     const word = KINDS[match.slice(1).findIndex((group) => group !== undefined)]!;
     const first = !stops.has(word) && block.querySelector(`.term[data-word=${word}]`) === null;
     stops.add(word);
-    const made = element("button", { type: "button", class: "term", tabindex: first ? 0 : -1 }, match[0]);
+    // A button's own element would let a line break on either side of it, within a word or a bracket.
+    const made = element("span", { role: "button", class: "term", tabindex: first ? 0 : -1 }, match[0]);
     parts.push(text.data.slice(at, match.index), worded(made, word));
     at = match.index + match[0].length;
   }
