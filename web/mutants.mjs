@@ -84,6 +84,7 @@ const MUTANTS = [
   ["periods-anywhere", "labels.ts", "run >= wide ? above + 1 : 0", "above + 1", "plane-read", COLOUR],
   ["answer-elsewhere", "plot.ts", "Math.min(px - width / 2,", "Math.min(px + width / 2,", "frame", PHONE],
   ["page-stuck", "plot.ts", 'touchAction = "pan-y"', 'touchAction = "none"', "frame", PHONE],
+  ["sliders-last", "motion.ts", ".motion-views > .motion-after { order: 1; }", ".motion-views > .motion-after { order: -1; }", "frame", PHONE],
   ["picture-last", "style.css", "#panel-plane > .split { order: -1; }", "#panel-plane > .split { order: 1; }", "frame", PHONE],
   ["parts-exchanged", "parts.ts", "word: part![1]!", 'word: part![1] === "stable" ? "unstable" : "stable"', "words-read", PARTS],
   ["open-is-stable", "parts.ts", 'word: "open" }', 'word: "stable" }', "motion", RANGE],

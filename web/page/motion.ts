@@ -184,9 +184,9 @@ class MotionPanel implements Panel {
       legend: element("ul", { class: "motion-legend", "aria-label": "Legend" }),
       progress: element("progress", { max: 1, value: 0, "aria-label": "How much is computed", hidden: true }),
       readout: element("output", { class: "muted numbers" }),
-      numbers: element("div", {}),
-      theory: element("div", {}),
-      table: element("div", {}),
+      numbers: element("div", { class: "motion-after" }),
+      theory: element("div", { class: "motion-after" }),
+      table: element("div", { class: "motion-after" }),
       tasks: element("div", { hidden: true }),
       task: element("select", { "aria-label": "Task" }),
       answer: element("div", {}),
@@ -907,7 +907,10 @@ const STYLE = `
 .motion-swatch { display: inline-block; vertical-align: middle; }
 .motion pre { margin: 0; }
 .motion progress { width: 8rem; }
-@media (max-width: 52rem) { .motion { grid-template-columns: minmax(0, 1fr); } .motion-views { order: -1; } .motion-canvas { height: 60vw; } }
+@media (max-width: 52rem) { .motion { grid-template-columns: minmax(0, 1fr); } .motion-canvas { height: 60vw; }
+  /* The picture, what changes it, and then what is said of it. */
+  .motion { display: flex; flex-direction: column; gap: 0; } .motion-views { display: contents; } .motion-views > * { order: -1; } .motion-views > .motion-after { order: 1; }
+}
 `;
 
 export const motion: Panel = new MotionPanel();

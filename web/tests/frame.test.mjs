@@ -93,6 +93,11 @@ test("on a phone the picture comes first, the answer beside the finger, and the 
     // The views of the motion stand above their picture.
     assert.deepEqual(above.filter((text) => !["Motion over time", "Phase plane", "Stroboscopic section", "Attractor", "Orbits born", "Tasks"].includes(text)), [], fragment);
     assert.ok(box.y + box.height < 780, `${fragment}: the picture is at ${JSON.stringify(box)}`);
+    if (fragment === "#motion") {
+      const top = async (what) => (await page.locator(what).first().boundingBox()).y;
+      const [slider, numbers] = [await top("[data-slider]"), await top("#panel-motion h2:has-text('The motion found')")];
+      assert.ok(box.y + box.height < slider && slider < numbers, "the sliders are below the picture, and above what is said of it");
+    }
     if (answer) {
       const [x, y] = [0.6 * box.width, 0.5 * box.height];
       await page.locator(canvas).tap({ position: { x, y } });
