@@ -6,8 +6,8 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { browser } from "./page.mjs";
-import { LOOKS, READ } from "./pictures.mjs";
-import { TABS, tab } from "./tabs.mjs";
+import { LONG, LOOKS, READ } from "./pictures.mjs";
+import { TABS, tab, VIEWS } from "./tabs.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 let chromium;
@@ -50,8 +50,9 @@ for (const [look, options] of READ) {
     // The page's policy forbids scripts from elsewhere, but not what the browser itself is told to run.
     await page.evaluate(axe);
     const size = page.viewportSize();
-    for (const [name, [fragment, whole]] of Object.entries(TABS)) {
+    for (const [name, [fragment, whole, act]] of Object.entries(LONG ? TABS : { ...TABS, ...VIEWS })) {
       await page.evaluate((fragment) => (location.hash = fragment), fragment);
+      await act?.(page);
       await page.locator(whole).first().waitFor();
       assert.deepEqual(await broken(page), [], name);
       const { bare, said } = await unexplained(page);

@@ -11,6 +11,20 @@ export const TABS = {
   rejected: ["#check?example=false", "#check-results [data-verdict=false]"],
 };
 
+/** Views of a tab that are as long as another, read where all is. */
+export const VIEWS = {
+  born: ["#motion?view=born&from=-0.01&to=0.01", "#panel-motion p:has-text('Dotted: the prediction')"],
+  range: ["#check?example=branch", "#check-results table.parts"],
+  tasks: [
+    "#motion?view=tasks",
+    "#panel-motion h2:has-text('period-4: ')",
+    async (page) => {
+      await page.getByLabel("Task", { exact: true }).selectOption("period-4");
+      await page.getByRole("button", { name: "Run", exact: true }).click();
+    },
+  ],
+};
+
 /** A tab with its content. */
 export async function tab(browser, name, options) {
   const [fragment, whole] = TABS[name];
