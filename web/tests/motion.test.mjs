@@ -7,6 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { browser, open, program, ROOT } from "./page.mjs";
+import { isRead } from "./pictures.mjs";
 
 const example = (file) => readFileSync(join(ROOT, "examples", file), "utf8");
 
@@ -122,6 +123,7 @@ test("every view draws, light, dark and on a phone, and a link leads back to it"
     ["dark", all.length > 0 ? all : ["section"], { colorScheme: "dark", viewport: large }],
     ["phone", all.length > 0 ? all : ["time"], { colorScheme: "light", viewport: { width: 390, height: 844 } }],
   ]) {
+    if (!isRead(look)) continue;
     const state = "v.mu=0.003&q=1&count=30&from=-0.06&to=0.01";
     for (const [view, name] of [
       ["time", "Motion over time"],

@@ -189,7 +189,7 @@ export const LOOKS = {
 export const isRead = (look) => !process.env.GRAZING_LOOKS || process.env.GRAZING_LOOKS.split(",").includes(look);
 export const READ = Object.entries(LOOKS).filter(([look]) => isRead(look));
 
-/** Why the longest tests are left out, if they are. */
+/** Why the longest tests are left out, if they are, and others look at a part. */
 export const LONG = process.env.GRAZING_LOOKS ? "GRAZING_LOOKS leaves out whether memory grows" : false;
 
 /** The samples of the checker that it refuses. */
