@@ -326,7 +326,7 @@ fn the_theory_in_words() {
     assert!(words.contains("At mu = 0 the motion without impacts grazes the lower wall"), "{words}");
     assert!(words.contains("a₁ = 0.480348, a₂ = 0.214652, region 3, γ > 0"), "{words}");
     assert!(words.contains("mu > 0, case (−,+): the orbits of periods 1, 2, 3 with one impact"), "{words}");
-    assert!(words.contains("chaos") && words.contains("entropy 0.609377"), "{words}");
+    assert!(words.contains("chaos") && words.contains("entropy 0.609378"), "{words}");
     assert!(words.contains("mu < 0, case (+,+): the orbit of period 4 with one impact"), "{words}");
     let seen = "just before, at mu = -0.0002, the motion stays (period 1, no impact, from 0 to 0)";
     assert!(words.contains(&format!("Seen, which is evidence and no theory: {seen}")), "{words}");

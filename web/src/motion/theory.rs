@@ -254,7 +254,7 @@ fn seen(report: &Value, name: &str) -> Option<String> {
         };
         let ends =
             row["extent"].as_array().and_then(|ends| Some((ends.first()?.as_f64()?, ends.get(1)?.as_f64()?)));
-        let quantity = if report["stop"].is_null() { "" } else { "a gap " };
+        let quantity = if report["engine"]["name"] == "many" { "a gap " } else { "" };
         let ends = ends.map_or(String::new(), |(low, high)| {
             let [low, high] = [low, high].map(|end| digits(located(end, low.abs().max(high.abs())), 4));
             format!(", {quantity}from {low} to {high}")
@@ -302,13 +302,14 @@ mod tests {
         assert_eq!(digits(located(1e-20, 2e-20), 9), "1e-20");
         // A machine whose parameter is of that size, and what is seen beside its touch.
         let report = json!({
-            "parameter": 1e-20, "varied": "gap", "stop": "upper", "a1": 1e-9, "a2": 0.2, "region": "3",
-            "open": null, "chaos": [], "born": [], "half": false,
+            "engine": { "name": "many" }, "parameter": 1e-20, "varied": "gap", "stop": "upper", "a1": 1e-9,
+            "a2": 0.2, "region": "3", "open": null, "chaos": [], "born": [], "half": false,
             "seen": [{ "value": 1.0001e-20, "place": "before", "what": "stays", "motion": "period 1",
                 "extent": [-1e-20, 1e-20] }],
         });
         let all = sentences(&report, 4, 2e-20).join(" ");
-        for text in ["At gap = 1e-20 the", "a₁ = 1e-9,", "at gap = 1.0001e-20,", "from -1e-20 to 1e-20"] {
+        for text in ["At gap = 1e-20 the", "a₁ = 1e-9,", "at gap = 1.0001e-20,", "a gap from -1e-20 to 1e-20"]
+        {
             assert!(all.contains(text), "{text}: {all}");
         }
     }
