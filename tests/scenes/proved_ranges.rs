@@ -80,24 +80,6 @@ fn parts_are_stable_as_orbits_at_single_values_are() {
     }
 }
 
-/// What the example says of itself.
-#[test]
-fn the_example_is_proved_whole() {
-    let folder = tempfile::tempdir().unwrap();
-    let (report, code, error) = run(EXAMPLE, &[], folder.path());
-    assert_eq!(code, 0, "{error}");
-    let tasks = report["tasks"].as_array().unwrap();
-    let counts: Vec<usize> = tasks.iter().map(|task| task["proofs"].as_array().unwrap().len()).collect();
-    assert_eq!(counts, [2, 1, 1, 3]);
-    for row in tasks.iter().flat_map(|task| task["proofs"].as_array().unwrap()) {
-        // Pieces of branches end at bifurcations.
-        assert!(
-            row["verdict"] == "proved" && (row["range_ends"].is_null() || row["branch"].is_u64()),
-            "{row}"
-        );
-    }
-}
-
 /// Ends where the oscillator is not defined, or that no certificate can hold, are the range's, and ends that
 /// are no decimals are rounded inwards.
 #[test]
