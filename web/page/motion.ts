@@ -300,10 +300,11 @@ class MotionPanel implements Panel {
       parts.readout.value = point === null ? "" : reading(point);
     });
     this.plot.onClick((point) => {
+      if (this.view === "attractor" || this.view === "born") {
+        this.context.step();
+        this.set(this.parts.parameter.value, short(point.x.toNumber()));
+      }
       if (point.touch) this.plot.say(reading(point), point.px, point.py);
-      if (this.view !== "attractor" && this.view !== "born") return;
-      this.context.step();
-      this.set(this.parts.parameter.value, short(point.x.toNumber()));
     });
     for (const kind of ["dragover", "drop"] as const) {
       root.addEventListener(kind, (event) => {
@@ -486,6 +487,7 @@ class MotionPanel implements Panel {
       this.timers.push(setTimeout(() => void work(), delay));
     };
     this.problem(null);
+    this.plot.say(null);
     this.refused = false;
     if (this.view === "time" || this.view === "plane") void this.drawMotion(mine);
     if (this.view === "attractor") later(300, () => this.drawAttractor(mine));

@@ -116,6 +116,13 @@ test("on a phone the picture comes first, the answer beside the finger, and the 
         assert.ok(beside.includes(`periods between impacts ${before}.`), beside);
       }
     }
+    if (fragment === "#motion") {
+      // What was said was of another motion once a slider moves.
+      await page.locator("[data-parameter]").first().fill("0.61");
+      await page.keyboard.press("Tab");
+      await page.locator("#panel-motion .plot-said").waitFor({ state: "hidden" });
+      await page.evaluate(() => scrollTo(0, 0));
+    }
     await swipe(page, Math.round(box.x + box.width / 2), Math.round(box.y + box.height - 10), 200);
     await page.waitForFunction(() => scrollY > 50);
     assert.deepEqual(errors, []);
