@@ -363,6 +363,29 @@ fn forgeries() -> Vec<(String, &'static str)> {
     all
 }
 
+/// An amplitude that is the parameter's square and a constant: at the cell's middle nothing moves, so that only
+/// what happens in all of the cell tells how far the orbit goes.
+#[test]
+fn what_moves_away_from_the_middle_is_seen() {
+    let one = first_cells(BRANCH, 1);
+    let line = one.lines().find(|line| line.starts_with("cell ")).unwrap();
+    let ends: Vec<f64> = line.split(' ').skip(1).take(2).map(float).collect();
+    let amplitude = 1.0 + f64::midpoint(ends[0], ends[1]);
+    let text = word(&one, "harmonic", 0, 2, &format!("{amplitude:.5}..{amplitude:.5},0..0,1..1/1..1"));
+    let text = word(&word(&text, "at ", 0, 3, "0"), "at ", 0, 4, "0");
+    let over = |end: &str| {
+        let text = word(&word(&text, "cell ", 0, 1, &format!("-{end}")), "cell ", 0, 2, end);
+        resealed(&text)
+    };
+    assert!(answer(&over("0.001")).is_ok(), "{:?}", answer(&over("0.001")));
+    assert_eq!(lie(&over("0.001")), None);
+    for end in ["0.03", "0.1"] {
+        assert!(lie(&over(end)).is_some(), "{end}");
+        let why = rejected(&over(end));
+        assert!(why.contains("Krawczyk's test"), "{end}: {why}");
+    }
+}
+
 /// A cell of either orbit of period 4, each right by itself, which meet at one value: there is no way from
 /// one to the other.
 #[test]
