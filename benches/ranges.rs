@@ -166,6 +166,7 @@ fn said(end: &RangeEnd) -> String {
         RangeEnd::Map => "map".into(),
         RangeEnd::Work => "work".into(),
         RangeEnd::Unbounded => "unbounded".into(),
+        RangeEnd::Wide => "wide".into(),
         RangeEnd::Refused(why) => why.split(['(', ')']).nth(1).unwrap_or("refused").to_string(),
     }
 }

@@ -363,8 +363,8 @@ fn forgeries() -> Vec<(String, &'static str)> {
     all
 }
 
-/// An amplitude that is the parameter's square and a constant: at the cell's middle nothing moves, so that only
-/// what happens in all of the cell tells how far the orbit goes.
+/// An amplitude that is the parameter's square and a constant: at the cell's middle nothing moves, so that
+/// only what happens in all of the cell tells how far the orbit goes.
 #[test]
 fn what_moves_away_from_the_middle_is_seen() {
     let one = first_cells(BRANCH, 1);

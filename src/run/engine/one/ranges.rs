@@ -47,10 +47,15 @@ const PART_OF_EFFORT: u64 = 4;
 const SMALLER: f64 = 16.0;
 const NEARLY: f64 = 1e-3;
 
+/// The ranges of c, k and τ.
+type Ranges = [[BigRational; 2]; 3];
+/// What is proved, or why nothing is.
+type Reached<T> = std::result::Result<T, RangeEnd>;
+
 /// The machines of a proof: all whose damping, stiffness and restitution are in these ranges.
 #[derive(Clone)]
 struct Machines {
-    ranges: [[BigRational; 2]; 3],
+    ranges: Ranges,
     /// Up to here their parameter is known to be among those; none where they do not change with it.
     until: Option<BigRational>,
 }
@@ -192,8 +197,8 @@ impl Near<'_> {
         &self,
         behind: bool,
         effort: RangeEffort,
-        prove: &dyn Fn([[BigRational; 2]; 3], f64, RangeEffort) -> Result<std::result::Result<T, RangeEnd>>,
-    ) -> Result<std::result::Result<(T, Machines), RangeEnd>> {
+        prove: &dyn Fn(Ranges, f64, RangeEffort) -> Result<Reached<T>>,
+    ) -> Result<Reached<(T, Machines)>> {
         let deepest = DEEPEST[usize::from(behind)];
         if !self.touching.changes() {
             let machines = Machines { ranges: self.touching.parameters.clone(), until: None };
@@ -353,7 +358,7 @@ impl Near<'_> {
         &self,
         behind: bool,
         (of, graph, whole): (&'static str, &LetterGraph, bool),
-        found: std::result::Result<RangeProof, RangeEnd>,
+        found: Reached<RangeProof>,
         machines: &Machines,
     ) -> Result<SideRange> {
         let mut found = match found {
