@@ -2,11 +2,9 @@
 //! also of the damaged ones, are as they say: in floats, from the differential equation and the law of impact
 //! alone.
 
-mod common;
-
 use std::f64::consts::TAU;
 
-use common::{
+use crate::common::{
     BRANCH, BRANCH_2, BRANCH_FREQUENCY, BRANCH_SPLICED, Random, answer, are_refused, damage,
     damaged_are_true, eliminate, first_cells, float, flow, nth, rejected, resealed, second_reader, trials,
     with,

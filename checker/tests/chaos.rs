@@ -1,8 +1,6 @@
 //! Certificates of kind chaos: the paper's oscillator, and what must be refused.
 
-mod common;
-
-use common::{
+use crate::common::{
     CHAOS_12, CHAOS_123, CHAOS_MIRRORED, CHAOS_MIRRORED_BEFORE, answer, rejected, second_reader, with,
 };
 use grazing_check::chaos::{STATEMENT_3, STATEMENT_4};

@@ -1,8 +1,6 @@
 //! Certificates of kind cover: what is left open, what is printed, what is too long.
 
-mod common;
-
-use common::{COVER, answer, rejected};
+use crate::common::{COVER, answer, rejected};
 use grazing_check::{Rejection, cover};
 
 #[test]

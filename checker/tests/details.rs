@@ -8,15 +8,13 @@
 //!
 //! So nothing is printed that a forger is free to choose, but a parameter's name.
 
-mod common;
-
 use std::{
     collections::BTreeMap,
     f64::consts::{PI, TAU},
     thread,
 };
 
-use common::{
+use crate::common::{
     BRANCH, CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, FREE, FREE_MACHINE, GRAZING, NOTHING, ORBIT_4,
     RANGE_1, RANGE_ALONE, SADDLE_NODE, SINGLE_1, THEOREM2, WORD, WORD_BY_THEOREM, answer, first_cells,
     resealed, trials, with,

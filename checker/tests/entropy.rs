@@ -1,8 +1,6 @@
 //! Certificates of kind entropy: rules that random damage hardly ever touches.
 
-mod common;
-
-use common::{ENTROPY, answer, rejected, with};
+use crate::common::{ENTROPY, answer, rejected, with};
 
 #[test]
 fn what_is_written_passes_and_is_named() {

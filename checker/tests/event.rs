@@ -1,8 +1,6 @@
 //! Certificates of kind event: what they say, and rules that random damage hardly ever touches.
 
-mod common;
-
-use common::{FLIP, GRAZING, SADDLE_NODE, answer, rejected, resealed, with};
+use crate::common::{FLIP, GRAZING, SADDLE_NODE, answer, rejected, resealed, with};
 
 #[test]
 fn what_is_written_passes_and_is_named() {

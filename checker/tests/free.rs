@@ -1,11 +1,9 @@
 //! Certificates of motions without impacts, kinds orbit 3 and machine-orbit 2: forgeries by hand, and
 //! `reference/free.py`, which was written from the form alone, gives the same verdict on damaged files.
 
-mod common;
-
 use grazing_check::Rejection;
 
-use common::{FREE, FREE_MACHINE, ORBIT_4, answer, rejected, resealed, second_reader, with};
+use crate::common::{FREE, FREE_MACHINE, ORBIT_4, answer, rejected, resealed, second_reader, with};
 
 #[test]
 fn what_is_written_passes_and_is_named() {

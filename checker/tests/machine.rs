@@ -1,9 +1,7 @@
 //! Certificates of kind machine-orbit: the example worked by hand, and rules that random damage hardly ever
 //! touches.
 
-mod common;
-
-use common::{answer, rejected, resealed, with};
+use crate::common::{answer, rejected, resealed, with};
 
 /// The ball on the moving table, restitution 1/2.
 const BALL: &str = include_str!("data/machine-ball.txt");

@@ -1,11 +1,9 @@
 //! Certificates of kind nothing: what passes, what must be refused, and whether motions do as those say that
 //! pass, also the damaged ones: in floats, from the differential equation alone.
 
-mod common;
-
 use std::f64::consts::TAU;
 
-use common::{
+use crate::common::{
     NOTHING, Random, Touching, answer, are_refused, damage, damaged_are_true, float, nth, second_reader,
     trials, with,
 };

@@ -1,8 +1,6 @@
 //! Certificates of kind orbit: rules that random damage hardly ever touches.
 
-mod common;
-
-use common::{ORBIT_4, ORBIT_6, answer, rejected, resealed, with};
+use crate::common::{ORBIT_4, ORBIT_6, answer, rejected, resealed, with};
 
 const IMPACT: &str = "impact lower 4 -0.143958325278224890315982 0.136325003032466663408355";
 

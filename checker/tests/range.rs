@@ -1,8 +1,6 @@
 //! Certificates of kind range: what passes, and what must be refused.
 
-mod common;
-
-use common::{
+use crate::common::{
     CHAOS_12, RANGE_1, RANGE_12, RANGE_13, RANGE_ALONE, RANGE_BEFORE, answer, are_refused, nth,
     second_reader, with,
 };

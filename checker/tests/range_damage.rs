@@ -1,11 +1,9 @@
 //! Damaged certificates of kind range: whatever is still accepted is held against floats, in which the orbits
 //! of short words are found by Newton's method, from their equations alone, and paths are counted.
 
-mod common;
-
 use std::f64::consts::TAU;
 
-use common::{
+use crate::common::{
     RANGE_1, RANGE_12, RANGE_13, RANGE_ALONE, RANGE_BEFORE, Touching, damaged_are_true, eliminate, float,
     flow, trials,
 };

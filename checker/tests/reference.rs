@@ -1,9 +1,7 @@
 //! The checker and `reference/theorem2.py`, which was written from the format text alone, give the same
 //! verdict on damaged files of all shapes.
 
-mod common;
-
-use common::{Random, THEOREM2, answer, second_reader};
+use crate::common::{Random, THEOREM2, answer, second_reader};
 use grazing_check::theorem2::header;
 
 /// A certificate of the periods from `first` to `last`, out of the sample.

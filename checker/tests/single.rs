@@ -1,11 +1,9 @@
 //! Certificates of kind single: what passes, what must be refused, and whether the orbits of those that pass,
 //! also of the damaged ones, are as they say: in floats, from the differential equation alone.
 
-mod common;
-
 use std::f64::consts::TAU;
 
-use common::{
+use crate::common::{
     Random, SINGLE_1, SINGLE_2, SINGLE_3, answer, are_refused, damage, damaged_are_true, float, flow, nth,
     second_reader, trials, with,
 };

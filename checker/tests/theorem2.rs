@@ -1,8 +1,6 @@
 //! Certificates of kind theorem2: rules that random damage hardly ever touches.
 
-mod common;
-
-use common::{THEOREM2, answer, rejected};
+use crate::common::{THEOREM2, answer, rejected};
 use grazing_check::theorem2::header;
 
 /// A certificate of one period with these lines.

@@ -1,9 +1,7 @@
 //! Certificates of kinds word and word-by-theorem: the two worked by hand, and rules that random damage
 //! hardly ever touches.
 
-mod common;
-
-use common::{WORD, WORD_BY_THEOREM, answer, rejected, with};
+use crate::common::{WORD, WORD_BY_THEOREM, answer, rejected, with};
 
 #[test]
 fn what_is_written_passes_and_is_named() {

@@ -1,0 +1,22 @@
+//! The checker from outside: what is written passes, what is forged or damaged is refused or true, second
+//! readers agree. One program, so that its tests share the cores to the end; `command` and `text`, which are tried of a
+//! release build too, are two more.
+
+mod common;
+
+mod branch;
+mod chaos;
+mod cover;
+mod details;
+mod entropy;
+mod event;
+mod free;
+mod machine;
+mod nothing;
+mod orbit;
+mod range;
+mod range_damage;
+mod reference;
+mod single;
+mod theorem2;
+mod word;
