@@ -1,6 +1,6 @@
 //! The checker from outside: what is written passes, what is forged or damaged is refused or true, second
-//! readers agree. One program, so that its tests share the cores to the end; `command` and `text`, which are tried of a
-//! release build too, are two more.
+//! readers agree. One program, so that its tests share the cores to the end; `command` and `text`, which are
+//! tried of a release build too, are two more.
 
 mod common;
 
