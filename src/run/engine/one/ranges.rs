@@ -60,6 +60,11 @@ struct Machines {
     until: Option<BigRational>,
 }
 
+/// To as many digits as a certificate's depth has, so that a proof can reach just that.
+fn rounded(depth: f64) -> f64 {
+    format!("{depth:.5e}").parse().unwrap_or(depth)
+}
+
 /// What is proved to a depth.
 trait Deep {
     fn reached(&mut self) -> (&BigRational, &mut RangeEnd);
@@ -243,7 +248,7 @@ impl Near<'_> {
             if settled || reached >= above * (1.0 - 10.0 * NEARLY) {
                 break;
             }
-            asked = if reached > 0.0 { (reached * above).sqrt() } else { above / SMALLER };
+            asked = rounded(if reached > 0.0 { (reached * above).sqrt() } else { above / SMALLER });
         }
         Ok(best.ok_or(end))
     }
