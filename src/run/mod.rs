@@ -49,6 +49,7 @@ mod seen;
 mod series;
 mod simulate;
 mod status;
+mod stretch;
 mod swept;
 mod table;
 mod validate;

@@ -10,9 +10,13 @@ use std::ops::Range;
 use num_rational::BigRational;
 use serde::{Serialize, Serializer};
 
-use super::{Job, Judgement, Lines, StabilityRow, Status, engine::Engine, row};
+use super::{
+    Job, Lines, StabilityRow, Status,
+    engine::{Engine, RangeProver},
+    row,
+    stretch::Stretch,
+};
 use crate::{
-    certificate::orbit::{Claim, Decimal},
     continuation::{BranchPoint, FollowedOrbit, OrbitBranch},
     error::Result,
     number::parse_rational,
@@ -64,110 +68,85 @@ impl Serialize for PieceProofs {
     }
 }
 
-/// What a proof over a range says.
-pub(super) struct Stretch {
-    /// The least and the greatest value of the parameter.
-    pub lower: String,
-    pub upper: String,
-    /// Whether the orbit is stable; none if that differs.
-    pub stable: Option<Judgement>,
-    pub stability: Vec<StabilityRow>,
-    /// Why it goes no further, if it does not.
-    pub ends: Option<String>,
-}
-
-impl Stretch {
-    pub fn of(proof: &ProvedBranch) -> Stretch {
-        let parts = proof.certificate.parts();
-        let end = |part: Option<&(Claim, [Decimal; 2])>, end: usize| {
-            part.map_or_else(String::new, |(_, ends)| ends[end].to_string())
-        };
-        let stable = match parts[..] {
-            [(Claim::Stable, _)] => Some(Judgement::Yes),
-            [(Claim::Unstable, _)] => Some(Judgement::No),
-            [(Claim::Open, _)] => Some(Judgement::Marginal),
-            _ => None,
-        };
-        let (lower, upper) = (end(parts.first(), 0), end(parts.last(), 1));
-        let said = |(claim, [from, to]): (Claim, [Decimal; 2])| {
-            let word = match claim {
-                Claim::Stable => "stable",
-                Claim::Unstable => "unstable",
-                Claim::Open => return None,
-            };
-            Some(StabilityRow { word, from: Some(from.to_string()), to: to.to_string() })
-        };
-        let stability = parts.into_iter().filter_map(said).collect();
-        let ways = ["down", "up"].iter().zip(&proof.ends);
-        let short: Vec<String> =
-            ways.filter_map(|(way, end)| Some(format!("{way}: {}", end.as_ref()?))).collect();
-        let ends = (!short.is_empty()).then(|| short.join("; "));
-        Stretch { lower, upper, stable, stability, ends }
-    }
-}
-
 /// Proves the pieces of branches, and names for each point of each branch the certificate of an orbit there,
-/// near that point's, if there is one.
+/// near that point's, if there is one. A branch without a piece, and what cannot be proved, has a row that
+/// says why.
 ///
 /// # Errors
-/// Where the system is not defined; an interruption.
+/// An interruption.
 pub(super) fn prove<E: Engine>(
     branches: &[OrbitBranch<E::Orbit>],
     parameter: &str,
     engine: &E,
     job: &Job,
 ) -> Result<(PieceProofs, Vec<Vec<Option<String>>>)> {
-    let prover = engine.range_prover(parameter, BITS)?;
+    let prover = told(engine.range_prover(parameter, BITS))?;
     let mut found = PieceProofs { rows: Vec::new(), certificates: Vec::new() };
-    let mut marks: Vec<Vec<Option<String>>> =
-        branches.iter().map(|branch| vec![None; branch.points.len()]).collect();
-    let all: Vec<(usize, Range<usize>)> = branches
-        .iter()
-        .enumerate()
-        .flat_map(|(i, branch)| pieces(&branch.points).into_iter().map(move |piece| (i, piece)))
-        .collect();
-    job.monitor.begin(all.len() as u64, "pieces");
-    for (i, piece) in all {
-        job.monitor.advance(1)?;
-        let points = &branches[i].points[piece.clone()];
-        let Some(start) = start(points) else { continue };
-        let ends = [points[0].parameters[0], points[points.len() - 1].parameters[0]];
-        let [from, to] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-        let over = [exact(from)?, exact(to)?];
-        let verdict = match start.orbit.pattern().strikes() {
-            [] => Verdict::Undecided("a motion without impacts is not proved over a range".into()),
-            _ => prover.prove(&start.orbit, &exact(start.parameters[0])?, over)?,
-        };
-        let mut row = PieceRow {
-            branch: i + 1,
-            from,
-            to,
-            verdict: verdict.word(),
-            lower: None,
-            upper: None,
-            stability: Vec::new(),
-            reason: None,
-            certificate: None,
-        };
-        match verdict {
-            Verdict::Refuted(why) | Verdict::Undecided(why) => row.reason = Some(why),
-            Verdict::Proved(proof) => {
-                let Stretch { lower, upper, stability, ends, .. } = Stretch::of(&proof);
-                (row.lower, row.upper, row.stability, row.reason) =
-                    (Some(lower), Some(upper), stability, ends);
-                let file = format!("{}-{}.certificate", job.task.name, found.certificates.len() + 1);
-                for (mark, point) in marks[i][piece].iter_mut().zip(points) {
-                    if prover.holds(&proof, &point.orbit, point.parameters[0]) {
-                        *mark = Some(file.clone());
-                    }
-                }
-                row.certificate = Some(file.clone());
-                found.certificates.push((file, proof.text));
-            }
+    let mut marks = Vec::new();
+    let all: Vec<Vec<Range<usize>>> = branches.iter().map(|branch| pieces(&branch.points)).collect();
+    job.monitor.begin(all.iter().map(|pieces| pieces.len() as u64).sum(), "pieces");
+    for ((branch, pieces), number) in branches.iter().zip(all).zip(1..) {
+        let mut own = vec![None; branch.points.len()];
+        if pieces.is_empty() {
+            let why = "no two points of it that follow each other are orbits".to_string();
+            found.rows.push(PieceRow::open(number, &branch.points, Verdict::<()>::Undecided(why)));
         }
-        found.rows.push(row);
+        for piece in pieces {
+            job.monitor.advance(1)?;
+            let points = &branch.points[piece.clone()];
+            let verdict = match &prover {
+                Ok(prover) => told(one(prover.as_ref(), points))?.unwrap_or_else(Verdict::Undecided),
+                Err(why) => Verdict::Undecided(why.clone()),
+            };
+            let Verdict::Proved(proof) = verdict else {
+                found.rows.push(PieceRow::open(number, points, verdict));
+                continue;
+            };
+            let file = format!("{}-{}.certificate", job.task.name, found.certificates.len() + 1);
+            for (mark, point) in own[piece].iter_mut().zip(points) {
+                let holds = |prover: &Box<dyn RangeProver<E::Orbit> + '_>| {
+                    prover.holds(&proof, &point.orbit, point.parameters[0])
+                };
+                if prover.as_ref().is_ok_and(holds) {
+                    *mark = Some(file.clone());
+                }
+            }
+            found.rows.push(PieceRow::proved(number, points, Stretch::of(&proof), &file));
+            found.certificates.push((file, proof.text));
+        }
+        marks.push(own);
     }
     Ok((found, marks))
+}
+
+/// An error that is no interruption as the reason that it is.
+fn told<T>(found: Result<T>) -> Result<std::result::Result<T, String>> {
+    match found {
+        Ok(found) => Ok(Ok(found)),
+        Err(error) if error.is_interrupted() => Err(error),
+        Err(error) => Ok(Err(error.to_string())),
+    }
+}
+
+/// What is proved of a piece.
+fn one<O: FollowedOrbit>(
+    prover: &dyn RangeProver<O>,
+    points: &[BranchPoint<O>],
+) -> Result<Verdict<ProvedBranch>> {
+    let open = |why: &str| Ok(Verdict::Undecided(why.into()));
+    let Some(start) = start(points) else { return open("no orbit on it to begin with: take smaller steps") };
+    if start.orbit.pattern().strikes().is_empty() {
+        return open("a motion without impacts is not proved over a range");
+    }
+    let [from, to] = ends(points);
+    prover.prove(&start.orbit, &exact(start.parameters[0])?, [exact(from)?, exact(to)?])
+}
+
+/// The least and the greatest value of the parameter at the ends of a piece.
+fn ends<O>(points: &[BranchPoint<O>]) -> [f64; 2] {
+    let at = |point: Option<&BranchPoint<O>>| point.map_or(f64::NAN, |point| point.parameters[0]);
+    let [first, last] = [at(points.first()), at(points.last())];
+    [first.min(last), first.max(last)]
 }
 
 /// A float as it is printed.
@@ -209,6 +188,40 @@ fn start<O: FollowedOrbit>(points: &[BranchPoint<O>]) -> Option<&BranchPoint<O>>
 }
 
 impl PieceRow {
+    /// Of a piece that is not proved.
+    fn open<O, T>(branch: usize, points: &[BranchPoint<O>], verdict: Verdict<T>) -> PieceRow {
+        let [from, to] = ends(points);
+        let word = verdict.word();
+        let reason = match verdict {
+            Verdict::Refuted(why) | Verdict::Undecided(why) => Some(why),
+            Verdict::Proved(_) => None,
+        };
+        PieceRow {
+            branch,
+            from,
+            to,
+            verdict: word,
+            lower: None,
+            upper: None,
+            stability: Vec::new(),
+            reason,
+            certificate: None,
+        }
+    }
+
+    /// Of one that is.
+    fn proved<O>(branch: usize, points: &[BranchPoint<O>], stretch: Stretch, file: &str) -> PieceRow {
+        let Stretch { lower, upper, stability, ends: reason, .. } = stretch;
+        PieceRow {
+            lower: Some(lower),
+            upper: Some(upper),
+            stability,
+            reason,
+            certificate: Some(file.into()),
+            ..PieceRow::open(branch, points, Verdict::Proved(()))
+        }
+    }
+
     /// Between which values of the parameter it is proved, about.
     #[must_use]
     pub fn over(&self) -> Option<[f64; 2]> {

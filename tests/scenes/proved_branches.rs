@@ -104,8 +104,22 @@ fn what_is_not_proved_is_said() {
     assert_eq!(proofs.len(), 1);
     assert_eq!((proofs[0]["verdict"].as_str(), &proofs[0]["certificate"]), (Some("undecided"), &Value::Null));
     assert!(report["tasks"][0]["reason"].as_str().unwrap().contains("without impacts"), "{report}");
+    // A branch that ends where it begins has no piece: that is no proof of it.
+    let keys = "parameter = \"mu\"\nrange = [-0.09, -0.05]\ndirection = \"up\"\nprove = true\n\
+                starts = [{ orbit = { pattern = [4] } }]";
+    let (report, code, error) = run(nordmark(), &[task("end", "branch", keys)], folder.path());
+    assert_eq!(code, 3, "{error}");
+    let rows = report["tasks"][0]["proofs"].as_array().unwrap();
+    assert_eq!(rows.len(), 2);
+    for row in rows {
+        assert_eq!(
+            (&row["verdict"], &row["from"], &row["to"]),
+            (&"undecided".into(), &(-0.05).into(), &(-0.05).into())
+        );
+        assert!(row["reason"].as_str().unwrap().contains("no two points"), "{row}");
+    }
     // Without the key nothing is said.
-    let keys = keys.replace("prove = true\n", "");
+    let keys = keys.replace("prove = true\n", "").replace("direction = \"up\"\n", "");
     let (report, code, _) = run(nordmark(), &[task("free", "branch", &keys)], folder.path());
     assert_eq!((code, &report["tasks"][0]["proofs"]), (0, &Value::Null));
 }

@@ -66,12 +66,13 @@ impl ProvedBranch {
         let near = |cell: &Cell| {
             let [from, to] = cell.parameter.map(float);
             let away = parameter - f64::midpoint(from, to);
-            let room = float(cell.radius) + ROUNDING;
+            let room = float(cell.radius);
             let within = |(line, impact): (&Line, &ExpectedImpact)| {
                 let [phase, velocity] = line.rates.map(|rate| float(rate) * away);
                 let late = impact.phase - float(line.phase) - phase;
                 let fast = impact.velocity - float(line.velocity) - velocity;
-                (late - TAU * (late / TAU).round()).abs() <= room && fast.abs() <= room
+                (late - TAU * (late / TAU).round()).abs() <= room + ROUNDING
+                    && fast.abs() <= room + ROUNDING * float(line.velocity).abs()
             };
             (from..=to).contains(&parameter)
                 && cell.lines.len() == impacts.len()
@@ -86,7 +87,7 @@ fn float(x: Decimal) -> f64 {
     x.digits as f64 / 10f64.powi(x.places as i32)
 }
 
-/// What an approximation may be off.
+/// What an approximation may be off: in radians, and of its speeds.
 const ROUNDING: f64 = 1e-9;
 
 /// The first cell is such a part of the range, and no cell is smaller than the second.

@@ -9,7 +9,7 @@ use super::{
     super::super::{
         Job, Judgement, ProofRow, ValidateFindings,
         engine::{Proof, Prover, RangeProver, SEVERAL_PERIODS},
-        pieces::Stretch,
+        stretch::Stretch,
         validate::{all, digits, starts},
     },
     Oscillators, named, speeds, turn,

@@ -86,6 +86,8 @@ struct Near<'a> {
     point: &'a OscillatorGrazing<'a>,
     effort: RangeEffort,
     touching: Touching,
+    /// c and k about where it touches.
+    there: [BigRational; 2],
     /// Near the touch, and a small step.
     start: [BigRational; 2],
 }
@@ -112,16 +114,17 @@ pub(super) fn ranges(
     let unit = STEP * point.unit()? / point.event.map.e.abs();
     let start = [exact(point.event.parameter)?, exact(unit)?];
     let [at, unit] = &start;
-    let touching =
-        functions(point, &(at - unit), &(at + unit)).and_then(|system| Touching::of(&system, None));
-    let touching = match touching {
-        Ok(touching) if touching.parameters[2][0].is_positive() => touching,
+    let between = |from: &BigRational, to: &BigRational| Touching::of(&functions(point, from, to)?, None);
+    let touching = between(&(at - unit), &(at + unit)).and_then(|near| Ok((near, between(at, at)?)));
+    let (touching, [damping, stiffness, _]) = match touching {
+        Ok((touching, there)) if touching.parameters[2][0].is_positive() => (touching, there.parameters),
         Ok(_) => return Ok(Err("ranges are proved for a restitution above 0".into())),
         Err(error) => return Ok(Err(error.to_string())),
     };
+    let there = [damping, stiffness].map(|[value, _]| value);
     // Several depths are tried where the machines change.
     let effort = if touching.changes() { RangeEffort(effort.0 / PART_OF_EFFORT) } else { effort };
-    let near = Near { point, effort, touching, start };
+    let near = Near { point, effort, touching, there, start };
     let sides = [near.side(false)?, near.side(true)?];
     Ok(Ok(sides.into_iter().flatten().collect()))
 }
@@ -150,12 +153,8 @@ impl Near<'_> {
             let row = RangeRow::open(behind, verdict, reason.map(String::from));
             Ok(vec![SideRange { row, text: None }])
         };
-        let [at, _] = &self.start;
-        let [damping, stiffness, _] = functions(self.point, at, at)
-            .and_then(|system| Touching::of(&system, None))?
-            .parameters
-            .map(|[value, _]| value);
-        let (graph, whole) = match born([&damping, &stiffness], behind, LONGEST, self.point.job.monitor)? {
+        let [damping, stiffness] = &self.there;
+        let (graph, whole) = match born([damping, stiffness], behind, LONGEST, self.point.job.monitor)? {
             None => return open("undecided", Some("the word theorem does not apply")),
             Some(Born { graph: None, whole: true }) if behind => return Ok(vec![self.nothing()?]),
             Some(Born { graph: None, whole: true }) => return open(NOTHING, None),
@@ -166,27 +165,28 @@ impl Near<'_> {
         };
         let deepest = DEEPEST[usize::from(behind)];
         let harmonics = self.touching.harmonics.clone();
-        let machines = Machines { ranges: self.touching.parameters.clone(), until: None };
-        let mut problem = RangeProblem { ranges: machines.ranges.clone(), behind, harmonics, graph, deepest };
+        let ranges = self.touching.parameters.clone();
+        let problem = RangeProblem { ranges, behind, harmonics, graph, deepest };
         let monitor = self.point.job.monitor;
-        let found = self.widest(behind, self.effort, &|ranges, deepest, effort| {
-            prove(&RangeProblem { ranges, deepest, ..problem.clone() }, effort, monitor)
+        let of = |ranges: Ranges, deepest| RangeProblem { ranges, deepest, ..problem.clone() };
+        let mut found = self.widest(behind, self.effort, &|ranges, deepest, effort| {
+            prove(&of(ranges, deepest), effort, monitor)
         })?;
-        let (found, machines) = match found {
-            Ok((proof, machines)) => {
-                problem.ranges = machines.ranges.clone();
-                let proof = if whole { prove_alone(&problem, proof, self.effort, monitor)? } else { proof };
-                (Ok(proof), machines)
+        let mut depth = 0.0;
+        if let Ok((proof, machines)) = &mut found {
+            depth = proof.depth.to_f64().unwrap_or(0.0);
+            if whole {
+                let problem = of(machines.ranges.clone(), deepest);
+                *proof = prove_alone(&problem, proof.clone(), self.effort, monitor)?;
             }
-            Err(end) => (Err(end), machines),
-        };
-        let depth = found.as_ref().map_or(0.0, |proof| proof.depth.to_f64().unwrap_or(0.0));
-        let mut all = vec![self.judged(behind, (ALL, &problem.graph, whole), found, &machines)?];
+        }
+        let mut all = vec![self.judged(behind, (ALL, &problem.graph, whole), found)?];
         // Where the machines change with the depth, those of the whole are no measure for a part.
         if !self.touching.changes()
             && let Some((graph, proof)) = prove_farther(&problem, depth, self.effort, monitor)?
         {
-            all.push(self.judged(behind, (PART, &graph, false), Ok(proof), &machines)?);
+            let found = Ok((proof, self.fixed()));
+            all.push(self.judged(behind, (PART, &graph, false), found)?);
         }
         for periods in single_orbits(&problem.graph) {
             let RangeProblem { ranges, harmonics, deepest, .. } = problem.clone();
@@ -206,7 +206,7 @@ impl Near<'_> {
     ) -> Result<Reached<(T, Machines)>> {
         let deepest = DEEPEST[usize::from(behind)];
         if !self.touching.changes() {
-            let machines = Machines { ranges: self.touching.parameters.clone(), until: None };
+            let machines = self.fixed();
             return Ok(prove(machines.ranges.clone(), deepest, effort)?.map(|proof| (proof, machines)));
         }
         let (mut best, mut farthest): (Option<(T, Machines)>, f64) = (None, 0.0);
@@ -251,6 +251,11 @@ impl Near<'_> {
             asked = rounded(if reached > 0.0 { (reached * above).sqrt() } else { above / SMALLER });
         }
         Ok(best.ok_or(end))
+    }
+
+    /// The machine where nothing but the wall changes with the parameter.
+    fn fixed(&self) -> Machines {
+        Machines { ranges: self.touching.parameters.clone(), until: None }
     }
 
     /// The machines from the touch to a depth; none if these are not known.
@@ -363,11 +368,10 @@ impl Near<'_> {
         &self,
         behind: bool,
         (of, graph, whole): (&'static str, &LetterGraph, bool),
-        found: Reached<RangeProof>,
-        machines: &Machines,
+        found: Reached<(RangeProof, Machines)>,
     ) -> Result<SideRange> {
         let mut found = match found {
-            Ok(proof) => self.proved(behind, proof, machines)?,
+            Ok((proof, machines)) => self.proved(behind, proof, &machines)?,
             Err(end) => {
                 let row = RangeRow::open(behind, "undecided", Some(why(&end, self.effort)));
                 SideRange { row, text: None }
