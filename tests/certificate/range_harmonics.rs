@@ -295,6 +295,10 @@ fn machines_that_change_with_the_parameter_have_ranges() {
         let rows: Vec<_> = found.range.iter().flatten().collect();
         assert!(rows.iter().all(|row| row.verdict != "undecided"), "{rows:?}");
         let count = confirmed(&machine, &found);
+        for row in &rows {
+            let part = 100.0 * row.share.unwrap_or(0.0);
+            println!("{varied}: {}, {} {:?}, {part:.1} %", row.side, row.of, row.periods);
+        }
         println!("{varied}: {count} orbits");
         assert!(count >= least, "{count}: {rows:?}");
     }

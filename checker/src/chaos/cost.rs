@@ -1,8 +1,9 @@
 //! What a check costs, known before it is begun: exponentials, and what takes as long as one.
 //!
-//! `Flow::exp` is where the time goes. A wall takes one for each harmonic; whatever else is counted, as a
-//! leg's derivatives or a step from one window to the next, is counted as at least its share of one. The
-//! table is in the head of `mod.rs`; that no check takes more exponentials than this says is a test.
+//! `Flow::exp` is where the time goes; where c or k is an interval one takes up to three times as long. A
+//! wall takes one for each harmonic; whatever else is counted, as a leg's derivatives or a step from one
+//! window to the next, is counted as at least its share of one. The table is in the head of `mod.rs`;
+//! that no check takes more exponentials than this says is a test.
 
 use super::text::{Certificate, Complete};
 

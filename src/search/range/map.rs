@@ -31,7 +31,7 @@ pub(super) struct Oscillator {
     pub profile: Rc<Profile>,
 }
 
-/// A leg's velocities in the middle, and the derivatives of both by s, s′ and ν.
+/// A leg's velocities in the middle of its strengths and depths, and the derivatives of both by s, s′ and ν.
 #[derive(Clone)]
 struct Leg {
     middle: [Span; 2],
@@ -55,8 +55,6 @@ pub(super) struct Depths {
     cell: Cell,
     centre: Cell,
     turns: Vec<Flow>,
-    /// Whether c, k and τ are numbers.
-    fixed: bool,
 }
 
 /// What the map does on an edge.
@@ -103,8 +101,7 @@ impl Oscillator {
         let (cell, centre) = (self.cell(depth), self.cell(Span::point(depth.middle())));
         let longest = edges.letters.iter().copied().max().unwrap_or(0);
         let turns = (0..=longest).map(|n| cell.turned(n)).collect();
-        let fixed = self.parameters.iter().all(|x| x.width() == 0.0);
-        Depths { cell, centre, turns, fixed }
+        Depths { cell, centre, turns }
     }
 }
 
@@ -168,8 +165,6 @@ impl Depths {
             before = before.meet(moved);
         }
         let [after, before] = slopes;
-        // Of one oscillator the middle is a number, but for rounding.
-        let middle = if self.fixed { middle.map(|x| Span::point(x.middle())) } else { middle };
         Leg { middle, after, before }
     }
 

@@ -10,7 +10,7 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::{
     error::{Error, Result},
@@ -71,15 +71,18 @@ impl Touching {
     }
 }
 
-/// Decimals of ranges of damping, stiffness and restitution.
-const PLACES: u32 = 10;
+/// Digits of ranges of damping, stiffness and restitution; of decimals a certificate holds so many.
+const DIGITS: f64 = 11.0;
+const PLACES: f64 = 14.0;
 
-/// One number as it is, two with few decimals and no less between them.
+/// One number as it is, two with few digits and no less between them.
 fn outwards([lo, hi]: [BigRational; 2]) -> [BigRational; 2] {
     if lo == hi {
         return [lo, hi];
     }
-    let scale = BigRational::from_integer(BigInt::from(10).pow(PLACES));
+    let size = lo.abs().max(hi.abs()).to_f64().unwrap_or(f64::INFINITY);
+    let places = (DIGITS - 1.0 - size.log10().floor()).clamp(0.0, PLACES);
+    let scale = BigRational::from_integer(BigInt::from(10).pow(places as u32));
     [(lo * &scale).floor() / &scale, (hi * &scale).ceil() / scale]
 }
 
