@@ -102,3 +102,33 @@ fn the_options_go_on() {
     assert!(code == 0 && (next_code == 0 || next_code == 3), "{next}: {err}");
     assert!(said.contains("Chaos is born") && said.contains("independent and normal"), "{said}");
 }
+
+/// Lengths and times of any size: every number has its digits, and the options go on as those of seconds do.
+#[test]
+fn no_unit_is_too_small_or_too_large() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut words = Vec::new();
+    for (long, tall) in [("", ""), ("e-40", "e-200"), ("e40", "e200")] {
+        let record = rows(|t, x| format!("{t}{long},{x}{tall}\n"));
+        fs::write(folder.path().join("record.csv"), record).unwrap();
+        let (code, out, err) = run("decay record.csv --unit none", folder.path());
+        assert_eq!(code, 0, "{err}");
+        let digits = |word: &str| word.chars().any(|c| matches!(c, '1'..='9'));
+        let told = out.lines().take(5).flat_map(|line| line.split([' ', ',']));
+        let numbers: Vec<&str> = told.filter(|word| word.starts_with(|c: char| c.is_ascii_digit())).collect();
+        assert!(numbers.len() > 8 && numbers.iter().all(|word| digits(word) && word.len() < 20), "{out}");
+        let found = decay(&rows(|t, x| format!("{t}{long},{x}{tall}\n")), "--unit none").unwrap();
+        let [frequency, ratio] =
+            ["frequency", "damping_ratio"].map(|name| found["options"][name].as_str().unwrap());
+        let drive = match long {
+            "" => "10",
+            "e-40" => "10e40",
+            _ => "10e-40",
+        };
+        let options = format!("word --frequency {frequency} --damping-ratio {ratio} --drive {drive}");
+        let (code, out, err) = run(&options, folder.path());
+        assert!(code != 2, "{options}: {err}");
+        words.push((code, out.lines().skip(1).map(String::from).collect::<Vec<_>>()));
+    }
+    assert!(words.iter().all(|one| *one == words[0]), "{words:?}");
+}

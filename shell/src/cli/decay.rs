@@ -151,12 +151,29 @@ fn read(args: &Args, file: &Path) -> Result<Decay> {
     Ok(decay)
 }
 
+/// Numbers whose first digit stands so far from the point are written with an exponent.
+const PLAIN: [f64; 2] = [-5.0, 14.0];
+
+fn is_plain(x: f64) -> bool {
+    (PLAIN[0]..=PLAIN[1]).contains(&x.log10().floor())
+}
+
 /// A value and its deviation, with two digits of the latter; not below a rounding error.
 fn rounded(estimate: Estimate) -> [String; 2] {
-    let deviation = estimate.deviation.max(1e-12 * estimate.value.abs());
-    let places = if deviation > 0.0 { 1.0 - deviation.log10().floor() } else { 15.0 };
-    let places = places.clamp(0.0, 40.0) as usize;
-    [estimate.value, deviation].map(|x| format!("{x:.places$}"))
+    let Estimate { value, deviation } = estimate;
+    let deviation = deviation.max(1e-12 * value.abs());
+    if deviation == 0.0 {
+        return ["0", "0"].map(String::from);
+    }
+    let last = deviation.log10().floor();
+    if is_plain(value.abs().max(deviation)) {
+        let places = (1.0 - last).max(0.0) as usize;
+        return [value, deviation].map(|x| format!("{x:.places$}"));
+    }
+    // The value to the deviation's second digit; none of its own is left where it is far below that.
+    let digits =
+        if value == 0.0 { 0.0 } else { (value.abs().log10().floor() - last + 1.0).max(0.0) } as usize;
+    [format!("{value:.digits$e}"), format!("{deviation:.1e}")]
 }
 
 /// The values of `--frequency` and `--damping-ratio` of `grazing word`.
@@ -180,6 +197,8 @@ fn text(args: &Args, decay: &Decay) -> String {
         value
     });
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+    let lasts = decay.duration;
+    let duration = if is_plain(lasts) { format!("{lasts}") } else { format!("{lasts:e}") };
     format!(
         "Free decay: {} samples in {}{time}, {:.1} periods\n\
          \x20 natural frequency  {frequency}{unit}\n\
@@ -192,7 +211,7 @@ fn text(args: &Args, decay: &Decay) -> String {
          Go on, F being the frequency of the drive, with\n\
          \x20 grazing word --frequency {given} --damping-ratio {given_ratio} --drive F --shares --normal\n",
         decay.samples,
-        decay.duration,
+        duration,
         decay.periods,
         100.0 * decay.rms / decay.amplitude,
         decay.runs,
