@@ -104,10 +104,8 @@ pub(super) fn prove<E: Engine>(
             };
             let file = format!("{}-{}.certificate", job.task.name, found.certificates.len() + 1);
             for (mark, point) in own[piece].iter_mut().zip(points) {
-                let holds = |prover: &Box<dyn RangeProver<E::Orbit> + '_>| {
-                    prover.holds(&proof, &point.orbit, point.parameters[0])
-                };
-                if prover.as_ref().is_ok_and(holds) {
+                let at = point.parameters[0];
+                if prover.as_ref().is_ok_and(|prover| prover.holds(&proof, &point.orbit, at)) {
                     *mark = Some(file.clone());
                 }
             }

@@ -560,3 +560,16 @@ fn tables_of_accuracy_hold_what_the_page_says() {
     let ours = columns(&read("digits.csv")[0]);
     assert!(columns(&read("digits-peers.csv")[0]).iter().all(|name| ours.contains(name)));
 }
+
+/// What a narrow box, or a tiny parameter, is called in its picture tells its ends apart.
+#[test]
+fn a_box_is_called_by_its_ends() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = "--frequency 1.2300000001..=1.2300000002 --damping-ratio 0.00000002±20% --drive 1";
+    let (code, _, err) = crate::process::run(&format!("figure tolerance {place}"), folder.path());
+    assert_eq!(code, 0, "{err}");
+    let picture = fs::read_to_string(folder.path().join("tolerance.svg")).unwrap();
+    for ends in ["1.2300000001 to 1.2300000002<", "0.000000016 to 0.000000024<"] {
+        assert!(picture.contains(ends), "{ends}");
+    }
+}

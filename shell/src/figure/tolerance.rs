@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{
     FigurePlace,
@@ -22,7 +22,7 @@ use super::{
 use crate::{
     error::Result,
     monitor::Monitor,
-    output::{decimal_above, decimal_below, decimal_or_fraction},
+    output::{decimal_above, decimal_below, decimal_near, decimal_or_fraction},
     tolerance::{Leaf, ParameterBox, Partition, Share, Spread, Statement},
     word::Word,
 };
@@ -252,14 +252,21 @@ pub fn tolerance(
 /// The bounds of a box in words, a line for each parameter.
 fn heading(of: &ParameterBox, name: &str) -> [String; 2] {
     let (_, words) = named(name);
-    let number = |x: f64| {
-        let text = format!("{x:.6}");
-        text.trim_end_matches('0').trim_end_matches('.').replace('-', "−")
-    };
-    let bounds = floats(of);
-    [0, 1].map(|i| match bounds[i] {
-        [lower, upper] if lower == upper => format!("{}: {}", words[i], number(lower)),
-        [lower, upper] => format!("{}: {} to {}", words[i], number(lower), number(upper)),
+    [0, 1].map(|i| {
+        let [lower, upper] = &of.bounds()[i];
+        let flat = lower == upper;
+        // To two digits of how far the ends are apart, or of the number itself.
+        let size = if flat { upper.abs() } else { upper - lower };
+        let told = |places: &u32| &size * BigInt::from(10).pow(*places) >= BigInt::from(100).into();
+        let places = (6..=40).find(told).unwrap_or(if size.is_zero() { 6 } else { 40 });
+        let number = |x: &BigRational| {
+            let text = decimal_near(x, places);
+            text.trim_end_matches('0').trim_end_matches('.').replace('-', "−")
+        };
+        match flat {
+            true => format!("{}: {}", words[i], number(lower)),
+            false => format!("{}: {} to {}", words[i], number(lower), number(upper)),
+        }
     })
 }
 
