@@ -422,6 +422,10 @@ class File(chaos.File):
 
     def read_system(self):
         self.waves = 0
+        # Nothing is computed in other units than the listed ones.
+        if self.lines and self.lines[0].startswith("units "):
+            units = [power(word) for word in self.words("units", 2)]
+            need(any(units), "units that are all 1 are not listed")
         words = [self.words(name, 1)[0] for name in ("damping", "stiffness", "force")]
         self.damping, self.stiffness, self.force = map(quotient, words)
         self.no_force = all(x.lo == x.hi == 0 for x in self.force[0])
@@ -484,6 +488,13 @@ def whole(word, least, most):
     need(re.fullmatch("0|[1-9][0-9]{0,9}", word, re.ASCII), f"not a number: {word}")
     need(least <= int(word) <= most, f"a number from {least} to {most}: {word}")
     return int(word)
+
+
+def power(word):
+    """A power of ten in a unit."""
+    need(word != "-0", "not a number: -0")
+    size = whole(word.removeprefix("-"), 0, 99)
+    return -size if word.startswith("-") else size
 
 
 if __name__ == "__main__":

@@ -143,6 +143,13 @@ def whole(word, least, most):
     return int(word)
 
 
+def power(word):
+    """A power of ten in a unit."""
+    need(word != "-0", "not a number: -0")
+    size = whole(word.removeprefix("-"), 0, 99)
+    return -size if word.startswith("-") else size
+
+
 def decimal(word):
     need(re.fullmatch(r"-?(0|[1-9][0-9]*)(\.[0-9]*[1-9])?", word, re.ASCII) and word != "-0", f"not a decimal: {word}")
     value = Fraction(word)
@@ -224,6 +231,10 @@ class File:
 
     def read_oscillator(self):
         self.waves, self.period = 0, TURN
+        # Nothing is computed in other units than the listed ones.
+        if self.at < len(self.lines) and self.lines[self.at].startswith("units "):
+            length, parameter = (power(word) for word in self.words("units", 2))
+            need(length and not parameter, "a unit of length that is 1, or one of no parameter")
         self.mass = [[ONE]]
         self.damping, self.stiffness = ([[number(*self.one(name))]] for name in ("damping", "stiffness"))
         self.force = [number(*self.one("force"))]
@@ -241,9 +252,7 @@ class File:
     def read_machine(self):
         self.waves, n = 0, whole(self.words("coordinates", 1)[0], 1, 8)
         self.period = number(*self.one("period"))
-        unit, = self.words("unit", 1)
-        need(unit != "-0", "not a number: -0")
-        whole(unit.removeprefix("-"), 0, 99)
+        power(*self.words("unit", 1))
         lower = [self.row("mass", i + 1) for i in range(n)]
         self.mass = [[number(*lower[max(i, j)][min(i, j)]) for j in range(n)] for i in range(n)]
         self.damping, self.stiffness = ([[number(*x) for x in self.row(name, n)] for _ in range(n)]

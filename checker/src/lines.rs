@@ -109,7 +109,17 @@ impl<'a> Lines<'a> {
         parse: impl FnOnce(&mut Words) -> Result<T, String>,
     ) -> Result<T, Rejection> {
         let text = self.expect_within(longest, &format!("a line \"{name} …\""))?;
-        let mut words = Words::new(&text);
+        self.read(&text, name, parse)
+    }
+
+    /// The latest line, which is this, led by its name.
+    fn read<T>(
+        &self,
+        text: &str,
+        name: &str,
+        parse: impl FnOnce(&mut Words) -> Result<T, String>,
+    ) -> Result<T, Rejection> {
+        let mut words = Words::new(text);
         let read = || {
             words.name(name)?;
             let value = parse(&mut words)?;
@@ -117,6 +127,22 @@ impl<'a> Lines<'a> {
             Ok(value)
         };
         read().map_err(|reason: String| self.malformed(reason))
+    }
+
+    /// The next line, before which one with another name may stand.
+    pub fn perhaps<S, T>(
+        &mut self,
+        other: &str,
+        parse_other: impl FnOnce(&mut Words) -> Result<S, String>,
+        name: &str,
+        parse: impl FnOnce(&mut Words) -> Result<T, String>,
+    ) -> Result<(Option<S>, T), Rejection> {
+        let text = self.expect(&format!("a line \"{name} …\""))?;
+        if Words::new(&text).name(other).is_ok() {
+            let first = self.read(&text, other, parse_other)?;
+            return Ok((Some(first), self.line(name, parse)?));
+        }
+        Ok((None, self.read(&text, name, parse)?))
     }
 
     /// The file must end here.

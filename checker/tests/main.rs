@@ -19,4 +19,5 @@ mod range_damage;
 mod reference;
 mod single;
 mod theorem2;
+mod units;
 mod word;

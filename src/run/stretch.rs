@@ -1,10 +1,7 @@
 //! What a proof of an orbit over a range of a parameter says, for the rows of tasks `validate` and `branch`.
 
 use super::{Judgement, StabilityRow};
-use crate::{
-    certificate::orbit::{Claim, Decimal},
-    search::orbit::ProvedBranch,
-};
+use crate::{certificate::orbit::Claim, search::orbit::ProvedBranch};
 
 /// What a proof over a range says.
 pub(super) struct Stretch {
@@ -21,9 +18,9 @@ pub(super) struct Stretch {
 impl Stretch {
     /// Of a proof.
     pub fn of(proof: &ProvedBranch) -> Stretch {
-        let parts = proof.certificate.parts();
-        let end = |part: Option<&(Claim, [Decimal; 2])>, end: usize| {
-            part.map_or_else(String::new, |(_, ends)| ends[end].to_string())
+        let parts = proof.parts();
+        let end = |part: Option<&(Claim, [String; 2])>, end: usize| {
+            part.map_or_else(String::new, |(_, ends)| ends[end].clone())
         };
         let stable = match parts[..] {
             [(Claim::Stable, _)] => Some(Judgement::Yes),
@@ -32,13 +29,13 @@ impl Stretch {
             _ => None,
         };
         let (lower, upper) = (end(parts.first(), 0), end(parts.last(), 1));
-        let said = |(claim, [from, to]): (Claim, [Decimal; 2])| {
+        let said = |(claim, [from, to]): (Claim, [String; 2])| {
             let word = match claim {
                 Claim::Stable => "stable",
                 Claim::Unstable => "unstable",
                 Claim::Open => return None,
             };
-            Some(StabilityRow { word, from: Some(from.to_string()), to: to.to_string() })
+            Some(StabilityRow { word, from: Some(from), to })
         };
         let stability = parts.into_iter().filter_map(said).collect();
         let ways = ["down", "up"].iter().zip(&proof.ends);

@@ -11,6 +11,7 @@ mod forms;
 mod input;
 mod proved_branches;
 mod proved_ranges;
+mod proved_units;
 mod scales;
 mod scene_runs;
 mod section4;

@@ -13,7 +13,8 @@
 //!
 //! ```text
 //! statement …                  what passing proves, word for word: STATEMENT
-//! digest HEX                   of the system's lines, from damping to the last harmonic
+//! digest HEX                   of the system's lines, units included
+//! units L P                    lengths are listed in 10^L, the parameter in 10^P; not if both are 0
 //! damping C                    and so on: every coefficient is a quotient P0,P1,…/Q0,Q1,… of ranges
 //! …                            LOWER..UPPER
 //! parameter NAME               its name

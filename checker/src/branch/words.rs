@@ -1,7 +1,7 @@
 //! What a certificate speaks of, in words.
 
 use super::{
-    super::motion::words::{pattern, system},
+    super::motion::words::{pattern, system, unit},
     Certificate,
 };
 
@@ -15,9 +15,10 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
             .map(|end| end.map(|end| end.to_string()).unwrap_or_default());
     let strikes: Vec<_> =
         strikes.iter().map(|strike| (format!("{} wall", strike.side), strike.periods)).collect();
+    let unit = unit(certificate.system.units);
     let plural = if cells.len() == 1 { "" } else { "s" };
     let start = [
-        ("parameter", format!("{name}, from {from} to {to}, in {} cell{plural}", cells.len())),
+        ("parameter", format!("{name}, from {from} to {to}{unit}, in {} cell{plural}", cells.len())),
         ("stability", stability(certificate)),
         ("pattern", pattern(&strikes)),
         ("box", "in each cell the only orbit of this pattern that is so near its line".into()),

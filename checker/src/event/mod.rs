@@ -38,7 +38,8 @@
 //!
 //! ```text
 //! statement …                  what passing proves, word for word: STATEMENT
-//! digest HEX                   of the system's lines, from damping to the last harmonic
+//! digest HEX                   of the system's lines, units included
+//! units L P                    as for an orbit, lengths being listed in 10^L; the parameter in 10^P
 //! damping C                    and so on as for an orbit, but that every coefficient is a quotient of
 //!                              polynomials in p:
 //! …                            P0,P1,…/Q0,Q1,… stands for (P0 + P1 p + …)/(Q0 + Q1 p + …)
@@ -96,7 +97,7 @@ use super::{
 
 pub use super::motion::{
     range::Range,
-    text::{Decimal, Harmonic, Impact, Side, System, Wall},
+    text::{Decimal, Harmonic, Impact, Side, System, Units, Wall},
 };
 pub use quotient::Quotient;
 pub use ranges::RangeQuotient;

@@ -45,6 +45,8 @@ impl Quotient {
 }
 
 impl Coefficient for Quotient {
+    const VARIES: bool = true;
+
     fn is_zero(&self) -> bool {
         self.numerator == [0]
     }

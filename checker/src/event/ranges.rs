@@ -27,6 +27,8 @@ pub struct RangeQuotient {
 }
 
 impl Coefficient for RangeQuotient {
+    const VARIES: bool = true;
+
     fn is_zero(&self) -> bool {
         self.numerator.iter().all(Coefficient::is_zero)
     }

@@ -1,7 +1,7 @@
 //! What a certificate speaks of, in words.
 
 use super::{
-    super::motion::words::{list, system, walls},
+    super::motion::words::{list, system, unit, walls},
     Certificate, Contact, Event, Version,
 };
 
@@ -22,7 +22,7 @@ pub(super) fn detail<C: Version>(certificate: &Certificate<C>) -> Vec<(&'static 
     let [from, to] = certificate.interval().map(|ends| ends.map(|end| end.to_string())).unwrap_or_default();
     let mut all = vec![
         ("event", event),
-        ("parameter", format!("{name}, from {from} to {to}")),
+        ("parameter", format!("{name}, from {from} to {to}{}", unit(certificate.system.units))),
         ("pattern", if impacts.is_empty() { "no impact, period 1".into() } else { walls(impacts) }),
     ];
     if !impacts.is_empty() {

@@ -6,8 +6,8 @@ use super::{
     super::{
         lines::Words,
         motion::text::{
-            Coefficient, HARMONICS, PERIODS, decimal, multiple, read_digested, read_flights, read_harmonics,
-            read_matrix, read_radius, write_proof,
+            Coefficient, HARMONICS, PERIODS, decimal, multiple, power, read_digested, read_flights,
+            read_harmonics, read_matrix, read_radius, write_proof,
         },
         orbit::Claim,
         sha256::sha256,
@@ -24,8 +24,6 @@ const COORDINATES: u64 = 8;
 const STOPS: u64 = 16;
 /// The most unknowns, 2n + 1 for each impact.
 const UNKNOWNS: u64 = 84;
-/// The greatest power of ten in the unit of mass, damping, stiffness and forces, either way.
-const POWER: u64 = 99;
 /// The longest line with numbers for all coordinates or unknowns, in bytes.
 const LONGEST: usize = 4000;
 
@@ -184,15 +182,6 @@ fn ranges(words: &mut Words, count: usize) -> Result<Vec<Range>, String> {
 
 fn decimals(words: &mut Words, count: usize) -> Result<Vec<Decimal>, String> {
     (0..count).map(|_| decimal(words)).collect()
-}
-
-/// A whole number from −99 to 99.
-fn power(words: &mut Words) -> Result<i32, String> {
-    let word = words.word("a power of ten")?;
-    let magnitude = word.strip_prefix('-').unwrap_or(word);
-    let value = super::super::lines::number(magnitude, POWER).filter(|_| word != "-0");
-    let value = value.ok_or(format!("expected a whole number from -{POWER} to {POWER}"))? as i32;
-    Ok(if word.starts_with('-') { -value } else { value })
 }
 
 fn read_rows(

@@ -38,6 +38,8 @@ impl Range {
 }
 
 impl Coefficient for Range {
+    const VARIES: bool = false;
+
     fn is_zero(&self) -> bool {
         self.lower.digits == 0 && self.upper.digits == 0
     }

@@ -17,11 +17,16 @@ pub(crate) const HARMONICS: u64 = 1000;
 pub(crate) const PERIODS: u64 = 10_000;
 /// The longest name of a parameter.
 const NAME: usize = 32;
+/// The greatest power of ten in a unit, either way.
+const POWER: u64 = 99;
 /// The most exponentials that the check of an orbit may take.
 const WORK: u64 = 1_000_000;
 
 /// A coefficient of a system.
 pub(crate) trait Coefficient: fmt::Display + Sized {
+    /// Whether it may depend on a parameter.
+    const VARIES: bool;
+
     /// Whether it is 0, whatever the parameter is.
     fn is_zero(&self) -> bool;
 
@@ -33,6 +38,16 @@ pub(crate) trait Coefficient: fmt::Display + Sized {
 
     /// Reads a word.
     fn read(words: &mut Words) -> Result<Self, String>;
+}
+
+/// Powers of ten: in 10^`lengths` displacements, speeds, forces and walls are listed, in 10^`parameter` the
+/// parameter. A linear oscillator moves alike in all units of length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Units {
+    /// That of lengths.
+    pub lengths: i32,
+    /// That of the parameter; 0 if there is none.
+    pub parameter: i32,
 }
 
 /// `cos` cos kt + `sin` sin kt.
@@ -60,6 +75,8 @@ pub struct Wall<C = Fraction> {
 /// q″ = −`damping` q′ − `stiffness` q + `force` + Σ forcing, between its walls.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct System<C = Fraction> {
+    /// What all numbers are in.
+    pub units: Units,
     /// The coefficient of the velocity.
     pub damping: C,
     /// The coefficient of the displacement.
@@ -97,6 +114,8 @@ pub struct Impact {
 }
 
 impl Coefficient for Fraction {
+    const VARIES: bool = false;
+
     fn is_zero(&self) -> bool {
         self.p == 0
     }
@@ -173,6 +192,10 @@ fn write_harmonics<C: fmt::Display>(f: &mut fmt::Formatter<'_>, harmonics: &[Har
 
 impl<C: fmt::Display> fmt::Display for System<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Units { lengths, parameter } = self.units;
+        if self.units != Units::default() {
+            writeln!(f, "units {lengths} {parameter}")?;
+        }
         writeln!(f, "damping {}\nstiffness {}\nforce {}", self.damping, self.stiffness, self.force)?;
         writeln!(f, "forcing {}", self.forcing.len())?;
         write_harmonics(f, &self.forcing)?;
@@ -267,18 +290,36 @@ pub(crate) fn read_digested<T: fmt::Display>(
     Err(Rejection::False { line, reason })
 }
 
+/// A whole number from −99 to 99.
+pub(crate) fn power(words: &mut Words) -> Result<i32, String> {
+    let word = words.word("a power of ten")?;
+    let magnitude = word.strip_prefix('-').unwrap_or(word);
+    let value = crate::lines::number(magnitude, POWER).filter(|_| word != "-0");
+    let value = value.ok_or(format!("expected a whole number from -{POWER} to {POWER}"))? as i32;
+    Ok(if word.starts_with('-') { -value } else { value })
+}
+
+/// Reads the powers of ten of units that are not all 1.
+fn read_units<C: Coefficient>(words: &mut Words) -> Result<Units, String> {
+    let [lengths, parameter] = [power(words)?, power(words)?];
+    ensure(C::VARIES || parameter == 0, "there is no parameter that could have a unit")?;
+    ensure((lengths, parameter) != (0, 0), "units are listed where they are not 1")?;
+    Ok(Units { lengths, parameter })
+}
+
 /// Reads the statement, the digest and the system that it belongs to.
 pub(crate) fn read_system<C: Coefficient>(
     lines: &mut Lines,
     statement: &str,
 ) -> Result<System<C>, Rejection> {
     read_digested(lines, statement, "system", |lines| {
-        let (damping, stiffness) = (lines.line("damping", C::read)?, lines.line("stiffness", C::read)?);
+        let (units, damping) = lines.perhaps("units", read_units::<C>, "damping", C::read)?;
+        let (units, stiffness) = (units.unwrap_or_default(), lines.line("stiffness", C::read)?);
         let force = lines.line("force", C::read)?;
         let count = lines.line("forcing", |words| words.number("the number of harmonics", HARMONICS))?;
         let forcing = read_harmonics(lines, count, 0)?;
         let (lower, upper) = (read_wall(lines, Side::Lower)?, read_wall(lines, Side::Upper)?);
-        Ok(System { damping, stiffness, force, forcing, lower, upper })
+        Ok(System { units, damping, stiffness, force, forcing, lower, upper })
     })
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use super::text::{Fraction, Harmonic, Impact, System, Wall};
+use super::text::{Fraction, Harmonic, Impact, System, Units, Wall};
 
 /// A coefficient in words.
 pub(crate) trait Spoken {
@@ -49,22 +49,31 @@ pub(crate) fn walls(impacts: &[Impact]) -> String {
     pattern(&impacts.iter().map(one).collect::<Vec<_>>())
 }
 
-/// The oscillator, its walls and its digest.
+/// The unit of a parameter, after its values.
+pub(crate) fn unit(units: Units) -> String {
+    if units.parameter == 0 { String::new() } else { format!(", in units of 10^{}", units.parameter) }
+}
+
+/// The unit of lengths if it is not 1, the oscillator, its walls and its digest.
 pub(crate) fn system<C: Spoken>(
     system: &System<C>,
     digest: String,
     parameter: &str,
-) -> [(&'static str, String); 4] {
+) -> Vec<(&'static str, String)> {
+    let Units { lengths, .. } = system.units;
+    let units = format!("lengths, speeds, forces and walls are listed in units of 10^{lengths}");
+    let units = (lengths != 0).then_some(("units", units));
     let [damping, stiffness] = [(&system.damping, "q'"), (&system.stiffness, "q")]
         .map(|(coefficient, what)| (!coefficient.is_negative(), coefficient, what.to_string()));
     let force = (system.force.is_negative(), &system.force, String::new());
     let terms: Vec<_> = [damping, stiffness, force].into_iter().chain(waves(&system.forcing)).collect();
-    [
+    let oscillator = [
         ("motion", format!("q'' = {}", sum(&terms, parameter))),
         ("lower wall", wall(&system.lower, parameter)),
         ("upper wall", wall(&system.upper, parameter)),
         ("digest", digest),
-    ]
+    ];
+    units.into_iter().chain(oscillator).collect()
 }
 
 fn wall<C: Spoken>(wall: &Option<Wall<C>>, parameter: &str) -> String {

@@ -12,8 +12,11 @@
 //!
 //! ```text
 //! statement …                  what passing proves, word for word: STATEMENT
-//! digest HEX                   SHA-256, in lower case, of the system's lines, from damping to the last
+//! digest HEX                   SHA-256, in lower case, of the system's lines, units included, to the last
 //!                              harmonic, each ended by a line feed
+//! units L 0                    lengths, speeds, forces and walls are 10^L times what is listed, -99 to 99
+//!                              but not 0; without this line they are as listed. An oscillator moves alike in
+//!                              all units of length, so that nothing is computed with it
 //! damping P/Q                  c, k, F of q″ = −c q′ − k q + F + Σ (a cos νt + b sin νt)
 //! stiffness P/Q
 //! force P/Q
@@ -90,7 +93,7 @@ use super::{
 
 pub use super::motion::{
     range::Range,
-    text::{Decimal, Fraction, Harmonic, Impact, Side, System, Wall},
+    text::{Decimal, Fraction, Harmonic, Impact, Side, System, Units, Wall},
 };
 pub use free::FreeCertificate;
 pub(super) use free::check as check_free;

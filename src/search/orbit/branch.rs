@@ -11,7 +11,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero, pow};
 
 use super::{
-    ExpectedImpact, Jet, Quotient, Verdict, admissible,
+    ExpectedImpact, Jet, Quotient, Units, Verdict, admissible,
     krawczyk::{self, Preconditioner, rounded},
     linear::Linear,
     solution::{equations, stability, start},
@@ -56,6 +56,7 @@ pub struct ProvedBranch {
     pub text: String,
     /// Why it goes no further, down and up; none where all is proved that was asked for.
     pub ends: [Option<String>; 2],
+    units: Units,
 }
 
 impl ProvedBranch {
@@ -63,6 +64,7 @@ impl ProvedBranch {
     /// proved there is the only one, as nearly as floats tell.
     #[must_use]
     pub fn holds(&self, impacts: &[ExpectedImpact], parameter: f64) -> bool {
+        let (impacts, parameter) = (self.units.impacts(impacts), self.units.about(parameter));
         let near = |cell: &Cell| {
             let [from, to] = cell.parameter.map(float);
             let away = parameter - f64::midpoint(from, to);
@@ -76,9 +78,16 @@ impl ProvedBranch {
             };
             (from..=to).contains(&parameter)
                 && cell.lines.len() == impacts.len()
-                && cell.lines.iter().zip(impacts).all(within)
+                && cell.lines.iter().zip(&impacts).all(within)
         };
         self.certificate.cells.iter().any(near)
+    }
+
+    /// The range by what is claimed of stability, its ends exact values of the parameter.
+    #[must_use]
+    pub fn parts(&self) -> Vec<(Claim, [String; 2])> {
+        let parts = self.certificate.parts().into_iter();
+        parts.map(|(claim, ends)| (claim, ends.map(|end| self.units.said(end)))).collect()
     }
 }
 
@@ -117,6 +126,24 @@ const RATE: u32 = 12;
 /// # Errors
 /// An input error: the value is not in the range; an interruption.
 pub fn branch(problem: &BranchProblem, monitor: &dyn Monitor) -> Result<Verdict<ProvedBranch>> {
+    let units = match Units::along(
+        problem.family,
+        problem.impacts.iter().map(|impact| impact.side),
+        &problem.at,
+        &problem.precision,
+    ) {
+        Ok(units) => units,
+        Err(why) => return Ok(Verdict::Undecided(why.to_string())),
+    };
+    let problem = &BranchProblem {
+        family: &units.family(problem.family, &problem.precision),
+        system: &units.function(problem.system),
+        name: problem.name,
+        impacts: &units.impacts(problem.impacts),
+        at: units.parameter(&problem.at),
+        over: [units.parameter(&problem.over[0]), units.parameter(&problem.over[1])],
+        precision: problem.precision.clone(),
+    };
     let [least, greatest] = &problem.over;
     if !(*least <= problem.at && problem.at <= *greatest && least < greatest) {
         return Err(Error::input(
@@ -129,11 +156,10 @@ pub fn branch(problem: &BranchProblem, monitor: &dyn Monitor) -> Result<Verdict<
         )));
     }
     if [least, greatest].iter().any(|end| end.abs() >= BigRational::from_integer(FAR.into())) {
-        let why =
-            "the parameter is not below 2^30 everywhere, where the checker's numbers end: take another unit";
+        let why = "the parameter is not below 2^30 of its units, where the checker's numbers end: take a shorter range";
         return Ok(Verdict::Undecided(why.into()));
     }
-    let mut search = match Search::new(problem) {
+    let mut search = match Search::new(problem, units) {
         Ok(search) => search,
         Err(why) => return Ok(Verdict::Undecided(why.to_string())),
     };
@@ -148,7 +174,7 @@ pub fn branch(problem: &BranchProblem, monitor: &dyn Monitor) -> Result<Verdict<
     if let Some(why) = refusal(&text) {
         return Ok(Verdict::Undecided(format!("the checker does not accept the branch: {why}")));
     }
-    Ok(Verdict::Proved(ProvedBranch { certificate: search.certificate, text, ends }))
+    Ok(Verdict::Proved(ProvedBranch { certificate: search.certificate, text, ends, units }))
 }
 
 /// Which way the parameter goes.
@@ -178,12 +204,12 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(problem: &'a BranchProblem<'a>) -> Result<Search<'a>> {
+    fn new(problem: &'a BranchProblem<'a>, units: Units) -> Result<Search<'a>> {
         let strike =
             |impact: &ExpectedImpact| Strike { side: side(impact.side), periods: impact.periods.into() };
         let name = if problem.name.is_ascii() && problem.name.len() <= 32 { problem.name } else { "p" };
         let head = Certificate {
-            system: converted(problem.system, &range_quotient)?,
+            system: converted(units, problem.system, &range_quotient)?,
             name: name.into(),
             strikes: problem.impacts.iter().map(strike).collect(),
             cells: Vec::new(),

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use super::{
-    ExpectedImpact, Jet, Verdict,
+    ExpectedImpact, Jet, Units, Verdict,
     admissible::{Pieces, Touch},
     equations::Equations,
     krawczyk::{self, Preconditioner, Search},
@@ -52,9 +52,11 @@ pub struct ProvedEvent {
     pub velocities: Vec<Ball>,
     /// How long after its impact the tangency comes, if it is one.
     pub time: Option<Ball>,
+    /// In what the box is: its times are in radians.
+    pub units: Units,
     /// The middle of the box: t_1, …, t_m, V_1, …, V_m, the parameter, the time of the tangency.
     pub centre: Vec<BigRational>,
-    /// Half the side of the box in which there is no other.
+    /// Half the side of the box in which there is no other, in these units.
     pub radius: BigRational,
     /// The matrix that Krawczyk's test used.
     pub(super) inverse: Preconditioner,
@@ -76,8 +78,18 @@ pub fn event(
     precision: &Precision,
 ) -> Result<Verdict<ProvedEvent>> {
     let m = impacts.len();
-    let map = |unknowns: &[Jet]| extended(&family, unknowns, impacts, condition, precision);
-    Search::run(&map, &unknowns(impacts, parameter, condition), precision)?.and_then(|search| {
+    let at = BigRational::from_float(parameter).ok_or_else(|| Error::input("a parameter is finite"))?;
+    let units = {
+        let touched = match condition {
+            Condition::Grazing { side, .. } => Some(side),
+            _ => None,
+        };
+        let met = impacts.iter().map(|impact| impact.side).chain(touched);
+        Units::along(&family, met, &at, precision)?
+    };
+    let (family, near) = (units.family(family, precision), units.impacts(impacts));
+    let map = |unknowns: &[Jet]| extended(&family, unknowns, &near, condition, precision);
+    Search::run(&map, &unknowns(&near, units.about(parameter), condition), precision)?.and_then(|search| {
         let unknowns: Vec<Jet> = search.found.iter().cloned().map(Jet::constant).collect();
         let linear = Linear::enclosed(family(&unknowns[2 * m])?, precision)?;
         let time = search.found.get(2 * m + 1).cloned();
@@ -98,7 +110,7 @@ pub fn event(
             }
             _ => None,
         };
-        let equations = pattern(&linear, impacts, condition)?;
+        let equations = pattern(&linear, &near, condition)?;
         if m == 0 && !is_alone(&linear) {
             return Ok(Verdict::Undecided("1 may be a multiplier of the motion without impacts".into()));
         }
@@ -106,10 +118,11 @@ pub fn event(
             Ok(Verdict::Proved(ProvedEvent {
                 condition,
                 impacts: impacts.to_vec(),
-                parameter: search.found[2 * m].clone(),
+                parameter: units.own_parameter(search.found[2 * m].clone(), precision),
                 phases: search.found[..m].to_vec(),
-                velocities: search.found[m..2 * m].to_vec(),
+                velocities: units.own(search.found[m..2 * m].to_vec(), precision),
                 time,
+                units,
                 centre: search.centre,
                 radius: search.radius,
                 inverse: search.inverse,

@@ -4,7 +4,7 @@
 use num_rational::BigRational;
 
 use super::{
-    Jet, Stability, Verdict, admissible, equations::Equations, event::is_alone, linear::Linear,
+    Jet, Stability, Units, Verdict, admissible, equations::Equations, event::is_alone, linear::Linear,
     solution::stability,
 };
 use crate::{
@@ -23,6 +23,8 @@ pub struct ProvedFreeMotion {
     pub determinant: Ball,
     /// Where its eigenvalues are, if the enclosures tell.
     pub stability: Option<Stability>,
+    /// In what it was proved.
+    pub units: Units,
     /// The pieces of the period by which it was proved.
     pub(super) pieces: Vec<BigRational>,
 }
@@ -33,7 +35,8 @@ pub struct ProvedFreeMotion {
 /// # Errors
 /// An input error: the system is not linear, no stiffness, an undamped resonance.
 pub fn free_motion(system: &System<BigRational>, precision: &Precision) -> Result<Verdict<ProvedFreeMotion>> {
-    let linear = Linear::exact(system, precision)?;
+    let units = Units::of(system, std::iter::empty());
+    let linear = Linear::exact(&units.scaled(system.clone(), &()), precision)?;
     if !is_alone(&linear) {
         return Ok(Verdict::Undecided("1 may be a multiplier of the motion without impacts".into()));
     }
@@ -44,6 +47,7 @@ pub fn free_motion(system: &System<BigRational>, precision: &Precision) -> Resul
         let determinant = (a.clone() * &d - &(b * &c)).value;
         let trace = (a + &d).value;
         let stability = stability(&trace, &determinant, precision);
-        Ok(Verdict::Proved(ProvedFreeMotion { trace, determinant, stability, pieces: pieces.swap_remove(0) }))
+        let pieces = pieces.swap_remove(0);
+        Ok(Verdict::Proved(ProvedFreeMotion { trace, determinant, stability, units, pieces }))
     })
 }

@@ -36,6 +36,7 @@ mod linear;
 mod quotient;
 mod repetition;
 mod solution;
+mod units;
 mod write;
 
 pub use branch::{BranchProblem, ProvedBranch, branch};
@@ -45,6 +46,7 @@ pub use jet::Jet;
 pub(crate) use krawczyk::{radii, rounded};
 pub use quotient::Quotient;
 pub use solution::{ExpectedImpact, ProvedOrbit, Stability, orbit, solution_in};
+pub use units::Units;
 pub use write::{certificate, event_certificate, free_certificate};
 pub(crate) use write::{decimal, range_of};
 

@@ -5,7 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, Zero, pow};
 
 use crate::number::{Real, Sign};
 
@@ -34,6 +34,15 @@ impl Quotient {
     /// too large (powers above 64, integers of more than 16384 bits).
     pub fn polynomials(&self) -> Option<&[Vec<BigInt>; 2]> {
         self.value.as_ref()
+    }
+
+    /// The same function of the parameter in this unit: u ↦ x(unit·u).
+    pub(super) fn in_unit(self, unit: &BigRational) -> Quotient {
+        let Some(all) = self.value else { return self };
+        let degree = all.iter().map(Vec::len).max().unwrap_or(1) - 1;
+        let power = |x: &BigInt, j: usize| pow(x.clone(), j);
+        let of = |(j, x): (usize, BigInt)| x * power(unit.numer(), j) * power(unit.denom(), degree - j);
+        Quotient::new(all.map(|list| list.into_iter().enumerate().map(of).collect()))
     }
 
     fn new([mut numerator, mut denominator]: [Vec<BigInt>; 2]) -> Quotient {

@@ -6,7 +6,7 @@ use num_traits::Zero;
 use serde::Serialize;
 
 use super::{
-    Jet, Verdict, admissible,
+    Jet, Units, Verdict, admissible,
     equations::Equations,
     krawczyk::{self, Preconditioner, Search},
     linear::Linear,
@@ -47,9 +47,11 @@ pub enum Stability {
 pub struct ProvedOrbit {
     /// The pattern.
     pub impacts: Vec<ExpectedImpact>,
-    /// The middle of the box, t_1, …, t_m, V_1, …, V_m.
+    /// In what the box is: its phases are in radians.
+    pub units: Units,
+    /// The middle of the box, t_1, …, t_m, V_1, …, V_m, in these units.
     pub centre: Vec<BigRational>,
-    /// Half the side of the box in which the orbit is the only one with its pattern.
+    /// Half the side of the box in which the orbit is the only one with its pattern, in these units.
     pub radius: BigRational,
     /// t_i, enclosed.
     pub phases: Vec<Ball>,
@@ -61,6 +63,8 @@ pub struct ProvedOrbit {
     pub determinant: Ball,
     /// Where its eigenvalues are, if the enclosures tell.
     pub stability: Option<Stability>,
+    /// Phases and velocities in these units.
+    pub(super) found: Vec<Ball>,
     /// The matrix that Krawczyk's test used.
     pub(super) inverse: Preconditioner,
     /// The pieces of time by which each flight was proved.
@@ -78,21 +82,25 @@ pub fn orbit(
     guess: &[ExpectedImpact],
     precision: &Precision,
 ) -> Result<Verdict<ProvedOrbit>> {
-    let linear = Linear::exact(system, precision)?;
-    let equations = equations(&linear, guess)?;
+    let units = Units::of(system, guess.iter().map(|impact| impact.side));
+    let (linear, near) =
+        (Linear::exact(&units.scaled(system.clone(), &()), precision)?, units.impacts(guess));
+    let equations = equations(&linear, &near)?;
     let map = |unknowns: &[Jet]| equations.residual(unknowns);
-    Search::run(&map, &start(guess), precision)?.and_then(|search| {
+    Search::run(&map, &start(&near), precision)?.and_then(|search| {
         let unknowns: Vec<Jet> = search.found.iter().cloned().map(Jet::constant).collect();
         let pieces = admitted(&equations, &unknowns, None, &search)?;
         pieces.and_then(|pieces| {
             let (trace, determinant) = equations.multipliers(&unknowns)?;
             let (trace, determinant) = (trace.value, determinant.value);
-            let Search { centre, radius, inverse, found: mut phases } = search;
-            let velocities = phases.split_off(guess.len());
+            let Search { centre, radius, inverse, found } = search;
+            let mut phases = found.clone();
+            let velocities = units.own(phases.split_off(guess.len()), precision);
             let stability = stability(&trace, &determinant, precision);
             let impacts = guess.to_vec();
             Ok(Verdict::Proved(ProvedOrbit {
                 impacts,
+                units,
                 centre,
                 radius,
                 phases,
@@ -100,6 +108,7 @@ pub fn orbit(
                 trace,
                 determinant,
                 stability,
+                found,
                 inverse,
                 pieces,
             }))

@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
-use super::{Condition, ProvedEvent, ProvedFreeMotion, ProvedOrbit, Quotient, Stability, krawczyk};
+use super::{Condition, ProvedEvent, ProvedFreeMotion, ProvedOrbit, Quotient, Stability, Units, krawczyk};
 use crate::{
     certificate::{
         self, event,
@@ -35,9 +35,10 @@ const FARTHEST: u32 = 26;
 pub fn certificate(system: &motion::System<BigRational>, orbit: &ProvedOrbit) -> Result<String> {
     // Version 1 names coefficients exactly; where one is too long for it, version 2 holds all of them in
     // intervals.
-    match converted(system, &fraction) {
+    let (units, system) = (orbit.units, orbit.units.scaled(system.clone(), &()));
+    match converted(units, &system, &fraction) {
         Ok(system) => accepted(system, orbit),
-        Err(_) => accepted(converted(system, &range)?, orbit),
+        Err(_) => accepted(converted(units, &system, &range)?, orbit),
     }
 }
 
@@ -46,13 +47,14 @@ pub fn certificate(system: &motion::System<BigRational>, orbit: &ProvedOrbit) ->
 /// The smaller box is narrower than the slowest impact by 10⁴, and its middle has six decimals more.
 fn accepted<C: certificate::orbit::Version>(system: System<C>, orbit: &ProvedOrbit) -> Result<String> {
     // |V| ≥ 2^(e−1), e ≤ 0.
-    let slowest = orbit.velocities.iter().filter_map(Ball::least_exponent).min().unwrap_or(0).min(0);
+    let velocities = &orbit.found[orbit.impacts.len()..];
+    let slowest = velocities.iter().filter_map(Ball::least_exponent).min().unwrap_or(0).min(0);
     let decimals = ((1 - slowest) as f64 * std::f64::consts::LOG10_2).ceil() as u32 + 4;
     let (centre, within) = if decimals <= NEAR {
         (orbit.centre.clone(), krawczyk::near())
     } else {
         let decimals = decimals.min(FARTHEST);
-        let found = orbit.phases.iter().chain(&orbit.velocities).filter_map(krawczyk::middle);
+        let found = orbit.found.iter().filter_map(krawczyk::middle);
         let tenth = BigRational::new(1.into(), num_traits::pow(BigInt::from(10), decimals as usize));
         (found.map(|x| krawczyk::rounded(&x, decimals + 6)).collect(), tenth)
     };
@@ -84,8 +86,8 @@ fn accepted<C: certificate::orbit::Version>(system: System<C>, orbit: &ProvedOrb
 /// An input error: a coefficient of 2³⁰ or more, or that the checker does not accept it.
 pub fn free_certificate(system: &motion::System<BigRational>, motion: &ProvedFreeMotion) -> Result<String> {
     let pieces = motion.pieces.iter().map(decimal).collect::<Result<_>>()?;
-    let certificate =
-        FreeCertificate { system: converted(system, &range)?, claim: claim(motion.stability), pieces };
+    let system = converted(motion.units, &motion.units.scaled(system.clone(), &()), &range)?;
+    let certificate = FreeCertificate { system, claim: claim(motion.stability), pieces };
     let text = certificate.to_string();
     let refused = |why| Err(Error::input(format!("the checker does not accept this motion: {why}")));
     refusal(&text).map_or(Ok(text), refused)
@@ -111,10 +113,11 @@ pub fn event_certificate(
     name: &str,
     event: &ProvedEvent,
 ) -> Result<(String, [String; 2])> {
-    match converted(system, &quotient) {
+    let (units, system) = (event.units, event.units.function(system));
+    match converted(units, &system, &quotient) {
         // Only version 2 knows orbits without impacts.
         Ok(system) if !event.impacts.is_empty() => accepted_event(system, name, event),
-        Ok(_) | Err(_) => accepted_event(converted(system, &range_quotient)?, name, event),
+        Ok(_) | Err(_) => accepted_event(converted(units, &system, &range_quotient)?, name, event),
     }
 }
 
@@ -158,7 +161,7 @@ fn accepted_event<C: event::Version + Clone>(
                     break;
                 }
             }
-            let ends = certificate.interval().map(|ends| ends.map(|end| end.to_string()));
+            let ends = certificate.interval().map(|ends| ends.map(|end| event.units.said(end)));
             let ends = ends.ok_or_else(|| Error::input("the parameter has too many digits"))?;
             return Ok((certificate.to_string(), ends));
         };
@@ -195,8 +198,9 @@ pub(super) fn side(side: motion::Side) -> Side {
     }
 }
 
-/// A linear system with its coefficients as the checker reads them.
+/// A linear system in these units with its coefficients as the checker reads them.
 pub(super) fn converted<T, C>(
+    units: Units,
     system: &motion::System<T>,
     convert: &dyn Fn(&T) -> Result<C>,
 ) -> Result<System<C>> {
@@ -214,6 +218,7 @@ pub(super) fn converted<T, C>(
         })
     };
     Ok(System {
+        units: units.listed(),
         damping: convert(&system.damping)?,
         stiffness: convert(&system.stiffness)?,
         force: convert(&system.force)?,

@@ -364,7 +364,9 @@ impl Reader<'_> {
             {
                 self.word(name, &Value::from("undecided"), cells);
             }
-            ("validate", name) if OF_CERTIFICATES.contains(&name) => {}
+            ("validate" | "branch", name) if OF_CERTIFICATES.contains(&name) => {}
+            // Why a proof of a part of a branch goes no further tells of the checker's boxes.
+            ("branch", "reason") if row.get("verdict").is_some() => {}
             ("validate", "phases" | "speeds" | "solution") => self.enclosed(name, value, cells),
             ("validate", "trace" | "det" | "parameter") | (_, "entropy") => {
                 let number = value.as_str().and_then(|digits| digits.parse::<f64>().ok());

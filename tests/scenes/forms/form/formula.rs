@@ -2,7 +2,7 @@
 
 use toml::{Table, Value};
 
-use super::{Form, Level, form, is_integrated, system, tasks};
+use super::{Form, Level, form, is_integrated, system, tasks, without_prove};
 use crate::forms::scene::{brief, coordinates, is_machine, text};
 
 /// The keys of an oscillator as one formula, its first term with `stiffness` in place of q.
@@ -52,6 +52,8 @@ fn without_proofs(form: &mut Form) {
     form.without.extend(["validate", "chaos"]);
     tasks(&mut form.scene)
         .retain(|task| !["validate", "chaos"].contains(&task["kind"].as_str().unwrap_or("")));
+    without_prove(&mut form.scene);
+    form.other.push("proofs");
 }
 
 /// The sum of squares of sine and cosine is no linear term.

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use toml::{Table, Value};
 
-use super::{Form, Level, form, is_integrated, number, system, tasks};
+use super::{Form, Level, form, is_integrated, is_over_a_range, number, system, tasks, without_prove};
 use crate::forms::{
     report::Texts,
     scene::{coordinates, is_machine, list, renamed, text},
@@ -55,9 +55,11 @@ pub(super) fn machine(base: &Table) -> Option<Form> {
         let kind = task["kind"].as_str().unwrap_or("");
         let refused = ["map", "crisis", "chaos"].contains(&kind)
             || kind == "validate" && task.get("event").is_some()
+            || is_over_a_range(task)
             || kind == "grazing" && impacting(task);
         !refused && (kind == "branch" || !framed(task))
     });
+    without_prove(scene);
     for task in list(scene, "tasks") {
         let kind = task["kind"].as_str()?.to_string();
         if ["section", "diagram", "basins"].contains(&&*kind) {
@@ -89,7 +91,7 @@ pub(super) fn machine(base: &Table) -> Option<Form> {
     form.texts = Texts::Presence;
     form.common = true;
     form.without.push("machine");
-    form.other.extend(["coefficient", "effects", "extent", "half"]);
+    form.other.extend(["coefficient", "effects", "extent", "half", "proofs"]);
     if is_integrated(base) {
         form.other.push("criticality");
     }

@@ -18,7 +18,7 @@ use toml::{Table, Value};
 
 use super::{
     report::{Texts, View},
-    scene::{is_formula, text},
+    scene::{self, is_formula, text},
 };
 
 pub use changed::changed;
@@ -57,7 +57,7 @@ pub struct Form {
 }
 
 /// Tasks that a form has not, and why: printed with every run.
-pub const BY_DESIGN: [(&str, &str, &str); 28] = [
+pub const BY_DESIGN: [(&str, &str, &str); 30] = [
     ("machine of formulas", "criticality", "no normal form is computed through formulas of machines"),
     ("machine of formulas", "what a record's residual could move", "it is told of linear machines"),
     ("machine", "columns that one format has", "each is compared between forms of its own format"),
@@ -76,6 +76,12 @@ pub const BY_DESIGN: [(&str, &str, &str); 28] = [
     ("machine", "map crisis chaos", "tasks of format 1 only"),
     ("a stop that is never met", "chaos without `to`", "some value of the parameter reaches any stop"),
     ("machine", "validate with event", "bifurcations of machines are not proved"),
+    ("machine", "validate and branch over ranges of a parameter", "they are proved of format 1"),
+    (
+        "hidden, machine of formulas",
+        "what is proved of branches",
+        "proofs are for linear systems by their keys",
+    ),
     ("machine", "grazing of an orbit with impacts", "machines graze from the motion without impacts"),
     ("machine", "a frame", "planes of machines have gaps in its place"),
     ("hidden, machine of formulas", "validate chaos", "proofs are for linear systems by their keys"),
@@ -160,10 +166,25 @@ pub fn only(scene: &Table, task: &str) -> Table {
     scene
 }
 
-/// The scene without tasks of a kind.
-pub fn without_kind(scene: &Table, kind: &str) -> Table {
+/// Whether a task proves an orbit over a range of a parameter.
+fn is_over_a_range(task: &Value) -> bool {
+    task["kind"].as_str() == Some("validate")
+        && task.get("parameter").is_some()
+        && task.get("event").is_none()
+}
+
+/// Branches without what is proved of them.
+fn without_prove(scene: &mut Table) {
+    for task in scene::list(scene, "tasks").filter(|task| task["kind"].as_str() == Some("branch")) {
+        task.remove("prove");
+    }
+}
+
+/// The scene without proofs of chaos and those over ranges of a parameter.
+pub fn without_ranges(scene: &Table) -> Table {
     let mut scene = scene.clone();
-    tasks(&mut scene).retain(|one| one["kind"].as_str() != Some(kind));
+    tasks(&mut scene).retain(|one| one["kind"].as_str() != Some("chaos") && !is_over_a_range(one));
+    without_prove(&mut scene);
     scene
 }
 
