@@ -17,6 +17,7 @@ use num_traits::One;
 
 use super::{
     expansion::{Expansion, F, float, hull, most, short, whole},
+    oscillator::{self, Functions},
     parameters::{Coordinates, ParameterBox, is_flat},
 };
 use crate::{
@@ -31,7 +32,7 @@ pub(super) const LONGEST: u64 = 512;
 /// The same on rectangles of (a₁, a₂).
 const PLANE_LONGEST: u64 = 96;
 
-const BITS: u32 = 96;
+pub(super) const BITS: u32 = 96;
 
 /// A box whose words are asked for on the whole of it.
 #[derive(Debug)]
@@ -43,8 +44,9 @@ pub(super) struct Cell {
     axis: Kept<usize>,
 }
 
+/// What is known of the image of a cell.
 #[derive(Debug)]
-enum Image {
+pub(super) enum Image {
     /// Complex eigenvalues, or those that border on them.
     Polar {
         turn: Turn,
@@ -70,8 +72,9 @@ pub(super) struct Turn {
 impl Cell {
     pub fn new(of: &ParameterBox) -> Cell {
         let wider = usize::from(is_flat(&of.bounds[0]));
-        let (image, gamma) = match of.coordinates {
+        let (image, gamma) = match &of.coordinates {
             Coordinates::Machine => machine(&of.bounds),
+            Coordinates::Oscillator(Functions(functions)) => oscillator::image(&**functions, &of.bounds),
             Coordinates::Polar => (polar(&of.bounds), None),
             Coordinates::Plane => {
                 let [a1, a2] = of.bounds.clone();
@@ -223,7 +226,7 @@ impl Cell {
 }
 
 /// An image of which nothing is known.
-fn nothing(axis: usize) -> Image {
+pub(super) fn nothing(axis: usize) -> Image {
     let s = F::from_bounds(0.0, 0.5);
     Image::Polar { turn: Turn { s, at_zero: true, at_half: true, axis }, expansion: None }
 }
@@ -241,7 +244,7 @@ impl Turn {
 }
 
 /// The half width, rounded up, and the middle.
-fn half_and_middle(bounds: &[[BigRational; 2]; 2]) -> [(F, BigRational); 2] {
+pub(super) fn half_and_middle(bounds: &[[BigRational; 2]; 2]) -> [(F, BigRational); 2] {
     let two = BigRational::from_integer(2.into());
     bounds.each_ref().map(|[lower, upper]| (most(float(&((upper - lower) / &two))), (lower + upper) / &two))
 }
@@ -280,17 +283,9 @@ fn machine(bounds: &[[BigRational; 2]; 2]) -> (Image, Option<bool>) {
     if real_too || !inside {
         // γ > 0 up to half a turn, and where the eigenvalues are real.
         let gamma = (real_too && x.hi() < 1.0).then_some(true);
-        let axis = usize::from(real_too);
-        return (at_border(x, band, axis), gamma);
+        return (at_border(x, band, real_too, usize::from(real_too)), gamma);
     }
-    let odd = band % 2.0 == 1.0;
     let two_pi = short(&Ball::pi(&precision)) * &F::integer(2, &());
-    let half = F::from_bounds(0.5, 0.5);
-    let s = if odd {
-        F::from_bounds((band + 1.0) / 2.0, (band + 1.0) / 2.0) - &(half * &x)
-    } else {
-        half * &x - &F::from_bounds(band / 2.0, band / 2.0)
-    };
     let decay = |ratio: &BigRational, damping: &BigRational| {
         (-(Ball::pi(&precision) * &exact(&(ratio * damping * BigRational::from_integer(2.into())))))
             .exp(&precision)
@@ -299,24 +294,56 @@ fn machine(bounds: &[[BigRational; 2]; 2]) -> (Image, Option<bool>) {
     let zeta = hull(float(least_damping), float(most_damping));
     let kappas = hull(short(&least_kappa), short(&most_kappa));
     let turned = two_pi * &float(&ratio);
-    let sign = F::integer(if odd { -1 } else { 1 }, &());
-    let slope = [
-        [-(two_pi * &zeta * &radius), sign * &two_pi * &kappas],
-        [-(turned * &radius), -(sign * &turned * &zeta / &kappas)],
-    ];
+    let slope =
+        [[-(two_pi * &zeta * &radius), two_pi * &kappas], [-(turned * &radius), -(turned * &zeta / &kappas)]];
     let angle = Ball::pi(&precision) * &exact(&(&ratio + &ratio)) * &kappa(&damping);
-    let (sine, cosine) = angle.sin_cos(&precision);
-    let sine = if odd { -sine } else { sine };
-    let at = [short(&sine), short(&cosine), short(&decay(&ratio, &damping))];
-    let expansion = Expansion::new([h0, h1], slope, at, most(radius));
+    let at = At { angle, radius: decay(&ratio, &damping) };
     let part = |i: usize| (most(slope[i][1]) * if i == 0 { &h0 } else { &h1 }).hi();
-    let turn = Turn { s, at_zero: false, at_half: false, axis: usize::from(part(1) > part(0)) };
+    let axis = usize::from(part(1) > part(0));
+    complex([h0, h1], x, band, slope, &at, radius, axis)
+}
+
+/// The middle of a cell.
+pub(super) struct At {
+    /// 2πσ.
+    pub angle: Ball,
+    /// r.
+    pub radius: Ball,
+}
+
+/// A cell that lies between one multiple of ½ of σ and the next: σ in half turns, the lower multiple, the
+/// slopes of r and of 2πσ in each parameter, the middle, r anywhere, and the parameter that σ varies with
+/// most; and whether γ > 0.
+pub(super) fn complex(
+    half: [F; 2],
+    half_turns: F,
+    band: f64,
+    mut slope: [[F; 2]; 2],
+    at: &At,
+    radius: F,
+    axis: usize,
+) -> (Image, Option<bool>) {
+    let odd = band % 2.0 == 1.0;
+    let by_half = F::from_bounds(0.5, 0.5) * &half_turns;
+    let s = if odd {
+        F::from_bounds((band + 1.0) / 2.0, (band + 1.0) / 2.0) - &by_half
+    } else {
+        by_half - &F::from_bounds(band / 2.0, band / 2.0)
+    };
+    let (sine, cosine) = at.angle.sin_cos(&Precision::new(BITS));
+    let sine = if odd { -sine } else { sine };
+    if odd {
+        slope.iter_mut().for_each(|[_, angle]| *angle = -*angle);
+    }
+    let at = [short(&sine), short(&cosine), short(&at.radius)];
+    let expansion = Expansion::new(half, slope, at, most(radius));
+    let turn = Turn { s, at_zero: false, at_half: false, axis };
     (Image::Polar { turn, expansion: Some(Box::new(expansion)) }, Some(!odd))
 }
 
 /// Where σ may be a multiple of ½: between one multiple, or region 2, and as far as it reaches.
-fn at_border(x: F, band: f64, axis: usize) -> Image {
-    if axis == 1 {
+pub(super) fn at_border(x: F, band: f64, real_too: bool, axis: usize) -> Image {
+    if real_too {
         if x.hi() >= 1.0 {
             return nothing(axis);
         }

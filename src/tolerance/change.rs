@@ -90,7 +90,7 @@ impl Excursion {
         if (0..2).any(|i| from[i] < of.bounds[i][0] || of.bounds[i][1] < from[i]) {
             return Err(Error::input(format!("the point {}, {} is not in the box", from[0], from[1])));
         }
-        let cell = |bounds| ParameterBox { coordinates: of.coordinates, bounds };
+        let cell = |bounds| ParameterBox { coordinates: of.coordinates.clone(), bounds };
         let at = |i: usize| [from[i].clone(), from[i].clone()];
         let end = of.reach(axis, &from[axis])[usize::from(rises)].clone();
         let along = if rises { [from[axis].clone(), end.clone()] } else { [end.clone(), from[axis].clone()] };
@@ -222,16 +222,19 @@ impl Excursion {
 
 impl ParameterBox {
     /// How far an [`Excursion`] leads from a value of one parameter, down and up: to half of it and twice it
-    /// within the theory's bounds, of the damping ratio from 0 to 0.99, and by 1 of a₁.
+    /// within the theory's bounds, of the damping ratio from 0 to 0.99, and by 1 of a₁; where damping and
+    /// stiffness are functions, to the ends of the box.
     pub fn reach(&self, axis: usize, from: &BigRational) -> [BigRational; 2] {
         let q = |p: i64, d: i64| BigRational::new(p.into(), d.into());
         let (half, twice) = (from * q(1, 2), from * q(2, 1));
-        match (self.coordinates, axis) {
+        match (&self.coordinates, axis) {
             (Coordinates::Machine, 1) if *from < q(99, 100) => [BigRational::zero(), q(99, 100)],
             (Coordinates::Machine, _) => [half, twice.min(q(1000, 1))],
             (Coordinates::Polar, 1) => [half, twice.min((from + q(1, 2)) * q(1, 2))],
             (Coordinates::Plane, 0) => [from - q(1, 1), from + q(1, 1)],
             (Coordinates::Polar | Coordinates::Plane, _) => [half, twice.min(q(1, 1))],
+            // What lies beyond the box was not looked at.
+            (Coordinates::Oscillator(_), _) => self.bounds[axis].clone(),
         }
     }
 }

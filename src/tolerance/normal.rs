@@ -46,7 +46,7 @@ impl ParameterBox {
     /// distribution, and the box of [`DEVIATIONS`] of them, as far as the theory goes.
     ///
     /// # Errors
-    /// An input error if the box is a point.
+    /// An input error if the box is a point, or one whose damping and stiffness are functions.
     pub fn normal(&self) -> Result<(NormalParameters, ParameterBox)> {
         if self.is_point() {
             return Err(Error::input("a distribution needs a deviation: write X±Y"));
@@ -59,7 +59,10 @@ impl ParameterBox {
             let by = &deviation[i] * &far;
             [&middle[i] - &by, &middle[i] + &by]
         });
-        let (top, bottom) = match self.coordinates {
+        let (top, bottom) = match &self.coordinates {
+            Coordinates::Oscillator(_) => {
+                return Err(Error::input("beyond the box it is not known what damping and stiffness are"));
+            }
             Coordinates::Machine => ([Some(q(1000, 1)), Some(q(1000, 1))], [false, true]),
             Coordinates::Polar => ([Some(q(1, 1)), None], [false, false]),
             Coordinates::Plane => ([None, Some(q(1, 1))], [true, false]),
@@ -84,7 +87,7 @@ impl ParameterBox {
                 *upper = &half - (&half - &self.bounds[1][1]) * q(1, 64);
             }
         }
-        let wide = ParameterBox { coordinates: self.coordinates, bounds };
+        let wide = ParameterBox { coordinates: self.coordinates.clone(), bounds };
         let [m0, m1] = middle;
         let [d0, d1] = deviation;
         Ok((NormalParameters { parameters: [[m0, d0], [m1, d1]], known: RefCell::default() }, wide))

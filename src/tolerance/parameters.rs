@@ -1,12 +1,12 @@
 //! Boxes of parameters, checked once.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero, pow};
+use num_traits::{One, Signed, ToPrimitive, Zero, pow};
 
-use super::tube::Tube;
+use super::{oscillator::Functions, tube::Tube};
 use crate::{
     error::{Error, Result},
     monitor::Monitor,
@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// What the two parameters of a box are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Coordinates {
     /// Natural frequency over that of the drive, and damping ratio.
     Machine,
@@ -22,6 +22,8 @@ pub(super) enum Coordinates {
     Polar,
     /// a₁ and a₂.
     Plane,
+    /// Two of which damping and stiffness are functions.
+    Oscillator(Functions),
 }
 
 /// All points with two parameters between bounds, both included.
@@ -92,7 +94,7 @@ impl ParameterBox {
         ParameterBox::ordered(Coordinates::Plane, [a1, a2])
     }
 
-    fn ordered(coordinates: Coordinates, bounds: [[BigRational; 2]; 2]) -> Result<ParameterBox> {
+    pub(super) fn ordered(coordinates: Coordinates, bounds: [[BigRational; 2]; 2]) -> Result<ParameterBox> {
         for [lower, upper] in &bounds {
             if lower > upper {
                 return Err(Error::input(format!("from {lower} to {upper}: the lower end comes first")));
@@ -106,11 +108,20 @@ impl ParameterBox {
         &self.bounds
     }
 
-    /// a₁ and a₂ where the parameters have these values, in floats: for pictures.
+    /// a₁ and a₂ where the parameters have these values, in floats: for pictures. NaN where damping or
+    /// stiffness are not defined.
     pub fn in_plane(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        match self.coordinates {
+        match &self.coordinates {
             Coordinates::Plane => [x, y],
             Coordinates::Polar => [2.0 * x * (TAU * y).cos(), x * x],
+            Coordinates::Oscillator(Functions(of)) => {
+                let point = BigRational::from_float(x).zip(BigRational::from_float(y));
+                let found = point.and_then(|(x, y)| of.at(&[x, y]).ok());
+                let [c, k] = found.map_or([f64::NAN; 2], |both| both.map(|x| x.to_f64().unwrap_or(f64::NAN)));
+                let (decay, square) = ((-c * PI).exp(), k - 0.25 * c * c);
+                let swing = TAU * square.abs().sqrt();
+                [2.0 * decay * if square > 0.0 { swing.cos() } else { swing.cosh() }, decay * decay]
+            }
             Coordinates::Machine => {
                 let (decay, swing) = (TAU * x * y, TAU * x * (1.0 - y * y).abs().sqrt());
                 let a1 = match y < 1.0 {
@@ -177,7 +188,7 @@ impl ParameterBox {
 
     /// Whether γ is a function of the parameters.
     pub fn has_gamma(&self) -> bool {
-        self.coordinates == Coordinates::Machine
+        matches!(self.coordinates, Coordinates::Machine | Coordinates::Oscillator(_))
     }
 }
 

@@ -328,6 +328,24 @@ impl Leaf {
         !self.is_gamma_open() && self.words.iter().all(Word::is_whole)
     }
 
+    /// What is not certain on it, in words, `side` being what a sign of eµ is called; none if all is.
+    pub fn why_open(&self, side: impl Fn(bool) -> &'static str) -> Option<String> {
+        if self.is_gamma_open() {
+            return Some("gamma may be 0".into());
+        }
+        let sides = [true, false].into_iter().filter(|&positive| !self.word(positive).is_whole());
+        let why = sides.map(|positive| {
+            let why = match self.word(positive).extent() {
+                Extent::Straddled { next } => format!("whether period {next} occurs"),
+                Extent::Cut => "how a long word goes on".into(),
+                _ => "where the theory is silent".into(),
+            };
+            format!("{why}, {}", side(positive))
+        });
+        let all = why.collect::<Vec<_>>().join("; ");
+        (!all.is_empty()).then_some(all)
+    }
+
     fn is_chaos_open(&self) -> bool {
         let open = |statement| self.holds(statement).is_none();
         if self.cell.has_gamma() {

@@ -98,6 +98,42 @@ pub enum Extent {
     Line,
 }
 
+impl Extent {
+    /// Why a word ends, in words.
+    pub fn in_words(self) -> String {
+        match self {
+            Extent::All => "every period occurs, with this letter".into(),
+            Extent::Complete { next: Some(n) } => {
+                format!("no other period occurs: on the path {n} is the first that does not")
+            }
+            Extent::Complete { next: None } => "no other period occurs".into(),
+            Extent::Boundary { next, deciding: Some(_) } => {
+                format!(
+                    "the point lies on the boundary of period {next}: one b_{{n,k}} = 0 there, and no later period occurs"
+                )
+            }
+            Extent::Boundary { next, deciding: None } => {
+                format!("u_{next} = 0 at this point, where Theorem 1 is silent; no later period occurs")
+            }
+            Extent::Undecided { next, rung } => {
+                format!(
+                    "undecided: whether period {next} occurs (highest precision tried: {rung}); there may be more"
+                )
+            }
+            Extent::Straddled { next } => format!(
+                "undecided: whether period {next} occurs may differ between points of the box; there may be more"
+            ),
+            Extent::Cut => "the limit on letters is reached: there may be more".into(),
+            Extent::Odd => {
+                "every odd period occurs, with the letter D, and so does 2; every other even period has a \
+                            b_{n,k} = 0, where Theorem 1 is silent"
+                    .into()
+            }
+            Extent::Line => "on this line every c_n and every b_{n,k} is zero: Theorem 1 is silent".into(),
+        }
+    }
+}
+
 /// The periods that can occur between impacts at a point with 0 < a₂ ≤ 1, for one sign of eµ, in path order.
 ///
 /// For eµ > 0 these are the n with u_n ≠ 0 and every b_{n,k} > 0, for eµ < 0 those with every b_{n,k} < 0; n

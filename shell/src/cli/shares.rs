@@ -24,7 +24,7 @@ use crate::{
         CaseSigns, DEVIATIONS, LAST_PERIOD, Leaf, MOST_CELLS, NormalParameters, ParameterBox, Partition,
         Share, Spread, Subject, SubjectVerdict,
     },
-    word::{Extent, Word},
+    word::Word,
 };
 
 /// How many words of one sign of eµ the text lists.
@@ -305,19 +305,7 @@ fn of_cell(bounds: &Bounds, leaf: &Leaf) -> Bounds {
 
 /// What is not certain on a cell.
 fn why_open(leaf: &Leaf) -> String {
-    if leaf.is_gamma_open() {
-        return "gamma may be 0".into();
-    }
-    let sides = [true, false].into_iter().filter(|&positive| !leaf.word(positive).is_whole());
-    let why = sides.map(|positive| {
-        let why = match leaf.word(positive).extent() {
-            Extent::Straddled { next } => format!("whether period {next} occurs"),
-            Extent::Cut => "how a long word goes on".into(),
-            _ => "where the theory is silent".into(),
-        };
-        format!("{why}, e*mu {} 0", if positive { '>' } else { '<' })
-    });
-    why.collect::<Vec<_>>().join("; ")
+    leaf.why_open(|positive| if positive { "e*mu > 0" } else { "e*mu < 0" }).unwrap_or_default()
 }
 
 fn listed(word: &Word) -> String {

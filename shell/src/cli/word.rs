@@ -430,40 +430,6 @@ fn sign(positive: bool) -> &'static str {
     if positive { ">" } else { "<" }
 }
 
-/// Why a word ends, in words.
-fn end(extent: Extent) -> String {
-    match extent {
-        Extent::All => "every period occurs, with this letter".into(),
-        Extent::Complete { next: Some(n) } => {
-            format!("no other period occurs: on the path {n} is the first that does not")
-        }
-        Extent::Complete { next: None } => "no other period occurs".into(),
-        Extent::Boundary { next, deciding: Some(_) } => {
-            format!(
-                "the point lies on the boundary of period {next}: one b_{{n,k}} = 0 there, and no later period occurs"
-            )
-        }
-        Extent::Boundary { next, deciding: None } => {
-            format!("u_{next} = 0 at this point, where Theorem 1 is silent; no later period occurs")
-        }
-        Extent::Undecided { next, rung } => {
-            format!(
-                "undecided: whether period {next} occurs (highest precision tried: {rung}); there may be more"
-            )
-        }
-        Extent::Straddled { next } => format!(
-            "undecided: whether period {next} occurs may differ between points of the box; there may be more"
-        ),
-        Extent::Cut => "the limit on letters is reached: there may be more".into(),
-        Extent::Odd => {
-            "every odd period occurs, with the letter D, and so does 2; every other even period has a \
-                        b_{n,k} = 0, where Theorem 1 is silent"
-                .into()
-        }
-        Extent::Line => "on this line every c_n and every b_{n,k} is zero: Theorem 1 is silent".into(),
-    }
-}
-
 fn digits(entropy: &Entropy) -> Option<String> {
     let (lo, hi) = entropy.bounds()?;
     Some(certain_digits(&lo, &hi, 15).unwrap_or_else(|| "0".into()))
@@ -483,7 +449,7 @@ fn text(heading: &str, sides: &[Side], certificate: Option<&Path>) -> String {
             }
             text += "\n";
         }
-        let _ = writeln!(text, "  {}", end(side.word.extent()));
+        let _ = writeln!(text, "  {}", side.word.extent().in_words());
         for case in &side.cases {
             let _ = writeln!(text, "  case {}:", case.relation.case());
             if side.word.extent() == Extent::All {
@@ -579,7 +545,7 @@ fn json_report(given: &Given, sides: &[Side], certificate: Option<&Path>, out: &
                     .iter()
                     .map(|vertex| format!("{}/{}", vertex.numerator, vertex.period))
                     .collect::<Vec<_>>(),
-                "end": { "kind": kind, "next": next, "detail": end(side.word.extent()) },
+                "end": { "kind": kind, "next": next, "detail": side.word.extent().in_words() },
                 "cases": side.cases.iter().map(json_case).collect::<Vec<_>>(),
             })
         })
