@@ -151,7 +151,8 @@ const FILES: [(&str, &str); 2] = [
     (
         "scene",
         "dual expression format keys restitution force matrix measured walls system machine oscillator simulate \
-         orbits sections branches validate chaos task scene values normal check input upgrade family reference",
+         tolerance orbits sections branches validate chaos task scene values normal tolerated check input upgrade \
+         family reference",
     ),
     (
         "attractor",

@@ -11,6 +11,7 @@ use super::{
     range::{RangeRow, SideRange},
     row,
     seen::{self, SeenRow},
+    tolerance::{self, ToleranceReport},
 };
 use crate::{
     attractor::diagram::Look,
@@ -170,6 +171,10 @@ pub struct GrazingReport {
     pub range: Option<Vec<RangeRow>>,
     /// Why no range was looked for, though it was asked for.
     pub range_open: Option<String>,
+    /// What is born of all machines that the task's tolerances allow; absent if it has none.
+    pub tolerance: Option<ToleranceReport>,
+    /// Why that is not told, though there are tolerances.
+    pub tolerance_open: Option<String>,
     /// The certificates of ranges: file and text.
     #[serde(skip)]
     pub certificates: Vec<(String, String)>,
@@ -273,16 +278,25 @@ impl GrazingReport {
         }
     }
 
+    /// How what was asked of tolerances ended.
+    fn tolerance_status(&self) -> Status {
+        match &self.tolerance_open {
+            Some(why) => Status::undecided(format!("nothing is told of the tolerances: {why}")),
+            None => self.tolerance.as_ref().map_or(Status::Done, ToleranceReport::status),
+        }
+    }
+
     fn status(&self) -> Status {
         match (&self.at.open, self.undecided) {
             (Some(reason), _) => Status::undecided(reason.clone()),
             (None, 0) if self.at.admissible == Judgement::No => {
                 Status::undecided("the orbit that grazes is not one: what is born there is not decided")
             }
-            (None, 0) => match (self.proofs.as_ref().map(AttractorProofs::status), self.range_status()) {
-                (Some(Status::Done) | None, range) => range,
-                (Some(proofs), _) => proofs,
-            },
+            (None, 0) => {
+                let proofs = self.proofs.as_ref().map_or(Status::Done, AttractorProofs::status);
+                let all = [proofs, self.range_status(), self.tolerance_status()];
+                all.into_iter().find(|status| *status != Status::Done).unwrap_or(Status::Done)
+            }
             (None, open) => Status::undecided(format!("{open} patterns are open; the table has the reasons")),
         }
     }
@@ -310,6 +324,12 @@ impl GrazingReport {
         }
         if let Some(why) = &self.range_open {
             lines.say("range", format!("none: {why}"));
+        }
+        if let Some(tolerance) = &self.tolerance {
+            tolerance.lines(lines);
+        }
+        if let Some(why) = &self.tolerance_open {
+            lines.say("tolerance", format!("none: {why}"));
         }
         lines.table("born", &self.born);
         if let Some(rows) = &self.seen {
@@ -377,6 +397,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
     let proofs = seen.as_ref().filter(|_| task.prove);
     let proofs = proofs.map(|seen| seen::proofs(seen, task, job, engine)).transpose()?;
     let (range, range_open, certificates) = asked_for_ranges(task, job, &point, &at)?;
+    let (tolerance, tolerance_open) = asked_for_tolerances(task, job, &point, &at)?;
     Ok(GrazingFindings::Found(Box::new(GrazingReport {
         at,
         chaos,
@@ -387,6 +408,8 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
         proofs,
         range,
         range_open,
+        tolerance,
+        tolerance_open,
         certificates,
         undecided,
     })))
@@ -435,6 +458,26 @@ fn asked_for_ranges(
     Ok(match sides {
         Ok(sides) => (Some(sides.into_iter().map(keep).collect()), None, certificates),
         Err(why) => (None, Some(why), certificates),
+    })
+}
+
+/// What is born of all machines within the tolerances, or why that is not told.
+fn asked_for_tolerances(
+    task: &GrazingTask,
+    job: &Job,
+    point: &impl GrazingPoint,
+    at: &GrazingMap,
+) -> Result<(Option<ToleranceReport>, Option<String>)> {
+    if task.tolerance.0.is_empty() {
+        return Ok((None, None));
+    }
+    let machines = match &at.open {
+        Some(_) => Err(NO_THEORY.to_string()),
+        None => point.tolerated()?,
+    };
+    Ok(match machines {
+        Ok(machines) => (Some(tolerance::told(&machines, job.monitor)?), None),
+        Err(why) => (None, Some(why)),
     })
 }
 

@@ -52,6 +52,7 @@ mod status;
 mod stretch;
 mod swept;
 mod table;
+mod tolerance;
 mod validate;
 
 use std::{path::Path, sync::Arc};
@@ -101,6 +102,7 @@ pub use swept::{HysteresisRow, JumpRow, SweepFindings, SweptRow};
 pub(crate) use table::row;
 pub use table::{Complex, Judgement, Tabular};
 pub(crate) use table::{Row, Shown};
+pub use tolerance::{ParameterValue, ToleranceReport, ToleranceSide, ToleratedParameter};
 pub(crate) use validate::validate;
 pub use validate::{ProofRow, Proved, UnprovedRow, ValidateFindings};
 

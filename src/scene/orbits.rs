@@ -9,6 +9,7 @@ use num_traits::ToPrimitive;
 use super::{
     expression::LIMIT_BITS,
     keys::{Entry, StopName, Table, Value, keys},
+    tolerance::Tolerances,
 };
 use crate::{
     continuation::{Bifurcation, Options, SearchReach},
@@ -231,6 +232,10 @@ keys! {
         prove: bool = "false",
         /// whether to prove, for either side of the touch, how far what is born there goes on
         range: RangeKey = "false",
+        /// how exactly parameters are known, as in `{ k = "2%", d = 0.01, m = [0.9, 1.1] }`: a part of the
+        /// value, up to a number, or the least and greatest value (of the task's own parameter about its
+        /// value at the touch); what is born is then told of all machines that this allows
+        tolerance: Tolerances = "{}",
     }
 }
 

@@ -14,6 +14,7 @@ use tempfile::TempDir;
 mod attractors;
 mod ranges;
 mod sweeps;
+mod tolerances;
 
 const HEAD: &str = "format = \"grazing-scene 1\"\ntitle = \"t\"\n";
 

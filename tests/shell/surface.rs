@@ -70,9 +70,10 @@ format = "grazing-scene 1"
 title = "what is seen"
 [parameters]
 F = 0.5
+s = 0.3
 [system]
 damping = "1/10"
-stiffness = "3/10"
+stiffness = "s"
 forcing = [{ cos = "F" }]
 [[walls]]
 side = "upper"
@@ -84,6 +85,7 @@ kind = "grazing"
 parameter = "F"
 max_period = 2
 prove = true
+tolerance = { s = [0.28, 0.6] }
 [[tasks]]
 name = "loads"
 kind = "diagram"

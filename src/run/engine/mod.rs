@@ -36,6 +36,7 @@ use crate::{
         branches::{BranchStart, BranchTask},
         orbits::{GrazingTask, OrbitKeys},
         simulate::{SimulateTask, Start},
+        tolerated::ToleratedMachines,
         validate::ValidateTask,
     },
     search::{
@@ -390,6 +391,12 @@ pub(crate) trait GrazingPoint {
     /// # Errors
     /// An interruption.
     fn ranges(&self, effort: RangeEffort) -> Result<std::result::Result<Vec<SideRange>, String>>;
+
+    /// The machines that the task's tolerances allow; the inner error is why these are not covered.
+    ///
+    /// # Errors
+    /// Those of the scene.
+    fn tolerated(&self) -> Result<std::result::Result<ToleratedMachines, String>>;
 
     /// The orbit of the true system near the leading-order solution of a pattern, at a parameter `away` from
     /// the bifurcation; the inner error is why none was found.

@@ -185,6 +185,7 @@ impl Checked<'_> {
         self.reach(task.reach, &task.options)?;
         self.within("max_period", task.max_period, 1, 12)?;
         self.stops()?;
+        self.scene.check_tolerances(&task.tolerance, &task.parameter, &self.key("tolerance"))?;
         if task.prove {
             if task.seen == Some(false) {
                 return self.fail("prove", "proves what is seen, which `seen = false` leaves out");

@@ -24,7 +24,7 @@ use crate::{
         simulate::Simulator,
     },
     pattern::{Analysis, Map, Numbers, Report as Verdict},
-    scene::{MachineSceneFamily, orbits::GrazingTask},
+    scene::{MachineSceneFamily, orbits::GrazingTask, tolerated::ToleratedMachines},
     search::range::RangeEffort,
 };
 
@@ -101,6 +101,10 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
 
     fn ranges(&self, _: RangeEffort) -> Result<std::result::Result<Vec<SideRange>, String>> {
         Ok(Err("ranges are proved by the engine `one` alone".into()))
+    }
+
+    fn tolerated(&self) -> Result<std::result::Result<ToleratedMachines, String>> {
+        Ok(Err("tolerances are followed by the engine `one` alone".into()))
     }
 
     fn orbit(

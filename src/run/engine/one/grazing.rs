@@ -1,5 +1,9 @@
 //! Grazing bifurcations of orbits of an oscillator, for the task `grazing`.
 
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Pow, Signed, ToPrimitive};
+
 use super::{
     super::{
         super::{Analysed, GrazingMap, Job, Judgement, MapNumbers, range::SideRange},
@@ -15,16 +19,27 @@ use crate::{
         touch::{self, Seen, Touch},
     },
     continuation::LocalMap,
-    error::Result,
+    error::{Error, Result},
     motion::State,
     one::{
         grazing::Grazing,
         orbit::{Family, find},
     },
     pattern::{Graph, Map, Report as Verdict},
-    scene::{SceneFamily, orbits::GrazingTask},
+    scene::{Expression, SceneFamily, orbits::GrazingTask, tolerated::ToleratedMachines},
     search::range::RangeEffort,
 };
+
+/// Digits of a touch about which a tolerance is.
+const DIGITS: i32 = 12;
+
+/// Rounded to so many digits.
+fn short(value: &BigRational) -> BigRational {
+    let size = value.abs().to_f64().filter(|size| *size > 0.0).map_or(0.0, f64::log10);
+    let places = DIGITS - 1 - size.floor() as i32;
+    let scale = BigRational::from_integer(BigInt::from(10).pow(places.unsigned_abs()));
+    if places >= 0 { (value * &scale).round() / scale } else { (value / &scale).round() * scale }
+}
 
 /// A grazing bifurcation of an oscillator's orbit.
 pub(crate) struct OscillatorGrazing<'f> {
@@ -43,6 +58,32 @@ impl OscillatorGrazing<'_> {
     /// The size of the motion there.
     pub fn unit(&self) -> Result<f64> {
         Ok(self.family.at(self.event.parameter)?.unit(&self.event.itinerary))
+    }
+
+    /// The machines that the task's tolerances allow, or why these are not covered.
+    pub fn machines(&self) -> Result<std::result::Result<ToleratedMachines, String>> {
+        let (itinerary, system, scene) = (&self.event.itinerary, self.job.scene.system()?, &self.job.scene);
+        let named = |expression: &Expression| {
+            let places = self.task.tolerance.0.iter().map(|(name, _)| scene.parameter(name));
+            let places = places.collect::<Result<Vec<usize>>>()?;
+            Ok::<_, Error>(expression.mentions(&|place| places.contains(&place)))
+        };
+        let not = |why: &str| Ok(Err(why.to_string()));
+        if itinerary.strikes().len() != 1 || itinerary.periods() != 1 {
+            return not(
+                "tolerances are of machines whose motion without impacts touches; another orbit does",
+            );
+        }
+        if system.lower.is_some() && system.upper.is_some() {
+            return not("tolerances are of machines with one stop; there are two");
+        }
+        if !self.job.is_linear() || named(&system.cubic)? {
+            return not("tolerances are of linear machines; here a force is a formula, or cubic");
+        }
+        let Some(value) = BigRational::from_float(self.event.parameter) else {
+            return not("the parameter at the touch is not a number");
+        };
+        scene.tolerated(&self.task.tolerance, (&self.task.parameter, &short(&value)))
     }
 }
 
@@ -104,6 +145,10 @@ impl GrazingPoint for OscillatorGrazing<'_> {
 
     fn ranges(&self, effort: RangeEffort) -> Result<std::result::Result<Vec<SideRange>, String>> {
         ranges(self, effort)
+    }
+
+    fn tolerated(&self) -> Result<std::result::Result<ToleratedMachines, String>> {
+        self.machines()
     }
 
     fn orbit(&self, periods: &[u64], verdict: &Verdict, parameter: f64, _: f64) -> Result<Result<Analysed>> {

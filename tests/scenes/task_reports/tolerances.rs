@@ -1,0 +1,315 @@
+//! Tolerances of scenes in the report of a task `grazing`: what is said of all machines against machines one
+//! by one, the same machines asked for otherwise, and every reason for which nothing is said.
+
+use grazing::{
+    internals::random::Random,
+    number::{Ball, Elementary, Precision, Real, parse_rational},
+    run::{Findings, GrazingFindings, GrazingReport, Surroundings, ToleranceReport, run},
+    scene::Scene,
+    tolerance::{ParameterBox, Partition, Spread, Statement},
+    word::{Entropy, Rectangle, Word},
+};
+use num_rational::BigRational;
+
+type Q = BigRational;
+
+fn q(text: &str) -> Q {
+    parse_rational(text).unwrap()
+}
+
+/// A machine with these parameters, damping and stiffness, the amplitude of its drive F, beside a stop at 1.
+fn text(parameters: &str, damping: &str, stiffness: &str, keys: &str) -> String {
+    format!(
+        "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nF = 0.1\n{parameters}\n[system]\n\
+         damping = \"{damping}\"\nstiffness = \"{stiffness}\"\nforcing = [{{ cos = \"F\" }}]\n\
+         [[stops]]\nside = \"upper\"\noffset = 1\nrestitution = 0.8\n[[tasks]]\nname = \"g\"\nkind = \"grazing\"\n\
+         parameter = \"F\"\nmax_period = 1\nreach = 1000\nseen = false\n{keys}\n"
+    )
+}
+
+fn found(text: &str) -> (GrazingReport, String, u8) {
+    let scene = Scene::from_toml(text, "t.toml").unwrap_or_else(|error| panic!("{error}"));
+    let report = run(&scene, Surroundings::default(), &mut ()).unwrap().remove(0);
+    let (code, shown) = (report.status.outcome().code(), report.to_string());
+    match report.findings {
+        Some(Findings::Grazing(found)) => match *found {
+            GrazingFindings::Found(found) => (*found, shown, code),
+            nothing => panic!("{nothing:?}"),
+        },
+        other => panic!("{other:?} {shown}"),
+    }
+}
+
+/// Both words at a machine: a₁, a₂ and so the words of a small rectangle; and whether γ > 0. None where even
+/// that is open.
+fn at(c: &Q, k: &Q) -> Option<([Word; 2], bool)> {
+    let precision = Precision::new(256);
+    let exact = |x: &Q| Ball::ratio(x, &precision);
+    let pi = Ball::pi(&precision);
+    let square = k - c * c / q("4");
+    let decay = (-(pi.clone() * &exact(c))).exp(&precision);
+    let (cosine, gamma) = if square > q("0") {
+        let turn = pi * &Ball::integer(2, &precision) * &exact(&square).sqrt();
+        let (sine, cosine) = turn.sin_cos(&precision);
+        (cosine, sine.sign()? == grazing::number::Sign::Positive)
+    } else {
+        let x = (pi * &Ball::integer(2, &precision) * &exact(&-square).sqrt()).exp(&precision);
+        ((x.clone() + &(Ball::integer(1, &precision) / &x)) / &Ball::integer(2, &precision), true)
+    };
+    let ends = |x: Ball| x.exact_bounds().map(|(lo, hi)| [lo, hi]);
+    let a1 = ends(Ball::integer(2, &precision) * &decay * &cosine)?;
+    let rectangle = Rectangle::new(a1, ends(decay.clone() * &decay)?).ok()?;
+    let words = [true, false].map(|positive| Word::in_rectangle(&rectangle, positive, 200, &()).unwrap());
+    words.iter().all(Word::is_whole).then_some((words, gamma))
+}
+
+/// Of one machine what is said of all of them; how often chaos is born on either side.
+fn agrees(report: &ToleranceReport, c: &Q, k: &Q, born: &mut [u64; 2]) -> bool {
+    let Some((words, gamma)) = at(c, k) else { return false };
+    assert!(report.sign_gamma.is_none_or(|sign| (sign > 0) == gamma));
+    for (i, (side, word)) in report.sides.iter().zip(&words).enumerate() {
+        let letters = word.letters();
+        assert!(letters.starts_with(&side.word), "{letters} {side:?}");
+        assert!(!side.whole || letters == side.word, "{letters} {side:?}");
+        let chaos = matches!(Entropy::of(word, gamma, 64).unwrap().0, Entropy::Positive { .. });
+        assert!(side.chaos != "everywhere" || chaos, "{c} {k} {side:?}");
+        assert!(side.chaos != "nowhere" || !chaos, "{c} {k} {side:?}");
+        born[i] += u64::from(chaos);
+    }
+    true
+}
+
+fn at_random(random: &mut Random, [lo, hi]: &[Q; 2]) -> Q {
+    lo + (hi - lo) * Q::new((random.bits() >> 32).into(), (1u64 << 32).into())
+}
+
+/// Damping and stiffness as functions of two parameters, their values and their tolerances.
+type Machine =
+    (&'static str, &'static str, [(&'static str, &'static str, &'static str); 2], fn([&Q; 2]) -> [Q; 2]);
+
+const MACHINES: [Machine; 6] = [
+    ("c", "k", [("c", "0.1", "\"20%\""), ("k", "0.3", "\"2%\"")], |[c, k]| [c.clone(), k.clone()]),
+    ("c", "k", [("c", "0.05", "\"±20 %\""), ("k", "1.5129", "0.02")], |[c, k]| [c.clone(), k.clone()]),
+    ("2*z*w", "w^2", [("z", "0.02", "\"20%\""), ("w", "1.23", "\"1%\"")], |[z, w]| {
+        [Q::from_integer(2.into()) * z * w, w * w]
+    }),
+    // Both move with the mass; the parameters in the other order than their places in a formula.
+    ("0.05/m", "s/m", [("s", "6", "\"0.1\""), ("m", "2", "[1.9, 2.05]")], |[s, m]| [q("0.05") / m, s / m]),
+    // A line of machines, whose parameter is not linear; real eigenvalues at one end.
+    ("0.4 + p^2/(1 + p)", "0.3 - p/10", [("p", "1", "[0.2, 1.5]"), ("x", "7", "1")], |[p, _]| {
+        let one = q("1");
+        [q("0.4") + p * p / (&one + p), q("0.3") - p / q("10")]
+    }),
+    // γ changes its sign with k = ¼ + c²/4.
+    ("c", "k", [("c", "0.01", "[0.01, 0.03]"), ("k", "0.262", "[0.23, 0.27]")], |[c, k]| {
+        [c.clone(), k.clone()]
+    }),
+];
+
+fn report_of((damping, stiffness, parameters, _): &Machine) -> (ToleranceReport, String, u8) {
+    let values: Vec<String> = parameters.iter().map(|(name, value, _)| format!("{name} = {value}")).collect();
+    let tolerances: Vec<String> = parameters.iter().map(|(name, _, by)| format!("{name} = {by}")).collect();
+    let keys = format!("tolerance = {{ {} }}", tolerances.join(", "));
+    let (report, shown, code) = found(&text(&values.join("\n"), damping, stiffness, &keys));
+    assert_eq!(report.tolerance_open, None);
+    (report.tolerance.unwrap(), shown, code)
+}
+
+fn bounds(report: &ToleranceReport) -> Vec<[Q; 2]> {
+    report.parameters.iter().map(|one| [q(&one.lower), q(&one.upper)]).collect()
+}
+
+/// 150 machines at random in each box, and those that are named with chaos and without.
+#[test]
+fn machines_one_by_one_do_not_contradict_what_is_said_of_all() {
+    let mut random = Random(7);
+    for machine in &MACHINES {
+        let (report, shown, code) = report_of(machine);
+        // Where γ may be 0 it is open what is born.
+        let open = report.sides.iter().any(|side| side.chaos == "open");
+        assert_eq!((code, open), if report.sign_gamma.is_none() { (3, true) } else { (0, false) }, "{shown}");
+        let (all, mut born, mut count) = (bounds(&report), [0, 0], 0);
+        for _ in 0..150 {
+            let [c, k] = machine.3([&at_random(&mut random, &all[0]), &at_random(&mut random, &all[1])]);
+            count += u64::from(agrees(&report, &c, &k, &mut born));
+        }
+        assert!(count > 145, "{count}");
+        for (side, born) in report.sides.iter().zip(born) {
+            let [least, most] =
+                side.share.each_ref().map(|end| num_traits::ToPrimitive::to_f64(&q(end)).unwrap());
+            // Four standard deviations of 150, and more.
+            let (counted, off) = (born as f64 / count as f64, 0.17);
+            assert!(least - off < counted && counted < most + off, "{side:?} {counted}");
+            assert!(least <= most && (open || most - least < 0.02), "{side:?}");
+            for (point, chaos) in [(&side.with, true), (&side.without, false)] {
+                let Some(point) = point else { continue };
+                let value = |i: usize| {
+                    let (name, value, _) = machine.2[i];
+                    let found = point.iter().find(|one| one.name == name);
+                    q(found.map_or(value, |one| &one.value))
+                };
+                let [c, k] = machine.3([&value(0), &value(1)]);
+                let (words, gamma) = at(&c, &k).unwrap();
+                let word = &words[usize::from(side.sign_emu < 0)];
+                let found = matches!(Entropy::of(word, gamma, 64).unwrap().0, Entropy::Positive { .. });
+                assert_eq!(found, chaos, "{side:?}");
+            }
+        }
+    }
+}
+
+/// The machine of docs/measured.md by its own parameters: the same shares as of frequency and damping ratio.
+#[test]
+fn a_scene_has_the_shares_of_the_same_machines_elsewhere() {
+    let (report, shown, _) = report_of(&MACHINES[2]);
+    let half = |value: &str, by: &str| [q(value) - q(by), q(value) + q(by)];
+    let of = ParameterBox::machine(half("1.23", "0.0123"), half("0.02", "0.004")).unwrap();
+    let share = Partition::new(&of, 2000, &()).unwrap().share(Statement::ChaosAt { positive: true });
+    let [least, most] = report.sides[0].share.each_ref().map(|end| q(end));
+    assert!(share.lower <= most && least <= share.upper, "{:?}", report.sides);
+    let far = q("0.01");
+    assert!(&most - &least < far && &share.upper - &share.lower < far);
+    assert_eq!((report.sides[0].chaos, report.sides[1].chaos), ("differs", "everywhere"));
+    assert_eq!(of.word(true, 100, &()).unwrap().letters(), report.sides[0].word);
+    assert_eq!(
+        Partition::new(&of, 2000, &()).unwrap().share(Statement::ChaosAt { positive: false }).spread(),
+        Spread::Everywhere
+    );
+    for line in ["0.016 <= z <= 0.024, 1.2177 <= w <= 1.2423", "beyond the touch born in all of them"] {
+        assert!(shown.split_whitespace().collect::<Vec<_>>().join(" ").contains(line), "{line}\n{shown}");
+    }
+}
+
+/// Of a box that is one machine the words are those of the task itself.
+#[test]
+fn without_width_it_is_the_machine_itself() {
+    let (report, _, code) = found(&text("c = 0.1\nk = 0.3", "c", "k", "tolerance = { c = 0, F = \"10%\" }"));
+    let tolerance = report.tolerance.unwrap();
+    let moves: Vec<(&str, bool)> =
+        tolerance.parameters.iter().map(|one| (one.name.as_str(), one.moves)).collect();
+    assert_eq!((code, moves), (0, vec![("F", false), ("c", true)]));
+    let [before, beyond] = report.chaos.as_ref().unwrap().as_slice() else { panic!("two sides") };
+    for (row, side) in [before, beyond].into_iter().zip(&tolerance.sides) {
+        assert_eq!((row.sign_emu, row.chaos), (side.sign_emu, Some(side.chaos == "everywhere")));
+        assert_eq!((&row.periods, true), (&side.periods, side.whole));
+    }
+    assert_eq!((tolerance.settled.as_str(), &tolerance.open), ("1.000000", &None));
+}
+
+/// Where the task's own parameter moves damping and stiffness its tolerance is about the touch.
+#[test]
+fn the_tasks_own_parameter_has_its_tolerance_about_the_touch() {
+    let of = |keys: &str| {
+        text("k = 0.3", "0.1", "k", keys)
+            .replace("F = 0.1", "F = 0.5")
+            .replace("reach = 1000\n", "")
+            .replace("parameter = \"F\"", "parameter = \"k\"")
+    };
+    let (report, shown, code) = found(&of("tolerance = { k = \"1%\" }"));
+    assert_eq!(code, 0, "{shown}");
+    let [lower, upper] = &bounds(&report.tolerance.unwrap())[0];
+    let middle = num_traits::ToPrimitive::to_f64(&((lower + upper) / q("2"))).unwrap();
+    assert!((middle - report.at.parameter).abs() < 1e-10 && (middle - 0.3).abs() > 0.1, "{middle} {shown}");
+    for (keys, why) in [
+        ("tolerance = { F = \"1%\" }", "damping or stiffness change with k, the task's own parameter"),
+        ("tolerance = { k = [0.29, 0.31] }", "the touch is not at a value of k within its tolerance"),
+    ] {
+        let (report, _, code) = found(&of(keys));
+        let said = report.tolerance_open.unwrap();
+        assert!(code == 3 && report.tolerance.is_none() && said.contains(why), "{said}");
+    }
+}
+
+#[test]
+fn why_nothing_is_said_of_tolerances_is_said() {
+    let all = "c = 0.1\nk = 0.3\nm = 1";
+    let usual = text(all, "c/m", "k/m", "tolerance = { c = \"1%\", k = \"1%\" }");
+    let three = usual.replace("k = \"1%\" }", "k = \"1%\", m = 0.1 }");
+    let both =
+        usual.replace("[[tasks]]", "[[stops]]\nside = \"lower\"\noffset = -3\nrestitution = 0.8\n[[tasks]]");
+    let cubic = usual.replace("forcing =", "cubic = 0.01\nforcing =");
+    let root = usual.replace("\"k/m\"", "\"sqrt(k^2)/m\"");
+    let falling = usual.replace("\"c/m\"", "\"(c - 0.1)/m\"");
+    let soft = usual.replace("restitution = 0.8", "stiffness = 50");
+    let pattern = usual.replace("max_period", "orbit = { pattern = [1] }\nmax_period");
+    for (text, why) in [
+        (&three, "change with 3 parameters that have tolerances, c, k, m: two are covered"),
+        (&both, "machines with one stop; there are two"),
+        (&cubic, "linear machines"),
+        (&root, "sqrt(…) is irrational"),
+        (&falling, "the damping is -"),
+        (&soft, "the local theory does not apply"),
+        (&pattern, "another orbit does"),
+    ] {
+        let scene = Scene::from_toml(text, "t.toml").unwrap_or_else(|error| panic!("{error}"));
+        let report = run(&scene, Surroundings::default(), &mut ()).unwrap().remove(0);
+        assert_eq!(report.status.outcome().code(), 3, "{report}");
+        let Some(Findings::Grazing(found)) = report.findings else { panic!("{report}") };
+        // Another orbit need not come to graze.
+        let GrazingFindings::Found(found) = *found else { continue };
+        let said = found.tolerance_open.unwrap();
+        assert!(said.contains(why), "{said}");
+    }
+    // Without tolerances nothing is said.
+    let (found, _, code) = found(&text(all, "c/m", "k/m", ""));
+    assert_eq!((found.tolerance, found.tolerance_open, code), (None, None, 0));
+}
+
+#[test]
+fn tolerances_that_say_nothing_are_refused_where_they_stand() {
+    let error = |keys: &str| {
+        let text = text("c = 0.1\nk = 0.3\nz = 0", "c", "k", keys);
+        Scene::from_toml(&text, "t.toml").unwrap_err().to_string()
+    };
+    for (keys, why) in [
+        ("tolerance = { kk = \"1%\" }", "t.toml:23: tasks[1].tolerance: unknown key \"kk\""),
+        ("tolerance = { c = \"x%\" }", "tasks[1].tolerance.c = \"x%\""),
+        ("tolerance = { c = \"-1%\" }", "is below 0"),
+        ("tolerance = { c = -0.1 }", "is below 0"),
+        ("tolerance = { c = [0.2, 0.1] }", "the least value comes first"),
+        ("tolerance = { c = [0.1] }", "write \"2%\" of its value"),
+        ("tolerance = { c = [0.2, 0.3] }", "does not hold the parameter's value, 1/10"),
+        ("tolerance = { z = \"1%\" }", "is a part of 0"),
+        ("tolerance = 3", "is not a table"),
+    ] {
+        let said = error(keys);
+        assert!(said.contains(why), "{keys}: {said}");
+    }
+    assert!(
+        error("tolerance = { kk = \"1%\" }").contains("F, c, k, z"),
+        "{}",
+        error("tolerance = { kk = \"1%\" }")
+    );
+}
+
+/// What docs/measured.md says of the scene of docs/my-machine.md.
+#[test]
+fn the_page_has_the_shares_of_its_scene() {
+    let page = include_str!("../../../docs/measured.md").split_whitespace().collect::<Vec<_>>().join(" ");
+    let scene = include_str!("../../../docs/my-machine.md");
+    let scene = scene.split("```toml\n").nth(1).unwrap().split("```").next().unwrap();
+    let scene = scene
+        .replace("damping = \"1/10\"", "damping = \"d\"")
+        .replace("stiffness = \"3/10\"", "stiffness = \"s\"");
+    let scene = scene.replace("[parameters]", "[parameters]\ns = 0.3\nd = 0.1").replacen(
+        "parameter = \"F\"",
+        "parameter = \"F\"\nseen = false\nTOLERANCE",
+        1,
+    );
+    let of = |tolerance: &str| found(&scene.replace("TOLERANCE", tolerance));
+    let asked = "tolerance = { s = \"2%\", d = 0.02 }";
+    assert!(page.contains(asked));
+    let chaos = |(report, shown, code): (GrazingReport, String, u8)| {
+        let sides = report.tolerance.unwrap().sides.map(|side| side.chaos);
+        (sides, code, shown.split_whitespace().collect::<Vec<_>>().join(" "))
+    };
+    let (sides, code, _) = chaos(of(asked));
+    assert_eq!((sides, code), (["everywhere", "nowhere"], 0));
+    let (sides, code, shown) = chaos(of("tolerance = { s = \"20%\", d = 0.05 }"));
+    assert_eq!((sides, code), (["differs", "open"], 3));
+    assert!(
+        shown.contains("in 89.27 % to 89.97 %")
+            && page.contains("with 20 % and 0.05 before it in 89.27 % to 89.97 %"),
+        "{shown}"
+    );
+}
