@@ -8,7 +8,8 @@ use serde::Serialize;
 use super::{Lines, Shown, row};
 use crate::{
     number::parse_rational,
-    search::range::{RangeEffort, RangeEnd},
+    output::decimal_or_fraction,
+    search::range::{RangeEffort, RangeEnd, ToleratedRange},
 };
 
 row! {
@@ -27,7 +28,12 @@ row! {
         pub whole: bool,
         /// Certain digits of the parameter at the touch, where the range begins; it is not in it.
         pub touch: Option<String>,
-        /// The last value of the parameter, exactly: rounded inwards.
+        /// Of all machines that the task's tolerances allow: every one touches between these values of the
+        /// parameter, rounded outwards but where the range begins. That is the nearer of the two to its end,
+        /// and in it, unless both are one number.
+        pub touches: Option<[String; 2]>,
+        /// The last value of the parameter, exactly: rounded inwards. Of all machines absent where no value
+        /// has such a depth for all of them: what is proved is of each from its own touch on, to that depth.
         pub end: Option<String>,
         /// The width of the range as a part of the parameter at the touch; absent where that is 0.
         pub share: Option<f64>,
@@ -93,6 +99,7 @@ impl RangeRow {
             periods: Vec::new(),
             whole: false,
             touch: None,
+            touches: None,
             end: None,
             share: None,
             depth: None,
@@ -102,6 +109,41 @@ impl RangeRow {
             reason,
             stability: Vec::new(),
             certificate: None,
+        }
+    }
+
+    /// Of all machines within tolerances, proved to a depth.
+    pub(crate) fn of_all(
+        behind: bool,
+        range: &ToleratedRange,
+        depth: &BigRational,
+        unit: &BigRational,
+        reason: String,
+    ) -> RangeRow {
+        const DIGITS: i32 = 12;
+        let ToleratedRange { touches: [lower, upper], end } = range;
+        let above = end.as_ref().is_none_or(|end| end > upper);
+        let ends = |near: &BigRational, far: &BigRational, way: BigRational| {
+            let inner = end.clone().unwrap_or_else(|| near + &way);
+            [inwards(near, &inner, DIGITS), inwards(far, &(far - &way), DIGITS)]
+        };
+        let touches = if lower == upper {
+            [decimal_or_fraction(lower), decimal_or_fraction(lower)]
+        } else if above {
+            let [near, far] = ends(upper, lower, unit.clone());
+            [far, near]
+        } else {
+            ends(lower, upper, -unit)
+        };
+        let near = if above { upper } else { lower };
+        let width = end.as_ref().map(|end| (end - near) / near.abs().max(unit.clone()));
+        let share = width.and_then(|width| width.abs().to_f64()).filter(|_| near.abs() > *unit);
+        RangeRow {
+            touches: Some(touches),
+            end: end.as_ref().map(|end| inwards(end, near, DIGITS)),
+            share,
+            depth: Some(depth.to_string()),
+            ..RangeRow::open(behind, PROVED, Some(reason))
         }
     }
 
@@ -144,6 +186,9 @@ impl RangeRow {
         let periods: Vec<String> = self.periods.iter().map(u64::to_string).collect();
         let orbit = format!("the orbit of one impact in {} periods", periods.join(", "));
         let orbit = if self.periods == [1] { "the orbit of one impact a period".into() } else { orbit };
+        if let (Some(touches), Some(depth)) = (&self.touches, &self.depth) {
+            return self.lines_of_all(touches, depth, varied, lines);
+        }
         let (Some(touch), Some(end)) = (&self.touch, &self.end) else {
             let of = if self.of == ORBIT { format!(" of {orbit}") } else { String::new() };
             let why = match self.verdict {
@@ -169,20 +214,65 @@ impl RangeRow {
             lines.say("range_ends", reason);
             return lines.say_known("certificate", &self.certificate);
         }
-        let which = match self.of {
-            _ if self.whole => "",
-            PART => ", the part that goes farther,",
-            _ => ", a part of those that are born,",
-        };
-        let what = if self.of == ORBIT {
-            orbit
-        } else {
-            format!("every path of the graph of the periods {}{which}", periods.join(", "))
-        };
+        let what = self.what();
         lines.say(
             "range",
             format!("{side} the touch, proved for {above}{part}: {what} is exactly one motion"),
         );
+        self.further_lines(varied, lines);
+    }
+
+    /// What is exactly one motion.
+    fn what(&self) -> String {
+        let periods: Vec<String> = self.periods.iter().map(u64::to_string).collect();
+        let periods = periods.join(", ");
+        let which = match self.of {
+            ORBIT if self.periods == [1] => return "the orbit of one impact a period".into(),
+            ORBIT => return format!("the orbit of one impact in {periods} periods"),
+            _ if self.whole => "",
+            PART => ", the part that goes farther,",
+            _ => ", a part of those that are born,",
+        };
+        format!("every path of the graph of the periods {periods}{which}")
+    }
+
+    /// Of all machines within tolerances.
+    fn lines_of_all(&self, touches: &[String; 2], depth: &str, varied: &str, lines: &mut Lines) {
+        let (side, [lower, upper]) = (self.side, touches);
+        let part = self.share.map_or(String::new(), |share| format!(" ({:.2} %)", 100.0 * share));
+        let (at, sign) = match lower == upper {
+            true => (format!("{varied} = {lower}"), "<"),
+            false => (format!("{lower} <= {varied} <= {upper}"), "<="),
+        };
+        let common = match &self.end {
+            Some(end) if self.ends_above() => {
+                format!("and so of all of them for {upper} {sign} {varied} <= {end}{part}")
+            }
+            Some(end) => format!("and so of all of them for {end} <= {varied} {sign} {lower}{part}"),
+            None => format!("which no {varied} has for all of them"),
+        };
+        let depth =
+            parse_rational(depth).map_or_else(|_| depth.to_string(), |depth| decimal_or_fraction(&depth));
+        let what = match (self.leaves, self.zone) {
+            (Some(periods), Some(zone)) => format!(
+                "nothing is born, and within {periods} periods every motion meets the stop more than {zone} periods from \
+                 the phase of the touch (less for nu < 1/100)"
+            ),
+            _ => format!("{} is exactly one motion", self.what()),
+        };
+        lines.say(
+            "range",
+            format!(
+                "{side} the touch, for every machine within the tolerances, proved from its own touch, which is at {at}, \
+                 to the depth nu = {depth}, {common}: {what}"
+            ),
+        );
+        self.further_lines(varied, lines);
+    }
+
+    /// What else is proved, and why it ends.
+    fn further_lines(&self, varied: &str, lines: &mut Lines) {
+        let reason = self.reason.as_deref().unwrap_or_default();
         if let Some(alone) = &self.alone {
             let way = if self.ends_above() { "<=" } else { ">=" };
             let others = match self.side {
@@ -213,7 +303,8 @@ impl RangeRow {
     /// Whether the range is that of greater values.
     fn ends_above(&self) -> bool {
         let number = |text: &Option<String>| text.as_ref().and_then(|text| parse_rational(text).ok());
-        number(&self.end) > number(&self.touch)
+        let near = self.touches.as_ref().map(|[lower, _]| lower.clone());
+        number(&self.end) > number(&near.or_else(|| self.touch.clone()))
     }
 }
 

@@ -234,7 +234,8 @@ keys! {
         range: RangeKey = "false",
         /// how exactly parameters are known, as in `{ k = "2%", d = 0.01, m = [0.9, 1.1] }`: a part of the
         /// value, up to a number, or the least and greatest value (of the task's own parameter about its
-        /// value at the touch); what is born is then told of all machines that this allows
+        /// value at the touch); what is born, and with `range` how far it goes on, is then told of all
+        /// machines that this allows
         tolerance: Tolerances = "{}",
     }
 }

@@ -46,6 +46,16 @@ impl Sloped {
     }
 }
 
+/// (f g)′ = f′ g + f g′.
+fn of_product([f, g]: [F; 2], by_f: F, by_g: F) -> F {
+    by_f * &g + &(f * &by_g)
+}
+
+/// (f/g)′ = (f′ − (f/g) g′)/g.
+fn of_quotient(quotient: F, g: F, by_f: F, by_g: F) -> F {
+    (by_f - &(quotient * &by_g)) / &g
+}
+
 impl Neg for Sloped {
     type Output = Self;
 
@@ -74,17 +84,17 @@ impl Mul<&Sloped> for Sloped {
     type Output = Self;
 
     fn mul(self, other: &Self) -> Self {
-        self.with(other, self.value * &other.value, |a, b| a * &other.value + &(self.value * &b))
+        let of = [self.value, other.value];
+        self.with(other, self.value * &other.value, |a, b| of_product(of, a, b))
     }
 }
 
 impl Div<&Sloped> for Sloped {
     type Output = Self;
 
-    /// (a/b)′ = (a′ − (a/b) b′)/b.
     fn div(self, other: &Self) -> Self {
         let quotient = self.value / &other.value;
-        self.with(other, quotient, |a, b| (a - &(quotient * &b)) / &other.value)
+        self.with(other, quotient, |a, b| of_quotient(quotient, other.value, a, b))
     }
 }
 

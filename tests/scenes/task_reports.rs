@@ -15,6 +15,7 @@ mod attractors;
 mod ranges;
 mod sweeps;
 mod tolerances;
+mod tolerated_ranges;
 
 const HEAD: &str = "format = \"grazing-scene 1\"\ntitle = \"t\"\n";
 

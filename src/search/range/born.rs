@@ -49,13 +49,21 @@ pub fn born(
         return Ok(None);
     };
     let word = Word::in_rectangle(&rectangle, !behind, LETTERS, monitor)?;
-    let relation = Relation::new(&word, gamma > 0.0, determinant > 1.0, longest)?;
+    born_of(&word, gamma > 0.0, determinant > 1.0, longest).map(Some)
+}
+
+/// The graph of a word, for γ > 0 or γ < 0; with time reversed if a₂ > 1.
+///
+/// # Errors
+/// As [`Relation::new`].
+pub fn born_of(word: &Word, gamma: bool, reversed: bool, longest: u64) -> Result<Born> {
+    let relation = Relation::new(word, gamma, reversed, longest)?;
     let certain = |row: &Vec<Edge>| (0..row.len()).filter(|&j| row[j] == Edge::Yes).collect();
     let graph = LetterGraph {
         letters: relation.periods().to_vec(),
         next: relation.edges().iter().map(certain).collect(),
     };
-    Ok(Some(Born { graph: endless(graph), whole: relation.is_whole() && !relation.is_open() }))
+    Ok(Born { graph: endless(graph), whole: relation.is_whole() && !relation.is_open() })
 }
 
 /// What is left of a graph where every letter is followed and preceded, its letters by increasing periods.

@@ -7,7 +7,7 @@
 //! [`prove_nothing`] proves that no motion stays near; that there is nothing else near, [`prove_alone`]; what
 //! of it goes farther than all of it, [`prove_farther`]; and each orbit of one impact, [`single_orbits`],
 //! along its curve, [`prove_single`]. Which values of a machine's parameter have these depths says
-//! [`parameter_range`]. Not here: reports.
+//! [`parameter_range`], and of all machines of a box [`MachineBox`]. Not here: reports.
 //!
 //! ```
 //! use grazing::certificate;
@@ -37,17 +37,19 @@ mod others;
 mod parameter;
 mod parts;
 mod single;
+mod tolerated;
 mod write;
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 pub use self::{
-    born::{Born, born},
+    born::{Born, born, born_of},
     nothing::{NothingProblem, NothingProof, prove_nothing},
     parameter::{ParameterRange, SystemOver, Touching, is_as_deep, parameter_range},
     parts::{prove_farther, single_orbits},
     single::{SingleProblem, SingleProof, prove_single},
+    tolerated::{MachineBox, SystemOf, ToleratedRange},
 };
 use self::{
     close::{Budget, Closed, close},

@@ -76,7 +76,7 @@ const DIGITS: f64 = 11.0;
 const PLACES: f64 = 14.0;
 
 /// One number as it is, two with few digits and no less between them.
-fn outwards([lo, hi]: [BigRational; 2]) -> [BigRational; 2] {
+pub(super) fn outwards([lo, hi]: [BigRational; 2]) -> [BigRational; 2] {
     if lo == hi {
         return [lo, hi];
     }
@@ -174,7 +174,7 @@ pub fn is_as_deep(
 }
 
 /// The fraction of the least denominator from lo to hi.
-fn simplest(lo: &BigRational, hi: &BigRational) -> BigRational {
+pub(super) fn simplest(lo: &BigRational, hi: &BigRational) -> BigRational {
     if hi.is_negative() {
         return -simplest(&-hi, &-lo);
     }
@@ -189,12 +189,12 @@ fn simplest(lo: &BigRational, hi: &BigRational) -> BigRational {
 }
 
 /// A number about halfway.
-fn shorter(one: &BigRational, other: &BigRational) -> BigRational {
+pub(super) fn shorter(one: &BigRational, other: &BigRational) -> BigRational {
     (one + other) / BigRational::from_integer(2.into())
 }
 
 /// The farthest p from a start that is inside, by steps that double, then by halving; inside itself.
-fn farthest(
+pub(super) fn farthest(
     inside: &dyn Fn(&BigRational) -> Result<bool>,
     start: &BigRational,
     step: &BigRational,
@@ -218,7 +218,7 @@ fn farthest(
 }
 
 /// About the last p that is inside on the way from one that is to one that is not; inside itself.
-fn edge(
+pub(super) fn edge(
     inside: &dyn Fn(&BigRational) -> Result<bool>,
     good: &BigRational,
     bad: &BigRational,

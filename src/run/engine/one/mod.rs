@@ -6,6 +6,7 @@ mod proofs;
 mod ranges;
 mod sections;
 mod source;
+mod tolerated;
 
 use std::f64::consts::{PI, TAU};
 

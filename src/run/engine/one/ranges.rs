@@ -11,6 +11,7 @@ use super::{
         why_single,
     },
     grazing::OscillatorGrazing,
+    tolerated::AllMachines,
 };
 use crate::{
     certificate::single::Word,
@@ -18,7 +19,7 @@ use crate::{
     motion::System,
     number::{Real, certain_digits, parse_rational},
     search::{
-        chaos::{LetterGraph, RationalFunction},
+        chaos::{LetterGraph, RationalFunction, Term},
         range::{
             Born, NothingProblem, NothingProof, ParameterRange, RangeEffort, RangeEnd, RangeProblem,
             RangeProof, SingleProblem, SingleProof, Touching, born, is_as_deep, parameter_range, prove,
@@ -85,11 +86,21 @@ deep!(RangeProof, SingleProof, NothingProof);
 struct Near<'a> {
     point: &'a OscillatorGrazing<'a>,
     effort: RangeEffort,
-    touching: Touching,
-    /// c and k about where it touches.
-    there: [BigRational; 2],
+    /// The ranges of c, k and τ about the touch, and whether these are not the same elsewhere.
+    about: Ranges,
+    changes: bool,
+    harmonics: Vec<Term>,
+    of: Of<'a>,
     /// Near the touch, and a small step.
     start: [BigRational; 2],
+}
+
+/// What ranges are of.
+enum Of<'a> {
+    /// The scene's machine, with c and k about where it touches.
+    One([BigRational; 2]),
+    /// All machines that the task's tolerances allow.
+    All(Box<AllMachines<'a>>),
 }
 
 /// Both sides, before the touch first, of each first what is proved of all that is born, then of a part that
@@ -113,6 +124,9 @@ pub(super) fn ranges(
     let exact = |x: f64| BigRational::from_float(x).ok_or_else(|| Error::input("not a number"));
     let unit = STEP * point.unit()? / point.event.map.e.abs();
     let start = [exact(point.event.parameter)?, exact(unit)?];
+    if !point.task.tolerance.0.is_empty() {
+        return of_all(point, effort, start);
+    }
     let [at, unit] = &start;
     let between = |from: &BigRational, to: &BigRational| Touching::of(&functions(point, from, to)?, None);
     let touching = between(&(at - unit), &(at + unit)).and_then(|near| Ok((near, between(at, at)?)));
@@ -123,10 +137,32 @@ pub(super) fn ranges(
     };
     let there = [damping, stiffness].map(|[value, _]| value);
     // Several depths are tried where the machines change.
-    let effort = if touching.changes() { RangeEffort(effort.0 / PART_OF_EFFORT) } else { effort };
-    let near = Near { point, effort, touching, there, start };
-    let sides = [near.side(false)?, near.side(true)?];
-    Ok(Ok(sides.into_iter().flatten().collect()))
+    let changes = touching.changes();
+    let effort = if changes { RangeEffort(effort.0 / PART_OF_EFFORT) } else { effort };
+    let Touching { parameters: about, harmonics, .. } = touching;
+    Near { point, effort, about, changes, harmonics, of: Of::One(there), start }.sides().map(Ok)
+}
+
+/// The same for all machines that the task's tolerances allow.
+fn of_all(
+    point: &OscillatorGrazing,
+    effort: RangeEffort,
+    start: [BigRational; 2],
+) -> Result<std::result::Result<Vec<SideRange>, String>> {
+    let all = match AllMachines::new(point)? {
+        Ok(all) => all,
+        Err(why) => return Ok(Err(why)),
+    };
+    let (about, harmonics) = match all.oscillator(&start[0]) {
+        Ok((about, _)) if !about[2][0].is_positive() => {
+            return Ok(Err("ranges are proved for a restitution above 0".into()));
+        }
+        Ok(found) => found,
+        Err(error) => return Ok(Err(error.to_string())),
+    };
+    Near { point, effort, about, changes: false, harmonics, of: Of::All(Box::new(all)), start }
+        .sides()
+        .map(Ok)
 }
 
 /// The scene's system for all values of the task's parameter above one number, up to another.
@@ -148,24 +184,41 @@ fn functions(
 }
 
 impl Near<'_> {
+    fn sides(&self) -> Result<Vec<SideRange>> {
+        Ok([self.side(false)?, self.side(true)?].into_iter().flatten().collect())
+    }
+
+    /// What is born on one side.
+    fn born(&self, behind: bool) -> Result<std::result::Result<Born, &'static str>> {
+        Ok(match &self.of {
+            Of::One([damping, stiffness]) => {
+                let found = born([damping, stiffness], behind, LONGEST, self.point.job.monitor)?;
+                found.ok_or("the word theorem does not apply")
+            }
+            Of::All(all) => {
+                let found = all.born(behind, LONGEST)?;
+                found.ok_or("gamma has not one sign for all machines within the tolerances, or may be 0")
+            }
+        })
+    }
+
     fn side(&self, behind: bool) -> Result<Vec<SideRange>> {
         let open = |verdict, reason: Option<&str>| {
             let row = RangeRow::open(behind, verdict, reason.map(String::from));
             Ok(vec![SideRange { row, text: None }])
         };
-        let [damping, stiffness] = &self.there;
-        let (graph, whole) = match born([damping, stiffness], behind, LONGEST, self.point.job.monitor)? {
-            None => return open("undecided", Some("the word theorem does not apply")),
-            Some(Born { graph: None, whole: true }) if behind => return Ok(vec![self.nothing()?]),
-            Some(Born { graph: None, whole: true }) => return open(NOTHING, None),
-            Some(Born { graph: None, whole: false }) => {
+        let (graph, whole) = match self.born(behind)? {
+            Err(why) => return open("undecided", Some(why)),
+            Ok(Born { graph: None, whole: true }) if behind => return Ok(vec![self.nothing()?]),
+            Ok(Born { graph: None, whole: true }) => return open(NOTHING, None),
+            Ok(Born { graph: None, whole: false }) => {
                 return open("undecided", Some("it is not decided what is born"));
             }
-            Some(Born { graph: Some(graph), whole }) => (graph, whole),
+            Ok(Born { graph: Some(graph), whole }) => (graph, whole),
         };
         let deepest = DEEPEST[usize::from(behind)];
-        let harmonics = self.touching.harmonics.clone();
-        let ranges = self.touching.parameters.clone();
+        let harmonics = self.harmonics.clone();
+        let ranges = self.about.clone();
         let problem = RangeProblem { ranges, behind, harmonics, graph, deepest };
         let monitor = self.point.job.monitor;
         let of = |ranges: Ranges, deepest| RangeProblem { ranges, deepest, ..problem.clone() };
@@ -182,7 +235,7 @@ impl Near<'_> {
         }
         let mut all = vec![self.judged(behind, (ALL, &problem.graph, whole), found)?];
         // Where the machines change with the depth, those of the whole are no measure for a part.
-        if !self.touching.changes()
+        if !self.changes
             && let Some((graph, proof)) = prove_farther(&problem, depth, self.effort, monitor)?
         {
             let found = Ok((proof, self.fixed()));
@@ -205,7 +258,7 @@ impl Near<'_> {
         prove: &dyn Fn(Ranges, f64, RangeEffort) -> Result<Reached<T>>,
     ) -> Result<Reached<(T, Machines)>> {
         let deepest = DEEPEST[usize::from(behind)];
-        if !self.touching.changes() {
+        if !self.changes {
             let machines = self.fixed();
             return Ok(prove(machines.ranges.clone(), deepest, effort)?.map(|proof| (proof, machines)));
         }
@@ -255,7 +308,7 @@ impl Near<'_> {
 
     /// The machine where nothing but the wall changes with the parameter.
     fn fixed(&self) -> Machines {
-        Machines { ranges: self.touching.parameters.clone(), until: None }
+        Machines { ranges: self.about.clone(), until: None }
     }
 
     /// The machines from the touch to a depth; none if these are not known.
@@ -307,7 +360,6 @@ impl Near<'_> {
 
     /// Where it is stable, over the parameter: parts that are shown to be in the proof's.
     fn stability(&self, behind: bool, proof: &SingleProof, machines: &Machines) -> Result<Vec<StabilityRow>> {
-        let system = |from: &BigRational, to: &BigRational| functions(self.point, from, to);
         let mut all = Vec::new();
         let mut from: Option<&BigRational> = None;
         for (depth, word) in &proof.parts {
@@ -323,15 +375,15 @@ impl Near<'_> {
                 continue;
             };
             // Beyond the greatest parameter up to the depth where it begins, by less and less.
-            let Some(range) = self.parameters(behind, begin)? else { continue };
+            let Some(last) = self.last(behind, begin)? else { continue };
             let end = parse_rational(&to)?;
-            let mut step = &range.end * BigRational::new(1.into(), 10u64.pow(DIGITS as u32).into());
+            let mut step = &last * BigRational::new(1.into(), 10u64.pow(DIGITS as u32).into());
             for _ in 0..STEPS {
-                let value = if end > range.end { &range.end + step.abs() } else { &range.end - step.abs() };
+                let value = if end > last { &last + step.abs() } else { &last - step.abs() };
                 let text = inwards(&value, &end, DIGITS);
                 let value = parse_rational(&text)?;
-                let inside = if end > range.end { value < end } else { value > end };
-                if inside && is_as_deep(&system, None, &value, begin, behind)? {
+                let inside = if end > last { value < end } else { value > end };
+                if inside && self.is_as_deep(&value, begin, behind)? {
                     all.push(StabilityRow { word, from: Some(text), to });
                     break;
                 }
@@ -341,9 +393,26 @@ impl Near<'_> {
         Ok(all)
     }
 
+    /// The last value of the parameter with depths up to one; of all machines with those of any up to it.
+    fn last(&self, behind: bool, depth: &BigRational) -> Result<Option<BigRational>> {
+        match &self.of {
+            Of::One(_) => Ok(self.parameters(behind, depth)?.map(|range| range.end)),
+            // Of all machines the step from one's end to the last one's is more than rounding: left out.
+            Of::All(_) => Ok(None),
+        }
+    }
+
+    fn is_as_deep(&self, parameter: &BigRational, depth: &BigRational, behind: bool) -> Result<bool> {
+        let system = |from: &BigRational, to: &BigRational| functions(self.point, from, to);
+        match &self.of {
+            Of::One(_) => is_as_deep(&system, None, parameter, depth, behind),
+            Of::All(all) => Ok(all.are_as_deep(parameter, depth, behind)),
+        }
+    }
+
     /// Beyond the touch, where nothing is born: that no motion stays near.
     fn nothing(&self) -> Result<SideRange> {
-        let harmonics = &self.touching.harmonics;
+        let harmonics = &self.harmonics;
         let found = self.widest(true, self.effort, &|ranges, deepest, effort| {
             let problem = NothingProblem { ranges, harmonics: harmonics.clone(), deepest };
             prove_nothing(&problem, effort, self.point.job.monitor)
@@ -406,8 +475,16 @@ impl Near<'_> {
         machines: &Machines,
         reason: String,
     ) -> Result<RangeRow> {
-        let [_, unit] = &self.start;
+        let [at, unit] = &self.start;
         let open = |why: String| RangeRow::open(behind, "undecided", Some(why));
+        if let Of::All(all) = &self.of {
+            return match all.range([at, unit], depth, behind) {
+                Err(error) if error.is_interrupted() => Err(error),
+                Err(error) => Ok(open(error.to_string())),
+                Ok(None) => Ok(open("it is not shown where all machines within the tolerances touch".into())),
+                Ok(Some(range)) => Ok(RangeRow::of_all(behind, &range, depth, unit, reason)),
+            };
+        }
         let known = |range: ParameterRange| match &machines.until {
             Some(until) if (*until > range.touch[1]) == (range.end > *until) => {
                 ParameterRange { end: until.clone(), ..range }
