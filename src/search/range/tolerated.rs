@@ -281,6 +281,20 @@ impl MachineBox<'_> {
         Ok(None)
     }
 
+    /// About the nearest parameter to the touches from which all machines are at least as deep, up to `end`,
+    /// itself so; none if they are not at `end`. `start` is near the touches, and from there on R runs one
+    /// way.
+    pub fn deep_from(
+        &self,
+        end: &BigRational,
+        start: &BigRational,
+        depth: &BigRational,
+        behind: bool,
+    ) -> Option<BigRational> {
+        let deep = |p: &Q| Ok(self.are_as_deep(p, depth, behind));
+        self.are_as_deep(end, depth, behind).then(|| edge(&deep, end, start).ok()).flatten()
+    }
+
     /// Whether the depth at a parameter is certainly at least this for all machines.
     pub fn are_as_deep(&self, p: &BigRational, depth: &BigRational, behind: bool) -> bool {
         let limit = square(depth, behind);

@@ -266,6 +266,42 @@ fn orbits_that_are_proved_of_all_machines_are_found_at_each() {
     assert!(count > 10, "{count}");
 }
 
+/// Beyond the touch of the paper's oscillator, with a restitution of 0.8, the orbit of one impact in three
+/// periods is unstable, then stable: so it is at machines drawn at random, where all of them are told to be.
+#[test]
+fn parts_of_a_range_are_stable_at_every_machine() {
+    let mut random = Random(3);
+    let machine = &Machine {
+        system: "[system]\ndamping = \"2*d/4.9\"\nstiffness = \"1/4.9^2\"\n[[stops]]\nside = \"lower\"\noffset = -1\n\
+                 harmonics = [{ k = 1, cos = \"1 + mu\" }]\nrestitution = 0.8\n",
+        ..MACHINES[3]
+    };
+    let (report, shown, _) = asked(machine, machine.tolerance, 40_000);
+    let rows = report.range.as_ref().unwrap();
+    let row =
+        rows.iter().find(|row| row.side == "beyond" && row.of == "orbit" && row.periods == [3]).unwrap();
+    let [unstable, stable] = &row.stability[..] else { panic!("{shown}") };
+    assert_eq!((unstable.word, stable.word), ("unstable", "stable"));
+    let begins = q(stable.from.as_ref().unwrap());
+    assert!(q(&unstable.to) < begins && begins < q(&stable.to), "{shown}");
+    let parts = [(q("0"), q(&unstable.to), Judgement::No), (begins, q(&stable.to), Judgement::Yes)];
+    for (from, to, expected) in parts {
+        for part in [1, 9, 20] {
+            let mu = &from + (&to - &from) * Q::new(part.into(), 20.into());
+            // Far beyond the touch the orbit is one among many.
+            let mu = mu.min(q("1/20"));
+            let values = drawn(machine, &report, &mut random, Some(mu));
+            let value = |name: &str| values.iter().find(|one| one.0 == name).unwrap().1.to_string();
+            let scene = text(machine, &value, "kind = \"orbit\"\norbit = { pattern = [3] }");
+            let scene = Scene::from_toml(&scene, "o.toml").unwrap();
+            let orbits = run(&scene, Surroundings::default(), &mut ()).unwrap().remove(0);
+            let Some(Findings::Orbit(found)) = &orbits.findings else { panic!("{orbits}") };
+            let admissible = found.orbits.iter().filter(|row| row.orbit.admissible == Judgement::Yes);
+            assert!(admissible.clone().any(|row| row.orbit.stable == expected), "{values:?} {orbits}");
+        }
+    }
+}
+
 /// Where machines touch so far apart that no value is near the touch of all, depths are proved none the less.
 #[test]
 fn without_a_common_value_the_depth_is_told() {

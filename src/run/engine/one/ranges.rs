@@ -375,8 +375,8 @@ impl Near<'_> {
                 continue;
             };
             // Beyond the greatest parameter up to the depth where it begins, by less and less.
-            let Some(last) = self.last(behind, begin)? else { continue };
             let end = parse_rational(&to)?;
+            let Some(last) = self.last(behind, begin, &end)? else { continue };
             let mut step = &last * BigRational::new(1.into(), 10u64.pow(DIGITS as u32).into());
             for _ in 0..STEPS {
                 let value = if end > last { &last + step.abs() } else { &last - step.abs() };
@@ -393,12 +393,12 @@ impl Near<'_> {
         Ok(all)
     }
 
-    /// The last value of the parameter with depths up to one; of all machines with those of any up to it.
-    fn last(&self, behind: bool, depth: &BigRational) -> Result<Option<BigRational>> {
+    /// About the last value of the parameter with depths up to one; of all machines the first from which each
+    /// is as deep, up to `end`.
+    fn last(&self, behind: bool, depth: &BigRational, end: &BigRational) -> Result<Option<BigRational>> {
         match &self.of {
             Of::One(_) => Ok(self.parameters(behind, depth)?.map(|range| range.end)),
-            // Of all machines the step from one's end to the last one's is more than rounding: left out.
-            Of::All(_) => Ok(None),
+            Of::All(all) => Ok(all.deep_from(end, depth, behind)),
         }
     }
 

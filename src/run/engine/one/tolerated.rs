@@ -107,6 +107,12 @@ impl<'a> AllMachines<'a> {
         self.asked(|of| of.range([at, unit], depth, behind))
     }
 
+    /// From where on all are at least as deep, up to `end`.
+    pub fn deep_from(&self, end: &BigRational, depth: &BigRational, behind: bool) -> Option<BigRational> {
+        let start = BigRational::from_float(self.point.event.parameter)?;
+        self.asked(|of| of.deep_from(end, &start, depth, behind))
+    }
+
     /// Whether all are as deep at a parameter.
     pub fn are_as_deep(&self, parameter: &BigRational, depth: &BigRational, behind: bool) -> bool {
         self.asked(|of| of.are_as_deep(parameter, depth, behind))
