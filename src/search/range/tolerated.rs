@@ -308,3 +308,62 @@ fn square(depth: &Q, behind: bool) -> Q {
     let root = if behind { Q::one() - depth } else { Q::one() + depth };
     if root.is_positive() { &root * &root } else { Q::zero() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::Wall;
+
+    fn q(p: i64, d: i64) -> Q {
+        Q::new(p.into(), d.into())
+    }
+
+    /// q″ + d q′ + s q = F cos t below a stop at 1, of F, d and s.
+    fn system<R: Real<Context = ()>>(at: &[R]) -> Result<System<R>> {
+        let number = |x: i32| R::integer(x, &());
+        let wall = Wall { offset: number(1), harmonics: Vec::new(), restitution: number(1) };
+        let forcing = vec![Harmonic { k: 1, cos: at[0].clone(), sin: number(0) }];
+        let (damping, stiffness) = (at[1].clone(), at[2].clone());
+        let [cubic, force] = [number(0), number(0)];
+        Ok(System { damping, stiffness, cubic, force, forcing, smooth: None, lower: None, upper: Some(wall) })
+    }
+
+    /// R = ((s − 1)² + d²)/F² at the corners of the box.
+    fn corners(force: &Q, bounds: &[[Q; 2]]) -> Vec<Q> {
+        let at = |i: usize, j: usize| {
+            let (d, detuning) = (&bounds[0][i], &bounds[1][j] - q(1, 1));
+            (&detuning * &detuning + d * d) / (force * force)
+        };
+        [[0, 0], [0, 1], [1, 0], [1, 1]].map(|[i, j]| at(i, j)).to_vec()
+    }
+
+    #[test]
+    fn values_of_the_parameter_are_those_of_every_corner() {
+        let bounds = vec![[q(9, 100), q(11, 100)], [q(29, 100), q(31, 100)]];
+        let machines = MachineBox { bounds: bounds.clone(), sloped: &system, exact: &system };
+        let (start, unit) = (q(707, 1000), q(1, 1_000_000));
+        for (behind, depth) in [(false, q(1, 5)), (true, q(1, 5))] {
+            let limit = square(&depth, behind);
+            let deep = |r: &Q| if behind { *r <= limit } else { *r >= limit };
+            let passed = |r: &Q| if behind { *r < q(1, 1) } else { *r > q(1, 1) };
+            let all = |p: &Q, is: &dyn Fn(&Q) -> bool| corners(p, &bounds).iter().all(is);
+            let towards = |p: &Q| p + (&start - p) * q(1, 1000);
+            let ToleratedRange { touches, end } =
+                machines.range([&start, &unit], &depth, behind).unwrap().unwrap();
+            let end = end.unwrap();
+            let [near, far] = if behind { [&touches[1], &touches[0]] } else { [&touches[0], &touches[1]] };
+            assert!(all(near, &passed) && !all(&towards(near), &passed));
+            assert!(all(far, &|r| !passed(r)) && !all(&towards(far), &|r| !passed(r)));
+            assert!(all(&end, &|r| !deep(r) || *r == limit), "{end}");
+            let beyond = &end + (&end - &start) * q(1, 1000);
+            assert!(!all(&beyond, &|r| !deep(r)));
+            // From where on all of them are so deep.
+            let last = &end + (&end - &start);
+            let from = machines.deep_from(&last, &start, &depth, behind).unwrap();
+            assert!(all(&from, &deep) && !all(&towards(&from), &deep), "{from}");
+            assert_eq!(machines.deep_from(&end, &start, &depth, behind), None);
+        }
+        let [c, k, tau] = machines.parameters(&start).unwrap();
+        assert_eq!([c, k, tau], [bounds[0].clone(), bounds[1].clone(), [q(1, 1), q(1, 1)]]);
+    }
+}

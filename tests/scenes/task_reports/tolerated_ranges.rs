@@ -194,7 +194,7 @@ fn depths_hold(machine: &Machine, report: &GrazingReport, row: &RangeRow, random
 fn every_machine_of_a_box_touches_where_it_is_said_and_is_no_deeper() {
     let mut random = Random(11);
     for machine in &MACHINES {
-        let (report, shown, _) = asked(machine, machine.tolerance, 12_000);
+        let (report, shown, _) = asked(machine, machine.tolerance, 5_000);
         let rows = report.range.as_ref().unwrap_or_else(|| panic!("{shown}"));
         let proved: Vec<&RangeRow> = rows.iter().filter(|row| row.depth.is_some()).collect();
         assert!(proved.len() > 1 && proved.iter().any(|row| row.end.is_some()), "{shown}");
