@@ -45,6 +45,7 @@
 //! | `range`, `range 2` | the motions that are born where an oscillator touches its wall, for every bi-infinite path of a graph, from the touch to a distance; 2: and that no others are near | [`range`] |
 //! | `nothing` | that beyond the touch nothing is born and no motion stays near, to a distance | [`nothing`] |
 //! | `single` | an orbit of one impact along its curve, from the touch where it is born to a distance, past its flips, and where it is stable | [`single`] |
+//! | `share` | in which share of a box of parameters a period or a word occurs, or chaos is born | [`share`], one by hand |
 //! | `entropy` | by the word theorem, for all r ≤ 1, s and eµ > 0: the least upper bounds of the entropy | [`entropy`], a line by hand |
 //! | `machine-orbit`, `machine-orbit 2` | that a periodic orbit of a machine with any number of coordinates and stops exists, is unique in a box, admissible, stable or not; 2: the same of the motion without impacts | [`machine`] |
 //!
@@ -91,6 +92,7 @@ pub mod orbit;
 pub mod range;
 mod rejection;
 mod sha256;
+pub mod share;
 pub mod single;
 pub mod theorem2;
 mod touch;
@@ -108,7 +110,7 @@ use lines::Lines;
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 19] = [
+const KINDS: [Kind; 20] = [
     Kind::first(theorem2::KIND, theorem2::STATEMENT, theorem2::check),
     Kind::first(cover::KIND, cover::STATEMENT, cover::check),
     Kind::first(orbit::KIND, orbit::STATEMENT, orbit::check::<orbit::Fraction>),
@@ -125,6 +127,7 @@ const KINDS: [Kind; 19] = [
     Kind::first(nothing::KIND, nothing::STATEMENT, nothing::check),
     Kind::first(single::KIND, single::STATEMENT, single::check),
     Kind::first(entropy::KIND, entropy::STATEMENT, entropy::check),
+    Kind::first(share::KIND, share::STATEMENT, share::check),
     Kind::first(machine::KIND, machine::STATEMENT, machine::check),
     Kind::first(orbit::KIND, orbit::STATEMENT_3, orbit::check_free).version(" 3"),
     Kind::first(machine::KIND, machine::STATEMENT_2, machine::check_free).version(" 2"),

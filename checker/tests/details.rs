@@ -16,9 +16,10 @@ use std::{
 
 use crate::common::{
     BRANCH, CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, FREE, FREE_MACHINE, GRAZING, NOTHING, ORBIT_4,
-    RANGE_1, RANGE_ALONE, SADDLE_NODE, SINGLE_1, THEOREM2, WORD, WORD_BY_THEOREM, answer, first_cells,
-    resealed, trials, with,
+    RANGE_1, RANGE_ALONE, SADDLE_NODE, SHARE, SHARE_POLAR, SINGLE_1, THEOREM2, WORD, WORD_BY_THEOREM, answer,
+    first_cells, resealed, trials, with,
 };
+use crate::share::is_likely;
 use grazing_check::{Checked, Rejection, kinds};
 
 const RESPONSE: &str = include_str!("data/event-response.txt");
@@ -32,7 +33,7 @@ fn samples() -> [Vec<String>; 3] {
     // One of the ball's multipliers is outside the unit circle, as `machine.rs` has it.
     let ball = with(BALL, "orbit", "orbit 1 unstable");
     [
-        owned(&[THEOREM2, COVER, WORD, WORD_BY_THEOREM, ENTROPY]),
+        owned(&[THEOREM2, COVER, WORD, WORD_BY_THEOREM, ENTROPY, SHARE, SHARE_POLAR]),
         owned(&[
             ORBIT_4,
             RANGES,
@@ -266,6 +267,8 @@ fn follows(sample: &Checked, changed: &Checked, mirrored: bool) -> bool {
             old.len() == 2 && new.len() == 2 && new.iter().zip(&old).all(|(new, old)| new <= old)
         }
         "word" | "word-by-theorem" => is_the_word(changed),
+        // Whether it is so in every part is looked at in `share.rs`.
+        "share" => is_likely(changed),
         "entropy" => has_the_roots(sample, changed),
         "orbit" | "machine-orbit" => {
             let stability = detail(changed, "stability");

@@ -17,6 +17,7 @@ mod orbit;
 mod range;
 mod range_damage;
 mod reference;
+mod share;
 mod single;
 mod theorem2;
 mod units;

@@ -69,6 +69,10 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
     `Beyond its touch, to the depth listed, nothing is born, and no motion of the oscillator stays near: ${detail.get("leaves") ?? ""}.`,
   single: (_, detail) =>
     `From its touch to the depth listed, the oscillator has exactly one orbit of this kind: ${detail.get("orbit") ?? "one impact in the periods listed"}. Where it is stable is listed below.`,
+  share: (_, detail) => {
+    const [percent, holds] = [detail.get("share") ?? "the share listed of the box", detail.get("holds there") ?? "what is listed holds"];
+    return `In ${percent.split(", ")[0]}, ${holds}.`;
+  },
   entropy: () => "Words of periods between impacts have no more entropy than is listed, wherever they are born.",
   "machine-orbit": ([n], detail) => orbit("machine", n, detail),
 };

@@ -7,6 +7,7 @@ import event from "../../checker/tests/data/event-gr3.txt";
 import machine from "../../checker/tests/data/machine-masses.txt";
 import orbit from "../../checker/tests/data/orbit-4.txt";
 import range from "../../checker/tests/data/range-12.txt";
+import share from "../../checker/tests/data/share.txt";
 import theorem2 from "../../checker/tests/data/theorem2.txt";
 import wordByTheorem from "../../checker/tests/data/word-by-theorem.txt";
 import word from "../../checker/tests/data/word.txt";
@@ -36,6 +37,7 @@ export const EXAMPLES: readonly Example[] = [
   { id: "range", title: "Chaos, from the touch to 1000 times the drive", text: range },
   { id: "word", title: "The word at a point, by signs", text: word },
   { id: "word-by-theorem", title: "The word at a point, by the theorem", text: wordByTheorem },
+  { id: "share", title: "In which share of a tolerance chaos is born", text: share },
   { id: "false", title: "Theorem 2 with one sign changed: false", text: damaged(theorem2, /\+ \+$/m, "- +") },
   { id: "malformed", title: "A cover without its last line: malformed", text: cover.replace(/[^\n]*\n$/, "") },
 ];

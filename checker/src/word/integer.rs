@@ -7,7 +7,7 @@ use std::{
 
 /// An integer: sign and magnitude.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Integer {
+pub(crate) struct Integer {
     /// Never true of zero.
     negative: bool,
     /// The magnitude in base 2³², the least digit first; the last one is not 0.

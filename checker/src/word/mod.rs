@@ -116,9 +116,9 @@
 
 mod by_signs;
 mod by_theorem;
-mod integer;
-mod number;
-mod set;
+pub(crate) mod integer;
+pub(crate) mod number;
+pub(crate) mod set;
 mod text;
 
 use super::Rejection;

@@ -9,7 +9,7 @@ pub(super) const DIGITS: usize = 100;
 
 /// A fraction p/q in lowest terms, q > 0.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Rational {
+pub(crate) struct Rational {
     pub p: Integer,
     pub q: Integer,
 }
@@ -35,6 +35,12 @@ impl Rational {
 
     pub fn whole(value: u64) -> Rational {
         Rational { p: Integer::from(value), q: Integer::from(1) }
+    }
+
+    /// units/2^bits, units below 2⁶⁴ in magnitude; not in lowest terms.
+    pub fn binary(units: i128, bits: usize) -> Rational {
+        let p = Integer::from(u64::try_from(units.unsigned_abs()).expect("below 2^64"));
+        Rational { p: if units < 0 { -&p } else { p }, q: Integer::power_of_two(bits) }
     }
 
     pub fn compared(&self, other: &Rational) -> Ordering {

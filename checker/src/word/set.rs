@@ -32,7 +32,7 @@ use crate::rejection::ensure;
 
 /// A set of (a₁, a₂), 0 < a₂ ≤ 1, as it is written.
 #[derive(Debug, Clone)]
-pub(super) enum Place {
+pub(crate) enum Place {
     /// The point.
     Plane(Rational, Rational),
     /// a₁ = 2r cos 2πs, a₂ = r².
@@ -104,7 +104,7 @@ impl Place {
 }
 
 /// What is known of u_n and N_{n,k} on a set, in units of 2^−P.
-pub(super) struct Signs {
+pub(crate) struct Signs {
     place: Place,
     bits: usize,
     center: [Integer; 2],
