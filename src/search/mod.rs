@@ -22,10 +22,12 @@ mod instance;
 pub mod machine;
 pub mod orbit;
 pub mod range;
+mod share;
 mod theorem2;
 mod word;
 
 pub use entropy::entropy_certificate;
 pub use instance::Instance;
+pub use share::{ShareStatement, certify_share};
 pub use theorem2::{Proof, ProofMethod, assemble_theorem2, prove_theorem2, theorem2_blocks, write_theorem2};
 pub use word::{Certified, WordCertificate, WordPlace, certify_word};

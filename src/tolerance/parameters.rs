@@ -151,13 +151,43 @@ impl ParameterBox {
         })
     }
 
+    /// The name of its coordinates, as a certificate has it.
+    pub(crate) fn coordinates_name(&self) -> &'static str {
+        match self.coordinates {
+            Coordinates::Machine => "machine",
+            Coordinates::Polar => "polar",
+            Coordinates::Plane => "plane",
+        }
+    }
+
+    /// The parameter along which its image in the plane is longer, by floats at the middles of its sides;
+    /// none of a point.
+    pub(crate) fn longer(&self) -> Option<usize> {
+        let float = |x: &BigRational| x.to_f64().unwrap_or(0.0);
+        let middle = self.centre().each_ref().map(float);
+        let length = |i: usize| {
+            let [from, to] = self.bounds[i].each_ref().map(|end| {
+                let mut at = middle;
+                at[i] = float(end);
+                self.in_plane(at)
+            });
+            (to[0] - from[0]).abs() + (to[1] - from[1]).abs()
+        };
+        match self.bounds.each_ref().map(is_flat) {
+            [true, true] => None,
+            [true, false] => Some(1),
+            [false, true] => Some(0),
+            [false, false] => Some(usize::from(length(1) > length(0))),
+        }
+    }
+
     /// Whether it is one point.
     pub fn is_point(&self) -> bool {
         self.bounds.iter().all(|[lower, upper]| lower == upper)
     }
 
     /// The two halves, cut across one parameter.
-    pub(super) fn halves(&self, axis: usize) -> [ParameterBox; 2] {
+    pub(crate) fn halves(&self, axis: usize) -> [ParameterBox; 2] {
         let middle = (&self.bounds[axis][0] + &self.bounds[axis][1]) / BigRational::from_integer(2.into());
         [1, 0].map(|end| {
             let mut half = self.clone();

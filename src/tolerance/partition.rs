@@ -297,7 +297,7 @@ fn spelling(word: &Word) -> (Vec<(u64, Letter)>, bool) {
 
 impl Leaf {
     /// What is certain on a cell, and across which parameter to halve it if there is hope of more.
-    pub(super) fn new(cell: ParameterBox, depth: u32) -> Result<(Leaf, Option<usize>)> {
+    pub(crate) fn new(cell: ParameterBox, depth: u32) -> Result<(Leaf, Option<usize>)> {
         let signs = Cell::new(&cell);
         let word = |positive| Word::of_set(&signs, signs.realm(), positive, LETTERS, &());
         // The axis is that of the last open sign: eµ > 0 comes last.
@@ -364,7 +364,7 @@ impl Leaf {
         match statement {
             Statement::Chaos(case) => self.is_chaotic(case),
             Statement::ChaosAt { positive } => self.own(positive, |case| self.is_chaotic(case)),
-            Statement::Period { positive, n } => self.has(positive, n).map(|letter| letter.is_some()),
+            Statement::Period { positive, n } => self.letter(positive, n).map(|letter| letter.is_some()),
             Statement::Orbit { case, n } => self.has_orbit(case, n),
             Statement::OrbitAt { positive, n } => self.own(positive, |case| self.has_orbit(case, n)),
             Statement::Follows { case, from, to } => self.follows(case, from, to),
@@ -382,7 +382,7 @@ impl Leaf {
     }
 
     /// The letter of period n, none if it does not occur.
-    fn has(&self, positive: bool, n: u64) -> Option<Option<Letter>> {
+    pub(crate) fn letter(&self, positive: bool, n: u64) -> Option<Option<Letter>> {
         let word = self.word(positive);
         let listed = match word.is_endless() {
             true => word.up_to(n).pop().filter(|vertex| vertex.period == n),
@@ -403,7 +403,7 @@ impl Leaf {
 
     fn has_orbit(&self, case: Case, n: u64) -> Option<bool> {
         let positive = case.sign_emu() > 0;
-        let Some(found) = self.has(positive, n) else {
+        let Some(found) = self.letter(positive, n) else {
             // Its letter would be that of its side of s, and for eµ < 0 it would be D.
             let turn = self.turn?;
             let upper = positive && turn.sign(n)? == Sign::Negative;
@@ -440,7 +440,7 @@ impl Leaf {
 
     fn follows(&self, case: Case, from: u64, to: u64) -> Option<bool> {
         let positive = case.sign_emu() > 0;
-        if self.has(positive, from)?.is_none() || self.has(positive, to)?.is_none() {
+        if self.letter(positive, from)?.is_none() || self.letter(positive, to)?.is_none() {
             return Some(false);
         }
         let relation = Relation::new(self.word(positive), case.sign_gamma() > 0, false, from.max(to)).ok()?;

@@ -22,6 +22,7 @@ mod measure;
 mod measured;
 mod patterns;
 mod sequences;
+mod share;
 mod smooth_map;
 mod solvers;
 mod symbols;

@@ -121,7 +121,7 @@ fn what_cannot_be_asked_is_said() {
         ("word --r 0.9 --s 0.3±90%", "0 < s < 1/2"),
         ("word --r 0.9 --s 0.3 --shares", "at least one coordinate as an interval"),
         ("word --r 0.9 --s 0.3±1% --returns", "at one point"),
-        ("word --r 0.9 --s 0.3±1% --certificate w.txt", "there is none yet of other boxes"),
+        ("word --r 0.9 --s 0.3±1% --certificate w.txt", "of other boxes there is one of a share"),
         ("word --r 0.9±1% --s 0.3 --shares --cells 0", "--cells 0"),
         ("word --r 0.9±1% --s 0.3 --shares --format dot", "leave out --shares"),
         ("word --frequency 1Hz --drive 1Hz", "--damping-ratio"),

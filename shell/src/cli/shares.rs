@@ -1,6 +1,6 @@
 //! What `word --shares` and `classify` say of a box of parameters: shares of it, from a partition.
 
-use std::io::Write;
+use std::{io::Write, path::Path};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -15,11 +15,13 @@ use super::{
     word::Format,
 };
 use crate::{
+    certificate,
     error::{Error, Result},
     output::{
         Caption, Column, Destination, Print, Setting, TableCell, TableFormat, TableWriter, decimal_above,
         decimal_below, decimal_or_fraction,
     },
+    printable::Printable,
     tolerance::{
         CaseSigns, DEVIATIONS, LAST_PERIOD, Leaf, MOST_CELLS, NormalParameters, ParameterBox, Partition,
         Share, Spread, Subject, SubjectVerdict,
@@ -70,6 +72,8 @@ struct Report<'a> {
     bounds: &'a Bounds,
     partition: Partition,
     gamma: Option<bool>,
+    /// The certificate that was written, and its text.
+    proved: Option<(&'a Path, &'a str)>,
 }
 
 impl<'a> Report<'a> {
@@ -90,7 +94,7 @@ impl<'a> Report<'a> {
             Weight::Samples(_) => common_gamma(&partition),
             _ => of.gamma_is_positive(),
         };
-        Ok(Report { of, weight, bounds, partition, gamma })
+        Ok(Report { of, weight, bounds, partition, gamma, proved: None })
     }
 
     fn chaos(&self, signs: CaseSigns) -> Share {
@@ -186,10 +190,10 @@ fn at(bounds: &Bounds, point: &[BigRational; 2]) -> String {
     format!("{}, {}", one(0), one(1))
 }
 
-/// `grazing word --shares`.
+/// `grazing word --shares`, with the certificate that was written.
 pub(super) fn run(
     of: (&ParameterBox, Weight),
-    bounds: &Bounds,
+    (bounds, proved): (&Bounds, Option<(&Path, &str)>),
     limits: Limits,
     format: Format,
     destination: &Destination,
@@ -197,7 +201,7 @@ pub(super) fn run(
 ) -> Result<Outcome> {
     let option = if matches!(of.1, Weight::Samples(_)) { "--samples" } else { "--shares" };
     let format = format.of_table(option)?;
-    let report = Report::new(of, bounds, &limits, interrupt)?;
+    let report = Report { proved, ..Report::new(of, bounds, &limits, interrupt)? };
     let rows = rows(&report, limits.last);
     let open = rows.iter().any(|row| row.word.is_none() && row.share.spread() == Spread::Open);
     let written = destination.write(|out| match format {
@@ -294,7 +298,18 @@ fn text(report: &Report, rows: &[Row]) -> String {
     if partition.is_cut() {
         text += "More --cells make the bounds narrower.\n";
     }
+    if let Some((path, certificate)) = report.proved {
+        text += &format!("Certificate: {}\n", Printable(&path.display().to_string()));
+        for (name, value) in certified(certificate) {
+            text += &format!("  {name}: {value}\n");
+        }
+    }
     text
+}
+
+/// What the checker says of a certificate.
+fn certified(text: &str) -> Vec<(&'static str, String)> {
+    certificate::check(&mut text.as_bytes()).map_or(Vec::new(), |checked| checked.detail)
 }
 
 /// The bounds of a cell.
@@ -353,6 +368,7 @@ fn write_json(report: &Report, rows: &[Row], out: &mut dyn Write) -> Result<()> 
             "cell": place::json(&of_cell(report.bounds, leaf), None),
             "why": why_open(leaf),
         })),
+        "certificate": report.proved.map(|(path, _)| path.display().to_string()),
         "chaos": of("chaos", &|row| json!({ "sign_gamma": row.gamma.map(sign) })),
         "periods": of("period", &|row| json!({ "n": row.n })),
         "words": of("word", &|row| {

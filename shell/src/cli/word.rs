@@ -23,10 +23,11 @@ use crate::{
     local::{Forward, Ladder, Point, Region},
     number::{certain_digits, parse_integer},
     output::{
-        Caption, Column, Destination, FileRegistry, Print, Setting, TableCell, TableFormat, TableWriter, say,
+        Caption, Column, Destination, FileRegistry, OutputFile, Print, Setting, TableCell, TableFormat,
+        TableWriter, say,
     },
     printable::Printable,
-    search::{Certified, WordCertificate, WordPlace, certify_word},
+    search::{Certified, ShareStatement, WordCertificate, WordPlace, certify_share, certify_word},
     tolerance::ParameterBox,
     word::{ClosedWalks, Edge, Entropy, Extent, Letter, Rectangle, Relation, Word},
 };
@@ -76,9 +77,16 @@ pub(super) struct Args {
     #[arg(long, value_name = "L", default_value_t = 200, value_parser = parse_integer::<usize>)]
     letters: usize,
     /// Write a certificate, which `grazing check` proves again: every period up to the word's last mediant
-    /// (or P, or 256) and every edge by its own sign.
+    /// (or P, or 256) and every edge by its own sign; with --shares, the share of the box in which
+    /// what --holds says holds.
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
+    /// What the certificate of --shares is of: "chaos +", where e*mu > 0 (+) or < 0 (-), with a second sign,
+    /// that of gamma, for a box of r and s or of a1 and a2; "period + 3"; or "word + 5 1D 2U 3U", these of
+    /// the periods 1 to 5 and no others. Periods are at most 64.
+    #[arg(long, value_name = "WHAT", requires_all = ["shares", "certificate"],
+          value_parser = ShareStatement::parse)]
+    holds: Option<ShareStatement>,
     /// List instead the first-return times to the line x1 = -1 from the side of 0, and the points (-1, p)
     /// that have them, for complex eigenvalues of any modulus: where grazing orbits strike next, and for r >
     /// 1 the return times of a border collision.
@@ -86,11 +94,11 @@ pub(super) struct Args {
     returns: bool,
     /// Say of a box instead in which share of it chaos is born, each period and each word occurs: bounds,
     /// from cells on which that is certain.
-    #[arg(long, conflicts_with_all = ["certificate", "returns"])]
+    #[arg(long, conflicts_with = "returns")]
     shares: bool,
     /// Read X±Y as a normal parameter with deviation Y, independent of the other one: --shares are
     /// probabilities, from cells as far as five deviations; what lies beyond counts as open.
-    #[arg(long, requires = "shares")]
+    #[arg(long, requires = "shares", conflicts_with = "certificate")]
     normal: bool,
     /// Count the verdicts of the machines in a CSV with columns frequency, damping_ratio and drive in one
     /// unit (or ratio, damping_ratio; r, s; a1, a2), a sample per line: counts, which bound no share.
@@ -105,7 +113,7 @@ pub(super) struct Args {
           value_parser = parse_integer::<u64>)]
     cells: u64,
     /// Let the certificate rest on the word theorem: one sign per letter, and so all periods.
-    #[arg(long, requires = "certificate")]
+    #[arg(long, requires = "certificate", conflicts_with = "shares")]
     by_theorem: bool,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -188,10 +196,10 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     if let Some(file) = &args.samples {
         let (all, bounds) = samples::read(file, files)?;
         let of = (&all[0], Weight::Samples(&all));
-        return super::shares::run(of, &bounds, limits, args.format, &destination, interrupt);
+        return super::shares::run(of, (&bounds, None), limits, args.format, &destination, interrupt);
     }
     if args.shares {
-        return shares(args, limits, &destination, interrupt);
+        return shares(args, limits, files, &destination, interrupt);
     }
     if args.decides {
         return decides::run(args.place.given()?, &limits, args.format, &destination, interrupt);
@@ -222,14 +230,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         .collect::<Result<Vec<Side>>>()?;
     drop(progress);
     let certified = file.as_ref().map(|_| certify(args, &given, &sides, interrupt)).transpose()?;
-    let kept = match (&file, &certified) {
-        (Some(file), Some(Certified::Text(text))) => file.write(|out| Ok(out.write_all(text.as_bytes())?)),
-        (_, Some(Certified::Undecided(reason))) => {
-            say(format_args!("no certificate: {reason}"));
-            Ok(())
-        }
-        _ => Ok(()),
-    };
+    let kept = keep(file.as_ref(), certified.as_ref());
     let written_to = match &certified {
         Some(Certified::Text(_)) if kept.is_ok() => args.certificate.as_deref(),
         _ => None,
@@ -269,7 +270,13 @@ fn return_times(args: &Args, destination: &Destination, interrupt: &Interrupt) -
 }
 
 /// `--shares`.
-fn shares(args: &Args, limits: Limits, destination: &Destination, interrupt: &Interrupt) -> Result<Outcome> {
+fn shares(
+    args: &Args,
+    limits: Limits,
+    files: &FileRegistry,
+    destination: &Destination,
+    interrupt: &Interrupt,
+) -> Result<Outcome> {
     let Asked::Box(asked) = args.place.asked()? else {
         return Err(Error::input("--shares are those of a box: give at least one coordinate as an interval"));
     };
@@ -281,16 +288,45 @@ fn shares(args: &Args, limits: Limits, destination: &Destination, interrupt: &In
     let (of, bounds) = *asked;
     if args.normal {
         let (normal, of, bounds) = args.place.normal(&of, &bounds)?;
-        return super::shares::run(
-            (&of, Weight::Normal(&normal)),
-            &bounds,
-            limits,
-            args.format,
-            destination,
-            interrupt,
-        );
+        let of = (&of, Weight::Normal(&normal));
+        return super::shares::run(of, (&bounds, None), limits, args.format, destination, interrupt);
     }
-    super::shares::run((&of, Weight::Size), &bounds, limits, args.format, destination, interrupt)
+    limits.check()?;
+    let file = args.certificate.as_deref().map(|path| files.write("--certificate", path)).transpose()?;
+    let certified = match (&args.holds, &file) {
+        (Some(holds), _) => {
+            let progress = Progress::new(interrupt, 0, "cells of the certificate");
+            let mut stop = || interrupt.check().is_err();
+            Some(certify_share(&of, holds, limits.cells, &progress, &mut stop)?)
+        }
+        (None, None) => None,
+        (None, Some(_)) => {
+            return Err(Error::input(
+                "--certificate with --shares is of one statement: add --holds \"chaos +\", \"period + 3\" or \"word + 5 1D 2U 3U\"",
+            ));
+        }
+    };
+    let kept = keep(file.as_ref(), certified.as_ref());
+    let proved = match (&certified, &args.certificate) {
+        (Some(Certified::Text(text)), Some(path)) if kept.is_ok() => Some((path.as_path(), text.as_str())),
+        _ => None,
+    };
+    let of = (&of, Weight::Size);
+    let outcome = super::shares::run(of, (&bounds, proved), limits, args.format, destination, interrupt)?;
+    let open = matches!(certified, Some(Certified::Undecided(_))) && outcome == Outcome::Done;
+    reported(if open { Outcome::Undecided } else { outcome }, kept)
+}
+
+/// Writes a certificate, or says why there is none.
+fn keep(file: Option<&OutputFile>, certified: Option<&Certified>) -> Result<()> {
+    match (file, certified) {
+        (Some(file), Some(Certified::Text(text))) => file.write(|out| Ok(out.write_all(text.as_bytes())?)),
+        (_, Some(Certified::Undecided(reason))) => {
+            say(format_args!("no certificate: {reason}"));
+            Ok(())
+        }
+        _ => Ok(()),
+    }
 }
 
 /// What the table of the words shows; `certificate` is the one that proves it.
@@ -403,7 +439,7 @@ fn certify(args: &Args, given: &Given, sides: &[Side], interrupt: &Interrupt) ->
         At::Rectangle(rectangle) => WordPlace::Rectangle(rectangle),
         At::Box(_) => {
             return Err(Error::input(
-                "--certificate: for a point, or for intervals of --a1 and --a2; there is none yet of other boxes",
+                "--certificate: for a point, or for intervals of --a1 and --a2; of other boxes there is one of a share, with --shares and --holds",
             ));
         }
     };
