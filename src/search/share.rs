@@ -263,6 +263,11 @@ fn fraction(x: &BigRational) -> String {
 
 /// The lines before the shares.
 fn head(of: &ParameterBox, statement: &ShareStatement) -> Result<String> {
+    let Some(name) = of.coordinates_name() else {
+        let why = "a certificate of a share is of machines by frequency and damping ratio, of r and s, or of a1 \
+                   and a2, not of functions of other parameters";
+        return Err(Error::input(why));
+    };
     let ends: Vec<&BigRational> = of.bounds().iter().flatten().collect();
     for x in &ends {
         if [x.numer().abs(), x.denom().clone()].iter().any(|part| part.to_string().len() > DIGITS) {
@@ -274,8 +279,8 @@ fn head(of: &ParameterBox, statement: &ShareStatement) -> Result<String> {
     }
     let ends: Vec<String> = ends.into_iter().map(fraction).collect();
     let (format, kind, what) = (certificate::FORMAT, form::KIND, form::STATEMENT);
-    let (of, ends) = (of.coordinates_name(), ends.join(" "));
-    Ok(format!("{format}\nkind {kind}\nstatement {what}\nbox {of} {ends}\nholds {statement}\n"))
+    let ends = ends.join(" ");
+    Ok(format!("{format}\nkind {kind}\nstatement {what}\nbox {name} {ends}\nholds {statement}\n"))
 }
 
 /// Whether the checker proves the claim for one part, of a certificate that claims nothing else.

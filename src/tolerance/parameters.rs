@@ -151,12 +151,13 @@ impl ParameterBox {
         })
     }
 
-    /// The name of its coordinates, as a certificate has it.
-    pub(crate) fn coordinates_name(&self) -> &'static str {
+    /// The name of its coordinates, as a certificate has it; none where damping and stiffness are functions.
+    pub(crate) fn coordinates_name(&self) -> Option<&'static str> {
         match self.coordinates {
-            Coordinates::Machine => "machine",
-            Coordinates::Polar => "polar",
-            Coordinates::Plane => "plane",
+            Coordinates::Machine => Some("machine"),
+            Coordinates::Polar => Some("polar"),
+            Coordinates::Plane => Some("plane"),
+            Coordinates::Oscillator(_) => None,
         }
     }
 
