@@ -24,6 +24,7 @@ const TABS = "every tab keeps the rules of axe-core, and explains its words: lig
 const EXPLAINED = "a word is explained under the pointer, at the focus and at a tap, and goes away";
 const LINK = "a scene is in the link, packed; Back, a reload and another browser restore it";
 const NO_LINK = "a scene that no link holds is said to be in none";
+const KEPT = "a scene that no link holds, or was typed, is found again with its answer by Back, Forward and a reload";
 const PHONE = "on a phone the picture comes first, the answer beside the finger, and the page scrolls";
 const PARTS = "an orbit over a range is shown part by part, as the command line's checker lists the parts";
 const RANGE = "an orbit proved over a range is a table of its parts and its ends, with the certificate checked";
@@ -69,17 +70,18 @@ const MUTANTS = [
   ["sides-of-the-touch", "start.ts", 'endsWith(drive < 1 ? "< 0" : "> 0")', 'endsWith(drive > 1 ? "< 0" : "> 0")', "start", START],
   ["proved-too-far", "start.ts", "BigInt(den) - BigInt(num)", "BigInt(num)", "start", START],
   ["mass-upside-down", "start-picture.ts", "height * ((CEILING - place)", "height * ((place - FLOOR)", "start", "the mass is above its stop, still before the touch and thrown up beyond it"],
-  ["back-forgets", "main.ts", "history.pushState(null", "history.replaceState(null", "back", "Back leads through tabs, points, examples and links, and Forward again"],
+  ["back-forgets", "main.ts", "history.pushState(state", "history.replaceState(state", "back", "Back leads through tabs, points, examples and links, and Forward again"],
   ["case-exchanged", "words.ts", "In (+,−), eµ > 0 and γ < 0.", "In (+,−), eµ < 0 and γ > 0.", "tabs-read", EXPLAINED],
   ["letters-exchanged", "words.ts", "U: its fraction m/n lies above", "U: its fraction m/n lies below", "tabs-read", EXPLAINED],
   ["keys-explain-nothing", "words.ts", 'addEventListener("focusin"', 'addEventListener("focusing"', "tabs-read", EXPLAINED],
   ["gamma-unexplained", "words.ts", "|(γ|", "|(γγ|", "tabs-read", TABS],
   ["choice-unnamed", "plane.ts", 'element("select", { "aria-label": name })', 'element("select")', "tabs-read", TABS],
   ["text-too-faint", "style.css", "--muted: #586069;", "--muted: #a8aeb6;", "tabs-read", TABS],
-  ["scene-not-in-link", "motion.ts", "Object.assign(state, this.inLinks, {", "Object.assign(state, {", "links", LINK],
+  ["scene-not-in-link", "motion.ts", "isLong ? { scene: this.text } : this.inLinks, {", "isLong ? { scene: this.text } : {}, {", "links", LINK],
   ["damage-unnoticed", "packed.ts", "|| crc(text) !== new DataView(bytes.buffer).getUint32(0)", "", "links", LINK],
   ["refused-address-lost", "motion.ts", "    this.refused = true;\n", "", "links", LINK],
   ["too-long-unsaid", "motion.ts", 'hidden = isPaper || !("why" in this.inLinks)', "hidden = true", "links", NO_LINK],
+  ["too-long-lost", "main.ts", "take(location.hash, keptHere())", "take(location.hash, null)", "links", KEPT],
   ["periods-misnamed", "plane-layers.ts", "return positive || n === 1 ? `${n}` : `1–${n}`;", "return positive || n === 1 ? `${n + 1}` : `1–${n}`;", "plane-read", COLOUR],
   ["periods-anywhere", "labels.ts", "run >= wide ? above + 1 : 0", "above + 1", "plane-read", COLOUR],
   ["answer-elsewhere", "plot.ts", "Math.min(px - width / 2,", "Math.min(px + width / 2,", "frame", PHONE],

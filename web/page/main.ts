@@ -31,6 +31,15 @@ function save(name: string, mime: string, data: string | Uint8Array): void {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
+/** A state too long for a link, which the browser's history keeps beside the address. */
+type Kept = Record<string, string> | null;
+
+/** The longest state that is asked of the history, in letters: some browsers refuse 16 MB, others copy it at every step. */
+const MOST_KEPT = 4 << 20;
+
+/** The longest query by which one panel leads to another. */
+const LONGEST = 6000;
+
 interface Shown {
   panel: Panel;
   tab: HTMLButtonElement;
@@ -38,6 +47,8 @@ interface Shown {
   mounted: boolean;
   /** The fragment that leads to its present state. */
   link: string;
+  /** That state where no link holds it. */
+  kept: Kept;
 }
 
 const shown: Shown[] = panels.map((panel) => {
@@ -54,19 +65,37 @@ const shown: Shown[] = panels.map((panel) => {
   });
   find("tabs").append(tab);
   find("panels").append(root);
-  return { panel, tab, root, mounted: false, link: `#${panel.id}` };
+  return { panel, tab, root, mounted: false, link: `#${panel.id}`, kept: null };
 });
 
 /** Whether what is put into the address next is a step of the reader's, which Back undoes. */
 let stepping = false;
 
-function setFragment(fragment: string): void {
+/** What the history keeps beside the present address. */
+const keptHere = (): Kept => history.state?.kept ?? null;
+
+/** Puts a state into the address, or beside it what no address holds: whether the browser has it then. */
+function setFragment(fragment: string, kept: Kept): boolean {
+  const write = (state: { kept: Kept } | null): void => {
+    if (stepping) history.pushState(state, "", fragment);
+    else history.replaceState(state, "", fragment);
+  };
+  let held = true;
+  const text = JSON.stringify(kept);
   // What is there already is not put there again: that would end a step back that has just begun.
-  if (fragment !== location.hash) {
-    if (stepping) history.pushState(null, "", fragment);
-    else history.replaceState(null, "", fragment);
+  if (fragment !== location.hash || text !== JSON.stringify(keptHere())) {
+    held = text.length <= MOST_KEPT;
+    try {
+      write(held && kept ? { kept } : null);
+    } catch (refused) {
+      if (!kept) throw refused;
+      // Nothing is better than the state before, which would come back in its place.
+      held = false;
+      write(null);
+    }
   }
   stepping = false;
+  return held;
 }
 
 function contextOf(entry: Shown): Context {
@@ -76,14 +105,22 @@ function contextOf(entry: Shown): Context {
     permalink(state) {
       const query = new URLSearchParams(state).toString();
       entry.link = `#${entry.panel.id}${query ? `?${query}` : ""}`;
-      if (!entry.root.hidden) setFragment(entry.link);
+      entry.kept = null;
+      if (!entry.root.hidden) setFragment(entry.link, null);
+    },
+    keep(state) {
+      entry.link = `#${entry.panel.id}`;
+      entry.kept = state;
+      return entry.root.hidden ? null : setFragment(entry.link, state);
     },
     step() {
       stepping = true;
     },
     go(id, state) {
       stepping = true;
-      take(`#${id}?${new URLSearchParams(state)}`);
+      const query = new URLSearchParams(state).toString();
+      if (query.length <= LONGEST) take(`#${id}?${query}`, null);
+      else take(`#${id}`, state);
     },
     announce,
     save,
@@ -109,35 +146,35 @@ function show(entry: Shown): void {
     entry.mounted = true;
     entry.panel.mount(entry.root, contextOf(entry));
   }
-  setFragment(entry.link);
+  setFragment(entry.link, entry.kept);
 }
 
 /** Keys of a link that hold what a file says, to the letter. */
 const VERBATIM = ["scene", "packed", "name"];
 
-/** Shows what a fragment says. */
-function take(fragment: string): void {
+/** Shows what a fragment says, or what was kept beside it. */
+function take(fragment: string, kept: Kept): void {
   const [id, query = ""] = fragment.slice(1).split(/\?(.*)/s);
   const entry = shown.find(({ panel }) => panel.id === id) ?? shown[0];
   if (!entry) return;
-  if (entry.panel.id === id) entry.link = fragment;
+  if (entry.panel.id === id) Object.assign(entry, { link: fragment, kept });
   const known = entry.mounted;
   show(entry);
-  if (query && entry.panel.id === id) {
+  if ((query || kept) && entry.panel.id === id) {
     // A panel that is new has put its beginning there.
-    entry.link = fragment;
-    setFragment(fragment);
+    Object.assign(entry, { link: fragment, kept });
+    setFragment(fragment, kept);
   }
-  const state = new URLSearchParams(query);
+  const state = new URLSearchParams(kept ?? query);
   for (const [key, value] of state) if (!VERBATIM.includes(key)) state.set(key, hyphens(value));
   // A bare link leads back to the beginning.
-  if (query || known) entry.panel.restore(state);
+  if (query || kept || known) entry.panel.restore(state);
 }
 
 /** Takes over what the address says, by a link, Back or Forward. */
 function follow(): void {
   stepping = false;
-  take(location.hash);
+  take(location.hash, keptHere());
 }
 
 for (const [index, entry] of shown.entries()) {

@@ -338,7 +338,7 @@ class MotionPanel implements Panel {
     this.isPaper = isPaper;
     this.inLinks = inLinks;
     this.parts.unlinked.hidden = isPaper || !("why" in this.inLinks);
-    this.parts.unlinked.textContent = "why" in this.inLinks ? `This scene is not in the link: ${this.inLinks.why}. Send it as a file.` : "";
+    this.sayUnlinked("");
     this.scene = scene;
     this.values = new Map(scene.parameters.map(({ name, value }) => [name, value]));
     const { parts } = this;
@@ -502,10 +502,9 @@ class MotionPanel implements Panel {
     const { parts, scene } = this;
     if (!scene) return;
     if (this.refused) return;
-    // Values alone would lead to the paper's scene with them.
-    if (!this.isPaper && "why" in this.inLinks) return this.context.permalink({});
+    const isLong = !this.isPaper && "why" in this.inLinks;
     const state: Record<string, string> = { view: this.view };
-    if (!this.isPaper) Object.assign(state, this.inLinks, { name: this.name });
+    if (!this.isPaper) Object.assign(state, isLong ? { scene: this.text } : this.inLinks, { name: this.name });
     for (const { name, value } of scene.parameters) {
       const now = this.values.get(name);
       if (now !== undefined && now !== value) state[`v.${name}`] = now;
@@ -515,7 +514,15 @@ class MotionPanel implements Panel {
     if (parts.parameter.value && parts.parameter.value !== scene.parameter) state.parameter = parts.parameter.value;
     if (scene.machine) state.seen = parts.seen.value;
     for (const key of ["from", "to", "count", "transient", "periods"] as const) state[key] = parts[key].value;
-    this.context.permalink(state);
+    if (!isLong) return this.context.permalink(state);
+    const isKept = this.context.keep(state);
+    if (isKept !== null) this.sayUnlinked(isKept ? " Back and a reload find it here." : " It is too long for the browser’s history, too: Back does not find it.");
+  }
+
+  /** Why a scene is not in the link, and what else is known of that; once, as it is read aloud. */
+  private sayUnlinked(more: string): void {
+    const said = "why" in this.inLinks ? `This scene is not in the link: ${this.inLinks.why}. Send it as a file.${more}` : "";
+    if (this.parts.unlinked.textContent !== said) this.parts.unlinked.textContent = said;
   }
 
   private async take(state: URLSearchParams): Promise<void> {

@@ -26,9 +26,14 @@ export interface Context {
   latest(name: string, ...args: unknown[]): Promise<any>;
   /** Puts the panel's state into the address, so that a link leads back to it. */
   permalink(state: Record<string, string>): void;
+  /**
+   * The same for a state that no link holds: the link leads to the panel alone, and Back, Forward and a reload find
+   * the state. False where the browser does not keep it; null while the panel is hidden, when it is not asked yet.
+   */
+  keep(state: Record<string, string>): boolean | null;
   /** What is put into the address next is a step of the reader's: Back leads to what was before it. */
   step(): void;
-  /** Shows a panel with a state, as a link does. */
+  /** Shows a panel with a state, as a link does; however long the state is. */
   go(id: string, state: Record<string, string>): void;
   /** Says a text to who listens to the page. */
   announce(text: string): void;
