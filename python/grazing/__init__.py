@@ -2,8 +2,8 @@
 
 The functions are those of the command line ``grazing``: :func:`check`, :func:`verify`, :func:`intervals`,
 :func:`classify` (:func:`classify_many` for arrays), :func:`word`, :func:`evaluate`, :func:`boundary`,
-:func:`existence`, :func:`fuzz`; and :class:`Scene` for oscillators and machines. Numbers are exact: ``int``,
-``Fraction``, ``Decimal``, or text such as ``"3/8+2^-200"``. Work that ends in a proof, or not, gives an
+:func:`existence`, :func:`decay`, :func:`fuzz`; and :class:`Scene` for oscillators and machines. Numbers are
+exact: ``int``, ``Fraction``, ``Decimal``, or text such as ``"3/8+2^-200"``. Work that ends in a proof, or not, gives an
 :class:`Outcome`, which is never a bool.
 
 >>> import grazing
@@ -17,6 +17,7 @@ from pathlib import Path as _Path
 
 from ._arrays import Fractions
 from ._boxes import Share, Shares, shares
+from ._decay import Decay, Estimate, decay
 from ._errors import (
     Error,
     FileError,
@@ -53,11 +54,12 @@ from ._theory import FuzzReport, PatternReport, existence, fuzz
 STYLE = str(_Path(__file__).with_name("grazing.mplstyle"))
 
 __all__ = [
-    "Case", "Classification", "Done", "EVENT_KINDS", "Edge", "End", "Error", "Existence", "Failed",
-    "FileError", "ForkedError", "Fractions", "FuzzReport", "GrazingWarning", "InputError", "InternalError",
-    "InterruptedWork", "Interval", "Intervals", "MissingPackageError", "Motions", "NothingFound",
-    "NumberOverflowError", "Outcome", "PatternReport", "Pending", "Proved", "Record", "Refuted", "Rejected",
-    "Run", "STYLE", "Scene", "Share", "Shares", "Task", "TaskReport", "Undecided", "Value", "Word",
-    "WordCase", "WordReport", "__version__", "boundary", "check", "classify", "classify_many", "evaluate",
-    "existence", "frame", "fuzz", "intervals", "shares", "verify", "word",
+    "Case", "Classification", "Decay", "Done", "EVENT_KINDS", "Edge", "End", "Error", "Estimate", "Existence",
+    "Failed", "FileError", "ForkedError", "Fractions", "FuzzReport", "GrazingWarning", "InputError",
+    "InternalError", "InterruptedWork", "Interval", "Intervals", "MissingPackageError", "Motions",
+    "NothingFound", "NumberOverflowError", "Outcome", "PatternReport", "Pending", "Proved", "Record",
+    "Refuted", "Rejected", "Run", "STYLE", "Scene", "Share", "Shares", "Task", "TaskReport", "Undecided",
+    "Value", "Word", "WordCase", "WordReport", "__version__", "boundary", "check", "classify",
+    "classify_many", "decay", "evaluate", "existence", "frame", "fuzz", "intervals", "shares", "verify",
+    "word",
 ]

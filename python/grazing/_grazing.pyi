@@ -17,6 +17,7 @@ __all__ = [
     "check_text",
     "classify",
     "classify_many",
+    "decay",
     "evaluate",
     "existence",
     "forced",
@@ -67,6 +68,7 @@ def word_in_box(
 def shares(
     first: _Ends, second: _Ends, kind: str, cells: int, last: int, progress: _Progress
 ) -> str: ...
+def decay(times: npt.NDArray[np.float64], displacements: npt.NDArray[np.float64]) -> str: ...
 def evaluate(
     first: _Exact, second: _Exact, polar: bool, n: int, k: int | None, bits: int
 ) -> list[tuple[int | None, str, str, str | None]]: ...

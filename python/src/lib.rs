@@ -10,6 +10,7 @@ mod batch;
 mod boxes;
 mod classify;
 mod columns;
+mod decay;
 mod exact;
 mod failure;
 mod forced;
@@ -32,5 +33,6 @@ fn _grazing(module: &Bound<'_, PyModule>) -> PyResult<()> {
     places::add(module)?;
     classify::add(module)?;
     boxes::add(module)?;
+    decay::add(module)?;
     forced::add(module)
 }
