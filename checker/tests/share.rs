@@ -5,8 +5,8 @@
 use std::f64::consts::TAU;
 
 use crate::common::{
-    Random, SHARE, SHARE_PLANE, SHARE_POLAR, answer, are_refused, float, flow, rejected, second_reader,
-    trials, with,
+    Random, SHARE, SHARE_PLANE, SHARE_POLAR, answer, are_refused, damaged_so_are_true, float, flow, rejected,
+    second_reader, trials, with,
 };
 use grazing_check::{Checked, share::STATEMENT};
 
@@ -592,26 +592,8 @@ fn damage(random: &mut Random, text: &str) -> String {
 #[test]
 fn what_damage_leaves_is_true() {
     for (seed, text) in [(1, SHARE), (2, SHARE_POLAR), (3, SHARE_PLANE)] {
-        assert_eq!(lie(text), None);
-        let mut random = Random(seed);
-        let [mut refused, mut unchanged, mut still] = [0; 3];
         let all = trials(600);
-        for _ in 0..all {
-            let mut damaged = damage(&mut random, text);
-            if random.below(4) == 0 {
-                damaged = damage(&mut random, &damaged);
-            }
-            if answer(&damaged).is_err() {
-                refused += 1;
-            } else if damaged == text {
-                unchanged += 1;
-            } else {
-                still += 1;
-                assert_eq!(lie(&damaged), None, "{damaged}");
-            }
-        }
-        println!("{refused} rejected, {unchanged} unchanged, {still} still true");
-        assert!(still > all / 20 && refused > all / 3, "{still} accepted, {refused} rejected");
+        damaged_so_are_true((seed, all, all / 20), text, damage, lie);
     }
 }
 

@@ -183,14 +183,11 @@ impl RangeRow {
 
     fn own_lines(&self, varied: &str, lines: &mut Lines) {
         let (side, reason) = (self.side, self.reason.as_deref().unwrap_or_default());
-        let periods: Vec<String> = self.periods.iter().map(u64::to_string).collect();
-        let orbit = format!("the orbit of one impact in {} periods", periods.join(", "));
-        let orbit = if self.periods == [1] { "the orbit of one impact a period".into() } else { orbit };
         if let (Some(touches), Some(depth)) = (&self.touches, &self.depth) {
             return self.lines_of_all(touches, depth, varied, lines);
         }
         let (Some(touch), Some(end)) = (&self.touch, &self.end) else {
-            let of = if self.of == ORBIT { format!(" of {orbit}") } else { String::new() };
+            let of = if self.of == ORBIT { format!(" of {}", self.what()) } else { String::new() };
             let why = match self.verdict {
                 "undecided" => format!("none proved{of}: {reason}"),
                 _ if reason.is_empty() => "nothing is born".into(),
@@ -204,12 +201,10 @@ impl RangeRow {
             format!("{end} <= {varied} < {touch}")
         };
         let part = self.share.map_or(String::new(), |share| format!(" ({:.2} %)", 100.0 * share));
-        if let (Some(periods), Some(zone)) = (self.leaves, self.zone) {
+        if let Some(leaving) = self.leaving() {
             lines.say(
                 "range",
-                format!(
-                    "{side} the touch, nothing is born; proved for {above}{part}: within {periods} periods every motion meets the stop more than {zone} periods from the phase of the touch (less for nu < 1/100)"
-                ),
+                format!("{side} the touch, nothing is born; proved for {above}{part}: {leaving}"),
             );
             lines.say("range_ends", reason);
             return lines.say_known("certificate", &self.certificate);
@@ -220,6 +215,15 @@ impl RangeRow {
             format!("{side} the touch, proved for {above}{part}: {what} is exactly one motion"),
         );
         self.further_lines(varied, lines);
+    }
+
+    /// Where no motion stays near, in which sense.
+    fn leaving(&self) -> Option<String> {
+        let (periods, zone) = (self.leaves?, self.zone?);
+        Some(format!(
+            "within {periods} periods every motion meets the stop more than {zone} periods from the phase of the touch \
+             (less for nu < 1/100)"
+        ))
     }
 
     /// What is exactly one motion.
@@ -253,12 +257,9 @@ impl RangeRow {
         };
         let depth =
             parse_rational(depth).map_or_else(|_| depth.to_string(), |depth| decimal_or_fraction(&depth));
-        let what = match (self.leaves, self.zone) {
-            (Some(periods), Some(zone)) => format!(
-                "nothing is born, and within {periods} periods every motion meets the stop more than {zone} periods from \
-                 the phase of the touch (less for nu < 1/100)"
-            ),
-            _ => format!("{} is exactly one motion", self.what()),
+        let what = match self.leaving() {
+            Some(leaving) => format!("nothing is born, and {leaving}"),
+            None => format!("{} is exactly one motion", self.what()),
         };
         lines.say(
             "range",

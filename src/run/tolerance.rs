@@ -2,9 +2,10 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
+use num_traits::Signed;
 use serde::Serialize;
 
-use super::{Lines, Status};
+use super::{Lines, Status, range::inwards};
 use crate::{
     error::Result,
     monitor::Monitor,
@@ -19,9 +20,9 @@ const CELLS: u64 = 2000;
 const LETTERS: usize = 100;
 /// Decimals of shares.
 const PLACES: u32 = 6;
-/// The longest numbers of a cell, in characters, and the decimals of others.
+/// The longest numbers in words, in characters, and the digits of others.
 const LONGEST: usize = 18;
-const DIGITS: u32 = 15;
+const DIGITS: i32 = 15;
 
 /// A parameter and what its tolerance allows.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -34,6 +35,9 @@ pub struct ToleratedParameter {
     pub upper: String,
     /// Whether damping or stiffness depend on it, and so what is born.
     pub moves: bool,
+    /// Both in words, inwards where they have many digits: what is told is told of these, too.
+    #[serde(skip)]
+    pub(crate) shown: [String; 2],
 }
 
 /// What is born on one side of the touch.
@@ -160,19 +164,24 @@ fn named(parameters: &[Tolerated], point: &[BigRational; 2]) -> Vec<ParameterVal
     parameters.iter().filter_map(value).collect()
 }
 
+/// A number in few digits, which is towards another if it has more.
+fn short(x: &BigRational, other: &BigRational) -> String {
+    let exactly = decimal_or_fraction(x);
+    if exactly.len() <= LONGEST { exactly } else { inwards(x, other, DIGITS) }
+}
+
 /// A cell's side, outwards where its ends have many digits.
 fn between(name: &str, lower: &BigRational, upper: &BigRational) -> String {
-    let short = |x: &BigRational, outwards: fn(&BigRational, u32) -> String| {
-        let exactly = decimal_or_fraction(x);
-        if exactly.len() <= LONGEST { exactly } else { outwards(x, DIGITS) }
-    };
-    format!("{} <= {name} <= {}", short(lower, decimal_below), short(upper, decimal_above))
+    let far = lower.abs() + upper.abs();
+    format!("{} <= {name} <= {}", short(lower, &(lower - &far)), short(upper, &(upper + &far)))
 }
 
 impl ToleratedParameter {
     fn of(one: &Tolerated) -> ToleratedParameter {
-        let [lower, upper] = one.bounds.each_ref().map(decimal_or_fraction);
-        ToleratedParameter { name: one.name.clone(), lower, upper, moves: one.axis.is_some() }
+        let [from, to] = &one.bounds;
+        let [lower, upper] = [from, to].map(decimal_or_fraction);
+        let shown = [short(from, to), short(to, from)];
+        ToleratedParameter { name: one.name.clone(), lower, upper, moves: one.axis.is_some(), shown }
     }
 }
 
@@ -229,7 +238,7 @@ impl ToleranceReport {
     pub(super) fn lines(&self, lines: &mut Lines) {
         let shown = |moves: bool| {
             let some = self.parameters.iter().filter(move |one| one.moves == moves);
-            some.map(|one| format!("{} <= {} <= {}", one.lower, one.name, one.upper))
+            some.map(|one| format!("{} <= {} <= {}", one.shown[0], one.name, one.shown[1]))
                 .collect::<Vec<_>>()
                 .join(", ")
         };

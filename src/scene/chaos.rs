@@ -117,17 +117,11 @@ impl Value for ParameterCell {
     }
 
     fn read(entry: &Entry) -> Result<Self> {
-        let names: Vec<&str> = entry.scope.names.iter().map(String::as_str).collect();
-        entry.only(&names)?;
-        let mut all = Vec::new();
-        for name in names {
-            let Some(value) = entry.get(name)? else { continue };
-            match <[BigRational; 2]>::try_from(Vec::<BigRational>::read(&value)?) {
-                Ok(range) if range[0] < range[1] => all.push((name.to_string(), range)),
-                _ => return Err(value.fail("must be two numbers that increase")),
-            }
-        }
-        Ok(ParameterCell(all))
+        let range = |value: &Entry| match <[BigRational; 2]>::try_from(Vec::<BigRational>::read(value)?) {
+            Ok(range) if range[0] < range[1] => Ok(range),
+            _ => Err(value.fail("must be two numbers that increase")),
+        };
+        entry.of_parameters(range).map(ParameterCell)
     }
 }
 

@@ -210,6 +210,19 @@ impl<'a> Entry<'a> {
         if self.path.is_empty() { key.to_string() } else { format!("{}.{key}", self.path) }
     }
 
+    /// What a table has of the scene's parameters, in their order; other keys are refused.
+    pub(crate) fn of_parameters<T>(&self, read: impl Fn(&Entry) -> Result<T>) -> Result<Vec<(String, T)>> {
+        let names: Vec<&str> = self.scope.names.iter().map(String::as_str).collect();
+        self.only(&names)?;
+        let mut all = Vec::new();
+        for name in names {
+            if let Some(value) = self.get(name)? {
+                all.push((name.to_string(), read(&value)?));
+            }
+        }
+        Ok(all)
+    }
+
     /// Refuses keys that are not among `known`, or that the file's format does not have.
     pub(crate) fn only(&self, known: &[&str]) -> Result<()> {
         let (table, format) = (self.table()?, self.scope.format);

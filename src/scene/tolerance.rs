@@ -45,15 +45,7 @@ impl Value for Tolerances {
     }
 
     fn read(entry: &Entry) -> Result<Self> {
-        let names: Vec<&str> = entry.scope.names.iter().map(String::as_str).collect();
-        entry.only(&names)?;
-        let mut all = Vec::new();
-        for name in names {
-            if let Some(value) = entry.get(name)? {
-                all.push((name.to_string(), Tolerance::read(&value)?));
-            }
-        }
-        Ok(Tolerances(all))
+        entry.of_parameters(Tolerance::read).map(Tolerances)
     }
 }
 

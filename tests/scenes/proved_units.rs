@@ -24,7 +24,10 @@ fn scene(length: [i32; 2]) -> String {
 #[derive(Debug, PartialEq)]
 struct Found {
     verdicts: Vec<String>,
+    /// Speeds, values of events, ends of ranges.
     numbers: Vec<f64>,
+    /// Between parts that are stable and unstable.
+    flips: Vec<f64>,
 }
 
 fn found(length: [i32; 2]) -> Found {
@@ -62,7 +65,7 @@ fn found(length: [i32; 2]) -> Found {
     let (report, code, error) = run(&scene(length), &tasks, folder.path());
     assert_eq!(code, 0, "{length:?}: {error} {report}");
     let unit: f64 = of(1.0).parse().unwrap();
-    let mut found = Found { verdicts: Vec::new(), numbers: Vec::new() };
+    let mut found = Found { verdicts: Vec::new(), numbers: Vec::new(), flips: Vec::new() };
     for task in report["tasks"].as_array().unwrap() {
         for row in task["proofs"].as_array().unwrap() {
             found.verdicts.push(format!("{} {} {}", task["task"], row["verdict"], row["stable"]));
@@ -71,7 +74,8 @@ fn found(length: [i32; 2]) -> Found {
             let ends = ["parameter", "lower", "upper"].iter().filter_map(|name| number(&row[*name]));
             let parts = row["stability"].as_array().into_iter().flatten();
             let parts = parts.flat_map(|part| [number(&part["from"]), number(&part["to"])]).flatten();
-            found.numbers.extend(speeds.chain(ends).chain(parts).map(|x| x / unit));
+            found.numbers.extend(speeds.chain(ends).map(|x| x / unit));
+            found.flips.extend(parts.map(|x| x / unit));
             let file = folder.path().join(row["certificate"].as_str().unwrap());
             let text = std::fs::read(&file).unwrap();
             certificate::check(&mut &text[..]).unwrap();
@@ -87,13 +91,18 @@ fn found(length: [i32; 2]) -> Found {
 fn what_is_proved_is_so_in_every_unit() {
     let own = found([1, 0]);
     assert_eq!(own.verdicts.len(), 5, "{own:?}");
-    assert!(own.numbers.len() > 12, "{own:?}");
+    assert!(own.numbers.len() == 11 && own.flips.len() == 4, "{own:?}");
     for length in [[1, -30], [1, -9], [2, -6], [1, -3], [7, 2], [3, 5], [1, 9], [1, 30]] {
         let there = found(length);
         assert_eq!(there.verdicts, own.verdicts, "{length:?}");
-        assert_eq!(there.numbers.len(), own.numbers.len(), "{length:?}: {there:?} for {own:?}");
-        for (x, y) in there.numbers.iter().zip(&own.numbers) {
-            assert!((x - y).abs() < 5e-6 * y.abs(), "{length:?}: {x} for {y}");
+        // A cell at a flip is a 2048th of the range at most, or the part about it that is open.
+        for (all, known, apart) in
+            [(&there.numbers, &own.numbers, 1e-12), (&there.flips, &own.flips, 0.007 / 2048.0)]
+        {
+            assert_eq!(all.len(), known.len(), "{length:?}: {there:?} for {own:?}");
+            for (x, y) in all.iter().zip(known) {
+                assert!((x - y).abs() <= apart * y.abs(), "{length:?}: {x} for {y}");
+            }
         }
     }
 }

@@ -5,7 +5,9 @@ use std::{fs, process::Command};
 
 use grazing::{
     Error, Monitor, Result,
-    run::{Job, Status, Surroundings, TaskReport, parts, run, run_task},
+    run::{
+        Findings, GrazingFindings, GrazingReport, Job, Status, Surroundings, TaskReport, parts, run, run_task,
+    },
     scene::{Scene, Task},
 };
 use serde_json::Value;
@@ -16,6 +18,20 @@ mod ranges;
 mod sweeps;
 mod tolerances;
 mod tolerated_ranges;
+
+/// What a scene's one task, a `grazing`, finds, as it is shown, and its exit code.
+fn grazing_found(text: &str) -> (GrazingReport, String, u8) {
+    let scene = Scene::from_toml(text, "t.toml").unwrap_or_else(|error| panic!("{error}"));
+    let report = run(&scene, Surroundings::default(), &mut ()).unwrap().remove(0);
+    let (code, shown) = (report.status.outcome().code(), report.to_string());
+    match report.findings {
+        Some(Findings::Grazing(found)) => match *found {
+            GrazingFindings::Found(found) => (*found, shown, code),
+            nothing => panic!("{nothing:?}"),
+        },
+        other => panic!("{other:?} {shown}"),
+    }
+}
 
 const HEAD: &str = "format = \"grazing-scene 1\"\ntitle = \"t\"\n";
 

@@ -150,6 +150,11 @@ impl Units {
         value * ten(-self.parameter)
     }
 
+    /// The same of a float.
+    pub(super) fn about(self, parameter: f64) -> f64 {
+        parameter * 10f64.powi(-self.parameter)
+    }
+
     /// Lengths in this unit, in the scene's.
     pub(super) fn own(self, lengths: Vec<Ball>, precision: &Precision) -> Vec<Ball> {
         back(lengths, self.lengths, precision)
@@ -182,11 +187,6 @@ impl Units {
     /// As the certificate lists them.
     pub(super) fn listed(self) -> event::Units {
         event::Units { lengths: self.lengths, parameter: self.parameter }
-    }
-
-    /// Floats in the certificate's units: the parameter.
-    pub(super) fn about(self, parameter: f64) -> f64 {
-        parameter * 10f64.powi(-self.parameter)
     }
 }
 

@@ -10,6 +10,9 @@ use grazing::{
     word::{Entropy, Rectangle, Word},
 };
 use num_rational::BigRational;
+use num_traits::Signed;
+
+use super::grazing_found as found;
 
 type Q = BigRational;
 
@@ -25,19 +28,6 @@ fn text(parameters: &str, damping: &str, stiffness: &str, keys: &str) -> String 
          [[stops]]\nside = \"upper\"\noffset = 1\nrestitution = 0.8\n[[tasks]]\nname = \"g\"\nkind = \"grazing\"\n\
          parameter = \"F\"\nmax_period = 1\nreach = 1000\nseen = false\n{keys}\n"
     )
-}
-
-fn found(text: &str) -> (GrazingReport, String, u8) {
-    let scene = Scene::from_toml(text, "t.toml").unwrap_or_else(|error| panic!("{error}"));
-    let report = run(&scene, Surroundings::default(), &mut ()).unwrap().remove(0);
-    let (code, shown) = (report.status.outcome().code(), report.to_string());
-    match report.findings {
-        Some(Findings::Grazing(found)) => match *found {
-            GrazingFindings::Found(found) => (*found, shown, code),
-            nothing => panic!("{nothing:?}"),
-        },
-        other => panic!("{other:?} {shown}"),
-    }
 }
 
 /// Both words at a machine: a₁, a₂ and so the words of a small rectangle; and whether γ > 0. None where even
@@ -231,7 +221,12 @@ fn why_nothing_is_said_of_tolerances_is_said() {
     let root = usual.replace("\"k/m\"", "\"sqrt(k^2)/m\"");
     let falling = usual.replace("\"c/m\"", "\"(c - 0.1)/m\"");
     let soft = usual.replace("restitution = 0.8", "stiffness = 50");
-    let pattern = usual.replace("max_period", "orbit = { pattern = [1] }\nmax_period");
+    // The paper's orbit of period 4, which touches with its impact.
+    let pattern = format!(
+        "{}[[tasks]]\nname = \"g\"\nkind = \"grazing\"\nparameter = \"mu\"\norbit = {{ pattern = [4] }}\n\
+         reach = 3\nmax_period = 1\nseen = false\ntolerance = {{ d = \"1%\" }}\n",
+        crate::proved_ranges::nordmark()
+    );
     for (text, why) in [
         (&three, "change with 3 parameters that have tolerances, c, k, m: two are covered"),
         (&both, "machines with one stop; there are two"),
@@ -245,8 +240,7 @@ fn why_nothing_is_said_of_tolerances_is_said() {
         let report = run(&scene, Surroundings::default(), &mut ()).unwrap().remove(0);
         assert_eq!(report.status.outcome().code(), 3, "{report}");
         let Some(Findings::Grazing(found)) = report.findings else { panic!("{report}") };
-        // Another orbit need not come to graze.
-        let GrazingFindings::Found(found) = *found else { continue };
+        let GrazingFindings::Found(found) = *found else { panic!("{text}: {found:?}") };
         let said = found.tolerance_open.unwrap();
         assert!(said.contains(why), "{said}");
     }
@@ -280,6 +274,33 @@ fn tolerances_that_say_nothing_are_refused_where_they_stand() {
         "{}",
         error("tolerance = { kk = \"1%\" }")
     );
+}
+
+/// Numbers of many digits are exact in JSON and short in words: inwards those of the box, of which all is
+/// told, outwards those of a cell.
+#[test]
+fn long_and_tiny_numbers_are_short_in_words() {
+    let (narrow, shown, _) =
+        found(&text("c = 0.1\nk = 0.3", "c", "k", "tolerance = { k = \"1e-200%\", c = \"20%\" }"));
+    let parameters = narrow.tolerance.unwrap().parameters;
+    assert!(parameters[1].lower.len() > 200 && q(&parameters[1].lower) < q("0.3"), "{parameters:?}");
+    assert!(shown.contains("0.3 <= k <= 0.3,"), "{shown}");
+    // The same machines, their parameters counted in units of 10^-30.
+    let keys = "tolerance = { k = \"2%\", c = \"20%\" }";
+    let (tiny, shown, _) = found(&text("c = 0.1e-30\nk = 0.3e-30", "10^30*c", "10^30*k", keys));
+    let (own, own_shown, _) = found(&text("c = 0.1\nk = 0.3", "c", "k", keys));
+    let [tiny, own] = [tiny, own].map(|report| report.tolerance.unwrap());
+    assert_eq!(tiny.sides.map(|side| (side.word, side.share)), own.sides.map(|side| (side.word, side.share)));
+    let ends = |open: &str| -> Vec<Q> {
+        let place = open.split(" at ").nth(1).unwrap();
+        place.split(", ").flat_map(|one| one.split(" <= ").step_by(2).map(q).collect::<Vec<_>>()).collect()
+    };
+    let [there, here] = [tiny.open.unwrap(), own.open.unwrap()].map(|open| ends(&open));
+    assert_eq!(there.len(), 4, "{shown}");
+    for (there, here) in there.iter().zip(&here) {
+        let scaled = there * q("1e30");
+        assert!((&scaled - here).abs() < q("1e-12"), "{shown} {own_shown}");
+    }
 }
 
 /// What docs/measured.md says of the scene of docs/my-machine.md.

@@ -5,10 +5,12 @@ use grazing::{
     certificate,
     internals::random::Random,
     number::parse_rational,
-    run::{Findings, GrazingFindings, GrazingReport, Judgement, RangeRow, Surroundings, run},
+    run::{Findings, GrazingReport, Judgement, RangeRow, Surroundings, run},
     scene::Scene,
 };
 use num_rational::BigRational;
+
+use super::grazing_found as found;
 
 type Q = BigRational;
 
@@ -103,19 +105,6 @@ fn text(machine: &Machine, value: &dyn Fn(&str) -> String, task: &str) -> String
 
 fn as_given(machine: &Machine) -> impl Fn(&str) -> String {
     |name| machine.parameters.iter().find(|one| one.0 == name).unwrap().1.to_string()
-}
-
-fn found(text: &str) -> (GrazingReport, String, u8) {
-    let scene = Scene::from_toml(text, "t.toml").unwrap_or_else(|error| panic!("{error}"));
-    let report = run(&scene, Surroundings::default(), &mut ()).unwrap().remove(0);
-    let (code, shown) = (report.status.outcome().code(), report.to_string());
-    match report.findings {
-        Some(Findings::Grazing(found)) => match *found {
-            GrazingFindings::Found(found) => (*found, shown, code),
-            nothing => panic!("{nothing:?}"),
-        },
-        other => panic!("{other:?} {shown}"),
-    }
 }
 
 fn asked(machine: &Machine, tolerance: &str, effort: u32) -> (GrazingReport, String, u8) {

@@ -1,9 +1,5 @@
 //! Grazing bifurcations of orbits of an oscillator, for the task `grazing`.
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{Pow, Signed, ToPrimitive};
-
 use super::{
     super::{
         super::{Analysed, GrazingMap, Job, Judgement, MapNumbers, range::SideRange},
@@ -21,6 +17,7 @@ use crate::{
     continuation::LocalMap,
     error::{Error, Result},
     motion::State,
+    number::parse_rational,
     one::{
         grazing::Grazing,
         orbit::{Family, find},
@@ -29,17 +26,6 @@ use crate::{
     scene::{Expression, SceneFamily, orbits::GrazingTask, tolerated::ToleratedMachines},
     search::range::RangeEffort,
 };
-
-/// Digits of a touch about which a tolerance is.
-const DIGITS: i32 = 12;
-
-/// Rounded to so many digits.
-fn short(value: &BigRational) -> BigRational {
-    let size = value.abs().to_f64().filter(|size| *size > 0.0).map_or(0.0, f64::log10);
-    let places = DIGITS - 1 - size.floor() as i32;
-    let scale = BigRational::from_integer(BigInt::from(10).pow(places.unsigned_abs()));
-    if places >= 0 { (value * &scale).round() / scale } else { (value / &scale).round() * scale }
-}
 
 /// A grazing bifurcation of an oscillator's orbit.
 pub(crate) struct OscillatorGrazing<'f> {
@@ -80,10 +66,11 @@ impl OscillatorGrazing<'_> {
         if !self.job.is_linear() || named(&system.cubic)? {
             return not("tolerances are of linear machines; here a force is a formula, or cubic");
         }
-        let Some(value) = BigRational::from_float(self.event.parameter) else {
+        // A tolerance is about the touch to 12 digits.
+        let Ok(value) = parse_rational(&format!("{:.11e}", self.event.parameter)) else {
             return not("the parameter at the touch is not a number");
         };
-        scene.tolerated(&self.task.tolerance, (&self.task.parameter, &short(&value)))
+        scene.tolerated(&self.task.tolerance, (&self.task.parameter, &value))
     }
 }
 
