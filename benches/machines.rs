@@ -66,6 +66,7 @@ fn machine(modes: usize, ratio: f64) -> Machine<f64> {
         forcing: vec![Load { k: 1, cos: seen.clone(), sin: vec![] }],
         smooth: vec![],
         record: None,
+        friction: vec![],
         stops: vec![Stop { name: "stop".into(), row: seen, wall, law: StopLaw::Newton }],
     }
 }
@@ -104,6 +105,7 @@ fn chain(masses: usize, gyroscopic: bool) -> Machine<f64> {
         forcing: vec![Load { k: 1, cos: at_end(masses as f64), sin: vec![] }],
         smooth: vec![],
         record: None,
+        friction: vec![],
         stops: vec![Stop { name: "stop".into(), row: at_end(1.0), wall, law: StopLaw::Newton }],
     }
 }

@@ -188,7 +188,7 @@ def report(found: TaskReport, axes: Any) -> Any:
 
 
 #: Marks of events, by the numbers of EVENT_KINDS.
-_EVENTS = (("impact", "o"), ("tangency", "*"), ("stick", "s"), ("release", "^"), ("touch", "d"))
+_EVENTS = (("impact", "o"), ("tangency", "*"), ("stick", "s"), ("release", "^"), ("touch", "d"), ("reversal", "v"))
 
 
 def _simulate(found: TaskReport, axes: Any) -> None:

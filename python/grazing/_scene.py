@@ -23,7 +23,7 @@ from ._progress import Progress, shown
 _GRIDS = {"basins": ("q", "u"), "map": ("first", "second")}
 
 #: What the numbers of ``data.event_kind`` mean.
-EVENT_KINDS = ("impact", "tangency", "stick", "release", "touch")
+EVENT_KINDS = ("impact", "tangency", "stick", "release", "touch", "reversal")
 
 
 @dataclass(frozen=True)
@@ -55,8 +55,8 @@ class TaskReport:
     findings: Record = field(repr=False)
     #: Arrays, by kind of task; times are in forcing periods. simulate: ``time``, ``q``, ``u`` (T,), of
     #: several displacements (T, N); ``event_time``, ``event_kind`` (see EVENT_KINDS), ``event_place`` (the stop,
-    #: in the scene's order, from 0), ``event_value`` (velocity before the impact; gap; time left out), in the
-    #: scene's units.
+    #: in the scene's order, from 0; dry friction comes after all stops), ``event_value`` (velocity before the
+    #: impact; gap; time left out), in the scene's units.
     #: section: ``points`` (P, 2), ``attractor`` (P,), from 0; of orbits −1, −2, …. basins: ``q``, ``u``,
     #: ``cells`` (rows, columns), places in ``findings.basins``. diagram: ``value``, ``points`` (P, 2),
     #: ``motion``, ``period`` (0: not periodic, −2: not settled). map: ``first``, ``second``, ``period`` (the

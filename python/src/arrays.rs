@@ -124,6 +124,7 @@ impl Keeper for Collector {
             "tangency" => (1, event.gap),
             "stick" => (2, event.rest),
             "release" => (3, None),
+            "reversal" => (5, None),
             _ => (4, event.velocity),
         };
         self.event_time.push(event.time.periods());

@@ -94,7 +94,8 @@ impl Solved {
         tally: Option<&Arc<EffectTally>>,
     ) -> Result<Solved> {
         let flow = LinearFlow::new(machine.equations()?)?;
-        let contacts = Contacts::new(flow.equations(), machine.contacts()?);
+        machine.check_no_friction()?;
+        let contacts = Contacts::new(flow.equations(), machine.contacts()?, Vec::new());
         check_stops(pattern, &contacts)?;
         let soft = if machine.is_smooth() || contacts.all().iter().any(|contact| contact.soft.is_some()) {
             let settings = Settings { minimum_depth: depth, ..Settings::default() };

@@ -8,10 +8,12 @@
 //!
 //! a linear complementarity problem. D is symmetric and positive semidefinite, and positive definite unless
 //! rows are dependent: then the problem has exactly one solution, and otherwise one w⁺. The velocities change
-//! by M⁻¹WᵀΛ. For one stop it is w⁺ = −τ w⁻. For several it is a choice: hits in quick succession, in
-//! whatever order, may end otherwise. `ImpactLaw::order_matters` says whether they would.
+//! by M⁻¹WᵀΛ. Friction takes no part: its forces are bounded, and an impact takes no time. Its rows are here
+//! because what sticks is held as what rests on a stop is. For one stop it is w⁺ = −τ w⁻. For several it is a
+//! choice: hits in quick succession, in whatever order, may end otherwise. `ImpactLaw::order_matters` says
+//! whether they would.
 
-use super::{LinearEquations, RealMatrix, RealVector, SpeedLaw, State};
+use super::{LinearEquations, RealMatrix, RealVector, Rub, SpeedLaw, State};
 use crate::{
     error::{Error, Result},
     motion::Series,
@@ -95,17 +97,14 @@ impl StopContact {
             given: Series::combination(&[(place, &self.position), (rate, &self.position.derivative())]),
         }
     }
-
-    /// z″ of the motion without any stop.
-    pub(crate) fn acceleration(&self, equations: &LinearEquations, at: &State) -> f64 {
-        self.row.dot(&equations.acceleration(at.t, &at.q, &at.u)) - self.position.at(at.t)[2]
-    }
 }
 
-/// All stops of a machine, and how an impulse at one is felt at the others.
+/// All stops of a machine and its rows with friction, and how an impulse at one is felt at the others. Rows
+/// are numbered: the stops first, then friction.
 #[derive(Debug, Clone)]
 pub struct Contacts {
     all: Vec<StopContact>,
+    rubs: Vec<Rub>,
     /// M⁻¹wᵀ of each: the velocities that an impulse of 1 there gives.
     pushes: Vec<RealVector>,
     /// D for all of them.
@@ -134,16 +133,54 @@ pub(crate) struct Watch {
     pub given: Series,
 }
 
+impl Watch {
+    /// `most` less this times a sign.
+    pub(super) fn below(&self, most: f64, sign: f64) -> Watch {
+        let given = Series::combination(&[(1.0, &Series::constant(most)), (-sign, &self.given)]);
+        Watch { places: &self.places * -sign, rates: &self.rates * -sign, given }
+    }
+}
+
 /// Most stops at one instant for which all choices of those that act are tried.
 const MOST_TRIED: usize = 12;
 
 impl Contacts {
     /// The stops of a machine with these equations.
-    pub(crate) fn new(equations: &LinearEquations, all: Vec<StopContact>) -> Contacts {
-        let pushes: Vec<RealVector> = all.iter().map(|contact| equations.accelerate(&contact.row)).collect();
-        let coupling = RealMatrix::from_fn(all.len(), all.len(), |i, j| all[i].row.dot(&pushes[j]));
+    pub(crate) fn new(equations: &LinearEquations, all: Vec<StopContact>, rubs: Vec<Rub>) -> Contacts {
+        let rows: Vec<&RealVector> =
+            all.iter().map(|contact| &contact.row).chain(rubs.iter().map(|rub| &rub.row)).collect();
+        let pushes: Vec<RealVector> = rows.iter().map(|row| equations.accelerate(row)).collect();
+        let coupling = RealMatrix::from_fn(rows.len(), rows.len(), |i, j| rows[i].dot(&pushes[j]));
         let coupling = (&coupling + coupling.transpose()) * 0.5;
-        Contacts { all, pushes, coupling }
+        Contacts { all, rubs, pushes, coupling }
+    }
+
+    /// The friction.
+    pub(crate) fn rubs(&self) -> &[Rub] {
+        &self.rubs
+    }
+
+    /// The number of the row of friction j.
+    pub(crate) fn rub_row(&self, j: usize) -> usize {
+        self.all.len() + j
+    }
+
+    /// w of a row, and where it is held: where a stop stands; of friction the surface's motion but for its
+    /// constant velocity and for where it holds, neither of which is felt.
+    pub(crate) fn held_row(&self, row: usize) -> (&RealVector, &Series) {
+        match self.all.get(row) {
+            Some(contact) => (&contact.row, &contact.position),
+            None => {
+                let rub = &self.rubs[row - self.all.len()];
+                (&rub.row, &rub.motion)
+            }
+        }
+    }
+
+    /// What a machine of these accelerations and without the row's force is accelerated by along it.
+    pub(super) fn felt_along(&self, row: usize, acceleration: &RealVector, t: f64) -> f64 {
+        let (along, place) = self.held_row(row);
+        along.dot(acceleration) - place.at(t)[2]
     }
 
     /// All of them.
@@ -159,6 +196,11 @@ impl Contacts {
     /// w M⁻¹ wᵀ: 1 over the mass that the stop feels.
     pub fn mobility(&self, stop: usize) -> f64 {
         self.coupling[(stop, stop)]
+    }
+
+    /// An entry of D.
+    pub(super) fn coupled(&self, row: usize, other: usize) -> f64 {
+        self.coupling[(row, other)]
     }
 
     /// D among some of them.
@@ -232,17 +274,17 @@ impl Contacts {
         complementary(&self.among(stops), &RealVector::from_column_slice(accelerations))
     }
 
-    /// The forces of the stops rested on, each as the acceleration that it prevents, λ_j D_jj, of the
-    /// machine's own state.
+    /// The forces of the rows that are held, stops rested on and what sticks, each as the acceleration that
+    /// it prevents, λ_j D_jj, of the machine's own state.
     ///
     /// # Errors
-    /// Stops with dependent rows.
+    /// Dependent rows.
     pub(super) fn forces(&self, equations: &LinearEquations, stops: &[usize]) -> Result<Vec<Watch>> {
         // λ = D⁻¹(W M⁻¹(K q + C q′ − f) + Q″).
         let one = |(weights, felt): (Vec<f64>, RealVector)| {
             let mut parts = vec![(-1.0, equations.force.series(&felt)?)];
             for (weight, &stop) in weights.iter().zip(stops) {
-                parts.push((*weight, self.all[stop].position.derivative().derivative()));
+                parts.push((*weight, self.held_row(stop).1.derivative().derivative()));
             }
             let parts: Vec<(f64, &Series)> = parts.iter().map(|(factor, series)| (*factor, series)).collect();
             Ok(Watch {
@@ -254,11 +296,11 @@ impl Contacts {
         self.felt(stops)?.into_iter().map(one).collect()
     }
 
-    /// For each of the stops rested on, weights a and v = M⁻¹Σ a_j w_jᵀ: under a force f its own, as an
+    /// For each of the rows that are held, weights a and v = M⁻¹Σ a_j w_jᵀ: under a force f its own, as an
     /// acceleration, is Σ a_j Q_j″ − v·f.
     ///
     /// # Errors
-    /// Stops with dependent rows.
+    /// Dependent rows.
     pub(super) fn felt(&self, stops: &[usize]) -> Result<Vec<(Vec<f64>, RealVector)>> {
         let inverse = self.among(stops).try_inverse();
         let inverse = inverse.ok_or_else(|| Error::input("the stops rested on have dependent rows"))?;
@@ -275,7 +317,7 @@ impl Contacts {
 /// Λ ≥ 0 with DΛ + b ≥ 0 and, for each entry, one of the two 0. Up to 12 entries all choices of those that
 /// act are tried, fewest first, so that dependent rows do no harm; beyond, by sweeps (projected
 /// Gauss–Seidel).
-fn complementary(coupling: &RealMatrix, b: &RealVector) -> Result<Vec<f64>> {
+pub(super) fn complementary(coupling: &RealMatrix, b: &RealVector) -> Result<Vec<f64>> {
     let m = b.len();
     if b.iter().all(|x| *x >= 0.0) {
         return Ok(vec![0.0; m]);
@@ -344,7 +386,7 @@ mod tests {
             law: None,
             soft: None,
         };
-        Contacts::new(&equations, rows.iter().map(contact).collect())
+        Contacts::new(&equations, rows.iter().map(contact).collect(), Vec::new())
     }
 
     /// Two masses that meet keep momentum and turn their relative velocity.

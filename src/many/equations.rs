@@ -1,7 +1,7 @@
 //! A linear system with periodic force, time being the forcing's phase: a machine, free or resting on some of
 //! its stops.
 
-use super::{RealMatrix, RealVector, contact::StopContact};
+use super::{RealMatrix, RealVector, Rub, contact::StopContact};
 use crate::{
     error::{Error, Result},
     motion::{Harmonic, Series},
@@ -140,6 +140,16 @@ impl LinearEquations {
         all
     }
 
+    /// The same machine where it slides, each row with the sign of its velocity, 0 where it sticks.
+    #[must_use]
+    pub(crate) fn dragged<'r>(&self, rubs: impl Iterator<Item = (&'r Rub, f64)>) -> LinearEquations {
+        let mut all = self.clone();
+        for (rub, sign) in rubs {
+            all.force.mean.axpy(-sign * rub.sliding, &rub.row, 1.0);
+        }
+        all
+    }
+
     /// det of the flow over a time, by Liouville: exp(−tr(M⁻¹C) · time).
     pub(super) fn determinant(&self, time: f64) -> f64 {
         (-self.per_mass(&self.damping).trace() * time).exp()
@@ -156,56 +166,118 @@ impl LinearEquations {
         &self.root
     }
 
-    /// The motion under the constraint that the gaps of these contacts, whose rows are independent, are 0: q
-    /// = Z r + Σ b_j Q_j(t), with Z an M-orthonormal basis of the motions that keep the gaps, so that the
-    /// mass of r is 1.
+    /// The motion under the constraints that rows W q, which are independent, are what they are held at: q =
+    /// Z r + Σ b_j Q_j(t), with Z an M-orthonormal basis of the motions that keep them, so that the mass of r
+    /// is 1. At stops Q is known. Where something sticks, only Q′ is, the surface's velocity; Q is a
+    /// coordinate p beside r then, with p″ = Q″, and b is replaced by the s of the same row for which Zᵀ K s
+    /// = 0, so that r does not feel where it sticks, wherever Zᵀ K Z is regular.
     ///
     /// # Errors
-    /// None in practice: of [`LinearEquations::new`].
-    pub(crate) fn constrained(&self, contacts: &[&StopContact]) -> Result<Constrained> {
-        let (n, m) = (self.size(), contacts.len());
-        let rows = RealMatrix::from_fn(m, n, |i, j| contacts[i].row[j]);
+    /// Dependent rows.
+    pub(crate) fn constrained(&self, held: &HeldRows) -> Result<Constrained> {
+        let (stops, stuck) = (&held.stops, &held.stuck);
+        let (n, m, s) = (self.size(), stops.len() + stuck.len(), stuck.len());
+        let all: Vec<&RealVector> =
+            stops.iter().map(|known| known.0).chain(stuck.iter().map(|known| known.0)).collect();
+        let rows = RealMatrix::from_fn(m, n, |i, j| all[i][j]);
         // Rows in coordinates x = Lᵀq of mass 1: w·q = (L⁻¹wᵀ)·x.
         let seen = self.root.solve_lower_triangular(&rows.transpose()).unwrap_or_else(|| rows.transpose());
         let basis = complement(&seen);
         let upper = self.root.transpose();
-        let free = upper.solve_upper_triangular(&basis).unwrap_or(basis);
+        let inner = upper.solve_upper_triangular(&basis).unwrap_or(basis);
         // b = M⁻¹Wᵀ(W M⁻¹Wᵀ)⁻¹.
         let lift = upper.solve_upper_triangular(&seen).unwrap_or_else(|| seen.clone());
         let inverse = (seen.transpose() * &seen).try_inverse();
-        let inverse = inverse.ok_or_else(|| Error::input("the stops rested on have dependent rows"))?;
+        let inverse =
+            inverse.ok_or_else(|| Error::input("what is rested on or sticks has dependent rows"))?;
         let lift = lift * inverse;
-        let mut force = Periodic::constant(RealVector::zeros(n - m));
-        let down = free.transpose();
-        let given = self.force.mapped(&down);
-        force.mean = given.mean;
-        force.harmonics = given.harmonics;
-        for (j, contact) in contacts.iter().enumerate() {
+        let down = inner.transpose();
+        let mut given = self.force.mapped(&down);
+        for (j, (_, place)) in stops.iter().enumerate() {
             let b = lift.column(j).into_owned();
-            let (place, speed) = (&contact.position, contact.position.derivative());
             // Z is M-orthogonal to b: Zᵀ M b Q″ = 0.
-            force.add_series(&(-(&down * (&self.stiffness * &b))), place);
-            force.add_series(&(-(&down * (&self.damping * &b))), &speed);
+            given.add_series(&(-(&down * (&self.stiffness * &b))), place);
+            given.add_series(&(-(&down * (&self.damping * &b))), &place.derivative());
         }
-        let reduced = |x: &RealMatrix| &down * x * &free;
-        let mass = RealMatrix::identity(n - m, n - m);
-        let equations = LinearEquations::new(mass, reduced(&self.damping), reduced(&self.stiffness), force)?;
-        let down = down * &self.mass;
-        Ok(Constrained { equations, free, lift, down })
+        let reduced = |x: &RealMatrix| &down * x * &inner;
+        let (own_damping, own_stiffness) = (reduced(&self.damping), reduced(&self.stiffness));
+        let down_mass = &down * &self.mass;
+        let projection = &inner * &down_mass;
+        if s == 0 {
+            let mass = RealMatrix::identity(n - m, n - m);
+            let equations = LinearEquations::new(mass, own_damping, own_stiffness, given)?;
+            return Ok(Constrained { equations, free: inner, lift, down: down_mass, projection });
+        }
+        let r = n - m;
+        let mut damping = RealMatrix::zeros(r + s, r + s);
+        let mut stiffness = RealMatrix::zeros(r + s, r + s);
+        damping.view_mut((0, 0), (r, r)).copy_from(&own_damping);
+        stiffness.view_mut((0, 0), (r, r)).copy_from(&own_stiffness);
+        let (mut free, mut all_down) = (RealMatrix::zeros(n, r + s), RealMatrix::zeros(r + s, n));
+        free.columns_mut(0, r).copy_from(&inner);
+        all_down.rows_mut(0, r).copy_from(&down_mass);
+        let wide = |v: &RealVector, at: Option<usize>| {
+            let mut all = RealVector::zeros(r + s);
+            all.rows_mut(0, v.len()).copy_from(v);
+            at.into_iter().for_each(|i| all[r + i] = 1.0);
+            all
+        };
+        let harmonics = given.harmonics.iter().map(|(k, a, b)| (*k, wide(a, None), wide(b, None)));
+        let mut force = Periodic { mean: wide(&given.mean, None), harmonics: harmonics.collect() };
+        let solver = (r > 0).then(|| own_stiffness.clone().lu());
+        let none = RealVector::zeros(0);
+        for (i, (row, velocity)) in stuck.iter().enumerate() {
+            let b = lift.column(stops.len() + i).into_owned();
+            let bent = &down * (&self.stiffness * &b);
+            // A singular ZᵀKZ leaves the coupling where it is.
+            let settled = solver.as_ref().and_then(|solver| solver.solve(&bent)).filter(|x| {
+                let left = (&own_stiffness * x - &bent).amax();
+                left <= 1e-9 * bent.amax() && x.amax() <= 1e12 * b.amax()
+            });
+            let lifted = settled.as_ref().map_or_else(|| b.clone(), |x| &b - &inner * x);
+            if r > 0 && settled.is_none() {
+                stiffness.view_mut((0, r + i), (r, 1)).copy_from(&bent);
+            }
+            free.set_column(r + i, &lifted);
+            let inertia = &down * (&self.mass * &lifted);
+            let drag = &down * (&self.damping * &lifted);
+            for j in 0..n {
+                all_down[(r + i, j)] = row[j];
+                for l in 0..r {
+                    all_down[(l, j)] -= inertia[l] * row[j];
+                }
+            }
+            force.add_series(&wide(&-drag, None), velocity);
+            let bend = velocity.derivative();
+            force.add_series(&wide(&-inertia, None), &bend);
+            force.add_series(&wide(&none, Some(i)), &bend);
+        }
+        let equations = LinearEquations::new(RealMatrix::identity(r + s, r + s), damping, stiffness, force)?;
+        Ok(Constrained { equations, free, lift, down: all_down, projection })
     }
 }
 
-/// A machine resting on some stops.
+/// What holds a machine: rows with what they are held at.
+pub(crate) struct HeldRows<'a> {
+    /// Stops rested on, with their places.
+    pub stops: Vec<(&'a RealVector, &'a Series)>,
+    /// What sticks, with the velocities of the surfaces.
+    pub stuck: Vec<(&'a RealVector, Series)>,
+}
+
+/// A machine that rests on stops or sticks.
 #[derive(Debug, Clone)]
 pub(crate) struct Constrained {
-    /// The equations of r.
+    /// The equations of r, and of a place p for each row that sticks.
     pub equations: LinearEquations,
-    /// Z, n × (n − m).
+    /// q of (r, p) but for the places of stops.
     pub free: RealMatrix,
-    /// The columns b_j, n × m.
+    /// The columns b_j of all rows held, n × m.
     pub lift: RealMatrix,
-    /// ZᵀM: from q to r.
+    /// From q to (r, p).
     pub down: RealMatrix,
+    /// Z ZᵀM: of a velocity what the rows allow.
+    pub projection: RealMatrix,
 }
 
 /// An orthonormal basis of the vectors orthogonal to the columns of `seen`, which are independent.

@@ -4,7 +4,9 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use super::{LinearEquations, Periodic, RealMatrix, RealVector, SpeedLaw, State, equations::check_symmetric};
+use super::{
+    Friction, LinearEquations, Periodic, RealMatrix, RealVector, SpeedLaw, State, equations::check_symmetric,
+};
 use crate::{
     error::{Error, Result},
     many::smooth::Record,
@@ -44,6 +46,9 @@ pub struct Machine<T> {
     pub record: Option<(Record, Vec<T>)>,
     /// The stops.
     pub stops: Vec<Stop<T>>,
+    /// The dry friction, empty where there is none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub friction: Vec<Friction<T>>,
 }
 
 /// A harmonic of the force, on all coordinates: none for zero.
@@ -159,6 +164,11 @@ impl<T> Machine<T> {
                 None => None,
             },
             stops: self.stops.iter().map(|one| stop(one, convert)).collect::<std::result::Result<_, E>>()?,
+            friction: self
+                .friction
+                .iter()
+                .map(|one| one.try_map(&mut *convert))
+                .collect::<std::result::Result<_, E>>()?,
         })
     }
 }

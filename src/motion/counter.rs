@@ -34,6 +34,9 @@ pub enum Effect {
     Gap,
     /// A force of contact of a machine that rests was bounded on a cell or a stretch of cells.
     Force,
+    /// A velocity where there is dry friction, or what sticks could hold more, was bounded on a cell or a
+    /// stretch of cells.
+    Friction,
     /// The impulses at stops hit at one instant were found together.
     Together,
 }
@@ -52,8 +55,15 @@ impl Effect {
     ];
 
     /// Those of machines.
-    pub const OF_MACHINES: [Effect; 6] =
-        [Effect::Piece, Effect::Smooth, Effect::Gap, Effect::Force, Effect::Search, Effect::Together];
+    pub const OF_MACHINES: [Effect; 7] = [
+        Effect::Piece,
+        Effect::Smooth,
+        Effect::Gap,
+        Effect::Force,
+        Effect::Friction,
+        Effect::Search,
+        Effect::Together,
+    ];
 
     /// All.
     const EVERY: [Effect; Effect::COUNT] = [
@@ -67,11 +77,12 @@ impl Effect {
         Effect::Release,
         Effect::Gap,
         Effect::Force,
+        Effect::Friction,
         Effect::Together,
     ];
 
     /// How many there are.
-    const COUNT: usize = 11;
+    const COUNT: usize = 12;
 
     /// Its name in reports and tables.
     pub fn name(self) -> &'static str {
@@ -86,6 +97,7 @@ impl Effect {
             Effect::Release => "release",
             Effect::Gap => "gap",
             Effect::Force => "force",
+            Effect::Friction => "friction",
             Effect::Together => "together",
         }
     }

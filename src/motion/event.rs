@@ -64,8 +64,10 @@ pub enum Event<P: Place> {
     Touch(Touch<P>),
     /// The motion came to rest on a stop that presses.
     Stick(Stick<P>),
-    /// A stop let go of it: rest on it ended, or the contact with a compliant one.
+    /// A stop let go of it: rest on it ended, or the contact with a compliant one; or what stuck slides.
     Release(Release<P>),
+    /// What slides turned back without sticking.
+    Reversal(Reversal<P>),
     /// Nothing more before the time asked for, or nothing more at all.
     End(RunEnd),
 }
@@ -114,7 +116,8 @@ pub struct Tangency<P> {
     pub gap: f64,
 }
 
-/// The start of rest on a stop: bounces have become lower than the minimum depth.
+/// The start of rest on a stop: bounces have become lower than the minimum depth; or of sticking, where there
+/// is dry friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stick<P> {
     /// When: for τ < 1 the limit of the impacts that would have followed, a geometric series.
@@ -134,6 +137,15 @@ pub struct Release<P> {
     pub place: P,
 }
 
+/// A change of the direction in which something slides with dry friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reversal<P> {
+    /// When.
+    pub time: Time,
+    /// At which friction, after all stops.
+    pub place: P,
+}
+
 impl<P: Place> Event<P> {
     /// When it happened, and at which stop; an end has the time that the run has.
     pub(crate) fn at(&self) -> Option<(Time, P)> {
@@ -142,7 +154,8 @@ impl<P: Place> Event<P> {
             | Event::Touch(Touch { time, place, .. })
             | Event::Tangency(Tangency { time, place, .. })
             | Event::Stick(Stick { time, place, .. })
-            | Event::Release(Release { time, place }) => Some((time, place)),
+            | Event::Release(Release { time, place })
+            | Event::Reversal(Reversal { time, place }) => Some((time, place)),
             Event::End(_) => None,
         }
     }
@@ -173,6 +186,7 @@ impl<P: Place> Event<P> {
             Event::Tangency(_) => "tangency",
             Event::Stick(_) => "stick",
             Event::Release(_) => "release",
+            Event::Reversal(_) => "reversal",
             Event::End(_) => "end",
         }
     }

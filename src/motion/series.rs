@@ -15,6 +15,11 @@ impl Series {
     /// The function 0.
     pub(crate) const ZERO: Series = Series { mean: 0.0, harmonics: Vec::new() };
 
+    /// A constant function.
+    pub(crate) fn constant(mean: f64) -> Series {
+        Series { mean, harmonics: Vec::new() }
+    }
+
     /// The normal form of a sum; equal k are added up.
     ///
     /// # Errors

@@ -10,10 +10,19 @@ pub struct SeriesOf {
     pub points: usize,
     /// The stops, in the scene's order.
     pub stops: Vec<SeriesStop>,
+    /// The names of its dry friction, in the scene's order.
+    pub friction: Vec<String>,
     /// The forcing period, in the scene's unit of time.
     pub period: f64,
     /// When it begins, after the transient.
     pub begin: f64,
+}
+
+impl SeriesOf {
+    /// The names of all places where something happens, as [`StopEvent::stop`] counts them.
+    pub fn places(&self) -> Vec<String> {
+        self.stops.iter().map(|stop| &stop.name).chain(&self.friction).cloned().collect()
+    }
 }
 
 /// A stop of a series.
@@ -39,14 +48,14 @@ pub struct SeriesPoint<'a> {
     pub gaps: &'a [[f64; 2]],
 }
 
-/// What happened at a stop.
+/// What happened at a stop, or where there is dry friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StopEvent {
-    /// "impact", "tangency", "touch", "stick" or "release".
+    /// "impact", "tangency", "touch", "stick" or "release"; with friction "stick", "release" or "reversal".
     pub event: &'static str,
     /// When.
     pub time: Time,
-    /// The stop, by its place.
+    /// The stop, by its place; friction comes after all stops.
     pub stop: usize,
     /// The gap's rate on arrival, of an impact or a touch.
     pub velocity: Option<f64>,

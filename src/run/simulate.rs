@@ -39,6 +39,27 @@ row! {
 }
 
 row! {
+    /// What happened where there is dry friction.
+    pub struct FrictionRow {
+        /// Its name.
+        pub friction: String,
+        /// How often it came to stick.
+        pub sticks: u64,
+        /// How often the sliding turned back without sticking.
+        pub reversals: u64,
+        /// The part of the time in which it sticks.
+        pub stuck: f64,
+        /// How far it slid, there and back.
+        pub path: f64,
+        /// The energy that the friction took: the force of sliding times the path.
+        pub dissipated: f64,
+        /// What it does at the end: `slides`; `sticks`; `sticks for ever`, where nothing moves it in a period
+        /// more and the motion is the same after that, to 10⁻⁹.
+        pub at_end: &'static str,
+    }
+}
+
+row! {
     /// A mode that oscillates.
     pub struct ModeRow {
         /// Its natural frequency, in cycles per unit of time.
@@ -98,6 +119,9 @@ pub struct SimulationFindings {
     pub(crate) modes: Vec<ModeRow>,
     /// What happened at each stop, after the transient.
     pub(crate) stops: Vec<StopRow>,
+    /// What happened at each row with dry friction, after the transient.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) friction: Vec<FrictionRow>,
     /// What the harmonics of a measured force leave out, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) measured: Option<MeasuredEffect>,
@@ -181,6 +205,9 @@ impl Finding for SimulationFindings {
         if !self.stops.is_empty() {
             lines.table("stops", &self.stops);
         }
+        if !self.friction.is_empty() {
+            lines.table("friction", &self.friction);
+        }
         self.measured.iter().for_each(|measured| measured.lines(lines));
     }
 }
@@ -234,6 +261,20 @@ impl StopRow {
     }
 }
 
+impl FrictionRow {
+    fn new(name: &str) -> FrictionRow {
+        FrictionRow {
+            friction: name.into(),
+            sticks: 0,
+            reversals: 0,
+            stuck: 0.0,
+            path: 0.0,
+            dissipated: 0.0,
+            at_end: "slides",
+        }
+    }
+}
+
 impl SimulationFindings {
     /// Before anything has happened in a motion that a series is of, with stops that are compliant or not.
     pub(super) fn new(
@@ -265,6 +306,7 @@ impl SimulationFindings {
             moved,
             modes: Vec::new(),
             stops: stops.map(|(stop, &compliant)| StopRow::new(&stop.name, compliant)).collect(),
+            friction: of.friction.iter().map(|name| FrictionRow::new(name)).collect(),
             measured: None,
             acceleration: Vec::new(),
             several: None,
@@ -309,7 +351,16 @@ impl SimulationFindings {
         if let Some([q, _]) = event.place {
             self.widen(q);
         }
-        let (moved, row) = (&mut self.moved, &mut self.stops[event.stop]);
+        let Some(row) = self.stops.get_mut(event.stop) else {
+            let row = &mut self.friction[event.stop - self.stops.len()];
+            match event.event {
+                "stick" => row.sticks += 1,
+                "reversal" => row.reversals += 1,
+                _ => {}
+            }
+            return;
+        };
+        let moved = &mut self.moved;
         if let Some(velocity) = event.velocity {
             moved.first_impact.get_or_insert(event.time.periods());
             (moved.impacts, row.impacts) = (moved.impacts + 1, row.impacts + 1);

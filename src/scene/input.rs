@@ -13,7 +13,7 @@ use super::{
     machine::MachineScene,
     oscillator::{Disqualified, oscillator},
     scene::{Body, Engine, Scene},
-    system::{Accuracy, EngineKey, StopKeys, SystemKeys},
+    system::{Accuracy, EngineKey, FrictionKeys, StopKeys, SystemKeys},
     task::Task,
 };
 use crate::{
@@ -44,6 +44,8 @@ keys! {
         system: SystemKeys,
         /// the stops
         stops: Vec<StopKeys> = "[]",
+        /// the dry friction
+        friction: Vec<FrictionKeys> = "[]",
         /// how accurately to compute
         accuracy: Accuracy = "{}",
         /// what to do
@@ -229,10 +231,16 @@ impl Known<'_> {
     /// The stops, what the scene is about, and the engine for it.
     fn body(&self, read: &File) -> Result<(Vec<StopName>, Body, Engine)> {
         let (file, depth) = (self.file, read.accuracy.minimum_depth);
-        let machine = MachineScene::new(file, read.system.clone(), read.stops.clone(), depth)?;
+        let machine = {
+            let held = (read.stops.clone(), read.friction.clone());
+            MachineScene::new(file, read.system.clone(), held, depth)?
+        };
         let names = || machine.machine.stops.iter().map(|stop| stop.name.clone());
         let one = match oscillator(file, &read.system, &read.stops)? {
             Ok(found) if self.format == SceneFormat::One => Ok(found),
+            Ok(_) if !read.friction.is_empty() => {
+                Err(Disqualified { key: "friction".into(), why: "has dry friction".into() })
+            }
             Ok((sides, system)) => self.rational(read, &system).map(|()| (sides, system)),
             Err(why) => Err(why),
         };

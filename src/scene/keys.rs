@@ -84,7 +84,7 @@ fn foreign(format: SceneFormat, path: &str, key: &str) -> Option<String> {
         "m" => "the mass is `mass` of [system]",
         "gravity" | "g" => "a constant force is `force` of [system], negative downwards",
         "friction" | "dry_friction" | "coulomb" => {
-            "there is no dry friction; `damping` of [system] is the coefficient of the velocity"
+            "dry friction stands in [[friction]], one table for each row that slides"
         }
         "omega" | "period_of_forcing" => {
             "how often the forcing repeats is `frequency` or `period` of [system]"

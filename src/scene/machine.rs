@@ -9,11 +9,11 @@ use super::{
     matrix::{CoordinateList, MatrixValue},
     measured::{MeasuredForce, MeasuredKeys},
     restitution::RestitutionKey,
-    system::{ModesKeys, StopKeys, SystemKeys, check_k, derived, harmonics},
+    system::{FrictionKeys, ModesKeys, StopKeys, SystemKeys, check_k, derived, harmonics},
 };
 use crate::{
     error::Result,
-    many::{Load, Machine, Stop, StopLaw},
+    many::{Friction, Load, Machine, Stop, StopLaw},
     motion::{Harmonic, Side, Wall},
 };
 
@@ -38,7 +38,7 @@ impl MachineScene {
     pub(super) fn new(
         file: &Entry,
         mut keys: SystemKeys,
-        stops: Vec<StopKeys>,
+        (stops, friction): (Vec<StopKeys>, Vec<FrictionKeys>),
         minimum_depth: Option<f64>,
     ) -> Result<Self> {
         let at = |path: &str| file.at(path);
@@ -60,6 +60,7 @@ impl MachineScene {
             smooth: Vec::new(),
             record: None,
             stops: Vec::new(),
+            friction: Vec::new(),
         };
         let given = keys.damping_ratio.iter().chain(keys.modes.iter().map(|modes| &modes.ratios));
         let ratios = given.flat_map(|list| list.entries.clone()).collect();
@@ -101,6 +102,17 @@ impl MachineScene {
                 });
             }
             machine.stops.push(stop(file, i, keys, points)?);
+        }
+        let alone = friction.len() == 1;
+        for (i, keys) in (1..).zip(friction) {
+            let own = if alone { "friction".to_string() } else { format!("friction {i}") };
+            let name = keys.name.clone().unwrap_or(own);
+            let mut before = machine.stops.iter().map(|stop| &stop.name);
+            if before.any(|known| *known == name) || machine.friction.iter().any(|known| known.name == name) {
+                let why = "is the name of a stop or of an earlier friction, too";
+                return Err(at(&format!("friction[{i}].name")).fail(why));
+            }
+            machine.friction.push(rubbing(file, i, name, keys, points)?);
         }
         Ok(MachineScene { machine, minimum_depth, measured, ratios })
     }
@@ -275,6 +287,31 @@ fn stop(file: &Entry, i: usize, keys: StopKeys, points: usize) -> Result<Stop<Ex
         }
     };
     Ok(Stop { name, row, wall: Wall { offset, harmonics, restitution }, law })
+}
+
+/// Friction i, counted from 1, of a machine of `points` coordinates that a row has entries for.
+fn rubbing(
+    file: &Entry,
+    i: usize,
+    name: String,
+    keys: FrictionKeys,
+    points: usize,
+) -> Result<Friction<Expression>> {
+    let at = |key: &str| file.at(&format!("friction[{i}]{key}"));
+    let harmonics = harmonics(file, keys.harmonics, &format!("friction[{i}].harmonics"))?;
+    let row = match keys.row {
+        Some(row) => row.fit(&at(".row"), points)?,
+        None if points == 1 => vec![Expression::parse("1", &[])?],
+        None => {
+            return Err(at("").fail(&format!("has no row: give {points} entries that say what slides")));
+        }
+    };
+    if row.is_empty() {
+        return Err(at(".row").fail("is zero: nothing slides"));
+    }
+    let static_coefficient = keys.static_coefficient.unwrap_or_else(|| keys.coefficient.clone());
+    let (normal, coefficient, speed) = (keys.normal, keys.coefficient, keys.speed);
+    Ok(Friction { name, row, normal, coefficient, static_coefficient, speed, harmonics })
 }
 
 /// The opposite motion.

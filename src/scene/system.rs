@@ -103,7 +103,31 @@ keys! {
 }
 
 keys! {
-    /// A term `cos` cos 2πkt/T + `sin` sin 2πkt/T of a stop's motion, T the forcing's period.
+    /// Dry friction (Coulomb): while the velocity v = `row`·q′ − `speed` − (Σ `harmonics`)′ is not 0, a force
+    /// of size `coefficient`·`normal` along `row` against it; where it is 0, any force up to
+    /// `static_coefficient`·`normal` that keeps it 0.
+    pub struct FrictionKeys {
+        /// what it is called in reports; without it `friction`, with a number if there are several
+        name: Option<String>,
+        /// what slides, an entry for each coordinate. Two masses on each other: [1, −1]. Of a single
+        /// coordinate [1] if absent
+        row: Option<CoordinateList>,
+        /// the normal force, at least 0
+        normal: Expression,
+        /// the coefficient of kinetic friction, at least 0
+        coefficient: Expression,
+        /// that of static friction, at least `coefficient`; without it the same
+        static_coefficient: Option<Expression>,
+        /// the constant velocity of the surface, as of a belt
+        speed: Expression = "0",
+        /// the surface's vibration: displacements along `row`, harmonics of the forcing's frequency
+        harmonics: Vec<HarmonicKeys> = "[]",
+    }
+}
+
+keys! {
+    /// A term `cos` cos 2πkt/T + `sin` sin 2πkt/T of the motion of a stop or of a surface, T the forcing's
+    /// period.
     pub struct HarmonicKeys {
         /// the multiple of the base frequency, 1 to 1000
         k: u32 = "1",
@@ -186,6 +210,7 @@ pub(super) const TABLES: &[(&str, &str, &[Key])] = &[
     ("`measured`", MeasuredKeys::ABOUT, MeasuredKeys::KEYS),
     ("`modes`", ModesKeys::ABOUT, ModesKeys::KEYS),
     ("`[[stops]]`", StopKeys::ABOUT, StopKeys::KEYS),
+    ("`[[friction]]`", FrictionKeys::ABOUT, FrictionKeys::KEYS),
     ("an entry of `harmonics`", HarmonicKeys::ABOUT, HarmonicKeys::KEYS),
     ("`[accuracy]`", Accuracy::ABOUT, Accuracy::KEYS),
 ];

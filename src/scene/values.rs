@@ -81,6 +81,16 @@ impl Scene {
                 keyed(&format!("stops[{i}].{part}"), &error)
             })?;
         }
+        for (i, friction) in (1..).zip(&machine.friction) {
+            let alone = Machine { friction: vec![friction.clone()], ..machine.clone() };
+            alone.rubs().map_err(|error| {
+                let text = error.to_string();
+                let text = text.strip_prefix(&format!("friction {}: ", friction.name)).unwrap_or(&text);
+                let parts = ["normal", "coefficient", "static_coefficient", "speed"];
+                let part = parts.into_iter().find(|part| text.starts_with(&format!("{part} ")));
+                keyed(&format!("friction[{i}].{}", part.unwrap_or("row")), &Error::input(text))
+            })?;
+        }
         Ok(machine)
     }
 

@@ -8,7 +8,7 @@ use std::{
 
 use crate::{
     error::Result,
-    many::{self, Machine, SpeedLaw, Stop, StopLaw},
+    many::{self, Friction, Machine, SpeedLaw, Stop, StopLaw},
     motion::{Counts, Effect, EffectTally, Harmonic, SmoothForce, System, Time, Wall},
     one::simulate::{Settings, Simulator},
     scene::Scene,
@@ -103,7 +103,7 @@ pub struct MachineWithEffect {
 
 /// The oscillator of [`effects`] as a machine, and kinds of stops.
 pub fn machine_effects() -> Vec<MachineWithEffect> {
-    use Effect::{Force, Gap, Piece, Search, Smooth};
+    use Effect::{Force, Friction as Rubbing, Gap, Piece, Search, Smooth};
     let with = |name, stop: Option<(f64, f64, StopLaw<f64>)>, needs| {
         let made = |(offset, restitution, law)| {
             let wall = Wall { offset, harmonics: vec![], restitution };
@@ -121,6 +121,7 @@ pub fn machine_effects() -> Vec<MachineWithEffect> {
             forcing: vec![],
             smooth: vec![],
             record: None,
+            friction: vec![],
             stops: stop.map(made).into_iter().collect(),
         };
         MachineWithEffect { name, machine, needs }
@@ -130,6 +131,15 @@ pub fn machine_effects() -> Vec<MachineWithEffect> {
     let law = SpeedLaw { text: "(1+v)/(1+v)".into(), over: vec![1.0, 1.0], under: vec![1.0, 1.0] };
     let mut duffing = with("machine, cubic stiffness as a formula", None, &[Smooth]);
     duffing.machine.smooth = vec![force("-0.1*q^3 - 1e-30*q^2")];
+    let rubbing = |name, speed, needs| {
+        let mut rough: MachineWithEffect = with(name, None, needs);
+        let (row, normal, harmonics) = (vec![1.0], 1.0, vec![]);
+        let (coefficient, static_coefficient) = (0.1, 0.2);
+        let name = "belt".into();
+        let belt = Friction { name, row, normal, coefficient, static_coefficient, speed, harmonics };
+        rough.machine.friction = vec![belt];
+        rough
+    };
     vec![
         with("machine, bare", None, &[]),
         duffing,
@@ -138,6 +148,8 @@ pub fn machine_effects() -> Vec<MachineWithEffect> {
         with("rigid stop, hit", Some((-0.5, 1.0, StopLaw::Newton)), &[Piece, Gap, Search]),
         with("restitution by the speed, hit", Some((-0.5, 0.0, StopLaw::Speed(law))), &[Piece, Gap, Search]),
         with("soft stop, hit", Some((-0.5, 0.0, soft(0.0))), &[Piece, Gap, Force, Search]),
+        rubbing("dry friction, on a fast belt", 20.0, &[Piece, Rubbing]),
+        rubbing("dry friction, stick and slip", 0.1, &[Piece, Rubbing, Search]),
     ]
 }
 

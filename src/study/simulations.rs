@@ -102,6 +102,7 @@ pub fn motions() -> Result<Vec<KnownMotion>> {
         forcing: vec![Load { k: 1, cos: halves.clone(), sin: vec![] }],
         smooth: vec![],
         record: None,
+        friction: vec![],
         stops: vec![Stop {
             name: "stop".into(),
             row: halves,

@@ -89,6 +89,7 @@ pub(crate) fn as_machine(case: &Case) -> (Machine<Bounds>, Vec<Side>) {
         forcing: system.forcing.iter().map(load).collect(),
         smooth: Vec::new(),
         record: None,
+        friction: vec![],
         stops,
     };
     (machine, sides)

@@ -64,6 +64,7 @@ impl Parts {
             forcing: vec![Load { k: 1, cos: self.cos.clone(), sin: vec![] }],
             smooth: vec![],
             record: None,
+            friction: vec![],
             stops: vec![Stop { name: "stop".into(), row: self.row.clone(), wall, law: StopLaw::Newton }],
         }
     }

@@ -328,7 +328,7 @@ fn words_of_other_programs_are_answered_and_far_ones_not_guessed_at() {
     for (key, answer) in [
         ("mass = 2", "the mass is 1"),
         ("gravity = 9.81", "`force` of [system]"),
-        ("friction = 0.1", "there is no dry friction"),
+        ("friction = 0.1", "dry friction stands in [[friction]]"),
         ("temperature = 1", "known here are damping, stiffness, cubic, force, forcing"),
     ] {
         let (code, _, error, _folder) = command(&BALL.replace("force = -1", key), &[]);

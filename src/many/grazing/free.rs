@@ -59,7 +59,8 @@ impl FreeMotion {
     ) -> Result<FreeMotion> {
         let found = if machine.is_smooth() { Some(smooth::find(machine, slope, near, tally)?) } else { None };
         let (equations, slope) = (machine.equations()?, Slope::new(machine, slope)?);
-        let contacts = Contacts::new(&equations, machine.contacts()?);
+        machine.check_no_friction()?;
+        let contacts = Contacts::new(&equations, machine.contacts()?, Vec::new());
         let (motion, drift, stage) = match found {
             Some(found) => (found.motion, found.drift, Some(found.stage)),
             None => {

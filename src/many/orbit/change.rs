@@ -132,7 +132,7 @@ impl Change {
         let (Some((formulas, own)), Some(smooth)) = (&self.smooth, &stage.smooth) else {
             return Ok(RealVector::zeros(2 * n));
         };
-        let slope = self.slope.pushed(contacts, &stage.soft.pushing);
+        let slope = self.slope.pushed(contacts, &stage.holds.soft.pushing);
         let program = formulas.changing(&stage.equations, (&slope, own))?;
         let start = from.q.iter().chain(from.u.iter()).map(|x| Gradient::constant(*x)).collect();
         let end = smooth.flow.carried(&program, start, from.t, duration);

@@ -25,6 +25,10 @@
 //!   watched as a gap is. There the depth is smaller than the minimum depth by the acceleration of the gap
 //!   that the unit causes, if that is above 1: no push or pull is passed over that accelerates the gap by
 //!   more than the minimum depth per radian².
+//! - Where there is dry friction, the machine slides by one linear motion and sticks by another, in which
+//!   the surface holds it. *Proof* of what is found: where it ceases to slide is the minimum of a velocity,
+//!   as above; where it ceases to stick, that of what the surface could hold more. There Coulomb's law for
+//!   all rows without velocity and all stops rested on at once says how it goes on (`engine::grips`).
 //! - A run ends by a [`RunEnd`](crate::motion::RunEnd) that says why.
 //!
 //! The trajectory itself carries rounding errors only, amplified by the condition number of the modes. Where
@@ -52,6 +56,7 @@
 //!     smooth: vec![],
 //!     record: None,
 //!     stops: vec![Stop { name: "table".into(), row: vec![1.0], wall: table, law: StopLaw::Newton }],
+//!     friction: vec![],
 //! };
 //! let settings = Settings { minimum_depth: 1e-12, ..Settings::default() };
 //! let simulator = Simulator::new(&machine, &settings)?;
@@ -66,6 +71,7 @@
 mod depth;
 mod engine;
 mod peak;
+mod slid;
 mod smooth;
 mod stage;
 mod tangent;
@@ -80,12 +86,13 @@ use serde::Serialize;
 
 pub use engine::Run;
 pub(crate) use peak::PeakForces;
+pub(crate) use slid::{Slid, goes_on};
 pub(crate) use smooth::seen;
 pub(crate) use stage::Stage;
-use stage::{SoftStops, What};
+use stage::{Holds, SoftStops, What};
 pub use tangent::Carried;
 
-use super::{LinearEquations, Machine, RealVector, State, contact::Contacts, smooth::Smooth};
+use super::{LinearEquations, Machine, RealVector, Rub, State, contact::Contacts, smooth::Smooth};
 use crate::many::LinearFlow;
 use crate::{
     error::{Error, Result},
@@ -125,13 +132,16 @@ struct GapSize {
 /// A stop farther away than this, in sizes of the forced motion, says nothing about the size of motions.
 const MET: f64 = 10.0;
 
+/// Velocities within this of their size are rounding's.
+const STILL: f64 = 1e-13;
+
 /// Phases at which a motion is looked at for its size.
 fn looks() -> impl Iterator<Item = f64> {
     (0..64).map(|i| TAU * f64::from(i) / 64.0)
 }
 
-/// The machine in contact with stops: those it rests on, and the soft ones.
-type Stages = BTreeMap<(Vec<usize>, SoftStops), Arc<Stage>>;
+/// The machine in contact.
+type Stages = BTreeMap<Holds, Arc<Stage>>;
 
 /// A machine ready to run from many starts and on many threads.
 #[derive(Debug)]
@@ -139,7 +149,7 @@ pub struct Simulator {
     equations: LinearEquations,
     contacts: Contacts,
     smooth: Option<Smooth>,
-    /// The free machine first of all; others as they come up.
+    /// The machine away from all stops and without friction; others as they come up.
     free: Arc<Stage>,
     stages: Arc<Mutex<Stages>>,
     /// w M⁻¹ C M⁻¹ wᵀ of each stop: by how much an impulse of 1 there changes z″ through damping.
@@ -164,14 +174,14 @@ impl Simulator {
             return Err(Error::input(format!("minimum_depth = {depth} is not positive")));
         }
         let equations = machine.equations()?;
-        let contacts = Contacts::new(&equations, machine.contacts()?);
+        let contacts = Contacts::new(&equations, machine.contacts()?, machine.rubs()?);
         let smooth = Smooth::new(machine)?;
-        let soft = SoftStops::default();
-        let free = Arc::new(Stage::new(&equations, &contacts, &[], &soft, false, smooth.as_ref())?);
-        for (stop, contact) in contacts.all().iter().enumerate() {
-            if contacts.mobility(stop) <= 0.0 || contacts.mobility(stop).is_nan() {
-                let name = &contact.name;
-                return Err(Error::input(format!("stop {name}: no motion of the machine reaches it")));
+        let free = Arc::new(Stage::new(&equations, &contacts, &Holds::default(), false, smooth.as_ref())?);
+        let stops = contacts.all().iter().map(|contact| ("stop", &contact.name));
+        let rubs = contacts.rubs().iter().map(|rub| ("friction", &rub.name));
+        for (row, (what, name)) in stops.chain(rubs).enumerate() {
+            if contacts.mobility(row) <= 0.0 || contacts.mobility(row).is_nan() {
+                return Err(Error::input(format!("{what} {name}: no motion of the machine reaches it")));
             }
         }
         let drag = |j: usize| {
@@ -199,7 +209,10 @@ impl Simulator {
     /// that grows with the stiffness, and a stop as stiff as 10¹² would hold on to a mass.
     fn depth(&self, what: &What) -> f64 {
         let (What::Gap(stop) | What::Push(stop) | What::Pull(stop) | What::Rise(stop) | What::Force(stop)) =
-            *what;
+            *what
+        else {
+            return self.settings.minimum_depth;
+        };
         let soft = self.contacts.all()[stop].soft;
         let felt = soft.map_or(1.0, |soft| soft.unit() * self.contacts.mobility(stop));
         self.settings.minimum_depth / felt.max(1.0)
@@ -220,8 +233,8 @@ impl Simulator {
         if self.smooth.is_none() && self.contacts.all().iter().all(|contact| contact.soft.is_none()) {
             return Ok(None);
         }
-        let (soft, smooth) = (SoftStops::default(), self.smooth.as_ref());
-        let free = Stage::new(&self.equations, &self.contacts, &[], &soft, true, smooth)?;
+        let smooth = self.smooth.as_ref();
+        let free = Stage::new(&self.equations, &self.contacts, &Holds::default(), true, smooth)?;
         Ok(Some(Simulator {
             equations: self.equations.clone(),
             contacts: self.contacts.clone(),
@@ -265,7 +278,8 @@ impl Simulator {
     /// # Errors
     /// A stage that cannot be built.
     pub(crate) fn acceleration(&self, state: &State) -> Result<RealVector> {
-        let stage = self.stage(&[], &SoftStops::of(&self.contacts, state))?;
+        let soft = SoftStops::of(&self.contacts, state);
+        let stage = self.stage(&Holds { soft, ..Holds::default() })?;
         Ok(stage.acceleration(Time::new(0, state.t), state))
     }
 
@@ -358,8 +372,18 @@ impl Simulator {
         all.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(stop, _)| stop)
     }
 
+    /// The size of the motion along the rows with friction, and of what friction does in a radian.
+    fn rub_scale(&self) -> f64 {
+        let size = |(j, rub): (usize, &Rub)| {
+            let row = self.contacts.rub_row(j);
+            let GapSize { forced, place, .. } = self.gap_size(row);
+            forced.max(place).max(rub.speed.abs()).max(rub.holding * self.contacts.mobility(row))
+        };
+        self.contacts.rubs().iter().enumerate().map(size).fold(0.0, f64::max)
+    }
+
     fn gap_size(&self, stop: usize) -> GapSize {
-        let contact = &self.contacts.all()[stop];
+        let (row, place) = self.contacts.held_row(stop);
         let (flow, n) = (&self.free.flow, self.equations.size());
         let forced = looks().map(|t| flow.outward(&flow.particular(t)).rows(0, n).into_owned());
         let push = self.equations.accelerate(&self.equations.force.mean);
@@ -373,12 +397,8 @@ impl Simulator {
         let mobility = self.contacts.mobility(stop);
         // |w q| is at most this, by Cauchy and Schwarz.
         let whole = |q: &RealVector| (mobility * q.dot(&(&self.equations.mass * q))).sqrt();
-        let (forced, motion) = (largest(&|q| contact.row.dot(q).abs()), contact.position.derivative_bound(0));
-        GapSize {
-            forced,
-            moved: largest(&whole).max(forced).max(motion),
-            place: contact.position.mean().abs() + motion,
-        }
+        let (forced, motion) = (largest(&|q| row.dot(q).abs()), place.derivative_bound(0));
+        GapSize { forced, moved: largest(&whole).max(forced).max(motion), place: place.mean().abs() + motion }
     }
 
     /// A run from displacements q and velocities u, per radian of the forcing, at `time`.
@@ -405,27 +425,42 @@ impl Simulator {
         Run::new(self, time, state)
     }
 
-    /// The machine resting on these stops, which are in ascending order, beside soft ones.
-    fn stage(&self, resting: &[usize], soft: &SoftStops) -> Result<Arc<Stage>> {
-        if resting.is_empty() && soft.is_empty() {
+    /// v at each row with friction; where it is rounding's, 0.
+    pub(crate) fn sliding(&self, state: &State) -> Vec<f64> {
+        if self.contacts.rubs().is_empty() {
+            return Vec::new();
+        }
+        // |w q′| is at most the root of its mobility times this, by Cauchy and Schwarz.
+        let whole = state.u.dot(&(&self.equations.mass * &state.u)).sqrt();
+        let one = |(j, rub): (usize, &Rub)| {
+            let mobility = self.contacts.mobility(self.contacts.rub_row(j));
+            let size = mobility.sqrt() * whole + rub.speed.abs() + rub.motion.derivative_bound(0);
+            let rate = rub.rate(state);
+            if rate.abs() <= STILL * size { 0.0 } else { rate }
+        };
+        self.contacts.rubs().iter().enumerate().map(one).collect()
+    }
+
+    /// The machine in contact so.
+    fn stage(&self, holds: &Holds) -> Result<Arc<Stage>> {
+        if *holds == Holds::default() {
             return Ok(self.free.clone());
         }
         let mut stages = self.stages.lock().unwrap_or_else(PoisonError::into_inner);
-        let key = (resting.to_vec(), soft.clone());
-        if let Some(stage) = stages.get(&key) {
+        if let Some(stage) = stages.get(holds) {
             return Ok(stage.clone());
         }
         let formulas = self.smooth.as_ref();
-        let stage = Stage::new(&self.equations, &self.contacts, resting, soft, self.through, formulas)
-            .map_err(|error| {
-                let names = |all: &[usize]| -> Vec<&str> {
-                    all.iter().map(|&j| self.contacts.all()[j].name.as_str()).collect()
-                };
-                let all = [names(resting), names(&soft.pushing)].concat();
+        let stage =
+            Stage::new(&self.equations, &self.contacts, holds, self.through, formulas).map_err(|error| {
+                let stops = holds.resting.iter().chain(&holds.soft.pushing);
+                let stops = stops.map(|&j| self.contacts.all()[j].name.as_str());
+                let stuck = holds.stuck().map(|j| self.contacts.rubs()[j].name.as_str());
+                let all: Vec<&str> = stops.chain(stuck).collect();
                 error.context(format!("in contact with {}", all.join(", ")))
             })?;
         let stage = Arc::new(stage);
-        stages.insert(key, stage.clone());
+        stages.insert(holds.clone(), stage.clone());
         Ok(stage)
     }
 }

@@ -45,7 +45,7 @@ impl PeakForces {
     pub fn flown(&mut self, run: &Run) {
         let duration = run.time().since(self.from);
         if duration > 0.0 {
-            for stop in self.stage.soft.pushing.clone() {
+            for stop in self.stage.holds.soft.pushing.clone() {
                 let peak = self.peak(run, stop, duration);
                 self.peaks[stop] = self.peaks[stop].max(peak);
             }

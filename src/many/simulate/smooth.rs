@@ -8,6 +8,7 @@ use crate::{
     error::Result,
     many::{
         LinearEquations, RealMatrix, RealVector, State,
+        algebra::stacked,
         contact::{Contacts, Watch},
         equations::Constrained,
         smooth::{Held, Leap, Record, Smooth, SmoothFlow},
@@ -38,46 +39,46 @@ pub(crate) struct SmoothStage {
 enum Sight {
     /// By displacements, velocities and the time.
     Seen(Watch),
-    /// An output.
-    Output(usize),
+    /// An output times a factor, and a constant.
+    Output(usize, [f64; 2]),
 }
 
 impl SmoothStage {
-    /// The stage of `equations`, with what is watched; where stops are rested on, with what holds it.
+    /// The stage of `equations`, with what is watched; where it rests on stops or sticks, with the rows that
+    /// are held, their forces as those of the linear machine, and the constrained motion.
     pub fn new(
         smooth: &Smooth,
         equations: &LinearEquations,
         contacts: &Contacts,
         watches: &[(What, Watch)],
-        held: Option<(&[usize], &Constrained)>,
+        held: Option<(&[usize], &[Watch], &Constrained)>,
     ) -> Result<SmoothStage> {
         let n = equations.size();
-        let held = match held {
-            None => None,
-            Some((resting, constrained)) => Some(Held {
-                projection: &constrained.free * &constrained.down,
-                lifts: (0..)
-                    .zip(resting)
-                    .map(|(i, &j)| (constrained.lift.column(i).into_owned(), &contacts.all()[j].position))
-                    .collect(),
-                felt: contacts.felt(resting)?.into_iter().map(|(_, felt)| felt).collect(),
-                forces: watches
-                    .iter()
-                    .filter(|(what, _)| matches!(what, What::Force(_)))
-                    .map(|(_, watch)| watch)
-                    .collect(),
-            }),
-        };
-        // The outputs after the n accelerations are the forces, in the order of what is watched.
-        let mut next = n;
-        let sights = watches.iter().map(|(what, watch)| match what {
-            What::Force(_) => {
-                next += 1;
-                Sight::Output(next - 1)
+        let rows = held.map_or(&[][..], |known| known.0);
+        // The outputs after the n accelerations are the forces, in the order of the rows.
+        let output = |row: usize| n + rows.iter().position(|known| *known == row).unwrap_or(0);
+        let sights = watches.iter().map(|(what, watch)| match *what {
+            What::Force(stop) => Sight::Output(output(stop), [1.0, 0.0]),
+            What::Hold(j, side) => {
+                let row = contacts.rub_row(j);
+                let most = contacts.rubs()[j].holding * contacts.mobility(row);
+                Sight::Output(output(row), [-side.sign(), most])
             }
             _ => Sight::Seen(watch.clone()),
         });
-        let sights = sights.collect();
+        let (sights, next) = (sights.collect(), n + rows.len());
+        let held = match held {
+            None => None,
+            Some((rows, forces, constrained)) => Some(Held {
+                projection: constrained.projection.clone(),
+                lifts: (0..)
+                    .zip(rows)
+                    .map(|(i, &row)| (constrained.lift.column(i).into_owned(), contacts.held_row(row).1))
+                    .collect(),
+                felt: contacts.felt(rows)?.into_iter().map(|(_, felt)| felt).collect(),
+                forces: forces.iter().collect(),
+            }),
+        };
         let order = watches.iter().map(|(_, watch)| watch.given.order()).max().unwrap_or(0);
         Ok(SmoothStage {
             flow: smooth.flow(equations, held.as_ref())?,
@@ -118,6 +119,17 @@ impl SmoothStage {
     /// q″ with the forces of the stops rested on.
     pub fn acceleration(&self, time: Time, state: &State) -> RealVector {
         RealVector::from_column_slice(&self.all_at(time, state)[..self.size])
+    }
+
+    /// Of what is watched the derivatives by q, by q′ and by the time, at a state.
+    pub fn slopes(&self, watch: usize, state: &State) -> (RealVector, f64) {
+        match &self.sights[watch] {
+            Sight::Seen(watch) => (stacked(&watch.places, &watch.rates), watch.given.at(state.t)[1]),
+            Sight::Output(output, [factor, _]) => {
+                let (by_state, by_time) = self.flow.output_slopes(*output, state.t, &state.q, &state.u);
+                (by_state * *factor, by_time * factor)
+            }
+        }
     }
 
     /// q″ without them.
@@ -185,7 +197,13 @@ impl SmoothStage {
     /// added up from.
     pub fn polynomial(&self, leap: &Leap, watch: usize) -> ([f64; TERMS], f64) {
         match &self.sights[watch] {
-            Sight::Output(output) => (leap.outputs[*output], leap.outputs[*output][0].abs()),
+            Sight::Output(output, [factor, constant]) => {
+                let mut all = leap.outputs[*output];
+                let size = all[0].abs() + constant.abs();
+                all.iter_mut().for_each(|c| *c *= factor);
+                all[0] += constant;
+                (all, size)
+            }
             Sight::Seen(watch) => seen(leap, watch),
         }
     }

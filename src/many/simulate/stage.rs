@@ -1,8 +1,9 @@
-//! A machine in contact with some of its stops, or with none, with tables of everything that is watched on
-//! it.
+//! A machine in contact with some of its stops, or with none, sliding or sticking where there is friction,
+//! with tables of everything that is watched on it.
 //!
-//! What is watched is a function z(t) of time along the motion: a gap, or the force of a stop that is rested
-//! on or that gives way, in the unit of gaps. It is the sum of a known function (of p and of the stops'
+//! What is watched is a function z(t) of time along the motion: a gap; the force of a stop that is rested on
+//! or that gives way, in the unit of gaps; where there is friction, the velocity of what slides, per radian,
+//! and by how much what sticks could hold more. It is the sum of a known function (of p and of the stops'
 //! motion) and of a functional on the homogeneous y, about whose time steps everything is in tables.
 //!
 //! # Cells
@@ -36,12 +37,14 @@ use super::smooth::SmoothStage;
 use crate::{
     error::{Error, Result},
     many::{
-        LinearEquations, LinearFlow, RealMatrix, RealVector, State,
-        contact::{Contacts, StopContact, Watch},
+        Grip, LinearEquations, LinearFlow, RealMatrix, RealVector, State,
+        algebra::stacked,
+        contact::{Contacts, Watch},
+        equations::HeldRows,
         smooth::Smooth,
     },
     motion::{
-        Series, Time,
+        Effect, Series, Time,
         minimum::{Head, ROUNDING, head},
     },
 };
@@ -75,6 +78,21 @@ pub(crate) enum What {
     Pull(usize),
     /// The gap to a soft stop with the other sign.
     Rise(usize),
+    /// The velocity at a row with friction that slides, with the sign that it has.
+    Slide(usize),
+    /// By how much what sticks could push more, as an acceleration: along its row, or against it.
+    Hold(usize, Grip),
+}
+
+impl What {
+    /// What a look at it counts as.
+    pub fn effect(self) -> Effect {
+        match self {
+            What::Gap(_) | What::Rise(_) => Effect::Gap,
+            What::Force(_) | What::Push(_) | What::Pull(_) => Effect::Force,
+            What::Slide(_) | What::Hold(..) => Effect::Friction,
+        }
+    }
 }
 
 /// Which soft stops are not open, each list ascending. A stop without damping is never behind.
@@ -130,19 +148,46 @@ pub(crate) enum SoftPlace {
     Behind,
 }
 
+/// What a machine is in contact with.
+#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Holds {
+    /// The stops rested on, ascending.
+    pub resting: Vec<usize>,
+    /// The soft ones.
+    pub soft: SoftStops,
+    /// How it moves at each row with friction.
+    pub grips: Vec<Grip>,
+}
+
+impl Holds {
+    /// The friction that sticks.
+    pub fn stuck(&self) -> impl Iterator<Item = usize> {
+        self.grips.iter().enumerate().filter(|(_, grip)| **grip == Grip::Stuck).map(|(j, _)| j)
+    }
+
+    /// The rows that are held: stops rested on, then what sticks.
+    fn rows(&self, contacts: &Contacts) -> Vec<usize> {
+        self.resting.iter().copied().chain(self.stuck().map(|j| contacts.rub_row(j))).collect()
+    }
+}
+
 #[derive(Debug)]
 pub(crate) struct Stage {
-    pub resting: Vec<usize>,
-    pub soft: SoftStops,
+    pub holds: Holds,
+    /// How many rows stick.
+    stuck: usize,
     /// The equations with the forces of soft stops, not resting on any other.
     pub equations: LinearEquations,
     /// Where forces are formulas, that of the machine linearised at rest.
     pub flow: LinearFlow,
     /// Where forces are formulas, how it moves; then nothing is in tables.
     pub smooth: Option<SmoothStage>,
-    /// Z, the columns b_j, ZᵀM: [`Constrained`](crate::many::equations::Constrained).
+    /// From the stage's own coordinates, the columns b_j, back:
+    /// [`Constrained`](crate::many::equations::Constrained).
     reduced: Option<(RealMatrix, RealMatrix, RealMatrix)>,
     positions: Vec<Series>,
+    /// The velocities of the surfaces on which it sticks.
+    surfaces: Vec<Series>,
     pub watched: Vec<What>,
     /// Each as a functional on y, and its known part but for p.
     watches: Vec<(RealVector, Series)>,
@@ -185,15 +230,16 @@ impl Stage {
     pub fn new(
         equations: &LinearEquations,
         contacts: &Contacts,
-        resting: &[usize],
-        soft: &SoftStops,
+        holds: &Holds,
         through: bool,
         formulas: Option<&Smooth>,
     ) -> Result<Stage> {
-        let all = contacts.all();
+        let Holds { resting, soft, grips } = holds;
+        let (all, rubs) = (contacts.all(), contacts.rubs());
         let watched = |j: usize| !(resting.contains(&j) || through && all[j].soft.is_none());
         let pushed = equations.pushed(soft.pushing.iter().map(|&j| &all[j]));
-        let equations = &pushed;
+        let dragged = pushed.dragged(rubs.iter().zip(grips.iter().map(|grip| grip.sign())));
+        let equations = &dragged;
         let mut watches: Vec<(What, Watch)> = Vec::new();
         for (j, contact) in all.iter().enumerate().filter(|(j, _)| watched(*j)) {
             if soft.pushing.contains(&j) {
@@ -205,24 +251,39 @@ impl Stage {
                 watches.push((What::Gap(j), contact.gap_watch(1.0)));
             }
         }
+        for (j, (rub, grip)) in rubs.iter().zip(grips).enumerate() {
+            if *grip != Grip::Stuck {
+                watches.push((What::Slide(j), rub.rate_watch(grip.sign())));
+            }
+        }
+        let rows = holds.rows(contacts);
         let (mut reduced, mut positions) = (None, Vec::new());
         let mut smooth = None;
         // Where forces are formulas the linear flow carries no motion: it tells the scales and the modes of
         // one.
         let linearised = formulas.map(|formulas| formulas.linearised(equations));
-        let flow = if resting.is_empty() {
+        let flow = if rows.is_empty() {
             if let Some(formulas) = formulas {
                 smooth = Some(SmoothStage::new(formulas, equations, contacts, &watches, None)?);
             }
             LinearFlow::new(linearised.unwrap_or_else(|| equations.clone()))?
         } else {
-            let forces = contacts.forces(equations, resting)?;
-            watches.extend(resting.iter().zip(forces).map(|(j, watch)| (What::Force(*j), watch)));
-            let held = resting.iter().map(|&j| &all[j]).collect::<Vec<_>>();
+            let forces = contacts.forces(equations, &rows)?;
+            let rested = resting.iter().zip(&forces);
+            watches.extend(rested.map(|(j, watch)| (What::Force(*j), watch.clone())));
+            for (j, force) in holds.stuck().zip(&forces[resting.len()..]) {
+                let most = rubs[j].holding * contacts.mobility(contacts.rub_row(j));
+                let bound = |side: Grip| (What::Hold(j, side), force.below(most, side.sign()));
+                watches.extend([Grip::Forward, Grip::Backward].map(bound));
+            }
+            let held = HeldRows {
+                stops: resting.iter().map(|&j| contacts.held_row(j)).collect(),
+                stuck: holds.stuck().map(|j| (&rubs[j].row, rubs[j].velocity())).collect(),
+            };
             let mut constrained = equations.constrained(&held)?;
             if let (Some(formulas), Some(linearised)) = (formulas, linearised) {
                 let held = linearised.constrained(&held)?;
-                let both = Some((resting, &constrained));
+                let both = Some((&rows[..], &forces[..], &constrained));
                 smooth = Some(SmoothStage::new(formulas, equations, contacts, &watches, both)?);
                 constrained.equations = held.equations;
             }
@@ -230,15 +291,17 @@ impl Stage {
             reduced = Some((constrained.free, constrained.lift, constrained.down));
             LinearFlow::new(constrained.equations)?
         };
+        let surfaces: Vec<Series> = holds.stuck().map(|j| rubs[j].velocity()).collect();
         let mut stage = Stage {
-            resting: resting.to_vec(),
-            soft: soft.clone(),
+            holds: holds.clone(),
+            stuck: surfaces.len(),
             equations: equations.clone(),
             padded: flow.dimension().next_multiple_of(LANES),
             flow,
             smooth,
             reduced,
             positions,
+            surfaces,
             watched: watches.iter().map(|known| known.0).collect(),
             watches: Vec::new(),
             levels: Vec::new(),
@@ -549,16 +612,21 @@ impl Stage {
         self.raised(self.flow.after(&self.lowered(state), duration))
     }
 
-    /// A state without what rounding has moved it by off the stops that are rested on.
+    /// A state without what rounding has moved it by off what holds it.
     pub fn kept(&self, state: &State) -> State {
         self.raised(self.lowered(state))
     }
 
-    /// z″ of a gap without the forces of the stops that are rested on.
-    pub fn bend(&self, contact: &StopContact, time: Time, state: &State) -> f64 {
+    /// z″ of a stop's gap, or v′ at a row with friction, without the forces of what is rested on or sticks.
+    pub fn bend(&self, contacts: &Contacts, row: usize, time: Time, state: &State) -> f64 {
+        contacts.felt_along(row, &self.unheld(time, state), state.t)
+    }
+
+    /// q″ without the forces of what is rested on or sticks.
+    pub fn unheld(&self, time: Time, state: &State) -> RealVector {
         match &self.smooth {
-            None => contact.acceleration(&self.equations, state),
-            Some(smooth) => contact.row.dot(&smooth.unheld(time, state)) - contact.position.at(state.t)[2],
+            None => self.equations.acceleration(state.t, &state.q, &state.u),
+            Some(smooth) => smooth.unheld(time, state),
         }
     }
 
@@ -577,17 +645,58 @@ impl Stage {
         sum
     }
 
-    /// Z and ZᵀM, where something is rested on.
-    pub fn directions(&self) -> Option<(&RealMatrix, &RealMatrix)> {
-        self.reduced.as_ref().map(|(free, _, down)| (free, down))
-    }
-
     /// The state of the stage's own coordinates.
     fn lowered(&self, state: &State) -> State {
         match &self.reduced {
             None => state.clone(),
-            Some((_, _, down)) => State { t: state.t, q: down * &state.q, u: down * &state.u },
+            Some((_, _, down)) => {
+                let mut u = down * &state.u;
+                for (i, surface) in (u.len() - self.stuck..).zip(&self.surfaces) {
+                    u[i] = surface.at(state.t)[0];
+                }
+                State { t: state.t, q: down * &state.q, u }
+            }
         }
+    }
+
+    /// Of what is watched on friction the derivatives by q, by q′ and by the time, at a state.
+    ///
+    /// # Errors
+    /// None in practice: of [`Contacts::forces`].
+    pub fn slopes(&self, contacts: &Contacts, watch: usize, state: &State) -> Result<(RealVector, f64)> {
+        if let Some(smooth) = &self.smooth {
+            return Ok(smooth.slopes(watch, state));
+        }
+        let seen = match self.watched[watch] {
+            What::Slide(j) => contacts.rubs()[j].rate_watch(self.holds.grips[j].sign()),
+            What::Hold(j, side) => {
+                let rows = self.holds.rows(contacts);
+                let force = contacts.forces(&self.equations, &rows)?;
+                let at = rows.iter().position(|row| *row == contacts.rub_row(j)).unwrap_or(0);
+                force[at].below(0.0, side.sign())
+            }
+            _ => return Ok((RealVector::zeros(2 * state.q.len()), 0.0)),
+        };
+        Ok((stacked(&seen.places, &seen.rates), seen.given.at(state.t)[1]))
+    }
+
+    /// How many directions a motion beside this one can leave it in.
+    pub fn rank(&self) -> usize {
+        self.flow.dimension() - self.stuck
+    }
+
+    /// A vector (δq, δq′) of the stage's own coordinates: where it sticks, velocities have no change.
+    pub fn lowered_vector(&self, q: &RealVector, u: &RealVector) -> (RealVector, RealVector) {
+        let Some((_, _, down)) = &self.reduced else { return (q.clone(), u.clone()) };
+        let mut u = down * u;
+        let n = u.len();
+        u.rows_mut(n - self.stuck, self.stuck).fill(0.0);
+        (down * q, u)
+    }
+
+    /// From the stage's own coordinates to the machine's, of changes.
+    pub fn outward(&self) -> Option<&RealMatrix> {
+        self.reduced.as_ref().map(|known| &known.0)
     }
 
     /// The machine's own state of one of the stage's own coordinates.

@@ -9,8 +9,10 @@
 //! δΛ being the change of the impulses with the rates of the gaps there. Where the machine comes to rest on
 //! stops, what is not motion along them is gone. Rest ends without a jump: q″ is continuous there. So does
 //! contact with a soft stop; where it begins at speed V, q″ jumps by cV M⁻¹wᵀ, c being the stop's damping,
-//! and δq′⁺ = δq′ − c (w·δq) M⁻¹wᵀ, however small V is. A vector of several stops hit at one instant by
-//! chance is that of the order in which the law takes them.
+//! and δq′⁺ = δq′ − c (w·δq) M⁻¹wᵀ, however small V is. Where friction changes, since what g(t, q, q′) tells
+//! has fallen to 0, a motion beside this one comes there later by δt = −δg/g′, and δq′⁺ = δq′ + (q″⁻ − q″⁺)
+//! δt: where it sticks from then on, what is left has no velocity there. A vector of several stops hit at one
+//! instant by chance is that of the order in which the law takes them.
 //!
 //! Vectors are in coordinates in which the mass is 1, (Lᵀδq, Lᵀδq′).
 
@@ -20,7 +22,7 @@ use super::{Event, Simulator, stage::Stage};
 use crate::{
     attractor::dynamics::{Tangents, orthonormalise},
     error::Result,
-    many::{RealMatrix, RealVector, State, algebra::stacked, simulate::engine::Run},
+    many::{RealVector, State, algebra::stacked, simulate::engine::Run},
     motion::{
         RunEnd, Time,
         event::{Impact, Touch},
@@ -195,6 +197,23 @@ impl<'a> Carried<'a> {
         });
     }
 
+    /// What the stage so far watched of friction has fallen to 0, and the motion goes on in another stage.
+    fn rubbed(&mut self, watch: usize, stage: &Arc<Stage>) -> Result<()> {
+        let (arrival, now) = (State { t: self.now.phase, ..self.state.clone() }, self.now);
+        let (by_state, by_time) = self.stage.slopes(self.simulator.contacts(), watch, &arrival)?;
+        let bend = self.stage.acceleration(now, &arrival);
+        let turn = &bend - stage.acceleration(now, &arrival);
+        let rate = by_state.dot(&stacked(&arrival.u, &bend)) + by_time;
+        // Where it goes on as before, it does not matter when; else it falls, or it would not have come to 0.
+        if turn.amax() > 0.0 && rate < 0.0 {
+            self.mapped(|q, u| {
+                let delay = -by_state.dot(&stacked(&q, &u)) / rate;
+                (q, u + &turn * delay)
+            });
+        }
+        Ok(())
+    }
+
     /// The longest stretch on which vectors neither vanish in floats nor fall together; no bound where forces
     /// are formulas.
     fn bound(&mut self) {
@@ -210,13 +229,13 @@ impl<'a> Carried<'a> {
 
     /// Of vectors only what moves along the stops that are rested on.
     fn project(&mut self) {
-        if self.stage.resting.is_empty() {
+        if self.stage.outward().is_none() {
             return;
         }
         let stage = self.stage.clone();
         self.mapped(|q, u| stage.carried(&q, &u, 0.0));
         if self.ordered {
-            let rank = stage.flow.dimension().min(self.frame.len());
+            let rank = stage.rank().min(self.frame.len());
             self.frame[rank..].iter_mut().for_each(|vector| vector.fill(0.0));
         }
     }
@@ -250,16 +269,19 @@ impl Tangents for Carried<'_> {
             if let Event::Impact(hit) = event {
                 let mut hits = vec![hit];
                 hits.extend(self.run.others_at(hit.time));
-                let resting = self.stage.resting.clone();
+                let resting = self.stage.holds.resting.clone();
                 self.saltation(&hits, &resting)?;
             }
             if let Event::Touch(touch) = &event {
                 self.touched(touch);
             }
-            (self.state, self.now) = (self.run.state(), self.run.time());
             let stage = self.run.stage();
+            if let Some(watch) = self.run.rubbed() {
+                self.rubbed(watch, &stage)?;
+            }
+            (self.state, self.now) = (self.run.state(), self.run.time());
             if !Arc::ptr_eq(&stage, &self.stage) {
-                let soft = stage.soft != self.stage.soft;
+                let soft = stage.holds.soft != self.stage.holds.soft;
                 self.stage = stage;
                 if soft {
                     self.bound();
@@ -292,11 +314,7 @@ fn first(n: usize, count: usize) -> Vec<Vec<f64>> {
 impl Stage {
     /// (δq, δq′) after a duration of motion in this stage; of (δq, δq′) only what the stage allows.
     fn carried(&self, q: &RealVector, u: &RealVector, duration: f64) -> (RealVector, RealVector) {
-        let inward = |map: &RealMatrix| (map * q, map * u);
-        let (q, u) = match self.directions() {
-            None => (q.clone(), u.clone()),
-            Some((_, down)) => inward(down),
-        };
+        let (q, u) = self.lowered_vector(q, u);
         let mut y = self.flow.inward(&q, &u);
         if duration != 0.0 {
             self.flow.advance(&mut y, duration);
@@ -304,9 +322,9 @@ impl Stage {
         let x = self.flow.outward(&y);
         let n = x.len() / 2;
         let (q, u) = (x.rows(0, n).into_owned(), x.rows(n, n).into_owned());
-        match self.directions() {
+        match self.outward() {
             None => (q, u),
-            Some((free, _)) => (free * q, free * u),
+            Some(free) => (free * q, free * u),
         }
     }
 }

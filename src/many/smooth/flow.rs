@@ -139,6 +139,22 @@ impl SmoothFlow {
         finite.then(|| [all.columns(0, n).into_owned(), all.columns(n, n).into_owned()])
     }
 
+    /// An output's derivatives by q, by q′ and by the time, at a state.
+    pub fn output_slopes(&self, output: usize, t: f64, q: &RealVector, u: &RealVector) -> (RealVector, f64) {
+        let n = self.size;
+        let state: Vec<f64> = q.iter().chain(u.iter()).copied().collect();
+        let mut all = RealVector::zeros(2 * n);
+        for first in (0..2 * n).step_by(WIDTH) {
+            let found = self.varied.all_at(&seeded(&state, first), Gradient::constant(t))[output];
+            for j in first..(first + WIDTH).min(2 * n) {
+                all[j] = found.part(1 + j - first);
+            }
+        }
+        let constant: Vec<_> = state.iter().map(|x| Gradient::constant(*x)).collect();
+        let by_time = self.varied.all_at(&constant, Gradient::variable(t, 1))[output].part(1);
+        (all, by_time)
+    }
+
     /// ∂(q, q′) after a duration by (q, q′) before; NaN where the motion cannot be followed.
     pub fn transition(&self, state: &State, duration: f64) -> RealMatrix {
         let n = self.size;

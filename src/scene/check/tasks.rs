@@ -24,6 +24,7 @@ impl Checked<'_> {
     /// The checks of one task, its coefficients being those of the task.
     pub(super) fn kind(&self, kind: &Kind) -> Result<()> {
         self.once(kind)?;
+        self.rubbing(kind)?;
         match kind {
             Kind::SimulateTask(task) => self.simulate(task),
             Kind::SectionTask(task) => self.section(task),
@@ -67,6 +68,28 @@ impl Checked<'_> {
             return self.fail("periods", &message);
         }
         Ok(())
+    }
+
+    /// With dry friction motions are followed, and attractors found; nothing that is smooth between impacts.
+    fn rubbing(&self, kind: &Kind) -> Result<()> {
+        let Model::Many(machine) = self.model else { return Ok(()) };
+        let Some(first) = machine.friction.first() else { return Ok(()) };
+        let refused = |key: &str| {
+            let message = format!(
+                "needs motions that are smooth between impacts; here there is dry friction ({}): `simulate`, `basins`, `section` \
+                 without `orbits` and `diagram` without `branches` take it",
+                first.name
+            );
+            self.fail(key, &message)
+        };
+        match kind {
+            Kind::SimulateTask(_) | Kind::BasinsTask(_) => Ok(()),
+            Kind::DiagramTask(task) if task.branches.is_empty() => Ok(()),
+            Kind::DiagramTask(_) => refused("branches"),
+            Kind::SectionTask(task) if task.orbits.is_empty() => Ok(()),
+            Kind::SectionTask(_) => refused("orbits"),
+            _ => refused("kind"),
+        }
     }
 
     fn simulate(&self, task: &SimulateTask) -> Result<()> {

@@ -49,6 +49,7 @@ fn machine(
         forcing: vec![Load { k: 1, cos: cos.to_vec(), sin: vec![0.0; n] }],
         smooth: vec![],
         record: None,
+        friction: vec![],
         stops,
     }
 }

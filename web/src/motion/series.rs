@@ -38,6 +38,7 @@ pub struct Strike {
 pub struct Series {
     seen: Seen,
     stops: Vec<SeriesStop>,
+    names: Vec<String>,
     /// Times in forcing periods, the quantity, its rate; at an impact there are two points, before and after.
     pub times: Vec<f64>,
     /// The quantity.
@@ -60,6 +61,7 @@ impl Series {
         Series {
             seen,
             stops: Vec::new(),
+            names: Vec::new(),
             positions: Vec::new(),
             times: Vec::new(),
             places: Vec::new(),
@@ -114,7 +116,7 @@ impl Keeper for Series {
             Seen::Gap(_) => 1,
             Seen::Coordinate(_) => of.stops.iter().filter(|stop| stop.along.is_some()).count(),
         };
-        (self.stops, self.positions) = (of.stops.clone(), vec![Vec::new(); walls]);
+        (self.stops, self.names, self.positions) = (of.stops.clone(), of.places(), vec![Vec::new(); walls]);
         Ok(())
     }
 
@@ -143,7 +145,7 @@ impl Keeper for Series {
     }
 
     fn event(&mut self, event: &StopEvent) -> Result<()> {
-        let (time, along) = (event.time.periods(), self.stops[event.stop].along);
+        let (time, along) = (event.time.periods(), self.stops.get(event.stop).and_then(|stop| stop.along));
         // Of a coordinate among several nothing is known here but that there was an impact.
         let drawn = match (self.seen, event.place, along) {
             (Seen::Gap(stop), ..) if stop == event.stop => Some(([0.0; 2], 1.0)),
@@ -160,7 +162,7 @@ impl Keeper for Series {
                 None => {}
             }
         }
-        let (kind, wall) = (event.event, self.stops[event.stop].name.clone());
+        let (kind, wall) = (event.event, self.names[event.stop].clone());
         let speed = event.velocity.map(|velocity| -velocity);
         self.strikes.push(Strike { kind, time: event.time, wall, at, speed });
         Ok(())

@@ -43,6 +43,8 @@ struct Series<'a> {
     /// The period, in the scene's unit of time.
     period: f64,
     stops: Vec<SeriesStop>,
+    /// The names of all places where something happens.
+    places: Vec<String>,
     drawn: Drawn,
     series: &'a mut dyn Write,
     events: &'a mut dyn Write,
@@ -61,8 +63,8 @@ impl<'a> Series<'a> {
         series: &'a mut dyn Write,
         events: &'a mut dyn Write,
     ) -> Self {
-        let (stops, drawn) = (Vec::new(), Drawn::Gaps(Vec::new()));
-        Series { job, periods: task.periods, period: f64::NAN, stops, drawn, series, events }
+        let (stops, places, drawn) = (Vec::new(), Vec::new(), Drawn::Gaps(Vec::new()));
+        Series { job, periods: task.periods, period: f64::NAN, stops, places, drawn, series, events }
     }
 }
 
@@ -98,7 +100,7 @@ impl Keeper for Series<'_> {
         writeln!(self.series, "time,periods{q}{u}{}", names("gap", of.stops.len()))?;
         let columns = "event,time,period,phase,stop,velocity,impulse,radius,gap,rest,together,order_matters";
         writeln!(self.events, "{columns}")?;
-        (self.period, self.stops) = (of.period, of.stops.clone());
+        (self.period, self.stops, self.places) = (of.period, of.stops.clone(), of.places());
         self.drawn = Drawn::new(of, &self.job.scene.title, self.periods);
         Ok(())
     }
@@ -139,7 +141,7 @@ impl Keeper for Series<'_> {
         }
         let shown = |x: Option<f64>| x.map_or(String::new(), |x| x.to_string());
         let (word, time, period) = (event.event, periods * self.period, event.time.period);
-        let (phase, name) = (event.time.phase / TAU, csv_field(&self.stops[event.stop].name));
+        let (phase, name) = (event.time.phase / TAU, csv_field(&self.places[event.stop]));
         write!(self.events, "{word},{time},{period},{phase},{name}")?;
         for x in [event.velocity, event.impulse, event.radius, event.gap, event.rest] {
             write!(self.events, ",{}", shown(x))?;

@@ -7,7 +7,10 @@ use crate::{
     error::Result,
     many::{
         RealVector, State,
-        simulate::{Event, SoftStops, Stage, What, stage::SoftPlace},
+        simulate::{
+            Event, SoftStops, Stage, What,
+            stage::{Holds, SoftPlace},
+        },
     },
     motion::{
         Effect, Time,
@@ -22,6 +25,7 @@ impl Run<'_> {
         let (x, half) = (hit.place(), self.half());
         let time = self.time_at(x);
         self.from = x;
+        self.rubbed = matches!(stage.watched[watch], What::Slide(_) | What::Hold(..)).then_some(watch);
         match (stage.watched[watch], hit) {
             (What::Gap(stop), Hit::Tangency(_)) => {
                 self.events.push(Event::Tangency(Tangency { time, place: stop, gap: z[0] }));
@@ -36,7 +40,7 @@ impl Run<'_> {
             }
             (What::Gap(stop), Hit::Press(_)) => {
                 let state = self.state_at(x);
-                let resting = stage.resting.clone();
+                let resting = stage.holds.resting.clone();
                 if !self.settle(time, state, &[stop], &resting)? {
                     // The stop presses by no more than rounding: on, and surely not to the same place.
                     self.from = x + NUDGE;
@@ -63,10 +67,12 @@ impl Run<'_> {
                 self.place(time, x, stop, SoftPlace::Pushing)?;
             }
             (What::Rise(stop), _) => self.place(time, x, stop, SoftPlace::Open)?,
+            (What::Slide(rub), _) => self.caught(time, x, rub)?,
+            (What::Hold(rub, side), _) => self.slips(time, x, rub, side)?,
             (What::Force(stop), Hit::Impact(_) | Hit::Press(_)) => {
                 let state = self.state_at(x);
                 let resting: Vec<usize> =
-                    stage.resting.iter().copied().filter(|&other| other != stop).collect();
+                    stage.holds.resting.iter().copied().filter(|&other| other != stop).collect();
                 self.events.push(Event::Release(Release { time, place: stop }));
                 self.rest(time, &state, &resting)?;
             }
@@ -87,15 +93,16 @@ impl Run<'_> {
     fn place(&mut self, time: Time, x: f64, stop: usize, place: SoftPlace) -> Result<()> {
         let state = self.state_at(x);
         self.open[stop] = false;
-        let stage = self.simulator.stage(&self.stage.resting, &self.stage.soft.with(stop, place))?;
-        self.change(stage, time, &state);
-        Ok(())
+        let mut holds = self.stage.holds.clone();
+        holds.soft = holds.soft.with(stop, place);
+        self.change(self.simulator.stage(&holds)?, time, &state);
+        self.regrip(time, &state, None)
     }
 
     /// Where soft stops are after velocities have jumped to those of `state`: some may be thrown off, others
     /// caught before they are open.
     fn soft_after(&mut self, time: Time, state: &State) -> SoftStops {
-        let before = self.stage.soft.clone();
+        let before = self.stage.holds.soft.clone();
         if before.is_empty() {
             return before;
         }
@@ -131,7 +138,7 @@ impl Run<'_> {
         let (depth, mut touched) = (simulator.settings.minimum_depth, vec![stop]);
         let after = (1.0 + x) * self.half();
         let mut y = if stage.smooth.is_some() { RealVector::zeros(0) } else { stage.vector(&self.y) };
-        let alone = stage.resting.is_empty() && simulator.contacts.all().len() == 1;
+        let alone = stage.holds.resting.is_empty() && simulator.contacts.all().len() == 1;
         let mut known = None;
         if !alone {
             let state = if stage.smooth.is_some() {
@@ -144,7 +151,7 @@ impl Run<'_> {
                 let rigid = contact.soft.is_none();
                 if rigid
                     && other != stop
-                    && !stage.resting.contains(&other)
+                    && !stage.holds.resting.contains(&other)
                     && contact.gap(&state)[0] <= depth
                 {
                     touched.push(other);
@@ -152,8 +159,8 @@ impl Run<'_> {
             }
             known = Some(state);
         }
-        let tabled = stage.smooth.is_none();
-        if touched.len() > 1 || !stage.resting.is_empty() || !stage.soft.is_empty() || !tabled {
+        let free = stage.smooth.is_none() && stage.holds == Holds::default();
+        if touched.len() > 1 || !free {
             let state = known.unwrap_or_else(|| self.state_at(x));
             let rate =
                 |&j: &usize| if j == stop { velocity } else { simulator.contacts.all()[j].gap(&state)[1] };
@@ -202,7 +209,7 @@ impl Run<'_> {
         rates: &[f64],
         radius: f64,
     ) -> Result<()> {
-        let (simulator, resting) = (self.simulator, self.stage.resting.clone());
+        let (simulator, resting) = (self.simulator, self.stage.holds.resting.clone());
         let all: Vec<usize> = touched.iter().chain(&resting).copied().collect();
         if all.len() > 1 {
             self.count(Effect::Together);
@@ -223,9 +230,11 @@ impl Run<'_> {
             }
         }
         let soft = self.soft_after(time, &state);
-        if soft != self.stage.soft {
+        let holds = Holds { resting: resting.clone(), soft, grips: self.grips_after(&state) };
+        if holds != self.stage.holds {
             // What it rests on is decided by the forces that act from now on.
-            self.enter(simulator.stage(&resting, &soft)?, time, &state);
+            self.told_grips(time, &holds.grips);
+            self.enter(simulator.stage(&holds)?, time, &state);
         }
         if !self.settle(time, state.clone(), touched, &resting)? {
             // Thrown off what it rested on, unless some of it still presses.
@@ -249,7 +258,7 @@ impl Run<'_> {
         let bounce = |j: usize, state: &State| contacts[j].gap(state)[1].max(0.0);
         let held: Vec<usize> = self.held(time, &state, resting)?;
         // z″ of a stop with the forces of those that are held.
-        let free = |j: usize, state: &State| now.bend(&contacts[j], time, state);
+        let free = |j: usize, state: &State| now.bend(&simulator.contacts, j, time, state);
         let accelerations: Vec<f64> = held.iter().map(|&j| free(j, &state)).collect();
         let forces = simulator.contacts.pressing(&held, &accelerations)?;
         let helped = simulator.contacts.change(&held, &forces);
@@ -279,7 +288,7 @@ impl Run<'_> {
         if !added.iter().any(|(j, _)| pressing.contains(j)) {
             return Ok(false);
         }
-        let stage = simulator.stage(&pressing, &now.soft)?;
+        let stage = simulator.stage(&Holds { resting: pressing.clone(), ..now.holds.clone() })?;
         let longest = added.iter().map(|known| known.1).fold(0.0, f64::max);
         if longest > 0.0 && !steady(&stage, time, &state, longest) {
             // The stop changes its mind before the bounces end: one by one, then.
@@ -295,6 +304,7 @@ impl Run<'_> {
             }
         }
         self.change(stage, time, &state);
+        self.regrip(time, &state, None)?;
         Ok(true)
     }
 
@@ -304,7 +314,7 @@ impl Run<'_> {
         let depth = simulator.settings.minimum_depth;
         let stays = |&&j: &&usize| {
             let contact = &simulator.contacts.all()[j];
-            let (v, a) = (contact.gap(state)[1], self.stage.bend(contact, time, state));
+            let (v, a) = (contact.gap(state)[1], self.stage.bend(&simulator.contacts, j, time, state));
             v <= 0.0 || v * v < 2.0 * a.abs() * depth
         };
         Ok(resting.iter().filter(stays).copied().collect())
@@ -322,9 +332,8 @@ impl Run<'_> {
     /// Rests on those of the stops, none of which is left by velocity, that press; the others let go.
     fn rest(&mut self, time: Time, state: &State, stops: &[usize]) -> Result<()> {
         let simulator = self.simulator;
-        let contacts = simulator.contacts.all();
         let accelerations: Vec<f64> =
-            stops.iter().map(|&j| self.stage.bend(&contacts[j], time, state)).collect();
+            stops.iter().map(|&j| self.stage.bend(&simulator.contacts, j, time, state)).collect();
         let forces = simulator.contacts.pressing(stops, &accelerations)?;
         let mut pressing = Vec::new();
         for (&stop, force) in stops.iter().zip(forces) {
@@ -335,13 +344,13 @@ impl Run<'_> {
             }
         }
         pressing.sort_unstable();
-        let stage = simulator.stage(&pressing, &self.stage.soft)?;
+        let stage = simulator.stage(&Holds { resting: pressing, ..self.stage.holds.clone() })?;
         self.change(stage, time, state);
-        Ok(())
+        self.regrip(time, state, None)
     }
 
-    fn change(&mut self, stage: Arc<Stage>, time: Time, state: &State) {
-        for &stop in stage.resting.iter().chain(&self.stage.resting) {
+    pub(super) fn change(&mut self, stage: Arc<Stage>, time: Time, state: &State) {
+        for &stop in stage.holds.resting.iter().chain(&self.stage.holds.resting) {
             self.open[stop] = false;
         }
         self.changes += 1;

@@ -21,7 +21,7 @@ impl Run<'_> {
         let stage = self.stage.clone();
         let Some(smooth) = &stage.smooth else { return false };
         let state = State { t: time.phase, ..state.clone() };
-        let state = if stage.resting.is_empty() { state } else { stage.kept(&state) };
+        let state = if stage.outward().is_none() { state } else { stage.kept(&state) };
         self.leap = Some(smooth.leap(time, &state));
         (self.from, self.period) = (0.0, time.period);
         true
@@ -69,8 +69,7 @@ impl Run<'_> {
             self.count(Effect::Piece);
         }
         for (watch, what) in stage.watched.iter().enumerate() {
-            let gap = matches!(what, What::Gap(_) | What::Rise(_));
-            self.count(if gap { Effect::Gap } else { Effect::Force });
+            self.count(what.effect());
             let (polynomial, size) = smooth.polynomial(&leap, watch);
             if clear(head(&polynomial), self.simulator.depth(what)) {
                 if let What::Gap(stop) = what {

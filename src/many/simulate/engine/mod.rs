@@ -2,17 +2,18 @@
 //! makes of the motion is in `contact`.
 
 mod contact;
+mod grips;
 mod leap;
 
 use std::sync::Arc;
 
 use super::{
     Event, Simulator,
-    stage::{SoftStops, Stage, What},
+    stage::{Holds, SoftStops, Stage, What},
 };
 use crate::{
     error::{Error, Result},
-    many::{LinearFlow, State, smooth::Leap},
+    many::{Grip, LinearFlow, State, smooth::Leap},
     motion::{
         Counter, Effect, RunEnd, Share, Time,
         event::Impact,
@@ -50,6 +51,8 @@ pub struct Run<'a> {
     /// Changes of the stage without progress.
     changes: u32,
     failure: Option<Error>,
+    /// What of friction was met last, as the stage before watched it.
+    rubbed: Option<usize>,
     counts: Option<Share>,
 }
 
@@ -64,7 +67,9 @@ struct Found {
 impl<'a> Run<'a> {
     pub(super) fn new(simulator: &'a Simulator, time: Time, state: State) -> Result<Run<'a>> {
         let soft = SoftStops::of(&simulator.contacts, &state);
-        let stage = simulator.stage(&[], &soft)?;
+        // What has no velocity is decided below.
+        let grips = simulator.sliding(&state).into_iter().map(Grip::of).collect();
+        let stage = simulator.stage(&Holds { resting: Vec::new(), soft, grips })?;
         let gaps: Vec<[f64; 2]> =
             simulator.contacts.all().iter().map(|contact| contact.gap(&state)).collect();
         let depth = simulator.settings.minimum_depth;
@@ -83,6 +88,7 @@ impl<'a> Run<'a> {
             ended: None,
             changes: 0,
             failure: None,
+            rubbed: None,
             counts: simulator.tally.as_ref().map(Share::of),
         };
         run.enter(stage, time, &state);
@@ -91,9 +97,12 @@ impl<'a> Run<'a> {
         if touched.iter().any(|&j| gaps[j][1] < 0.0) {
             let rates: Vec<f64> = touched.iter().map(|&j| gaps[j][1]).collect();
             run.strike(time, state, &touched, &rates, 0.0)?;
-        } else if !touched.is_empty() {
-            run.settle(time, state, &touched, &[])?;
+        } else if touched.is_empty() || !run.settle(time, state.clone(), &touched, &[])? {
+            run.regrip(time, &state, None)?;
         }
+        // How it begins is nothing that happens.
+        let friction = run.simulator.contacts.all().len();
+        run.events.retain(|event| event.place().is_none_or(|place| place < friction));
         Ok(run)
     }
 
@@ -126,6 +135,11 @@ impl<'a> Run<'a> {
                 return event;
             }
         }
+    }
+
+    /// What of friction was met last, by its place among what the stage before watched; taken once.
+    pub(super) fn rubbed(&mut self) -> Option<usize> {
+        self.rubbed.take()
     }
 
     /// Why the run could not go on, if it ended for that; taken once.
@@ -182,7 +196,12 @@ impl<'a> Run<'a> {
 
     /// The stops rested on, ascending.
     pub(crate) fn resting(&self) -> &[usize] {
-        &self.stage.resting
+        &self.stage.holds.resting
+    }
+
+    /// How it moves at each row with friction.
+    pub(crate) fn grips(&self) -> &[Grip] {
+        &self.stage.holds.grips
     }
 
     /// The flow of the machine as it is in contact now.
@@ -192,7 +211,7 @@ impl<'a> Run<'a> {
 
     /// The soft stops that push, ascending.
     pub fn pushing(&self) -> &[usize] {
-        &self.stage.soft.pushing
+        &self.stage.holds.soft.pushing
     }
 
     /// On to `until`, events unseen.
@@ -221,7 +240,7 @@ impl<'a> Run<'a> {
     #[inline]
     fn clear(&mut self, stage: &Stage, level: usize, watch: usize, cell: usize) -> bool {
         let what = stage.watched[watch];
-        self.count(if matches!(what, What::Gap(_) | What::Rise(_)) { Effect::Gap } else { Effect::Force });
+        self.count(what.effect());
         clear(stage.head(level, watch, cell, &self.y), self.simulator.depth(&what))
     }
 

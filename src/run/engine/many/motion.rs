@@ -15,9 +15,9 @@ use super::{
 use crate::{
     error::Result,
     many::{
-        Machine, RealVector, State,
+        Grip, Machine, RealVector, State,
         contact::StopContact,
-        simulate::{Event, PeakForces, Run, Simulator},
+        simulate::{Event, PeakForces, Run, Simulator, Slid, goes_on},
     },
     motion::{RunEnd, Time},
     scene::simulate::SimulateTask,
@@ -42,10 +42,19 @@ pub(super) fn simulate(
     let found = before(task, &of, machine, &simulator);
     let along = of.stops.iter().map(|stop| stop.along).collect();
     // What is pushed in the transient is no peak of the series.
-    let mut motion =
-        Motion { simulator: &simulator, machine, along, run, found, first: None, peaks: None, keeper };
+    let mut motion = Motion {
+        simulator: &simulator,
+        machine,
+        along,
+        run,
+        found,
+        first: None,
+        peaks: None,
+        slid: None,
+        keeper,
+    };
     let end = follow(task, start.t, &mut motion, job.monitor)?;
-    let Motion { mut run, mut found, first, peaks, .. } = motion;
+    let Motion { mut run, mut found, first, peaks, slid, .. } = motion;
     if let Some(error) = run.failure() {
         return Err(error);
     }
@@ -58,6 +67,21 @@ pub(super) fn simulate(
     let bend = simulator.acceleration(&state)?;
     let last = [list(&state.q, 1.0), list(&state.u, rate), list(&bend, rate * rate)];
     found.ended((end, run.time()), last);
+    let slid = slid.unwrap_or_else(|| Slid::new(&run));
+    let stuck: Vec<bool> = run.grips().iter().map(|grip| *grip == Grip::Stuck).collect();
+    // A force recorded once has no next period.
+    let forever =
+        stuck.contains(&true) && end == RunEnd::Reached && machine.record.is_none() && goes_on(&mut run);
+    let rubs = machine.friction.iter().zip(stuck.into_iter().zip(slid.rows()));
+    for (row, (friction, (sticks, (share, path)))) in found.friction.iter_mut().zip(rubs) {
+        (row.stuck, row.path) = (share, path);
+        row.dissipated = friction.coefficient * friction.normal * path;
+        row.at_end = match (sticks, forever) {
+            (false, _) => "slides",
+            (true, false) => "sticks",
+            (true, true) => "sticks for ever",
+        };
+    }
     // After a transient it is not the first impact; where forces are formulas the record's effect is none of
     // a linear machine.
     let first = first.filter(|_| task.transient == 0 && !machine.is_smooth());
@@ -75,7 +99,8 @@ fn series_of(machine: &Machine<f64>, simulator: &Simulator, begin: f64) -> Serie
         along: alone.map(|factor| contact.row[0] / factor),
     };
     let stops = simulator.contacts().all().iter().map(stop).collect();
-    SeriesOf { points, stops, period: machine.period, begin }
+    let friction = machine.friction.iter().map(|friction| friction.name.clone()).collect();
+    SeriesOf { points, stops, friction, period: machine.period, begin }
 }
 
 /// What there is to say of the machine before it moves.
@@ -111,6 +136,7 @@ struct Motion<'a> {
     found: SimulationFindings,
     first: Option<FirstImpact>,
     peaks: Option<PeakForces>,
+    slid: Option<Slid>,
     keeper: &'a mut dyn Keeper,
 }
 
@@ -125,8 +151,10 @@ impl SampledMotion for Motion<'_> {
         let mut failed = None;
         loop {
             let peaks = self.peaks.get_or_insert_with(|| PeakForces::new(&self.run));
+            let slid = self.slid.get_or_insert_with(|| Slid::new(&self.run));
             let event = self.run.next(until);
             peaks.flown(&self.run);
+            slid.flown(&self.run);
             if let Event::End(end) = event {
                 return failed.map_or(Ok(end), Err);
             }
@@ -160,7 +188,9 @@ impl Motion<'_> {
     /// An event, as it is kept.
     fn told(&self, event: &Event) -> Option<StopEvent> {
         let ((time, stop), rate) = (event.at()?, self.machine.rate());
-        let contact = &self.simulator.contacts().all()[stop];
+        let Some(contact) = self.simulator.contacts().all().get(stop) else {
+            return Some(StopEvent::new(event.word(), time, stop));
+        };
         // The gap is 0 there: position = along · q.
         let [position, speed, _] = contact.position.at(time.phase);
         let place = self.along[stop].map(|along| [position / along, speed * rate / along]);
@@ -184,7 +214,7 @@ impl Motion<'_> {
             },
             Event::Tangency(tangency) => StopEvent { gap: Some(tangency.gap), ..known },
             Event::Stick(stick) => StopEvent { rest: Some(stick.rest / rate), ..known },
-            Event::Release(_) => known,
+            Event::Release(_) | Event::Reversal(_) => known,
             Event::End(_) => return None,
         })
     }

@@ -45,7 +45,7 @@ pub(super) fn simulate(
         })
         .unzip();
     let begin = Time::new(task.transient as i64, start.t).periods();
-    let of = SeriesOf { points: 1, stops: named, period: TAU, begin };
+    let of = SeriesOf { points: 1, stops: named, friction: Vec::new(), period: TAU, begin };
     keeper.begin(&of)?;
     job.monitor.begin(task.transient + u64::from(task.periods), "periods");
     let run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
@@ -115,6 +115,6 @@ fn told(event: &simulate::Event, stops: &[Contact], mass: f64) -> Option<StopEve
         }
         Event::Tangency(tangency) => StopEvent { gap: Some(tangency.gap), ..known },
         Event::Stick(stick) => StopEvent { rest: Some(stick.rest), ..known },
-        Event::Release(_) | Event::Touch(_) | Event::End(_) => known,
+        Event::Release(_) | Event::Touch(_) | Event::Reversal(_) | Event::End(_) => known,
     })
 }

@@ -1,0 +1,272 @@
+//! What friction makes of a motion: where sliding ends, what sticks, what slides on.
+//!
+//! Rows with friction that have velocity slide as it says. Those without one, and the stops that are rested
+//! on, are decided together: with D the coupling of all rows held or to be held (`many::contact`), the forces
+//! λ_S ≥ 0 of stops and |λ_T| ≤ F_s of what sticks are those for which the stops' gaps do not close, of each
+//! stop the force or the acceleration is 0, and what sticks has no acceleration; what slides from rest has
+//! the force −σF_k and an acceleration with the sign σ. There may be several answers, above all where F_s >
+//! F_k. The one in which the most sticks is taken; among these the one in which most of what stuck before
+//! still does; and among these the one in which stops press least: so a mass that friction alone can hold
+//! beside a stop leaves the stop alone.
+
+use super::Run;
+use crate::{
+    error::Result,
+    many::{
+        Grip, RealMatrix, RealVector, State,
+        contact::{Contacts, complementary},
+        simulate::{Event, Stage, stage::Holds},
+    },
+    motion::{
+        Time,
+        event::{Release, Reversal, Stick},
+    },
+};
+
+/// Rows without velocity of which any number may slide on; of more, at most [`FEW`] at one instant.
+const MANY: usize = 6;
+const FEW: usize = 2;
+
+/// Accelerations within this of their size have no sign.
+const SMALL: f64 = 1e-10;
+
+/// How it goes on at one instant.
+struct Decided {
+    /// The stops that press.
+    pressing: Vec<usize>,
+    grips: Vec<Grip>,
+    /// The sum of the stops' forces.
+    load: f64,
+}
+
+/// What is to be decided: the accelerations without the forces of what is open.
+struct Open<'a> {
+    contacts: &'a Contacts,
+    /// Of each row.
+    accelerations: Vec<f64>,
+    stops: Vec<usize>,
+    /// The friction without velocity, but for what surely slides.
+    rubs: Vec<usize>,
+    /// What slides, and what surely does; of the others how they were.
+    grips: Vec<Grip>,
+}
+
+impl Run<'_> {
+    /// Where something that slides has lost its velocity.
+    pub(super) fn caught(&mut self, time: Time, x: f64, rub: usize) -> Result<()> {
+        let (mut state, contacts) = (self.state_at(x), &self.simulator.contacts);
+        let row = contacts.rub_row(rub);
+        let left = contacts.rubs()[rub].rate(&state);
+        state.u.axpy(-left / contacts.mobility(row), contacts.push(row), 1.0);
+        self.regrip(time, &state, Some((rub, Grip::Stuck)))
+    }
+
+    /// Where what sticks cannot be held any more: the force on it has grown to its bound on the given side,
+    /// and it slides to the other.
+    pub(super) fn slips(&mut self, time: Time, x: f64, rub: usize, side: Grip) -> Result<()> {
+        let state = self.state_at(x);
+        let way = if side == Grip::Forward { Grip::Backward } else { Grip::Forward };
+        self.regrip(time, &state, Some((rub, way)))
+    }
+
+    /// Decides anew what slides and what sticks, of a machine with friction, beside the stops rested on. Of a
+    /// row it may be known that it slides from rest, or, as [`Grip::Stuck`], that it has no velocity.
+    pub(super) fn regrip(&mut self, time: Time, state: &State, sure: Option<(usize, Grip)>) -> Result<()> {
+        if self.stage.holds.grips.is_empty() {
+            return Ok(());
+        }
+        let stage = self.stage.clone();
+        let Decided { pressing, grips, .. } = self.decide(&stage, time, state, sure)?;
+        if grips == stage.holds.grips && pressing == stage.holds.resting {
+            if sure.is_some() {
+                // Nothing changes: on, and surely not to the same place.
+                self.change(stage, time, state);
+            }
+            return Ok(());
+        }
+        for &stop in stage.holds.resting.iter().filter(|stop| !pressing.contains(stop)) {
+            // A rest that is not told yet never was.
+            let before = self.events.len();
+            let rest = |event: &Event| matches!(event, Event::Stick(stick) if stick.place == stop);
+            self.events.retain(|event| !rest(event));
+            if self.events.len() == before {
+                self.events.push(Event::Release(Release { time, place: stop }));
+            }
+        }
+        self.told_grips(time, &grips);
+        let holds = Holds { resting: pressing, soft: stage.holds.soft.clone(), grips };
+        let stage = self.simulator.stage(&holds)?;
+        self.change(stage, time, state);
+        Ok(())
+    }
+
+    /// Tells what is gripped otherwise from now on.
+    pub(super) fn told_grips(&mut self, time: Time, grips: &[Grip]) {
+        let stage = self.stage.clone();
+        for (j, (&was, &is)) in stage.holds.grips.iter().zip(grips).enumerate() {
+            let place = self.simulator.contacts.rub_row(j);
+            match (was, is) {
+                _ if was == is => {}
+                (_, Grip::Stuck) => self.events.push(Event::Stick(Stick { time, place, rest: 0.0 })),
+                (Grip::Stuck, _) => self.events.push(Event::Release(Release { time, place })),
+                _ => self.events.push(Event::Reversal(Reversal { time, place })),
+            }
+        }
+    }
+
+    /// The grips that velocities alone tell, after they have jumped: what had none and still has none stays
+    /// as it is.
+    pub(super) fn grips_after(&self, state: &State) -> Vec<Grip> {
+        let before = &self.stage.holds.grips;
+        if before.is_empty() {
+            return Vec::new();
+        }
+        let rates = self.simulator.sliding(state).into_iter().zip(before);
+        rates.map(|(rate, &before)| if rate == 0.0 { before } else { Grip::of(rate) }).collect()
+    }
+
+    fn decide(
+        &self,
+        stage: &Stage,
+        time: Time,
+        state: &State,
+        sure: Option<(usize, Grip)>,
+    ) -> Result<Decided> {
+        let contacts = &self.simulator.contacts;
+        let mut grips = stage.holds.grips.clone();
+        // q″ without the forces of stops rested on, and without any friction.
+        let mut bend = stage.unheld(time, state);
+        let drag = |bend: &mut RealVector, j: usize, sign: f64| {
+            bend.axpy(sign * contacts.rubs()[j].sliding, contacts.push(contacts.rub_row(j)), 1.0);
+        };
+        for (j, grip) in stage.holds.grips.iter().enumerate() {
+            drag(&mut bend, j, grip.sign());
+        }
+        let mut rubs = Vec::new();
+        for (j, rate) in self.simulator.sliding(state).into_iter().enumerate() {
+            grips[j] = match (sure.filter(|sure| sure.0 == j), grips[j]) {
+                (Some((_, way)), _) if way != Grip::Stuck => way,
+                (None, grip) if grip != Grip::Stuck && rate != 0.0 => Grip::of(rate),
+                _ => {
+                    rubs.push(j);
+                    continue;
+                }
+            };
+            drag(&mut bend, j, -grips[j].sign());
+        }
+        let rows = contacts.all().len() + contacts.rubs().len();
+        let accelerations = (0..rows).map(|row| contacts.felt_along(row, &bend, state.t)).collect();
+        Open { contacts, accelerations, stops: stage.holds.resting.clone(), rubs, grips }.decided()
+    }
+}
+
+impl Open<'_> {
+    /// The answer in which the most sticks; where no choice of what slides gives one, what is accelerated the
+    /// most by the other forces slides with them.
+    fn decided(&self) -> Result<Decided> {
+        let most = if self.rubs.len() <= MANY { self.rubs.len() } else { FEW };
+        for count in 0..=most {
+            let mut best: Option<Decided> = None;
+            for sliding in chosen(&self.rubs, count) {
+                for ways in 0..1u32 << count {
+                    let ways =
+                        (0..count).map(|i| if ways >> i & 1 == 0 { Grip::Forward } else { Grip::Backward });
+                    let sliding: Vec<(usize, Grip)> = sliding.iter().copied().zip(ways).collect();
+                    let Some(found) = self.with(&sliding)? else { continue };
+                    let rank = |one: &Decided| (self.released(&one.grips), one.load);
+                    if best.as_ref().is_none_or(|best| rank(&found) < rank(best)) {
+                        best = Some(found);
+                    }
+                }
+            }
+            if let Some(best) = best {
+                return Ok(best);
+            }
+        }
+        let way = |&j: &usize| (j, Grip::of(self.accelerations[self.contacts.rub_row(j)]));
+        let mut grips = self.grips.clone();
+        self.rubs.iter().map(way).for_each(|(j, grip)| grips[j] = grip);
+        Ok(Decided { pressing: self.stops.clone(), grips, load: 0.0 })
+    }
+
+    /// How many rows that stuck do not any more.
+    fn released(&self, grips: &[Grip]) -> usize {
+        let pairs = self.grips.iter().zip(grips);
+        pairs.filter(|(was, is)| **was == Grip::Stuck && **is != Grip::Stuck).count()
+    }
+
+    /// How it goes on if of the rows without velocity these slide, if it can.
+    fn with(&self, sliding: &[(usize, Grip)]) -> Result<Option<Decided>> {
+        let (contacts, rubs) = (self.contacts, self.contacts.rubs());
+        let stuck: Vec<usize> =
+            self.rubs.iter().copied().filter(|j| sliding.iter().all(|known| known.0 != *j)).collect();
+        let held: Vec<usize> = stuck.iter().map(|&j| contacts.rub_row(j)).collect();
+        // What the rows feel of the forces of what slides.
+        let forces: Vec<(usize, f64)> =
+            sliding.iter().map(|&(j, way)| (contacts.rub_row(j), -way.sign() * rubs[j].sliding)).collect();
+        let bend = |row: usize| {
+            let felt = forces.iter().map(|&(other, force)| contacts.coupled(row, other) * force);
+            self.accelerations[row] + felt.sum::<f64>()
+        };
+        let between = |rows: &[usize], columns: &[usize]| {
+            RealMatrix::from_fn(rows.len(), columns.len(), |i, j| contacts.coupled(rows[i], columns[j]))
+        };
+        let stops = &self.stops;
+        let Some(inner) = between(&held, &held).try_inverse() else { return Ok(None) };
+        let own = RealVector::from_iterator(held.len(), held.iter().map(|&row| bend(row)));
+        let cross = between(stops, &held);
+        let mut coupling = between(stops, stops);
+        let mut goal = RealVector::from_iterator(stops.len(), stops.iter().map(|&row| bend(row)));
+        if !held.is_empty() {
+            coupling -= &cross * &inner * cross.transpose();
+            goal -= &cross * &inner * &own;
+        }
+        for (i, &stop) in stops.iter().enumerate() {
+            // A stop along what sticks: no force of it is felt.
+            if coupling[(i, i)] <= 1e-12 * contacts.mobility(stop) {
+                coupling.row_mut(i).fill(0.0);
+                coupling.column_mut(i).fill(0.0);
+                (coupling[(i, i)], goal[i]) = (1.0, 0.0);
+            }
+        }
+        let pressing = complementary(&coupling, &goal)?;
+        let load = RealVector::from_column_slice(&pressing);
+        let holding = -&inner * (own + cross.transpose() * &load);
+        let within = |(&j, force): (&usize, &f64)| force.abs() <= rubs[j].holding * (1.0 + SMALL);
+        if !stuck.iter().zip(holding.iter()).all(within) {
+            return Ok(None);
+        }
+        for &(j, way) in sliding {
+            let row = contacts.rub_row(j);
+            let part = |rows: &[usize], forces: &RealVector| {
+                rows.iter()
+                    .zip(forces.iter())
+                    .map(|(&other, force)| contacts.coupled(row, other) * force)
+                    .sum::<f64>()
+            };
+            let others = part(&held, &holding) + part(stops, &load);
+            let size =
+                self.accelerations[row].abs() + rubs[j].sliding * contacts.mobility(row) + others.abs();
+            if way.sign() * (bend(row) + others) < -SMALL * size {
+                return Ok(None);
+            }
+        }
+        let mut grips = self.grips.clone();
+        stuck.iter().for_each(|&j| grips[j] = Grip::Stuck);
+        sliding.iter().for_each(|&(j, way)| grips[j] = way);
+        let presses = stops.iter().zip(&pressing).filter(|(_, force)| **force > 0.0);
+        Ok(Some(Decided { pressing: presses.map(|(&stop, _)| stop).collect(), grips, load: load.sum() }))
+    }
+}
+
+/// All choices of `count` of some numbers.
+fn chosen(all: &[usize], count: usize) -> Vec<Vec<usize>> {
+    match (count, all) {
+        (0, _) => vec![Vec::new()],
+        (_, []) => Vec::new(),
+        (_, [first, rest @ ..]) => {
+            let with = chosen(rest, count - 1).into_iter().map(|more| [vec![*first], more].concat());
+            with.chain(chosen(rest, count)).collect()
+        }
+    }
+}

@@ -1,0 +1,255 @@
+//! A second solver for dry friction. It shares no code with `src`.
+
+use grazing::many::Machine;
+
+/// A second solver: the equations as they stand, extrapolated midpoint steps, modes by brute force.
+pub struct Rough<'a> {
+    machine: &'a Machine<f64>,
+    mass: Vec<Vec<f64>>,
+    /// −1 or 1 where it slides, 0 where it sticks.
+    modes: Vec<i32>,
+    time: f64,
+    pub x: Vec<f64>,
+    pub load: fn(&[f64], &[f64]) -> Vec<f64>,
+}
+
+/// x of a x = b, by elimination with pivots.
+fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
+    let n = b.len();
+    for i in 0..n {
+        let pivot = (i..n).max_by(|&p, &q| a[p][i].abs().total_cmp(&a[q][i].abs())).unwrap();
+        a.swap(i, pivot);
+        b.swap(i, pivot);
+        for j in i + 1..n {
+            let factor = a[j][i] / a[i][i];
+            let row = a[i].clone();
+            a[j].iter_mut().zip(row).for_each(|(x, y)| *x -= factor * y);
+            b[j] -= factor * b[i];
+        }
+    }
+    for i in (0..n).rev() {
+        let left: f64 = (i + 1..n).map(|j| a[i][j] * b[j]).sum();
+        b[i] = (b[i] - left) / a[i][i];
+    }
+    b
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+impl<'a> Rough<'a> {
+    pub fn new(machine: &'a Machine<f64>, q: &[f64], u: &[f64]) -> Self {
+        let n = machine.size;
+        let mut mass = vec![vec![0.0; n]; n];
+        for &(i, j, x) in &machine.mass {
+            mass[i][j] = x;
+        }
+        let x = q.iter().chain(u).copied().collect();
+        let modes = vec![1; machine.friction.len()];
+        let mut all = Rough { machine, mass, modes, time: 0.0, x, load: |q, _| vec![0.0; q.len()] };
+        all.decide(None);
+        all
+    }
+
+    /// The surface's velocity and acceleration.
+    fn surface(&self, j: usize, t: f64) -> [f64; 2] {
+        let rub = &self.machine.friction[j];
+        let mut all = [rub.speed, 0.0];
+        for h in &rub.harmonics {
+            let k = f64::from(h.k);
+            let (sin, cos) = (k * t).sin_cos();
+            all[0] += k * (h.sin * cos - h.cos * sin);
+            all[1] -= k * k * (h.cos * cos + h.sin * sin);
+        }
+        all
+    }
+
+    fn speed(&self, j: usize, t: f64, x: &[f64]) -> f64 {
+        dot(&self.machine.friction[j].row, &x[self.machine.size..]) - self.surface(j, t)[0]
+    }
+
+    /// q″ and the forces of friction in some modes, all unknowns at once.
+    fn solve(&self, modes: &[i32], t: f64, x: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let n = self.machine.size;
+        let (q, u) = x.split_at(n);
+        let mut force: Vec<f64> = (0..n).map(|i| self.machine.force.get(i).copied().unwrap_or(0.0)).collect();
+        for load in &self.machine.forcing {
+            let (sin, cos) = (f64::from(load.k) * t).sin_cos();
+            for (i, force) in force.iter_mut().enumerate() {
+                let part = |of: &[f64]| of.get(i).copied().unwrap_or(0.0);
+                *force += part(&load.cos) * cos + part(&load.sin) * sin;
+            }
+        }
+        self.machine.damping.iter().for_each(|&(i, j, c)| force[i] -= c * u[j]);
+        self.machine.stiffness.iter().for_each(|&(i, j, k)| force[i] -= k * q[j]);
+        force.iter_mut().zip((self.load)(q, u)).for_each(|(force, more)| *force += more);
+        let m = modes.len();
+        let mut a = vec![vec![0.0; n + m]; n + m];
+        for (i, (row, mass)) in a.iter_mut().zip(&self.mass).enumerate() {
+            row[..n].copy_from_slice(mass);
+            for (j, rub) in self.machine.friction.iter().enumerate() {
+                row[n + j] = -rub.row[i];
+            }
+        }
+        let mut b = force;
+        for (j, rub) in self.machine.friction.iter().enumerate() {
+            if modes[j] == 0 {
+                a[n + j][..n].copy_from_slice(&rub.row);
+                b.push(self.surface(j, t)[1]);
+            } else {
+                a[n + j][n + j] = 1.0;
+                b.push(-f64::from(modes[j]) * rub.coefficient * rub.normal);
+            }
+        }
+        let mut found = solved(a, b);
+        let forces = found.split_off(n);
+        (found, forces)
+    }
+
+    /// The state after h, by 8 extrapolated midpoint rules.
+    fn after(&self, h: f64) -> Vec<f64> {
+        let n = self.machine.size;
+        let slope = |t: f64, x: &[f64]| -> Vec<f64> {
+            let (a, _) = self.solve(&self.modes, t, x);
+            x[n..].iter().copied().chain(a).collect()
+        };
+        let add =
+            |x: &[f64], d: &[f64], h: f64| -> Vec<f64> { x.iter().zip(d).map(|(x, d)| x + h * d).collect() };
+        let mut table: Vec<Vec<f64>> = Vec::new();
+        for i in 1..=8usize {
+            let step = h / (2 * i) as f64;
+            let mut before = self.x.clone();
+            let mut now = add(&before, &slope(self.time, &before), step);
+            for j in 1..2 * i {
+                let next = add(&before, &slope(self.time + j as f64 * step, &now), 2.0 * step);
+                (before, now) = (now, next);
+            }
+            let end = add(&before, &slope(self.time + h, &now), step);
+            let mut last: Vec<f64> = now.iter().zip(&end).map(|(a, b)| (a + b) / 2.0).collect();
+            let mut next = vec![last.clone()];
+            for (j, old) in table.iter().enumerate() {
+                let ratio = (i as f64 / (i - 1 - j) as f64).powi(2);
+                last = last.iter().zip(old).map(|(new, old)| new + (new - old) / (ratio - 1.0)).collect();
+                next.push(last.clone());
+            }
+            table = next;
+        }
+        table.pop().unwrap()
+    }
+
+    /// What is positive as long as nothing happens: velocities, what could be held more, gaps.
+    fn watched(&self, t: f64, x: &[f64]) -> Vec<f64> {
+        let (_, forces) = self.solve(&self.modes, t, x);
+        let rubs = (0..self.modes.len()).map(|j| match self.modes[j] {
+            0 => {
+                self.machine.friction[j].static_coefficient * self.machine.friction[j].normal
+                    - forces[j].abs()
+            }
+            mode => f64::from(mode) * self.speed(j, t, x),
+        });
+        let gaps = self.machine.stops.iter().map(|stop| dot(&stop.row, x) - stop.wall.offset);
+        rubs.chain(gaps).collect()
+    }
+
+    /// The modes of what has no velocity; of `sure` what it slides to is known.
+    pub fn decide(&mut self, sure: Option<(usize, i32)>) {
+        let (m, t, x) = (self.modes.len(), self.time, self.x.clone());
+        let still: Vec<bool> = (0..m).map(|j| self.speed(j, t, &x).abs() < 1e-9).collect();
+        let mut all: Vec<Vec<i32>> = vec![vec![]];
+        for (j, still) in still.iter().enumerate() {
+            let own: Vec<i32> = match sure {
+                Some((known, way)) if known == j => vec![way],
+                _ if *still => vec![0, 1, -1],
+                _ => vec![self.speed(j, t, &x).signum() as i32],
+            };
+            all = all.iter().flat_map(|known| own.iter().map(|one| [&known[..], &[*one]].concat())).collect();
+        }
+        let before = self.modes.clone();
+        let released = |modes: &Vec<i32>| (0..m).filter(|&j| before[j] == 0 && modes[j] != 0).count();
+        all.sort_by_key(|modes| (modes.iter().filter(|mode| **mode != 0).count(), released(modes)));
+        let fits = |modes: &Vec<i32>| {
+            let (a, forces) = self.solve(modes, t, &x);
+            (0..m).all(|j| {
+                let rub = &self.machine.friction[j];
+                let bend = dot(&rub.row, &a) - self.surface(j, t)[1];
+                let sure = sure.is_some_and(|known| known.0 == j);
+                match modes[j] {
+                    0 => forces[j].abs() <= rub.static_coefficient * rub.normal + 1e-10,
+                    way if still[j] && !sure => f64::from(way) * bend > -1e-10,
+                    _ => true,
+                }
+            })
+        };
+        self.modes = all.iter().find(|modes| fits(modes)).expect("some modes fit").clone();
+    }
+
+    /// On to a time: what happened.
+    pub fn follow(&mut self, until: f64) -> Vec<(&'static str, usize, f64)> {
+        let (n, stops, mut all) = (self.machine.size, self.machine.stops.len(), Vec::new());
+        while self.time < until {
+            let h = 0.05f64.min(until - self.time);
+            // The first sample at which something is negative, but for what was 0 at the beginning.
+            let mut hit: Option<(usize, f64, f64)> = None;
+            let mut before = (0.0, self.watched(self.time, &self.x));
+            for part in 1..=6 {
+                let now = h * f64::from(part) / 6.0;
+                let x = self.after(now);
+                let values = self.watched(self.time + now, &x);
+                let fell = (0..values.len()).find(|&i| values[i] < 0.0 && before.1[i] > -1e-9);
+                // A minimum between two samples that both are positive.
+                if let Some(i) = fell {
+                    hit = Some((i, before.0, now));
+                    break;
+                }
+                before = (now, values);
+            }
+            let Some((_, mut low, mut high)) = hit else {
+                (self.x, self.time) = (self.after(h), self.time + h);
+                continue;
+            };
+            // Something begins at 0 and rises: past that.
+            let negative = |h: f64| {
+                let values = self.watched(self.time + h, &self.after(h));
+                (0..values.len()).find(|&i| values[i] < 0.0)
+            };
+            if low == 0.0 {
+                let mut inner = high;
+                while inner > 1e-7 && negative(inner).is_some() {
+                    inner /= 2.0;
+                }
+                low = if negative(inner).is_none() { inner } else { 0.0 };
+            }
+            for _ in 0..60 {
+                let middle = (low + high) / 2.0;
+                if negative(middle).is_some() { high = middle } else { low = middle }
+            }
+            let which = negative(high).unwrap();
+            let forces = self.solve(&self.modes, self.time + high, &self.after(high)).1;
+            (self.x, self.time) = (self.after(high), self.time + high);
+            let (m, was) = (self.modes.len(), self.modes.clone());
+            let mut sure = None;
+            if which >= m {
+                let stop = &self.machine.stops[which - m];
+                let push = solved(self.mass.clone(), stop.row.clone());
+                let impulse =
+                    -(1.0 + stop.wall.restitution) * dot(&stop.row, &self.x[n..]) / dot(&stop.row, &push);
+                self.x[n..].iter_mut().zip(&push).for_each(|(u, push)| *u += impulse * push);
+                all.push(("impact", which - m, self.time));
+            } else if was[which] == 0 {
+                sure = Some((which, if forces[which] > 0.0 { -1 } else { 1 }));
+            }
+            self.decide(sure);
+            for (j, (was, is)) in was.iter().zip(&self.modes).enumerate() {
+                let word = match (was, is) {
+                    _ if was == is => continue,
+                    (_, 0) => "stick",
+                    (0, _) => "release",
+                    _ => "reversal",
+                };
+                all.push((word, stops + j, self.time));
+            }
+        }
+        all
+    }
+}
