@@ -46,6 +46,8 @@ impl Place for usize {
 pub struct Shock {
     /// The impulse, in mass times velocity per radian: with one stop −(1 + τ) z′ times the mass felt there.
     pub(crate) impulse: f64,
+    /// What it takes of the energy at this stop, in mass times velocity per radian squared: −Λ (w⁻ + w⁺)/2.
+    pub(crate) energy: f64,
     /// How many stops took part: those touched, at rest or not.
     pub(crate) together: usize,
     /// Whether impacts one after the other would have ended with other velocities: the outcome is a choice.

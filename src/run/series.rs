@@ -61,7 +61,7 @@ pub struct StopEvent {
     pub velocity: Option<f64>,
     /// That with which it leaves, where the impact was one at one stop.
     pub leaving: Option<f64>,
-    /// The impulse of an impact.
+    /// The impulse of an impact, or of the contact that a release ends.
     pub impulse: Option<f64>,
     /// The root of the gap lies within this of the time, for the trajectory computed; in radians over the
     /// forcing's frequency.
@@ -74,6 +74,12 @@ pub struct StopEvent {
     pub together: Option<usize>,
     /// Whether impacts one by one would have ended otherwise.
     pub order_matters: Option<bool>,
+    /// Of the contact that a release ends, how long it pushed.
+    pub duration: Option<f64>,
+    /// Of that contact the largest force found.
+    pub force: Option<f64>,
+    /// The energy that an impact or that contact takes.
+    pub energy: Option<f64>,
     /// Of a motion with one displacement, where the stop stands, and how fast it moves.
     pub place: Option<[f64; 2]>,
 }
@@ -93,6 +99,9 @@ impl StopEvent {
             rest: None,
             together: None,
             order_matters: None,
+            duration: None,
+            force: None,
+            energy: None,
             place: None,
         }
     }

@@ -31,6 +31,12 @@ row! {
         /// The largest force found with which a stop that gives way pushes, in the scene's units; absent for
         /// a rigid one.
         pub peak_force: Option<f64>,
+        /// How long the longest contact with a stop that gives way pushed; absent for a rigid one.
+        pub longest: Option<f64>,
+        /// The energy that impacts and contacts took: of a rigid stop ½ m (1 − τ²) v² each, m being the mass
+        /// felt there; of one that gives way what its damper takes, and what its spring keeps where it lets
+        /// go.
+        pub dissipated: f64,
         /// The least gap at points of the series.
         pub least_gap: f64,
         /// The largest gap at points of the series.
@@ -255,6 +261,8 @@ impl StopRow {
             fastest: 0.0,
             strongest: (!compliant).then_some(0.0),
             peak_force: compliant.then_some(0.0),
+            longest: compliant.then_some(0.0),
+            dissipated: 0.0,
             least_gap: f64::INFINITY,
             largest_gap: f64::NEG_INFINITY,
         }
@@ -368,6 +376,9 @@ impl SimulationFindings {
         }
         if let Some(impulse) = event.impulse {
             row.strongest = row.strongest.map(|most| most.max(impulse));
+        }
+        if let Some(energy) = event.energy {
+            row.dissipated += energy;
         }
         if event.order_matters == Some(true) && self.several != Some(event.time) {
             moved.order_matters += 1;

@@ -588,7 +588,7 @@ fn motions_agree_with_a_second_integrator() {
 #[test]
 fn every_example_runs_and_touches_its_stops_if_it_has_any() {
     let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/machines");
-    let mut count = 0;
+    let (mut count, mut closed_ones) = (0, 0);
     for file in fs::read_dir(folder).unwrap() {
         let path = file.unwrap().path();
         if path.extension().is_none_or(|extension| extension != "toml") {
@@ -626,6 +626,22 @@ fn every_example_runs_and_touches_its_stops_if_it_has_any() {
             let events =
                 fs::read_to_string(out.path().join(format!("{}-events.csv", task["task"].as_str().unwrap())))
                     .unwrap();
+            // What events took is what their stops took.
+            let energy = |line: &str| line.rsplit(',').next().unwrap().parse::<f64>().unwrap_or(0.0);
+            let told: f64 = events.lines().skip(1).map(energy).sum();
+            let taken: f64 = stops.iter().map(|stop| stop["dissipated"].as_f64().unwrap()).sum();
+            // Contacts begin and end in turn, unless one lasts where the series begins or ends.
+            let bounds: Vec<bool> = events
+                .lines()
+                .filter(|line| {
+                    line.starts_with("touch,") || line.starts_with("release,") && !line.ends_with(",,")
+                })
+                .map(|line| line.starts_with("touch,"))
+                .collect();
+            let closed = bounds.first() != Some(&false) && bounds.last() != Some(&true);
+            closed_ones += u32::from(closed);
+            assert!(taken > 0.0 || stops.is_empty(), "{path:?}: {task}");
+            assert!(!closed || (told - taken).abs() <= 1e-9 * taken, "{path:?}: {told} {taken}");
             assert_eq!(
                 events
                     .lines()
@@ -636,7 +652,7 @@ fn every_example_runs_and_touches_its_stops_if_it_has_any() {
         }
         count += 1;
     }
-    assert!(count >= 10);
+    assert!(count >= 10 && closed_ones >= 8, "{count} {closed_ones}");
 }
 
 const GOOD: &str = r#"format = "grazing-scene 2"

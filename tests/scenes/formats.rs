@@ -315,8 +315,9 @@ fn both_engines_read_one_grammar() {
             (b.event, b.stop, b.together, b.order_matters)
         );
         near(a.time.periods(), b.time.periods(), "time");
-        let numbers =
-            |event: &StopEvent| [event.velocity, event.leaving, event.impulse, event.gap, event.rest];
+        let numbers = |event: &StopEvent| {
+            [event.velocity, event.leaving, event.impulse, event.gap, event.rest, event.energy]
+        };
         for (x, y) in numbers(a).into_iter().zip(numbers(b)) {
             assert_eq!(x.is_some(), y.is_some(), "{a:?} {b:?}");
             x.zip(y).into_iter().for_each(|(x, y)| near(x, y, a.event));

@@ -156,7 +156,12 @@ fn compare(path: &str, key: &str, a: &Value, b: &Value, unit: f64, exact: bool, 
         }
         (Value::Number(x), Value::Number(y)) => {
             let (x, y) = (x.as_f64().unwrap(), y.as_f64().unwrap());
-            let factor = if LENGTHS.contains(&key) { unit } else { 1.0 };
+            let factor = match key {
+                // An energy.
+                "dissipated" => unit * unit,
+                _ if LENGTHS.contains(&key) => unit,
+                _ => 1.0,
+            };
             let near = if exact {
                 x * factor == y
             } else {

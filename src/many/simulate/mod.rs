@@ -70,7 +70,7 @@
 
 mod depth;
 mod engine;
-mod peak;
+mod pushes;
 mod slid;
 mod smooth;
 mod stage;
@@ -85,7 +85,7 @@ use std::{
 use serde::Serialize;
 
 pub use engine::Run;
-pub(crate) use peak::PeakForces;
+pub(crate) use pushes::{Contact, Pushes};
 pub(crate) use slid::{Slid, goes_on};
 pub(crate) use smooth::seen;
 pub(crate) use stage::Stage;

@@ -470,6 +470,8 @@ impl Reader<'_> {
             (_, "fastest") => self.number(name, value, SPEED, cells),
             (_, "peak_force") => self.number(name, value, Unit(1, -2, 1), cells),
             (_, "strongest") => self.number(name, value, Unit(1, -1, 1), cells),
+            (_, "longest") => self.number(name, value, Unit(0, 1, 0), cells),
+            (_, "dissipated") => self.number(name, value, Unit(2, -2, 1), cells),
             (_, "gamma" | "period") if value.is_f64() => self.number(name, value, Unit(0, 1, 0), cells),
             (_, "frequency") => self.number(name, value, Unit(0, -1, 0), cells),
             (_, _) if value.is_f64() => self.number(name, value, ONE, cells),

@@ -1,6 +1,8 @@
 //! One detector of attractors: for oscillators and machines, sections, basins, diagrams and branches,
 //! whatever the unit of length, and wherever stops are that no motion meets.
 
+use std::f64::consts::PI;
+
 use grazing::{
     run::{Surroundings, run},
     scene::Scene,
@@ -411,6 +413,41 @@ fn the_peak_force_of_a_stop_that_gives_way_is_reported() {
     let (stiffness, damping) = (1e3, 200.0);
     let all = reports(2, &scene(stiffness, damping));
     assert_near(&all[0]["stops"][0]["peak_force"], damping * 0.7, 1e-9);
+}
+
+/// A mass m at speed v leaves a stop of damping ratio ζ that lets go where it would pull with e v, e =
+/// exp(−ζ(π − 2 asin ζ)/√(1 − ζ²)), after (π − 2 asin ζ)/(ω √(1 − ζ²)); a rigid one with τ v. What is lost is
+/// the contact's. Undamped, nothing is.
+#[test]
+fn contacts_take_the_energy_that_is_lost_and_as_long_as_they_last() {
+    let (m, v) = (2.5f64, 0.7f64);
+    for (stiffness, ratio) in [(1e3f64, 0.3f64), (1e7, 0.05), (40.0, 0.9), (1e3, 0.0)] {
+        let damping = 2.0 * ratio * (stiffness * m).sqrt();
+        let scene = format!(
+            "[system]\nperiod = 1\nmass = {m}\n\
+             [[walls]]\nname = \"pad\"\nrow = [1]\noffset = -1\nstiffness = {stiffness:e}\ndamping = {damping:e}\n\
+             [[walls]]\nname = \"rigid\"\nrow = [-1]\noffset = -1\nrestitution = 0.6\n\
+             [[tasks]]\nname = \"m\"\nkind = \"simulate\"\nstart = {{ q = 0, u = -{v} }}\nperiods = 40\nsamples = 3\n"
+        );
+        let all = reports(2, &scene);
+        let stops = &all[0]["stops"];
+        let root = (1.0 - ratio * ratio).sqrt();
+        let angle = (PI - 2.0 * ratio.asin()) / root;
+        let left = (-ratio * angle).exp();
+        let [pad, rigid] = [0, 1].map(|i| number(&stops[i]["impacts"]) as i32);
+        assert!(pad >= 1 && (pad - rigid).abs() <= 1, "{stops}");
+        // Pad and rigid stop in turn, each loss a share of what is left.
+        let (mut energy, mut lost) = (0.5 * m * v * v, [0.0; 2]);
+        for i in 0..pad + rigid {
+            let keeps = if i % 2 == 0 { left * left } else { 0.36 };
+            lost[(i % 2) as usize] += energy * (1.0 - keeps);
+            energy *= keeps;
+        }
+        assert!((number(&stops[0]["dissipated"]) - lost[0]).abs() < 1e-10, "{stops} {lost:?}");
+        assert_near(&stops[1]["dissipated"], lost[1], 1e-10);
+        assert_near(&stops[0]["longest"], angle / (stiffness / m).sqrt(), 1e-9);
+        assert!(stops[1]["longest"].is_null(), "{stops}");
+    }
 }
 
 /// What is said of a scene that is refused, when it is read or when it is run.

@@ -98,7 +98,7 @@ impl Keeper for Series<'_> {
     fn begin(&mut self, of: &SeriesOf) -> Result<()> {
         let [q, u] = ["q", "u"].map(|letter| names(letter, of.points));
         writeln!(self.series, "time,periods{q}{u}{}", names("gap", of.stops.len()))?;
-        let columns = "event,time,period,phase,stop,velocity,impulse,radius,gap,rest,together,order_matters";
+        let columns = "event,time,period,phase,stop,velocity,impulse,radius,gap,rest,together,order_matters,duration,force,energy";
         writeln!(self.events, "{columns}")?;
         (self.period, self.stops, self.places) = (of.period, of.stops.clone(), of.places());
         self.drawn = Drawn::new(of, &self.job.scene.title, self.periods);
@@ -148,7 +148,8 @@ impl Keeper for Series<'_> {
         }
         let together = event.together.map_or(String::new(), |count| count.to_string());
         let order = event.order_matters.map_or("", |matters| if matters { "yes" } else { "no" });
-        Ok(writeln!(self.events, ",{together},{order}")?)
+        let [duration, force, energy] = [event.duration, event.force, event.energy].map(shown);
+        Ok(writeln!(self.events, ",{together},{order},{duration},{force},{energy}")?)
     }
 
     fn keep(&mut self, _: &crate::run::Job, _: &Findings) -> Result<Vec<String>> {

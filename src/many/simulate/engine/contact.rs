@@ -181,7 +181,8 @@ impl Run<'_> {
         for (y, kick) in self.y.iter_mut().zip(kick) {
             *y += factor * kick;
         }
-        let shock = Shock { impulse: law.impulses[0], together: 1, order_matters: false };
+        let energy = 0.5 * (1.0 - restitution) * -velocity * law.impulses[0];
+        let shock = Shock { impulse: law.impulses[0], energy, together: 1, order_matters: false };
         self.told(time, stop, velocity, radius, shock);
         let bounce = -restitution * velocity;
         let pushed = bend - simulator.drags[stop] * law.impulses[0];
@@ -224,8 +225,13 @@ impl Run<'_> {
                 self.open[stop] = false;
             }
             if law.impulses[i] > 0.0 {
-                let shock =
-                    Shock { impulse: law.impulses[i], together: all.len(), order_matters: law.order_matters };
+                let after = rates[i] + simulator.contacts.held_row(stop).0.dot(&law.change);
+                let shock = Shock {
+                    impulse: law.impulses[i],
+                    energy: -0.5 * law.impulses[i] * (rates[i] + after),
+                    together: all.len(),
+                    order_matters: law.order_matters,
+                };
                 self.told(time, stop, rates[i], radius, shock);
             }
         }

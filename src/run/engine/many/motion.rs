@@ -17,9 +17,12 @@ use crate::{
     many::{
         Grip, Machine, RealVector, State,
         contact::StopContact,
-        simulate::{Event, PeakForces, Run, Simulator, Slid, goes_on},
+        simulate::{Contact, Event, Pushes, Run, Simulator, Slid, goes_on},
     },
-    motion::{RunEnd, Time},
+    motion::{
+        RunEnd, Time,
+        event::{Release, Touch},
+    },
     scene::simulate::SimulateTask,
 };
 
@@ -41,7 +44,7 @@ pub(super) fn simulate(
     let run = simulator.start(Time::new(0, start.t), start.q.as_slice(), start.u.as_slice())?;
     let found = before(task, &of, machine, &simulator);
     let along = of.stops.iter().map(|stop| stop.along).collect();
-    // What is pushed in the transient is no peak of the series.
+    // What is pushed in the transient is nothing of the series.
     let mut motion = Motion {
         simulator: &simulator,
         machine,
@@ -49,18 +52,22 @@ pub(super) fn simulate(
         run,
         found,
         first: None,
-        peaks: None,
+        pushes: None,
         slid: None,
         keeper,
     };
     let end = follow(task, start.t, &mut motion, job.monitor)?;
-    let Motion { mut run, mut found, first, peaks, slid, .. } = motion;
+    let Motion { mut run, mut found, first, pushes, slid, .. } = motion;
     if let Some(error) = run.failure() {
         return Err(error);
     }
-    let peaks = peaks.unwrap_or_else(|| PeakForces::new(&run));
-    for (row, peak) in found.stops.iter_mut().zip(peaks.peaks()) {
-        row.peak_force = row.peak_force.map(|_| *peak);
+    let pushes = pushes.unwrap_or_else(|| Pushes::new(&run));
+    for (row, all) in found.stops.iter_mut().zip(pushes.all()) {
+        if row.peak_force.is_some() {
+            row.peak_force = Some(all.peak);
+            row.longest = Some(all.duration / simulator.rate());
+            row.dissipated = all.energy;
+        }
     }
     let (state, rate) = (run.state(), simulator.rate());
     let list = |of: &RealVector, unit: f64| machine.seen(of).iter().map(|x| x * unit).collect();
@@ -135,7 +142,7 @@ struct Motion<'a> {
     run: Run<'a>,
     found: SimulationFindings,
     first: Option<FirstImpact>,
-    peaks: Option<PeakForces>,
+    pushes: Option<Pushes>,
     slid: Option<Slid>,
     keeper: &'a mut dyn Keeper,
 }
@@ -150,10 +157,16 @@ impl SampledMotion for Motion<'_> {
     fn record(&mut self, until: Time) -> Result<RunEnd> {
         let mut failed = None;
         loop {
-            let peaks = self.peaks.get_or_insert_with(|| PeakForces::new(&self.run));
+            let pushes = self.pushes.get_or_insert_with(|| Pushes::new(&self.run));
             let slid = self.slid.get_or_insert_with(|| Slid::new(&self.run));
             let event = self.run.next(until);
-            peaks.flown(&self.run);
+            pushes.flown(&self.run);
+            let contact = match &event {
+                Event::Touch(Touch { place, .. }) | Event::Release(Release { place, .. }) => {
+                    self.simulator.contacts().all().get(*place).map(|_| pushes.ended(*place))
+                }
+                _ => None,
+            };
             slid.flown(&self.run);
             if let Event::End(end) = event {
                 return failed.map_or(Ok(end), Err);
@@ -161,7 +174,7 @@ impl SampledMotion for Motion<'_> {
             if let Event::Impact(impact) = event {
                 self.first.get_or_insert((impact.place, impact.time, impact.velocity));
             }
-            let Some(event) = self.told(&event) else { continue };
+            let Some(event) = self.told(&event, contact) else { continue };
             self.found.happened(&event);
             if failed.is_none() {
                 failed = self.keeper.event(&event).err();
@@ -185,8 +198,8 @@ impl SampledMotion for Motion<'_> {
 }
 
 impl Motion<'_> {
-    /// An event, as it is kept.
-    fn told(&self, event: &Event) -> Option<StopEvent> {
+    /// An event, as it is kept, with the contact that it ends.
+    fn told(&self, event: &Event, ended: Option<Contact>) -> Option<StopEvent> {
         let ((time, stop), rate) = (event.at()?, self.machine.rate());
         let Some(contact) = self.simulator.contacts().all().get(stop) else {
             return Some(StopEvent::new(event.word(), time, stop));
@@ -202,6 +215,7 @@ impl Motion<'_> {
                     .then(|| -contact.restitution_at(-impact.velocity) * impact.velocity * rate),
                 // Masses per radian² times velocities per radian, over Ω, are masses times velocities.
                 impulse: Some(impact.shock.impulse / rate),
+                energy: Some(impact.shock.energy),
                 radius: Some(impact.radius / rate),
                 together: Some(impact.shock.together),
                 order_matters: Some(impact.shock.order_matters),
@@ -214,6 +228,16 @@ impl Motion<'_> {
             },
             Event::Tangency(tangency) => StopEvent { gap: Some(tangency.gap), ..known },
             Event::Stick(stick) => StopEvent { rest: Some(stick.rest / rate), ..known },
+            Event::Release(_) if contact.soft.is_some() => {
+                let Contact { duration, peak, impulse, energy } = ended.unwrap_or_default();
+                StopEvent {
+                    duration: Some(duration / rate),
+                    force: Some(peak),
+                    impulse: Some(impulse / rate),
+                    energy: Some(energy),
+                    ..known
+                }
+            }
             Event::Release(_) | Event::Reversal(_) => known,
             Event::End(_) => return None,
         })

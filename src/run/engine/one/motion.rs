@@ -107,6 +107,7 @@ fn told(event: &simulate::Event, stops: &[Contact], mass: f64) -> Option<StopEve
                 velocity: Some(impact.velocity),
                 leaving: Some(leaving),
                 impulse: Some(mass * (leaving - impact.velocity)),
+                energy: Some(0.5 * mass * (leaving - impact.velocity) * -(leaving + impact.velocity)),
                 radius: Some(impact.radius),
                 together: Some(1),
                 order_matters: Some(false),
