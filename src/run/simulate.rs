@@ -191,7 +191,9 @@ impl Finding for SimulationFindings {
                 ));
             }
         }
-        let width = extent.as_ref().map(|ends| ends[1] - ends[0]);
+        // What sticks extends over nothing, and where there is no stop there are no impacts to tell.
+        let width = extent.as_ref().filter(|_| self.friction.is_empty() || !self.stops.is_empty());
+        let width = width.map(|ends| ends[1] - ends[0]);
         all.extend(width.and_then(|width| small_motion(width, minimum_depth)));
         all
     }

@@ -32,9 +32,8 @@ impl Simulator {
                 |contact: &StopContact| contact.row.dot(&state.q).abs().max(contact.gap(state)[1].abs());
             self.contacts.all().iter().map(one).fold(0.0, f64::max)
         };
-        let slides = |state: &State| self.sliding(state).into_iter().map(f64::abs).fold(0.0, f64::max);
         let scale = match self.contacts.all() {
-            [] => starts.iter().map(slides).fold(self.rub_scale(), f64::max),
+            [] => self.rub_scale(starts),
             _ => starts.iter().map(gap).fold(self.gap_scale(), f64::max),
         };
         RELATIVE_DEPTH * if scale > 0.0 && scale.is_finite() { scale } else { 1.0 }

@@ -372,14 +372,18 @@ impl Simulator {
         all.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(stop, _)| stop)
     }
 
-    /// The size of the motion along the rows with friction, and of what friction does in a radian.
-    fn rub_scale(&self) -> f64 {
-        let size = |(j, rub): (usize, &Rub)| {
-            let row = self.contacts.rub_row(j);
-            let GapSize { forced, place, .. } = self.gap_size(row);
-            forced.max(place).max(rub.speed.abs()).max(rub.holding * self.contacts.mobility(row))
+    /// The size of the motion along the rows with friction, from these starts; where nothing moves, of what
+    /// friction does in a radian.
+    fn rub_scale(&self, starts: &[State]) -> f64 {
+        let rubs = || self.contacts.rubs().iter().enumerate();
+        let moved = |(j, rub): (usize, &Rub)| {
+            let GapSize { forced, place, .. } = self.gap_size(self.contacts.rub_row(j));
+            let seen = |state: &State| rub.row.dot(&state.q).abs().max(rub.rate(state).abs());
+            starts.iter().map(seen).fold(forced.max(place).max(rub.speed.abs()), f64::max)
         };
-        self.contacts.rubs().iter().enumerate().map(size).fold(0.0, f64::max)
+        let moved = rubs().map(moved).fold(0.0, f64::max);
+        let holds = |(j, rub): (usize, &Rub)| rub.holding * self.contacts.mobility(self.contacts.rub_row(j));
+        if moved > 0.0 { moved } else { rubs().map(holds).fold(0.0, f64::max) }
     }
 
     fn gap_size(&self, stop: usize) -> GapSize {
