@@ -115,11 +115,11 @@ fn lines(index: usize, machine: &Machine, effort: RangeEffort) -> Vec<Line> {
         };
         let harmonics = vec![(1, [both(&one), both(&zero)])];
         let ranges = exact.each_ref().map(both);
-        let known = born([&exact[0], &exact[1]], behind, LONGEST, &()).expect("no interruption");
+        let known = born(false, [&exact[0], &exact[1]], behind, LONGEST, &()).expect("no interruption");
         let (graph, whole) = match known {
             Some(Born { graph: Some(graph), whole, .. }) => (graph, whole),
             Some(Born { graph: None, whole: true, .. }) => {
-                let problem = NothingProblem { ranges, harmonics, deepest };
+                let problem = NothingProblem { mirrored: false, ranges, harmonics, deepest };
                 let (proved, end) = match prove_nothing(&problem, effort, &()).expect("no interruption") {
                     _ if !behind => (0.0, "not asked".into()),
                     Ok(proof) => (proof.depth.to_f64().unwrap_or(0.0), said(&proof.end)),
@@ -133,7 +133,7 @@ fn lines(index: usize, machine: &Machine, effort: RangeEffort) -> Vec<Line> {
                 continue;
             }
         };
-        let problem = RangeProblem { ranges, behind, harmonics, graph, deepest };
+        let problem = RangeProblem { mirrored: false, ranges, behind, harmonics, graph, deepest };
         let depth = |x: &BigRational| x.to_f64().unwrap_or(0.0);
         let judge =
             |problem: &RangeProblem, effort: RangeEffort, whole: bool| match prove(problem, effort, &())

@@ -147,12 +147,13 @@ pub fn lines(machine: usize, exact: &[BigRational; 3], floats: &Machine, effort:
     for behind in [false, true] {
         let deepest = DEEPEST[usize::from(behind)];
         let floats = Floats { c, k, tau, side: if behind { 1.0 } else { -1.0 } };
-        let known = born([&exact[0], &exact[1]], behind, LONGEST, &()).expect("no interruption");
+        let known = born(false, [&exact[0], &exact[1]], behind, LONGEST, &()).expect("no interruption");
         let Some(Born { graph: Some(graph), .. }) = known else { continue };
         let loops = single_orbits(&graph);
         let share = RangeEffort(effort.0 / 4);
         for periods in loops {
             let problem = SingleProblem {
+                mirrored: false,
                 ranges: exact.each_ref().map(both),
                 behind,
                 harmonics: vec![(1, [both(&one), both(&zero)])],

@@ -23,12 +23,26 @@ STATEMENT = (
     "to q = 1 in n periods, for those n up to N for which q is at least 1 after each whole period between; there is "
     "no infinite sequence of such n in which a_n >= p_m whenever n follows m. Every n is up to N.")
 
+STATEMENT_2 = (
+    "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b in "
+    "their ranges, all a together 1 and all j b together 0, and for every nu > 0 up to the last cell's, consider the "
+    "motions of the oscillator q'' = -c q' - k q between the lower wall w(t) = nu - 1 + g(t) and the upper wall -w(t "
+    "- pi), both with restitution tau: q is never below the lower nor above the upper wall, free where it is between, "
+    "and where it meets a wall it leaves at tau times the speed at which it comes, or rests on the wall while that "
+    "does not pull. With the listed longest N and rounds R, and S that of a cell of nu, every motion, in whatever "
+    "state it begins, within (2 R + 2)(N + 1) half periods pi, and so again and again, meets the lower wall at a "
+    "phase that is not within W of a multiple of 2 pi or at which |w'| > nu S/2, or the upper wall where half a "
+    "period before there is such a phase. And for nu -> 0 nothing is born, whatever S: let a_n be the first velocity "
+    "of q'' = -c q' - k q from q = 1 to q = (-1)^n in n half periods, and p_n the last, times (-1)^n, for those n up "
+    "to N for which (-1)^k q is at least 1 after k half periods, for each whole k between; there is no infinite "
+    "sequence of such n in which a_n >= p_m whenever n follows m. Every n is up to N.")
+
 
 class File(chaos.File):
     """A certificate, read and held to its form."""
     def __init__(self, text):
-        self.start(text, {"nothing": STATEMENT})
-        self.side, self.mirrored, self.letters = 1, False, []
+        self.mirrored = self.start(text, {"nothing": STATEMENT, "nothing 2": STATEMENT_2}) == "nothing 2"
+        self.side, self.letters = 1, []
         self.read_wall()
         self.window = number(decimal(self.words("window", 1)[0], True))
         self.pieces, self.most, self.rounds = (whole(self.words(name, 1)[0], 1, most) for name, most in

@@ -33,6 +33,29 @@ STATEMENT_2 = STATEMENT + (
     "one of these. If c and k are positive, every bounded motion that meets the wall, and only there, is one of these "
     "or, if sigma is -1, has a last impact. S is above |s| in the ranges of all its edges.")
 
+STATEMENT_3 = (
+    "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b in "
+    "their ranges, all a together 1 and all j b together 0, and for every nu > 0 up to the last cell's, the "
+    "oscillator q'' = -c q' - k q between the lower wall w(t) = sigma nu - 1 + g(t), sigma the listed side, and the "
+    "upper wall -w(t - pi), both with restitution tau: for every bi-infinite path of the listed graph of letters and "
+    "every integer m there is exactly one motion whose impacts, one between two letters, have times within W of "
+    "multiples of pi, at the lower wall of even and at the upper wall of odd multiples, as many half periods pi apart "
+    "as the letters say, the impact before letter 0 within W of m pi, each at a phase where w', at the upper wall w' "
+    "half a period before, is nu s/2 with s in the range that the cell of nu has for the edge between its letters. It "
+    "has no other impacts, all are at positive speed, between them the gaps to both walls are positive, as at impacts "
+    "is that to the other wall. Where nu is in two cells both have the same motion, and with c, k, tau, g, the path "
+    "and m held fixed the times and velocities of its impacts depend continuously on nu, from where it is born at nu "
+    "= 0. With the same m, paths whose half periods differ somewhere have different motions; on the set of the states "
+    "(q, q') at t = pi/2 of all these motions, for all m, the map F to (-q, -q') at t = 3 pi/2 has a topological "
+    "entropy between the logarithms of the growth rates, and the map to t = 5 pi/2 is F applied twice, of twice that "
+    "entropy.")
+STATEMENT_4 = STATEMENT_3 + (
+    " If a cell has a line others with a strength S, then for its nu every motion that meets the walls at arbitrarily "
+    "early and late times, only where the above do and |w'|, or at the upper wall |w'| half a period before, is at "
+    "most nu S/2, and is bounded if sigma is -1, is one of these. If c and k are positive, every bounded motion that "
+    "meets a wall, and only there, is one of these or, if sigma is -1, has a last impact. S is above |s| in the "
+    "ranges of all its edges.")
+
 
 class Sum:
     """A value x and its derivatives by this impact's s, a neighbour's s and nu: x moves by them."""
@@ -49,7 +72,7 @@ class Cell:
         self.nu = nu
         self.mid = self.nu.middle()
         self.early, self.late = TWO / (ONE + self.tau), TWO * self.tau / (ONE + self.tau)
-        self.turns = [self.flow.closed(PI.times(2 * n)) for n in range(max(x.periods for x in file.letters) + 1)]
+        self.turns = [self.turn(n) for n in range(max(x.periods for x in file.letters) + 1)]
         self.parts = [[(self.impact(self.nu, x), self.impact(self.mid, x.middle())) for x in s.cut(parts)]
                       for s in strengths]
         self.legs = {}
@@ -57,6 +80,11 @@ class Cell:
             for i, first in enumerate(self.parts[d]):
                 for j, last in enumerate(self.parts[e]):
                     self.legs[d, i, e, j] = self.leg(file.letters[file.edges[d][1]].periods, first, last)
+
+    def turn(self, n):
+        """E over n periods, or half periods: at the upper wall all is seen in a mirror."""
+        a, b = self.flow.closed(self.file.time(n))
+        return (-a, -b) if self.file.mirrored and n % 2 else (a, b)
 
     def impact(self, nu, s):
         """s, t, −g″, Q, the derivative of t by s, and those of t and Q by nu; Q moves with t by s/2."""
@@ -182,9 +210,19 @@ class Cell:
         return (drop + self.nu * (q - self.sigma), slope + self.nu * u, curve), (q, u)
 
     def clear(self, n, start, stop, a):
+        """Of each wall: of the one where the leg begins, and of the other."""
+        if not self.file.mirrored:
+            return carried(self.all_signs(range(n + 1), n, start, stop, a))
+        one, other = (self.all_signs(range(first, n + 1, 2), n, start, stop, a) for first in (0, 1))
+        return carried(one, True, n % 2 == 0) and carried(other, False, n % 2 == 1)
+
+    def all_signs(self, windows, n, start, stop, a):
+        """Of the wall with these windows."""
         window, pieces = self.file.window, self.file.pieces
         all_signs = []
-        for k in range(n + 1):
+        if windows[0] == 1:
+            all_signs += [self.signs(1, start, a, t) for t in (start[1] - PI).hull(-window).cut(pieces)]
+        for k in windows:
             span = (start[1] if k == 0 else -window).hull(stop[1] if k == n else window)
             signs = [self.signs(k, start, a, t) for t in span.cut(pieces)]
             least = min(sign[3] for sign in signs)
@@ -194,8 +232,9 @@ class Cell:
                     signs = [(True, *sign[1:]) for sign in signs]
             all_signs += signs
             if k < n:
-                all_signs += [self.signs(k, start, a, t) for t in window.hull(TWO * PI - window).cut(pieces)]
-        return carried(all_signs)
+                end = PI + stop[1] if k == windows[-1] else TWO * PI - window
+                all_signs += [self.signs(k, start, a, t) for t in window.hull(end).cut(pieces)]
+        return all_signs
 
     def signs(self, k, start, a, t):
         """On a piece: whether Z > 0; the sign of Z′ or 0; whether Z″ > 0; the least Z″."""
@@ -208,21 +247,21 @@ class Cell:
         return open, (slope.lo > 0) - (slope.hi < 0), bend.lo > 0, bend.lo
 
 
-def carried(signs):
-    """Whether Z > 0 is carried over all pieces from both ends, where it moves away from 0; of each piece whether Z > 0,
-    the sign of Z′ or 0, and whether Z″ > 0."""
-    def reach(way, sign):
-        known, far = True, 0
+def carried(signs, first=True, last=True):
+    """Whether Z > 0 is carried over all pieces from both ends, where it moves away from 0 if they are contacts; of each
+    piece whether Z > 0, the sign of Z′ or 0, and whether Z″ > 0."""
+    def reach(way, sign, contact):
+        positive, known, far = contact, contact, 0
         for open, slope, convex, *_ in way:
-            if slope == sign or (known and convex):
+            if positive and (slope == sign or (known and convex)):
                 known = True
             elif open:
-                known = False
+                positive, known = True, False
             else:
                 return far
             far += 1
         return far
-    return reach(signs, 1) + reach(reversed(signs), -1) >= len(signs)
+    return reach(signs, 1, first) + reach(reversed(signs), -1, last) >= len(signs)
 
 
 class Edge:
@@ -233,7 +272,7 @@ class Alone(chaos.Others):
     """That no other motions are near: C1 to C3, whatever the letters, and then F."""
     def __init__(self, file, nu, bound, parts, lines):
         c, k, tau = (number(*ends) for ends in file.ranges)
-        near = SimpleNamespace(mirrored=False, wall=file.wall, side=file.side, letters=[], longest=lambda: file.most,
+        near = SimpleNamespace(mirrored=file.mirrored, wall=file.wall, side=file.side, letters=[], longest=lambda: file.most,
                                complete=(bound, file.most, parts, file.rounds))
         super().__init__(chaos.Cell(near, (c, k, ZERO, tau, nu)))
         self.file, self.nu, self.lines = file, nu, lines
@@ -259,7 +298,7 @@ class Alone(chaos.Others):
 
         def decay(n):
             """e to −cT, T as short as a leg of n periods can be."""
-            return exponential(-(least * (PI.times(2 * n) - Range(2 * t.size()))))
+            return exponential(-(least * (self.file.time(n) - Range(2 * t.size()))))
 
         def last(n, speed):
             """√R − c/2 from above; None if R < 0."""
@@ -314,7 +353,9 @@ class Alone(chaos.Others):
 class File(chaos.File):
     """A certificate, read and held to its form."""
     def __init__(self, text):
-        self.second = self.start(text, {"range": STATEMENT, "range 2": STATEMENT_2}) == "range 2"
+        kinds = {"range": STATEMENT, "range 2": STATEMENT_2, "range 3": STATEMENT_3, "range 4": STATEMENT_4}
+        kind = self.start(text, kinds)
+        self.mirrored, self.second = kind in ("range 3", "range 4"), kind in ("range 2", "range 4")
         self.side = {"1": 1, "-1": -1}.get(self.words("side", 1)[0])
         need(self.side, "a side is 1 or -1")
         self.read_wall()
@@ -335,6 +376,8 @@ class File(chaos.File):
         need(not self.lines, "the file goes on")
         need(len(self.pairs) * max(cell[1] for cell in self.cells)**2 <= 100_000, "a cell has too many legs")
         need(self.cost() <= 50_000_000, "the check would cost too much")
+
+    def time(self, n): return PI.times(n if self.mirrored else 2 * n)
 
     def read_letters(self):
         count = whole(self.words("letters", 1)[0], 1, 400)
@@ -379,8 +422,8 @@ class File(chaos.File):
         """In exponentials, as the form says."""
         h, j, letters = len(self.harmonics), self.pieces, self.letters
         count, pairs = len(self.edges), len(self.pairs)
-        gaps = sum((2 * letters[self.edges[d][1]].periods + 1) * j * (2 + 2 * h) + letters[self.edges[d][1]].periods
-                   for d, _ in self.pairs)
+        legs = [letters[self.edges[d][1]].periods for d, _ in self.pairs]
+        gaps = sum((2 * n + 1 + self.mirrored) * j * (2 + 2 * h) + n for n in legs)
         triples = sum(len(letters[u].previous) * len(letters[v].next) for u, v in self.edges)
         longest = max(letter.periods for letter in letters)
 

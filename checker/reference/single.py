@@ -26,6 +26,20 @@ STATEMENT = (
     "that is called stable the motion is asymptotically stable, both multipliers being inside the unit circle; in one "
     "called unstable it is unstable, one of them being outside.")
 
+STATEMENT_2 = (
+    "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b in "
+    "their ranges, all a together 1 and all j b together 0, and for every nu > 0 up to the last part's, the "
+    "oscillator q'' = -c q' - k q between the lower wall w(t) = sigma nu - 1 + g(t), sigma the listed side, and the "
+    "upper wall -w(t - pi), both with restitution tau, has exactly one motion that the listed n half periods pi later "
+    "is itself, q(t + pi n) = q(t), if n is even, or its mirror image, q(t + pi n) = -q(t), if n is odd, and that has "
+    "one impact in such a time, counting both walls: with the lower wall at a time t, and so at all t + pi n m, with "
+    "the upper one where n m is odd, for which D t lies between 0 and the last cell's T, D being the listed "
+    "direction. The impact is at positive speed, and between impacts the gaps to both walls are positive, as at "
+    "impacts is that to the other wall. With c, k, tau and g held fixed t is a continuous function of nu, from where "
+    "the motion is born with t = 0 at nu = 0, and D t increases with nu. For nu in a part that is called stable the "
+    "motion is asymptotically stable, both multipliers of n half periods being inside the unit circle; in one called "
+    "unstable it is unstable, one of them being outside.")
+
 
 def matrix(x, y):
     """The product of 2 by 2 matrices, by rows."""
@@ -48,7 +62,7 @@ def circle(t):
 class File(chaos.File):
     """A certificate, read and held to its form."""
     def __init__(self, text):
-        self.start(text, {"single": STATEMENT})
+        self.mirrored = self.start(text, {"single": STATEMENT, "single 2": STATEMENT_2}) == "single 2"
         self.side = self.sign("side")
         self.read_wall()
         self.n = whole(self.words("periods", 1)[0], 1, 1000)
@@ -68,7 +82,8 @@ class File(chaos.File):
         need(self.cells[-1] <= Fraction("3.141"), "a phase is at most 3.141")
         need(not self.lines, "the file goes on")
         h, j, n = len(self.harmonics), self.pieces, self.n
-        cost = 2 * j + n + 1 + n * j + cells * (2 * h * (j + 2) + n * j * (2 + h))
+        cell = 2 * h * (j + 2) + n * j * (2 + h)
+        cost = 2 * j + n + 1 + n * j + cells * cell * (1 + self.mirrored)
         need(cost <= 50_000_000, "the check would cost too much")
 
     def sign(self, name):
@@ -92,11 +107,11 @@ class File(chaos.File):
         """x and x′ just after an impact, over g′: E x = x but for a jump of velocity, a + τp = 1 + τ."""
         self.c, self.k, self.tau = (number(*ends) for ends in self.ranges)
         self.flow = Flow(self.c, self.k)
-        self.turns = [self.flow.closed(PI.times(2 * n)) for n in range(self.n + 1)]
+        self.turns = [self.turn(n) for n in range(self.n + 1)]
         e = self.full(self.turns[-1])
         one = ONE + self.tau
         # Rows (E₁₁ − 1, E₁₂ | 0) and (τE₂₁, 1 + τE₂₂ | 1 + τ); the determinant with e^(−cT) put in.
-        decay = chaos.exponential(-(self.c * PI.times(2 * self.n)))
+        decay = chaos.exponential(-(self.c * self.time(self.n)))
         whole_det = e[0][0] - ONE + self.tau * (decay - e[1][1])
         need(whole_det.lo > 0 or whole_det.hi < 0, "the motion is not determined (S2)")
         self.start = -(e[0][1] * one) / whole_det, (e[0][0] - ONE) * one / whole_det
@@ -104,6 +119,13 @@ class File(chaos.File):
         fast = (self.tau * (ONE - e[0][0] - e[1][1] + decay) / whole_det).times(self.way)
         need(fast.lo > 0, "the speed may not be positive (S2)")
         self.fast, self.e, self.decay = fast.times(self.way), e, decay
+
+    def time(self, n): return PI.times(n if self.mirrored else 2 * n)
+
+    def turn(self, n):
+        """E over n periods, or half periods: at the upper wall all is seen in a mirror."""
+        a, b = self.flow.closed(self.time(n))
+        return (-a, -b) if self.mirrored and n % 2 else (a, b)
 
     def full(self, e): return [[e[0], e[1]], [-(self.k * e[1]), self.flow.last(e)]]
 
@@ -119,7 +141,7 @@ class File(chaos.File):
 
     def free(self):
         """The motion over g′ on all pieces, and in their middles."""
-        self.times = ZERO.hull(PI.times(2)).cut(self.pieces)
+        self.times = ZERO.hull(self.time(1)).cut(self.pieces)
         self.motion = []
         for turn in self.turns[:-1]:
             for t in self.times:
@@ -159,10 +181,22 @@ class File(chaos.File):
         return "stable" if det.hi < ONE.lo and flip.lo > 0 and fold.lo > 0 else "open"
 
     def clear(self, t, here):
-        """S3: Z > 0 by pieces that are open, convex, rising or falling."""
+        """S3, of each wall."""
+        if not self.mirrored:
+            return self.clear_of(t, here, lambda i: (1, 0), (True, True))
+        # In a half period that begins between its windows a wall is half a period on, and the motion has the other sign.
+        far = lambda first: lambda i: (-1, 1) if (first + i) % 2 else (1, 0)
+        odd = self.n % 2 == 1
+        return self.clear_of(t, here, far(0), (True, not odd)) and self.clear_of(t, here, far(1), (False, odd))
+
+    def clear_of(self, t, here, side, contacts):
+        """Z > 0 by pieces that are open, convex, rising or falling; `side` has for each period, or half period, the sign
+        of the motion, and by how many half periods the wall is on."""
         mid, count = t.middle(), self.pieces
         centre, away = self.wall(mid), t - mid
-        walls = [(self.wall(t + u), self.wall(mid + u.middle()), u - u.middle()) for u in self.times]
+        late = [PI.times(n) for n in ((0, 1) if self.mirrored else (0,))]
+        walls = [[(self.wall(t + u + more), self.wall(mid + u.middle() + more), u - u.middle()) for u in self.times]
+                 for more in late]
 
         def gap(shape, there, x):
             return there[0] - shape[0] - shape[1] * (x[0] - self.start[0]), there[1] - shape[1] * x[1]
@@ -174,7 +208,9 @@ class File(chaos.File):
             return y if x.both(y).empty() else x.both(y)
         signs, flat = [], []
         for i, (x, x_mid) in enumerate(self.motion):
-            there, there_mid, along = walls[i % count]
+            sign, on = side(i // count)
+            x, x_mid = ([y.times(sign) for y in z] for z in (x, x_mid))
+            there, there_mid, along = walls[on][i % count]
             z, slope = gap(here, there, x)
             z_mid, slope_mid = gap(centre, there_mid, x_mid)
             by = drift(there, x)
@@ -188,7 +224,7 @@ class File(chaos.File):
             """Whether Z > 0 on convex pieces, by its value and slope at one time."""
             least = Range(min(bend for bend, _ in flat[first:last + 1]))
             for n in range(1, self.n):
-                if first <= n * count <= last + 1:
+                if side(n)[1] == 0 and first <= n * count <= last + 1:
                     x, v, _ = self.at(self.turns[n], ZERO)
                     low = (self.start[0] - x).times(self.way)
                     if (low - here[1].times(self.way) * (ONE - v).square() / least.times(2)).lo > 0:
@@ -197,7 +233,9 @@ class File(chaos.File):
             u, (bend, slope) = self.times[i % count], flat[i]
             time = (u.middle() - slope / Range(bend)).middle()
             time = Range(min(max(time.lo, u.lo), u.hi))
-            x = self.at(self.turns[i // count], time)
+            sign, on = side(i // count)
+            x = [y.times(sign) for y in self.at(self.turns[i // count], time)]
+            time = time + late[on]
             z, slope = gap(centre, self.wall(mid + time), x)
             by = drift(self.wall(t + time), x)
             z, slope = z + by[0] * away, slope + by[1] * away
@@ -212,7 +250,7 @@ class File(chaos.File):
                 for n in closed:
                     signs[n][0] = True
             i = max(j, i + 1)
-        return carried(signs)
+        return carried(signs, *contacts)
 
     def told(self):
         """What is said in the parts."""

@@ -42,9 +42,9 @@
 //! | `event`, `event 2` | that such an orbit bifurcates (saddle-node, flip) or grazes at a parameter in an interval; 2: for all coefficients in intervals | [`event`] |
 //! | `branch` | such an orbit over a range of a parameter, at every value, and where it is stable | [`branch`] |
 //! | `chaos 3`, `chaos 4` | that every bi-infinite path of a graph of letters, each of so many periods, is an orbit of an oscillator, over ranges of parameters; 4: between two walls, each the other's mirror image, both met | [`chaos`] |
-//! | `range`, `range 2` | the motions that are born where an oscillator touches its wall, for every bi-infinite path of a graph, from the touch to a distance; 2: and that no others are near | [`range`] |
-//! | `nothing` | that beyond the touch nothing is born and no motion stays near, to a distance | [`nothing`] |
-//! | `single` | an orbit of one impact along its curve, from the touch where it is born to a distance, past its flips, and where it is stable | [`single`] |
+//! | `range`, `range 2`, `range 3`, `range 4` | the motions that are born where an oscillator touches its wall, for every bi-infinite path of a graph, from the touch to a distance; 2, 4: and that no others are near; 3, 4: between mirrored walls | [`range`] |
+//! | `nothing`, `nothing 2` | that beyond the touch nothing is born and no motion stays near, to a distance; 2: between mirrored walls | [`nothing`] |
+//! | `single`, `single 2` | an orbit of one impact along its curve, from the touch where it is born to a distance, past its flips, and where it is stable; 2: between mirrored walls | [`single`] |
 //! | `share` | in which share of a box of parameters a period or a word occurs, or chaos is born | [`share`], one by hand |
 //! | `entropy` | by the word theorem, for all r ≤ 1, s and eµ > 0: the least upper bounds of the entropy | [`entropy`], a line by hand |
 //! | `machine-orbit`, `machine-orbit 2` | that a periodic orbit of a machine with any number of coordinates and stops exists, is unique in a box, admissible, stable or not; 2: the same of the motion without impacts | [`machine`] |
@@ -110,7 +110,7 @@ use lines::Lines;
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 20] = [
+const KINDS: [Kind; 24] = [
     Kind::first(theorem2::KIND, theorem2::STATEMENT, theorem2::check),
     Kind::first(cover::KIND, cover::STATEMENT, cover::check),
     Kind::first(orbit::KIND, orbit::STATEMENT, orbit::check::<orbit::Fraction>),
@@ -122,10 +122,14 @@ const KINDS: [Kind; 20] = [
     Kind::first(branch::KIND, branch::STATEMENT, branch::check),
     Kind::first(chaos::KIND, chaos::STATEMENT_3, chaos::check::<false>).version(" 3"),
     Kind::first(chaos::KIND, chaos::STATEMENT_4, chaos::check::<true>).version(" 4"),
-    Kind::first(range::KIND, range::STATEMENT, range::check::<false>),
-    Kind::first(range::KIND, range::STATEMENT_2, range::check::<true>).version(" 2"),
-    Kind::first(nothing::KIND, nothing::STATEMENT, nothing::check),
-    Kind::first(single::KIND, single::STATEMENT, single::check),
+    Kind::first(range::KIND, range::STATEMENT, range::check::<1>),
+    Kind::first(range::KIND, range::STATEMENT_2, range::check::<2>).version(" 2"),
+    Kind::first(range::KIND, range::STATEMENT_3, range::check::<3>).version(" 3"),
+    Kind::first(range::KIND, range::STATEMENT_4, range::check::<4>).version(" 4"),
+    Kind::first(nothing::KIND, nothing::STATEMENT, nothing::check::<false>),
+    Kind::first(nothing::KIND, nothing::STATEMENT_2, nothing::check::<true>).version(" 2"),
+    Kind::first(single::KIND, single::STATEMENT, single::check::<false>),
+    Kind::first(single::KIND, single::STATEMENT_2, single::check::<true>).version(" 2"),
     Kind::first(entropy::KIND, entropy::STATEMENT, entropy::check),
     Kind::first(share::KIND, share::STATEMENT, share::check),
     Kind::first(machine::KIND, machine::STATEMENT, machine::check),

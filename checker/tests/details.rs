@@ -15,9 +15,10 @@ use std::{
 };
 
 use crate::common::{
-    BRANCH, CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, FREE, FREE_MACHINE, GRAZING, NOTHING, ORBIT_4,
-    RANGE_1, RANGE_ALONE, SADDLE_NODE, SHARE, SHARE_POLAR, SINGLE_1, THEOREM2, WORD, WORD_BY_THEOREM, answer,
-    first_cells, resealed, trials, with,
+    BRANCH, CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, FREE, FREE_MACHINE, GRAZING, NOTHING,
+    NOTHING_MIRRORED, ORBIT_4, RANGE_1, RANGE_ALONE, RANGE_MIRRORED, RANGE_MIRRORED_BEYOND, SADDLE_NODE,
+    SHARE, SHARE_POLAR, SINGLE_1, SINGLE_MIRRORED_1, THEOREM2, WORD, WORD_BY_THEOREM, answer, first_cells,
+    float, resealed, trials, with,
 };
 use crate::share::is_likely;
 use grazing_check::{Checked, Rejection, kinds};
@@ -50,6 +51,10 @@ fn samples() -> [Vec<String>; 3] {
             RANGE_ALONE,
             NOTHING,
             SINGLE_1,
+            &first_cells(RANGE_MIRRORED, 1),
+            &first_cells(RANGE_MIRRORED_BEYOND, 1),
+            NOTHING_MIRRORED,
+            SINGLE_MIRRORED_1,
             CHAOS_12,
             CHAOS_MIRRORED_BEFORE,
             &with(&few, "complete", "complete 2 4 2 3"),
@@ -223,15 +228,20 @@ fn is_the_horseshoe(checked: &Checked) -> bool {
 /// σκ/(1 − (κ/2) tan(t/2)), which are within what is printed; σκ > 0 of those tried, so that t < 0.
 fn is_born(checked: &Checked) -> bool {
     let middle = |name: &str| {
-        let ends: Vec<f64> =
-            detail(checked, name).split(' ').filter(|w| w.contains('/')).map(fraction).collect();
+        let ends: Vec<f64> = detail(checked, name)
+            .split(' ')
+            .filter(|w| w.starts_with(|c: char| c.is_ascii_digit()))
+            .map(float)
+            .collect();
         ends.iter().sum::<f64>() / ends.len() as f64
     };
     let [c, k, tau] = ["damping", "stiffness", "restitution"].map(middle);
     let omega = (k - c * c / 4.0f64).sqrt();
-    let decay = (-c * PI).exp();
-    let b = decay * (omega * TAU).sin() / omega;
-    let a = decay * (omega * TAU).cos() + c / 2.0 * b;
+    // Of half a period, with the mirror after it, between mirrored walls.
+    let (time, sign) = if detail(checked, "motion").contains("mirror") { (PI, -1.0) } else { (TAU, 1.0) };
+    let decay = sign * (-c * time / 2.0).exp();
+    let b = decay * (omega * time).sin() / omega;
+    let a = decay * (omega * time).cos() + c / 2.0 * b;
     let alpha = (1.0 - a) / b;
     let kappa = 2.0 * (alpha + tau * (-k * b + (a - c * b) * alpha)) / (1.0 + tau);
     let side = if detail(checked, "motion").contains("wall -nu") { -1.0 } else { 1.0 };
@@ -292,11 +302,16 @@ fn follows(sample: &Checked, changed: &Checked, mirrored: bool) -> bool {
             changed.title == title && right && others(changed) <= others(sample)
         }
         "range" => {
-            let same = ["claim", "motion", "letters"];
+            let same = ["motion", "letters"];
             let same = same.iter().all(|name| detail(changed, name) == detail(sample, name));
+            // Of chaos less may be said: orbits.
+            let claim = detail(changed, "claim");
+            let chaos = claim.starts_with("chaos");
+            let title = if chaos { "range of chaos" } else { "range of orbits" };
+            let same = same && changed.title == title && (claim == detail(sample, "claim") || !chaos);
             // Whether there are others is looked at in `range_damage.rs`.
             let others = |checked| detail(checked, "others").starts_with("none near");
-            same && others(changed) <= others(sample) && changed.title == sample.title && is_born(changed)
+            same && others(changed) <= others(sample) && is_born(changed)
         }
         // Whether motions do so is looked at in `nothing.rs`.
         "nothing" => {
@@ -421,7 +436,7 @@ fn printed_of(text: &str) {
         // Every rate above 1 is an upper bound of one orbit's.
         let single = line.starts_with("growth 1 ") && j == 2;
         // That nothing is born does not depend on the restitution, nor do these small depths.
-        let nothing = lines[1] == "kind nothing" && line.starts_with("restitution ");
+        let nothing = lines[1].starts_with("kind nothing") && line.starts_with("restitution ");
         let free = named || single || nothing || line.starts_with("scales ");
         assert!(fate.refused || free, "{}: free to choose: {line} -> {change}", lines[1]);
     }

@@ -12,6 +12,7 @@ mod entropy;
 mod event;
 mod free;
 mod machine;
+mod mirrored;
 mod nothing;
 mod orbit;
 mod range;

@@ -223,7 +223,8 @@ fn malformed() -> Vec<(String, &'static str)> {
     let change = |(start, line, reason)| (with(RANGE_1, start, line), reason);
     let lines = [
         ("kind", "kind range 2", "word for word"),
-        ("kind", "kind range 3", "expected a line"),
+        ("kind", "kind range 3", "word for word"),
+        ("kind", "kind range 5", "expected a line"),
         ("statement", "statement This oscillator is chaotic.", "word for word"),
         ("damping", "damping 2/20 2/20", "lowest terms"),
         ("damping", "damping 1/10 1/20", "must not decrease"),

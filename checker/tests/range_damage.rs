@@ -1,15 +1,16 @@
 //! Damaged certificates of kind range: whatever is still accepted is held against floats, in which the orbits
 //! of short words are found by Newton's method, from their equations alone, and paths are counted.
 
-use std::f64::consts::TAU;
+use std::f64::consts::PI;
 
 use crate::common::{
-    RANGE_1, RANGE_12, RANGE_13, RANGE_ALONE, RANGE_BEFORE, Touching, damaged_are_true, eliminate, float,
-    flow, trials,
+    RANGE_1, RANGE_12, RANGE_13, RANGE_ALONE, RANGE_BEFORE, RANGE_MIRRORED, RANGE_MIRRORED_BEFORE,
+    RANGE_MIRRORED_BEYOND, Touching, damaged_are_true, eliminate, float, flow, trials,
 };
 
 /// A certificate's numbers, its harmonics being cosines of one order.
 struct Claim {
+    mirrored: bool,
     /// c, k, τ, at both ends of their ranges.
     parameters: [[f64; 3]; 2],
     side: f64,
@@ -44,6 +45,7 @@ impl Claim {
         let cells = strengths.chunks(edges.len()).enumerate();
         let cells = cells.map(|(i, edges)| ([from(i), depths[i]], edges.to_vec())).collect();
         Claim {
+            mirrored: text.contains("kind range 3\n") || text.contains("kind range 4\n"),
             parameters: [0, 1].map(|end| [c[end], k[end], tau[end]]),
             side: named("side")[0][0],
             order: named("harmonic")[0][0],
@@ -105,6 +107,8 @@ impl Claim {
 
 /// An oscillator at a depth, with g = cos jt.
 struct Oscillator {
+    /// Whether there is a mirrored wall above; then periods are half periods.
+    mirrored: bool,
     parameters: [f64; 3],
     side: f64,
     order: f64,
@@ -122,9 +126,14 @@ impl Oscillator {
         [t, self.side - (1.0 - (self.order * t).cos()) / self.depth]
     }
 
+    fn turn(&self) -> f64 {
+        if self.mirrored { PI } else { 2.0 * PI }
+    }
+
     fn leg(&self, periods: f64, s: f64, next: f64) -> [f64; 2] {
         let ([t, place], [u, last]) = (self.impact(s), self.impact(next));
-        let e = self.flow(TAU * periods + u - t);
+        let sign = if self.mirrored && periods % 2.0 == 1.0 { -1.0 } else { 1.0 };
+        let e = self.flow(self.turn() * periods + u - t).map(|x| sign * x);
         let after = (last - e[0] * place) / e[1];
         [after, e[2] * place + e[3] * after]
     }
@@ -178,12 +187,16 @@ impl Oscillator {
         let mut least = f64::INFINITY;
         for (i, [after, _]) in self.velocities(claim, word, s).into_iter().enumerate() {
             let ([t, place], [u, _]) = (self.impact(s[i]), self.impact(s[(i + 1) % word.len()]));
-            let time = TAU * claim.periods[claim.edges[word[i]][1]] + u - t;
+            let time = self.turn() * claim.periods[claim.edges[word[i]][1]] + u - t;
             for j in 1..400 {
                 let since = time * f64::from(j) / 400.0;
                 let e = self.flow(since);
-                let drop = (1.0 - (self.order * (t + since)).cos()) / self.depth;
-                least = least.min(drop + e[0] * place + e[1] * after - self.side);
+                let drop = |t: f64| (1.0 - (self.order * t).cos()) / self.depth;
+                let q = e[0] * place + e[1] * after;
+                least = least.min(drop(t + since) + q - self.side);
+                if self.mirrored {
+                    least = least.min(drop(t + since - PI) - q - self.side);
+                }
             }
         }
         least
@@ -237,7 +250,8 @@ fn lie(text: &str) -> Option<String> {
                 // Where the cell before ends, its motion is this one's, too.
                 for share in [if last.is_some() { 0.0 } else { 0.001 }, 0.5, 1.0] {
                     let depth = least + share * (greatest - least);
-                    let at = Oscillator { parameters, side: claim.side, order: claim.order, depth };
+                    let (mirrored, side, order) = (claim.mirrored, claim.side, claim.order);
+                    let at = Oscillator { mirrored, parameters, side, order, depth };
                     let s = match motion(&at, &claim, strengths, word) {
                         Ok(s) => s,
                         Err(why) => return Some(why),
@@ -260,6 +274,7 @@ fn stranger(text: &str) -> Option<String> {
         let Some(bound) = *bound else { continue };
         for (share, parameters) in [(0.01, claim.parameters[0]), (0.6, claim.parameters[1])] {
             let at = Touching {
+                mirrored: claim.mirrored,
                 parameters,
                 side: claim.side,
                 order: claim.order,
@@ -291,8 +306,16 @@ fn stranger(text: &str) -> Option<String> {
 /// GRAZING_TRIALS of each certificate, fewer where others are looked for among long words.
 #[test]
 fn what_is_accepted_of_damaged_certificates_is_true() {
-    let all =
-        [(1, RANGE_1, 1), (2, RANGE_12, 1), (3, RANGE_13, 1), (6, RANGE_ALONE, 1), (7, RANGE_BEFORE, 4)];
+    let all = [
+        (1, RANGE_1, 1),
+        (2, RANGE_12, 1),
+        (3, RANGE_13, 1),
+        (6, RANGE_ALONE, 1),
+        (7, RANGE_BEFORE, 4),
+        (8, RANGE_MIRRORED, 2),
+        (9, RANGE_MIRRORED_BEFORE, 4),
+        (10, RANGE_MIRRORED_BEYOND, 4),
+    ];
     for (seed, text, share) in all {
         // The longer its legs may be, the longer others are looked for.
         damaged_are_true(seed, trials(600) / share, text, |text| lie(text).or_else(|| stranger(text)));

@@ -1,11 +1,11 @@
 //! Certificates of kind single: what passes, what must be refused, and whether the orbits of those that pass,
 //! also of the damaged ones, are as they say: in floats, from the differential equation alone.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use crate::common::{
-    Random, SINGLE_1, SINGLE_2, SINGLE_3, answer, are_refused, damage, damaged_are_true, float, flow, nth,
-    second_reader, trials, with,
+    Random, SINGLE_1, SINGLE_2, SINGLE_3, SINGLE_MIRRORED_2, SINGLE_MIRRORED_3, answer, are_refused, damage,
+    damaged_are_true, float, flow, nth, second_reader, trials, with,
 };
 use grazing_check::single::STATEMENT;
 
@@ -135,7 +135,7 @@ fn forgeries() -> Vec<(String, &'static str)> {
 /// The same for what is seen without any condition: the form.
 fn malformed() -> Vec<(String, &'static str)> {
     let lines = [
-        ("kind", "kind single 2", "expected a line"),
+        ("kind", "kind single 3", "expected a line"),
         ("statement", "statement The orbit is there.", "word for word"),
         ("damping", "damping 2/20 2/20", "lowest terms"),
         ("damping", "damping 1/10 1/20", "must not decrease"),
@@ -209,6 +209,7 @@ fn two_readers_agree() {
 
 /// A certificate's numbers, its harmonics being known exactly.
 struct Claim {
+    mirrored: bool,
     /// c, k, τ, at both ends of their ranges.
     parameters: [[f64; 3]; 2],
     side: f64,
@@ -229,6 +230,7 @@ impl Claim {
         let ends = |name: &str| [0, 1].map(|end| float(named(name)[0][end]));
         let [c, k, tau] = ["damping", "stiffness", "restitution"].map(ends);
         Claim {
+            mirrored: text.contains("kind single 2\n"),
             parameters: [0, 1].map(|end| [c[end], k[end], tau[end]]),
             side: float(named("side")[0][0]),
             harmonics: named("harmonic")
@@ -254,6 +256,16 @@ impl Claim {
         sum
     }
 
+    /// From one impact to the next.
+    fn time(&self) -> f64 {
+        self.periods * if self.mirrored { PI } else { TAU }
+    }
+
+    /// −1 if the next impact is at the other of two walls, where all is seen in a mirror.
+    fn sign(&self) -> f64 {
+        if self.mirrored && self.periods % 2.0 == 1.0 { -1.0 } else { 1.0 }
+    }
+
     fn place(&self, depth: f64, t: f64) -> f64 {
         self.side * depth - 1.0 + self.wall(t)[0]
     }
@@ -267,10 +279,10 @@ impl Claim {
     /// The velocity with which a motion leaves at the phase t, to be there after the periods; and by how much
     /// its arrival breaks the law of impact then.
     fn wrong(&self, parameters: [f64; 3], depth: f64, t: f64) -> [f64; 2] {
-        let ([c, k, tau], time) = (parameters, TAU * self.periods);
-        let [e11, e12, ..] = flow([c, k], time);
+        let ([c, k, tau], time) = (parameters, self.time());
+        let [e11, e12, ..] = flow([c, k], time).map(|x| self.sign() * x);
         let a = (1.0 - e11) * self.place(depth, t) / e12;
-        let [_, p] = self.after(parameters, depth, [t, a], time);
+        let [_, p] = self.after(parameters, depth, [t, a], time).map(|x| self.sign() * x);
         let speed = self.wall(t)[1];
         [a, a - speed + tau * (p - speed)]
     }
@@ -297,22 +309,22 @@ impl Claim {
 
     /// The greatest magnitude of a multiplier: the motion begun a little off, to the next impact and beyond.
     fn multiplier(&self, parameters: [f64; 3], depth: f64, [t, a]: [f64; 2]) -> f64 {
-        let ([c, k, tau], time) = (parameters, TAU * self.periods);
+        let ([c, k, tau], time) = (parameters, self.time());
         let early = 0.02;
         let start = self.after(parameters, depth, [t, a], early);
         let section = t + early;
         let next = |[q, u]: [f64; 2]| -> [f64; 2] {
             let at = |since: f64| {
                 let [e11, e12, e21, e22] = flow([c, k], since);
-                [e11 * q + e12 * u, e21 * q + e22 * u]
+                [e11 * q + e12 * u, e21 * q + e22 * u].map(|x| self.sign() * x)
             };
-            let gap = |since: f64| at(since)[0] - self.place(depth, section + since);
+            let gap = |since: f64| at(since)[0] - self.place(depth, section + since - time);
             let (mut lo, mut hi) = (time - early - 0.01, time - early + 0.01);
             for _ in 0..100 {
                 let middle = (lo + hi) / 2.0;
                 if gap(middle) > 0.0 { lo = middle } else { hi = middle }
             }
-            let speed = self.wall(section + lo)[1];
+            let speed = self.wall(section + lo - time)[1];
             let ([q, p], left) = (at(lo), time - lo);
             let a = speed - tau * (p - speed);
             let [e11, e12, e21, e22] = flow([c, k], left);
@@ -354,10 +366,12 @@ fn lie(text: &str) -> Option<String> {
                     return Some(format!("no speed at depth {depth}"));
                 }
                 let steps = 300 * claim.periods as usize;
-                let time = TAU * claim.periods;
+                let time = claim.time();
                 let gap = |i: usize| {
                     let since = time * i as f64 / steps as f64;
-                    claim.after(parameters, depth, [t, a], since)[0] - claim.place(depth, t + since)
+                    let [q, _] = claim.after(parameters, depth, [t, a], since);
+                    let gap = q - claim.place(depth, t + since);
+                    if claim.mirrored { gap.min(-q - claim.place(depth, t + since - PI)) } else { gap }
                 };
                 if (1..steps).any(|i| gap(i) < -1e-9) {
                     return Some(format!("no gap at depth {depth}"));
@@ -381,7 +395,8 @@ fn lie(text: &str) -> Option<String> {
 /// GRAZING_TRIALS of each certificate.
 #[test]
 fn what_is_accepted_of_damaged_certificates_is_true() {
-    for (seed, text) in [(1, SINGLE_1), (2, SINGLE_2), (3, SINGLE_3)] {
+    let mirrored = [(4, SINGLE_MIRRORED_2), (5, SINGLE_MIRRORED_3)];
+    for (seed, text) in [(1, SINGLE_1), (2, SINGLE_2), (3, SINGLE_3)].into_iter().chain(mirrored) {
         damaged_are_true(seed, trials(400), text, lie);
     }
 }

@@ -320,7 +320,7 @@ impl GrazingReport {
         }
         let rows = self.range.as_deref().unwrap_or_default();
         for alike in rows.chunk_by(RangeRow::is_told_with) {
-            RangeRow::lines(alike, &at.varied, lines);
+            RangeRow::lines(alike, (&at.varied, at.half), lines);
         }
         if let Some(why) = &self.range_open {
             lines.say("range", format!("none: {why}"));

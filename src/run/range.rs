@@ -22,7 +22,7 @@ row! {
         /// Of what: "all" that is certain to be born there; "part", all but one letter, and what needs it,
         /// where that goes farther; "orbit", of one impact.
         pub of: &'static str,
-        /// The periods of the graph whose paths are motions.
+        /// The periods of the graph whose paths are motions; with `half` in the report half periods.
         pub periods: Vec<u64>,
         /// Whether this is the whole graph that is born there.
         pub whole: bool,
@@ -166,28 +166,30 @@ impl RangeRow {
         open(self) && open(next) && (self.side, &self.reason) == (next.side, &next.reason)
     }
 
-    /// Tells rows that [are told](Self::is_told_with) together, which are at least one.
-    pub(super) fn lines(rows: &[RangeRow], varied: &str, lines: &mut Lines) {
+    /// Tells rows that [are told](Self::is_told_with) together, which are at least one; with `half` periods
+    /// are half periods.
+    pub(super) fn lines(rows: &[RangeRow], (varied, half): (&str, bool), lines: &mut Lines) {
         if let [row] = rows {
-            return row.own_lines(varied, lines);
+            return row.own_lines((varied, half), lines);
         }
         let Some(RangeRow { side, reason, .. }) = rows.first() else { return };
         let periods: Vec<String> = rows.iter().flat_map(|row| &row.periods).map(u64::to_string).collect();
         let reason = reason.as_deref().unwrap_or_default();
         let what = format!(
-            "{side} the touch, none proved of the orbits of one impact in {} periods",
-            periods.join(", ")
+            "{side} the touch, none proved of the orbits of one impact in {} {}periods",
+            periods.join(", "),
+            if half { "half " } else { "" }
         );
         lines.say("range", format!("{what}: {reason}"));
     }
 
-    fn own_lines(&self, varied: &str, lines: &mut Lines) {
+    fn own_lines(&self, (varied, half): (&str, bool), lines: &mut Lines) {
         let (side, reason) = (self.side, self.reason.as_deref().unwrap_or_default());
         if let (Some(touches), Some(depth)) = (&self.touches, &self.depth) {
             return self.lines_of_all(touches, depth, varied, lines);
         }
         let (Some(touch), Some(end)) = (&self.touch, &self.end) else {
-            let of = if self.of == ORBIT { format!(" of {}", self.what()) } else { String::new() };
+            let of = if self.of == ORBIT { format!(" of {}", self.what(half)) } else { String::new() };
             let why = match self.verdict {
                 "undecided" => format!("none proved{of}: {reason}"),
                 _ if reason.is_empty() => "nothing is born".into(),
@@ -201,7 +203,7 @@ impl RangeRow {
             format!("{end} <= {varied} < {touch}")
         };
         let part = self.share.map_or(String::new(), |share| format!(" ({:.2} %)", 100.0 * share));
-        if let Some(leaving) = self.leaving() {
+        if let Some(leaving) = self.leaving(half) {
             lines.say(
                 "range",
                 format!("{side} the touch, nothing is born; proved for {above}{part}: {leaving}"),
@@ -209,35 +211,37 @@ impl RangeRow {
             lines.say("range_ends", reason);
             return lines.say_known("certificate", &self.certificate);
         }
-        let what = self.what();
+        let what = self.what(half);
         lines.say(
             "range",
             format!("{side} the touch, proved for {above}{part}: {what} is exactly one motion"),
         );
-        self.further_lines(varied, lines);
+        self.further_lines((varied, half), lines);
     }
 
     /// Where no motion stays near, in which sense.
-    fn leaving(&self) -> Option<String> {
+    fn leaving(&self, half: bool) -> Option<String> {
         let (periods, zone) = (self.leaves?, self.zone?);
+        let [half, stop] = if half { ["half ", "a stop"] } else { ["", "the stop"] };
         Some(format!(
-            "within {periods} periods every motion meets the stop more than {zone} periods from the phase of the touch \
+            "within {periods} {half}periods every motion meets {stop} more than {zone} periods from the phase of the touch \
              (less for nu < 1/100)"
         ))
     }
 
     /// What is exactly one motion.
-    fn what(&self) -> String {
+    fn what(&self, half: bool) -> String {
+        let half = if half { "half " } else { "" };
         let periods: Vec<String> = self.periods.iter().map(u64::to_string).collect();
         let periods = periods.join(", ");
         let which = match self.of {
-            ORBIT if self.periods == [1] => return "the orbit of one impact a period".into(),
-            ORBIT => return format!("the orbit of one impact in {periods} periods"),
+            ORBIT if self.periods == [1] => return format!("the orbit of one impact a {half}period"),
+            ORBIT => return format!("the orbit of one impact in {periods} {half}periods"),
             _ if self.whole => "",
             PART => ", the part that goes farther,",
             _ => ", a part of those that are born,",
         };
-        format!("every path of the graph of the periods {periods}{which}")
+        format!("every path of the graph of the {half}periods {periods}{which}")
     }
 
     /// Of all machines within tolerances.
@@ -257,9 +261,9 @@ impl RangeRow {
         };
         let depth =
             parse_rational(depth).map_or_else(|_| depth.to_string(), |depth| decimal_or_fraction(&depth));
-        let what = match self.leaving() {
+        let what = match self.leaving(false) {
             Some(leaving) => format!("nothing is born, and {leaving}"),
-            None => format!("{} is exactly one motion", self.what()),
+            None => format!("{} is exactly one motion", self.what(false)),
         };
         lines.say(
             "range",
@@ -268,17 +272,18 @@ impl RangeRow {
                  to the depth nu = {depth}, {common}: {what}"
             ),
         );
-        self.further_lines(varied, lines);
+        self.further_lines((varied, false), lines);
     }
 
     /// What else is proved, and why it ends.
-    fn further_lines(&self, varied: &str, lines: &mut Lines) {
+    fn further_lines(&self, (varied, half): (&str, bool), lines: &mut Lines) {
         let reason = self.reason.as_deref().unwrap_or_default();
         if let Some(alone) = &self.alone {
             let way = if self.ends_above() { "<=" } else { ">=" };
+            let stop = if half { "a stop" } else { "the stop" };
             let others = match self.side {
-                "beyond" => "no other motion stays as near as these",
-                _ => "no other bounded motion meets the stop as near as these again and again",
+                "beyond" => "no other motion stays as near as these".into(),
+                _ => format!("no other bounded motion meets {stop} as near as these again and again"),
             };
             lines.say("alone", format!("for {varied} {way} {alone} {others}"));
         }

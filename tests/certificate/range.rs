@@ -26,7 +26,7 @@ fn cosine() -> Vec<Term> {
 }
 
 fn problem(parameters: [&str; 3], behind: bool, graph: LetterGraph, deepest: f64) -> RangeProblem {
-    RangeProblem { ranges: parameters.map(at), behind, harmonics: cosine(), graph, deepest }
+    RangeProblem { mirrored: false, ranges: parameters.map(at), behind, harmonics: cosine(), graph, deepest }
 }
 
 /// README's machine and the paper's oscillator: c, k, τ.
@@ -85,7 +85,7 @@ fn what_is_not_born_has_no_range() {
 fn the_whole_graph_is_proved() {
     let ranges = |parameters: [&str; 3], behind| {
         let [c, k, _] = parameters.map(|x| parse_rational(x).unwrap());
-        born([&c, &k], behind, 30, &()).unwrap().unwrap()
+        born(false, [&c, &k], behind, 30, &()).unwrap().unwrap()
     };
     let before = ranges(README, false);
     // 2 may follow 1 and 3, and neither itself nor be followed by itself.
@@ -140,7 +140,8 @@ fn what_is_born_is_all_that_is_near() {
 #[test]
 fn where_nothing_is_born_no_motion_stays() {
     let asked = |parameters: [&str; 3], deepest: f64| {
-        let problem = NothingProblem { ranges: parameters.map(at), harmonics: cosine(), deepest };
+        let problem =
+            NothingProblem { mirrored: false, ranges: parameters.map(at), harmonics: cosine(), deepest };
         prove_nothing(&problem, RangeEffort(100_000), &()).unwrap()
     };
     let proof = asked(README, 0.999).unwrap();
@@ -152,6 +153,7 @@ fn where_nothing_is_born_no_motion_stays() {
     assert_eq!(certificate::check(&mut proof.text.as_bytes()).unwrap().kind, "nothing");
     // A range of parameters, and an end before what could be.
     let wide = NothingProblem {
+        mirrored: false,
         ranges: [
             [at("99/1000")[0].clone(), at("1/10")[0].clone()],
             at("3/10"),

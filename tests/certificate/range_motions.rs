@@ -4,12 +4,12 @@
 //!
 //! A sample for `cargo test`; as many oscillators as one likes with GRAZING_TRIALS.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use super::range_random::{Machine, Random, drawn};
 use grazing::{
     certificate::{self, range::Certificate},
-    motion::{Harmonic, System, Time, Wall},
+    motion::{Harmonic, Side, System, Time, Wall},
     one::simulate::{Event, Settings, Simulator},
     search::range::{RangeEffort, RangeProblem, born, prove, prove_alone},
 };
@@ -21,6 +21,8 @@ const STARTS: usize = 600;
 
 /// A certificate's numbers in floats.
 struct Claim {
+    /// Whether there are two walls, each the other's mirror image; then periods are half periods.
+    mirrored: bool,
     machine: Machine,
     window: f64,
     periods: Vec<u64>,
@@ -70,6 +72,7 @@ impl Claim {
         let rounds =
             found.alone.map_or(0, |alone| (1..alone.rounds).find(|&q| holds(q)).unwrap_or(alone.rounds));
         Claim {
+            mirrored: found.mirrored,
             machine,
             window: float(found.window),
             periods: found.letters.iter().map(|letter| letter.periods).collect(),
@@ -84,6 +87,11 @@ impl Claim {
         let [least, greatest] = cell.depth;
         let depth = random.between(least.max(greatest / 1000.0), greatest);
         At { claim: self, cell, depth }
+    }
+
+    /// A period, or half period.
+    fn turn(&self) -> f64 {
+        if self.mirrored { PI } else { TAU }
     }
 
     /// The letters of a random closed path.
@@ -121,7 +129,9 @@ impl At<'_> {
     /// The first and the last velocity of a leg.
     fn leg(&self, n: u64, s: f64, next: f64) -> [f64; 2] {
         let [t, u] = [s, next].map(|s| self.phase(s));
-        let [e11, e12, e21, e22] = self.claim.machine.flow(TAU * n as f64 + u - t);
+        let sign = if self.claim.mirrored && n % 2 == 1 { -1.0 } else { 1.0 };
+        let time = self.claim.turn() * n as f64 + u - t;
+        let [e11, e12, e21, e22] = self.claim.machine.flow(time).map(|x| sign * x);
         let a = (self.place(u) - e11 * self.place(t)) / e12;
         [a, e21 * self.place(t) + e22 * a]
     }
@@ -163,8 +173,12 @@ impl At<'_> {
     fn simulator(&self) -> Simulator {
         let ([c, k, tau], side) = (self.claim.machine.parameters, self.claim.machine.side);
         let harmonics = vec![Harmonic { k: 1, cos: 1.0, sin: 0.0 }];
-        let lower = Some(Wall { offset: side * self.depth - 1.0, harmonics, restitution: tau });
-        let (cubic, force, forcing, smooth, upper) = (0.0, 0.0, vec![], None, None);
+        let offset = side * self.depth - 1.0;
+        // −w(t − π), g being the cosine.
+        let upper = Wall { offset: -offset, harmonics: harmonics.clone(), restitution: tau };
+        let (lower, upper) =
+            (Some(Wall { offset, harmonics, restitution: tau }), self.claim.mirrored.then_some(upper));
+        let (cubic, force, forcing, smooth) = (0.0, 0.0, vec![], None);
         let system = System { damping: c, stiffness: k, cubic, force, forcing, smooth, lower, upper };
         let settings = Settings { minimum_depth: 1e-13, ..Settings::default() };
         Simulator::new(&system, &settings).unwrap()
@@ -183,7 +197,12 @@ impl At<'_> {
             };
             let turns = if t < 0.0 { 1.0 } else { 0.0 };
             let at = TAU * (impact.time.period as f64 - turns) + impact.time.phase;
-            let (expected, speed) = (TAU * n as f64 + self.phase(next), self.depth * (next / 2.0 - p));
+            let odd = self.claim.mirrored && n % 2 == 1;
+            if impact.place != if odd { Side::Upper } else { Side::Lower } {
+                return Some(format!("leg {i} ends at the other wall"));
+            }
+            let expected = self.claim.turn() * n as f64 + self.phase(next);
+            let speed = self.depth * (next / 2.0 - p);
             let close = 1e-7 + 1e-11 / speed.max(1e-9);
             if (at - expected).abs() > close || (impact.velocity + speed).abs() > close {
                 return Some(format!("leg {i}: {at} and {}, not {expected} and {}", impact.velocity, -speed));
@@ -246,22 +265,26 @@ impl At<'_> {
         let t = self.phase(s);
         let start = Time::new(1, t.rem_euclid(TAU));
         let mut run = simulator.start(start, self.depth * self.place(t) + 1e-15, self.depth * a).unwrap();
-        let mut all = vec![(if t < 0.0 { 2 } else { 1 }, s)];
+        let halves = if self.claim.mirrored { 2 } else { 1 };
+        let mut all = vec![(halves * if t < 0.0 { 2 } else { 1 }, s)];
         while all.len() < 100 {
             let last = all[all.len() - 1].0;
-            let (time, rests) = match run.next(Time::new(last + 200, 0.0)) {
-                Event::Impact(impact) => (impact.time, false),
-                Event::Stick(stick) => (stick.time, true),
+            let (time, place, rests) = match run.next(Time::new(last + 200, 0.0)) {
+                Event::Impact(impact) => (impact.time, impact.place, false),
+                Event::Stick(stick) => (stick.time, stick.place, true),
                 Event::Tangency(_) | Event::Release(_) => continue,
                 _ => break,
             };
             let periods = time.period as f64 + time.phase / TAU;
-            let phase = TAU * (periods - periods.round());
+            // Windows of the upper wall are half a period after those of the lower.
+            let late = if place == Side::Upper { 0.5 } else { 0.0 };
+            let window = (periods - late).round() + late;
+            let phase = TAU * (periods - window);
             let s = -2.0 * phase.sin() / self.depth;
             if s.abs() > strength || phase.abs() > self.claim.window {
                 break;
             }
-            all.push((periods.round() as i64, if rests { f64::NAN } else { s }));
+            all.push(((halves as f64 * window) as i64, if rests { f64::NAN } else { s }));
         }
         all
     }
@@ -297,17 +320,17 @@ impl At<'_> {
 
 /// The certificates of both sides of a machine's touch: of all that is born, with no others where that is
 /// found.
-fn claims(exact: &[BigRational; 3], effort: u64) -> Vec<Claim> {
+fn claims(mirrored: bool, exact: &[BigRational; 3], effort: u64) -> Vec<Claim> {
     let parameters = exact.each_ref().map(|x| x.to_f64().unwrap());
     let one = |x: &BigRational| [x.clone(), x.clone()];
     let [zero, unit] = [0, 1].map(|x| BigRational::from_integer(x.into()));
     let mut all = Vec::new();
     for (behind, side, deepest) in [(false, -1.0, 4.0), (true, 1.0, 0.95)] {
-        let Some(born) = born([&exact[0], &exact[1]], behind, 30, &()).unwrap() else { continue };
+        let Some(born) = born(mirrored, [&exact[0], &exact[1]], behind, 30, &()).unwrap() else { continue };
         let Some(graph) = born.graph else { continue };
         let harmonics = vec![(1, [one(&unit), one(&zero)])];
         let ranges = exact.each_ref().map(one);
-        let problem = RangeProblem { ranges, behind, harmonics, graph, deepest };
+        let problem = RangeProblem { mirrored, ranges, behind, harmonics, graph, deepest };
         let Ok(mut proof) = prove(&problem, RangeEffort(effort), &()).unwrap() else { continue };
         if born.whole {
             proof = prove_alone(&problem, proof, RangeEffort(effort), &()).unwrap();
@@ -317,13 +340,13 @@ fn claims(exact: &[BigRational; 3], effort: u64) -> Vec<Claim> {
     all
 }
 
-#[test]
-fn motions_of_random_oscillators_are_those_of_their_ranges() {
-    let trials = std::env::var("GRAZING_TRIALS").ok().and_then(|n| n.parse().ok()).unwrap_or(4);
-    let mut random = Random(36);
+/// So many random oscillators with one wall, or two.
+fn motions_are_those_of_ranges(mirrored: bool, trials: u32, seed: u64) {
+    let trials = std::env::var("GRAZING_TRIALS").ok().and_then(|n| n.parse().ok()).unwrap_or(trials);
+    let mut random = Random(seed);
     let [mut ranges, mut words, mut alone, mut others, mut starts, mut judged] = [0; 6];
     for _ in 0..trials {
-        for claim in claims(&drawn(&mut random), 40_000) {
+        for claim in claims(mirrored, &drawn(&mut random), 40_000) {
             // The simulator's distances are absolute: at small depths all of a motion is lost in them.
             let cells: Vec<&Cell> = claim.cells.iter().filter(|cell| cell.depth[1] > 1e-4).collect();
             ranges += usize::from(!cells.is_empty());
@@ -346,4 +369,14 @@ fn motions_of_random_oscillators_are_those_of_their_ranges() {
         "{ranges} ranges, {words} random words; {alone} cells without others, {others} words found there, {starts} starts, {judged} impacts judged"
     );
     assert!(ranges > 2 && alone > 2 && others > 10 && judged > 0);
+}
+
+#[test]
+fn motions_of_random_oscillators_are_those_of_their_ranges() {
+    motions_are_those_of_ranges(false, 4, 36);
+}
+
+#[test]
+fn motions_between_mirrored_walls_are_those_of_their_ranges() {
+    motions_are_those_of_ranges(true, 10, 37);
 }

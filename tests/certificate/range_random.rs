@@ -140,7 +140,7 @@ struct Row {
 
 fn row(machine: &Machine, exact: [&BigRational; 3], effort: u64) -> Option<Row> {
     let beyond = machine.side > 0.0;
-    let graph = born([exact[0], exact[1]], beyond, 40, &()).unwrap()?.graph?;
+    let graph = born(false, [exact[0], exact[1]], beyond, 40, &()).unwrap()?.graph?;
     let one = |x: &BigRational| [x.clone(), x.clone()];
     let [zero, unit] = [0, 1].map(|x| BigRational::from_integer(x.into()));
     let harmonics: Vec<Term> = vec![(1, [one(&unit), one(&zero)])];
@@ -148,7 +148,7 @@ fn row(machine: &Machine, exact: [&BigRational; 3], effort: u64) -> Option<Row> 
     let deepest = if beyond { 0.95 } else { 9.0 };
     for periods in single_orbits(&graph) {
         let (ranges, harmonics) = (exact.map(one), harmonics.clone());
-        let problem = SingleProblem { ranges, behind: beyond, harmonics, periods, deepest };
+        let problem = SingleProblem { mirrored: false, ranges, behind: beyond, harmonics, periods, deepest };
         let proof = prove_single(&problem, RangeEffort(200_000), &()).unwrap();
         let depth = proof.as_ref().map_or(0.0, |proof| proof.depth.to_f64().unwrap());
         let (end, why) = machine.end(periods as f64, false);
@@ -162,7 +162,8 @@ fn row(machine: &Machine, exact: [&BigRational; 3], effort: u64) -> Option<Row> 
             );
         }
     }
-    let problem = RangeProblem { ranges: exact.map(one), behind: beyond, harmonics, graph, deepest };
+    let problem =
+        RangeProblem { mirrored: false, ranges: exact.map(one), behind: beyond, harmonics, graph, deepest };
     let proof = prove(&problem, RangeEffort(effort), &()).unwrap();
     let depth = proof.as_ref().map_or(0.0, |proof| proof.depth.to_f64().unwrap());
     // ν = 1 − F*/F beyond, F*/F − 1 before.

@@ -37,6 +37,12 @@
 //!   graph of those that are not below 1 at whole periods between, in which m may be followed by n if aₙ ≥
 //!   pₘ, has no cycle.
 //!
+//! # Version 2
+//!
+//! `kind nothing 2` has the same lines, with another statement, of an oscillator between two walls, the upper
+//! one at −w(t − π) if the lower one is at w(t) = σν − 1 + g(t). Periods are half periods, and an odd number
+//! of them has −E for E; the other rules are the same.
+//!
 //! # Example
 //!
 //! README's machine beyond its touch (c = 1/10, k = 3/10, τ = 4/5):
@@ -101,6 +107,21 @@ and the last velocity of q'' = -c q' - k q from q = 1 to q = 1 in n periods, for
 is at least 1 after each whole period between; there is no infinite sequence of such n in which a_n >= p_m \
 whenever n follows m. Every n is up to N.";
 
+/// What a certificate of version 2 proves: the same between two walls, one the mirror image of the other.
+pub const STATEMENT_2: &str = "For all c, k, tau in the listed ranges, for g(t) the sum of the listed \
+harmonics a cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, and for \
+every nu > 0 up to the last cell's, consider the motions of the oscillator q'' = -c q' - k q between the \
+lower wall w(t) = nu - 1 + g(t) and the upper wall -w(t - pi), both with restitution tau: q is never below \
+the lower nor above the upper wall, free where it is between, and where it meets a wall it leaves at tau \
+times the speed at which it comes, or rests on the wall while that does not pull. With the listed longest N \
+and rounds R, and S that of a cell of nu, every motion, in whatever state it begins, within (2 R + 2)(N + 1) \
+half periods pi, and so again and again, meets the lower wall at a phase that is not within W of a multiple \
+of 2 pi or at which |w'| > nu S/2, or the upper wall where half a period before there is such a phase. And \
+for nu -> 0 nothing is born, whatever S: let a_n be the first velocity of q'' = -c q' - k q from q = 1 to q = \
+(-1)^n in n half periods, and p_n the last, times (-1)^n, for those n up to N for which (-1)^k q is at least \
+1 after k half periods, for each whole k between; there is no infinite sequence of such n in which a_n >= p_m \
+whenever n follows m. Every n is up to N.";
+
 /// Whether the conditions hold in one cell, from 0: for a search, which finds cell after cell. What is proved
 /// is what [`check`](crate::check) accepts as a whole. `stop` is asked after every microsecond or few of work
 /// whether to end.
@@ -116,8 +137,8 @@ pub fn cell_holds(
 }
 
 /// Checks everything after the kind line.
-pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
-    let certificate = text::read(lines)?;
+pub(super) fn check<const MIRRORED: bool>(lines: &mut Lines) -> Result<Proved, Rejection> {
+    let certificate = text::read(lines, MIRRORED)?;
     let all = 0..certificate.cells.len();
     proof::cells(&certificate, all, &mut || lines.go_on()).map_err(|fault| lines.rejection(fault))?;
     Ok(Proved { title: Some("nothing born"), range: None, detail: detail(&certificate) })
@@ -126,7 +147,18 @@ pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
 /// All that the statement leaves to the lines, in words.
 fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     let wall = wall_in_words(&certificate.harmonics);
-    let motion = format!("q'' = -c q' - k q above the wall nu - 1 + {wall}, restitution tau");
+    let (motion, [half, walls]) = match certificate.mirrored {
+        false => {
+            (format!("q'' = -c q' - k q above the wall nu - 1 + {wall}, restitution tau"), ["", "the wall"])
+        }
+        true => (
+            format!(
+                "q'' = -c q' - k q between the lower wall nu - 1 + {wall} and its mirror image half a period later, \
+                 restitution tau"
+            ),
+            ["half ", "a wall"],
+        ),
+    };
     let mut all = vec![("motion", motion)];
     for (name, [lo, hi]) in text::RANGES.iter().zip(certificate.ranges) {
         let value = if lo == hi { plain(lo) } else { format!("from {} to {}", plain(lo), plain(hi)) };
@@ -144,9 +176,12 @@ fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
         [first, .., last] if strengths.len() > 4 => format!("{first}, …, {last}"),
         all => all.join(", "),
     };
-    let near = format!("within {window} of a multiple of 2 pi and at |g'| <= nu S/2");
+    let near = match certificate.mirrored {
+        false => format!("within {window} of a multiple of 2 pi and at |g'| <= nu S/2"),
+        true => format!("within {window} of its top and where it moves at nu S/2 at most"),
+    };
     let periods = certificate.periods();
-    all.push(("leaves", format!("within {periods} periods (N = {longest}, R = {rounds}) every motion meets the wall elsewhere than {near}")));
+    all.push(("leaves", format!("within {periods} {half}periods (N = {longest}, R = {rounds}) every motion meets {walls} elsewhere than {near}")));
     all.push(("S", strengths));
     all
 }

@@ -23,7 +23,7 @@ pub(super) fn cells(certificate: &Certificate, which: Range<usize>, go_on: GoOn)
         certificate.ranges.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed()));
     let cell = |depth: Interval| {
         let parameters = [damping, stiffness, Interval::ZERO, restitution, depth];
-        Cell::new(false, parameters, Interval::ONE, &wall)
+        Cell::new(certificate.mirrored, parameters, Interval::ONE, &wall)
     };
     for index in which {
         let block = certificate.cells[index];

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Lines, Rejection, STATEMENT};
+use super::{Lines, Rejection, STATEMENT, STATEMENT_2};
 use crate::{
     header::expect_statement,
     lines::Words,
@@ -43,6 +43,8 @@ pub struct Cell {
 /// All that a certificate of this kind holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Certificate {
+    /// Whether there are two walls, the upper one the mirror image of the lower: version 2.
+    pub mirrored: bool,
     /// The ranges of c, k, τ, in this order.
     pub ranges: [Range<Fraction>; 3],
     /// The wall's harmonics, their orders increasing.
@@ -51,7 +53,7 @@ pub struct Certificate {
     pub window: Decimal,
     /// Into how many pieces the window is cut.
     pub pieces: u64,
-    /// N: no leg between impacts near is longer.
+    /// N: no leg between impacts near is longer; between mirrored walls in half periods.
     pub longest: u64,
     /// R: after so many rounds no legs are left.
     pub rounds: u64,
@@ -60,7 +62,7 @@ pub struct Certificate {
 }
 
 impl Certificate {
-    /// Within so many periods every motion leaves.
+    /// Within so many periods, or half periods, every motion leaves.
     #[must_use]
     pub fn periods(&self) -> u64 {
         (2 * self.rounds + 2) * (self.longest + 1)
@@ -82,7 +84,8 @@ impl Certificate {
 /// The text of the certificate, header included.
 impl fmt::Display for Certificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}\nkind {}\nstatement {STATEMENT}\n", crate::FORMAT, super::KIND)?;
+        let (version, statement) = if self.mirrored { (" 2", STATEMENT_2) } else { ("", STATEMENT) };
+        write!(f, "{}\nkind {}{version}\nstatement {statement}\n", crate::FORMAT, super::KIND)?;
         for (name, [lo, hi]) in RANGES.iter().zip(self.ranges) {
             writeln!(f, "{name} {lo} {hi}")?;
         }
@@ -102,9 +105,9 @@ fn cell(words: &mut Words) -> Result<Cell, String> {
     Ok(Cell { depth, strength, parts: words.number("the number of parts", PARTS)? })
 }
 
-/// Everything after the kind line, to the end.
-pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
-    expect_statement(lines, STATEMENT)?;
+/// Everything after the kind line of version 1, or of version 2, of mirrored walls, to the end.
+pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rejection> {
+    expect_statement(lines, if mirrored { STATEMENT_2 } else { STATEMENT })?;
     let mut ranges = [[Fraction::ZERO; 2]; 3];
     for (range, name) in ranges.iter_mut().zip(RANGES) {
         *range = line(lines, name, fractions)?;
@@ -124,7 +127,7 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
         lines.form(parts > 0, "there must be at least 1 part")?;
         cells.push(Cell { depth, strength, parts });
     }
-    let certificate = Certificate { ranges, harmonics, window, pieces, longest, rounds, cells };
+    let certificate = Certificate { mirrored, ranges, harmonics, window, pieces, longest, rounds, cells };
     let cost = certificate.cost();
     lines.form(
         cost <= COST,

@@ -24,7 +24,8 @@ impl Certificate {
         let pairs = self.pairs();
         let flights = self.letters.iter().enumerate().map(|(v, letter)| {
             let n = letter.periods;
-            before(v) * after(v) * ((2 * n + 1) * pieces * (2 + 2 * harmonics) + n)
+            let stretches = 2 * n + 1 + u64::from(self.mirrored);
+            before(v) * after(v) * (stretches * pieces * (2 + 2 * harmonics) + n)
         });
         let flights: u64 = flights.sum();
         let triples: u64 = edges.iter().map(|&[u, v]| before(u) * after(v)).sum();

@@ -11,6 +11,12 @@
 //! all pieces are open, too, if Z″ ≥ μ > 0 there and Z(2πk) − Z′(2πk)²/2μ > 0, which is ν times q̂ − σ − ν
 //! q̂′²/2μ.
 //!
+//! Between mirrored walls window k is πk − W ≤ t ≤ πk + W, for even k that of the wall where the leg begins,
+//! for odd k of the other; and as of kind `chaos` the gap to its wall at the time πk + t is that above with
+//! (−1)ᵏ q̂(πk + t) for q̂. Each wall has its own pieces, from the leg's beginning to its end: windows k, k +
+//! 2, … and the times between. The leg's first impact is a contact with the one, its last with the wall that
+//! window n belongs to.
+//!
 //! An impact's phase is known by an interval. So the first pieces may be before it or hold it: what is said
 //! of Z there is said of the motion that is free for all times, and open they are not if they hold it.
 
@@ -106,17 +112,20 @@ impl Flight<'_> {
         (Piece { open, convex: all.bend.is_positive(), rising, falling }, all.bend.least())
     }
 
-    /// All pieces in order.
-    fn pieces(&self, go_on: GoOn) -> Result<Vec<Piece>, Fault> {
+    /// All pieces in order, of the wall whose first window is window 0 or, between mirrored walls, 1.
+    fn pieces(&self, start: u64, go_on: GoOn) -> Result<Vec<Piece>, Fault> {
         let cell = &self.work.cell;
         let (window, n) = (cell.wall.window, self.periods);
         let [first, last] = self.ends;
-        let next = Interval::PI + Interval::PI - window;
+        let (pi, step) = (Interval::PI, if cell.mirrored { 2 } else { 1 });
         let mut all = Vec::new();
-        for k in 0..=n {
+        if start == 1 {
+            all.extend(self.between(1, (first.phase - pi).hull(-window), go_on)?);
+        }
+        for k in (start..=n).step_by(step) {
             let from = if k == 0 { first.phase } else { -window };
             let to = if k == n { last.phase } else { window };
-            let start = all.len();
+            let begin = all.len();
             let mut least: Option<Interval> = None;
             for part in 0..self.pieces {
                 go_on()?;
@@ -128,18 +137,30 @@ impl Flight<'_> {
                 let [place, velocity] = self.motion(k, Interval::ZERO);
                 let dip = (cell.depth * velocity.squared()).over(least + least);
                 if least.is_positive() && (place - cell.side - dip).is_positive() {
-                    all[start..].iter_mut().for_each(|piece| piece.open = true);
+                    all[begin..].iter_mut().for_each(|piece| piece.open = true);
                 }
             }
-            for part in 0..if k < n { self.pieces } else { 0 } {
-                go_on()?;
-                all.push(self.piece(k, window.hull(next).part(part, self.pieces)).0);
+            if k < n {
+                // To the wall's next window, or to the end of the leg, which is at the other wall.
+                let to = if k + step as u64 <= n { pi + pi - window } else { pi + last.phase };
+                all.extend(self.between(k, window.hull(to), go_on)?);
             }
         }
         Ok(all)
     }
 
+    /// The pieces of a time since the middle of window k that is no window.
+    fn between(&self, k: u64, time: Interval, go_on: GoOn) -> Result<Vec<Piece>, Fault> {
+        let piece = |part| go_on().map(|()| self.piece(k, time.part(part, self.pieces)).0);
+        (0..self.pieces).map(piece).collect()
+    }
+
     fn is_open(&self, go_on: GoOn) -> Result<bool, Fault> {
-        Ok(carry::is_open(&self.pieces(go_on)?))
+        if !self.work.cell.mirrored {
+            return Ok(carry::is_open(&self.pieces(0, go_on)?, [true, true]));
+        }
+        let even = self.periods.is_multiple_of(2);
+        Ok(carry::is_open(&self.pieces(0, go_on)?, [true, even])
+            && carry::is_open(&self.pieces(1, go_on)?, [false, !even]))
     }
 }

@@ -31,13 +31,13 @@
 //! growth LO HI               the paths of T periods grow at least like LO^T and at most like HI^T;
 //!                            1 ≤ LO < HI
 //! contraction K              0 < K < 1
-//! longest N                  of version 2: 1 to 1000
-//! rounds Q                   of version 2: 1 to 100
+//! longest N                  of versions 2 and 4: 1 to 1000
+//! rounds Q                   of versions 2 and 4: 1 to 100
 //! cells M                    1 to 10000, then M blocks
 //! cell NU S R                ν from that of the block before, at first 0/1, to NU, a larger fraction; each
 //!                            edge's range is cut into S parts (1 to 64); that the motions are those of the
 //!                            block before takes up to R steps (0 to 1000; of the first block 0)
-//! others S K D               of version 2: no others with |g′| ≤ νS/2 at all impacts; strengths are cut into
+//! others S K D               of both: no others with |g′| ≤ νS/2 at all impacts; strengths are cut into
 //!                            K parts, the cell's depths into D, K² D ≤ 1000. Or: others no
 //! edge A B m w               one line for each edge of the graph, in the order of its first letter and then
 //!                            of its second: s lies from A to B, A < B; a factor; a weight > 0
@@ -75,6 +75,14 @@
 //! for C2; after at most Q rounds of C3 only impacts of edges are left, with strengths in some ranges X; and
 //! X, up to Q times replaced by what it has in common with F of it, comes to lie in the edges' ranges.
 //!
+//! # Versions 3 and 4
+//!
+//! `kind range 3` has the lines of version 1 and `kind range 4` those of version 2, with other statements: of
+//! an oscillator between two walls, the upper one at −w(t − π) if the lower one is at w(t) = σν − 1 + g(t).
+//! Under q(t) → −q(t − π) the two are exchanged. Periods of letters, and N, are half periods, and so are
+//! those by which `growth` counts; an odd letter goes from one wall to the other. In a and p an odd n has −E
+//! for E, and T = πn + t′ − t; H4 is of both gaps; the other rules are the same.
+//!
 //! # Example
 //!
 //! README's machine before it touches its stop (c = 1/10, k = 3/10, τ = 4/5, σ = −1), its orbit of one
@@ -111,7 +119,7 @@
 //!     for each letter  5 p f S²                    legs
 //!     for each edge    p f S³                      F: p of its first letter, f of its second
 //!     and              23 H E                      impacts as wholes
-//!     for each letter  p f ((2n + 1) J (2 + 2 H) + n)    gaps
+//!     for each letter  p f ((2n + 1) J (2 + 2 H) + n)    gaps; 2n + 2 between mirrored walls
 //!     for each step    the first four again, with the parts S of the cell before
 //!     others S K D     D (2 N + 3 + 23 H)
 //! ```
@@ -155,8 +163,8 @@ const CELLS: u64 = 10_000;
 /// The most that a check may cost, in exponentials.
 const COST: u64 = 50_000_000;
 
-/// What certificates of both versions prove.
-macro_rules! statement {
+/// What certificates of versions 1 and 2 prove.
+macro_rules! one_wall {
     () => {
         "For all c, k, tau in the listed ranges, for g(t) the sum of the listed \
 harmonics a cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, and for \
@@ -174,18 +182,59 @@ between the logarithms of the growth rates."
     };
 }
 
+/// What certificates of versions 3 and 4 prove: the same between two walls, each the mirror image of the
+/// other.
+macro_rules! mirrored {
+    () => {
+        "For all c, k, tau in the listed ranges, for g(t) the sum of the listed \
+harmonics a cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, and for \
+every nu > 0 up to the last cell's, the oscillator q'' = -c q' - k q between the lower wall w(t) = sigma nu \
+- 1 + g(t), sigma the listed side, and the upper wall -w(t - pi), both with restitution tau: for every \
+bi-infinite path of the listed graph of letters and every integer m there is exactly one motion whose \
+impacts, one between two letters, have times within W of multiples of pi, at the lower wall of even and at \
+the upper wall of odd multiples, as many half periods pi apart as the letters say, the impact before letter \
+0 within W of m pi, each at a phase where w', at the upper wall w' half a period before, is nu s/2 with s in \
+the range that the cell of nu has for the edge between its letters. It has no other impacts, all are at \
+positive speed, between them the gaps to both walls are positive, as at impacts is that to the other wall. \
+Where nu is in two cells both have the same motion, and with c, k, tau, g, the path and m held fixed the \
+times and velocities of its impacts depend continuously on nu, from where it is born at nu = 0. With the \
+same m, paths whose half periods differ somewhere have different motions; on the set of the states (q, q') \
+at t = pi/2 of all these motions, for all m, the map F to (-q, -q') at t = 3 pi/2 has a topological entropy \
+between the logarithms of the growth rates, and the map to t = 5 pi/2 is F applied twice, of twice that \
+entropy."
+    };
+}
+
 /// What a certificate proves.
-pub const STATEMENT: &str = statement!();
+pub const STATEMENT: &str = one_wall!();
 
 /// What a certificate of version 2 proves.
 pub const STATEMENT_2: &str = concat!(
-    statement!(),
+    one_wall!(),
     " If a cell has a line others with a strength S, then for its \
 nu every motion that meets the wall at arbitrarily early and late times, only within W of multiples of \
 2 pi where |g'| <= nu S/2, and is bounded if sigma is -1, is one of these. If c and k are positive, every \
 bounded motion that meets the wall, and only there, is one of these or, if sigma is -1, has a last impact. \
 S is above |s| in the ranges of all its edges."
 );
+
+/// What a certificate of version 3 proves.
+pub const STATEMENT_3: &str = mirrored!();
+
+/// What a certificate of version 4 proves.
+pub const STATEMENT_4: &str = concat!(
+    mirrored!(),
+    " If a cell has a line others with a strength S, then for its \
+nu every motion that meets the walls at arbitrarily early and late times, only where the above do and |w'|, \
+or at the upper wall |w'| half a period before, is at most nu S/2, and is bounded if sigma is -1, is one of \
+these. If c and k are positive, every bounded motion that meets a wall, and only there, is one of these or, \
+if sigma is -1, has a last impact. S is above |s| in the ranges of all its edges."
+);
+
+/// The statement of a version, from 1 to 4.
+fn statement(version: u8) -> &'static str {
+    [STATEMENT, STATEMENT_2, STATEMENT_3, STATEMENT_4][usize::from(version - 1)]
+}
 
 /// Whether the conditions hold in one cell, from 0, and it is linked to the one before: for a search, which
 /// finds cell after cell. What is proved is what [`check`](crate::check) accepts as a whole. `stop` is asked
@@ -214,9 +263,9 @@ pub fn others_hold(
     proof::alone(certificate, cell, &mut || unless(stop())).map_err(Fault::reason)
 }
 
-/// Checks everything after the kind line, of version 1 or 2.
-pub(super) fn check<const SECOND: bool>(lines: &mut Lines) -> Result<Proved, Rejection> {
-    let certificate = text::read(lines, SECOND)?;
+/// Checks everything after the kind line, of version 1 to 4.
+pub(super) fn check<const VERSION: u8>(lines: &mut Lines) -> Result<Proved, Rejection> {
+    let certificate = text::read(lines, VERSION)?;
     let letters = certificate.letters.iter();
     let letters =
         letters.map(|letter| Vertex { periods: letter.periods, growth: letter.growth, next: &letter.next });

@@ -16,6 +16,7 @@ use crate::{
 /// What is the same in all cells.
 pub(super) struct Problem<'a> {
     pub graph: Graph,
+    mirrored: bool,
     behind: bool,
     wall: &'a Wall,
     harmonics: u64,
@@ -30,6 +31,7 @@ impl<'a> Problem<'a> {
     fn new(certificate: &Certificate, wall: &'a Wall) -> Problem<'a> {
         Problem {
             graph: Graph::new(certificate),
+            mirrored: certificate.mirrored,
             behind: certificate.behind,
             wall,
             harmonics: certificate.harmonics.len() as u64,
@@ -54,7 +56,7 @@ impl<'a> Problem<'a> {
     pub fn cell(&self, depth: Interval) -> Cell<'_> {
         let [damping, stiffness, restitution] = self.parameters;
         let parameters = [damping, stiffness, Interval::ZERO, restitution, depth];
-        Cell::new(false, parameters, self.side, self.wall)
+        Cell::new(self.mirrored, parameters, self.side, self.wall)
     }
 
     /// That there are no others at these depths, if that is claimed.

@@ -17,6 +17,8 @@ const RANGE_12: &str = include_str!("../../tests/data/range-12.txt");
 const RANGE_ALONE: &str = include_str!("../../tests/data/range-alone.txt");
 const RANGE_BEFORE: &str = include_str!("../../tests/data/range-before.txt");
 const RANGE_13: &str = include_str!("../../tests/data/range-13.txt");
+const RANGE_MIRRORED: &str = include_str!("../../tests/data/range-mirrored.txt");
+const RANGE_MIRRORED_BEYOND: &str = include_str!("../../tests/data/range-mirrored-beyond.txt");
 
 fn ratio(p: i128, q: i128) -> Interval {
     Interval::ratio(p, q)
@@ -59,10 +61,12 @@ fn legs_move_with_strengths_and_depths() {
 /// Where only the bend is known the gap is carried from where its slope is known.
 #[test]
 fn gaps_are_carried_by_what_is_known() {
-    let pieces = |text: &str| {
-        let piece = |c: char| (c == 'm', c == 'c', c == 'o');
-        carried(text.chars().map(piece))
-    };
+    let piece = |c: char| (c == 'm', c == 'c', c == 'o');
+    let pieces = |text: &str| carried(true, text.chars().map(piece));
+    // From an end where the gap is not 0, but not known to be positive either.
+    for (text, expected) in [("", 0), ("m", 0), ("c", 0), ("om", 2), ("oc", 1), ("omcc", 4), ("occ", 1)] {
+        assert_eq!(carried(false, text.chars().map(piece)), expected, "{text}");
+    }
     for (text, expected) in [
         ("", 0),
         ("ccmo", 4),
@@ -91,15 +95,18 @@ fn the_cost_bounds_the_exponentials() {
         (RANGE_13.to_string(), 4),
         (RANGE_ALONE.to_string(), 30),
         (RANGE_BEFORE.to_string(), 120),
+        (RANGE_MIRRORED.to_string(), 12),
+        (RANGE_MIRRORED_BEYOND.to_string(), 30),
         (RANGE_13.replace("pieces 32", "pieces 1000"), 2),
         (RANGE_13.replace(" 1 0\nedge", " 9 0\nedge"), 6),
         (RANGE_13.replace(plain, &many).replace("3/100", "1/100"), 4),
     ];
     for (text, share) in cases {
-        let text: String = text.lines().skip(2).map(|line| format!("{line}\n")).collect();
         let second = text.contains("\nothers ");
+        let version = 1 + u8::from(second) + 2 * u8::from(text.contains(" half periods "));
+        let text: String = text.lines().skip(2).map(|line| format!("{line}\n")).collect();
         let certificate: Certificate =
-            read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false), second)
+            read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false), version)
                 .unwrap_or_else(|why| panic!("{why}"));
         EXPONENTIALS.set(0);
         let (mut room, all) = (Room::new(), 0..certificate.cells.len());

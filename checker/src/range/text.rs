@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{CELLS, COST, Lines, Rejection, STATEMENT, STATEMENT_2};
+use super::{CELLS, COST, Lines, Rejection, statement};
 use crate::{
     header::expect_statement,
     lines::Words,
@@ -39,7 +39,7 @@ const LEGS: u64 = 100_000;
 /// A letter: a leg of a motion from one impact to the next.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Letter {
-    /// The periods n ≥ 1 that it lasts.
+    /// The periods n ≥ 1 that it lasts; between mirrored walls, half periods.
     pub periods: u64,
     /// Its entry in a vector, about the growth matrix's eigenvector.
     pub growth: Decimal,
@@ -96,6 +96,8 @@ pub struct Alone {
 /// All that a certificate of this kind holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Certificate {
+    /// Whether there are two walls, the upper one the mirror image of the lower: versions 3 and 4.
+    pub mirrored: bool,
     /// The ranges of c, k, τ, in this order.
     pub ranges: [Range<Fraction>; 3],
     /// Whether σ = 1, the place of rest being behind the wall at t = 0; else σ = −1.
@@ -108,11 +110,11 @@ pub struct Certificate {
     pub pieces: u64,
     /// The letters, and what may follow what.
     pub letters: Vec<Letter>,
-    /// The growth rate per period lies between these.
+    /// The growth rate per period, between mirrored walls per half period, lies between these.
     pub growth: Range<Decimal>,
     /// κ < 1.
     pub contraction: Decimal,
-    /// Of version 2, what its proofs that there are no others take.
+    /// Of versions 2 and 4, what their proofs that there are no others take.
     pub alone: Option<Alone>,
     /// The cells, their depths increasing.
     pub cells: Vec<Cell>,
@@ -151,8 +153,10 @@ impl Certificate {
 /// The text of the certificate, header included.
 impl fmt::Display for Certificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (version, statement) = if self.alone.is_some() { (" 2", STATEMENT_2) } else { ("", STATEMENT) };
-        write!(f, "{}\nkind {}{version}\nstatement {statement}\n", crate::FORMAT, super::KIND)?;
+        let version = 1 + u8::from(self.alone.is_some()) + 2 * u8::from(self.mirrored);
+        let said = if version == 1 { String::new() } else { format!(" {version}") };
+        let statement = statement(version);
+        write!(f, "{}\nkind {}{said}\nstatement {statement}\n", crate::FORMAT, super::KIND)?;
         for (name, [lo, hi]) in RANGES.iter().zip(self.ranges) {
             writeln!(f, "{name} {lo} {hi}")?;
         }
@@ -273,8 +277,9 @@ fn read_cells(lines: &mut Lines, edges: u64, alone: bool) -> Result<Vec<Cell>, R
 }
 
 /// Reads everything after the kind line.
-pub(super) fn read(lines: &mut Lines, second: bool) -> Result<Certificate, Rejection> {
-    expect_statement(lines, if second { STATEMENT_2 } else { STATEMENT })?;
+pub(super) fn read(lines: &mut Lines, version: u8) -> Result<Certificate, Rejection> {
+    let (mirrored, second) = (version > 2, version.is_multiple_of(2));
+    expect_statement(lines, statement(version))?;
     let mut ranges = [[Fraction::ZERO; 2]; 3];
     for (range, name) in ranges.iter_mut().zip(RANGES) {
         *range = line(lines, name, fractions)?;
@@ -293,8 +298,19 @@ pub(super) fn read(lines: &mut Lines, second: bool) -> Result<Certificate, Rejec
     let alone = if second { Some(read_alone(lines)?) } else { None };
     let edges = letters.iter().map(|letter| letter.next.len() as u64).sum();
     let cells = read_cells(lines, edges, second)?;
-    let certificate =
-        Certificate { ranges, behind, harmonics, window, pieces, letters, growth, contraction, alone, cells };
+    let certificate = Certificate {
+        mirrored,
+        ranges,
+        behind,
+        harmonics,
+        window,
+        pieces,
+        letters,
+        growth,
+        contraction,
+        alone,
+        cells,
+    };
     let cost = certificate.cost();
     let reason = format_args!(
         "the check would cost {cost} exponentials, more than {COST}: fewer cells, parts, steps, pieces, letters or harmonics"

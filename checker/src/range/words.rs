@@ -11,12 +11,25 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
         true => "chaos: paths branch, and the entropy is positive",
         false => "orbits: that there is more than one path is not claimed, nor that the entropy is positive",
     };
-    let motion = format!("q'' = -c q' - k q above the wall {sign}nu - 1 + {wall}, restitution tau");
+    let (motion, half) = match certificate.mirrored {
+        false => (format!("q'' = -c q' - k q above the wall {sign}nu - 1 + {wall}, restitution tau"), ""),
+        true => (
+            format!(
+                "q'' = -c q' - k q between the lower wall {sign}nu - 1 + {wall} and its mirror image half a period \
+                 later, restitution tau"
+            ),
+            "half ",
+        ),
+    };
     let mut all = vec![("claim", claim.to_string()), ("motion", motion)];
     for (name, [lo, hi]) in RANGES.iter().zip(certificate.ranges) {
         let value = if lo == hi { plain(lo) } else { format!("from {} to {}", plain(lo), plain(hi)) };
         all.push((name, value));
     }
+    let (turn, twice) = match certificate.mirrored {
+        false => ("2 pi", ""),
+        true => ("pi", ", per period twice that"),
+    };
     let last = certificate.cells.last().map_or(Fraction::ZERO, |cell| cell.depth);
     let cells = certificate.cells.len();
     let cells = if cells == 1 { "one cell".into() } else { format!("{cells} cells, linked") };
@@ -24,14 +37,14 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     let letters = (1..).zip(&certificate.letters).map(|(number, letter)| {
         let next: Vec<String> = letter.next.iter().map(|next| (next + 1).to_string()).collect();
         let periods = if letter.periods == 1 { "period" } else { "periods" };
-        format!("{number}: {} {periods}, then {}", letter.periods, next.join(" or "))
+        format!("{number}: {} {half}{periods}, then {}", letter.periods, next.join(" or "))
     });
     all.push(("letters", letters.collect::<Vec<_>>().join("; ")));
     all.push(("impacts", strengths(certificate)));
-    all.push(("window", format!("impacts within {} of multiples of 2 pi", certificate.window)));
+    all.push(("window", format!("impacts within {} of multiples of {turn}", certificate.window)));
     all.push(("contraction", format!("at most {}", certificate.contraction)));
     let [lo, hi] = certificate.growth;
-    all.push(("entropy", format!("per period between log {lo} and log {hi}")));
+    all.push(("entropy", format!("per {half}period between log {lo} and log {hi}{twice}")));
     all.push(("others", others(certificate)));
     all
 }
@@ -44,8 +57,9 @@ fn others(certificate: &Certificate) -> String {
         None => "not excluded: there may be other orbits near".into(),
         Some((depth, strength)) => {
             let which = if certificate.behind { "" } else { " that is bounded and has no last impact," };
+            let speed = if certificate.mirrored { "the wall's speed" } else { "|g'|" };
             format!(
-                "none near for nu <= {}: none{which} with |g'| <= nu S/2 at all impacts, S = {strength} or more",
+                "none near for nu <= {}: none{which} with {speed} <= nu S/2 at all impacts, S = {strength} or more",
                 plain(depth)
             )
         }

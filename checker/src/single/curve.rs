@@ -35,11 +35,15 @@ use crate::{
 
 /// An orbit of one impact, for a box of parameters, at all its phases.
 pub(super) struct Curve {
+    /// Whether there is an upper wall too, the mirror image; then periods are half periods.
+    pub mirrored: bool,
     pub wall: Wall,
     pub flow: Flow,
     /// n.
     pub periods: u64,
-    /// E of 0 to n periods.
+    /// A period.
+    pub turn: Interval,
+    /// E of 0 to n periods; between mirrored walls with the sign (−1)ⁿ.
     pub turns: Vec<Matrix>,
     /// σ and D.
     side: Interval,
@@ -68,9 +72,13 @@ impl Curve {
         let sign = |positive: bool| if positive { Interval::ONE } else { -Interval::ONE };
         let direction = sign(certificate.forward);
         let flow = Flow { damping, stiffness };
-        let turn = Interval::PI + Interval::PI;
-        let turns: Vec<Matrix> =
-            (0..=certificate.periods).map(|n| flow.exp(turn * Interval::integer(n))).collect();
+        let mirrored = certificate.mirrored;
+        let turn = if mirrored { Interval::PI } else { Interval::PI + Interval::PI };
+        let turned = |n: u64| {
+            let e = flow.exp(turn * Interval::integer(n));
+            if mirrored && n % 2 == 1 { Matrix { a: -e.a, b: -e.b } } else { e }
+        };
+        let turns: Vec<Matrix> = (0..=certificate.periods).map(turned).collect();
         let e = turns[certificate.periods as usize];
         let one = Interval::ONE;
         let [trace, determinant] = flow.invariants(e);
@@ -81,8 +89,10 @@ impl Curve {
         let share = (one + tau).over(sum);
         let (place, after) = (share * e.b, share * (one - e.a));
         Ok(Curve {
+            mirrored,
             wall: Wall::free(harmonics.collect()),
             periods: certificate.periods,
+            turn,
             turns,
             side: sign(certificate.behind),
             direction,

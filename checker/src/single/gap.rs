@@ -20,6 +20,13 @@
 //! ```
 //!
 //! which holds from the touch on, though Z itself vanishes there.
+//!
+//! Between mirrored walls the pieces are of half periods. In half period i, at u = πi + v, let x_i(v) be
+//! (−1)ⁱ x(πi + v). If i is even, the gap to the wall that is met first is the Z above with x_i(v) for x and
+//! v for u, and that to the other wall with −x_i(v) and π + v; if i is odd, the other way round. The wall
+//! that is met first is met at the end, too, if n is even, the other one if n is odd; a wall that is not met
+//! at an end must be open there. And u₀ = πk stands for 2πk, for even k at the one wall and for odd k at the
+//! other, with (−1)ᵏ x for x.
 
 use super::{Fault, Interval, curve::Curve};
 use crate::{
@@ -37,7 +44,7 @@ struct Stretch {
     centre: [Interval; 2],
 }
 
-/// The free motion, the pieces of a period, and of all of it in order.
+/// The free motion, the pieces of a period, or half period, and of all of it in order.
 pub(super) struct Free {
     pieces: Vec<Interval>,
     stretches: Vec<Stretch>,
@@ -59,8 +66,7 @@ struct Gap {
 
 impl Free {
     pub fn new(curve: &Curve, pieces: u64, go_on: GoOn) -> Result<Free, Fault> {
-        let turn = Interval::PI + Interval::PI;
-        let whole = Interval::ZERO.hull(turn);
+        let whole = Interval::ZERO.hull(curve.turn);
         let pieces: Vec<Interval> = (0..pieces).map(|i| whole.part(i, pieces)).collect();
         let mut within = Vec::new();
         for &piece in &pieces {
@@ -77,6 +83,11 @@ impl Free {
         }
         Ok(Free { pieces, stretches })
     }
+}
+
+/// With the other sign, or as it is.
+fn signed<const N: usize>(x: [Interval; N], other: bool) -> [Interval; N] {
+    if other { x.map(|x| -x) } else { x }
 }
 
 impl Phases {
@@ -109,27 +120,61 @@ impl Curve {
         [there.slope - here.slope - here.bend * (x - self.place), there.bend - here.bend * v]
     }
 
-    /// Whether the gap is positive strictly between impacts, for all phases.
+    /// Whether the gaps are positive strictly between impacts, for all phases.
     pub fn is_clear(&self, free: &Free, at: &Phases, go_on: GoOn) -> Result<bool, Fault> {
-        // The wall on each piece of a period, and in its middle: it is the same in every period.
+        // The wall on each piece of a period, and in its middle: it is the same in every period. Between
+        // mirrored walls this is a half period, and the next follows.
         let mut walls = Vec::new();
-        for &piece in &free.pieces {
-            go_on()?;
-            walls.push((
-                piece - piece.middle(),
-                self.wall.at(at.all + piece),
-                self.wall.at(at.middle + piece.middle()),
-            ));
+        for late in if self.mirrored { &[false, true][..] } else { &[false] } {
+            for &piece in &free.pieces {
+                go_on()?;
+                let time = self.since(piece, *late);
+                walls.push((
+                    piece - piece.middle(),
+                    self.wall.at(at.all + time),
+                    self.wall.at(at.middle + self.since(piece.middle(), *late)),
+                ));
+            }
         }
-        let apart = at.all - at.middle;
+        for wall in 0..if self.mirrored { 2 } else { 1 } {
+            if !self.is_clear_of(wall, free, at, &walls, go_on)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// A time since the beginning of a half period, or since that of the one before.
+    fn since(&self, time: Interval, late: bool) -> Interval {
+        if late { time + self.turn } else { time }
+    }
+
+    /// Whether a half period is one that begins between windows of a wall: of the wall met first, 0, those
+    /// that are odd; then x counts with the other sign. With one wall there are none.
+    fn is_late(&self, wall: usize, half: usize) -> bool {
+        self.mirrored && (wall + half) % 2 == 1
+    }
+
+    /// The same of one wall.
+    fn is_clear_of(
+        &self,
+        wall: usize,
+        free: &Free,
+        at: &Phases,
+        walls: &[(Interval, Shape, Shape)],
+        go_on: GoOn,
+    ) -> Result<bool, Fault> {
+        let (apart, count) = (at.all - at.middle, free.pieces.len());
         let mut pieces = Vec::new();
         // Of each piece the least Z″, and Z′ in the middle.
         let mut bends = Vec::new();
-        for (stretch, (along, all, centre)) in free.stretches.iter().zip(walls.iter().cycle()) {
+        for (index, stretch) in free.stretches.iter().enumerate() {
             go_on()?;
-            let [x, v, acceleration] = stretch.all;
+            let late = self.is_late(wall, index / count);
+            let (along, all, centre) = &walls[index % count + if late { count } else { 0 }];
+            let [x, v, acceleration] = signed(stretch.all, late);
             let whole = self.gap(&at.shape, all, [x, v]);
-            let middle = self.gap(&at.centre, centre, stretch.centre);
+            let middle = self.gap(&at.centre, centre, signed(stretch.centre, late));
             let [by_height, by_slope] = self.drift(&at.shape, all, [x, v]);
             let bend = all.bend - at.shape.slope * acceleration;
             let slope = whole.slope.meet(middle.slope + by_slope * apart + bend * *along);
@@ -153,17 +198,23 @@ impl Curve {
             let Some((first, last)) = ends.filter(|_| 0 < run.start && run.end < pieces.len()) else {
                 continue;
             };
-            if self.dips(free, at, first..last + 1, &bends) {
+            if self.dips(wall, free, at, first..last + 1, &bends) {
                 pieces[first..=last].iter_mut().for_each(|piece| piece.open = true);
             }
         }
-        Ok(carry::is_open(&pieces))
+        let contacts = if self.mirrored {
+            [wall == 0, (wall as u64 + self.periods).is_multiple_of(2)]
+        } else {
+            [true; 2]
+        };
+        Ok(carry::is_open(&pieces, contacts))
     }
 
     /// Whether Z > 0 on a run of convex pieces, by what it is at one time in it; the least Z″ of each piece,
     /// and Z′ in its middle, being given.
     fn dips(
         &self,
+        wall: usize,
         free: &Free,
         at: &Phases,
         run: std::ops::Range<usize>,
@@ -173,7 +224,8 @@ impl Curve {
         let least = own[1..].iter().fold(own[0].0, |least, (bend, _)| least.hull(*bend).least());
         let (count, twice) = (free.pieces.len(), least + least);
         let w = self.direction * at.shape.slope;
-        for k in (1..self.periods as usize).filter(|k| run.contains(&(k * count)) || run.end == k * count) {
+        let middles = (1..self.periods as usize).filter(|&k| !self.is_late(wall, k));
+        for k in middles.filter(|k| run.contains(&(k * count)) || run.end == k * count) {
             let [x, v, _] = self.free(self.turns[k]);
             let height = self.direction * (self.place - x);
             let steep = (Interval::ONE - v).squared();
@@ -192,7 +244,10 @@ impl Curve {
         let time = (piece.middle() - slope.over(bend)).middle();
         let end = if slope.is_positive() { piece.least() } else { piece.greatest() };
         let time = time.common(piece).unwrap_or(end);
-        let [x, v, _] = self.free(self.flow.times(self.turns[flat / count], self.flow.exp(time)));
+        let late = self.is_late(wall, flat / count);
+        let e = self.flow.times(self.turns[flat / count], self.flow.exp(time));
+        let [x, v, _] = signed(self.free(e), late);
+        let time = self.since(time, late);
         let (all, centre) = (self.wall.at(at.all + time), self.wall.at(at.middle + time));
         let gap = self.gap(&at.centre, &centre, [x, v]);
         let [by_height, by_slope] = self.drift(&at.shape, &all, [x, v]);

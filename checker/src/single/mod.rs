@@ -58,6 +58,13 @@
 //!
 //! Δ < 1 and |Θ| < 1 + Δ, or |Θ| > 1 + Δ, for all phases of the cell (but t = 0) and all parameters.
 //!
+//! # Version 2
+//!
+//! `kind single 2` has the same lines, with another statement, of an oscillator between two walls, the upper
+//! one at −w(t − π) if the lower one is at w(t) = σν − 1 + g(t). Periods are half periods, E is (−1)ⁿ E(πn),
+//! and S3 is of both gaps; the other rules are the same. Multipliers are those of n half periods, with the
+//! mirror after them if n is odd.
+//!
 //! # Example
 //!
 //! README's machine before it touches its stop (c = 1/10, k = 3/10, τ = 4/5, σ = −1), its orbit of one
@@ -89,6 +96,7 @@
 //! 2 J + N + 1 + N J                    the free motion
 //! for each cell    2 H (J + 2)         the wall
 //!                  N J (2 + H)         the gap, and where it may be least
+//!                  twice both          between mirrored walls
 //! ```
 //!
 //! Memory: the certificate, and the free motion, N J pieces.
@@ -126,6 +134,21 @@ is born with t = 0 at nu = 0, and D t increases with nu. For nu in a part that i
 asymptotically stable, both multipliers being inside the unit circle; in one called unstable it is unstable, \
 one of them being outside.";
 
+/// What a certificate of version 2 proves: the same between two walls, one the mirror image of the other.
+pub const STATEMENT_2: &str = "For all c, k, tau in the listed ranges, for g(t) the sum of the listed \
+harmonics a cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, and for \
+every nu > 0 up to the last part's, the oscillator q'' = -c q' - k q between the lower wall w(t) = sigma nu \
+- 1 + g(t), sigma the listed side, and the upper wall -w(t - pi), both with restitution tau, has exactly one \
+motion that the listed n half periods pi later is itself, q(t + pi n) = q(t), if n is even, or its mirror \
+image, q(t + pi n) = -q(t), if n is odd, and that has one impact in such a time, counting both walls: with the \
+lower wall at a time t, and so at all t + pi n m, with the upper one where n m is odd, for which D t lies \
+between 0 and the last cell's T, D being the listed direction. The impact is at positive speed, and between \
+impacts the gaps to both walls are positive, as at impacts is that to the other wall. With c, k, tau and g \
+held fixed t is a continuous function of nu, from where the motion is born with t = 0 at nu = 0, and D t \
+increases with nu. For nu in a part that is called stable the motion is asymptotically stable, both \
+multipliers of n half periods being inside the unit circle; in one called unstable it is unstable, one of \
+them being outside.";
+
 /// What is found of one cell, from 0, if S1 to S3 hold in it: for a search, which finds cell after cell. What
 /// is proved is what [`check`](crate::check) accepts as a whole. The parts play no role. `stop` is asked
 /// after every microsecond or few of work whether to end.
@@ -142,8 +165,8 @@ pub fn cell_holds(
 }
 
 /// Checks everything after the kind line.
-pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
-    let certificate = text::read(lines)?;
+pub(super) fn check<const MIRRORED: bool>(lines: &mut Lines) -> Result<Proved, Rejection> {
+    let certificate = text::read(lines, MIRRORED)?;
     proof::run(&certificate, &mut || lines.go_on()).map_err(|fault| lines.rejection(fault))?;
     Ok(Proved { title: Some("orbit of one impact"), range: None, detail: words::detail(&certificate) })
 }

@@ -7,16 +7,23 @@ const SINGLE_1: &str = include_str!("../../tests/data/single-1.txt");
 const SINGLE_2: &str = include_str!("../../tests/data/single-2.txt");
 const SINGLE_3: &str = include_str!("../../tests/data/single-3.txt");
 
+const SINGLE_MIRRORED_2: &str = include_str!("../../tests/data/single-mirrored-2.txt");
+const SINGLE_MIRRORED_3: &str = include_str!("../../tests/data/single-mirrored-3.txt");
+
 fn certificate(text: &str) -> super::Certificate {
+    let mirrored = text.contains("kind single 2\n");
     let text: String = text.lines().skip(2).map(|line| format!("{line}\n")).collect();
-    read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false)).unwrap_or_else(|why| panic!("{why}"))
+    read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false), mirrored)
+        .unwrap_or_else(|why| panic!("{why}"))
 }
 
 /// No check takes more exponentials than its cost, and what has no share to spare takes a sixth of it or
 /// more.
 #[test]
 fn the_cost_bounds_the_exponentials() {
-    for text in [SINGLE_1, SINGLE_2, SINGLE_3, &SINGLE_2.replace("pieces 48", "pieces 200")] {
+    let mirrored = [SINGLE_MIRRORED_2, SINGLE_MIRRORED_3];
+    let more = SINGLE_2.replace("pieces 48", "pieces 200");
+    for text in [SINGLE_1, SINGLE_2, SINGLE_3, &more].into_iter().chain(mirrored) {
         let certificate = certificate(text);
         EXPONENTIALS.set(0);
         let proved = proof::run(&certificate, &mut || Ok(()));
@@ -28,7 +35,7 @@ fn the_cost_bounds_the_exponentials() {
 /// S1 asks about the derivative of the depth: it is that of `depth`, by differences.
 #[test]
 fn the_depth_moves_as_s1_says() {
-    for text in [SINGLE_1, SINGLE_2, SINGLE_3] {
+    for text in [SINGLE_1, SINGLE_2, SINGLE_3, SINGLE_MIRRORED_2, SINGLE_MIRRORED_3] {
         let curve = Curve::new(&certificate(text)).unwrap_or_else(|why| panic!("{why:?}"));
         let (h, t) = (Interval::ratio(1, 1 << 14), curve.direction * Interval::ratio(1, 10));
         let shape = curve.wall.at(t);

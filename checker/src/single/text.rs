@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Lines, Rejection, STATEMENT};
+use super::{Lines, Rejection, STATEMENT, STATEMENT_2};
 use crate::{
     header::expect_statement,
     lines::Words,
@@ -51,17 +51,19 @@ pub struct Part {
 /// All that a certificate of this kind holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Certificate {
+    /// Whether there are two walls, the upper one the mirror image of the lower: version 2.
+    pub mirrored: bool,
     /// The ranges of c, k, τ, in this order.
     pub ranges: [Range<Fraction>; 3],
     /// Whether σ = 1.
     pub behind: bool,
     /// The wall's harmonics, their orders increasing.
     pub harmonics: Vec<Harmonic>,
-    /// n: from one impact to the next.
+    /// n: from one impact to the next; between mirrored walls half periods.
     pub periods: u64,
     /// Whether D = 1.
     pub forward: bool,
-    /// Into how many pieces a period is cut.
+    /// Into how many pieces a period, or half period, is cut.
     pub pieces: u64,
     /// The parts, their depths increasing.
     pub parts: Vec<Part>,
@@ -89,14 +91,15 @@ impl Certificate {
         let all = self.periods * pieces;
         let first = 2 * pieces + self.periods + 1 + all;
         let cell = 2 * harmonics * (pieces + 2) + all * (2 + harmonics);
-        first + self.cells.len() as u64 * cell
+        first + self.cells.len() as u64 * cell * (1 + u64::from(self.mirrored))
     }
 }
 
 /// The text of the certificate, header included.
 impl fmt::Display for Certificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}\nkind {}\nstatement {STATEMENT}\n", crate::FORMAT, super::KIND)?;
+        let (version, statement) = if self.mirrored { (" 2", STATEMENT_2) } else { ("", STATEMENT) };
+        write!(f, "{}\nkind {}{version}\nstatement {statement}\n", crate::FORMAT, super::KIND)?;
         for (name, [lo, hi]) in RANGES.iter().zip(self.ranges) {
             writeln!(f, "{name} {lo} {hi}")?;
         }
@@ -120,9 +123,9 @@ fn part(words: &mut Words) -> Result<Part, String> {
     Ok(Part { depth, word: word.ok_or("a part is called stable, unstable or open")? })
 }
 
-/// Everything after the kind line, to the end.
-pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
-    expect_statement(lines, STATEMENT)?;
+/// Everything after the kind line of version 1, or of version 2, of mirrored walls, to the end.
+pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rejection> {
+    expect_statement(lines, if mirrored { STATEMENT_2 } else { STATEMENT })?;
     let mut ranges = [[Fraction::ZERO; 2]; 3];
     for (range, name) in ranges.iter_mut().zip(RANGES) {
         *range = line(lines, name, fractions)?;
@@ -152,7 +155,8 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
         lines.form(next.parts() <= LAST.parts(), format_args!("a phase is at most {LAST}"))?;
         cells.push(next);
     }
-    let certificate = Certificate { ranges, behind, harmonics, periods, forward, pieces, parts, cells };
+    let certificate =
+        Certificate { mirrored, ranges, behind, harmonics, periods, forward, pieces, parts, cells };
     let cost = certificate.cost();
     lines.form(
         cost <= COST,

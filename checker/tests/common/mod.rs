@@ -2,7 +2,7 @@
 
 #![allow(dead_code)]
 
-use std::{f64::consts::TAU, fs, path::Path, process::Command};
+use std::{f64::consts::PI, fs, path::Path, process::Command};
 
 use grazing_check::{Checked, Rejection, check};
 
@@ -24,6 +24,9 @@ pub const RANGE_12: &str = include_str!("../data/range-12.txt");
 pub const RANGE_13: &str = include_str!("../data/range-13.txt");
 pub const RANGE_ALONE: &str = include_str!("../data/range-alone.txt");
 pub const RANGE_BEFORE: &str = include_str!("../data/range-before.txt");
+pub const RANGE_MIRRORED: &str = include_str!("../data/range-mirrored.txt");
+pub const RANGE_MIRRORED_BEFORE: &str = include_str!("../data/range-mirrored-before.txt");
+pub const RANGE_MIRRORED_BEYOND: &str = include_str!("../data/range-mirrored-beyond.txt");
 pub const BRANCH: &str = include_str!("../data/branch.txt");
 pub const BRANCH_2: &str = include_str!("../data/branch-2.txt");
 pub const BRANCH_FREQUENCY: &str = include_str!("../data/branch-frequency.txt");
@@ -31,6 +34,10 @@ pub const BRANCH_SPLICED: &str = include_str!("../data/branch-spliced.txt");
 pub const SINGLE_1: &str = include_str!("../data/single-1.txt");
 pub const SINGLE_2: &str = include_str!("../data/single-2.txt");
 pub const SINGLE_3: &str = include_str!("../data/single-3.txt");
+pub const SINGLE_MIRRORED_1: &str = include_str!("../data/single-mirrored-1.txt");
+pub const SINGLE_MIRRORED_2: &str = include_str!("../data/single-mirrored-2.txt");
+pub const SINGLE_MIRRORED_3: &str = include_str!("../data/single-mirrored-3.txt");
+pub const NOTHING_MIRRORED: &str = include_str!("../data/nothing-mirrored.txt");
 pub const NOTHING: &str = include_str!("../data/nothing.txt");
 pub const SHARE: &str = include_str!("../data/share.txt");
 pub const SHARE_POLAR: &str = include_str!("../data/share-polar.txt");
@@ -276,6 +283,8 @@ fn changed(random: &mut Random, word: &str, lines: &[String]) -> String {
 
 /// An oscillator near its touch, above the wall σν − 1 + cos jt.
 pub struct Touching {
+    /// Whether there is a mirrored wall above it; then words count half periods.
+    pub mirrored: bool,
     /// c, k, τ.
     pub parameters: [f64; 3],
     /// σ.
@@ -291,6 +300,16 @@ impl Touching {
         [a * q + b * u, c * q + d * u]
     }
 
+    /// A period, or half period.
+    pub fn turn(&self) -> f64 {
+        if self.mirrored { PI } else { 2.0 * PI }
+    }
+
+    /// As seen at the wall so many periods on.
+    fn sign(&self, periods: f64) -> f64 {
+        if self.mirrored && periods % 2.0 == 1.0 { -1.0 } else { 1.0 }
+    }
+
     /// The phase of an impact of strength s, and its place over ν.
     fn impact(&self, s: f64) -> [f64; 2] {
         let t = -(self.depth * s / (2.0 * self.order)).asin() / self.order;
@@ -301,7 +320,8 @@ impl Touching {
     fn velocities(&self, word: &[f64], s: &[f64]) -> Vec<[f64; 2]> {
         let leg = |i: usize| {
             let ([t, place], [u, last]) = (self.impact(s[i]), self.impact(s[(i + 1) % s.len()]));
-            let e = flow([self.parameters[0], self.parameters[1]], TAU * word[i] + u - t);
+            let time = self.turn() * word[i] + u - t;
+            let e = flow([self.parameters[0], self.parameters[1]], time).map(|x| self.sign(word[i]) * x);
             let after = (last - e[0] * place) / e[1];
             [after, e[2] * place + e[3] * after]
         };
@@ -327,8 +347,8 @@ impl Touching {
                 let fast = legs.iter().zip(&s).all(|([a, _], s)| *a > s / 2.0 + 1e-6);
                 let clear = (0..word.len()).all(|i| {
                     let [t, place] = self.impact(s[i]);
-                    (1..word[i] as usize)
-                        .all(|k| self.after([place, legs[i][0]], TAU * k as f64 - t)[0] > self.side)
+                    let at = |k: f64| self.sign(k) * self.after([place, legs[i][0]], self.turn() * k - t)[0];
+                    (1..word[i] as usize).all(|k| at(k as f64) > self.side)
                 });
                 return (fast && clear && s.iter().all(|s| s.abs() <= bound)).then_some(s);
             }

@@ -89,14 +89,8 @@ impl Normal {
         motion.iter_mut().for_each(|wave| wave.0 /= faster);
         if let Some(upper) = mirror {
             let offset = upper.offset.clone() - &rest;
-            is_mirror_image(
-                (&mean, &motion),
-                (&offset, &minus(&waves(&upper.harmonics), &response)),
-                faster,
-            )?;
-            if !(wall.restitution.clone() - &upper.restitution).is_zero() {
-                return asymmetric("their restitutions differ");
-            }
+            let motion_above = minus(&waves(&upper.harmonics), &response);
+            check_mirror((&mean, &motion, wall), (&offset, &motion_above, upper), faster)?;
         }
         let top = top(&motion)?;
         let mut force = [BigRational::zero(), BigRational::zero()];
@@ -185,6 +179,21 @@ fn pull(top: &Top, force: &Function, side: Side) -> Result<[BigRational; 2]> {
         return fail("without a spring a constant force must press towards the wall");
     }
     top.ratio(&pull, "the force")
+}
+
+/// Refuses two walls that are not each other's mirror images: the lower and the upper one, each with its mean
+/// and its waves as seen from the motion without walls, those of the upper in a time that is slower by a
+/// factor.
+pub(super) fn check_mirror(
+    (mean, motion, wall): (&Function, &[Wave], &Wall<Function>),
+    (upper_mean, upper_motion, upper): (&Function, &[Wave], &Wall<Function>),
+    faster: u32,
+) -> Result<()> {
+    is_mirror_image((mean, motion), (upper_mean, upper_motion), faster)?;
+    if !(wall.restitution.clone() - &upper.restitution).is_zero() {
+        return asymmetric("their restitutions differ");
+    }
+    Ok(())
 }
 
 /// Whether the upper wall is −w(t − π) if w(t) is the lower one, seen from the motion without walls: mean

@@ -7,7 +7,7 @@ use num_traits::Zero;
 
 use super::{
     fail,
-    normal::{check_linear, met, minus, response, waves},
+    normal::{check_linear, check_mirror, met, minus, response, waves},
     profile::Term,
     rational::RationalFunction as Function,
     top::{Wave, top},
@@ -23,6 +23,8 @@ use crate::{
 /// parameter, H/A does not.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::search) struct Touch {
+    /// Whether both of two walls are met, each the other's mirror image.
+    pub mirrored: bool,
     /// c, k and τ.
     pub parameters: [Function; 3],
     /// C²/A².
@@ -38,14 +40,11 @@ impl Touch {
     ///
     /// # Errors
     /// An input error that says what is not covered: what [`Normal::of`](super::Normal::of) does not cover,
-    /// two walls that are both met, no spring, a wall whose form changes with the parameter, one that the
+    /// no spring, a wall whose form changes with the parameter, one that the
     /// motion without it crosses with its mean.
     pub(in crate::search) fn of(system: &System<Function>, side: Option<Side>) -> Result<Touch> {
         let (side, wall, mirror) = met(system, side)?;
         check_linear(system)?;
-        if mirror.is_some() {
-            return fail("two walls are both met");
-        }
         let (damping, stiffness) = (&system.damping, &system.stiffness);
         if !matches!(stiffness.sign(), Some(Sign::Positive | Sign::Negative)) {
             return fail("without a spring there is no one motion without the wall");
@@ -57,6 +56,11 @@ impl Touch {
             if side == Side::Lower { (offset, motion) } else { (-offset, minus(&[], &motion)) };
         let faster = motion.iter().fold(0, |gcd: u32, wave| gcd.gcd(&wave.0));
         motion.iter_mut().for_each(|wave| wave.0 /= faster);
+        if let Some(upper) = mirror {
+            let offset = upper.offset.clone() - &(system.force.clone() / stiffness);
+            let above = minus(&waves(&upper.harmonics), &response);
+            check_mirror((&mean, &motion, wall), (&offset, &above, upper), faster)?;
+        }
         let (scale, form) = scaled(&motion)?;
         if !scale.is_positive() || !(-mean.clone()).is_positive() {
             return fail(
@@ -68,7 +72,13 @@ impl Touch {
         let parameters =
             [damping.clone() / &once, stiffness.clone() / &(once.clone() * &once), wall.restitution.clone()];
         let ratio = mean.clone() * &mean / &scale;
-        Ok(Touch { parameters, ratio, top: top.square()?, harmonics: top.harmonics })
+        Ok(Touch {
+            mirrored: mirror.is_some(),
+            parameters,
+            ratio,
+            top: top.square()?,
+            harmonics: top.harmonics,
+        })
     }
 }
 

@@ -25,14 +25,15 @@ pub struct Born {
 }
 
 /// The graph that the word theorem has for q″ = −c q′ − k q at the touch, beyond it (σ = 1, eµ < 0) or
-/// before, of periods up to `longest`. c and k are taken as floats, a₁ and a₂ as known to 10⁻¹²; none where
-/// the theorem does not apply.
+/// before, of periods up to `longest`; between mirrored walls, of half periods, at −E(π). c and k are taken
+/// as floats, a₁ and a₂ as known to 10⁻¹²; none where the theorem does not apply.
 ///
 /// Cost: that of [`Word::in_rectangle`].
 ///
 /// # Errors
 /// The monitor's interruption.
 pub fn born(
+    mirrored: bool,
     [damping, stiffness]: [&BigRational; 2],
     behind: bool,
     longest: u64,
@@ -41,7 +42,7 @@ pub fn born(
     let point = |x: &BigRational| Span::point(x.to_f64().unwrap_or(f64::NAN));
     let (zero, one) = (Span::point(0.0), Span::point(1.0));
     let parameters = [point(damping), point(stiffness), zero, one, zero];
-    let cell = Cell::new(false, parameters, 1.0, &std::rc::Rc::new(Profile::new(&[])));
+    let cell = Cell::new(mirrored, parameters, 1.0, &std::rc::Rc::new(Profile::new(&[])));
     let [trace, determinant] = cell.invariants().map(Span::middle);
     // The sign of γ is that of E₁₂.
     let gamma = cell.turned(1).b.middle();

@@ -25,6 +25,8 @@ pub(super) struct Edges {
 /// An oscillator near a touch.
 #[derive(Debug, Clone)]
 pub(super) struct Oscillator {
+    /// Whether there are two walls, each the other's mirror image.
+    pub mirrored: bool,
     /// c, k, τ.
     pub parameters: [Span; 3],
     pub side: f64,
@@ -93,7 +95,7 @@ impl Oscillator {
     fn cell(&self, depth: Span) -> Cell {
         let [damping, stiffness, restitution] = self.parameters;
         let parameters = [damping, stiffness, Span::point(0.0), restitution, depth];
-        Cell::new(false, parameters, self.side, &self.profile)
+        Cell::new(self.mirrored, parameters, self.side, &self.profile)
     }
 
     /// Depths from one to another.
@@ -106,9 +108,14 @@ impl Oscillator {
 }
 
 impl Depths {
-    /// The trace and the determinant of E(2π).
+    /// The trace and the determinant of E over a period, or half period.
     pub fn invariants(&self) -> [Span; 2] {
         self.cell.invariants()
+    }
+
+    /// A period, or half period.
+    pub fn period(&self) -> f64 {
+        self.cell.time(1).middle()
     }
 
     /// How far from 0 the phases and places of impacts of strengths up to this are.

@@ -17,6 +17,7 @@
 //! // README's machine before it touches its stop, its orbit of one period, to ν = 1/20.
 //! let at = |x| -> grazing::Result<_> { Ok([parse_rational(x)?, parse_rational(x)?]) };
 //! let problem = RangeProblem {
+//!     mirrored: false,
 //!     ranges: [at("1/10")?, at("3/10")?, at("4/5")?],
 //!     behind: false,
 //!     harmonics: vec![(1, [at("1")?, at("0")?])],
@@ -65,6 +66,9 @@ use crate::{
 /// What is to be proved: of an oscillator near its touch, that every path of a graph is a motion.
 #[derive(Debug, Clone)]
 pub struct RangeProblem {
+    /// Whether there are two walls, the upper one the mirror image of the lower; then periods of the letters
+    /// are half periods.
+    pub mirrored: bool,
     /// The ranges of c, k, τ.
     pub ranges: [[BigRational; 2]; 3],
     /// Whether σ = 1.
@@ -185,7 +189,7 @@ pub fn prove_alone(
     effort: RangeEffort,
     monitor: &dyn Monitor,
 ) -> Result<RangeProof> {
-    let oscillator = oscillator(&problem.ranges, problem.behind, &problem.harmonics);
+    let oscillator = oscillator(problem.mirrored, &problem.ranges, problem.behind, &problem.harmonics);
     let mut budget = Budget { spent: 0, most: effort.0 };
     let Some(mut found) = others::alone(&proof.certificate, &oscillator, &mut budget, monitor)? else {
         return Ok(proof);
@@ -222,7 +226,7 @@ struct Search<'a> {
 
 impl<'a> Search<'a> {
     fn new(problem: &'a RangeProblem, effort: RangeEffort) -> Result<Search<'a>> {
-        let oscillator = oscillator(&problem.ranges, problem.behind, &problem.harmonics);
+        let oscillator = oscillator(problem.mirrored, &problem.ranges, problem.behind, &problem.harmonics);
         let window = window(&oscillator.profile);
         Ok(Search {
             problem,
@@ -311,11 +315,16 @@ impl<'a> Search<'a> {
 }
 
 /// The oscillator in floats.
-fn oscillator(ranges: &[[BigRational; 2]; 3], behind: bool, harmonics: &[Term]) -> Oscillator {
+fn oscillator(
+    mirrored: bool,
+    ranges: &[[BigRational; 2]; 3],
+    behind: bool,
+    harmonics: &[Term],
+) -> Oscillator {
     let float = |x: &BigRational| x.to_f64().unwrap_or(f64::NAN);
     let parameters = ranges.each_ref().map(|[lo, hi]| Span::new(float(lo), float(hi)));
     let side = if behind { 1.0 } else { -1.0 };
-    Oscillator { parameters, side, profile: std::rc::Rc::new(Profile::new(harmonics)) }
+    Oscillator { mirrored, parameters, side, profile: std::rc::Rc::new(Profile::new(harmonics)) }
 }
 
 /// A window on which the wall is convex.

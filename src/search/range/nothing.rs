@@ -23,6 +23,8 @@ use crate::{
 /// What is to be proved: beyond its touch no motion of an oscillator stays near.
 #[derive(Debug, Clone)]
 pub struct NothingProblem {
+    /// Whether there are two walls, the upper one the mirror image of the lower.
+    pub mirrored: bool,
     /// The ranges of c, k, τ.
     pub ranges: [[BigRational; 2]; 3],
     /// The harmonics of the wall's motion g, their orders increasing; its top is g(0) = 1.
@@ -41,7 +43,7 @@ pub struct NothingProof {
     pub text: String,
     /// The greatest ν.
     pub depth: BigRational,
-    /// Within so many of the wall's periods every motion meets it elsewhere.
+    /// Within so many of the wall's periods, or half periods, every motion meets it elsewhere.
     pub periods: u64,
     /// Near are at least all phases within the window at which |g′| is up to this, at depths from
     /// [`NothingProof::FROM`] on; fewer below it. If that is not reached, in the last cell.
@@ -112,9 +114,10 @@ pub fn prove_nothing(
     effort: RangeEffort,
     monitor: &dyn Monitor,
 ) -> Result<std::result::Result<NothingProof, RangeEnd>> {
-    let oscillator = oscillator(&problem.ranges, true, &problem.harmonics);
+    let oscillator = oscillator(problem.mirrored, &problem.ranges, true, &problem.harmonics);
     let Some(longest) = longest(&oscillator) else { return Ok(Err(RangeEnd::Unbounded)) };
     let start = Certificate {
+        mirrored: problem.mirrored,
         ranges: write::ranges(&problem.ranges)?,
         harmonics: write::harmonics(&problem.harmonics)?,
         window: decimal(window(&oscillator.profile), 3)?,

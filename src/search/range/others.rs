@@ -4,8 +4,6 @@
 //! Near reaches as far as the strengths of what is born, and farther where the checker can be shown that; the
 //! claims are added to the cells that have them from the touch on.
 
-use std::f64::consts::TAU;
-
 use super::{
     close::Budget,
     map::{Edges, Oscillator},
@@ -74,7 +72,8 @@ fn settling(certificate: &Certificate, oscillator: &Oscillator) -> Option<u64> {
         let depth = &certificate.cells[cell].depth;
         let depths = oscillator.depths(Span::point(depth.p as f64 / depth.q as f64), &Edges::none());
         let strength = greatest(certificate, cell) * WIDER[0];
-        settles(oscillator.parameters.map(Span::middle), strength, depths.reach(strength)?)
+        let own = (depths.period(), oscillator.parameters.map(Span::middle));
+        settles(own, strength, depths.reach(strength)?)
     };
     let first = of(0)?;
     let all = (0..certificate.cells.len()).filter_map(of).filter(|&n| n <= first + LONGER);
@@ -83,14 +82,14 @@ fn settling(certificate: &Certificate, oscillator: &Oscillator) -> Option<u64> {
 
 /// The same of motions with these strengths, phases and places, by the decay of u² + cqu + kq².
 fn settles(
-    [damping, stiffness, restitution]: [f64; 3],
+    (period, [damping, stiffness, restitution]): (f64, [f64; 3]),
     strength: f64,
     [phase, place]: [f64; 2],
 ) -> Option<u64> {
     let spread = stiffness - damping * damping / 4.0;
     let (half, rest) = (strength / 2.0, stiffness * place * place);
     let energy = |a: f64| (a * a - damping * a).max(half * half + damping * half * place) + rest;
-    let decay = |n: u64| (-damping * (TAU * n as f64 - 2.0 * phase)).exp();
+    let decay = |n: u64| (-damping * (period * n as f64 - 2.0 * phase)).exp();
     let next = |a: f64| {
         let last = (decay(1) * energy(a) - spread).max(0.0).sqrt() - damping / 2.0;
         (1.0 + restitution) * half + restitution * last.max(0.0)

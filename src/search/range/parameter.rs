@@ -36,6 +36,8 @@ pub struct ParameterRange {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Touching {
+    /// Whether there are two walls, each the other's mirror image as seen from the motion without them.
+    pub mirrored: bool,
     /// c, k and τ, each the least and the greatest, in a time in which the wall's period is 2π: exactly where
     /// they do not change with the parameter, else rounded outwards.
     pub parameters: [[BigRational; 2]; 3],
@@ -50,18 +52,19 @@ pub struct Touching {
 impl Touching {
     /// Of a system for a range of the parameter.
     ///
-    /// # Errors An input error that says what is not covered: two walls, a wall's motion whose form changes
-    /// with the parameter, as seen from the motion without the wall, damping, stiffness or restitution that
-    /// are not between their values at the range's ends.
+    /// # Errors
+    /// An input error that says what is not covered: two walls that are not mirror images, a wall's motion
+    /// whose form changes with the parameter, as seen from the motion without the wall, damping, stiffness or
+    /// restitution that are not between their values at the range's ends.
     pub fn of(system: &System<RationalFunction>, side: Option<Side>) -> Result<Touching> {
-        let Touch { parameters, ratio, top, harmonics } = Touch::of(system, side)?;
+        let Touch { mirrored, parameters, ratio, top, harmonics } = Touch::of(system, side)?;
         let [damping, stiffness, restitution] = &parameters;
         let parameters = [
             outwards(damping.bounded("the damping")?),
             outwards(stiffness.bounded("the stiffness")?),
             outwards(restitution.bounded("the restitution")?),
         ];
-        Ok(Touching { parameters, ratio, top, harmonics })
+        Ok(Touching { mirrored, parameters, ratio, top, harmonics })
     }
 
     /// Whether damping, stiffness or restitution change with the parameter.

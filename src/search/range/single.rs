@@ -17,6 +17,9 @@ use crate::{
 /// What is to be proved: the orbit of one impact that is born at a touch.
 #[derive(Debug, Clone)]
 pub struct SingleProblem {
+    /// Whether there are two walls, the upper one the mirror image of the lower; then periods are half
+    /// periods.
+    pub mirrored: bool,
     /// The ranges of c, k, τ.
     pub ranges: [[BigRational; 2]; 3],
     /// Whether σ = 1.
@@ -79,6 +82,7 @@ pub fn prove_single(
     let mut search = Search {
         problem,
         certificate: Certificate {
+            mirrored: problem.mirrored,
             ranges: write::ranges(&problem.ranges)?,
             behind: problem.behind,
             harmonics: write::harmonics(&problem.harmonics)?,

@@ -63,6 +63,7 @@ pub(super) fn head(problem: &RangeProblem, window: f64) -> Result<Certificate> {
         Ok(Letter { periods, growth: decimal(growth, 13)?, next: next.clone() })
     });
     Ok(Certificate {
+        mirrored: problem.mirrored,
         ranges: ranges(&problem.ranges)?,
         behind: problem.behind,
         harmonics: harmonics(&problem.harmonics)?,

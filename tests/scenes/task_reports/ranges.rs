@@ -74,6 +74,32 @@ fn what_is_born_is_proved_from_the_touch_to_a_number() {
     assert_eq!((beyond.side, beyond.verdict, beyond.whole), ("beyond", "nothing born", true));
 }
 
+/// Between two stops that mirror each other periods are halves: of README's machine one orbit is born before
+/// the touch, which meets both in turn, and none beyond it.
+#[test]
+fn mirrored_stops_have_ranges_of_half_periods() {
+    let both = stop("upper", 1) + &stop("lower", -1);
+    let (found, code) = asked(&both, "range = { effort = 20000 }");
+    assert!(found.at.half && code == 0, "{found:?}");
+    let rows = found.range.unwrap();
+    let [all, orbit, beyond] = &rows[..] else { panic!("{rows:?}") };
+    assert_eq!((all.of, all.whole, &all.periods[..]), ("all", true, &[1][..]));
+    assert_eq!((orbit.of, orbit.verdict, &orbit.periods[..]), ("orbit", "proved", &[1][..]));
+    assert_eq!((beyond.verdict, beyond.end.is_some()), ("nothing born", true));
+    for row in [all, orbit] {
+        // R = (1/A)² runs from 1 to (1 + ν)², A being √2 F.
+        let (end, depth) = (number(&row.end), number(&row.depth));
+        let at = (BigRational::from_integer(1.into()) + depth) * &end;
+        assert!(&at * &at >= BigRational::new(1.into(), 2.into()), "{row:?}");
+        assert!((at.to_f64().unwrap() / 0.5f64.sqrt() - 1.0).abs() < 1e-11, "{row:?}");
+    }
+    let kinds: Vec<&str> = found.certificates.iter().map(|(_, text)| text.lines().nth(1).unwrap()).collect();
+    assert_eq!(kinds, ["kind range 4", "kind single 2", "kind nothing 2"]);
+    for (file, text) in &found.certificates {
+        assert!(certificate::check(&mut text.as_bytes()).is_ok(), "{file}");
+    }
+}
+
 /// A part and the orbits of one impact go farther than all together; the orbit of one impact a period to its
 /// saddle-node, where what attracts beyond the touch is born, too: F = 0.5234 on README. Both are unstable.
 #[test]
@@ -161,9 +187,11 @@ fn why_there_is_no_range_is_said() {
     assert!(found.certificates.is_empty());
     let zero = stop("upper", 1).replace("0.8", "0");
     let both = stop("upper", 1) + &stop("lower", -2);
+    let harder = stop("upper", 1) + &stop("lower", -1).replace("0.8", "0.7");
     let soft = "[[stops]]\nname = \"s\"\noffset = -1\nstiffness = 50\n";
     for (stops, why) in [
         (both.as_str(), "there are two"),
+        (&harder, "the local theory does not apply"),
         (soft, "the local theory does not apply"),
         (zero.as_str(), "a restitution above 0"),
     ] {

@@ -86,6 +86,8 @@ deep!(RangeProof, SingleProof, NothingProof);
 struct Near<'a> {
     point: &'a OscillatorGrazing<'a>,
     effort: RangeEffort,
+    /// Whether both of two stops are touched, each the other's mirror image; then periods are half periods.
+    mirrored: bool,
     /// The ranges of c, k and τ about the touch, and whether these are not the same elsewhere.
     about: Ranges,
     changes: bool,
@@ -118,8 +120,10 @@ pub(super) fn ranges(
             "ranges are proved where the motion without impacts touches; another orbit does".into()
         ));
     }
-    if system.lower.is_some() && system.upper.is_some() {
-        return Ok(Err("ranges are proved beside one stop; there are two".into()));
+    if system.lower.is_some() && system.upper.is_some() && point.half.is_none() {
+        let why = "ranges are proved beside one stop, or between two that are each other's mirror images half a period \
+                   later; there are two, and the machine is not known to be its own mirror image so";
+        return Ok(Err(why.into()));
     }
     let exact = |x: f64| BigRational::from_float(x).ok_or_else(|| Error::input("not a number"));
     let unit = STEP * point.unit()? / point.event.map.e.abs();
@@ -139,8 +143,8 @@ pub(super) fn ranges(
     // Several depths are tried where the machines change.
     let changes = touching.changes();
     let effort = if changes { RangeEffort(effort.0 / PART_OF_EFFORT) } else { effort };
-    let Touching { parameters: about, harmonics, .. } = touching;
-    Near { point, effort, about, changes, harmonics, of: Of::One(there), start }.sides().map(Ok)
+    let Touching { mirrored, parameters: about, harmonics, .. } = touching;
+    Near { point, effort, mirrored, about, changes, harmonics, of: Of::One(there), start }.sides().map(Ok)
 }
 
 /// The same for all machines that the task's tolerances allow.
@@ -160,9 +164,18 @@ fn of_all(
         Ok(found) => found,
         Err(error) => return Ok(Err(error.to_string())),
     };
-    Near { point, effort, about, changes: false, harmonics, of: Of::All(Box::new(all)), start }
-        .sides()
-        .map(Ok)
+    Near {
+        point,
+        effort,
+        mirrored: false,
+        about,
+        changes: false,
+        harmonics,
+        of: Of::All(Box::new(all)),
+        start,
+    }
+    .sides()
+    .map(Ok)
 }
 
 /// The scene's system for all values of the task's parameter above one number, up to another.
@@ -192,7 +205,8 @@ impl Near<'_> {
     fn born(&self, behind: bool) -> Result<std::result::Result<Born, &'static str>> {
         Ok(match &self.of {
             Of::One([damping, stiffness]) => {
-                let found = born([damping, stiffness], behind, LONGEST, self.point.job.monitor)?;
+                let found =
+                    born(self.mirrored, [damping, stiffness], behind, LONGEST, self.point.job.monitor)?;
                 found.ok_or("the word theorem does not apply")
             }
             Of::All(all) => {
@@ -219,7 +233,8 @@ impl Near<'_> {
         let deepest = DEEPEST[usize::from(behind)];
         let harmonics = self.harmonics.clone();
         let ranges = self.about.clone();
-        let problem = RangeProblem { ranges, behind, harmonics, graph, deepest };
+        let mirrored = self.mirrored;
+        let problem = RangeProblem { mirrored, ranges, behind, harmonics, graph, deepest };
         let monitor = self.point.job.monitor;
         let of = |ranges: Ranges, deepest| RangeProblem { ranges, deepest, ..problem.clone() };
         let mut found = self.widest(behind, self.effort, &|ranges, deepest, effort| {
@@ -243,7 +258,14 @@ impl Near<'_> {
         }
         for periods in single_orbits(&problem.graph) {
             let RangeProblem { ranges, harmonics, deepest, .. } = problem.clone();
-            all.push(self.single(&SingleProblem { ranges, behind, harmonics, periods, deepest })?);
+            all.push(self.single(&SingleProblem {
+                mirrored,
+                ranges,
+                behind,
+                harmonics,
+                periods,
+                deepest,
+            })?);
         }
         Ok(all)
     }
@@ -414,7 +436,8 @@ impl Near<'_> {
     fn nothing(&self) -> Result<SideRange> {
         let harmonics = &self.harmonics;
         let found = self.widest(true, self.effort, &|ranges, deepest, effort| {
-            let problem = NothingProblem { ranges, harmonics: harmonics.clone(), deepest };
+            let problem =
+                NothingProblem { mirrored: self.mirrored, ranges, harmonics: harmonics.clone(), deepest };
             prove_nothing(&problem, effort, self.point.job.monitor)
         })?;
         let (mut row, text) = match found {
