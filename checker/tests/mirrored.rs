@@ -5,7 +5,7 @@
 use crate::common::{
     NOTHING, NOTHING_MIRRORED, RANGE_1, RANGE_12, RANGE_13, RANGE_ALONE, RANGE_MIRRORED,
     RANGE_MIRRORED_BEFORE, RANGE_MIRRORED_BEYOND, Random, SINGLE_1, SINGLE_2, SINGLE_MIRRORED_1,
-    SINGLE_MIRRORED_2, SINGLE_MIRRORED_3, answer, are_refused, damage, nth, second_reader, with,
+    SINGLE_MIRRORED_2, SINGLE_MIRRORED_3, answer, are_refused, damage, first_cells, nth, second_reader, with,
 };
 use grazing_check::{nothing, range, single};
 
@@ -108,15 +108,16 @@ fn forgeries_are_refused() {
 #[test]
 fn two_readers_agree() {
     let mut random = Random(9);
+    let one = [RANGE_MIRRORED, RANGE_MIRRORED_BEYOND].map(|text| first_cells(text, 1));
     for (kind, right) in [
-        ("range", vec![RANGE_MIRRORED, RANGE_MIRRORED_BEFORE, RANGE_MIRRORED_BEYOND]),
+        ("range", vec![&one[0], RANGE_MIRRORED_BEFORE, &one[1]]),
         ("single", vec![SINGLE_MIRRORED_2, SINGLE_MIRRORED_3, SINGLE_MIRRORED_1]),
         ("nothing", vec![NOTHING_MIRRORED]),
     ] {
         let named = format!("kind {kind}");
         let wrong = forgeries().into_iter().map(|(text, _)| text).filter(|text| text.contains(&named));
         // Python takes seconds for some.
-        let wrong = wrong.step_by(2);
+        let wrong = wrong.step_by(3);
         let mut all: Vec<String> = wrong.chain(right.iter().map(|text| text.to_string())).collect();
         let count = all.len();
         if kind != "range" {
