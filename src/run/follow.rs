@@ -9,6 +9,9 @@ use crate::{
     scene::simulate::SimulateTask,
 };
 
+/// A part of a sample's time that is rounding's.
+const EVEN: f64 = 1e-9;
+
 /// A motion whose points and events are kept.
 pub(super) trait SampledMotion {
     /// Periods between two looks at whether to go on.
@@ -30,13 +33,13 @@ pub(super) trait SampledMotion {
     fn sample(&mut self, at: Time) -> Result<()>;
 }
 
-/// Follows a motion that begins at `phase` through the transient and the periods of a task; the end is why it
-/// was followed no farther, [`RunEnd::Reached`] if all of it was.
+/// Follows a motion that begins at `phase` through the transient of a task and then for `span` periods, whole
+/// ones or not; the end is why it was followed no farther, [`RunEnd::Reached`] if all of it was.
 ///
 /// # Errors
 /// The motion's; the monitor's.
 pub(super) fn follow<M: SampledMotion>(
-    task: &SimulateTask,
+    (task, span): (&SimulateTask, f64),
     phase: f64,
     motion: &mut M,
     monitor: &dyn Monitor,
@@ -49,16 +52,22 @@ pub(super) fn follow<M: SampledMotion>(
         passed = next;
     }
     let samples = u64::from(task.samples);
-    for sample in 0..=u64::from(task.periods) * samples {
+    let whole = (span * samples as f64 + EVEN).floor();
+    let rest = span * samples as f64 - whole;
+    for sample in 0..=whole as u64 + u64::from(rest > EVEN) {
         if end != RunEnd::Reached {
             break;
         }
         let (period, part) = (sample / samples, sample % samples);
+        // The last point is where the motion ends.
+        let left = if sample as f64 > span * samples as f64 { 1.0 - rest } else { 0.0 };
         if part == 0 && period > 0 && period.is_multiple_of(M::CHUNK) {
             monitor.advance(M::CHUNK)?;
         }
-        let until =
-            Time::new((task.transient + period) as i64, phase + TAU * part as f64 / f64::from(task.samples));
+        let until = Time::new(
+            (task.transient + period) as i64,
+            phase + TAU * (part as f64 - left) / f64::from(task.samples),
+        );
         end = motion.record(until)?;
         if end == RunEnd::Reached {
             motion.sample(until)?;

@@ -14,8 +14,10 @@ pub struct SeriesOf {
     pub friction: Vec<String>,
     /// The forcing period, in the scene's unit of time.
     pub period: f64,
-    /// When it begins, after the transient.
+    /// When it begins, after the transient, in periods.
     pub begin: f64,
+    /// For how many periods it is asked for, whole ones or not.
+    pub span: f64,
 }
 
 impl SeriesOf {

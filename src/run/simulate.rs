@@ -78,7 +78,7 @@ row! {
 row! {
     /// One motion, in numbers.
     pub struct Moved {
-        /// Forcing periods asked for after the transient.
+        /// Forcing periods asked for after the transient; a part of one counts as one.
         pub periods: u32,
         /// The period, in the scene's unit of time.
         pub period: f64,
@@ -286,15 +286,15 @@ impl FrictionRow {
 }
 
 impl SimulationFindings {
-    /// Before anything has happened in a motion that a series is of, with stops that are compliant or not.
+    /// Before anything has happened in a motion over so many periods that a series is of, with stops that are compliant or not.
     pub(super) fn new(
-        task: &SimulateTask,
+        span: f64,
         (of, compliant): (&SeriesOf, &[bool]),
         method: &'static str,
         minimum_depth: f64,
     ) -> Self {
         let moved = Moved {
-            periods: task.periods,
+            periods: span.ceil() as u32,
             period: of.period,
             method,
             condition: None,

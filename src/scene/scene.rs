@@ -312,6 +312,11 @@ impl Scene {
         Ok(())
     }
 
+    /// Whether something stands at a key of the file.
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.places.contains_key(key)
+    }
+
     /// The files beside the scene's that it was read from: matrices and records of forces.
     pub fn files(&self) -> &[PathBuf] {
         &self.files

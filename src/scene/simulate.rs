@@ -2,7 +2,15 @@
 
 use num_rational::BigRational;
 
-use super::{keys::keys, matrix::CoordinateList};
+use std::f64::consts::TAU;
+
+use super::{
+    expression::Expression,
+    keys::keys,
+    matrix::CoordinateList,
+    scene::{Body, Scene},
+};
+use crate::error::Result;
 
 keys! {
     /// Follows one motion: its time series, its impacts and a picture of both.
@@ -11,6 +19,8 @@ keys! {
         start: Start,
         /// how many forcing periods are written
         periods: u32 = "10",
+        /// in place of `periods`, how long is written, in the scene's unit of time: seconds, say
+        duration: Option<Expression>,
         /// how many periods pass first, unrecorded
         transient: u64 = "0",
         /// points of the time series per period, from 1 to 10000; at most 100000000 in all
@@ -27,5 +37,20 @@ keys! {
         q: CoordinateList,
         /// the velocity, in the same way
         u: CoordinateList = "0",
+    }
+}
+
+impl SimulateTask {
+    /// How many forcing periods are written, in whole ones or not.
+    ///
+    /// # Errors
+    /// A duration that cannot be computed, or a period.
+    pub(crate) fn span(&self, scene: &Scene) -> Result<f64> {
+        let Some(duration) = &self.duration else { return Ok(f64::from(self.periods)) };
+        let period = match scene.body {
+            Body::Oscillator(_) => TAU,
+            Body::Machine(_) => scene.machine(&[])?.period,
+        };
+        Ok(scene.number(duration)? / period)
     }
 }

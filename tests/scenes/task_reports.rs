@@ -77,11 +77,12 @@ name = "drop"
 kind = "simulate"
 "#;
 
-/// Exit code, standard output, standard error, folder.
+/// Exit code, standard output, standard error, folder, of a scene of format 1 unless it has its own head.
 fn command(scene: &str, arguments: &[&str]) -> (i32, String, String, TempDir) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("s.toml");
-    fs::write(&path, format!("{HEAD}{scene}")).unwrap();
+    let head = if scene.starts_with("format") { "" } else { HEAD };
+    fs::write(&path, format!("{head}{scene}")).unwrap();
     let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
     let output = command.arg("run").arg(&path).args(arguments).arg("-o").arg(folder.path()).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
@@ -507,5 +508,47 @@ fn text_has_the_digits_asked_for_and_json_has_all() {
         let error = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{wrong}: {error}");
         assert!(error.contains("--digits") && error.contains(why), "{wrong}: {error}");
+    }
+}
+
+/// A run may be asked for in the scene's unit of time, by both engines: it ends there, with a last point.
+#[test]
+fn a_duration_ends_where_it_says() {
+    let scene = |system: &str, keys: &str| {
+        format!(
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nT = 2.5\n[system]\n{system}\nstiffness = 2\n\
+             [[tasks]]\nname = \"m\"\nkind = \"simulate\"\nsamples = 8\nstart = {{ q = 1 }}\n{keys}\n"
+        )
+    };
+    let [one, many] = ["damping = 0.1", "period = 3\nmass = 1\ndamping = 0.1"];
+    for (system, period) in [(one, std::f64::consts::TAU), (many, 3.0)] {
+        for (keys, time) in
+            [("duration = \"3*T\"", 7.5), ("duration = 0.01", 0.01), ("duration = 6\ntransient = 2", 6.0)]
+        {
+            let text = scene(system, keys);
+            let (code, output, error, folder) = command(&text, &[]);
+            assert_eq!(code, 0, "{output} {error}");
+            let rows = fs::read_to_string(folder.path().join("m.csv")).unwrap();
+            let last: Vec<f64> =
+                rows.lines().last().unwrap().split(',').map(|x| x.parse().unwrap()).collect();
+            let begin = if keys.contains("transient") { 2.0 * period } else { 0.0 };
+            assert!((last[0] - begin - time).abs() < 1e-12 * (1.0 + begin), "{system} {keys}: {last:?}");
+            let points = (8.0 * time / period).floor() + 1.0 + f64::from(8.0 * time / period % 1.0 > 1e-9);
+            assert_eq!(rows.lines().count() as f64 - 1.0, points, "{rows}");
+            // q = e^{−t/20} (cos ωt + sin ωt/(20 ω)), ω² = 2 − 1/400.
+            let (t, w) = (begin + time, (2.0f64 - 1.0 / 400.0).sqrt());
+            let q = (-t / 20.0).exp() * ((w * t).cos() + (w * t).sin() / (20.0 * w));
+            assert!((last[2] - q).abs() < 1e-12, "{last:?} {q}");
+        }
+        for (keys, answer) in [
+            ("duration = 3\nperiods = 2", "stands beside `periods`"),
+            ("duration = 0", "is not positive"),
+            ("duration = \"-T\"", "is not positive"),
+            ("duration = 1e300", "more than 100000000"),
+            ("duration = \"1/0\"", "divides by zero"),
+        ] {
+            let (code, _, error, _folder) = command(&scene(system, keys), &[]);
+            assert!(code == 2 && error.contains(answer) && error.contains("duration"), "{keys}: {error}");
+        }
     }
 }

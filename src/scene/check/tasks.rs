@@ -61,11 +61,11 @@ impl Checked<'_> {
             let message = "is not 0, where the record of the force begins: leave it out";
             return self.fail("start.phase", message);
         }
-        if f64::from(task.periods) > periods * (1.0 + 1e-9) {
-            let asked = task.periods;
+        let asked = task.span(self.scene)?;
+        if asked > periods * (1.0 + 1e-9) {
             let message =
                 format!("asks for {asked} periods; the record of the force ends after {periods:.6}");
-            return self.fail("periods", &message);
+            return self.fail(if task.duration.is_some() { "duration" } else { "periods" }, &message);
         }
         Ok(())
     }
@@ -93,16 +93,23 @@ impl Checked<'_> {
     }
 
     fn simulate(&self, task: &SimulateTask) -> Result<()> {
+        let key = if task.duration.is_some() { "duration" } else { "periods" };
+        if task.duration.is_some() && self.scene.has(&self.key("periods")) {
+            return self.fail("duration", "stands beside `periods`: give one of them");
+        }
         if task.periods == 0 {
             return self.fail("periods", "is 0; a motion is followed for at least 1");
         }
-        let samples = task.samples;
-        let points = u64::from(task.periods) * u64::from(samples);
-        if points > MOST_POINTS {
+        let (span, samples) = (task.span(self.scene)?, task.samples);
+        if !(span > 0.0) {
+            return self.fail(key, "is not positive: a motion is followed for some time");
+        }
+        let points = span * f64::from(samples);
+        if points > MOST_POINTS as f64 {
             return self.fail(
-                "periods",
+                key,
                 &format!(
-                    "with samples = {samples} makes a series of {points} points, more than {MOST_POINTS}: take fewer samples or \
+                    "with samples = {samples} makes a series of {points:.0} points, more than {MOST_POINTS}: take fewer samples or \
                      periods"
                 ),
             );

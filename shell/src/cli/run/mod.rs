@@ -171,7 +171,7 @@ impl<'a> Deref for Job<'a> {
 impl Job<'_> {
     fn run(&self) -> TaskReport {
         let report = match &self.task.kind {
-            Kind::SimulateTask(task) => simulate::run(task, self),
+            Kind::SimulateTask(_) => simulate::run(self),
             _ => run_task(self.job, &mut Files(self)),
         };
         let named = |file: &String| self.named.is_written(&self.folder.join(file));

@@ -9,19 +9,18 @@ use crate::{
     figure::{self, FigurePlace, MotionPicture},
     printable::csv_field,
     run::{Findings, Keeper, SeriesOf, SeriesPoint, SeriesStop, StopEvent, TaskReport, run_task},
-    scene::simulate::SimulateTask,
 };
 
 /// Most stops for each of which there is a picture.
 const PICTURES: usize = 8;
 
-pub(super) fn run(task: &SimulateTask, job: &Job) -> TaskReport {
+pub(super) fn run(job: &Job) -> TaskReport {
     let mut report = None;
     let name = |end: &str| format!("{}{end}", job.task.name);
     // What fails or is interrupted leaves no files: they are whole or absent.
     let written = job.write(&name(".csv"), |series| {
         job.write(&name("-events.csv"), |events| {
-            let found = run_task(job.job, &mut Series::new(task, job, series, events));
+            let found = run_task(job.job, &mut Series::new(job, series, events));
             let whole = found.findings.is_some();
             report = Some(found);
             if whole { Ok(()) } else { Err(Error::input("the task failed")) }
@@ -39,7 +38,6 @@ pub(super) fn run(task: &SimulateTask, job: &Job) -> TaskReport {
 /// stops, else the gap to each stop.
 struct Series<'a> {
     job: &'a Job<'a>,
-    periods: u32,
     /// The period, in the scene's unit of time.
     period: f64,
     stops: Vec<SeriesStop>,
@@ -57,20 +55,15 @@ enum Drawn {
 }
 
 impl<'a> Series<'a> {
-    fn new(
-        task: &SimulateTask,
-        job: &'a Job<'a>,
-        series: &'a mut dyn Write,
-        events: &'a mut dyn Write,
-    ) -> Self {
+    fn new(job: &'a Job<'a>, series: &'a mut dyn Write, events: &'a mut dyn Write) -> Self {
         let (stops, places, drawn) = (Vec::new(), Vec::new(), Drawn::Gaps(Vec::new()));
-        Series { job, periods: task.periods, period: f64::NAN, stops, places, drawn, series, events }
+        Series { job, period: f64::NAN, stops, places, drawn, series, events }
     }
 }
 
 impl Drawn {
-    fn new(of: &SeriesOf, title: &str, periods: u32) -> Drawn {
-        let picture = |title: &str, walls| MotionPicture::new(title, of.begin, f64::from(periods), walls);
+    fn new(of: &SeriesOf, title: &str) -> Drawn {
+        let picture = |title: &str, walls| MotionPicture::new(title, of.begin, of.span, walls);
         if of.points == 1 && of.stops.iter().all(|stop| stop.along.is_some()) {
             return Drawn::Displacement(picture(title, of.stops.len()));
         }
@@ -101,7 +94,7 @@ impl Keeper for Series<'_> {
         let columns = "event,time,period,phase,stop,velocity,impulse,radius,gap,rest,together,order_matters,duration,force,energy";
         writeln!(self.events, "{columns}")?;
         (self.period, self.stops, self.places) = (of.period, of.stops.clone(), of.places());
-        self.drawn = Drawn::new(of, &self.job.scene.title, self.periods);
+        self.drawn = Drawn::new(of, &self.job.scene.title);
         Ok(())
     }
 

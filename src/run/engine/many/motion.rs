@@ -38,11 +38,12 @@ pub(super) fn simulate(
     let Machines { job, machine } = *engine;
     let start = job.scene.machine_state(&task.start, machine, "start")?;
     let simulator = job.machine_simulator(machine, std::slice::from_ref(&start))?;
-    let of = series_of(machine, &simulator, Time::new(task.transient as i64, start.t).periods());
+    let span = task.span(&job.scene)?;
+    let of = series_of(machine, &simulator, [Time::new(task.transient as i64, start.t).periods(), span]);
     keeper.begin(&of)?;
-    job.monitor.begin(task.transient + u64::from(task.periods), "periods");
+    job.monitor.begin(task.transient + span.ceil() as u64, "periods");
     let run = simulator.start(Time::new(0, start.t), start.q.as_slice(), start.u.as_slice())?;
-    let found = before(task, &of, machine, &simulator);
+    let found = before(span, &of, machine, &simulator);
     let along = of.stops.iter().map(|stop| stop.along).collect();
     // What is pushed in the transient is nothing of the series.
     let mut motion = Motion {
@@ -56,7 +57,7 @@ pub(super) fn simulate(
         slid: None,
         keeper,
     };
-    let end = follow(task, start.t, &mut motion, job.monitor)?;
+    let end = follow((task, span), start.t, &mut motion, job.monitor)?;
     let Motion { mut run, mut found, first, pushes, slid, .. } = motion;
     if let Some(error) = run.failure() {
         return Err(error);
@@ -96,7 +97,7 @@ pub(super) fn simulate(
     Ok(found)
 }
 
-fn series_of(machine: &Machine<f64>, simulator: &Simulator, begin: f64) -> SeriesOf {
+fn series_of(machine: &Machine<f64>, simulator: &Simulator, [begin, span]: [f64; 2]) -> SeriesOf {
     let points = machine.points();
     // Of one coordinate that is seen at one point, the factor between the two.
     let alone =
@@ -107,21 +108,16 @@ fn series_of(machine: &Machine<f64>, simulator: &Simulator, begin: f64) -> Serie
     };
     let stops = simulator.contacts().all().iter().map(stop).collect();
     let friction = machine.friction.iter().map(|friction| friction.name.clone()).collect();
-    SeriesOf { points, stops, friction, period: machine.period, begin }
+    SeriesOf { points, stops, friction, period: machine.period, begin, span }
 }
 
 /// What there is to say of the machine before it moves.
-fn before(
-    task: &SimulateTask,
-    of: &SeriesOf,
-    machine: &Machine<f64>,
-    simulator: &Simulator,
-) -> SimulationFindings {
+fn before(span: f64, of: &SeriesOf, machine: &Machine<f64>, simulator: &Simulator) -> SimulationFindings {
     let (flow, smooth) = (simulator.flow(), simulator.is_smooth());
     let compliant: Vec<bool> = simulator.contacts().all().iter().map(|stop| stop.soft.is_some()).collect();
     let method = if smooth { "Taylor series" } else { flow.method().name() };
     let depth = simulator.settings().minimum_depth;
-    let mut found = SimulationFindings::new(task, (of, &compliant), method, depth);
+    let mut found = SimulationFindings::new(span, (of, &compliant), method, depth);
     found.moved.condition = Some(flow.condition()).filter(|condition| condition.is_finite() && !smooth);
     let cycles = 1.0 / machine.period;
     let modes: Vec<_> =

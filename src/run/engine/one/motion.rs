@@ -44,16 +44,17 @@ pub(super) fn simulate(
             Some((SeriesStop { name: stop.name.clone(), along: Some(side.sign()) }, known(side)?))
         })
         .unzip();
+    let span = task.span(&job.scene)?;
     let begin = Time::new(task.transient as i64, start.t).periods();
-    let of = SeriesOf { points: 1, stops: named, friction: Vec::new(), period: TAU, begin };
+    let of = SeriesOf { points: 1, stops: named, friction: Vec::new(), period: TAU, begin, span };
     keeper.begin(&of)?;
-    job.monitor.begin(task.transient + u64::from(task.periods), "periods");
+    job.monitor.begin(task.transient + span.ceil() as u64, "periods");
     let run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
     let depth = simulator.settings().minimum_depth;
     let method = if job.is_linear() { "closed form" } else { "Taylor series" };
-    let found = SimulationFindings::new(task, (&of, &vec![false; of.stops.len()]), method, depth);
+    let found = SimulationFindings::new(span, (&of, &vec![false; of.stops.len()]), method, depth);
     let mut motion = Motion { run, stops, mass: job.scene.mass()?, found, keeper };
-    let end = follow(task, start.t, &mut motion, job.monitor)?;
+    let end = follow((task, span), start.t, &mut motion, job.monitor)?;
     let Motion { run, mut found, .. } = motion;
     let state = run.state();
     let bend = simulator.flow().acceleration(state);
