@@ -28,6 +28,9 @@ const KEPT = "a scene that no link holds, or was typed, is found again with its 
 const PHONE = "on a phone the picture comes first, the answer beside the finger, and the page scrolls";
 const PARTS = "an orbit over a range is shown part by part, as the command line's checker lists the parts";
 const RANGE = "an orbit proved over a range is a table of its parts and its ends, with the certificate checked";
+const BOX = "a box is drawn, and what is said of it is what the command line says: light";
+const BOX_KEYS = "a box is drawn by keyboard; Back, Forward and a link lead to it";
+const BOX_TYPED = "ranges are typed as on the command line, and what is wrong with one is said";
 const MARK = "a byte order mark is named, and a minus sign is read";
 
 /** Name, file of page/, what is replaced (it stands there once), by what, and the test that finds it. */
@@ -94,6 +97,11 @@ const MUTANTS = [
   ["mark-unnamed", "check.ts", "Malformed: a byte order mark", "Malformed: line 1", "words-read", MARK],
   ["minus-unread", "main.ts", "target.value = hyphens(target.value);", "", "words-read", MARK],
   ["key-for-field", "theory.ts", "FIELDS[failure.key] ?? failure.key", "failure.key", "words-read", "what is wrong is said of the field, by the name that stands beside it"],
+  ["box-on-its-side", "plane-box.ts", 'names: ["r", "s"], ends: [y, x]', 'names: ["r", "s"], ends: [x, y]', "plane-box", BOX],
+  ["nowhere-is-everywhere", "plane-box.ts", 'return "nowhere in the box"', 'return "in all of the box"', "plane-box", BOX],
+  ["outline-elsewhere", "plot.ts", "this.parts(layer, this.overlay.origin)", "this.parts(layer)", "plane-box", BOX],
+  ["box-not-in-link", "plane.ts", "written(this.box.ends[i]);", "written([this.box.ends[i][0], this.box.ends[i][0]]);", "plane-box", BOX_KEYS],
+  ["tolerance-one-sided", "plane-box.ts", "[centre.sub(wide), centre.add(wide)]", "[centre, centre.add(wide)]", "plane-box", BOX_TYPED],
   ["listing-unreachable", "panel.ts", 'class: "scroll", tabindex: 0', 'class: "scroll", tabindex: -1', "words-read", "the listing is reached and scrolled by keyboard"],
 ];
 

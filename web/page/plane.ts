@@ -3,6 +3,7 @@
 // Everything decided comes from the program (web/src/plane.rs); here it is asked for, drawn and worded.
 
 import { Exact } from "./exact";
+import { aloud, between, type Box, type BoxFacts, type Ends, endsOf, isPoint, outlineOf, said as saidOfBox, written } from "./plane-box";
 import { COLOURS, colour, type Context, element, Failure, hyphens, minus, type Panel } from "./panel";
 import { CASES, mix, MOST, onScale, PLAIN } from "./plane-colours";
 import { type Area, type Areas, type Colouring, fillOf, layersOf } from "./plane-layers";
@@ -15,7 +16,7 @@ type Chart = "plane" | "disc" | "strip";
 const CHARTS: Record<Chart, { name: string; options: Options }> = {
   plane: {
     name: "(a₁, a₂): trace and determinant",
-    options: { xLabel: "a₁", yLabel: "a₂", home: home("0", "1/2", 4.4, 1.1) },
+    options: { xLabel: "a₁", yLabel: "a₂", home: home("0", "1/2", 4.4, 1.1), boxes: true },
   },
   disc: {
     name: "λ: the upper half of the disc",
@@ -23,9 +24,18 @@ const CHARTS: Record<Chart, { name: string; options: Options }> = {
   },
   strip: {
     name: "(s, r): angle and modulus",
-    options: { xLabel: "s", yLabel: "r", home: home("1/4", "1/2", 0.52, 1.06) },
+    options: { xLabel: "s", yLabel: "r", home: home("1/4", "1/2", 0.52, 1.06), boxes: true },
   },
 };
+
+/** Into how many cells a box is cut at first, as on the command line, and at most: that takes some ten seconds. */
+const CELLS = 2000;
+const FINER = 4;
+const MOST_CELLS = 32_000;
+
+/** What is said while a box is drawn. */
+const DRAW = "Drag from one corner of the box to the other. By keyboard, arrows move the view, and Enter sets a corner at its middle. Escape: no box.";
+const CORNER = "The first corner is set: move on, and Enter sets the other one.";
 
 /** The most areas while the view moves, and once it rests. */
 const FEW = 100;
@@ -35,6 +45,10 @@ function home(x: string, y: string, width: number, height: number): View {
   return { x: Exact.parse(x), y: Exact.parse(y), width, height };
 }
 
+/** The point of two ranges that are a number each. */
+const placeOf = (names: Box["names"], [first, second]: readonly [Ends, Ends]): Place =>
+  names[0] === "r" ? { r: first[0], s: second[0] } : { a1: first[0], a2: second[0] };
+
 class PlanePanel implements Panel {
   readonly id = "plane";
   readonly title = "Plane";
@@ -42,7 +56,10 @@ class PlanePanel implements Panel {
   private plot!: Plot;
   private chart: Chart = "plane";
   private colouring: Colouring = "case";
+  /** What is chosen: a point, or a box, or neither. */
   private place: Place | null = null;
+  private box: Box | null = null;
+  private cells = CELLS;
   private answer: Areas | null = null;
   /** The view that the picture was made for. */
   private shown: View | null = null;
@@ -74,6 +91,8 @@ class PlanePanel implements Panel {
   private legend!: HTMLElement;
   private facts!: HTMLElement;
   private chosen!: HTMLElement;
+  private hint!: HTMLElement;
+  private draw!: HTMLButtonElement;
 
   mount(root: HTMLElement, context: Context): void {
     this.context = context;
@@ -133,7 +152,10 @@ class PlanePanel implements Panel {
     this.legend = element("div", { class: "row", id: "plane-legend" });
     this.facts = element("div", { id: "plane-facts" });
     this.chosen = element("div", { id: "plane-chosen" });
+    this.hint = element("p", { id: "plane-hint", hidden: true });
+    this.draw = button("Draw a box", () => this.plot.setBoxing(this.draw.getAttribute("aria-pressed") === "true" ? "off" : "on"), { "aria-pressed": "false" });
     const tools = row(
+      this.draw,
       button("Zoom in", () => this.plot.zoom(0.5)),
       button("Zoom out", () => this.plot.zoom(2)),
       button("Show all", () => this.plot.reset()),
@@ -145,18 +167,32 @@ class PlanePanel implements Panel {
       view,
       form,
       this.problem,
-      element("div", { class: "split" }, element("div", {}, canvas, this.legend, this.status, tools), element("div", {}, this.chosen, this.facts)),
+      element("div", { class: "split" }, element("div", {}, canvas, this.hint, this.legend, this.status, tools), element("div", {}, this.chosen, this.facts)),
     );
     this.plot = new Plot(canvas, { ...CHARTS[this.chart].options, description: this.described() });
     this.plot.onView(() => this.refresh());
     this.plot.onHover((point) => {
-      if (point === null || this.place !== null) return;
+      if (point === null || this.place !== null || this.box !== null) return;
       void this.explain(this.placeAt(point), false);
     });
     this.plot.onClick((point) => {
       this.acted();
       this.touched = point.touch ? [point.px, point.py] : null;
       this.choose(this.placeAt(point));
+    });
+    this.plot.onBox((from, to) => {
+      if (this.chart === "disc") return;
+      this.acted();
+      this.chooseBox(between(this.chart, from, to), "mark");
+    });
+    this.plot.onBoxing((state) => {
+      this.draw.setAttribute("aria-pressed", String(state !== "off"));
+      this.hint.hidden = state === "off";
+      this.hint.textContent = state === "corner" ? CORNER : DRAW;
+      if (state !== "off") {
+        context.announce(this.hint.textContent);
+        canvas.focus();
+      }
     });
     new ResizeObserver(() => this.refresh()).observe(canvas);
     document.addEventListener(COLOURS, () => this.paint());
@@ -221,8 +257,18 @@ class PlanePanel implements Panel {
     }
   }
 
+  /** The same of a number or a range. */
+  private async ends(text: string, name: string): Promise<Ends> {
+    try {
+      return await endsOf(hyphens(text), async (one) => Exact.parse((await this.context.compute("number", one)).exact));
+    } catch (failed) {
+      throw new Failure(`${name}: ${failed instanceof Error ? failed.message : String(failed)}`);
+    }
+  }
+
   private async restorePlace(state: URLSearchParams, mine: number): Promise<void> {
     const exact = (key: string) => this.number(state.get(key) ?? "", key);
+    const ends = (key: string) => this.ends(state.get(key) ?? "", key);
     if (state.has("x") && state.has("y")) {
       const size = (key: string, other: number) => {
         const value = Number(state.get(key));
@@ -233,15 +279,17 @@ class PlanePanel implements Panel {
       if (mine !== this.restored) return;
       this.plot.setView({ ...centre, width: size("w", width), height: size("h", height) });
     }
-    const place = state.has("a1")
-      ? { a1: await exact("a1"), a2: await exact("a2") }
-      : state.has("r")
-        ? { r: await exact("r"), s: await exact("s") }
-        : null;
+    const names = state.has("a1") ? (["a1", "a2"] as const) : state.has("r") ? (["r", "s"] as const) : null;
+    const both = names && ([await ends(names[0]), await ends(names[1])] as const);
     // Back was pressed again meanwhile.
     if (mine !== this.restored) return;
-    if (place) await this.choosePlace(place, state.has("x") ? "mark" : "show");
-    else if (this.place) await this.choosePlace(null, "mark");
+    const how = state.has("x") ? "mark" : "show";
+    const cells = Number(state.get("cells") ?? CELLS);
+    if (names && both && !isPoint(both)) {
+      const many = Number.isInteger(cells) && cells >= 1 && cells <= MOST_CELLS ? cells : CELLS;
+      this.chooseBox({ names, ends: both }, how, many);
+    } else if (names && both) await this.choosePlace(placeOf(names, both), how);
+    else if (this.place || this.box) await this.choosePlace(null, "mark");
   }
 
   private file(ending: string): string {
@@ -264,6 +312,8 @@ class PlanePanel implements Panel {
   private useChart(chart: Chart): void {
     this.chart = chart;
     this.fields.chart.value = chart;
+    this.draw.disabled = chart === "disc";
+    this.draw.textContent = chart === "disc" ? "Boxes are drawn in the other charts" : "Draw a box";
     this.answer = null;
     this.shown = null;
     this.plot.anchor = null;
@@ -275,6 +325,7 @@ class PlanePanel implements Panel {
   private async setChart(chart: Chart): Promise<void> {
     this.useChart(chart);
     if (this.place) await this.mark(this.place, "mark");
+    if (this.box) this.outline(this.box, "mark");
     this.refresh();
   }
 
@@ -301,15 +352,16 @@ class PlanePanel implements Panel {
     const turn = ++this.turn;
     try {
       const [x, y] = [this.labels.first.textContent ?? "", this.labels.second.textContent ?? ""];
-      const [first, second] = [await this.number(fields.first.value, x), await this.number(fields.second.value, y)];
-      const place = fields.kind.value === "polar" ? { r: first, s: second } : { a1: first, a2: second };
+      const both = [await this.ends(fields.first.value, x), await this.ends(fields.second.value, y)] as const;
+      const names = fields.kind.value === "polar" ? (["r", "s"] as const) : (["a1", "a2"] as const);
       let width: number | undefined;
       if (fields.width.value.trim() !== "") {
         width = (await this.number(fields.width.value, "width of the view")).toNumber();
         if (!(width > 0)) throw new RangeError("the width of the view is above 0");
       }
       this.complain(null, turn);
-      await this.choosePlace(place, "go", width);
+      if (isPoint(both)) await this.choosePlace(placeOf(names, both), "go", width);
+      else this.chooseBox({ names, ends: both }, "go", CELLS, width);
     } catch (error) {
       this.complain(error, turn);
     }
@@ -323,13 +375,15 @@ class PlanePanel implements Panel {
   /** Chooses a point, or none: it is marked and explained, and the link leads to it. */
   private async choosePlace(place: Place | null, how: "mark" | "show" | "go", width?: number): Promise<void> {
     this.place = place;
+    this.box = null;
     this.chosen.replaceChildren();
     this.plot.say(null);
+    this.plot.setOverlay([]);
     if (place === null) {
       this.plot.setMarks([]);
       this.plot.anchor = null;
       this.facts.replaceChildren(
-        element("p", { class: "muted" }, "Point at a place to see which orbits exist there and why; click to keep it."),
+        element("p", { class: "muted" }, "Point at a place to see which orbits exist there and why; click to keep it. A box shows what holds for all of its points: drag with Shift, or type ranges, as in 0.3..=0.31 or 0.3±1%."),
       );
       this.link();
       return;
@@ -342,17 +396,90 @@ class PlanePanel implements Panel {
     this.fields.second.value = second.toString();
     const make = element("button", { type: "button", class: "first" }, "Certificate, made and checked");
     make.addEventListener("click", () => void this.certify(place, make));
-    const let_go = element("button", { type: "button" }, "Let go");
-    let_go.addEventListener("click", () => {
-      this.acted();
-      this.choose(null);
-    });
     this.link();
-    this.chosen.append(element("div", { class: "row" }, make, let_go));
+    this.chosen.append(element("div", { class: "row" }, make, this.letGo()));
     await this.explain(place, true);
     if (this.place !== place) return;
     await this.mark(place, how, width);
     if (this.place === place) this.link();
+  }
+
+  private letGo(): HTMLButtonElement {
+    const made = element("button", { type: "button" }, "Let go");
+    made.addEventListener("click", () => {
+      this.acted();
+      this.choose(null);
+    });
+    return made;
+  }
+
+  /** Chooses a box: it is drawn and explained, and the link leads to it. */
+  private chooseBox(box: Box, how: "mark" | "show" | "go", cells = CELLS, width?: number): void {
+    this.turn++;
+    this.place = null;
+    this.box = box;
+    this.cells = cells;
+    this.plot.say(null);
+    this.plot.setMarks([]);
+    this.plot.anchor = null;
+    this.fields.kind.value = box.names[0] === "r" ? "polar" : "plane";
+    this.nameCoordinates();
+    this.fields.first.value = written(box.ends[0]);
+    this.fields.second.value = written(box.ends[1]);
+    this.chosen.replaceChildren(element("div", { class: "row" }, this.letGo()));
+    this.facts.replaceChildren(element("p", { class: "muted" }, "The box is cut into cells …"));
+    this.outline(box, how, width);
+    this.link();
+    void this.explainBox(box);
+  }
+
+  /** Draws a box in the chart; moves there if it is out of sight or too small, or if that is asked for. */
+  private outline(box: Box, how: "mark" | "show" | "go", width?: number): void {
+    const { layer, origin } = outlineOf(box, this.chart);
+    this.plot.setOverlay([layer], origin);
+    const range = (from: number) => {
+      const all = [...layer.xy].filter((x, i) => i % 2 === from && Number.isFinite(x));
+      return all.length === 0 ? null : ([Math.min(...all), Math.max(...all)] as const);
+    };
+    const [x, y] = [range(0), range(1)];
+    if (how === "mark" || x === null || y === null) return;
+    const seen = this.plot.visible();
+    const middle = ([from, to]: readonly [number, number]) =>
+      Exact.of((from + to) / 2).nearest(Exact.power(2n, Math.floor(Math.log2(Math.max(to - from, 1e-300))) - 10));
+    const centre = { x: origin.x.add(middle(x)), y: origin.y.add(middle(y)) };
+    const away = (a: Exact, b: Exact, size: number) => Math.abs(a.sub(b).toNumber()) > size / 2;
+    const out = away(centre.x, seen.x, seen.width) || away(centre.y, seen.y, seen.height);
+    const small = x[1] - x[0] < seen.width / 20 && y[1] - y[0] < seen.height / 20;
+    if (how === "show" && !out && !small) return;
+    const size = ([from, to]: readonly [number, number], other: number) => (to > from ? 3 * (to - from) : other);
+    const [wide, high] = [size(x, seen.width), size(y, seen.height)];
+    const factor = width === undefined ? 1 : width / wide;
+    this.plot.setView({ ...centre, width: wide * factor, height: high * factor });
+  }
+
+  /** Says what holds for all of a box. */
+  private async explainBox(box: Box): Promise<void> {
+    const { cells } = this;
+    const ends = (i: 0 | 1) => box.ends[i].map((end) => end.toString());
+    const request = { [box.names[0]]: ends(0), [box.names[1]]: ends(1), cells };
+    const isCurrent = () => this.box === box && this.cells === cells;
+    let facts: BoxFacts;
+    try {
+      facts = await this.context.compute("plane_shares", JSON.stringify(request));
+    } catch (error) {
+      if (isCurrent()) this.facts.replaceChildren(element("p", { class: "notice bad", role: "alert" }, minus(error instanceof Error ? error.message : String(error))));
+      return;
+    }
+    if (!isCurrent()) return;
+    this.facts.replaceChildren(...saidOfBox(facts));
+    this.context.announce(aloud(facts));
+    if (!facts.cut || cells * FINER > MOST_CELLS) return;
+    const finer = element("button", { type: "button" }, `Cut finer: ${cells * FINER} cells`);
+    finer.addEventListener("click", () => {
+      this.acted();
+      this.chooseBox(box, "mark", cells * FINER);
+    });
+    this.chosen.firstElementChild?.prepend(finer);
   }
 
   /** Marks a point in the chart; moves there if it is out of sight, or if that is asked for. */
@@ -413,6 +540,8 @@ class PlanePanel implements Panel {
     if (this.colouring === "entropy") state.gamma = fields.gamma.value;
     if (fields.only.checked) state.only = "1";
     if (this.place) Object.assign(state, this.request(this.place));
+    if (this.box) for (const i of [0, 1] as const) state[this.box.names[i]] = written(this.box.ends[i]);
+    if (this.box && this.cells !== CELLS) state.cells = String(this.cells);
     this.context.permalink(state);
   }
 
@@ -540,11 +669,11 @@ class PlanePanel implements Panel {
   }
 
   /** Says what is true at a point. */
-  private async explain(place: Place, aloud: boolean): Promise<void> {
+  private async explain(place: Place, loud: boolean): Promise<void> {
     const request = JSON.stringify({ ...this.request(place), max_n: 12 });
     let facts: PointFacts | null;
     try {
-      facts = aloud
+      facts = loud
         ? await this.context.compute("plane_point", request)
         : await this.context.latest("plane_point", request);
     } catch (error) {
@@ -552,9 +681,9 @@ class PlanePanel implements Panel {
       return;
     }
     // Dropped for a later one, or a point was chosen in the meantime.
-    if (facts === null || (!aloud && this.place !== null)) return;
+    if (facts === null || (!loud && (this.place !== null || this.box !== null))) return;
     this.facts.replaceChildren(...said(place, facts));
-    if (aloud) {
+    if (loud) {
       const words = facts.words.map((word) => `e mu ${word.sign_emu > 0 ? "> 0" : "< 0"}: periods ${word.periods.join(", ")}`);
       this.context.announce(`${REGIONS[facts.region] ?? ""}. ${words.join(". ")}`);
       if (this.touched && this.place === place) this.plot.say(inShort(facts), ...this.touched);

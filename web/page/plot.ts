@@ -69,7 +69,12 @@ export interface Options {
   home?: View;
   /** Said to who cannot see the picture. */
   description?: string;
+  /** Whether a box can be drawn in it. */
+  boxes?: boolean;
 }
+
+/** How far a box is: nothing is drawn; it can begin; its first corner is set by the keyboard. */
+export type Boxing = "off" | "on" | "corner";
 
 const MARGIN = { left: 58, right: 12, top: 10, bottom: 40 };
 /** The deepest zoom: far beyond it, offsets would leave the range of a double. */
@@ -92,6 +97,14 @@ export class Plot {
   private scheduled = false;
   private cross = false;
   private marks: { at: Origin; colour: string; label?: string }[] = [];
+  /** What lies above the layers, with an origin of its own. */
+  private overlay: { layers: Layer[]; origin: Origin } = { layers: [], origin: { x: Exact.ZERO, y: Exact.ZERO } };
+  private boxing: Boxing = "off";
+  /** The corners of a box in pixels while a pointer draws it, and the first one that the keyboard set. */
+  private band: Frame | null = null;
+  private corner: Point | null = null;
+  private readonly boxes: ((from: Point, to: Point) => void)[] = [];
+  private readonly boxings: ((state: Boxing) => void)[] = [];
   /** What is said beside the finger. */
   private readonly said = element("p", { class: "plot-said", hidden: true });
 
@@ -121,6 +134,8 @@ export class Plot {
     this.homeIsGiven = options.home !== undefined;
     if (options.home) this.home = options.home;
     this.layers = [];
+    this.setOverlay([]);
+    this.setBoxing("off");
     this.say(null);
     this.describe();
     this.schedule();
@@ -139,6 +154,25 @@ export class Plot {
   setMarks(marks: { at: Origin; colour: string; label?: string }[]): void {
     this.marks = marks;
     this.schedule();
+  }
+
+  /** Lines above all layers, relative to an exact place. */
+  setOverlay(layers: Layer[], origin: Origin = { x: Exact.ZERO, y: Exact.ZERO }): void {
+    this.overlay = { layers, origin };
+    this.schedule();
+  }
+
+  /** Whether the next drag, or Enter at two places, draws a box. */
+  setBoxing(state: Boxing): void {
+    this.band = null;
+    if (state !== "corner") this.corner = null;
+    // A finger that draws does not scroll.
+    this.canvas.style.touchAction = state === "off" ? "pan-y" : "none";
+    this.canvas.style.cursor = state === "off" ? "" : "crosshair";
+    this.schedule();
+    if (state === this.boxing) return;
+    this.boxing = state;
+    for (const told of this.boxings) told(state);
   }
 
   /** Says something beside a place of the canvas, above it where there is room; or nothing. */
@@ -236,6 +270,20 @@ export class Plot {
     this.views.push(told);
   }
 
+  /** Hears of both corners of a box that was drawn. */
+  onBox(told: (from: Point, to: Point) => void): void {
+    this.boxes.push(told);
+  }
+
+  onBoxing(told: (state: Boxing) => void): void {
+    this.boxings.push(told);
+  }
+
+  private drawn(from: Point, to: Point): void {
+    this.setBoxing("off");
+    for (const told of this.boxes) told(from, to);
+  }
+
   /** A mark under the pointer, in pixels: one can zoom around it for ever. */
   private markNear(px: number, py: number): [number, number] | undefined {
     const all = this.marks.map((mark) => this.transform(mark.at)(0, 0));
@@ -271,9 +319,10 @@ export class Plot {
   }
 
   private describe(): void {
-    const { xLabel, yLabel, description } = this.options;
+    const { xLabel, yLabel, description, boxes } = this.options;
     const keys = "Keys: arrows move, plus and minus zoom, 0 shows all, Enter chooses the middle.";
-    this.canvas.setAttribute("aria-label", `${description ?? `${yLabel} over ${xLabel}`}. ${keys}`);
+    const more = boxes ? " B begins a box, whose corners Enter sets." : "";
+    this.canvas.setAttribute("aria-label", `${description ?? `${yLabel} over ${xLabel}`}. ${keys}${more}`);
   }
 
   private listen(): void {
@@ -289,8 +338,11 @@ export class Plot {
       } catch {
         // A pointer that is gone already.
       }
-      this.pointers.set(event.pointerId, place(event));
+      const here = place(event);
+      this.pointers.set(event.pointerId, here);
       if (this.pointers.size === 1) this.moved = 0;
+      const draws = this.options.boxes === true && (this.boxing !== "off" || event.shiftKey) && this.pointers.size === 1;
+      this.band = draws ? [here.x, here.y, here.x, here.y] : null;
       this.cross = false;
     });
     canvas.addEventListener("pointermove", (event) => {
@@ -304,7 +356,11 @@ export class Plot {
       const { width, height } = this.inside();
       this.moved += Math.hypot(now.x - before.x, now.y - before.y);
       if (this.pointers.size === 1) {
-        if (this.moved > 4) {
+        if (this.band) {
+          this.band = [this.band[0], this.band[1], now.x, now.y];
+          this.pointers.set(event.pointerId, now);
+          this.schedule();
+        } else if (this.moved > 4) {
           this.pan((before.x - now.x) / width, (now.y - before.y) / height);
           this.pointers.set(event.pointerId, now);
         }
@@ -321,6 +377,13 @@ export class Plot {
     const up = (event: PointerEvent, chosen: boolean) => {
       const last = this.pointers.get(event.pointerId);
       this.pointers.delete(event.pointerId);
+      const band = this.band;
+      this.band = null;
+      if (band) this.schedule();
+      if (band && chosen && this.moved > 4) {
+        this.drawn(this.at(band[0], band[1]), this.at(band[2], band[3]));
+        return;
+      }
       if (chosen && last && this.pointers.size === 0 && this.moved <= 4) {
         const { x, y } = place(event);
         const point = { ...this.at(x, y), touch: event.pointerType === "touch" };
@@ -368,7 +431,19 @@ export class Plot {
     const { left, top, width, height } = this.inside();
     const [px, py] = [left + width / 2, top + height / 2];
     const middle: Point = { x: this.visible().x, y: this.visible().y, px, py, ...this.hit(px, py) };
-    if (event.key === "Enter" || event.key === " ") {
+    const isEnter = event.key === "Enter" || event.key === " ";
+    if (this.options.boxes && (event.key === "b" || event.key === "B")) {
+      this.setBoxing("on");
+      this.cross = true;
+    } else if (this.boxing !== "off" && event.key === "Escape") {
+      this.setBoxing("off");
+    } else if (isEnter && this.boxing === "on") {
+      this.corner = middle;
+      this.cross = true;
+      this.setBoxing("corner");
+    } else if (isEnter && this.corner) {
+      this.drawn(this.corner, middle);
+    } else if (isEnter) {
       for (const told of this.clicks) told(middle);
     } else {
       const action = actions[event.key];
@@ -403,6 +478,17 @@ export class Plot {
     context.clearRect(0, 0, width, height);
     const style = getComputedStyle(canvas);
     this.draw(new CanvasSurface(context), (name) => resolve(name, style), style.color);
+    const { left, top, width: wide, height: high } = this.inside();
+    const corner: Frame | null = this.corner && [...this.transform(this.corner)(0, 0), left + wide / 2, top + high / 2];
+    const band = this.band ?? corner;
+    if (band) {
+      const [x, y, x1, y1] = band;
+      context.strokeStyle = style.color;
+      context.lineWidth = 1.5;
+      context.setLineDash([5, 4]);
+      context.strokeRect(x, y, x1 - x, y1 - y);
+      context.setLineDash([]);
+    }
     if (this.cross && document.activeElement === canvas) {
       const inside = this.inside();
       const [x, y] = [inside.left + inside.width / 2, inside.top + inside.height / 2];
@@ -428,10 +514,10 @@ export class Plot {
   }
 
   /** The parts of a layer in pixels, cut to a frame somewhat larger than what is seen. */
-  private parts(layer: Layer): number[][] {
+  private parts(layer: Layer, origin = this.origin): number[][] {
     const { left, top, width, height } = this.inside();
     const frame: Frame = [left - 20, top - 20, left + width + 20, top + height + 20];
-    const to = this.transform(this.origin);
+    const to = this.transform(origin);
     const parts: number[][] = [];
     let part: number[] = [];
     const { xy } = layer;
@@ -495,6 +581,13 @@ export class Plot {
       }
     }
     this.drawTexts(surface, colour, ink);
+    for (const layer of this.overlay.layers) {
+      const parts = this.parts(layer, this.overlay.origin);
+      const line = layer.width ?? 1.2;
+      // Told apart from every colour below it.
+      surface.line(parts, colour("var(--background, white)"), line + 3, []);
+      surface.line(parts, colour(layer.colour), line, layer.dash ?? []);
+    }
     for (const mark of this.marks) {
       const [x, y] = this.transform(mark.at)(0, 0);
       const main = colour(mark.colour);
@@ -560,8 +653,9 @@ export class Plot {
   /** All coordinates of all layers: the exact origin, and what is to be added to it. */
   toCSV(): string {
     const rows: unknown[][] = [["layer", "kind", "label", "part", "x_origin", "y_origin", "x_offset", "y_offset"]];
-    const origin = [this.origin.x.toString(), this.origin.y.toString()];
-    for (const [index, { kind, label, xy }] of this.layers.entries()) {
+    const all = [this.layers.map((layer) => [layer, this.origin] as const), this.overlay.layers.map((layer) => [layer, this.overlay.origin] as const)];
+    for (const [index, [{ kind, label, xy }, { x, y }]] of all.flat().entries()) {
+      const origin = [x.toString(), y.toString()];
       let part = 0;
       for (let i = 0; i + 1 < xy.length; i += 2) {
         if (Number.isNaN(xy[i]!)) part += 1;

@@ -98,6 +98,12 @@ pub fn plane_certificate(request: &str) -> String {
     plane::certificate(request)
 }
 
+/// [`plane::shares`](fn@plane::shares).
+#[wasm_bindgen]
+pub fn plane_shares(request: &str) -> String {
+    plane::shares(request)
+}
+
 /// [`plane::place`].
 #[wasm_bindgen]
 pub fn plane_place(request: &str) -> String {

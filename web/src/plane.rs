@@ -5,6 +5,7 @@
 //! | [`view`] | `chart` (`plane`, `disc`, `strip`), the exact centre `x`, `y`, `width`, `height`, `pixels_x`, `pixels_y`; `max_n`, `sign` and `gamma` (`+`, `-`), `only` (one period), `words` (true: words and entropies), `limit` | the areas, in the order of painting, relative to `origin` |
 //! | [`point`](fn@point) | `a1` and `a2`, or `r` and `s`; `max_n` | words, orbits and reasons, powers of λ |
 //! | [`certificate`] | such a point; `by_theorem` | `certificate`, or `undecided` with the reason |
+//! | [`shares`](fn@shares) | `a1` and `a2`, or `r` and `s`, each with both ends; `cells` | what holds for all of that box, and shares of it |
 //! | [`place`] | such a point; `chart`, `bits` | its place `x`, `y` there, and whether that is `exact` |
 //!
 //! Requests and answers are JSON; numbers of a place are exact, as text. What is certain and what is drawn:
@@ -14,6 +15,7 @@ mod areas;
 mod chart;
 mod point;
 mod shape;
+mod shares;
 #[cfg(test)]
 mod tests;
 
@@ -38,6 +40,11 @@ pub fn point(request: &str) -> String {
 /// The certificate of a point's words.
 pub fn certificate(request: &str) -> String {
     answer(request, point::certificate)
+}
+
+/// What holds for all of a box, and shares of it.
+pub fn shares(request: &str) -> String {
+    answer(request, shares::shares)
 }
 
 /// Where a point lies in a chart.

@@ -14,6 +14,7 @@ export const TABS = {
 /** Views of a tab that are as long as another, read where all is. */
 export const VIEWS = {
   born: ["#motion?view=born&from=-0.01&to=0.01", "#panel-motion p:has-text('Dotted: the prediction')"],
+  box: ["#plane?a1=-0.4..=0.3&a2=0.4..=0.6&n=12", "#plane-facts :text('the words are certain on')"],
   range: ["#check?example=branch", "#check-results table.parts"],
   tasks: [
     "#motion?view=tasks",

@@ -264,6 +264,10 @@ fn wrong_requests_are_answered_with_what_is_wrong() {
         (super::certificate, json!({ "a1": "3/2", "a2": "1/2" })),
         (super::certificate, json!({ "a1": "1/2", "a2": "3/2" })),
         (super::place, json!({ "a1": "3", "a2": "1", "chart": "disc" })),
+        (super::shares, json!({ "a1": ["0", "1"] })),
+        (super::shares, json!({ "r": ["0.9", "1.1"], "s": ["0.2", "0.3"] })),
+        (super::shares, json!({ "r": ["0.9", "0.8"], "s": ["0.2", "0.3"] })),
+        (super::shares, json!({ "r": ["0.8", "0.9"], "s": ["0.2", "0.3"], "cells": 0 })),
         (super::view, json!({})),
         (super::view, json!(7)),
     ] {
@@ -296,4 +300,75 @@ fn places_agree_between_charts() {
         let [u, v] = at(json!({ "a1": text(&a1), "a2": text(&a2), "chart": "disc" }));
         assert!(close(&u, &x) && close(&v, &y), "{r} {s}");
     }
+}
+
+/// What is said to hold in all of a box, or nowhere, does so at its points, by their own words; and points
+/// counted there lie in the bounds of every share.
+#[test]
+fn shares_of_a_box_are_those_of_its_points() {
+    const POINTS: usize = 400;
+    let mut random = Random(1);
+    let ladder = Ladder::default();
+    let text = |ends: &[BigRational; 2]| ends.each_ref().map(ToString::to_string);
+    let q = |text: &str| parse_rational(text).unwrap();
+    let mut told = 0;
+    for (names, first, second) in [
+        (["a1", "a2"], [q("-0.4"), q("0.3")], [q("0.4"), q("0.6")]),
+        (["a1", "a2"], [q("-0.25"), q("-0.2")], [q("0.7"), q("0.71")]),
+        (["r", "s"], [q("0.9"), q("0.98")], [q("0.2"), q("0.24")]),
+        (["r", "s"], [q("0.7"), q("0.7")], [q("0.1"), q("0.3")]),
+    ] {
+        let answer = ask(super::shares, json!({ names[0]: text(&first), names[1]: text(&second) }));
+        let mut counted = std::collections::HashMap::new();
+        for _ in 0..POINTS {
+            let mut at = |[lower, upper]: &[BigRational; 2]| {
+                lower + (upper - lower) * (BigRational::from_float(random.next()).unwrap() + q("1/2"))
+            };
+            let (x, y) = (at(&first), at(&second));
+            let place = if names[0] == "r" { Forward::polar(x, y) } else { Forward::plane(x, y) }.unwrap();
+            for sign in [1, -1] {
+                let word = Word::at(&ladder, &place.point, sign > 0, 60, &()).unwrap();
+                let mut holds = vec![format!("word {sign} {} {:?}", word.letters(), periods(&word))];
+                holds.extend(word.vertices().iter().map(|v| format!("period {sign} {}", v.period)));
+                for gamma in [1, -1] {
+                    let (entropy, _) = grazing::word::Entropy::of(&word, gamma > 0, 20).unwrap();
+                    if matches!(entropy, grazing::word::Entropy::Positive { .. }) {
+                        holds.push(format!("chaos {sign} {gamma}"));
+                    }
+                }
+                holds.into_iter().for_each(|what| *counted.entry(what).or_insert(0) += 1);
+            }
+        }
+        let all = |key: &str| answer[key].as_array().unwrap().clone();
+        let named = |kind: &str, row: &Json| match kind {
+            "chaos" => format!("chaos {} {}", row["sign_emu"], row["sign_gamma"]),
+            "periods" => format!("period {} {}", row["sign_emu"], row["n"]),
+            _ => {
+                let periods: Vec<u64> =
+                    row["periods"].as_array().unwrap().iter().flat_map(Json::as_u64).collect();
+                format!("word {} {} {periods:?}", row["sign_emu"], row["letters"].as_str().unwrap())
+            }
+        };
+        for kind in ["chaos", "periods", "words"] {
+            for row in all(kind) {
+                let name = named(kind, &row);
+                let share = *counted.get(&name).unwrap_or(&0) as f64 / POINTS as f64;
+                let [low, high] =
+                    [0, 1].map(|i| row["percent"][i].as_str().unwrap().parse::<f64>().unwrap() / 100.0);
+                // Five deviations of what is counted.
+                let wide = |p: f64| 5.0 * (p * (1.0 - p) / POINTS as f64).sqrt();
+                assert!(share >= low - wide(low) && share <= high + wide(high), "{name} {share} {row}");
+                match row["verdict"].as_str().unwrap() {
+                    "everywhere" => assert_eq!(share, 1.0, "{name}"),
+                    "nowhere" => assert_eq!(share, 0.0, "{name}"),
+                    _ => told += 1,
+                }
+            }
+        }
+    }
+    assert!(told > 10, "{told}");
+}
+
+fn periods(word: &Word) -> Vec<u64> {
+    word.vertices().iter().map(|vertex| vertex.period).collect()
 }
