@@ -115,7 +115,8 @@ class Copy:
         return code == 1
 
 
-PROOFS, PLACES, SCENE, THEORY = (f"grazing/_{name}.py" for name in ("proofs", "places", "scene", "theory"))
+PROOFS, PLACES, SCENE, THEORY, TOLERANCES = (
+    f"grazing/_{name}.py" for name in ("proofs", "places", "scene", "theory", "tolerances"))
 FORCED, ARRAYS, BOXES, PROCESSES, SHOWN, MACHINES = (
     f"test_{name}.py::" for name in ("forced", "arrays", "boxes", "processes", "shown", "machines"))
 
@@ -270,6 +271,13 @@ MUTANTS = [
            PROCESSES + "test_errors_are_pickled_with_all_their_parts"),
     Mutant("equal-but-for-values", "src/scene.rs", 'self.inner == other.inner && self.text == other.text', 'self.text == other.text',
            PROCESSES + "test_scenes_are_equal_where_nothing_tells_them_apart"),
+    Mutant("tolerance-points-exchanged", TOLERANCES, 'machine(side["with"]), machine(side.without)',
+           'machine(side.without), machine(side["with"])',
+           "test_tolerances.py::test_shares_of_machines_are_bounds_of_those_counted_one_by_one"),
+    Mutant("range-from-the-farther-touch", TOLERANCES, 'near = min(self.touches', 'near = max(self.touches',
+           "test_tolerances.py::test_ranges_over_tolerances_are_typed_and_drawn"),
+    Mutant("open-is-proved", TOLERANCES, 'if side.chaos == "open"', 'if side.chaos == "unknown"',
+           "test_tolerances.py::test_what_is_open_or_not_told_is_no_proof"),
 ]
 
 

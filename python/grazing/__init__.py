@@ -49,6 +49,7 @@ from ._places import (
 from ._proofs import Edge, Interval, Intervals, boundary, check, intervals, verify
 from ._scene import EVENT_KINDS, Run, Scene, Task, TaskReport
 from ._theory import FuzzReport, PatternReport, existence, fuzz
+from ._tolerances import Tolerance, ToleranceRange, ToleranceSide
 
 #: The style of the project's figures: ``matplotlib.pyplot.style.use(grazing.STYLE)``.
 STYLE = str(_Path(__file__).with_name("grazing.mplstyle"))
@@ -58,8 +59,8 @@ __all__ = [
     "Failed", "FileError", "ForkedError", "Fractions", "FuzzReport", "GrazingWarning", "InputError",
     "InternalError", "InterruptedWork", "Interval", "Intervals", "MissingPackageError", "Motions",
     "NothingFound", "NumberOverflowError", "Outcome", "PatternReport", "Pending", "Proved", "Record",
-    "Refuted", "Rejected", "Run", "STYLE", "Scene", "Share", "Shares", "Task", "TaskReport", "Undecided",
-    "Value", "Word", "WordCase", "WordReport", "__version__", "boundary", "check", "classify",
+    "Refuted", "Rejected", "Run", "STYLE", "Scene", "Share", "Shares", "Task", "TaskReport", "Tolerance",
+    "ToleranceRange", "ToleranceSide", "Undecided", "Value", "Word", "WordCase", "WordReport", "__version__", "boundary", "check", "classify",
     "classify_many", "decay", "evaluate", "existence", "frame", "fuzz", "intervals", "shares", "verify",
     "word",
 ]

@@ -287,14 +287,31 @@ def _proofs(found: TaskReport, axes: Any) -> None:
 
 
 def _touch(found: TaskReport, axes: Any) -> None:
-    """The same of what is born at a touch, from there to the end of its range."""
-    rows = [(f"{row.side}: {row.of} {', '.join(map(str, row.periods))}", row.touch, row.end, row.stability)
-            for row in found.findings.range if row.touch and row.end]
+    """The same of what is born at a touch, from there to the end of its range; of all machines within tolerances, for
+    the values of the parameter that they have in common."""
+    drawn = [(row, begin) for row in found.findings.range if (begin := _begin(row)) and row.end]
+    rows = [(f"{row.side}: {row.of} {', '.join(map(str, row.periods))}", begin, row.end, row.stability)
+            for row, begin in drawn]
     _ranges(axes, rows)
-    ends = sorted(abs(_float(end)) for _, _, end, _ in rows if _float(end))
-    if ends[-1] > 100 * ends[0] > 0:
-        axes.set_xscale("symlog", linthresh=ends[0])
+    # Of all machines within tolerances: where they touch, each somewhere there.
+    spread = [(y, row.touches) for y, (row, _) in enumerate(drawn)
+              if row.get("touches") and row.touches[0] != row.touches[1]]
+    for i, (y, ends) in enumerate(spread):
+        axes.plot([_float(end) for end in ends], [y, y], ":", color=GREY, linewidth=3,
+                  label=None if i else "touches of all machines")
+    far = sorted(abs(_float(end)) for _, _, end, _ in rows if _float(end))
+    if far[-1] > 100 * far[0] > 0:
+        axes.set_xscale("symlog", linthresh=far[0])
     axes.set(xlabel="parameter", ylabel="side")
+
+
+def _begin(row: Any) -> str | None:
+    """Where a range from a touch begins: there, or at that touch of all machines that is nearest to its end."""
+    if row.get("touches") and row.end:
+        touches: list[str] = row.touches
+        return min(touches, key=lambda touch: abs(Fraction(touch) - Fraction(row.end)))
+    begin: str | None = row.touch
+    return begin
 
 
 def _ranges(axes: Any, rows: list[tuple[str, str, str, Any]]) -> None:
@@ -326,5 +343,5 @@ _KINDS: dict[str, tuple[Any, Any]] = {
     "simulate": (_simulate, _arrays), "section": (_section, _arrays), "diagram": (_diagram, _arrays),
     "basins": (_basins, _arrays), "map": (_map, _arrays), "branch": (_branch, lambda found: found.rows),
     "validate": (_proofs, lambda found: any(row.lower for row in found.findings.get("proofs", ()))),
-    "grazing": (_touch, lambda found: any(row.touch and row.end for row in found.findings.get("range") or ())),
+    "grazing": (_touch, lambda found: any(_begin(row) and row.end for row in found.findings.get("range") or ())),
 }

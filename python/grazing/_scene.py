@@ -18,6 +18,7 @@ from ._frames import dataset, frame
 from ._motions import Motions
 from ._outcomes import Done, Failed, NothingFound, Outcome, Pending, Proved, Record, Refuted, Undecided
 from ._progress import Progress, shown
+from ._tolerances import Tolerance, tolerance
 
 #: The axes of arrays on a grid, by kind of task.
 _GRIDS = {"basins": ("q", "u"), "map": ("first", "second")}
@@ -78,6 +79,12 @@ class TaskReport:
 
     def __hash__(self) -> int:
         return hash((self.task, self.kind, self.text))
+
+    @property
+    def tolerance(self) -> Tolerance | None:
+        """What a task ``grazing`` with ``tolerance`` tells of all machines that it allows; ``None`` of others, and where
+        nothing is told: ``findings.tolerance_open`` says why."""
+        return tolerance(self.findings)
 
     def frame(self, name: str | None = None, *, floats: bool = False) -> Any:
         """A pandas frame of a table of the findings, as ``report.frame("orbits")``; of all points of branches
