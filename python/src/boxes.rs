@@ -145,7 +145,9 @@ fn told(share: &Share) -> Json {
         Spread::Differs => "differs",
         Spread::Open => "open",
     };
-    let point = |at: &Option<[BigRational; 2]>| at.as_ref().map(|at| at.each_ref().map(ToString::to_string));
+    let point = |at: &Option<Vec<BigRational>>| {
+        at.as_ref().map(|at| at.iter().map(ToString::to_string).collect::<Vec<_>>())
+    };
     json!({
         "verdict": verdict,
         "lower": share.lower.to_string(),

@@ -15,8 +15,10 @@ use crate::{
     word::Word,
 };
 
-/// Into how many cells a box is cut at most, and how many letters of a word are followed.
+/// Into how many cells a box is cut at most, and one of more than two parameters; and how
+/// many letters of a word are followed.
 const CELLS: u64 = 2000;
+const CELLS_OF_MORE: u64 = 8000;
 const LETTERS: usize = 100;
 /// Decimals of shares.
 const PLACES: u32 = 6;
@@ -102,17 +104,18 @@ fn in_words(positive: bool) -> &'static str {
     if positive { "before the touch" } else { "beyond the touch" }
 }
 
-/// Cost: some 50 µs per cell, of which there are at most 2000.
+/// Cost: some 50 µs per cell, of which there are at most 2000; of more than two parameters 8000.
 ///
 /// # Errors
 /// The monitor's interruption.
 pub(super) fn told(machines: &ToleratedMachines, monitor: &dyn Monitor) -> Result<ToleranceReport> {
     let ToleratedMachines { parameters, of } = machines;
-    let partition = Partition::new(of, CELLS, monitor)?;
+    let cells = if of.sides().count() > 2 { CELLS_OF_MORE } else { CELLS };
+    let partition = Partition::new(of, cells, monitor)?;
     let one = |positive: bool| -> Result<ToleranceSide> {
         let word: Word = of.word(positive, LETTERS, monitor)?;
         let share = partition.share(Statement::ChaosAt { positive });
-        let place = |point: &Option<[BigRational; 2]>| point.as_ref().map(|point| named(parameters, point));
+        let place = |point: &Option<Vec<BigRational>>| point.as_ref().map(|point| named(parameters, point));
         Ok(ToleranceSide {
             side: side(positive),
             sign_emu: if positive { 1 } else { -1 },
@@ -129,7 +132,7 @@ pub(super) fn told(machines: &ToleratedMachines, monitor: &dyn Monitor) -> Resul
     let open = partition.open().and_then(|leaf| {
         let why = leaf.why_open(in_words)?;
         let within = |one: &Tolerated| {
-            let [lower, upper] = &leaf.cell.bounds()[one.axis?];
+            let [lower, upper] = leaf.cell.sides().nth(one.axis?)?;
             Some(between(&one.name, lower, upper))
         };
         let place: Vec<String> = parameters.iter().filter_map(within).collect();
@@ -156,7 +159,7 @@ fn verdict(spread: Spread) -> &'static str {
 }
 
 /// A machine by the parameters that move it.
-fn named(parameters: &[Tolerated], point: &[BigRational; 2]) -> Vec<ParameterValue> {
+fn named(parameters: &[Tolerated], point: &[BigRational]) -> Vec<ParameterValue> {
     let value = |one: &Tolerated| {
         let value = decimal_or_fraction(&point[one.axis?]);
         Some(ParameterValue { name: one.name.clone(), value })

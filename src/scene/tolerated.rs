@@ -31,12 +31,11 @@ pub(crate) struct Tolerated {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ToleratedMachines {
     pub parameters: Vec<Tolerated>,
-    /// The parameters that damping and stiffness depend on, of at most two; the second is 0 where there is
-    /// only one.
+    /// The parameters that damping and stiffness depend on; a second one is 0 where there is only one.
     pub of: ParameterBox,
 }
 
-/// Damping and stiffness of a scene with two parameters free.
+/// Damping and stiffness of a scene with some parameters free.
 #[derive(Debug)]
 struct SceneCoefficients {
     damping: Expression,
@@ -46,7 +45,7 @@ struct SceneCoefficients {
 }
 
 impl SceneCoefficients {
-    fn evaluated<T: Coefficient<Context = ()>>(&self, free: &[T; 2]) -> Result<[T; 2]> {
+    fn evaluated<T: Coefficient<Context = ()>>(&self, free: &[T]) -> Result<[T; 2]> {
         let mut values: Vec<T> = self.values.iter().map(|value| T::ratio(value, &())).collect();
         for (place, value) in self.free.iter().zip(free) {
             values[*place] = value.clone();
@@ -60,11 +59,11 @@ impl SceneCoefficients {
 }
 
 impl Coefficients for SceneCoefficients {
-    fn at(&self, point: &[BigRational; 2]) -> Result<[BigRational; 2]> {
+    fn at(&self, point: &[BigRational]) -> Result<[BigRational; 2]> {
         self.evaluated(point)
     }
 
-    fn over(&self, cell: &[Sloped; 2]) -> Result<[Sloped; 2]> {
+    fn over(&self, cell: &[Sloped]) -> Result<[Sloped; 2]> {
         self.evaluated(cell)
     }
 }
@@ -107,26 +106,12 @@ impl Scene {
         {
             return Ok(Err(format!("the touch is not at a value of {name} within its tolerance")));
         }
-        if free.len() > 2 {
-            let names: Vec<&str> =
-                parameters.iter().filter(|one| one.axis.is_some()).map(|one| one.name.as_str()).collect();
-            return Ok(Err(format!(
-                "damping and stiffness change with {} parameters that have tolerances, {}: two are covered",
-                names.len(),
-                names.join(", ")
-            )));
-        }
-        let zero = BigRational::zero();
-        let mut bounds = [[zero.clone(), zero.clone()], [zero.clone(), zero]];
-        for one in &parameters {
-            if let Some(axis) = one.axis {
-                bounds[axis].clone_from(&one.bounds);
-            }
-        }
+        let moving = parameters.iter().filter(|one| one.axis.is_some());
+        let bounds: Vec<_> = moving.map(|one| one.bounds.clone()).collect();
         let (damping, stiffness) = (system.damping.clone(), system.stiffness.clone());
         let of = ParameterBox::oscillator(
             Arc::new(SceneCoefficients { damping, stiffness, values, free }),
-            bounds,
+            &bounds,
         );
         Ok(of.map(|of| ToleratedMachines { parameters, of }).map_err(|error| error.to_string()))
     }

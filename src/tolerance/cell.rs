@@ -16,9 +16,9 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::{
-    expansion::{Expansion, F, float, hull, most, short, whole},
+    expansion::{Expansion, F, float, hull, most, short, whole, widest},
     oscillator::{self, Functions},
-    parameters::{Coordinates, ParameterBox, is_flat},
+    parameters::{Coordinates, ParameterBox},
 };
 use crate::{
     local::{Answer, Polar, Rung, SignDecision},
@@ -71,10 +71,10 @@ pub(super) struct Turn {
 
 impl Cell {
     pub fn new(of: &ParameterBox) -> Cell {
-        let wider = usize::from(is_flat(&of.bounds[0]));
+        let wider = of.wide_axis(0);
         let (image, gamma) = match &of.coordinates {
             Coordinates::Machine => machine(&of.bounds),
-            Coordinates::Oscillator(Functions(functions)) => oscillator::image(&**functions, &of.bounds),
+            Coordinates::Oscillator(Functions(functions)) => oscillator::image(&**functions, of),
             Coordinates::Polar => (polar(&of.bounds), None),
             Coordinates::Plane => {
                 let [a1, a2] = of.bounds.clone();
@@ -244,9 +244,14 @@ impl Turn {
 }
 
 /// The half width, rounded up, and the middle.
-pub(super) fn half_and_middle(bounds: &[[BigRational; 2]; 2]) -> [(F, BigRational); 2] {
+fn half_and_middle(bounds: &[[BigRational; 2]; 2]) -> [(F, BigRational); 2] {
     let two = BigRational::from_integer(2.into());
-    bounds.each_ref().map(|[lower, upper]| (most(float(&((upper - lower) / &two))), (lower + upper) / &two))
+    bounds.each_ref().map(|side| (half_width(side), (&side[0] + &side[1]) / &two))
+}
+
+/// Rounded up.
+pub(super) fn half_width([lower, upper]: &[BigRational; 2]) -> F {
+    most(float(&((upper - lower) / BigRational::from_integer(2.into()))))
 }
 
 fn polar(bounds: &[[BigRational; 2]; 2]) -> Image {
@@ -255,7 +260,8 @@ fn polar(bounds: &[[BigRational; 2]; 2]) -> Image {
     let two_pi = short(&Ball::pi(&Precision::new(BITS))) * &F::integer(2, &());
     let (zero, one) = (F::integer(0, &()), F::integer(1, &()));
     let at = [F::sin(&angle, &()), F::cos(&angle, &()), float(&r)];
-    let expansion = Expansion::new([hr, hs], [[one, zero], [zero, two_pi]], at, most(float(&bounds[0][1])));
+    let expansion =
+        Expansion::new(vec![hr, hs], vec![[one, zero], [zero, two_pi]], at, most(float(&bounds[0][1])));
     let turn =
         Turn { s: hull(float(&bounds[1][0]), float(&bounds[1][1])), at_zero: false, at_half: false, axis: 1 };
     Image::Polar { turn, expansion: Some(Box::new(expansion)) }
@@ -298,9 +304,9 @@ fn machine(bounds: &[[BigRational; 2]; 2]) -> (Image, Option<bool>) {
         [[-(two_pi * &zeta * &radius), two_pi * &kappas], [-(turned * &radius), -(turned * &zeta / &kappas)]];
     let angle = Ball::pi(&precision) * &exact(&(&ratio + &ratio)) * &kappa(&damping);
     let at = At { angle, radius: decay(&ratio, &damping) };
-    let part = |i: usize| (most(slope[i][1]) * if i == 0 { &h0 } else { &h1 }).hi();
-    let axis = usize::from(part(1) > part(0));
-    complex([h0, h1], x, band, slope, &at, radius, axis)
+    let half = vec![h0, h1];
+    let axis = widest(slope.iter().map(|slope| slope[1]), &half);
+    complex(half, x, band, slope.to_vec(), &at, radius, axis)
 }
 
 /// The middle of a cell.
@@ -315,10 +321,10 @@ pub(super) struct At {
 /// slopes of r and of 2πσ in each parameter, the middle, r anywhere, and the parameter that σ varies with
 /// most; and whether γ > 0.
 pub(super) fn complex(
-    half: [F; 2],
+    half: Vec<F>,
     half_turns: F,
     band: f64,
-    mut slope: [[F; 2]; 2],
+    mut slope: Vec<[F; 2]>,
     at: &At,
     radius: F,
     axis: usize,

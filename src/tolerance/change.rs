@@ -90,7 +90,10 @@ impl Excursion {
         if (0..2).any(|i| from[i] < of.bounds[i][0] || of.bounds[i][1] < from[i]) {
             return Err(Error::input(format!("the point {}, {} is not in the box", from[0], from[1])));
         }
-        let cell = |bounds| ParameterBox { coordinates: of.coordinates.clone(), bounds };
+        if !of.more.is_empty() {
+            return Err(Error::input("one parameter goes alone where a box has two, not more"));
+        }
+        let cell = |bounds| ParameterBox { coordinates: of.coordinates.clone(), bounds, more: Vec::new() };
         let at = |i: usize| [from[i].clone(), from[i].clone()];
         let end = of.reach(axis, &from[axis])[usize::from(rises)].clone();
         let along = if rises { [from[axis].clone(), end.clone()] } else { [end.clone(), from[axis].clone()] };

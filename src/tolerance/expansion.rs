@@ -53,9 +53,10 @@ pub(super) fn short(ball: &Ball) -> F {
 /// F about the middle of a cell.
 #[derive(Debug)]
 pub(super) struct Expansion {
-    half: [F; 2],
+    /// Half the width, for each parameter.
+    half: Vec<F>,
     /// Of r and of θ, for each parameter.
-    slope: [[F; 2]; 2],
+    slope: Vec<[F; 2]>,
     /// R and T.
     reach: [F; 2],
     tables: RefCell<Tables>,
@@ -71,8 +72,8 @@ struct Tables {
 }
 
 impl Expansion {
-    pub fn new(half: [F; 2], slope: [[F; 2]; 2], [sine, cosine, r]: [F; 3], top: F) -> Expansion {
-        let reach = [0, 1].map(|of| most(slope[0][of]) * &half[0] + &(most(slope[1][of]) * &half[1]));
+    pub fn new(half: Vec<F>, slope: Vec<[F; 2]>, [sine, cosine, r]: [F; 3], top: F) -> Expansion {
+        let reach = [0, 1].map(|of| farthest(slope.iter().map(|slope| slope[of]), &half));
         let one = F::integer(1, &());
         let tables = RefCell::new(Tables {
             sine: vec![F::integer(0, &()), sine],
@@ -104,20 +105,31 @@ impl Expansion {
         let [rr, tt] = self.reach;
         let two = F::integer(2, &());
         let rest = (moduli * &rr * &rr + &(two * &mixed * &rr * &tt) + &(angles * &tt * &tt)) / &two;
-        let part = |i: usize| {
-            let [r, angle] = self.slope[i];
-            most(by_modulus * &r + &(by_angle * &angle)) * &self.half[i]
-        };
-        let parts = [part(0), part(1)];
-        let change = parts[0] + &parts[1] + &rest;
+        let slopes = self.slope.iter().map(|[r, angle]| by_modulus * r + &(by_angle * angle));
+        let change = farthest(slopes.clone(), &self.half) + &rest;
         if (value - &change).lo() > 0.0 {
             Ok(Sign::Positive)
         } else if (value + &change).hi() < 0.0 {
             Ok(Sign::Negative)
         } else {
-            Err(usize::from(parts[1].hi() > parts[0].hi()))
+            Err(widest(slopes, &self.half))
         }
     }
+}
+
+/// How far a function goes from its value in the middle of a cell, whose half widths these are, by the slopes
+/// in each parameter.
+pub(super) fn farthest(slopes: impl Iterator<Item = F>, half: &[F]) -> F {
+    let parts = slopes.zip(half).map(|(slope, half)| most(slope) * half);
+    parts.fold(F::integer(0, &()), |sum, part| sum + &part)
+}
+
+/// The parameter that brings it farthest, the first of equals.
+pub(super) fn widest(slopes: impl Iterator<Item = F>, half: &[F]) -> usize {
+    let parts = slopes.zip(half).map(|(slope, half)| (most(slope) * half).hi());
+    let farther =
+        |found: (usize, f64), (i, part): (usize, f64)| if part > found.1 { (i, part) } else { found };
+    parts.enumerate().fold((0, 0.0), farther).0
 }
 
 impl Tables {

@@ -1,10 +1,10 @@
 //! Machines as measured: parameters known up to tolerances, and what is true of all that they allow.
 //!
 //! A [`ParameterBox`] is a rectangle of parameters: natural over drive frequency and damping ratio, or r and
-//! s, or a₁ and a₂, or two of which damping and stiffness are functions ([`Coefficients`]). Its image in the
-//! plane of the word theorem is a curved strip, thinner than the rectangle around it. So no sign is decided
-//! on that rectangle: boxes are cut into cells, and on each cell a sign is decided in the box's own
-//! parameters, by Taylor's formula of second order (`expansion`).
+//! s, or a₁ and a₂; or it has any number of parameters, of which damping and stiffness are functions
+//! ([`Coefficients`]). Its image in the plane of the word theorem is a curved strip, thinner than the
+//! rectangle around it. So no sign is decided on that rectangle: boxes are cut into cells, and on each cell a
+//! sign is decided in the box's own parameters, by Taylor's formula of second order (`expansion`).
 //!
 //! [`ParameterBox::word`] is what the words of all points have in common. [`Partition`] cuts a box where
 //! words differ and bounds the share of the box in which a statement holds: the cells where it certainly

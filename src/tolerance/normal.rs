@@ -87,7 +87,7 @@ impl ParameterBox {
                 *upper = &half - (&half - &self.bounds[1][1]) * q(1, 64);
             }
         }
-        let wide = ParameterBox { coordinates: self.coordinates.clone(), bounds };
+        let wide = ParameterBox { coordinates: self.coordinates.clone(), bounds, more: Vec::new() };
         let [m0, m1] = middle;
         let [d0, d1] = deviation;
         Ok((NormalParameters { parameters: [[m0, d0], [m1, d1]], known: RefCell::default() }, wide))

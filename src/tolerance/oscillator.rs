@@ -1,4 +1,4 @@
-//! Machines q″ + c q′ + k q = f(t) whose damping c and stiffness k are functions of two parameters, f with
+//! Machines q″ + c q′ + k q = f(t) whose damping c and stiffness k are functions of some parameters, f with
 //! period 2π.
 //!
 //! They turn by σ = √D per period, D = k − c²/4, and r = exp(−πc). On a cell, with slopes cᵢ, kᵢ that are
@@ -17,8 +17,8 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::{
-    cell::{At, Image, at_border, complex, half_and_middle, nothing},
-    expansion::{F, float, hull, most, short},
+    cell::{At, Image, at_border, complex, half_width, nothing},
+    expansion::{F, farthest, float, hull, short, widest},
     parameters::{Coordinates, ParameterBox},
     sloped::Sloped,
 };
@@ -27,19 +27,19 @@ use crate::{
     number::{Ball, Elementary, Precision, Real},
 };
 
-/// Damping c and stiffness k as functions of two parameters.
+/// Damping c and stiffness k as functions of the parameters of a box.
 pub trait Coefficients: Debug + Send + Sync {
     /// c and k where the parameters have these values, exactly.
     ///
     /// # Errors
     /// Where they are not defined, or not rational.
-    fn at(&self, point: &[BigRational; 2]) -> Result<[BigRational; 2]>;
+    fn at(&self, point: &[BigRational]) -> Result<[BigRational; 2]>;
 
     /// c and k on a cell.
     ///
     /// # Errors
     /// Where they are not defined.
-    fn over(&self, cell: &[Sloped; 2]) -> Result<[Sloped; 2]>;
+    fn over(&self, cell: &[Sloped]) -> Result<[Sloped; 2]>;
 }
 
 /// Into how many cells a box is cut to see that its machines are covered.
@@ -47,30 +47,35 @@ const CELLS: usize = 1024;
 
 impl ParameterBox {
     /// Machines of one degree of freedom, of mass 1 and with a drive of period 2π, that touch their stop once
-    /// in it: c and k are functions of two parameters, one of which may be of one value.
+    /// in it: c and k are functions of the parameters with these bounds, in this order. Beside one parameter
+    /// they are given a second one, which is 0.
     ///
     /// # Errors
     /// An input error unless c ≥ 0 and k > 0 at all points, or where that is not shown; lower ends first.
-    pub fn oscillator(of: Arc<dyn Coefficients>, bounds: [[BigRational; 2]; 2]) -> Result<ParameterBox> {
-        let [first, second] = bounds;
-        let whole = ParameterBox::ordered(Coordinates::Oscillator(Functions(of)), [first, second])?;
+    pub fn oscillator(of: Arc<dyn Coefficients>, bounds: &[[BigRational; 2]]) -> Result<ParameterBox> {
+        let side = |axis: usize| bounds.get(axis).cloned().unwrap_or_default();
+        let mut whole = ParameterBox::ordered(Coordinates::Oscillator(Functions(of)), [side(0), side(1)])?;
+        for [lower, upper] in bounds.iter().skip(2) {
+            ParameterBox::check_order([lower, upper])?;
+            whole.more.push([lower.clone(), upper.clone()]);
+        }
         whole.check_covered()?;
         Ok(whole)
     }
 
     fn check_covered(&self) -> Result<()> {
         let Coordinates::Oscillator(Functions(of)) = &self.coordinates else { return Ok(()) };
-        of.at(&self.centre())?;
+        of.at(&self.middle())?;
         // The largest first.
         let mut open = VecDeque::from([self.clone()]);
         let mut cells = 0;
         while let Some(part) = open.pop_front() {
             cells += 1;
-            let [c, k] = of.over(&parameters(&part.bounds))?;
+            let [c, k] = of.over(&parameters(&part, [None, None]))?;
             if c.value.lo() >= 0.0 && k.value.lo() > 0.0 {
                 continue;
             }
-            let [c, k] = of.at(&part.centre())?;
+            let [c, k] = of.at(&part.middle())?;
             let wrong = match () {
                 () if c.is_negative() => Some(("damping", c, "at least 0")),
                 () if !k.is_positive() => Some(("stiffness", k, "above 0")),
@@ -86,10 +91,14 @@ impl ParameterBox {
                     "it is not shown that the damping is at least 0 and the stiffness above 0 for all machines",
                 ));
             }
-            let wide = |i: usize| &part.bounds[i][1] - &part.bounds[i][0];
             // By its part of the box.
-            let whole = |i: usize| &self.bounds[i][1] - &self.bounds[i][0];
-            let axis = usize::from(wide(1) * whole(0) > wide(0) * whole(1));
+            let wide = |of: &ParameterBox, i: usize| &of.side(i)[1] - &of.side(i)[0];
+            let mut axis = part.wide_axis(0);
+            for i in axis + 1..2 + part.more.len() {
+                if wide(&part, i) * wide(self, axis) > wide(&part, axis) * wide(self, i) {
+                    axis = i;
+                }
+            }
             open.extend(part.halves(axis));
         }
         Ok(())
@@ -106,8 +115,30 @@ impl PartialEq for Functions {
     }
 }
 
-fn parameters(bounds: &[[BigRational; 2]; 2]) -> [Sloped; 2] {
-    [0, 1].map(|i| Sloped::parameter(i, hull(float(&bounds[i][0]), float(&bounds[i][1]))))
+/// The parameters anywhere on a cell, two of them with their slopes.
+fn parameters(of: &ParameterBox, sloped: [Option<usize>; 2]) -> Vec<Sloped> {
+    let one = |(i, [lower, upper]): (usize, &[BigRational; 2])| {
+        let value = hull(float(lower), float(upper));
+        let place = sloped.iter().position(|axis| *axis == Some(i));
+        place.map_or(Sloped::constant(value), |place| Sloped::parameter(place, value))
+    };
+    of.sides().enumerate().map(one).collect()
+}
+
+/// c and k on a cell, and the slopes of both in each parameter.
+type Slopes = ([F; 2], Vec<[F; 2]>);
+
+/// Slopes are found for two parameters at a time.
+fn slopes(of: &dyn Coefficients, cell: &ParameterBox) -> Result<Slopes> {
+    let count = 2 + cell.more.len();
+    let mut slopes = Vec::with_capacity(count);
+    let mut values = [F::WHOLE; 2];
+    for first in (0..count).step_by(2) {
+        let [c, k] = of.over(&parameters(cell, [Some(first), Some(first + 1)]))?;
+        values = [c.value, k.value];
+        slopes.extend([0, 1].map(|i| [c.slope[i], k.slope[i]]).into_iter().take(count - first));
+    }
+    Ok((values, slopes))
 }
 
 /// Both enclose it.
@@ -116,30 +147,23 @@ fn meet(one: F, other: F) -> F {
 }
 
 /// The image of a box of machines, and whether γ > 0 on all of it.
-pub(super) fn image(of: &dyn Coefficients, bounds: &[[BigRational; 2]; 2]) -> (Image, Option<bool>) {
-    let wide = |i: usize| &bounds[i][1] - &bounds[i][0];
-    let wider = usize::from(wide(1) > wide(0));
-    let [(h0, first), (h1, second)] = half_and_middle(bounds);
-    let half = [h0, h1];
-    let (Ok([c, k]), Ok([c0, k0])) = (of.over(&parameters(bounds)), of.at(&[first, second])) else {
-        return (nothing(wider), None);
+pub(super) fn image(of: &dyn Coefficients, cell: &ParameterBox) -> (Image, Option<bool>) {
+    let half: Vec<F> = cell.sides().map(half_width).collect();
+    let (Ok(([c, k], by)), Ok([c0, k0])) = (slopes(of, cell), of.at(&cell.middle())) else {
+        return (nothing(widest(half.iter().copied(), &half)), None);
     };
     let two = F::integer(2, &());
     let quarter = BigRational::new(1.into(), 4.into());
     let d0 = k0 - &c0 * &c0 * quarter;
-    let slopes = [0, 1].map(|i| k.slope[i] - &(c.value * &c.slope[i] / &two));
+    let squares = by.iter().map(|[by_c, by_k]| *by_k - &(c * by_c / &two));
     // About the middle, as far as slopes lead.
-    let about = |middle: &BigRational, slopes: &[F; 2]| {
-        let reach = most(slopes[0]) * &half[0] + &(most(slopes[1]) * &half[1]);
-        float(middle) + &hull(-reach, reach)
-    };
-    let damping = meet(c.value, about(&c0, &c.slope));
-    let square = meet(k.value - &(c.value * &c.value / &F::integer(4, &())), about(&d0, &slopes));
+    let about = |middle: &BigRational, reach: F| float(middle) + &hull(-reach, reach);
+    let damping = meet(c, about(&c0, farthest(by.iter().map(|[by_c, _]| *by_c), &half)));
+    let square = meet(k - &(c * &c / &F::integer(4, &())), about(&d0, farthest(squares.clone(), &half)));
     if square.hi() <= 0.0 {
         return (Image::Two, Some(true));
     }
-    let part = |i: usize| (most(slopes[i]) * &half[i]).hi();
-    let axis = usize::from(part(1) > part(0));
+    let axis = widest(squares.clone(), &half);
     let precision = Precision::new(super::cell::BITS);
     let exact = |x: f64| BigRational::from_float(x).map(|x| Ball::ratio(&x, &precision));
     let Some((least, greatest)) = exact(square.lo().max(0.0)).zip(exact(square.hi())) else {
@@ -160,13 +184,14 @@ pub(super) fn image(of: &dyn Coefficients, bounds: &[[BigRational; 2]; 2]) -> (I
         return (nothing(axis), None);
     };
     let radius = hull(short(&decay(&slow)), short(&decay(&fast)));
-    let slope = [0, 1].map(|i| [-(once * &c.slope[i] * &radius), turn * &slopes[i] / &half_turns]);
+    let slope = by.iter().zip(squares);
+    let slope = slope.map(|([by_c, _], square)| [-(once * by_c * &radius), turn * &square / &half_turns]);
     let exactly = |x: &BigRational| Ball::ratio(x, &precision);
     let at = At {
         angle: pi.clone() * &Ball::integer(2, &precision) * &exactly(&d0).sqrt(),
         radius: decay(&exactly(&c0)),
     };
-    complex(half, half_turns, band, slope, &at, radius, axis)
+    complex(half, half_turns, band, slope.collect(), &at, radius, axis)
 }
 
 #[cfg(test)]
@@ -179,11 +204,13 @@ mod tests {
     struct Machine;
 
     impl Coefficients for Machine {
-        fn at(&self, [ratio, damping]: &[BigRational; 2]) -> Result<[BigRational; 2]> {
+        fn at(&self, point: &[BigRational]) -> Result<[BigRational; 2]> {
+            let [ratio, damping] = [&point[0], &point[1]];
             Ok([ratio * damping * BigRational::from_integer(2.into()), ratio * ratio])
         }
 
-        fn over(&self, [ratio, damping]: &[Sloped; 2]) -> Result<[Sloped; 2]> {
+        fn over(&self, cell: &[Sloped]) -> Result<[Sloped; 2]> {
+            let [ratio, damping] = [&cell[0], &cell[1]];
             Ok([Sloped::integer(2, &()) * ratio * damping, *ratio * ratio])
         }
     }
@@ -214,7 +241,7 @@ mod tests {
         let mut told = [0, 0];
         for bounds in boxes() {
             let own = ParameterBox::machine(bounds[0].clone(), bounds[1].clone()).unwrap();
-            let same = ParameterBox::oscillator(Arc::new(Machine), bounds.clone()).unwrap();
+            let same = ParameterBox::oscillator(Arc::new(Machine), &bounds).unwrap();
             let [own, same] = [&own, &same].map(Cell::new);
             let mut agree = |one: Option<bool>, other: Option<bool>, what: &str| {
                 assert!(one.is_none() || other.is_none() || one == other, "{what} {bounds:?}");
@@ -238,7 +265,7 @@ mod tests {
     fn shares_are_those_of_the_same_machines() {
         let bounds = [[q(12_177, 10_000), q(12_423, 10_000)], [q(16, 1000), q(24, 1000)]];
         let own = ParameterBox::machine(bounds[0].clone(), bounds[1].clone()).unwrap();
-        let same = ParameterBox::oscillator(Arc::new(Machine), bounds).unwrap();
+        let same = ParameterBox::oscillator(Arc::new(Machine), &bounds).unwrap();
         let [own, same] = [own, same]
             .map(|of| Partition::new(&of, 2000, &()).unwrap().share(Statement::ChaosAt { positive: true }));
         assert_eq!(same.spread(), Spread::Differs);
@@ -249,7 +276,7 @@ mod tests {
     #[test]
     fn machines_that_are_not_covered_are_refused() {
         let at = |ratio: [BigRational; 2], damping: [BigRational; 2]| {
-            ParameterBox::oscillator(Arc::new(Machine), [ratio, damping]).map_err(|error| error.to_string())
+            ParameterBox::oscillator(Arc::new(Machine), &[ratio, damping]).map_err(|error| error.to_string())
         };
         assert!(at([q(1, 2), q(1, 1)], [q(0, 1), q(1, 10)]).is_ok());
         let error = at([q(1, 2), q(1, 1)], [q(-1, 10), q(1, 100)]).unwrap_err();

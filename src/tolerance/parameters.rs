@@ -22,11 +22,12 @@ pub(super) enum Coordinates {
     Polar,
     /// a₁ and a₂.
     Plane,
-    /// Two of which damping and stiffness are functions.
+    /// Those of which damping and stiffness are functions, two or more.
     Oscillator(Functions),
 }
 
-/// All points with two parameters between bounds, both included.
+/// All points with two parameters between bounds, both included; or with more, of which damping and stiffness
+/// are functions.
 ///
 /// ```
 /// use grazing::{number::parse_rational, tolerance::ParameterBox};
@@ -39,6 +40,8 @@ pub(super) enum Coordinates {
 pub struct ParameterBox {
     pub(super) coordinates: Coordinates,
     pub(super) bounds: [[BigRational; 2]; 2],
+    /// Of the third parameter and those after it, where there are more than two.
+    pub(super) more: Vec<[BigRational; 2]>,
 }
 
 impl ParameterBox {
@@ -95,28 +98,49 @@ impl ParameterBox {
     }
 
     pub(super) fn ordered(coordinates: Coordinates, bounds: [[BigRational; 2]; 2]) -> Result<ParameterBox> {
-        for [lower, upper] in &bounds {
-            if lower > upper {
-                return Err(Error::input(format!("from {lower} to {upper}: the lower end comes first")));
-            }
-        }
-        Ok(ParameterBox { coordinates, bounds })
+        bounds.iter().try_for_each(|[lower, upper]| ParameterBox::check_order([lower, upper]))?;
+        Ok(ParameterBox { coordinates, bounds, more: Vec::new() })
     }
 
-    /// The bounds of both parameters.
+    pub(super) fn check_order([lower, upper]: [&BigRational; 2]) -> Result<()> {
+        match lower > upper {
+            true => Err(Error::input(format!("from {lower} to {upper}: the lower end comes first"))),
+            false => Ok(()),
+        }
+    }
+
+    /// The bounds of every parameter, in their order.
+    pub fn sides(&self) -> impl Iterator<Item = &[BigRational; 2]> {
+        self.bounds.iter().chain(&self.more)
+    }
+
+    /// Those of one parameter.
+    pub(super) fn side(&self, axis: usize) -> &[BigRational; 2] {
+        self.bounds.get(axis).unwrap_or_else(|| &self.more[axis - 2])
+    }
+
+    /// A parameter that is not known exactly, this one if it is not; the first, if all are.
+    pub(super) fn wide_axis(&self, axis: usize) -> usize {
+        let is_wide = |axis: &usize| !is_flat(self.side(*axis));
+        std::iter::once(axis).chain(0..2 + self.more.len()).find(is_wide).unwrap_or(0)
+    }
+
+    /// The bounds of the first two parameters.
     pub fn bounds(&self) -> &[[BigRational; 2]; 2] {
         &self.bounds
     }
 
     /// a₁ and a₂ where the parameters have these values, in floats: for pictures. NaN where damping or
-    /// stiffness are not defined.
+    /// stiffness are not defined. A third parameter, and more, are in their middle.
     pub fn in_plane(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         match &self.coordinates {
             Coordinates::Plane => [x, y],
             Coordinates::Polar => [2.0 * x * (TAU * y).cos(), x * x],
             Coordinates::Oscillator(Functions(of)) => {
                 let point = BigRational::from_float(x).zip(BigRational::from_float(y));
-                let found = point.and_then(|(x, y)| of.at(&[x, y]).ok());
+                let rest = self.more.iter().map(middle);
+                let at = |(x, y)| of.at(&[x, y].into_iter().chain(rest).collect::<Vec<_>>()).ok();
+                let found = point.and_then(at);
                 let [c, k] = found.map_or([f64::NAN; 2], |both| both.map(|x| x.to_f64().unwrap_or(f64::NAN)));
                 let (decay, square) = ((-c * PI).exp(), k - 0.25 * c * c);
                 let swing = TAU * square.abs().sqrt();
@@ -133,22 +157,29 @@ impl ParameterBox {
         }
     }
 
-    /// The middle.
+    /// The middle, of the first two parameters.
     pub fn centre(&self) -> [BigRational; 2] {
-        self.bounds.each_ref().map(|[lower, upper]| (lower + upper) / BigRational::from_integer(2.into()))
+        self.bounds.each_ref().map(middle)
     }
 
-    /// A point of it near its middle, in as few decimals as one has; the middle itself if 30 are too few.
-    pub fn short_point(&self) -> [BigRational; 2] {
-        let middle = self.centre();
-        [0, 1].map(|i| {
-            let least = (&self.bounds[i][0] + &middle[i]) / BigRational::from_integer(2.into());
+    /// The middle, of all.
+    pub(super) fn middle(&self) -> Vec<BigRational> {
+        self.sides().map(middle).collect()
+    }
+
+    /// A point of it near its middle, each parameter in as few decimals as one has; the middle itself if 30
+    /// are too few.
+    pub fn short_point(&self) -> Vec<BigRational> {
+        let one = |side: &[BigRational; 2]| {
+            let middle = middle(side);
+            let least = (&side[0] + &middle) / BigRational::from_integer(2.into());
             let rounded = |places: usize| {
                 let scale = BigRational::from_integer(pow(BigInt::from(10), places));
-                (&middle[i] * &scale).floor() / scale
+                (&middle * &scale).floor() / scale
             };
-            (0..=30).map(rounded).find(|x| *x >= least).unwrap_or_else(|| middle[i].clone())
-        })
+            (0..=30).map(rounded).find(|x| *x >= least).unwrap_or_else(|| middle.clone())
+        };
+        self.sides().map(one).collect()
     }
 
     /// The name of its coordinates, as a certificate has it; none where damping and stiffness are functions.
@@ -184,15 +215,19 @@ impl ParameterBox {
 
     /// Whether it is one point.
     pub fn is_point(&self) -> bool {
-        self.bounds.iter().all(|[lower, upper]| lower == upper)
+        self.sides().all(is_flat)
     }
 
     /// The two halves, cut across one parameter.
     pub(crate) fn halves(&self, axis: usize) -> [ParameterBox; 2] {
-        let middle = (&self.bounds[axis][0] + &self.bounds[axis][1]) / BigRational::from_integer(2.into());
+        let middle = middle(self.side(axis));
         [1, 0].map(|end| {
             let mut half = self.clone();
-            half.bounds[axis][end] = middle.clone();
+            let side = match axis.checked_sub(2) {
+                None => &mut half.bounds[axis],
+                Some(axis) => &mut half.more[axis],
+            };
+            side[end] = middle.clone();
             half
         })
     }
@@ -221,6 +256,10 @@ impl ParameterBox {
     pub fn has_gamma(&self) -> bool {
         matches!(self.coordinates, Coordinates::Machine | Coordinates::Oscillator(_))
     }
+}
+
+fn middle([lower, upper]: &[BigRational; 2]) -> BigRational {
+    (lower + upper) / BigRational::from_integer(2.into())
 }
 
 /// Whether nothing lies between.

@@ -12,7 +12,7 @@ use num_traits::One;
 use super::{
     cell::{Cell, LONGEST, Turn},
     normal::NormalParameters,
-    parameters::{ParameterBox, is_flat},
+    parameters::ParameterBox,
 };
 use crate::{
     error::{Error, Result},
@@ -117,9 +117,9 @@ pub struct Share {
     /// At most this share has it.
     pub upper: BigRational,
     /// A point of the largest cell on which it holds, in few decimals.
-    pub with: Option<[BigRational; 2]>,
+    pub with: Option<Vec<BigRational>>,
     /// A point of the largest cell on which it does not.
-    pub without: Option<[BigRational; 2]>,
+    pub without: Option<Vec<BigRational>>,
     /// Whether it is open on some cell.
     pub open: bool,
 }
@@ -303,10 +303,7 @@ impl Leaf {
         // The axis is that of the last open sign: eµ > 0 comes last.
         let behind = word(false)?;
         let ahead = word(true)?;
-        let mut axis = signs.axis();
-        if is_flat(&cell.bounds[axis]) {
-            axis = 1 - axis;
-        }
+        let axis = cell.wide_axis(signs.axis());
         let words = [ahead, behind];
         let ahead = [true, false].map(|gamma| signs.chaos_ahead(gamma));
         let beyond = [beyond_ahead(&signs, &words[0]), beyond_behind(&signs, &words[1])];

@@ -73,7 +73,7 @@ impl Tube {
             }
             from = cells.len();
             for (of, cell) in halved {
-                cells.extend(of.halves(cell.axis()).map(|half| {
+                cells.extend(of.halves(of.wide_axis(cell.axis())).map(|half| {
                     let cell = Cell::new(&half);
                     (half, cell)
                 }));

@@ -391,7 +391,8 @@ fn nothing_changes_before_a_change_and_something_at_it() {
                 let Some(after) = change.after else { continue };
                 let mut point = after.cell.centre();
                 point[to.axis] = change.by.unwrap();
-                for point in [point, after.cell.short_point()] {
+                let short: [Q; 2] = after.cell.short_point().try_into().unwrap();
+                for point in [point, short] {
                     let Some(exact) = at_point(kind, point) else { continue };
                     assert_ne!(is_true(statement, &exact), change.holds, "{statement:?} {to:?} {of:?}");
                     changes += 1;

@@ -369,7 +369,7 @@ fn write_json(report: &Report, out: &mut dyn Write) -> Result<()> {
             "word_before": words(&row.change.until, positive),
             "word_after": after.map(|leaf| words(leaf, positive)),
             "gamma_after": after.and_then(|leaf| leaf.gamma).map(sign),
-            "at": after.map(|leaf| leaf.cell.short_point().map(|x| x.to_string())),
+            "at": after.map(|leaf| leaf.cell.short_point().iter().map(ToString::to_string).collect::<Vec<_>>()),
         })
     };
     let questions: Vec<Json> = report

@@ -185,7 +185,7 @@ fn said(share: &Share, weight: Weight) -> String {
 }
 
 /// A place, exactly.
-fn at(bounds: &Bounds, point: &[BigRational; 2]) -> String {
+fn at(bounds: &Bounds, point: &[BigRational]) -> String {
     let one = |i: usize| format!("{} = {}", place::spoken(bounds[i].0), decimal_or_fraction(&point[i]));
     format!("{}, {}", one(0), one(1))
 }
@@ -331,8 +331,8 @@ fn listed(word: &Word) -> String {
 }
 
 fn write_json(report: &Report, rows: &[Row], out: &mut dyn Write) -> Result<()> {
-    let point = |point: &Option<[BigRational; 2]>| {
-        point.as_ref().map(|point| point.each_ref().map(ToString::to_string))
+    let point = |point: &Option<Vec<BigRational>>| {
+        point.as_ref().map(|point| point.iter().map(ToString::to_string).collect::<Vec<_>>())
     };
     let of = |what: &str, keys: &dyn Fn(&Row) -> Json| -> Vec<Json> {
         rows.iter()

@@ -44,7 +44,9 @@ fn with_share(mut what: Json, share: &Share) -> Json {
         Spread::Differs => "differs",
         Spread::Open => "open",
     };
-    let at = |point: &Option<[BigRational; 2]>| point.as_ref().map(|p| p.each_ref().map(decimal_or_fraction));
+    let at = |point: &Option<Vec<BigRational>>| {
+        point.as_ref().map(|point| point.iter().map(decimal_or_fraction).collect::<Vec<_>>())
+    };
     what["verdict"] = json!(verdict);
     what["percent"] = json!([
         decimal_below(&(&share.lower * integer(100)), 2),
