@@ -286,7 +286,8 @@ impl FrictionRow {
 }
 
 impl SimulationFindings {
-    /// Before anything has happened in a motion over so many periods that a series is of, with stops that are compliant or not.
+    /// Before anything has happened in a motion over so many periods that a series is of, with stops that are
+    /// compliant or not.
     pub(super) fn new(
         span: f64,
         (of, compliant): (&SeriesOf, &[bool]),

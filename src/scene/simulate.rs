@@ -2,15 +2,7 @@
 
 use num_rational::BigRational;
 
-use std::f64::consts::TAU;
-
-use super::{
-    expression::Expression,
-    keys::keys,
-    matrix::CoordinateList,
-    scene::{Body, Scene},
-};
-use crate::error::Result;
+use super::{expression::Expression, keys::keys, matrix::CoordinateList};
 
 keys! {
     /// Follows one motion: its time series, its impacts and a picture of both.
@@ -37,20 +29,5 @@ keys! {
         q: CoordinateList,
         /// the velocity, in the same way
         u: CoordinateList = "0",
-    }
-}
-
-impl SimulateTask {
-    /// How many forcing periods are written, in whole ones or not.
-    ///
-    /// # Errors
-    /// A duration that cannot be computed, or a period.
-    pub(crate) fn span(&self, scene: &Scene) -> Result<f64> {
-        let Some(duration) = &self.duration else { return Ok(f64::from(self.periods)) };
-        let period = match scene.body {
-            Body::Oscillator(_) => TAU,
-            Body::Machine(_) => scene.machine(&[])?.period,
-        };
-        Ok(scene.number(duration)? / period)
     }
 }

@@ -1,5 +1,7 @@
 //! A machine of a scene at the parameters' values, and the states in which it starts.
 
+use std::f64::consts::TAU;
+
 use num_rational::BigRational;
 
 use super::{
@@ -8,7 +10,7 @@ use super::{
     matrix::CoordinateList,
     scene::{Body, Scene, float, phase},
     sections::Values,
-    simulate::Start,
+    simulate::{SimulateTask, Start},
 };
 use crate::{
     error::{Error, Result},
@@ -18,6 +20,19 @@ use crate::{
 };
 
 impl Scene {
+    /// How many forcing periods of a motion are written, in whole ones or not.
+    ///
+    /// # Errors
+    /// A duration that cannot be computed, or a period.
+    pub(crate) fn span(&self, task: &SimulateTask) -> Result<f64> {
+        let Some(duration) = &task.duration else { return Ok(f64::from(task.periods)) };
+        let period = match self.body {
+            Body::Oscillator(_) => TAU,
+            Body::Machine(_) => self.machine(&[])?.period,
+        };
+        Ok(self.number(duration)? / period)
+    }
+
     /// The machine where the engine is `many`, each coefficient rounded from its exact value where it is
     /// rational.
     ///

@@ -61,7 +61,7 @@ impl Checked<'_> {
             let message = "is not 0, where the record of the force begins: leave it out";
             return self.fail("start.phase", message);
         }
-        let asked = task.span(self.scene)?;
+        let asked = self.scene.span(task)?;
         if asked > periods * (1.0 + 1e-9) {
             let message =
                 format!("asks for {asked} periods; the record of the force ends after {periods:.6}");
@@ -100,8 +100,8 @@ impl Checked<'_> {
         if task.periods == 0 {
             return self.fail("periods", "is 0; a motion is followed for at least 1");
         }
-        let (span, samples) = (task.span(self.scene)?, task.samples);
-        if !(span > 0.0) {
+        let (span, samples) = (self.scene.span(task)?, task.samples);
+        if span.is_nan() || span <= 0.0 {
             return self.fail(key, "is not positive: a motion is followed for some time");
         }
         let points = span * f64::from(samples);

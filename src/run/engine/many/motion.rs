@@ -38,7 +38,7 @@ pub(super) fn simulate(
     let Machines { job, machine } = *engine;
     let start = job.scene.machine_state(&task.start, machine, "start")?;
     let simulator = job.machine_simulator(machine, std::slice::from_ref(&start))?;
-    let span = task.span(&job.scene)?;
+    let span = job.scene.span(task)?;
     let of = series_of(machine, &simulator, [Time::new(task.transient as i64, start.t).periods(), span]);
     keeper.begin(&of)?;
     job.monitor.begin(task.transient + span.ceil() as u64, "periods");

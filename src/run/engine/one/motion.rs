@@ -44,7 +44,7 @@ pub(super) fn simulate(
             Some((SeriesStop { name: stop.name.clone(), along: Some(side.sign()) }, known(side)?))
         })
         .unzip();
-    let span = task.span(&job.scene)?;
+    let span = job.scene.span(task)?;
     let begin = Time::new(task.transient as i64, start.t).periods();
     let of = SeriesOf { points: 1, stops: named, friction: Vec::new(), period: TAU, begin, span };
     keeper.begin(&of)?;
