@@ -9,8 +9,8 @@ use crate::{
     scene::simulate::SimulateTask,
 };
 
-/// A part of a sample's time that is rounding's.
-const EVEN: f64 = 1e-9;
+/// An end so near a sample's time, relative to the whole, is there.
+const EVEN: f64 = 4.0 * f64::EPSILON;
 
 /// A motion whose points and events are kept.
 pub(super) trait SampledMotion {
@@ -52,22 +52,20 @@ pub(super) fn follow<M: SampledMotion>(
         passed = next;
     }
     let samples = u64::from(task.samples);
-    let whole = (span * samples as f64 + EVEN).floor();
-    let rest = span * samples as f64 - whole;
-    for sample in 0..=whole as u64 + u64::from(rest > EVEN) {
+    let asked = span * samples as f64;
+    let whole = (asked * (1.0 + EVEN)).floor();
+    // The last point is where the motion ends, at a sample's time or between two.
+    let last = (asked - whole > EVEN * asked).then_some(asked);
+    for sample in (0..=whole as u64).map(|sample| sample as f64).chain(last) {
         if end != RunEnd::Reached {
             break;
         }
-        let (period, part) = (sample / samples, sample % samples);
-        // The last point is where the motion ends.
-        let left = if sample as f64 > span * samples as f64 { 1.0 - rest } else { 0.0 };
-        if part == 0 && period > 0 && period.is_multiple_of(M::CHUNK) {
+        let period = (sample / samples as f64).floor();
+        let (period, part) = (period as u64, sample - period * samples as f64);
+        if part == 0.0 && period > 0 && period.is_multiple_of(M::CHUNK) {
             monitor.advance(M::CHUNK)?;
         }
-        let until = Time::new(
-            (task.transient + period) as i64,
-            phase + TAU * (part as f64 - left) / f64::from(task.samples),
-        );
+        let until = Time::new((task.transient + period) as i64, phase + TAU * part / f64::from(task.samples));
         end = motion.record(until)?;
         if end == RunEnd::Reached {
             motion.sample(until)?;

@@ -19,6 +19,9 @@ use crate::{
     search::machine::Bounds,
 };
 
+/// A duration so near whole periods, relative to itself, is of whole ones.
+const ROUNDED: f64 = 4.0 * f64::EPSILON;
+
 impl Scene {
     /// How many forcing periods of a motion are written, in whole ones or not.
     ///
@@ -30,7 +33,10 @@ impl Scene {
             Body::Oscillator(_) => TAU,
             Body::Machine(_) => self.machine(&[])?.period,
         };
-        Ok(self.number(duration)? / period)
+        let span = self.number(duration)? / period;
+        // Whole periods that are not whole by the rounding of a quotient.
+        let near = (span - span.round()).abs() <= ROUNDED * span;
+        Ok(if near { span.round() } else { span })
     }
 
     /// The machine where the engine is `many`, each coefficient rounded from its exact value where it is

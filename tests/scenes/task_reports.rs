@@ -540,6 +540,29 @@ fn a_duration_ends_where_it_says() {
             let q = (-t / 20.0).exp() * ((w * t).cos() + (w * t).sin() / (20.0 * w));
             assert!((last[2] - q).abs() < 1e-12, "{last:?} {q}");
         }
+        // No time twice or backwards: 0.3 of 0.1 is not 3 in floats, nor is a third of 7/3.
+        for (period, duration) in [("0.1", "0.3"), ("1/3", "7/9"), ("0.1", "1.1"), ("3", "\"3 - 2^-40\"")] {
+            if system == one {
+                continue;
+            }
+            let text = scene(&format!("period = \"{period}\"\nmass = 1"), &format!("duration = {duration}"));
+            let text = text.replace("= 7/9", "= \"7/9\"");
+            let (code, output, error, folder) = command(&text, &["--format", "json"]);
+            assert_eq!(code, 0, "{output} {error}");
+            let rows = fs::read_to_string(folder.path().join("m.csv")).unwrap();
+            let times: Vec<f64> =
+                rows.lines().skip(1).map(|row| row.split(',').next().unwrap().parse().unwrap()).collect();
+            assert!(times.windows(2).all(|pair| pair[0] < pair[1]), "{times:?}");
+            let number = |text: &str| {
+                let parts: Vec<f64> = text.split('/').map(|x| x.parse().unwrap()).collect();
+                parts[0] / parts.get(1).unwrap_or(&1.0)
+            };
+            let wanted = if duration.contains('^') { 3.0 - 2f64.powi(-40) } else { number(duration) };
+            assert!((times[times.len() - 1] - wanted).abs() < 1e-14 * wanted, "{duration}: {times:?}");
+            let report: Value = serde_json::from_str(&output).unwrap();
+            let periods = (wanted / number(period) * (1.0 - 1e-14)).ceil();
+            assert_eq!(report["tasks"][0]["periods"], periods, "{duration}");
+        }
         for (keys, answer) in [
             ("duration = 3\nperiods = 2", "stands beside `periods`"),
             ("duration = 0", "is not positive"),
