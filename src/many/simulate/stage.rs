@@ -663,11 +663,13 @@ impl Stage {
     ///
     /// # Errors
     /// None in practice: of [`Contacts::forces`].
-    pub fn slopes(&self, contacts: &Contacts, watch: usize, state: &State) -> Result<(RealVector, f64)> {
-        if let Some(smooth) = &self.smooth {
+    pub fn slopes(&self, contacts: &Contacts, what: What, state: &State) -> Result<(RealVector, f64)> {
+        if let Some(smooth) = &self.smooth
+            && let Some(watch) = self.watched.iter().position(|known| *known == what)
+        {
             return Ok(smooth.slopes(watch, state));
         }
-        let seen = match self.watched[watch] {
+        let seen = match what {
             What::Slide(j) => contacts.rubs()[j].rate_watch(self.holds.grips[j].sign()),
             What::Hold(j, side) => {
                 let rows = self.holds.rows(contacts);

@@ -18,7 +18,10 @@
 
 use std::sync::Arc;
 
-use super::{Event, Simulator, stage::Stage};
+use super::{
+    Event, Simulator,
+    stage::{Stage, What},
+};
 use crate::{
     attractor::dynamics::{Tangents, orthonormalise},
     error::Result,
@@ -189,18 +192,26 @@ impl<'a> Carried<'a> {
             return;
         }
         let contacts = self.simulator.contacts();
-        let (row, push) = (&contacts.all()[touch.place].row, contacts.push(touch.place));
-        let damping = touch.jump / -touch.velocity;
+        let row = &contacts.all()[touch.place].row;
+        // By how much faster q″ turns, over the speed.
+        let kick = if contacts.rubs().is_empty() {
+            contacts.push(touch.place) * (touch.jump / -touch.velocity)
+        } else {
+            // What sticks may hold some of it, or let go.
+            let (arrival, now) = (State { t: self.now.phase, ..self.state.clone() }, self.now);
+            let bent = self.run.stage().acceleration(now, &arrival);
+            (bent - self.stage.acceleration(now, &arrival)) / -touch.velocity
+        };
         self.mapped(|q, u| {
-            let u = u - push * (damping * row.dot(&q));
+            let u = u - &kick * row.dot(&q);
             (q, u)
         });
     }
 
     /// What the stage so far watched of friction has fallen to 0, and the motion goes on in another stage.
-    fn rubbed(&mut self, watch: usize, stage: &Arc<Stage>) -> Result<()> {
+    fn rubbed(&mut self, what: What, stage: &Arc<Stage>) -> Result<()> {
         let (arrival, now) = (State { t: self.now.phase, ..self.state.clone() }, self.now);
-        let (by_state, by_time) = self.stage.slopes(self.simulator.contacts(), watch, &arrival)?;
+        let (by_state, by_time) = self.stage.slopes(self.simulator.contacts(), what, &arrival)?;
         let bend = self.stage.acceleration(now, &arrival);
         let turn = &bend - stage.acceleration(now, &arrival);
         let rate = by_state.dot(&stacked(&arrival.u, &bend)) + by_time;
@@ -276,8 +287,8 @@ impl Tangents for Carried<'_> {
                 self.touched(touch);
             }
             let stage = self.run.stage();
-            if let Some(watch) = self.run.rubbed() {
-                self.rubbed(watch, &stage)?;
+            if let Some(what) = self.run.rubbed() {
+                self.rubbed(what, &stage)?;
             }
             (self.state, self.now) = (self.run.state(), self.run.time());
             if !Arc::ptr_eq(&stage, &self.stage) {
@@ -326,5 +337,104 @@ impl Stage {
             None => (q, u),
             Some(free) => (free * q, free * u),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+    use crate::{
+        many::{Friction, Load, Machine, Stop, StopLaw, simulate::Settings},
+        motion::Wall,
+    };
+
+    /// Two coupled masses on a rough row, with a stop that gives way; numbers from a seed.
+    fn rough(random: &mut Random) -> Machine<f64> {
+        let mut between = |low: f64, high: f64| low + (high - low) * (random.bits() as f64 / u64::MAX as f64);
+        let coupled = between(-0.5, 0.5);
+        let all = |a: f64, b: f64, c: f64| vec![(0, 0, a), (0, 1, b), (1, 0, b), (1, 1, c)];
+        let (sliding, more) = (between(0.3, 1.6), between(1.0, 1.4));
+        Machine {
+            size: 2,
+            period: TAU,
+            mass: all(1.0, coupled, 0.7),
+            damping: all(0.2, -0.02, 0.25),
+            damping_ratio: vec![],
+            stiffness: all(4.0, -1.5, 2.2),
+            shapes: vec![],
+            force: vec![],
+            forcing: vec![Load {
+                k: 1,
+                cos: vec![between(0.2, 1.5), between(0.5, 1.5)],
+                sin: vec![0.2, between(-0.5, 0.5)],
+            }],
+            smooth: vec![],
+            record: None,
+            stops: vec![Stop {
+                name: "pad".into(),
+                row: vec![0.0, 1.0],
+                wall: Wall { offset: -between(0.1, 0.5), harmonics: vec![], restitution: 0.0 },
+                law: StopLaw::Soft { stiffness: 12.0, damping: 1.5 },
+            }],
+            friction: vec![Friction {
+                name: "ground".into(),
+                row: vec![1.0, 0.0],
+                normal: 1.0,
+                coefficient: sliding,
+                static_coefficient: sliding * more,
+                speed: between(-0.2, 0.2),
+                harmonics: vec![],
+            }],
+        }
+    }
+
+    /// A vector is the derivative of the motion in its direction, through stick and slip and through contact
+    /// that begins while something sticks.
+    #[test]
+    fn vectors_are_differences_of_motions() {
+        let mut random = Random::of_unit(7, 0);
+        let mut compared = 0;
+        for trial in 0..40 {
+            let machine = rough(&mut random);
+            let simulator = Simulator::new(&machine, &Settings::default()).unwrap();
+            let begin = Time::new(0, 0.0);
+            let (q, u) = ([0.1, 0.05], [0.0, 0.2]);
+            let run = || simulator.start(begin, &q, &u).unwrap();
+            let (mut carried, beside) = (Carried::new(run(), 1), Carried::new(run(), 1));
+            let (dq, du) = carried.open(&carried.frame[0]);
+            let after = |h: f64, goal: Time| {
+                let moved = |x: &[f64], d: &RealVector| [x[0] + h * d[0], x[1] + h * d[1]];
+                let mut run = simulator.start(begin, &moved(&q, &dq), &moved(&u, &du)).unwrap();
+                let mut words = Vec::new();
+                run.record(goal, |event| words.push((event.word(), event.place())));
+                let State { q, u, .. } = run.state();
+                (beside.close(&q, &u), words)
+            };
+            let mut growth = vec![0.0];
+            for i in 1..=24 {
+                let goal = Time::new(0, 0.5 * f64::from(i));
+                carried.grow(goal, &mut growth).unwrap();
+                let [plus, minus] = [1e-6, -1e-6].map(|h| after(h, goal));
+                if plus.1 != minus.1 {
+                    // An event comes between them and the goal.
+                    continue;
+                }
+                let size = growth[0].exp();
+                for (j, x) in carried.frame[0].iter().enumerate() {
+                    let wanted = (plus.0[j] - minus.0[j]) / 2e-6;
+                    let off = (x * size - wanted).abs();
+                    assert!(
+                        off < 1e-6 * (1.0 + size),
+                        "{trial}, {goal:?}: {off:e} of {wanted}, {:?}",
+                        plus.1
+                    );
+                    compared += 1;
+                }
+            }
+        }
+        println!("{compared} numbers");
+        assert!(compared > 3000, "{compared}");
     }
 }

@@ -25,7 +25,7 @@ impl Run<'_> {
         let (x, half) = (hit.place(), self.half());
         let time = self.time_at(x);
         self.from = x;
-        self.rubbed = matches!(stage.watched[watch], What::Slide(_) | What::Hold(..)).then_some(watch);
+        self.rubbed = Some(stage.watched[watch]).filter(|what| what.effect() == Effect::Friction);
         match (stage.watched[watch], hit) {
             (What::Gap(stop), Hit::Tangency(_)) => {
                 self.events.push(Event::Tangency(Tangency { time, place: stop, gap: z[0] }));

@@ -51,8 +51,8 @@ pub struct Run<'a> {
     /// Changes of the stage without progress.
     changes: u32,
     failure: Option<Error>,
-    /// What of friction was met last, as the stage before watched it.
-    rubbed: Option<usize>,
+    /// What of friction was met last.
+    rubbed: Option<What>,
     counts: Option<Share>,
 }
 
@@ -137,8 +137,8 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// What of friction was met last, by its place among what the stage before watched; taken once.
-    pub(super) fn rubbed(&mut self) -> Option<usize> {
+    /// What of friction was met last, taken once.
+    pub(super) fn rubbed(&mut self) -> Option<What> {
         self.rubbed.take()
     }
 
