@@ -122,6 +122,9 @@ pub(crate) struct ImpactLaw {
     pub order_matters: bool,
 }
 
+/// Why what is held cannot be.
+pub(super) const DEPENDENT: &str = "what is rested on or sticks has dependent rows";
+
 /// Something to be watched on a system: a·q + b·q′ + given(t).
 #[derive(Debug, Clone)]
 pub(crate) struct Watch {
@@ -303,7 +306,7 @@ impl Contacts {
     /// Dependent rows.
     pub(super) fn felt(&self, stops: &[usize]) -> Result<Vec<(Vec<f64>, RealVector)>> {
         let inverse = self.among(stops).try_inverse();
-        let inverse = inverse.ok_or_else(|| Error::input("the stops rested on have dependent rows"))?;
+        let inverse = inverse.ok_or_else(|| Error::input(DEPENDENT))?;
         let one = |i: usize| {
             let own = self.mobility(stops[i]);
             let weights: Vec<f64> = (0..stops.len()).map(|j| own * inverse[(i, j)]).collect();

@@ -1,7 +1,10 @@
 //! A linear system with periodic force, time being the forcing's phase: a machine, free or resting on some of
 //! its stops.
 
-use super::{RealMatrix, RealVector, Rub, contact::StopContact};
+use super::{
+    RealMatrix, RealVector, Rub,
+    contact::{DEPENDENT, StopContact},
+};
 use crate::{
     error::{Error, Result},
     motion::{Harmonic, Series},
@@ -188,8 +191,7 @@ impl LinearEquations {
         // b = M⁻¹Wᵀ(W M⁻¹Wᵀ)⁻¹.
         let lift = upper.solve_upper_triangular(&seen).unwrap_or_else(|| seen.clone());
         let inverse = (seen.transpose() * &seen).try_inverse();
-        let inverse =
-            inverse.ok_or_else(|| Error::input("what is rested on or sticks has dependent rows"))?;
+        let inverse = inverse.ok_or_else(|| Error::input(DEPENDENT))?;
         let lift = lift * inverse;
         let down = inner.transpose();
         let mut given = self.force.mapped(&down);

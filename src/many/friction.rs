@@ -33,6 +33,24 @@ pub struct Friction<T> {
     pub harmonics: Vec<Harmonic<T>>,
 }
 
+impl<T> Machine<T> {
+    /// Refuses a machine with friction, where motions between impacts must be smooth.
+    ///
+    /// # Errors
+    /// An input error if there is any.
+    pub(crate) fn check_no_friction(&self) -> Result<()> {
+        refused(self.friction.first().map(|friction| &friction.name))
+    }
+}
+
+/// Refuses what has friction of this name.
+pub(super) fn refused(name: Option<&String>) -> Result<()> {
+    let Some(name) = name else { return Ok(()) };
+    Err(Error::input(format!(
+        "there is dry friction ({name}): the motion is not followed as one that is smooth between impacts"
+    )))
+}
+
 impl<T> Friction<T> {
     /// The same with every coefficient converted.
     ///
@@ -128,20 +146,6 @@ impl Rub {
 }
 
 impl Machine<f64> {
-    /// Refuses a machine with friction, where motions between impacts must be smooth.
-    ///
-    /// # Errors
-    /// An input error if there is any.
-    pub(crate) fn check_no_friction(&self) -> Result<()> {
-        match self.friction.first() {
-            None => Ok(()),
-            Some(one) => Err(Error::input(format!(
-                "there is dry friction ({}): the motion is not followed as one that is smooth between impacts",
-                one.name
-            ))),
-        }
-    }
-
     /// The friction at its rows.
     ///
     /// # Errors

@@ -16,7 +16,7 @@ use serde_json::Value;
 
 /// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a
 /// command of the list writes itself.
-const JSON: [&str; 51] = [
+const JSON: [&str; 52] = [
     "intervals 3..=5",
     "intervals 3..=5 --decimals 4",
     "intervals --pattern 3,5",
@@ -58,6 +58,7 @@ const JSON: [&str; 51] = [
     "run {root}/tests/data/ends.toml",
     "run {root}/tests/data/ends-machine.toml",
     "run {root}/tests/data/measured.toml",
+    "run {root}/examples/machines/belt.toml",
     "run seen.toml",
     "run {root}/tests/data/recorded.toml",
     "run {root}/tests/data/kinds.toml --only basins --shard 1/2 -o rows",

@@ -84,7 +84,8 @@ pub struct Orbit {
 /// Newton's method with exact derivatives.
 ///
 /// # Errors
-/// An input error if the start has another length, a stop is not there, or Newton's method does not end.
+/// An input error if the start has another length, a stop is not there, there is dry friction, or Newton's
+/// method does not end.
 pub fn find(simulator: &Simulator, pattern: &Itinerary, start: &[f64]) -> Result<Orbit> {
     find_from(simulator, pattern, start, None)
 }
@@ -108,6 +109,7 @@ pub fn find_from(
             2 * m
         )));
     }
+    simulator.check_no_friction()?;
     check_stops(pattern, simulator.contacts())?;
     let size = simulator.scale_at(pattern.strikes().iter().map(|strike| strike.place));
     let fastest = start.iter().skip(1).step_by(2).fold(0.0, |most: f64, v| most.max(v.abs()));

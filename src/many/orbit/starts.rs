@@ -39,8 +39,9 @@ impl<'s> FreeStarts<'s> {
     /// With deflections' speeds up to `greatest`, per radian of the forcing.
     ///
     /// # Errors
-    /// None in practice: those of [`Simulator::new`].
+    /// Dry friction; those of [`Simulator::new`].
     pub fn new(simulator: &'s Simulator, pattern: &'s Itinerary, greatest: f64) -> Result<Self> {
+        simulator.check_no_friction()?;
         let nearest = simulator.nearest_stop();
         let starts = Starts::new(greatest, |t| nearest.map_or(0.0, |stop| simulator.on_stop(stop, t)));
         let directions = directions(simulator, nearest);

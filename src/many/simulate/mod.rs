@@ -92,7 +92,9 @@ pub(crate) use stage::Stage;
 use stage::{Holds, SoftStops, What};
 pub use tangent::Carried;
 
-use super::{LinearEquations, Machine, RealVector, Rub, State, contact::Contacts, smooth::Smooth};
+use super::{
+    LinearEquations, Machine, RealVector, Rub, State, contact::Contacts, friction::refused, smooth::Smooth,
+};
 use crate::many::LinearFlow;
 use crate::{
     error::{Error, Result},
@@ -427,6 +429,14 @@ impl Simulator {
             return Err(Error::input(format!("the start lies behind the stop {name}: its gap is {gap:e}")));
         }
         Run::new(self, time, state)
+    }
+
+    /// Refuses a machine with friction, where motions between impacts must be smooth.
+    ///
+    /// # Errors
+    /// An input error if there is any.
+    pub(crate) fn check_no_friction(&self) -> Result<()> {
+        refused(self.contacts.rubs().first().map(|rub| &rub.name))
     }
 
     /// v at each row with friction; where it is rounding's, 0.

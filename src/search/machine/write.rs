@@ -97,9 +97,10 @@ fn common_unit<'b>(all: impl Iterator<Item = &'b Bounds>) -> Result<(i32, BigRat
 /// ten where they are too large or small.
 ///
 /// # Errors
-/// An input error for more than 8 coordinates or 16 stops, damping ratios beside a mass matrix of several
+/// An input error for dry friction, more than 8 coordinates or 16 stops, damping ratios beside a mass matrix of several
 /// coordinates, M that is not symmetric, and numbers beyond the range of a certificate.
 pub fn listed(machine: &Machine<Bounds>) -> Result<listed::Machine> {
+    machine.check_no_friction()?;
     let (n, numbers) = (machine.size, Numbers { precision: Precision::new(BITS) });
     if n > COORDINATES || machine.stops.len() > STOPS {
         return Err(Error::input(format!(

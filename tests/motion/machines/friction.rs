@@ -7,6 +7,7 @@ use grazing::many::Friction;
 use super::*;
 
 mod forms;
+mod refusals;
 mod rough;
 
 use rough::Rough;
@@ -21,6 +22,22 @@ fn friction(row: &[f64], normal: f64, [coefficient, static_coefficient]: [f64; 2
         speed: 0.0,
         harmonics: vec![],
     }
+}
+
+/// A machine with two rough rows, a belt, a vibrating surface and a stop.
+fn rough_pair() -> Machine<f64> {
+    let damping: [&[f64]; 2] = [&[0.1, -0.02], &[-0.02, 0.15]];
+    let mut rough = machine(&[&[1.0, 0.2], &[0.2, 0.7]], &damping, &[&[4.0, -1.5], &[-1.5, 2.2]]);
+    rough.forcing = vec![Load { k: 1, cos: vec![1.6, 0.1], sin: vec![0.2, 0.3] }];
+    rough.friction = vec![
+        Friction { speed: 0.05, ..friction(&[1.0, 0.0], 1.5, [0.4, 0.6]) },
+        Friction {
+            harmonics: vec![Harmonic { k: 2, cos: 0.02, sin: 0.05 }],
+            ..friction(&[-1.0, 1.0], 0.5, [0.3, 0.3])
+        },
+    ];
+    rough.stops = vec![stop(&[0.0, 1.0], -0.3, 0.7)];
+    rough
 }
 
 /// What happened, by its word, place and time in radians.

@@ -2,22 +2,6 @@
 
 use super::*;
 
-/// A machine with two rough rows, a belt, a vibrating surface and a stop.
-fn rough_pair() -> Machine<f64> {
-    let damping: [&[f64]; 2] = [&[0.1, -0.02], &[-0.02, 0.15]];
-    let mut rough = machine(&[&[1.0, 0.2], &[0.2, 0.7]], &damping, &[&[4.0, -1.5], &[-1.5, 2.2]]);
-    rough.forcing = vec![Load { k: 1, cos: vec![1.6, 0.1], sin: vec![0.2, 0.3] }];
-    rough.friction = vec![
-        Friction { speed: 0.05, ..friction(&[1.0, 0.0], 1.5, [0.4, 0.6]) },
-        Friction {
-            harmonics: vec![Harmonic { k: 2, cos: 0.02, sin: 0.05 }],
-            ..friction(&[-1.0, 1.0], 0.5, [0.3, 0.3])
-        },
-    ];
-    rough.stops = vec![stop(&[0.0, 1.0], -0.3, 0.7)];
-    rough
-}
-
 /// Events and the state at the end; every form of a question has the same, each number times its unit.
 type Told = (Vec<(&'static str, usize, f64)>, Vec<f64>, Vec<f64>);
 

@@ -1,0 +1,90 @@
+//! What is said of friction that is not covered, or wrongly written.
+
+use grazing::many::orbit::{Itinerary, find};
+
+use super::*;
+
+const ROUGH: &str = "[parameters]\nF = 1\n[system]\nforcing = [{ cos = \"F\" }]\nstiffness = 2\n[[stops]]\noffset = -1\n\
+                     restitution = 0.5\n[[friction]]\nname = \"table\"\nnormal = 1\ncoefficient = 0.3\n";
+
+fn refusal(format: u32, body: &str) -> String {
+    let text = format!("format = \"grazing-scene {format}\"\ntitle = \"t\"\n{body}");
+    match Scene::from_toml(&text, "t.toml") {
+        Ok(_) => panic!("{body}"),
+        Err(error) => error.to_string(),
+    }
+}
+
+/// Tasks that need motions smooth between impacts say so, with the place; the others are taken.
+#[test]
+fn tasks_that_do_not_take_friction_say_so() {
+    let orbit = "orbit = { pattern = [1], speed = 1 }";
+    for (kind, keys, at) in [
+        ("orbit", orbit.to_string(), "kind"),
+        ("event", format!("{orbit}\nparameter = \"F\"\nevent = \"grazing\""), "kind"),
+        ("grazing", "parameter = \"F\"".into(), "kind"),
+        ("branch", format!("starts = [{{ {orbit} }}]\nparameter = \"F\"\nrange = [1, 2]"), "kind"),
+        ("validate", orbit.into(), "kind"),
+        ("section", "starts = [{ q = 0 }]\norbits = [{ pattern = [1], speed = 1 }]".into(), "orbits"),
+        (
+            "diagram",
+            format!("starts = [{{ q = 0 }}]\nparameter = \"F\"\nrange = [1, 2]\nbranches = [{{ {orbit} }}]"),
+            "branches",
+        ),
+    ] {
+        let error = refusal(3, &format!("{ROUGH}[[tasks]]\nname = \"x\"\nkind = \"{kind}\"\n{keys}\n"));
+        assert!(
+            error.contains("dry friction (table)") && error.contains(&format!("tasks[1].{at}")),
+            "{error}"
+        );
+        assert!(error.contains("t.toml:"), "{error}");
+    }
+    for (kind, keys) in [
+        ("simulate", "start = { q = 0 }"),
+        ("section", "starts = [{ q = 0 }]"),
+        ("diagram", "starts = [{ q = 0 }]\nparameter = \"F\"\nrange = [1, 2]"),
+        ("basins", "q = { from = -0.5, to = 1 }\nu = { from = -1, to = 1 }"),
+    ] {
+        let body = format!("{ROUGH}[[tasks]]\nname = \"x\"\nkind = \"{kind}\"\n{keys}\n");
+        let text = format!("format = \"grazing-scene 3\"\ntitle = \"t\"\n{body}");
+        Scene::from_toml(&text, "t.toml").unwrap_or_else(|error| panic!("{error}"));
+    }
+}
+
+/// Orbits are not found as if there were none, by who asks the library.
+#[test]
+fn orbits_among_friction_are_refused() {
+    let error = find(&simulator(&rough_pair()), &Itinerary::free(1).unwrap(), &[]).unwrap_err();
+    assert!(error.is_input() && error.to_string().contains("dry friction"), "{error}");
+}
+
+#[test]
+fn what_is_wrong_with_friction_is_said_with_its_place() {
+    let with = |old: &str, new: &str| ROUGH.replace(old, new);
+    let older = |head: &str, wall: &str| {
+        with("[system]", &format!("[system]\n{head}")).replace("[[stops]]", &format!("[[walls]]\n{wall}"))
+    };
+    let row = |keys: &str| format!("{ROUGH}{keys}\n");
+    for (format, body, answers) in [
+        (3, with("normal = 1", "normal = \"-F\""), ["friction[1].normal", "at least 0"]),
+        (3, with("coefficient = 0.3", "coefficient = -0.3"), ["friction[1].coefficient", "at least 0"]),
+        (3, row("static_coefficient = 0.2"), ["friction[1].static_coefficient", "below coefficient = 0.3"]),
+        (3, row("row = [0]"), ["friction[1].row", "is zero"]),
+        (3, row("row = [1, 2]"), ["friction[1].row", "2 entries"]),
+        (3, row("speed = \"1/0\""), ["friction[1].speed", "divides by zero"]),
+        (3, row("mu = 0.2"), ["friction[1]", "unknown key \"mu\""]),
+        (3, with("coefficient = 0.3", ""), ["friction[1]", "coefficient"]),
+        (
+            3,
+            with("\"table\"", "\"1\"").replace("[[stops]]", "[[stops]]\nname = \"1\""),
+            ["friction[1].name", "stop"],
+        ),
+        (3, with("[parameters]", "engine = \"one\"\n[parameters]"), ["engine", "has dry friction"]),
+        (2, older("period = 1\nmass = 1", "row = [1]"), ["friction", "grazing-scene 3"]),
+        (1, older("", "side = \"lower\""), ["friction", "grazing-scene 3"]),
+    ] {
+        let error = refusal(format, &body);
+        assert!(answers.iter().all(|answer| error.contains(answer)), "{answers:?}: {error}");
+        assert!(error.contains("t.toml:"), "{error}");
+    }
+}
