@@ -143,3 +143,21 @@ def test_views_of_machines_and_oscillators(root):
     assert motions == again and motions != two.simulate([0.0] * 4, 3, transient=50, parameters={"F0": [6.0, 13.0]})
     one = grazing.Scene(system(root / "examples/machines/bilinear.toml")).simulate([[0.0, 0.0]], 2)
     assert one.q.shape == one.u.shape == (1, 3) and (one.u == one.points[..., 1]).all()
+
+
+def test_a_block_on_a_belt_sticks_and_slips(root):
+    path = root / "examples/machines/belt.toml"
+    squeal = grazing.Scene(path).run("squeal")[0]
+    (row,) = squeal.findings.friction
+    kinds = [grazing.EVENT_KINDS[kind] for kind in squeal.data.event_kind]
+    # There is no stop: the belt is the first place.
+    assert set(kinds) == {"stick", "release"} and set(squeal.data.event_place) == {0}
+    assert kinds.count("stick") == row.sticks == 25 and row.at_end == "sticks"
+    # Against 2 N.
+    assert row.dissipated == pytest.approx(2 * row.path, rel=1e-12)
+    # Many starts at once, on the belt at rest: within its hold of 4 N over 100 N/m they stay where they are.
+    still = grazing.Scene(path).with_parameters(v=0)
+    found = still.simulate([[q, 0.0] for q in (-0.05, -0.039, 0.0, 0.039, 0.05)], 3)
+    ends = np.asarray(found.q)[:, -1].ravel()
+    assert ends[1:4] == pytest.approx([-0.039, 0.0, 0.039], abs=1e-15)
+    assert ends[0] > -0.05 + 1e-3 and ends[4] < 0.05 - 1e-3

@@ -363,7 +363,7 @@ fn a_branch_starts_along_the_prediction() {
 #[test]
 fn tasks_print_what_the_command_line_prints() {
     type Case = (&'static str, &'static str, &'static [(&'static str, &'static str)]);
-    let cases: [Case; 20] = [
+    let cases: [Case; 23] = [
         ("scenes/nordmark-2001.toml", "motion", &[]),
         ("scenes/nordmark-2001.toml", "motion", &[("mu", "0.003")]),
         (
@@ -388,6 +388,9 @@ fn tasks_print_what_the_command_line_prints() {
         ("machines/valve.toml", "cycles", &[]),
         ("machines/print-hammer.toml", "", &[("preload", "11")]),
         ("machines/mems-switch.toml", "switching", &[]),
+        ("machines/belt.toml", "squeal", &[("v", "0.2")]),
+        ("machines/belt.toml", "pushed", &[]),
+        ("machines/capsule.toml", "walk", &[]),
     ];
     let folder = std::env::temp_dir().join(format!("grazing-web-{}", std::process::id()));
     for (file, task, values) in cases {
