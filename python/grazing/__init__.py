@@ -60,7 +60,7 @@ __all__ = [
     "InternalError", "InterruptedWork", "Interval", "Intervals", "MissingPackageError", "Motions",
     "NothingFound", "NumberOverflowError", "Outcome", "PatternReport", "Pending", "Proved", "Record",
     "Refuted", "Rejected", "Run", "STYLE", "Scene", "Share", "Shares", "Task", "TaskReport", "Tolerance",
-    "ToleranceRange", "ToleranceSide", "Undecided", "Value", "Word", "WordCase", "WordReport", "__version__", "boundary", "check", "classify",
-    "classify_many", "decay", "evaluate", "existence", "frame", "fuzz", "intervals", "shares", "verify",
-    "word",
+    "ToleranceRange", "ToleranceSide", "Undecided", "Value", "Word", "WordCase", "WordReport", "__version__",
+    "boundary", "check", "classify", "classify_many", "decay", "evaluate", "existence", "frame", "fuzz",
+    "intervals", "shares", "verify", "word",
 ]

@@ -73,11 +73,11 @@ impl Cell {
     pub fn new(of: &ParameterBox) -> Cell {
         let wider = of.wide_axis(0);
         let (image, gamma) = match &of.coordinates {
-            Coordinates::Machine => machine(&of.bounds),
+            Coordinates::Machine => machine(of.bounds()),
             Coordinates::Oscillator(Functions(functions)) => oscillator::image(&**functions, of),
-            Coordinates::Polar => (polar(&of.bounds), None),
+            Coordinates::Polar => (polar(of.bounds()), None),
             Coordinates::Plane => {
-                let [a1, a2] = of.bounds.clone();
+                let [a1, a2] = of.bounds().clone();
                 let wide = |[lower, upper]: &[BigRational; 2]| upper - lower;
                 let axis = usize::from(wide(&a2) > wide(&a1));
                 // The bounds were checked when the box was made.

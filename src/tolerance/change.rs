@@ -87,17 +87,18 @@ impl Excursion {
     /// An input error if the point is not in the box.
     pub fn new(of: &ParameterBox, from: &[BigRational; 2], to: Toward, limit: u64) -> Result<Excursion> {
         let Toward { axis, rises, whole } = to;
-        if (0..2).any(|i| from[i] < of.bounds[i][0] || of.bounds[i][1] < from[i]) {
+        if (0..2).any(|i| from[i] < of.sides[i][0] || of.sides[i][1] < from[i]) {
             return Err(Error::input(format!("the point {}, {} is not in the box", from[0], from[1])));
         }
-        if !of.more.is_empty() {
+        if of.sides.len() > 2 {
             return Err(Error::input("one parameter goes alone where a box has two, not more"));
         }
-        let cell = |bounds| ParameterBox { coordinates: of.coordinates.clone(), bounds, more: Vec::new() };
+        let cell =
+            |bounds: [_; 2]| ParameterBox { coordinates: of.coordinates.clone(), sides: bounds.into() };
         let at = |i: usize| [from[i].clone(), from[i].clone()];
         let end = of.reach(axis, &from[axis])[usize::from(rises)].clone();
         let along = if rises { [from[axis].clone(), end.clone()] } else { [end.clone(), from[axis].clone()] };
-        let across = if whole { of.bounds[1 - axis].clone() } else { at(1 - axis) };
+        let across = if whole { of.sides[1 - axis].clone() } else { at(1 - axis) };
         let bounds = if axis == 0 { [along, across] } else { [across, along] };
         let part =
             BigRational::new(BigInt::one(), BigInt::one() << if whole { FINEST_WHOLE } else { FINEST });
@@ -115,7 +116,7 @@ impl Excursion {
 
     /// Where the parameter is at that point.
     pub fn start(&self) -> &BigRational {
-        &self.from.cell.bounds[self.axis][0]
+        &self.from.cell.sides[self.axis][0]
     }
 
     /// How many cells were looked at.
@@ -136,7 +137,7 @@ impl Excursion {
 
     /// How far from the point a cell begins.
     fn distance(&self, id: usize) -> BigRational {
-        let [lower, upper] = &self.nodes[id].leaf.cell.bounds[self.axis];
+        let [lower, upper] = &self.nodes[id].leaf.cell.sides[self.axis];
         let start = self.start();
         if self.rises { lower - start } else { start - upper }
     }
@@ -157,7 +158,7 @@ impl Excursion {
         };
         let cell = &node.leaf.cell;
         let can = |axis: &usize| {
-            let [lower, upper] = &cell.bounds[*axis];
+            let [lower, upper] = &cell.sides[*axis];
             upper - lower > self.finest[*axis]
         };
         let Some(axis) = [hope, 1 - hope].into_iter().find(can) else { return Ok(None) };
@@ -237,7 +238,7 @@ impl ParameterBox {
             (Coordinates::Plane, 0) => [from - q(1, 1), from + q(1, 1)],
             (Coordinates::Polar | Coordinates::Plane, _) => [half, twice.min(q(1, 1))],
             // What lies beyond the box was not looked at.
-            (Coordinates::Oscillator(_), _) => self.bounds[axis].clone(),
+            (Coordinates::Oscillator(_), _) => self.sides[axis].clone(),
         }
     }
 }

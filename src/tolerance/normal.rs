@@ -53,7 +53,7 @@ impl ParameterBox {
         }
         let q = |p: i64, d: i64| BigRational::new(p.into(), d.into());
         let middle = self.centre();
-        let deviation = [0, 1].map(|i| (&self.bounds[i][1] - &self.bounds[i][0]) * q(1, 2));
+        let deviation = [0, 1].map(|i| (&self.sides[i][1] - &self.sides[i][0]) * q(1, 2));
         let far = BigRational::from_integer(DEVIATIONS.into());
         let mut bounds = [0, 1].map(|i| {
             let by = &deviation[i] * &far;
@@ -73,7 +73,7 @@ impl ParameterBox {
                 if bottom[i] {
                     *lower = lower.clone().max(BigRational::zero());
                 } else if !lower.is_positive() {
-                    *lower = &self.bounds[i][0] * q(1, 64);
+                    *lower = &self.sides[i][0] * q(1, 64);
                 }
             }
             if let Some(top) = &top[i] {
@@ -84,10 +84,10 @@ impl ParameterBox {
             let half = q(1, 2);
             let upper = &mut bounds[1][1];
             if *upper >= half {
-                *upper = &half - (&half - &self.bounds[1][1]) * q(1, 64);
+                *upper = &half - (&half - &self.sides[1][1]) * q(1, 64);
             }
         }
-        let wide = ParameterBox { coordinates: self.coordinates.clone(), bounds, more: Vec::new() };
+        let wide = ParameterBox { coordinates: self.coordinates.clone(), sides: bounds.into() };
         let [m0, m1] = middle;
         let [d0, d1] = deviation;
         Ok((NormalParameters { parameters: [[m0, d0], [m1, d1]], known: RefCell::default() }, wide))
@@ -104,10 +104,10 @@ impl NormalParameters {
     /// edge that was not asked before.
     pub(super) fn part(&self, cell: &ParameterBox) -> u64 {
         let side = |axis: usize| -> u128 {
-            if is_flat(&cell.bounds[axis]) {
+            if is_flat(&cell.sides[axis]) {
                 return 1 << DEEPEST;
             }
-            let [lower, upper] = cell.bounds[axis].each_ref().map(|x| self.at(axis, x));
+            let [lower, upper] = cell.sides[axis].each_ref().map(|x| self.at(axis, x));
             u128::try_from(upper[0] - lower[1]).unwrap_or(0)
         };
         ((side(0) * side(1)) >> DEEPEST) as u64

@@ -53,12 +53,9 @@ impl ParameterBox {
     /// # Errors
     /// An input error unless c ≥ 0 and k > 0 at all points, or where that is not shown; lower ends first.
     pub fn oscillator(of: Arc<dyn Coefficients>, bounds: &[[BigRational; 2]]) -> Result<ParameterBox> {
-        let side = |axis: usize| bounds.get(axis).cloned().unwrap_or_default();
-        let mut whole = ParameterBox::ordered(Coordinates::Oscillator(Functions(of)), [side(0), side(1)])?;
-        for [lower, upper] in bounds.iter().skip(2) {
-            ParameterBox::check_order([lower, upper])?;
-            whole.more.push([lower.clone(), upper.clone()]);
-        }
+        let mut sides = bounds.to_vec();
+        sides.resize(bounds.len().max(2), Default::default());
+        let whole = ParameterBox::ordered(Coordinates::Oscillator(Functions(of)), sides)?;
         whole.check_covered()?;
         Ok(whole)
     }
@@ -92,9 +89,9 @@ impl ParameterBox {
                 ));
             }
             // By its part of the box.
-            let wide = |of: &ParameterBox, i: usize| &of.side(i)[1] - &of.side(i)[0];
+            let wide = |of: &ParameterBox, i: usize| &of.sides[i][1] - &of.sides[i][0];
             let mut axis = part.wide_axis(0);
-            for i in axis + 1..2 + part.more.len() {
+            for i in axis + 1..part.sides.len() {
                 if wide(&part, i) * wide(self, axis) > wide(&part, axis) * wide(self, i) {
                     axis = i;
                 }
@@ -130,7 +127,7 @@ type Slopes = ([F; 2], Vec<[F; 2]>);
 
 /// Slopes are found for two parameters at a time.
 fn slopes(of: &dyn Coefficients, cell: &ParameterBox) -> Result<Slopes> {
-    let count = 2 + cell.more.len();
+    let count = cell.sides.len();
     let mut slopes = Vec::with_capacity(count);
     let mut values = [F::WHOLE; 2];
     for first in (0..count).step_by(2) {

@@ -39,9 +39,8 @@ pub(super) enum Coordinates {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParameterBox {
     pub(super) coordinates: Coordinates,
-    pub(super) bounds: [[BigRational; 2]; 2],
-    /// Of the third parameter and those after it, where there are more than two.
-    pub(super) more: Vec<[BigRational; 2]>,
+    /// The bounds of every parameter, at least two.
+    pub(super) sides: Vec<[BigRational; 2]>,
 }
 
 impl ParameterBox {
@@ -68,7 +67,7 @@ impl ParameterBox {
                 damping[0], damping[1]
             )));
         }
-        ParameterBox::ordered(Coordinates::Machine, [ratio, damping])
+        ParameterBox::ordered(Coordinates::Machine, vec![ratio, damping])
     }
 
     /// Modulus and angle of complex eigenvalues.
@@ -85,7 +84,7 @@ impl ParameterBox {
         if !s[0].is_positive() || &s[1] + &s[1] >= BigRational::one() {
             return Err(Error::input(format!("s from {} to {}: a box lies in 0 < s < 1/2", s[0], s[1])));
         }
-        ParameterBox::ordered(Coordinates::Polar, [r, s])
+        ParameterBox::ordered(Coordinates::Polar, vec![r, s])
     }
 
     /// Trace and determinant.
@@ -94,40 +93,33 @@ impl ParameterBox {
     /// An input error unless 0 < a₂ ≤ 1, lower ends first.
     pub fn plane(a1: [BigRational; 2], a2: [BigRational; 2]) -> Result<ParameterBox> {
         Rectangle::reaching(a1.clone(), a2.clone(), 2)?;
-        ParameterBox::ordered(Coordinates::Plane, [a1, a2])
+        ParameterBox::ordered(Coordinates::Plane, vec![a1, a2])
     }
 
-    pub(super) fn ordered(coordinates: Coordinates, bounds: [[BigRational; 2]; 2]) -> Result<ParameterBox> {
-        bounds.iter().try_for_each(|[lower, upper]| ParameterBox::check_order([lower, upper]))?;
-        Ok(ParameterBox { coordinates, bounds, more: Vec::new() })
-    }
-
-    pub(super) fn check_order([lower, upper]: [&BigRational; 2]) -> Result<()> {
-        match lower > upper {
-            true => Err(Error::input(format!("from {lower} to {upper}: the lower end comes first"))),
-            false => Ok(()),
+    /// With two parameters or more.
+    pub(super) fn ordered(coordinates: Coordinates, sides: Vec<[BigRational; 2]>) -> Result<ParameterBox> {
+        match sides.iter().find(|[lower, upper]| lower > upper) {
+            Some([lower, upper]) => {
+                Err(Error::input(format!("from {lower} to {upper}: the lower end comes first")))
+            }
+            None => Ok(ParameterBox { coordinates, sides }),
         }
     }
 
     /// The bounds of every parameter, in their order.
     pub fn sides(&self) -> impl Iterator<Item = &[BigRational; 2]> {
-        self.bounds.iter().chain(&self.more)
-    }
-
-    /// Those of one parameter.
-    pub(super) fn side(&self, axis: usize) -> &[BigRational; 2] {
-        self.bounds.get(axis).unwrap_or_else(|| &self.more[axis - 2])
+        self.sides.iter()
     }
 
     /// A parameter that is not known exactly, this one if it is not; the first, if all are.
     pub(super) fn wide_axis(&self, axis: usize) -> usize {
-        let is_wide = |axis: &usize| !is_flat(self.side(*axis));
-        std::iter::once(axis).chain(0..2 + self.more.len()).find(is_wide).unwrap_or(0)
+        let is_wide = |axis: &usize| !is_flat(&self.sides[*axis]);
+        std::iter::once(axis).chain(0..self.sides.len()).find(is_wide).unwrap_or(0)
     }
 
     /// The bounds of the first two parameters.
     pub fn bounds(&self) -> &[[BigRational; 2]; 2] {
-        &self.bounds
+        self.sides.first_chunk().expect("two parameters or more")
     }
 
     /// a₁ and a₂ where the parameters have these values, in floats: for pictures. NaN where damping or
@@ -138,7 +130,7 @@ impl ParameterBox {
             Coordinates::Polar => [2.0 * x * (TAU * y).cos(), x * x],
             Coordinates::Oscillator(Functions(of)) => {
                 let point = BigRational::from_float(x).zip(BigRational::from_float(y));
-                let rest = self.more.iter().map(middle);
+                let rest = self.sides[2..].iter().map(middle);
                 let at = |(x, y)| of.at(&[x, y].into_iter().chain(rest).collect::<Vec<_>>()).ok();
                 let found = point.and_then(at);
                 let [c, k] = found.map_or([f64::NAN; 2], |both| both.map(|x| x.to_f64().unwrap_or(f64::NAN)));
@@ -159,7 +151,7 @@ impl ParameterBox {
 
     /// The middle, of the first two parameters.
     pub fn centre(&self) -> [BigRational; 2] {
-        self.bounds.each_ref().map(middle)
+        self.bounds().each_ref().map(middle)
     }
 
     /// The middle, of all.
@@ -198,14 +190,14 @@ impl ParameterBox {
         let float = |x: &BigRational| x.to_f64().unwrap_or(0.0);
         let middle = self.centre().each_ref().map(float);
         let length = |i: usize| {
-            let [from, to] = self.bounds[i].each_ref().map(|end| {
+            let [from, to] = self.sides[i].each_ref().map(|end| {
                 let mut at = middle;
                 at[i] = float(end);
                 self.in_plane(at)
             });
             (to[0] - from[0]).abs() + (to[1] - from[1]).abs()
         };
-        match self.bounds.each_ref().map(is_flat) {
+        match self.bounds().each_ref().map(is_flat) {
             [true, true] => None,
             [true, false] => Some(1),
             [false, true] => Some(0),
@@ -220,14 +212,10 @@ impl ParameterBox {
 
     /// The two halves, cut across one parameter.
     pub(crate) fn halves(&self, axis: usize) -> [ParameterBox; 2] {
-        let middle = middle(self.side(axis));
+        let middle = middle(&self.sides[axis]);
         [1, 0].map(|end| {
             let mut half = self.clone();
-            let side = match axis.checked_sub(2) {
-                None => &mut half.bounds[axis],
-                Some(axis) => &mut half.more[axis],
-            };
-            side[end] = middle.clone();
+            half.sides[axis][end] = middle.clone();
             half
         })
     }

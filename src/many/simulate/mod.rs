@@ -70,6 +70,7 @@
 
 mod depth;
 mod engine;
+mod holds;
 mod pushes;
 mod slid;
 mod smooth;
@@ -85,11 +86,11 @@ use std::{
 use serde::Serialize;
 
 pub use engine::Run;
+use holds::{Holds, SoftStops, What};
 pub(crate) use pushes::{Contact, Pushes};
 pub(crate) use slid::{Slid, goes_on};
 pub(crate) use smooth::seen;
 pub(crate) use stage::Stage;
-use stage::{Holds, SoftStops, What};
 pub use tangent::Carried;
 
 use super::{

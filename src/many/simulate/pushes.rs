@@ -1,11 +1,11 @@
 //! What soft stops do along a run: their largest forces, and of every contact the impulse and the energy.
 //!
-//! Between two events the force of a stop in contact, −kz − cz′, is a smooth function of time. It is looked
-//! at at the points of Gauss's rule with 8 points on many pieces of each flight, and at both ends. Impulse and
-//! energy are the integrals, of the force and of the force times the gap's rate, by that rule; about the
-//! largest force the maximum is found by golden section and a parabola. What lies between two looks and rises
-//! above both more than a parabola does can be missed, and what moves faster than the looks: these are numbers
-//! found, not bounds.
+//! Between two events the force of a stop in contact, −kz − cz′, is a smooth function of time. Each flight is
+//! cut into pieces, and the force is looked at where Gauss's rule with 8 points does in each, and at both
+//! ends. Impulse and energy are the integrals, of the force and of the force times the gap's rate, by that
+//! rule; about the largest force the maximum is found by golden section and a parabola. What lies between two
+//! looks and rises above both more than a parabola does can be missed, and what moves faster than the looks:
+//! these are numbers found, not bounds.
 
 use std::sync::Arc;
 
@@ -112,7 +112,8 @@ impl Pushes {
     }
 }
 
-/// The largest value of a smooth function that is known at these places, ascending, about the largest of them.
+/// The largest value of a smooth function that is known at these places, ascending, about the largest of
+/// them.
 fn largest(looks: &[(f64, f64)], of: impl Fn(f64) -> f64) -> f64 {
     let best = (0..looks.len()).max_by(|&a, &b| looks[a].1.total_cmp(&looks[b].1)).unwrap_or(0);
     const SHARE: f64 = 0.618_033_988_749_894_8;

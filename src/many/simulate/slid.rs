@@ -61,13 +61,15 @@ fn places(run: &Run) -> Vec<f64> {
     rubs.map(|rub| rub.row.dot(&state.q) - rub.motion.at(t)[0]).collect()
 }
 
-/// Whether a run that sticks somewhere does so for ever: nothing happens to friction in a period more, and
-/// after that the state is the same.
+/// Whether what sticks now does so for ever: none of it lets go in a period more, and after that the state is
+/// the same.
 pub(crate) fn goes_on(run: &mut Run) -> bool {
-    let (now, before, stops) = (run.time(), run.state(), run.simulator().contacts().all().len());
+    let (now, before, stage) = (run.time(), run.state(), run.stage());
+    let contacts = run.simulator().contacts();
+    let held: Vec<usize> = stage.holds.stuck().map(|j| contacts.rub_row(j)).collect();
     let mut happened = 0u32;
     let end = run.record(Time::new(now.period + 1, now.phase), |event| {
-        happened += u32::from(event.place().is_some_and(|place| place >= stops));
+        happened += u32::from(event.place().is_some_and(|place| held.contains(&place)));
     });
     let after = run.state();
     let off = |a: &f64, b: &f64, size: f64| (a - b).abs() <= SAME * size;

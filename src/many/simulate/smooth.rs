@@ -3,7 +3,7 @@
 
 use std::{f64::consts::TAU, sync::Arc};
 
-use super::stage::What;
+use super::holds::What;
 use crate::{
     error::Result,
     many::{

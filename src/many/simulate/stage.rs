@@ -33,7 +33,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::smooth::SmoothStage;
+use super::{
+    holds::{Holds, What},
+    smooth::SmoothStage,
+};
 use crate::{
     error::{Error, Result},
     many::{
@@ -44,7 +47,7 @@ use crate::{
         smooth::Smooth,
     },
     motion::{
-        Effect, Series, Time,
+        Series, Time,
         minimum::{Head, ROUNDING, head},
     },
 };
@@ -64,112 +67,6 @@ const MOST_CELLS: f64 = 1.1e12;
 
 /// Numbers side by side.
 const LANES: usize = 4;
-
-/// What is watched.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum What {
-    /// The gap to a stop.
-    Gap(usize),
-    /// The force of a stop that is rested on, as the acceleration that it prevents.
-    Force(usize),
-    /// The force of a soft stop, over [`SoftContact::unit`](crate::many::contact::SoftContact::unit).
-    Push(usize),
-    /// The same with the other sign: by how much a soft stop would pull.
-    Pull(usize),
-    /// The gap to a soft stop with the other sign.
-    Rise(usize),
-    /// The velocity at a row with friction that slides, with the sign that it has.
-    Slide(usize),
-    /// By how much what sticks could push more, as an acceleration: along its row, or against it.
-    Hold(usize, Grip),
-}
-
-impl What {
-    /// What a look at it counts as.
-    pub fn effect(self) -> Effect {
-        match self {
-            What::Gap(_) | What::Rise(_) => Effect::Gap,
-            What::Force(_) | What::Push(_) | What::Pull(_) => Effect::Force,
-            What::Slide(_) | What::Hold(..) => Effect::Friction,
-        }
-    }
-}
-
-/// Which soft stops are not open, each list ascending. A stop without damping is never behind.
-#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct SoftStops {
-    /// Those that push: z < 0 and the force is positive.
-    pub pushing: Vec<usize>,
-    /// Those let go of that are not open yet: z < 0, and they would pull.
-    pub behind: Vec<usize>,
-}
-
-impl SoftStops {
-    /// Of a state: what it is follows from gaps and rates alone.
-    pub fn of(contacts: &Contacts, state: &State) -> SoftStops {
-        let mut all = SoftStops::default();
-        for (j, contact) in contacts.all().iter().enumerate() {
-            let Some(soft) = contact.soft else { continue };
-            let gap = contact.gap(state);
-            match soft.force(gap) > 0.0 {
-                _ if gap[0] >= 0.0 => {}
-                true => all.pushing.push(j),
-                false => all.behind.push(j),
-            }
-        }
-        all
-    }
-
-    pub fn is_empty(&self) -> bool {
-        self.pushing.is_empty() && self.behind.is_empty()
-    }
-
-    /// The same with one stop somewhere else.
-    pub fn with(&self, stop: usize, place: SoftPlace) -> SoftStops {
-        let mut all = self.clone();
-        all.pushing.retain(|&j| j != stop);
-        all.behind.retain(|&j| j != stop);
-        let list = match place {
-            SoftPlace::Open => return all,
-            SoftPlace::Pushing => &mut all.pushing,
-            SoftPlace::Behind => &mut all.behind,
-        };
-        list.push(stop);
-        list.sort_unstable();
-        all
-    }
-}
-
-/// Where the motion is at a soft stop.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum SoftPlace {
-    Open,
-    Pushing,
-    Behind,
-}
-
-/// What a machine is in contact with.
-#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Holds {
-    /// The stops rested on, ascending.
-    pub resting: Vec<usize>,
-    /// The soft ones.
-    pub soft: SoftStops,
-    /// How it moves at each row with friction.
-    pub grips: Vec<Grip>,
-}
-
-impl Holds {
-    /// The friction that sticks.
-    pub fn stuck(&self) -> impl Iterator<Item = usize> {
-        self.grips.iter().enumerate().filter(|(_, grip)| **grip == Grip::Stuck).map(|(j, _)| j)
-    }
-
-    /// The rows that are held: stops rested on, then what sticks.
-    fn rows(&self, contacts: &Contacts) -> Vec<usize> {
-        self.resting.iter().copied().chain(self.stuck().map(|j| contacts.rub_row(j))).collect()
-    }
-}
 
 #[derive(Debug)]
 pub(crate) struct Stage {

@@ -18,10 +18,7 @@
 
 use std::sync::Arc;
 
-use super::{
-    Event, Simulator,
-    stage::{Stage, What},
-};
+use super::{Event, Simulator, holds::What, stage::Stage};
 use crate::{
     attractor::dynamics::{Tangents, orthonormalise},
     error::Result,
@@ -434,7 +431,6 @@ mod tests {
                 }
             }
         }
-        println!("{compared} numbers");
         assert!(compared > 3000, "{compared}");
     }
 }

@@ -174,32 +174,10 @@ impl<'a> Motion<'a> {
         u.iter().copied().chain(a).collect()
     }
 
-    /// The state after h: midpoint rule with 2, 4, …, 16 steps, extrapolated in the square of the step.
+    /// The state after h.
     fn after(&self, h: f64) -> Vec<f64> {
         let x: Vec<f64> = self.q.iter().chain(&self.u).copied().collect();
-        let mut table: Vec<Vec<f64>> = Vec::new();
-        for i in 1..=8usize {
-            let (steps, step) = (2 * i, h / (2 * i) as f64);
-            let add =
-                |x: &[f64], d: &[f64], h: f64| x.iter().zip(d).map(|(x, d)| x + h * d).collect::<Vec<f64>>();
-            let mut before = x.clone();
-            let mut now = add(&x, &self.derivative(self.time, &x), step);
-            for j in 1..steps {
-                let next = add(&before, &self.derivative(self.time + j as f64 * step, &now), 2.0 * step);
-                (before, now) = (now, next);
-            }
-            let end = add(&before, &self.derivative(self.time + h, &now), step);
-            // Aitken–Neville: table[j] is extrapolated from the j + 1 latest step counts.
-            let mut last: Vec<f64> = now.iter().zip(&end).map(|(a, b)| (a + b) / 2.0).collect();
-            let mut next = vec![last.clone()];
-            for (j, old) in table.iter().enumerate() {
-                let ratio = (i as f64 / (i - 1 - j) as f64).powi(2);
-                last = last.iter().zip(old).map(|(new, old)| new + (new - old) / (ratio - 1.0)).collect();
-                next.push(last.clone());
-            }
-            table = next;
-        }
-        table.pop().expect("eight rows")
+        extrapolated(&x, h, |after, x| self.derivative(self.time + after, x))
     }
 
     /// What falls below 0 where a soft stop changes.
@@ -327,6 +305,34 @@ impl<'a> Motion<'a> {
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+/// x after h by its slope at a time from the beginning: midpoint rule with 2, 4, …, 16 steps, extrapolated in
+/// the square of the step.
+pub fn extrapolated(x: &[f64], h: f64, slope: impl Fn(f64, &[f64]) -> Vec<f64>) -> Vec<f64> {
+    let add =
+        |x: &[f64], d: &[f64], h: f64| -> Vec<f64> { x.iter().zip(d).map(|(x, d)| x + h * d).collect() };
+    let mut table: Vec<Vec<f64>> = Vec::new();
+    for i in 1..=8usize {
+        let (steps, step) = (2 * i, h / (2 * i) as f64);
+        let mut before = x.to_vec();
+        let mut now = add(x, &slope(0.0, x), step);
+        for j in 1..steps {
+            let next = add(&before, &slope(j as f64 * step, &now), 2.0 * step);
+            (before, now) = (now, next);
+        }
+        let end = add(&before, &slope(h, &now), step);
+        // Aitken–Neville: table[j] is extrapolated from the j + 1 latest step counts.
+        let mut last: Vec<f64> = now.iter().zip(&end).map(|(a, b)| (a + b) / 2.0).collect();
+        let mut next = vec![last.clone()];
+        for (j, old) in table.iter().enumerate() {
+            let ratio = (i as f64 / (i - 1 - j) as f64).powi(2);
+            last = last.iter().zip(old).map(|(new, old)| new + (new - old) / (ratio - 1.0)).collect();
+            next.push(last.clone());
+        }
+        table = next;
+    }
+    table.pop().expect("eight rows")
+}
+
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

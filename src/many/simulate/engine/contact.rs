@@ -9,7 +9,7 @@ use crate::{
         RealVector, State,
         simulate::{
             Event, SoftStops, Stage, What,
-            stage::{Holds, SoftPlace},
+            holds::{Holds, SoftPlace},
         },
     },
     motion::{

@@ -15,7 +15,7 @@ use crate::{
     many::{
         Grip, RealMatrix, RealVector, State,
         contact::{Contacts, complementary},
-        simulate::{Event, Stage, stage::Holds},
+        simulate::{Event, Stage, holds::Holds},
     },
     motion::{
         Time,

@@ -9,7 +9,8 @@ use std::sync::Arc;
 
 use super::{
     Event, Simulator,
-    stage::{Holds, SoftStops, Stage, What},
+    holds::{Holds, SoftStops, What},
+    stage::Stage,
 };
 use crate::{
     error::{Error, Result},

@@ -2,6 +2,8 @@
 
 use grazing::many::Machine;
 
+use super::super::second::{dot, extrapolated};
+
 /// A second solver: the equations as they stand, extrapolated midpoint steps, modes by brute force.
 pub struct Rough<'a> {
     machine: &'a Machine<f64>,
@@ -32,10 +34,6 @@ fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
         b[i] = (b[i] - left) / a[i][i];
     }
     b
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 impl<'a> Rough<'a> {
@@ -107,35 +105,12 @@ impl<'a> Rough<'a> {
         (found, forces)
     }
 
-    /// The state after h, by 8 extrapolated midpoint rules.
+    /// The state after h.
     fn after(&self, h: f64) -> Vec<f64> {
-        let n = self.machine.size;
-        let slope = |t: f64, x: &[f64]| -> Vec<f64> {
-            let (a, _) = self.solve(&self.modes, t, x);
-            x[n..].iter().copied().chain(a).collect()
-        };
-        let add =
-            |x: &[f64], d: &[f64], h: f64| -> Vec<f64> { x.iter().zip(d).map(|(x, d)| x + h * d).collect() };
-        let mut table: Vec<Vec<f64>> = Vec::new();
-        for i in 1..=8usize {
-            let step = h / (2 * i) as f64;
-            let mut before = self.x.clone();
-            let mut now = add(&before, &slope(self.time, &before), step);
-            for j in 1..2 * i {
-                let next = add(&before, &slope(self.time + j as f64 * step, &now), 2.0 * step);
-                (before, now) = (now, next);
-            }
-            let end = add(&before, &slope(self.time + h, &now), step);
-            let mut last: Vec<f64> = now.iter().zip(&end).map(|(a, b)| (a + b) / 2.0).collect();
-            let mut next = vec![last.clone()];
-            for (j, old) in table.iter().enumerate() {
-                let ratio = (i as f64 / (i - 1 - j) as f64).powi(2);
-                last = last.iter().zip(old).map(|(new, old)| new + (new - old) / (ratio - 1.0)).collect();
-                next.push(last.clone());
-            }
-            table = next;
-        }
-        table.pop().unwrap()
+        extrapolated(&self.x, h, |after, x| {
+            let (a, _) = self.solve(&self.modes, self.time + after, x);
+            x[self.machine.size..].iter().copied().chain(a).collect()
+        })
     }
 
     /// What is positive as long as nothing happens: velocities, what could be held more, gaps.
