@@ -96,9 +96,9 @@ fn common_unit<'b>(all: impl Iterator<Item = &'b Bounds>) -> Result<(i32, BigRat
 /// The machine as a certificate lists it: in the scene's units, or M, C, K and forces in units of a power of
 /// ten where they are too large or small.
 ///
-/// # Errors An input error for dry friction, more than 8 coordinates or 16 stops, damping ratios beside a
-/// mass matrix of several coordinates, M that is not symmetric, and numbers beyond the range of a
-/// certificate.
+/// # Errors
+/// An input error for dry friction, more than 8 coordinates or 16 stops, damping ratios beside a mass matrix
+/// of several coordinates, M that is not symmetric, and numbers beyond the range of a certificate.
 pub fn listed(machine: &Machine<Bounds>) -> Result<listed::Machine> {
     machine.check_no_friction()?;
     let (n, numbers) = (machine.size, Numbers { precision: Precision::new(BITS) });
