@@ -5,7 +5,7 @@ use grazing::{
     local::Region,
     num_rational::BigRational,
     search::WordPlace,
-    tolerance::{LAST_PERIOD, MOST_CELLS, ParameterBox, Partition, Share, Spread, Subject, SubjectVerdict},
+    tolerance::{LAST_PERIOD, MOST_CELLS, ParameterBox, Partition, Share, Subject, SubjectVerdict},
     word::{Rectangle, Word},
 };
 use pyo3::{prelude::*, types::PyModule, wrap_pyfunction};
@@ -139,17 +139,11 @@ fn all_shares(of: &ParameterBox, cells: u64, last: u64, watch: &Watch) -> Result
 }
 
 fn told(share: &Share) -> Json {
-    let verdict = match share.spread() {
-        Spread::Everywhere => "everywhere",
-        Spread::Nowhere => "nowhere",
-        Spread::Differs => "differs",
-        Spread::Open => "open",
-    };
     let point = |at: &Option<Vec<BigRational>>| {
         at.as_ref().map(|at| at.iter().map(ToString::to_string).collect::<Vec<_>>())
     };
     json!({
-        "verdict": verdict,
+        "verdict": share.spread().word(),
         "lower": share.lower.to_string(),
         "upper": share.upper.to_string(),
         "with": point(&share.with),

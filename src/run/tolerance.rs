@@ -11,14 +11,14 @@ use crate::{
     monitor::Monitor,
     output::{decimal_above, decimal_below, decimal_or_fraction},
     scene::tolerated::{Tolerated, ToleratedMachines},
-    tolerance::{Partition, Spread, Statement},
+    tolerance::{Partition, Statement},
     word::Word,
 };
 
-/// Into how many cells a box is cut at most, and one of more than two parameters; and how
-/// many letters of a word are followed.
+/// Into how many cells a box is cut at most, and one of more than two parameters.
 const CELLS: u64 = 2000;
 const CELLS_OF_MORE: u64 = 8000;
+/// How many letters of a word are followed.
 const LETTERS: usize = 100;
 /// Decimals of shares.
 const PLACES: u32 = 6;
@@ -123,7 +123,7 @@ pub(super) fn told(machines: &ToleratedMachines, monitor: &dyn Monitor) -> Resul
             periods: word.vertices().iter().map(|vertex| vertex.period).collect(),
             whole: word.is_whole(),
             word_ends: word.extent().in_words(),
-            chaos: verdict(share.spread()),
+            chaos: share.spread().word(),
             share: [decimal_below(&share.lower, PLACES), decimal_above(&share.upper, PLACES)],
             with: place(&share.with),
             without: place(&share.without),
@@ -147,15 +147,6 @@ pub(super) fn told(machines: &ToleratedMachines, monitor: &dyn Monitor) -> Resul
         settled: decimal_below(&partition.settled(), PLACES),
         open,
     })
-}
-
-fn verdict(spread: Spread) -> &'static str {
-    match spread {
-        Spread::Everywhere => "everywhere",
-        Spread::Nowhere => "nowhere",
-        Spread::Differs => "differs",
-        Spread::Open => "open",
-    }
 }
 
 /// A machine by the parameters that move it.

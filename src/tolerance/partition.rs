@@ -109,6 +109,18 @@ pub enum Spread {
     Open,
 }
 
+impl Spread {
+    /// Its word in reports.
+    pub fn word(self) -> &'static str {
+        match self {
+            Spread::Everywhere => "everywhere",
+            Spread::Nowhere => "nowhere",
+            Spread::Differs => "differs",
+            Spread::Open => "open",
+        }
+    }
+}
+
 /// The share of a box in which a statement certainly holds, that in which it certainly does not, and where.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Share {

@@ -142,15 +142,6 @@ pub(super) fn in_maths(signs: CaseSigns) -> String {
     }
 }
 
-fn name(verdict: Spread) -> &'static str {
-    match verdict {
-        Spread::Everywhere => "everywhere",
-        Spread::Nowhere => "nowhere",
-        Spread::Differs => "differs",
-        Spread::Open => "open",
-    }
-}
-
 pub(super) fn sign(positive: bool) -> i64 {
     if positive { 1 } else { -1 }
 }
@@ -340,7 +331,7 @@ fn write_json(report: &Report, rows: &[Row], out: &mut dyn Write) -> Result<()> 
             .map(|row| {
                 let mut all = keys(row);
                 all["sign_emu"] = json!(sign(row.positive));
-                all["verdict"] = json!(name(row.share.spread()));
+                all["verdict"] = json!(row.share.spread().word());
                 all["share"] = json!(ends(&row.share));
                 all["with"] = json!(point(&row.share.with));
                 all["without"] = json!(point(&row.share.without));
@@ -414,7 +405,7 @@ fn write_table(report: &Report, rows: &[Row], format: TableFormat, out: &mut dyn
         cells.extend([
             row.n.map_or(TableCell::Empty, |n| TableCell::Int(n as i64)),
             if row.word.is_some() { TableCell::Text(&row.name) } else { TableCell::Empty },
-            TableCell::Text(name(row.share.spread())),
+            TableCell::Text(row.share.spread().word()),
             TableCell::Text(&lower),
             TableCell::Text(&upper),
         ]);
@@ -492,7 +483,7 @@ pub(super) fn classify(
             let [lower, upper] = ends(share);
             let signs = signs.map(|signs| (signs.positive, report.gamma_of(signs)));
             let case = signs.map_or(String::new(), |(positive, gamma)| in_maths(CaseSigns { positive, gamma }));
-            let mut cells = vec![TableCell::Int(*n as i64), TableCell::Text(name(share.spread()))];
+            let mut cells = vec![TableCell::Int(*n as i64), TableCell::Text(share.spread().word())];
             cells.extend(signs_cells(print, signs, &case));
             cells.extend([TableCell::Text(&lower), TableCell::Text(&upper)]);
             table.row(&cells)?;

@@ -6,7 +6,7 @@ use grazing::{
     internals::output::{decimal_above, decimal_below, decimal_or_fraction},
     num_rational::BigRational,
     number::parse_rational,
-    tolerance::{MOST_CELLS, ParameterBox, Partition, Share, Spread, Subject},
+    tolerance::{MOST_CELLS, ParameterBox, Partition, Share, Subject},
 };
 use serde_json::{Value as Json, json};
 
@@ -38,16 +38,10 @@ fn asked(request: &Json) -> Result<(ParameterBox, Bounds)> {
 
 /// Its verdict, bounds of the share in hundredths that lie on the right side, and where it is so and not.
 fn with_share(mut what: Json, share: &Share) -> Json {
-    let verdict = match share.spread() {
-        Spread::Everywhere => "everywhere",
-        Spread::Nowhere => "nowhere",
-        Spread::Differs => "differs",
-        Spread::Open => "open",
-    };
     let at = |point: &Option<Vec<BigRational>>| {
         point.as_ref().map(|point| point.iter().map(decimal_or_fraction).collect::<Vec<_>>())
     };
-    what["verdict"] = json!(verdict);
+    what["verdict"] = json!(share.spread().word());
     what["percent"] = json!([
         decimal_below(&(&share.lower * integer(100)), 2),
         decimal_above(&(&share.upper * integer(100)), 2)
