@@ -57,7 +57,7 @@ pub struct Form {
 }
 
 /// Tasks that a form has not, and why: printed with every run.
-pub const BY_DESIGN: [(&str, &str, &str); 30] = [
+pub const BY_DESIGN: [(&str, &str, &str); 31] = [
     ("machine of formulas", "criticality", "no normal form is computed through formulas of machines"),
     ("machine of formulas", "what a record's residual could move", "it is told of linear machines"),
     ("machine", "columns that one format has", "each is compared between forms of its own format"),
@@ -109,6 +109,11 @@ pub const BY_DESIGN: [(&str, &str, &str); 30] = [
         "its motion would be part of the extent by which attractors are told apart",
     ),
     ("all", "tasks that restart from a file", "tested where files are: it needs those of another task"),
+    (
+        "all",
+        "examples with dry friction",
+        "formats 1 and 2 have none: `machines::friction::forms` has forms of it",
+    ),
     ("shifted", "section with manifolds", "drawn for one phase"),
     ("all but the units of length", "a force measured once", "it is no function of the phase"),
     (
