@@ -147,7 +147,7 @@ class MotionPanel implements Panel {
   mount(root: HTMLElement, context: Context): void {
     this.context = context;
     this.build(root);
-    this.ready = this.openPaper();
+    this.ready = this.openPaper(false);
   }
 
   restore(state: URLSearchParams): void {
@@ -207,8 +207,7 @@ class MotionPanel implements Panel {
     choose.addEventListener("click", () => file.click());
     const paper = element("button", { type: "button" }, "The paper’s oscillator");
     paper.addEventListener("click", () => {
-      this.context.step();
-      this.ready = this.openPaper();
+      this.ready = this.openPaper(true);
     });
     const save = element("button", { type: "button" }, "Save scene");
     save.addEventListener("click", () => void this.saveScene());
@@ -318,21 +317,21 @@ class MotionPanel implements Panel {
 
   // Scenes.
 
-  private async openPaper(): Promise<void> {
+  private async openPaper(isStep: boolean): Promise<void> {
     const paper = await this.asked(this.context.compute("motion_paper"));
-    if (paper) await this.open(paper.text, paper.name, true);
+    if (paper) await this.open(paper.text, paper.name, true, isStep);
   }
 
   private async openFile(file: File): Promise<void> {
-    this.context.step();
-    await (this.ready = this.open(await file.text(), file.name, false));
+    await (this.ready = this.open(await file.text(), file.name, false, true));
   }
 
-  /** Shows a scene, or says what is wrong with it and keeps the one before. */
-  private async open(text: string, name: string, isPaper: boolean): Promise<void> {
+  /** Shows a scene, as a step of the reader's or not, or says what is wrong with it and keeps the one before. */
+  private async open(text: string, name: string, isPaper: boolean, isStep: boolean): Promise<void> {
     const scene: Opened | null = await this.asked(this.context.compute("motion_open", JSON.stringify({ text, name })));
     if (!scene) return;
     const inLinks: Linked = isPaper ? { why: "" } : await linked(text);
+    if (isStep) this.context.step();
     this.text = text;
     this.name = name;
     this.isPaper = isPaper;
@@ -529,8 +528,8 @@ class MotionPanel implements Panel {
     const name = state.get("name") ?? "scene.toml";
     const packed = state.get("packed");
     const text = packed === null ? state.get("scene") : canPack() ? await unpack(packed) : null;
-    if (text !== null) await this.open(text, name, false);
-    else if (!this.isPaper) await this.openPaper();
+    if (text !== null) await this.open(text, name, false, false);
+    else if (!this.isPaper) await this.openPaper(false);
     const { parts } = this;
     if (packed !== null && text === null) return this.refuse(name);
     if (!this.scene) return;

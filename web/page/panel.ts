@@ -31,7 +31,10 @@ export interface Context {
    * the state. False where the browser does not keep it; null while the panel is hidden, when it is not asked yet.
    */
   keep(state: Record<string, string>): boolean | null;
-  /** What is put into the address next is a step of the reader's: Back leads to what was before it. */
+  /**
+   * What is put into the address next is a step of the reader's: Back leads to what was before it. Said as the state
+   * changes and not before: what is put there while an answer is waited for would take the step.
+   */
   step(): void;
   /** Shows a panel with a state, as a link does; however long the state is. */
   go(id: string, state: Record<string, string>): void;

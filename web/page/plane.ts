@@ -143,7 +143,6 @@ class PlanePanel implements Panel {
     );
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      this.acted();
       void this.go();
     });
     const canvas = element("canvas", { id: "plane-canvas", class: "plot" });
@@ -241,10 +240,15 @@ class PlanePanel implements Panel {
       });
   }
 
-  /** The reader goes on, before what a link says is there if it is not yet. */
-  private acted(): void {
+  /** The reader goes on: what a link says and is not there yet will not be. */
+  private interrupted(): void {
     this.restored++;
     this.restoring = false;
+  }
+
+  /** The same with a step that is taken at once. */
+  private acted(): void {
+    this.interrupted();
     this.context.step();
   }
 
@@ -349,7 +353,9 @@ class PlanePanel implements Panel {
   /** Goes to the point of the text fields. */
   private async go(): Promise<void> {
     const { fields } = this;
+    this.interrupted();
     const turn = ++this.turn;
+    const mine = this.restored;
     try {
       const [x, y] = [this.labels.first.textContent ?? "", this.labels.second.textContent ?? ""];
       const both = [await this.ends(fields.first.value, x), await this.ends(fields.second.value, y)] as const;
@@ -360,6 +366,9 @@ class PlanePanel implements Panel {
         if (!(width > 0)) throw new RangeError("the width of the view is above 0");
       }
       this.complain(null, turn);
+      // Back was pressed, or something else was chosen, meanwhile.
+      if (mine !== this.restored) return;
+      this.acted();
       if (isPoint(both)) await this.choosePlace(placeOf(names, both), "go", width);
       else this.chooseBox({ names, ends: both }, "go", CELLS, width);
     } catch (error) {

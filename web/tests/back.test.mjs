@@ -51,6 +51,30 @@ test("Back leads through tabs, points, examples and links, and Forward again", a
   assert.deepEqual(errors, []);
 });
 
+test("a step is one however long its answer takes", async () => {
+  const { page, errors } = await open(chromium, "#plane?a1=-1/4&a2=1/2&n=4");
+  const said = (text) => page.locator("#plane-facts .numbers").filter({ hasText: text }).first().waitFor();
+  const rests = () => page.locator('#plane-status[data-full="true"]').waitFor();
+  await said("a₁ = −1/4");
+  await rests();
+  await page.waitForFunction(() => location.hash.includes("&w="));
+  const before = await page.evaluate(() => history.length);
+  // The view is asked for anew, and the answer to Go stands behind a long one, as on a slow computer.
+  await page.setViewportSize({ width: 1000, height: 700 });
+  await page.evaluate(() => {
+    const box = { a1: ["1/4", "2"], a2: ["1/4", "3/4"], cells: 4000 };
+    globalThis.long = grazing.compute("plane_shares", JSON.stringify(box));
+  });
+  await page.getByLabel("a₁", { exact: true }).fill("1/3");
+  await page.getByRole("button", { name: "Go", exact: true }).click();
+  assert.equal(await page.evaluate(() => Promise.race([globalThis.long.then(() => "over"), new Promise((go) => setTimeout(go, 400, "runs"))])), "runs");
+  await said("a₁ = 1/3");
+  assert.equal(await page.evaluate(() => history.length), before + 1);
+  await page.goBack();
+  await said("a₁ = −1/4");
+  assert.deepEqual(errors, []);
+});
+
 test("a view of the motion is a step, a slider that moves is none", async () => {
   const { page, errors } = await open(chromium, "#motion");
   const pressed = (name) => page.getByRole("button", { name, pressed: true }).waitFor();
