@@ -25,10 +25,13 @@ pub struct RationalFunction {
 }
 
 impl RationalFunction {
-    /// The function that runs through the numbers above `from`, up to `to` where that is given.
+    /// The function that runs through the numbers above `from`, up to `to` where that is given; the number
+    /// itself if both are one.
     pub fn range(from: &BigRational, to: Option<&BigRational>) -> RationalFunction {
         let one = BigRational::one();
         match to {
+            // As a quotient of polynomials it would grow by each operation.
+            Some(to) if to == from => RationalFunction { over: vec![from.clone()], under: vec![one] },
             Some(to) => {
                 RationalFunction { over: vec![from.clone(), to.clone()], under: vec![one.clone(), one] }
             }
