@@ -1,6 +1,7 @@
 //! How far ranges are proved of random oscillators, and how far the motions go on in truth.
 //!
 //!     cargo bench --bench ranges -- 500 [SEED] [EFFORT] >ranges.csv
+//!     cargo bench --bench ranges -- 350..500 [SEED] [EFFORT] >>ranges.csv      (without the head)
 //!     cargo bench --bench ranges -- ranges.csv
 //!     cargo bench --bench ranges -- orbits 500 [SEED] [EFFORT] >orbits.csv
 //!     cargo bench --bench ranges -- orbits.csv
@@ -171,6 +172,11 @@ fn said(end: &RangeEnd) -> String {
     }
 }
 
+/// The words that are no range.
+fn plain(words: &[String]) -> impl Iterator<Item = &str> {
+    words.iter().map(String::as_str).filter(|word| !word.contains(".."))
+}
+
 /// How many oscillators are run before their lines are printed.
 const CHUNK: usize = 8;
 
@@ -181,7 +187,13 @@ fn main() {
         return if text.starts_with(orbits::HEAD) { orbits::print(&text) } else { summary::print(&text) };
     }
     let single = words.iter().any(|word| word == "orbits");
-    let numbers: Vec<u64> = words.iter().filter_map(|x| x.parse().ok()).collect();
+    let (from, numbers) = match words.iter().find_map(|word| word.split_once("..")) {
+        Some((from, to)) => {
+            (from.parse().expect("a number before .."), [to].into_iter().chain(plain(&words)).collect())
+        }
+        None => (0, plain(&words).collect::<Vec<_>>()),
+    };
+    let numbers: Vec<u64> = numbers.iter().filter_map(|x| x.parse().ok()).collect();
     let Some(&count) = numbers.first() else { return };
     let seed = numbers.get(1).copied().unwrap_or(20);
     let effort = RangeEffort(numbers.get(2).copied().unwrap_or(RangeEffort::default().0));
@@ -194,8 +206,10 @@ fn main() {
             false => lines(index, &machine, effort).iter().map(ToString::to_string).collect::<Vec<_>>(),
         }
     };
-    println!("{}", if single { orbits::HEAD } else { HEAD });
-    for some in (0..count).collect::<Vec<_>>().chunks(CHUNK) {
+    if from == 0 {
+        println!("{}", if single { orbits::HEAD } else { HEAD });
+    }
+    for some in (from..count).collect::<Vec<_>>().chunks(CHUNK) {
         let all: Vec<String> = some.par_iter().flat_map_iter(one).collect();
         all.iter().for_each(|line| println!("{line}"));
     }

@@ -447,10 +447,25 @@ fn asked_for_ranges(
         None => point.ranges(keys.effort.map_or_else(RangeEffort::default, RangeEffort))?,
     };
     let mut certificates = Vec::new();
-    let keep = |SideRange { mut row, text }| {
-        if let Some(text) = text {
-            let file = format!("{}-{}.certificate", job.task.name, row.ending());
-            row.certificate = Some(file.clone());
+    // Those that follow the first of a row are counted side by side of the touch.
+    let mut further = [1; 2];
+    let keep = |SideRange { mut row, texts }| {
+        for (i, text) in texts.into_iter().enumerate() {
+            let ending = match i {
+                0 => row.ending(),
+                _ => {
+                    let count = &mut further[usize::from(row.is_beyond())];
+                    *count += 1;
+                    format!("{}-cell-{count}", row.side)
+                }
+            };
+            let file = format!("{}-{ending}.certificate", job.task.name);
+            if i == 0 {
+                row.certificate = Some(file.clone());
+            }
+            if let Some(cell) = row.cells.get_mut(i) {
+                cell.certificate = Some(file.clone());
+            }
             certificates.push((file, text));
         }
         row

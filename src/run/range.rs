@@ -50,8 +50,31 @@ row! {
         pub reason: Option<String>,
         /// Of an orbit of one impact where it is stable, part by part from the touch.
         pub stability: Vec<StabilityRow>,
-        /// The file of its certificate.
+        /// The file of its certificate; where that has several cells, of the first.
         pub certificate: Option<String>,
+        /// Where damping, stiffness or restitution change with the parameter and one certificate does not reach
+        /// to the end: the parts of the range, from the touch on, each with a certificate; none otherwise.
+        pub cells: Vec<CellRow>,
+    }
+}
+
+/// A part of a range with a certificate of its own, of the machines there; it begins at their touch.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct CellRow {
+    /// The value of the parameter where it begins: the end of the part before; absent at a touch.
+    pub from: Option<String>,
+    /// The value of the parameter where it ends, exactly: rounded inwards.
+    pub to: String,
+    /// ν there is at most this, exactly.
+    pub depth: String,
+    /// The file of its certificate.
+    pub certificate: Option<String>,
+}
+
+impl Shown for CellRow {
+    fn set(&self, _: Option<usize>) -> String {
+        let file = self.certificate.as_deref().unwrap_or("no certificate");
+        format!("{} from {} to {}", file, self.from.as_deref().unwrap_or("the touch"), self.to)
     }
 }
 
@@ -72,6 +95,9 @@ impl Shown for StabilityRow {
     }
 }
 
+/// One of the sides.
+const BEYOND: &str = "beyond";
+
 /// Two of the verdicts.
 pub(crate) const PROVED: &str = "proved";
 pub(crate) const NOTHING: &str = "nothing born";
@@ -85,15 +111,15 @@ pub(crate) const ORBIT: &str = "orbit";
 pub(crate) struct SideRange {
     /// What is said of it, but for the certificate's file.
     pub row: RangeRow,
-    /// The certificate.
-    pub text: Option<String>,
+    /// The certificates: one, or of several cells each; none if nothing is proved.
+    pub texts: Vec<String>,
 }
 
 impl RangeRow {
     /// Of a side on which nothing is proved.
     pub(crate) fn open(behind: bool, verdict: &'static str, reason: Option<String>) -> RangeRow {
         RangeRow {
-            side: if behind { "beyond" } else { "before" },
+            side: if behind { BEYOND } else { "before" },
             verdict,
             of: ALL,
             periods: Vec::new(),
@@ -109,6 +135,16 @@ impl RangeRow {
             reason,
             stability: Vec::new(),
             certificate: None,
+            cells: Vec::new(),
+        }
+    }
+
+    /// Whether it is proved, and to more than another one of the same side is.
+    pub(crate) fn goes_farther_than(&self, other: &RangeRow) -> bool {
+        let number = |text: &Option<String>| text.as_ref().and_then(|text| parse_rational(text).ok());
+        match (number(&self.end), number(&other.end)) {
+            (Some(end), Some(whole)) => end != whole && (end > whole) == self.ends_above(),
+            (end, _) => end.is_some(),
         }
     }
 
@@ -154,6 +190,10 @@ impl RangeRow {
             (PART, _) => format!("{}-part", self.side),
             _ => self.side.to_string(),
         }
+    }
+
+    pub(super) fn is_beyond(&self) -> bool {
+        self.side == BEYOND
     }
 
     pub(super) fn is_undecided(&self) -> bool {
@@ -209,7 +249,7 @@ impl RangeRow {
                 format!("{side} the touch, nothing is born; proved for {above}{part}: {leaving}"),
             );
             lines.say("range_ends", reason);
-            return lines.say_known("certificate", &self.certificate);
+            return self.certificate_lines(varied, lines);
         }
         let what = self.what(half);
         lines.say(
@@ -291,7 +331,21 @@ impl RangeRow {
             lines.say("stability", self.stability_in_words(varied));
         }
         lines.say("range_ends", reason);
-        lines.say_known("certificate", &self.certificate);
+        self.certificate_lines(varied, lines);
+    }
+
+    /// Its certificate, or whose which cell is.
+    fn certificate_lines(&self, varied: &str, lines: &mut Lines) {
+        if self.cells.is_empty() {
+            return lines.say_known("certificate", &self.certificate);
+        }
+        let way = if self.ends_above() { "<=" } else { ">=" };
+        let cell =
+            |cell: &CellRow| Some(format!("{} to {varied} {way} {}", cell.certificate.as_ref()?, cell.to));
+        let all: Vec<String> = self.cells.iter().filter_map(cell).collect();
+        if !all.is_empty() {
+            lines.say("certificates", all.join("; "));
+        }
     }
 
     /// Where the orbit is stable, as inequalities, from the touch on.
@@ -331,7 +385,7 @@ pub(crate) fn why(end: &RangeEnd, effort: RangeEffort) -> String {
         RangeEnd::Map => "next to it no ranges of strengths are found that the map keeps: this ends the proof, not the motions".into(),
         RangeEnd::Refused(why) => format!("next to it the checker refuses: {why}"),
         RangeEnd::Work => format!("the work allowed is done, {} legs and steps: raise `effort`", effort.0),
-        RangeEnd::Wide => "farther away damping, stiffness or restitution change too much for one proof: this ends the proof, not the motions".into(),
+        RangeEnd::Wide => "farther away damping, stiffness or restitution change too much for the proofs that are tried: this ends the proof, not the motions".into(),
         RangeEnd::Unbounded => "no bound is found for how long motions near stay off the stop".into(),
     }
 }

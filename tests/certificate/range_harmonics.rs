@@ -220,45 +220,64 @@ fn confirm_single(machine: &Machine, row: &RangeRow, value: f64) -> bool {
     stable
 }
 
-/// How many orbits of one and two impacts are confirmed of all ranges that are proved.
+/// How many orbits of one and two impacts are confirmed of all ranges that are proved, in each of their cells.
 fn confirmed(machine: &Machine, found: &GrazingReport) -> usize {
     let mut count = 0;
     for row in found.range.iter().flatten().filter(|row| row.verdict == "proved") {
-        let (_, text) =
-            found.certificates.iter().find(|(file, _)| Some(file) == row.certificate.as_ref()).unwrap();
         let [touch, end] = [&row.touch, &row.end].map(|text| float(text.as_ref().unwrap()));
         // The gap is the top there.
         let (there, [force, gap]) = machine.values(touch);
         assert!((force * there.free(there.top(), 0) / gap - 1.0).abs() < 1e-12, "{row:?}");
-        // The machines of the range are the certificate's, to what is rounded outwards.
-        for at in [touch, end] {
-            let (there, _) = machine.values(at);
-            for (name, value) in [("damping ", there.damping), ("stiffness ", there.stiffness)] {
-                let line = text.lines().find_map(|line| line.strip_prefix(name)).unwrap();
-                let [lo, hi] = [0, 1].map(|i| float(line.split(' ').nth(i).unwrap()));
-                assert!(lo - 1e-15 <= value && value <= hi + 1e-15, "{name}{value}: {line}");
-            }
+        let mut cells: Vec<(f64, f64, &str, &str)> = Vec::new();
+        for cell in &row.cells {
+            let from = cell.from.as_ref().map_or(touch, |from| float(from));
+            assert_eq!(from, cells.last().map_or(touch, |cell| cell.1), "a cell begins where one ends");
+            cells.push((from, float(&cell.to), cell.certificate.as_ref().unwrap(), &cell.depth));
         }
-        if row.of == "orbit" {
-            // Not next to a fold, which steps of the phase here would pass.
-            for share in [0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99] {
-                confirm_single(machine, row, touch + share * (end - touch));
-                count += 1;
-            }
-            continue;
+        if cells.is_empty() {
+            cells.push((touch, end, row.certificate.as_ref().unwrap(), row.depth.as_ref().unwrap()));
         }
-        let claim = Claim::of(text);
-        let follows = |u: usize, v: usize| claim.edges.contains(&[u, v]);
-        let all = 0..claim.periods.len();
-        let pairs = all.clone().flat_map(|u| all.clone().map(move |v| vec![u, v]));
-        let words = pairs.map(|word| if word[0] == word[1] { vec![word[0]] } else { word });
-        let words = words
-            .filter(|word| follows(word[0], word[word.len() - 1]) && follows(word[word.len() - 1], word[0]));
-        for word in words {
-            for share in [0.01, 0.5, 1.0] {
-                confirm(machine, row, &claim, touch + share * (end - touch), &word);
-                count += 1;
-            }
+        assert_eq!(cells.last().unwrap().1, end);
+        for (from, to, file, depth) in cells {
+            let (_, text) = found.certificates.iter().find(|(name, _)| name == file).unwrap();
+            let row = RangeRow { depth: Some(depth.into()), ..row.clone() };
+            count += confirmed_cell(machine, &row, [from, to], text);
+        }
+    }
+    count
+}
+
+/// The same of one certificate.
+fn confirmed_cell(machine: &Machine, row: &RangeRow, [from, to]: [f64; 2], text: &str) -> usize {
+    let mut count = 0;
+    // The machines of the range are the certificate's, to what is rounded outwards.
+    for at in [from, to] {
+        let (there, _) = machine.values(at);
+        for (name, value) in [("damping ", there.damping), ("stiffness ", there.stiffness)] {
+            let line = text.lines().find_map(|line| line.strip_prefix(name)).unwrap();
+            let [lo, hi] = [0, 1].map(|i| float(line.split(' ').nth(i).unwrap()));
+            assert!(lo - 1e-15 <= value && value <= hi + 1e-15, "{name}{value}: {line}");
+        }
+    }
+    if row.of == "orbit" {
+        // Not next to a fold, which steps of the phase here would pass.
+        for share in [0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99] {
+            confirm_single(machine, row, from + share * (to - from));
+            count += 1;
+        }
+        return count;
+    }
+    let claim = Claim::of(text);
+    let follows = |u: usize, v: usize| claim.edges.contains(&[u, v]);
+    let all = 0..claim.periods.len();
+    let pairs = all.clone().flat_map(|u| all.clone().map(move |v| vec![u, v]));
+    let words = pairs.map(|word| if word[0] == word[1] { vec![word[0]] } else { word });
+    let words =
+        words.filter(|word| follows(word[0], word[word.len() - 1]) && follows(word[word.len() - 1], word[0]));
+    for word in words {
+        for share in [0.01, 0.5, 1.0] {
+            confirm(machine, row, &claim, from + share * (to - from), &word);
+            count += 1;
         }
     }
     count
@@ -287,7 +306,8 @@ fn orbits_beside_walls_of_several_harmonics_are_in_their_ranges() {
 /// certificate's.
 #[test]
 fn machines_that_change_with_the_parameter_have_ranges() {
-    for (force, damping, stiffness, varied, least) in [(1.4, 0.1, 0.28, "k", 28), (1.0, 0.3, 0.55, "c", 10)] {
+    for (force, damping, stiffness, varied, least) in [(1.4, 0.1, 0.28, "k", 200), (1.0, 0.3, 0.55, "c", 40)]
+    {
         let waves = vec![(1.0, force, 0.0)];
         let machine = Machine { damping, stiffness, restitution: 0.8, waves, varied };
         let found = machine.found("reach = 3\nrange = { effort = 30000 }");
@@ -297,10 +317,32 @@ fn machines_that_change_with_the_parameter_have_ranges() {
         let count = confirmed(&machine, &found);
         for row in &rows {
             let part = 100.0 * row.share.unwrap_or(0.0);
-            println!("{varied}: {}, {} {:?}, {part:.1} %", row.side, row.of, row.periods);
+            println!(
+                "{varied}: {}, {} {:?}, {part:.1} %, {} cells",
+                row.side,
+                row.of,
+                row.periods,
+                row.cells.len()
+            );
+            for cell in &row.cells {
+                println!("    to {} (nu {}), {}", cell.to, cell.depth, row.reason.as_deref().unwrap_or(""));
+            }
         }
         println!("{varied}: {count} orbits");
         assert!(count >= least, "{count}: {rows:?}");
+        for row in rows {
+            // Several certificates reach farther than one.
+            let [touch, first, end] = [&row.touch, &row.cells.first().map(|cell| cell.to.clone()), &row.end]
+                .map(|text| float(text.as_ref().unwrap()));
+            assert!(row.cells.len() > 1 && (end - touch) / (first - touch) > 1.3, "{row:?}");
+            // An orbit that is unstable in all cells is so in one part.
+            assert_eq!(row.stability.len(), usize::from(row.of == "orbit"), "{row:?}");
+        }
+        let files =
+            || found.range.iter().flatten().flat_map(|row| &row.cells).flat_map(|cell| &cell.certificate);
+        let mut known: Vec<_> = files().collect();
+        (known.sort(), known.dedup());
+        assert_eq!(known.len(), files().count(), "two cells have one file");
     }
 }
 

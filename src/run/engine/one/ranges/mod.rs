@@ -1,29 +1,25 @@
 //! How far from the touch of the motion without impacts what is born goes on, proved: for the task `grazing`.
 
-use std::f64::consts::TAU;
+mod cells;
+mod rows;
 
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
 use super::{
-    super::super::range::{
-        ALL, NOTHING, ORBIT, PART, PROVED, RangeRow, SideRange, StabilityRow, downwards, inwards, why,
-        why_single,
-    },
+    super::super::range::{ALL, NOTHING, PART, RangeRow, SideRange},
     grazing::OscillatorGrazing,
     tolerated::AllMachines,
 };
 use crate::{
-    certificate::single::Word,
     error::{Error, Result},
     motion::System,
-    number::{Real, certain_digits, parse_rational},
+    number::Real,
     search::{
         chaos::{LetterGraph, RationalFunction, Term},
         range::{
-            Born, NothingProblem, NothingProof, ParameterRange, RangeEffort, RangeEnd, RangeProblem,
-            RangeProof, SingleProblem, SingleProof, Touching, born, is_as_deep, parameter_range, prove,
-            prove_alone, prove_farther, prove_nothing, prove_single, single_orbits,
+            Born, RangeEffort, RangeProblem, SingleProblem, Touching, born, prove, prove_alone,
+            prove_farther, single_orbits,
         },
     },
 };
@@ -38,49 +34,16 @@ const STEP: f64 = 1e-6;
 const SHARE: u64 = 4;
 /// How often a step from an end is made longer.
 const STEPS: u32 = 6;
+/// Next to a value of the parameter are those as near as one in so many of its way from the touch.
+const NEXT_TO: u64 = 1_000_000;
 /// Digits of ends.
 const DIGITS: i32 = 12;
-/// Where damping, stiffness or restitution change with the parameter: how many depths are tried, each with
-/// such a part of the effort; after one at which nothing is proved, one so many times smaller; and how near
-/// to all of it is all.
-const TRIES: u32 = 7;
+/// Where damping, stiffness or restitution change with the parameter, each depth that is tried has such a part
+/// of the effort.
 const PART_OF_EFFORT: u64 = 4;
-const SMALLER: f64 = 16.0;
-const NEARLY: f64 = 1e-3;
 
 /// The ranges of c, k and τ.
 type Ranges = [[BigRational; 2]; 3];
-/// What is proved, or why nothing is.
-type Reached<T> = std::result::Result<T, RangeEnd>;
-
-/// The machines of a proof: all whose damping, stiffness and restitution are in these ranges.
-#[derive(Clone)]
-struct Machines {
-    ranges: Ranges,
-    /// Up to here their parameter is known to be among those; none where they do not change with it.
-    until: Option<BigRational>,
-}
-
-/// To as many digits as a certificate's depth has, so that a proof can reach just that.
-fn rounded(depth: f64) -> f64 {
-    format!("{depth:.5e}").parse().unwrap_or(depth)
-}
-
-/// What is proved to a depth.
-trait Deep {
-    fn reached(&mut self) -> (&BigRational, &mut RangeEnd);
-}
-
-macro_rules! deep {
-    ($($proof:ty),+) => {$(
-        impl Deep for $proof {
-            fn reached(&mut self) -> (&BigRational, &mut RangeEnd) {
-                (&self.depth, &mut self.end)
-            }
-        }
-    )+};
-}
-deep!(RangeProof, SingleProof, NothingProof);
 
 /// The machine near the touch.
 struct Near<'a> {
@@ -219,7 +182,7 @@ impl Near<'_> {
     fn side(&self, behind: bool) -> Result<Vec<SideRange>> {
         let open = |verdict, reason: Option<&str>| {
             let row = RangeRow::open(behind, verdict, reason.map(String::from));
-            Ok(vec![SideRange { row, text: None }])
+            Ok(vec![SideRange { row, texts: Vec::new() }])
         };
         let (graph, whole) = match self.born(behind)? {
             Err(why) => return open("undecided", Some(why)),
@@ -236,25 +199,39 @@ impl Near<'_> {
         let mirrored = self.mirrored;
         let problem = RangeProblem { mirrored, ranges, behind, harmonics, graph, deepest };
         let monitor = self.point.job.monitor;
-        let of = |ranges: Ranges, deepest| RangeProblem { ranges, deepest, ..problem.clone() };
-        let mut found = self.widest(behind, self.effort, &|ranges, deepest, effort| {
-            prove(&of(ranges, deepest), effort, monitor)
-        })?;
-        let mut depth = 0.0;
-        if let Ok((proof, machines)) = &mut found {
-            depth = proof.depth.to_f64().unwrap_or(0.0);
-            if whole {
-                let problem = of(machines.ranges.clone(), deepest);
+        let of = |graph: &LetterGraph, ranges: Ranges, deepest| RangeProblem {
+            ranges,
+            deepest,
+            graph: graph.clone(),
+            ..problem.clone()
+        };
+        let of_graph = |graph: &LetterGraph| {
+            self.cells(behind, self.effort, &|ranges, deepest, effort| {
+                prove(&of(graph, ranges, deepest), effort, monitor)
+            })
+        };
+        let mut found = of_graph(&problem.graph)?;
+        if whole && let Ok(cells) = &mut found {
+            for (proof, machines) in cells {
+                let problem = of(&problem.graph, machines.ranges.clone(), deepest);
                 *proof = prove_alone(&problem, proof.clone(), self.effort, monitor)?;
+                if proof.alone.as_ref() != Some(&proof.depth) {
+                    break;
+                }
             }
         }
+        let farthest = found.as_ref().ok().and_then(|cells| cells.last());
+        let depth = farthest.and_then(|(proof, _)| proof.depth.to_f64()).unwrap_or(0.0);
+        // Where the machines change with the depth, by one of them, the farthest.
+        let ranges = self.machine_at(farthest.and_then(|(_, machines)| machines.until.as_ref()))?;
         let mut all = vec![self.judged(behind, (ALL, &problem.graph, whole), found)?];
-        // Where the machines change with the depth, those of the whole are no measure for a part.
-        if !self.changes
-            && let Some((graph, proof)) = prove_farther(&problem, depth, self.effort, monitor)?
-        {
-            let found = Ok((proof, self.fixed()));
-            all.push(self.judged(behind, (PART, &graph, false), found)?);
+        let farther = RangeProblem { ranges, ..problem.clone() };
+        if let Some((graph, proof)) = prove_farther(&farther, depth, self.effort, monitor)? {
+            let found = if self.changes { of_graph(&graph)? } else { Ok(vec![(proof, self.fixed())]) };
+            let part = self.judged(behind, (PART, &graph, false), found)?;
+            if !self.changes || part.row.goes_farther_than(&all[0].row) {
+                all.push(part);
+            }
         }
         for periods in single_orbits(&problem.graph) {
             let RangeProblem { ranges, harmonics, deepest, .. } = problem.clone();
@@ -270,271 +247,11 @@ impl Near<'_> {
         Ok(all)
     }
 
-    /// What is proved as far as it goes, and of which machines. Where damping, stiffness and restitution
-    /// change with the parameter, a proof is of all machines on the way to a depth: the deeper that is, the
-    /// more these are and the sooner the proof ends, so that a depth is looked for that is just reached.
-    fn widest<T: Deep>(
-        &self,
-        behind: bool,
-        effort: RangeEffort,
-        prove: &dyn Fn(Ranges, f64, RangeEffort) -> Result<Reached<T>>,
-    ) -> Result<Reached<(T, Machines)>> {
-        let deepest = DEEPEST[usize::from(behind)];
-        if !self.changes {
-            let machines = self.fixed();
-            return Ok(prove(machines.ranges.clone(), deepest, effort)?.map(|proof| (proof, machines)));
-        }
-        let (mut best, mut farthest): (Option<(T, Machines)>, f64) = (None, 0.0);
-        // All of the first is reached, not all of the second.
-        let (mut reached, mut asked, mut above, mut last) = (0.0f64, deepest, deepest, 0.0);
-        let mut end = RangeEnd::Wide;
-        for _ in 0..TRIES {
-            let found = match self.machines(behind, asked)? {
-                Some(machines) => {
-                    prove(machines.ranges.clone(), asked, effort)?.map(|proof| (proof, machines))
-                }
-                None => Err(RangeEnd::Wide),
-            };
-            let depth = match found {
-                Err(why) => {
-                    end = why;
-                    0.0
-                }
-                Ok((mut proof, machines)) => {
-                    let (depth, end) = proof.reached();
-                    let depth = depth.to_f64().unwrap_or(0.0);
-                    if asked < deepest && *end == RangeEnd::Asked {
-                        *end = RangeEnd::Wide;
-                    }
-                    if depth > farthest {
-                        (best, farthest) = (Some((proof, machines)), depth);
-                    }
-                    depth
-                }
-            };
-            // Narrower ranges of the machines do not make the proof go farther.
-            let settled = (depth - last).abs() <= 10.0 * NEARLY * depth && depth > 0.0 && depth < 0.5 * asked;
-            last = depth;
-            if depth >= asked * (1.0 - NEARLY) {
-                reached = asked;
-            } else {
-                (reached, above) = (reached.max(depth), asked);
-            }
-            if settled || reached >= above * (1.0 - 10.0 * NEARLY) {
-                break;
-            }
-            asked = rounded(if reached > 0.0 { (reached * above).sqrt() } else { above / SMALLER });
-        }
-        Ok(best.ok_or(end))
-    }
-
-    /// The machine where nothing but the wall changes with the parameter.
-    fn fixed(&self) -> Machines {
-        Machines { ranges: self.about.clone(), until: None }
-    }
-
-    /// The machines from the touch to a depth; none if these are not known.
-    fn machines(&self, behind: bool, depth: f64) -> Result<Option<Machines>> {
-        let Some(depth) = BigRational::from_float(depth) else { return Ok(None) };
-        let found = self.parameters(behind, &depth).and_then(|range| {
-            let Some(ParameterRange { touch: [lo, hi], end }) = range else { return Ok(None) };
-            let (from, to) = if end > hi { (lo, end.clone()) } else { (end.clone(), hi) };
-            let touching = Touching::of(&functions(self.point, &from, &to)?, None)?;
-            let ranges = touching.parameters;
-            Ok(ranges[2][0].is_positive().then_some(Machines { ranges, until: Some(end) }))
-        });
-        match found {
-            Err(error) if error.is_interrupted() => Err(error),
-            // A machine on the way that is none, as one without a spring.
-            Err(_) => Ok(None),
-            Ok(machines) => Ok(machines),
-        }
-    }
-
-    /// The orbit of one impact, along its curve.
-    fn single(&self, problem: &SingleProblem) -> Result<SideRange> {
-        let behind = problem.behind;
-        let effort = RangeEffort(self.effort.0 / SHARE);
-        let found = self.widest(behind, effort, &|ranges, deepest, effort| {
-            prove_single(
-                &SingleProblem { ranges, deepest, ..problem.clone() },
-                effort,
-                self.point.job.monitor,
-            )
-        })?;
-        let mut found = match found {
-            Err(end) => {
-                let row = RangeRow::open(behind, "undecided", Some(why_single(&end, effort)));
-                SideRange { row, text: None }
-            }
-            Ok((proof, machines)) => {
-                let mut row = self.over(behind, &proof.depth, &machines, why_single(&proof.end, effort))?;
-                let proved = row.verdict == PROVED;
-                if proved {
-                    row.stability = self.stability(behind, &proof, &machines)?;
-                }
-                SideRange { row, text: proved.then_some(proof.text) }
-            }
-        };
-        (found.row.of, found.row.periods) = (ORBIT, vec![problem.periods]);
-        Ok(found)
-    }
-
-    /// Where it is stable, over the parameter: parts that are shown to be in the proof's.
-    fn stability(&self, behind: bool, proof: &SingleProof, machines: &Machines) -> Result<Vec<StabilityRow>> {
-        let mut all = Vec::new();
-        let mut from: Option<&BigRational> = None;
-        for (depth, word) in &proof.parts {
-            let begin = from.replace(depth);
-            let word = match word {
-                Word::Stable => "stable",
-                Word::Unstable => "unstable",
-                Word::Open => continue,
-            };
-            let Some(to) = self.over(behind, depth, machines, String::new())?.end else { continue };
-            let Some(begin) = begin else {
-                all.push(StabilityRow { word, from: None, to });
-                continue;
-            };
-            // Beyond the greatest parameter up to the depth where it begins, by less and less.
-            let end = parse_rational(&to)?;
-            let Some(last) = self.last(behind, begin, &end)? else { continue };
-            let mut step = &last * BigRational::new(1.into(), 10u64.pow(DIGITS as u32).into());
-            for _ in 0..STEPS {
-                let value = if end > last { &last + step.abs() } else { &last - step.abs() };
-                let text = inwards(&value, &end, DIGITS);
-                let value = parse_rational(&text)?;
-                let inside = if end > last { value < end } else { value > end };
-                if inside && self.is_as_deep(&value, begin, behind)? {
-                    all.push(StabilityRow { word, from: Some(text), to });
-                    break;
-                }
-                step *= BigRational::from_integer(10.into());
-            }
-        }
-        Ok(all)
-    }
-
-    /// About the last value of the parameter with depths up to one; of all machines the first from which each
-    /// is as deep, up to `end`.
-    fn last(&self, behind: bool, depth: &BigRational, end: &BigRational) -> Result<Option<BigRational>> {
-        match &self.of {
-            Of::One(_) => Ok(self.parameters(behind, depth)?.map(|range| range.end)),
-            Of::All(all) => Ok(all.deep_from(end, depth, behind)),
-        }
-    }
-
-    fn is_as_deep(&self, parameter: &BigRational, depth: &BigRational, behind: bool) -> Result<bool> {
-        let system = |from: &BigRational, to: &BigRational| functions(self.point, from, to);
-        match &self.of {
-            Of::One(_) => is_as_deep(&system, None, parameter, depth, behind),
-            Of::All(all) => Ok(all.are_as_deep(parameter, depth, behind)),
-        }
-    }
-
-    /// Beyond the touch, where nothing is born: that no motion stays near.
-    fn nothing(&self) -> Result<SideRange> {
-        let harmonics = &self.harmonics;
-        let found = self.widest(true, self.effort, &|ranges, deepest, effort| {
-            let problem =
-                NothingProblem { mirrored: self.mirrored, ranges, harmonics: harmonics.clone(), deepest };
-            prove_nothing(&problem, effort, self.point.job.monitor)
-        })?;
-        let (mut row, text) = match found {
-            Err(end) => (RangeRow::open(true, NOTHING, Some(why(&end, self.effort))), None),
-            Ok((proof, machines)) => {
-                let mut row = self.over(true, &proof.depth, &machines, why(&proof.end, self.effort))?;
-                if row.verdict == PROVED {
-                    (row.leaves, row.zone) = (Some(proof.periods), Some(downwards(proof.zone() / TAU)));
-                }
-                (row, Some(proof.text))
-            }
-        };
-        let text = text.filter(|_| row.verdict == PROVED);
-        (row.verdict, row.whole) = (NOTHING, true);
-        Ok(SideRange { row, text })
-    }
-
-    /// What is found of a graph.
-    fn judged(
-        &self,
-        behind: bool,
-        (of, graph, whole): (&'static str, &LetterGraph, bool),
-        found: Reached<(RangeProof, Machines)>,
-    ) -> Result<SideRange> {
-        let mut found = match found {
-            Ok((proof, machines)) => self.proved(behind, proof, &machines)?,
-            Err(end) => {
-                let row = RangeRow::open(behind, "undecided", Some(why(&end, self.effort)));
-                SideRange { row, text: None }
-            }
-        };
-        (found.row.of, found.row.periods, found.row.whole) = (of, graph.letters.clone(), whole);
-        Ok(found)
-    }
-
-    /// A proof over depths as one over the parameter.
-    fn proved(&self, behind: bool, proof: RangeProof, machines: &Machines) -> Result<SideRange> {
-        let mut row = self.over(behind, &proof.depth, machines, why(&proof.end, self.effort))?;
-        if let Some(depth) = proof.alone.filter(|_| row.verdict == PROVED) {
-            row.alone = self.over(behind, &depth, machines, String::new())?.end;
-        }
-        let text = (row.verdict == PROVED).then_some(proof.text);
-        Ok(SideRange { row, text })
-    }
-
-    /// The values of the parameter with depths up to one, exactly.
-    fn parameters(&self, behind: bool, depth: &BigRational) -> Result<Option<ParameterRange>> {
-        let [at, unit] = &self.start;
-        let system = |from: &BigRational, to: &BigRational| functions(self.point, from, to);
-        parameter_range(&system, None, [at, unit], depth, behind)
-    }
-
-    /// The values of the parameter with depths up to one, of machines of a proof.
-    fn over(
-        &self,
-        behind: bool,
-        depth: &BigRational,
-        machines: &Machines,
-        reason: String,
-    ) -> Result<RangeRow> {
-        let [at, unit] = &self.start;
-        let open = |why: String| RangeRow::open(behind, "undecided", Some(why));
-        if let Of::All(all) = &self.of {
-            return match all.range([at, unit], depth, behind) {
-                Err(error) if error.is_interrupted() => Err(error),
-                Err(error) => Ok(open(error.to_string())),
-                Ok(None) => Ok(open("it is not shown where all machines within the tolerances touch".into())),
-                Ok(Some(range)) => Ok(RangeRow::of_all(behind, &range, depth, unit, reason)),
-            };
-        }
-        let known = |range: ParameterRange| match &machines.until {
-            Some(until) if (*until > range.touch[1]) == (range.end > *until) => {
-                ParameterRange { end: until.clone(), ..range }
-            }
-            _ => range,
-        };
-        Ok(match self.parameters(behind, depth).map(|range| range.map(known)) {
-            Err(error) if error.is_interrupted() => return Err(error),
-            Err(error) => open(error.to_string()),
-            Ok(None) => {
-                open("the depth is not shown to increase with the parameter from the touch on".into())
-            }
-            Ok(Some(range)) if range.touch[0].is_positive() != range.touch[1].is_positive() => {
-                open("the touch is not told from 0".into())
-            }
-            Ok(Some(range)) => {
-                let [lo, hi] = &range.touch;
-                let inner = if range.end > *hi { hi } else { lo };
-                let width = (&range.end - inner) / inner.abs().max(unit.clone());
-                RangeRow {
-                    touch: certain_digits(lo, hi, 17),
-                    end: Some(inwards(&range.end, inner, DIGITS)),
-                    share: width.abs().to_f64().filter(|_| inner.abs() > *unit),
-                    depth: Some(depth.to_string()),
-                    ..RangeRow::open(behind, PROVED, Some(reason))
-                }
-            }
-        })
+    /// c, k and τ next to a value of the parameter, in few digits, or about the touch.
+    fn machine_at(&self, value: Option<&BigRational>) -> Result<Ranges> {
+        let Some(at) = value else { return Ok(self.about.clone()) };
+        let next = at + (&self.start[0] - at) * BigRational::new(1.into(), NEXT_TO.into());
+        let (from, to) = if next < *at { (&next, at) } else { (at, &next) };
+        Ok(Touching::of(&functions(self.point, from, to)?, None)?.parameters)
     }
 }

@@ -1,0 +1,273 @@
+//! What is proved, as rows: of all that is born, of a part, of an orbit, of nothing, each over the parameter.
+
+use std::f64::consts::TAU;
+
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive};
+
+use super::{
+    super::super::super::range::{
+        CellRow, NOTHING, ORBIT, PROVED, RangeRow, SideRange, StabilityRow, downwards, inwards, why,
+        why_single,
+    },
+    DIGITS, Near, Of, SHARE, STEPS,
+    cells::{Cells, Deep, Machines, Reached},
+    functions,
+};
+use crate::{
+    certificate::single::Word,
+    error::{Error, Result},
+    number::{certain_digits, parse_rational},
+    search::{
+        chaos::LetterGraph,
+        range::{
+            NothingProblem, ParameterRange, RangeEffort, RangeEnd, RangeProof, SingleProblem, SingleProof,
+            is_as_deep, parameter_range, prove_nothing, prove_single,
+        },
+    },
+};
+
+impl Near<'_> {
+    /// The orbit of one impact, along its curve.
+    pub(super) fn single(&self, problem: &SingleProblem) -> Result<SideRange> {
+        let behind = problem.behind;
+        let effort = RangeEffort(self.effort.0 / SHARE);
+        let found = self.cells(behind, effort, &|ranges, deepest, effort| {
+            prove_single(
+                &SingleProblem { ranges, deepest, ..problem.clone() },
+                effort,
+                self.point.job.monitor,
+            )
+        })?;
+        let (mut side, cells) = self.side_of(behind, found, &|end| why_single(end, effort))?;
+        for (i, (proof, machines)) in cells.iter().enumerate() {
+            let begin = i.checked_sub(1).and_then(|i| side.row.cells.get(i)).map(|cell| cell.to.clone());
+            for part in self.stability(behind, proof, machines, begin)? {
+                match side.row.stability.last_mut() {
+                    // It goes on into the next cell.
+                    Some(last) if last.word == part.word && part.from.as_ref() == Some(&last.to) => {
+                        last.to = part.to;
+                    }
+                    _ => side.row.stability.push(part),
+                }
+            }
+        }
+        (side.row.of, side.row.periods) = (ORBIT, vec![problem.periods]);
+        Ok(side)
+    }
+
+    /// Where it is stable, over the parameter from `start`, or from the touch: parts that are shown to be in
+    /// the proof's.
+    fn stability(
+        &self,
+        behind: bool,
+        proof: &SingleProof,
+        machines: &Machines,
+        start: Option<String>,
+    ) -> Result<Vec<StabilityRow>> {
+        let mut all = Vec::new();
+        let mut from: Option<&BigRational> = None;
+        for (depth, word) in &proof.parts {
+            let begin = from.replace(depth);
+            let word = match word {
+                Word::Stable => "stable",
+                Word::Unstable => "unstable",
+                Word::Open => continue,
+            };
+            let Some(to) = self.over(behind, depth, machines, String::new())?.end else { continue };
+            let end = parse_rational(&to)?;
+            // What is before the start is in the cells before this one.
+            let start =
+                start.as_ref().map(|text| Ok::<_, Error>((text, parse_rational(text)?))).transpose()?;
+            let is_past = |value: &BigRational| {
+                let start = start.as_ref().map(|(_, start)| start);
+                start.is_none_or(|start| value != start && (value > start) == (*start > self.start[0]))
+            };
+            if !is_past(&end) {
+                continue;
+            }
+            if let Some((text, start)) = &start
+                && begin.map_or(Ok(true), |begin| self.is_as_deep(start, begin, behind))?
+            {
+                all.push(StabilityRow { word, from: Some(text.to_string()), to });
+                continue;
+            }
+            let Some(begin) = begin else {
+                all.push(StabilityRow { word, from: None, to });
+                continue;
+            };
+            // Beyond the greatest parameter up to the depth where it begins, by less and less.
+            let Some(last) = self.last(behind, begin, &end)? else { continue };
+            let mut step = &last * BigRational::new(1.into(), 10u64.pow(DIGITS as u32).into());
+            for _ in 0..STEPS {
+                let value = if end > last { &last + step.abs() } else { &last - step.abs() };
+                let text = inwards(&value, &end, DIGITS);
+                let value = parse_rational(&text)?;
+                let inside = if end > last { value < end } else { value > end };
+                if inside && is_past(&value) && self.is_as_deep(&value, begin, behind)? {
+                    all.push(StabilityRow { word, from: Some(text), to });
+                    break;
+                }
+                step *= BigRational::from_integer(10.into());
+            }
+        }
+        Ok(all)
+    }
+
+    /// About the last value of the parameter with depths up to one; of all machines the first from which each
+    /// is as deep, up to `end`.
+    fn last(&self, behind: bool, depth: &BigRational, end: &BigRational) -> Result<Option<BigRational>> {
+        match &self.of {
+            Of::One(_) => Ok(self.parameters(behind, depth)?.map(|range| range.end)),
+            Of::All(all) => Ok(all.deep_from(end, depth, behind)),
+        }
+    }
+
+    fn is_as_deep(&self, parameter: &BigRational, depth: &BigRational, behind: bool) -> Result<bool> {
+        let system = |from: &BigRational, to: &BigRational| functions(self.point, from, to);
+        match &self.of {
+            Of::One(_) => is_as_deep(&system, None, parameter, depth, behind),
+            Of::All(all) => Ok(all.are_as_deep(parameter, depth, behind)),
+        }
+    }
+
+    /// Beyond the touch, where nothing is born: that no motion stays near.
+    pub(super) fn nothing(&self) -> Result<SideRange> {
+        let harmonics = &self.harmonics;
+        let found = self.cells(true, self.effort, &|ranges, deepest, effort| {
+            let problem =
+                NothingProblem { mirrored: self.mirrored, ranges, harmonics: harmonics.clone(), deepest };
+            prove_nothing(&problem, effort, self.point.job.monitor)
+        })?;
+        let (mut side, cells) = self.side_of(true, found, &|end| why(end, self.effort))?;
+        side.row.leaves = cells.iter().map(|(proof, _)| proof.periods).max();
+        let zone = cells.iter().map(|(proof, _)| proof.zone() / TAU).min_by(f64::total_cmp);
+        side.row.zone = zone.map(downwards);
+        (side.row.verdict, side.row.whole) = (NOTHING, true);
+        Ok(side)
+    }
+
+    /// What is found of a graph.
+    pub(super) fn judged(
+        &self,
+        behind: bool,
+        (of, graph, whole): (&'static str, &LetterGraph, bool),
+        found: Reached<Cells<RangeProof>>,
+    ) -> Result<SideRange> {
+        let (mut side, cells) = self.side_of(behind, found, &|end| why(end, self.effort))?;
+        for (i, (proof, machines)) in cells.iter().enumerate() {
+            let Some(depth) = &proof.alone else { break };
+            let alone = self.over(behind, depth, machines, String::new())?.end;
+            let whole = side.row.cells.get(i).map(|cell| &cell.to);
+            let is_all = whole.is_some() && alone.as_ref() == whole;
+            if i > 0 && !self.goes_on(alone.as_ref(), side.row.cells.get(i - 1))? {
+                break;
+            }
+            side.row.alone = alone;
+            if !is_all {
+                break;
+            }
+        }
+        (side.row.of, side.row.periods, side.row.whole) = (of, graph.letters.clone(), whole);
+        Ok(side)
+    }
+
+    /// Whether a value of the parameter is farther from the touch than a cell's end.
+    fn goes_on(&self, value: Option<&String>, cell: Option<&CellRow>) -> Result<bool> {
+        let (Some(value), Some(cell)) = (value, cell) else { return Ok(false) };
+        let (value, end) = (parse_rational(value)?, parse_rational(&cell.to)?);
+        Ok(value != end && (value > end) == (end > self.start[0]))
+    }
+
+    /// Proofs over depths as one row over the parameter, and those of them that are in it.
+    fn side_of<T: Deep>(
+        &self,
+        behind: bool,
+        found: Reached<Cells<T>>,
+        why: &dyn Fn(&RangeEnd) -> String,
+    ) -> Result<(SideRange, Cells<T>)> {
+        let open = |row| SideRange { row, texts: Vec::new() };
+        let mut cells = match found {
+            Err(end) => return Ok((open(RangeRow::open(behind, "undecided", Some(why(&end)))), Vec::new())),
+            Ok(cells) => cells,
+        };
+        let mut row: Option<RangeRow> = None;
+        let mut ends = Vec::new();
+        for (proof, machines) in &cells {
+            let next = self.over(behind, proof.depth(), machines, why(proof.end()))?;
+            match (&row, next.verdict == PROVED) {
+                (None, false) => return Ok((open(next), Vec::new())),
+                // What is proved before it stands.
+                (Some(_), false) => break,
+                (_, true) => {}
+            }
+            let from = ends.last().map(|cell: &CellRow| cell.to.clone());
+            if let (Some(to), Some(depth)) = (next.end.clone(), next.depth.clone()) {
+                ends.push(CellRow { from, to, depth, certificate: None });
+            }
+            row = Some(next);
+        }
+        cells.truncate(ends.len().max(1));
+        let mut row = row.unwrap_or_else(|| RangeRow::open(behind, "undecided", None));
+        if ends.len() > 1 {
+            row.cells = ends;
+        }
+        let texts = cells.iter().map(|(proof, _)| proof.text().to_string()).collect();
+        Ok((SideRange { row, texts }, cells))
+    }
+
+    /// The values of the parameter with depths up to one, exactly.
+    pub(super) fn parameters(&self, behind: bool, depth: &BigRational) -> Result<Option<ParameterRange>> {
+        let [at, unit] = &self.start;
+        let system = |from: &BigRational, to: &BigRational| functions(self.point, from, to);
+        parameter_range(&system, None, [at, unit], depth, behind)
+    }
+
+    /// The values of the parameter with depths up to one, of machines of a proof.
+    pub(super) fn over(
+        &self,
+        behind: bool,
+        depth: &BigRational,
+        machines: &Machines,
+        reason: String,
+    ) -> Result<RangeRow> {
+        let [at, unit] = &self.start;
+        let open = |why: String| RangeRow::open(behind, "undecided", Some(why));
+        if let Of::All(all) = &self.of {
+            return match all.range([at, unit], depth, behind) {
+                Err(error) if error.is_interrupted() => Err(error),
+                Err(error) => Ok(open(error.to_string())),
+                Ok(None) => Ok(open("it is not shown where all machines within the tolerances touch".into())),
+                Ok(Some(range)) => Ok(RangeRow::of_all(behind, &range, depth, unit, reason)),
+            };
+        }
+        let known = |range: ParameterRange| match &machines.until {
+            Some(until) if (*until > range.touch[1]) == (range.end > *until) => {
+                ParameterRange { end: until.clone(), ..range }
+            }
+            _ => range,
+        };
+        Ok(match self.parameters(behind, depth).map(|range| range.map(known)) {
+            Err(error) if error.is_interrupted() => return Err(error),
+            Err(error) => open(error.to_string()),
+            Ok(None) => {
+                open("the depth is not shown to increase with the parameter from the touch on".into())
+            }
+            Ok(Some(range)) if range.touch[0].is_positive() != range.touch[1].is_positive() => {
+                open("the touch is not told from 0".into())
+            }
+            Ok(Some(range)) => {
+                let [lo, hi] = &range.touch;
+                let inner = if range.end > *hi { hi } else { lo };
+                let width = (&range.end - inner) / inner.abs().max(unit.clone());
+                RangeRow {
+                    touch: certain_digits(lo, hi, 17),
+                    end: Some(inwards(&range.end, inner, DIGITS)),
+                    share: width.abs().to_f64().filter(|_| inner.abs() > *unit),
+                    depth: Some(depth.to_string()),
+                    ..RangeRow::open(behind, PROVED, Some(reason))
+                }
+            }
+        })
+    }
+}
