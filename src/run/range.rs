@@ -52,8 +52,8 @@ row! {
         pub stability: Vec<StabilityRow>,
         /// The file of its certificate; where that has several cells, of the first.
         pub certificate: Option<String>,
-        /// Where damping, stiffness or restitution change with the parameter and one certificate does not reach
-        /// to the end: the parts of the range, from the touch on, each with a certificate; none otherwise.
+        /// Where damping, stiffness or restitution change with the parameter and one certificate does not
+        /// reach to the end: the parts of the range, from the touch on, each with a certificate; else none.
         pub cells: Vec<CellRow>,
     }
 }

@@ -220,7 +220,8 @@ fn confirm_single(machine: &Machine, row: &RangeRow, value: f64) -> bool {
     stable
 }
 
-/// How many orbits of one and two impacts are confirmed of all ranges that are proved, in each of their cells.
+/// How many orbits of one and two impacts are confirmed of all ranges that are proved, in each of their
+/// cells.
 fn confirmed(machine: &Machine, found: &GrazingReport) -> usize {
     let mut count = 0;
     for row in found.range.iter().flatten().filter(|row| row.verdict == "proved") {

@@ -18,8 +18,9 @@ const TRIES: u32 = 7;
 const SMALLER: f64 = 16.0;
 const NEARLY: f64 = 1e-3;
 const ENOUGH: f64 = 0.3;
-/// How many further cells are tried. The first of them is such a part of the first cell, each the longer after
-/// one that is proved to its end, and the shorter after one that is not, until it is such a part of the depth.
+/// How many further cells are tried. The first of them is such a part of the first cell, each the longer
+/// after one that is proved to its end, and the shorter after one that is not, until it is such a part of the
+/// depth.
 const FURTHER: u32 = 7;
 const NEXT: f64 = 0.7;
 const LONGER: f64 = 1.5;
@@ -205,7 +206,8 @@ impl Near<'_> {
         Machines { ranges: self.about.clone(), until: None }
     }
 
-    /// The machines from a value of the parameter, or from the touch, to a depth; none if these are not known.
+    /// The machines from a value of the parameter, or from the touch, to a depth; none if these are not
+    /// known.
     fn machines(&self, behind: bool, from: Option<BigRational>, depth: f64) -> Result<Option<Machines>> {
         let Some(depth) = BigRational::from_float(depth) else { return Ok(None) };
         let found = self.parameters(behind, &depth).and_then(|range| {

@@ -38,8 +38,8 @@ const STEPS: u32 = 6;
 const NEXT_TO: u64 = 1_000_000;
 /// Digits of ends.
 const DIGITS: i32 = 12;
-/// Where damping, stiffness or restitution change with the parameter, each depth that is tried has such a part
-/// of the effort.
+/// Where damping, stiffness or restitution change with the parameter, each depth that is tried has such a
+/// part of the effort.
 const PART_OF_EFFORT: u64 = 4;
 
 /// The ranges of c, k and τ.
