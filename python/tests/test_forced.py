@@ -223,7 +223,7 @@ def test_a_task_ends_as_it_says(status, kind, task):
 
 
 @pytest.mark.parametrize("task", sorted(
-    "simulate section basins orbit event grazing branch diagram map crisis validate chaos".split()))
+    "simulate section basins orbit event grazing branch diagram map crisis rest validate chaos".split()))
 def test_only_proofs_are_proved(task):
     outcome = ended({"status": "done"}, task)[0].outcome
     assert type(outcome) is (grazing.Proved if task in ("validate", "chaos") else grazing.Done)

@@ -30,6 +30,7 @@ pub mod dynamics;
 pub mod lyapunov;
 pub mod observe;
 pub mod portrait;
+pub mod rest;
 pub mod section;
 pub mod touch;
 

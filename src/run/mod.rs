@@ -44,6 +44,7 @@ mod pieces;
 mod proved;
 mod range;
 mod report;
+mod rest;
 mod section;
 mod seen;
 mod series;
@@ -89,8 +90,10 @@ pub(crate) use orbit::orbit;
 pub use orbit::{OrbitFindings, OrbitRow};
 pub use pieces::{PieceProofs, PieceRow};
 pub use proved::{AttractorProofs, ProvedRow};
-pub use range::{RangeRow, StabilityRow};
+pub use range::{CellRow, RangeRow, StabilityRow};
 pub use report::{RunReport, TaskReport};
+pub(crate) use rest::rest;
+pub use rest::{ReleaseRow, RestFindings, RestOrbitRow};
 pub(crate) use section::section;
 pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet};
 pub use seen::SeenRow;
@@ -178,6 +181,8 @@ findings! {
     Branch(BranchFindings),
     /// The end of an attractor.
     Crisis(CrisisFindings),
+    /// Periodic motions that rest.
+    Rest(RestFindings),
     /// Proofs.
     Validate(ValidateFindings),
     /// Chaos, proved.
@@ -527,6 +532,7 @@ fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
         Kind::BranchTask(task) => branch(task, job)?.into(),
         Kind::MapTask(task) => map(task, job)?.into(),
         Kind::CrisisTask(task) => crisis(task, job)?.into(),
+        Kind::RestTask(task) => rest(task, job)?.into(),
         Kind::ValidateTask(task) => validate(task, job)?.into(),
         Kind::ChaosTask(task) => chaos(task, job)?.into(),
     })

@@ -29,6 +29,7 @@ mod normal;
 pub mod orbits;
 mod oscillator;
 mod reference;
+pub mod rest;
 mod restitution;
 #[expect(clippy::module_inception, reason = "the chapter is named after its main type")]
 mod scene;

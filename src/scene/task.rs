@@ -10,6 +10,7 @@ use super::{
     chaos::ChaosTask,
     keys::{Entry, Key, Record, Value, keys},
     orbits::{EventTask, GrazingTask, OrbitTask},
+    rest::RestTask,
     sections::{BasinsTask, SectionTask},
     simulate::SimulateTask,
     validate::ValidateTask,
@@ -104,6 +105,7 @@ kinds! {
     "diagram" DiagramTask,
     "map" MapTask,
     "crisis" CrisisTask,
+    "rest" RestTask,
     "validate" ValidateTask,
     "chaos" ChaosTask,
 }

@@ -342,7 +342,8 @@ fn machines_that_change_with_the_parameter_have_ranges() {
         let files =
             || found.range.iter().flatten().flat_map(|row| &row.cells).flat_map(|cell| &cell.certificate);
         let mut known: Vec<_> = files().collect();
-        (known.sort(), known.dedup());
+        known.sort();
+        known.dedup();
         assert_eq!(known.len(), files().count(), "two cells have one file");
     }
 }

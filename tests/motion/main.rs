@@ -14,4 +14,5 @@ mod machines;
 mod orbit_runs;
 mod orbits;
 mod references;
+mod rest;
 mod simulation;

@@ -23,7 +23,7 @@ use super::{
 use crate::{
     attractor::{
         basins::BasinGrid, cycle::Cycle, detection::Detection, diagram::Look, dynamics::Dynamics,
-        observe::Attraction, touch::Seen,
+        observe::Attraction, rest::Resting, touch::Seen,
     },
     continuation::{
         Bifurcation, FollowedOrbit, Label, LocalMap, Located, NoForm, NormalForm, OrbitBranch, PatternFamily,
@@ -175,6 +175,10 @@ pub(crate) trait Engine {
 
     /// Follows the motion of a task.
     fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings>;
+
+    /// The scene's system, with another value of a parameter if there is one, for motions that rest; the
+    /// names of its stops, and how many radians of the forcing are in a unit of time.
+    fn resting(&self, change: Option<(&str, f64)>) -> Result<(Box<dyn Resting>, Vec<String>, f64)>;
 
     /// The system of the scene, with another value of a parameter if there is one.
     fn system(&self, change: Option<(&str, f64)>) -> Result<Self::System>;

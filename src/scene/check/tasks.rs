@@ -1,15 +1,17 @@
 //! The checks of each kind of task.
 
+use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::{Checked, LONGEST, Model, POINTS};
 use crate::{
     continuation::Bifurcation,
     error::{Error, Result},
-    many::{Machine, RealVector, section::PlaneAxis},
+    many::{Machine, RealVector, StopLaw, section::PlaneAxis},
     scene::{
         branches::{BranchTask, CrisisTask, DiagramTask, MapTask},
         orbits::{EventTask, GrazingTask, OrbitTask},
+        rest::RestTask,
         sections::{BasinsTask, SectionTask},
         simulate::SimulateTask,
         task::Kind,
@@ -36,6 +38,7 @@ impl Checked<'_> {
             Kind::DiagramTask(task) => self.diagram(task),
             Kind::MapTask(task) => self.map(task),
             Kind::CrisisTask(task) => self.crisis(task),
+            Kind::RestTask(task) => self.rest(task),
             Kind::ValidateTask(task) => self.validate(task),
             Kind::ChaosTask(task) => {
                 self.only_one("kind", "works")?;
@@ -193,10 +196,15 @@ impl Checked<'_> {
 
     fn orbits(&self, task: &OrbitTask) -> Result<()> {
         self.orbit(&task.orbit, "orbit")?;
-        if let Some(parameter) = &task.parameter {
+        self.values(task.parameter.as_deref(), &task.values)
+    }
+
+    /// The values of a parameter, or neither.
+    fn values(&self, parameter: Option<&str>, values: &[BigRational]) -> Result<()> {
+        if let Some(parameter) = parameter {
             self.parameter(parameter)?;
         }
-        if task.parameter.is_some() == task.values.is_empty() {
+        if parameter.is_some() == values.is_empty() {
             let message = "parameter and values belong together: give both or neither";
             return Err(self.scene.fail(self.path, message));
         }
@@ -304,6 +312,28 @@ impl Checked<'_> {
         self.only_one("kind", "works")?;
         self.range(("parameter", &task.parameter), ("bracket", &task.bracket))?;
         self.orbit(&task.orbit, "orbit")
+    }
+
+    fn rest(&self, task: &RestTask) -> Result<()> {
+        let rigid = match self.model {
+            Model::One(system) => system.lower.is_some() || system.upper.is_some(),
+            Model::Many(machine) if machine.size != 1 => {
+                let message = format!(
+                    "works with one coordinate; this machine has {}, and while one rests the others remember how it came there: \
+                     `simulate` and `section` follow such motions",
+                    machine.size
+                );
+                return self.fail("kind", &message);
+            }
+            Model::Many(machine) => {
+                machine.stops.iter().any(|stop| !matches!(stop.law, StopLaw::Soft { .. }))
+            }
+        };
+        if !rigid {
+            return self.fail("kind", "needs a rigid stop to rest on, one with a restitution; there is none");
+        }
+        self.within("periods", task.periods, 1, 100_000)?;
+        self.values(task.parameter.as_deref(), &task.values)
     }
 
     fn validate(&self, task: &ValidateTask) -> Result<()> {

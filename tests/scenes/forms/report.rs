@@ -416,7 +416,7 @@ impl Reader<'_> {
                 }
                 None => self.text(name, value, cells),
             },
-            (_, "stop" | "nearest_stop") => match value.as_str() {
+            (_, "stop" | "next_stop" | "nearest_stop") => match value.as_str() {
                 Some(wall) if name == "nearest_stop" && view.far.as_deref() == Some(wall) => {
                     self.word(name, &Value::Null, cells);
                 }
@@ -427,7 +427,18 @@ impl Reader<'_> {
                 let word = skeleton(value.as_str().expect("a text"), view);
                 cells.insert(name.into(), Cell::Word(word));
             }
-            (_, "phase") => match value.as_f64() {
+            ("rest", "released" | "rested") => {
+                for (i, phase) in numbers(value).into_iter().enumerate() {
+                    cells.insert(format!("{name} {i}"), Cell::Phase(view.phase(phase)));
+                }
+            }
+            ("rest", "stops") => {
+                for (i, stop) in value.as_array().into_iter().flatten().filter_map(Value::as_str).enumerate()
+                {
+                    cells.insert(format!("{name} {i}"), Cell::Word(view.wall(stop)));
+                }
+            }
+            (_, "phase" | "next_phase") => match value.as_f64() {
                 Some(phase) => drop(cells.insert(name.into(), Cell::Phase(view.phase(phase)))),
                 None => self.word(name, value, cells),
             },

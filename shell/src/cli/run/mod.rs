@@ -243,6 +243,9 @@ impl Keeper for Files<'_> {
                 GrazingFindings::Nothing { .. } => Ok(Vec::new()),
             },
             (Findings::Event(found), _) => Ok(vec![self.0.csv(&found.found, ".csv")?]),
+            (Findings::Rest(found), _) => {
+                Ok(vec![self.0.csv(&found.orbits, ".csv")?, self.0.csv(&found.releases, "-releases.csv")?])
+            }
             (Findings::Crisis(found), _) => {
                 Ok(vec![self.0.csv(&found.crisis, ".csv")?, self.0.csv(&found.simulated, "-simulated.csv")?])
             }

@@ -73,6 +73,7 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             &[Fixed(".json"), Numbered("", ".json"), Picture, Fixed(".csv"), Fixed("-points.csv")]
         }
         Kind::CrisisTask(_) => &[Fixed(".csv"), Fixed("-simulated.csv")],
+        Kind::RestTask(_) => &[Fixed(".csv"), Fixed("-releases.csv")],
         Kind::ValidateTask(_) => &[Fixed(".csv"), Numbered("", ".certificate")],
         Kind::ChaosTask(_) => &[Fixed(".csv"), Fixed(".certificate")],
     }

@@ -6,6 +6,7 @@ mod grazing;
 mod job;
 mod motion;
 mod proofs;
+mod rest;
 mod search;
 mod sections;
 mod source;
@@ -15,6 +16,7 @@ use std::f64::consts::TAU;
 use grazing::MachineGrazingPoint;
 use num_rational::BigRational;
 use proofs::MachineProver;
+use rest::RestingMachine;
 use search::machine_orbits;
 pub use source::{MachineSource, form};
 
@@ -25,7 +27,7 @@ use super::{
     Engine, JudgedOrbit, Prover, RangeProver, StartPlane,
 };
 use crate::{
-    attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, dynamics::Dynamics},
+    attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, dynamics::Dynamics, rest::Resting},
     continuation::{Bifurcation, FollowedOrbit, counted},
     error::{Error, Result},
     many::{
@@ -214,6 +216,14 @@ impl<'j> Engine for Machines<'j> {
 
     fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings> {
         motion::simulate(task, self, keeper)
+    }
+
+    fn resting(&self, change: Option<(&str, f64)>) -> Result<(Box<dyn Resting>, Vec<String>, f64)> {
+        let changed = change.map(|change| self.job.scene.machine(&[change])).transpose()?;
+        let machine = changed.as_ref().unwrap_or(self.machine);
+        let simulator = self.job.machine_simulator(machine, &[])?;
+        let names = names(machine).into_iter().map(String::from).collect();
+        Ok((Box::new(RestingMachine(simulator)), names, machine.rate()))
     }
 
     fn system(&self, change: Option<(&str, f64)>) -> Result<Self::System> {

@@ -4,6 +4,7 @@ mod grazing;
 mod motion;
 mod proofs;
 mod ranges;
+mod rest;
 mod sections;
 mod source;
 mod tolerated;
@@ -13,6 +14,7 @@ use std::f64::consts::{PI, TAU};
 use grazing::OscillatorGrazing;
 use num_rational::BigRational;
 use proofs::OrbitProver;
+use rest::RestingOscillator;
 pub use source::OscillatorSource;
 
 use super::{
@@ -22,7 +24,7 @@ use super::{
     Engine, JudgedOrbit, Prover, RangeProver, StartPlane,
 };
 use crate::{
-    attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection},
+    attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, rest::Resting},
     continuation::{Bifurcation, BranchSearch, nearest},
     error::Result,
     motion::{Flow, State, System},
@@ -213,6 +215,18 @@ impl<'j> Engine for Oscillators<'j> {
 
     fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings> {
         motion::simulate(task, self, keeper)
+    }
+
+    fn resting(&self, change: Option<(&str, f64)>) -> Result<(Box<dyn Resting>, Vec<String>, f64)> {
+        let simulator = match change {
+            None => self.job.simulator()?,
+            Some(change) => self.job.simulator_of(&self.job.scene.plain(&[change])?)?,
+        };
+        let stops = self.job.scene.stops.iter();
+        let (names, stops) = stops
+            .filter_map(|stop| Some((stop.name.clone(), simulator.contact(stop.side?)?.clone())))
+            .unzip();
+        Ok((Box::new(RestingOscillator::new(simulator, stops)), names, 1.0))
     }
 
     fn system(&self, change: Option<(&str, f64)>) -> Result<Oscillator> {

@@ -121,6 +121,7 @@ pub(super) fn further(base: &Table) -> Option<Form> {
     }
     let level = if is_integrated(base) { Level::Integrator } else { Level::Rounding };
     let mut form = form("a further coordinate", level, base);
+    tasks(&mut form.scene).retain(|task| task["kind"].as_str() != Some("rest"));
     let n = coordinates(base);
     let period = number(base_system, "period", base)
         .or_else(|| Some(1.0 / number(base_system, "frequency", base)?))?;

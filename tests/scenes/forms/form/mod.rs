@@ -57,7 +57,7 @@ pub struct Form {
 }
 
 /// Tasks that a form has not, and why: printed with every run.
-pub const BY_DESIGN: [(&str, &str, &str); 31] = [
+pub const BY_DESIGN: [(&str, &str, &str); 32] = [
     ("machine of formulas", "criticality", "no normal form is computed through formulas of machines"),
     ("machine of formulas", "what a record's residual could move", "it is told of linear machines"),
     ("machine", "columns that one format has", "each is compared between forms of its own format"),
@@ -114,6 +114,7 @@ pub const BY_DESIGN: [(&str, &str, &str); 31] = [
         "examples with dry friction",
         "formats 1 and 2 have none: `machines::friction::forms` has forms of it",
     ),
+    ("further coordinate", "rest", "what rests has one coordinate"),
     ("shifted", "section with manifolds", "drawn for one phase"),
     ("all but the units of length", "a force measured once", "it is no function of the phase"),
     (
