@@ -151,12 +151,13 @@ const FILES: [(&str, &str); 2] = [
     (
         "scene",
         "dual expression format keys restitution force matrix measured walls system machine oscillator simulate \
-         tolerance orbits sections branches rest validate chaos task scene values normal tolerated check input upgrade \
-         family reference",
+         tolerance orbits sections branches response rest validate chaos task scene values normal tolerated check \
+         input upgrade family reference",
     ),
     (
         "attractor",
-        "dynamics section cycle confirm detection observe portrait checkpoint lyapunov basins diagram touch rest",
+        "dynamics section cycle confirm detection observe portrait swing checkpoint lyapunov basins diagram touch \
+         rest",
     ),
 ];
 

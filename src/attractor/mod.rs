@@ -32,6 +32,7 @@ pub mod observe;
 pub mod portrait;
 pub mod rest;
 pub mod section;
+pub(crate) mod swing;
 pub mod touch;
 
 pub(crate) use checkpoint::Keep;

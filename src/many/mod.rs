@@ -63,6 +63,7 @@ mod modes;
 pub mod normal_form;
 pub mod orbit;
 mod pair;
+pub(crate) mod resonance;
 mod response;
 pub mod section;
 pub mod simulate;

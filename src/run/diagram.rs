@@ -292,9 +292,9 @@ fn prove_slices<E: Engine>(
 }
 
 /// The numbers of the values of a sweep in its order, with whether it goes up there.
-fn ways(task: &DiagramTask, sweep: SweepWay) -> Vec<(bool, u32)> {
-    let up = (0..task.count).map(|i| (true, i));
-    let down = (0..task.count).rev().map(|i| (false, i));
+pub(super) fn ways(count: u32, sweep: SweepWay) -> Vec<(bool, u32)> {
+    let up = (0..count).map(|i| (true, i));
+    let down = (0..count).rev().map(|i| (false, i));
     match sweep {
         SweepWay::Up => up.collect(),
         SweepWay::Down => down.collect(),
@@ -304,7 +304,7 @@ fn ways(task: &DiagramTask, sweep: SweepWay) -> Vec<(bool, u32)> {
 
 /// Sweeps the parameter.
 fn swept(task: &DiagramTask, sweep: SweepWay, job: &Job) -> Result<DiagramFindings> {
-    by_engine!(job, engine => sweep_over(task, job, &engine, &ways(task, sweep)))
+    by_engine!(job, engine => sweep_over(task, job, &engine, &ways(task.count, sweep)))
 }
 
 fn sweep_over<E: Engine>(
@@ -313,6 +313,26 @@ fn sweep_over<E: Engine>(
     engine: &E,
     ways: &[(bool, u32)],
 ) -> Result<DiagramFindings> {
+    let (steps, found, look) = sweep_steps(task, job, engine, ways)?;
+    let slices = steps.iter().map(slice).collect();
+    let proofs = task.prove.then(|| prove(task, job, engine, &look, ways, &steps)).transpose()?;
+    let mut findings = gather(task, job, slices);
+    (findings.windows, findings.coexisting) = (Vec::new(), Vec::new());
+    let upwards = ways.iter().filter(|(up, _)| *up).count();
+    Ok(DiagramFindings { sweep: Some(found), proofs, upwards, ..findings })
+}
+
+/// What a sweep settles on, value by value, and what that amounts to.
+type Swept<E> = (Vec<SweepStep<StartOf<E>>>, SweepFindings, Look);
+
+/// Follows a sweep of values with these numbers, resuming from the checkpoint of an interrupted run if there
+/// is one.
+pub(super) fn sweep_steps<E: Engine>(
+    task: &DiagramTask,
+    job: &Job,
+    engine: &E,
+    ways: &[(bool, u32)],
+) -> Result<Swept<E>> {
     let states = engine.states(&task.starts)?;
     let plane = engine.plane(&task.plane).map_or(String::new(), |names| names.join(", "));
     let dynamics = |value| engine.dynamics(&states, Some((&task.parameter, value)), &task.plane);
@@ -333,11 +353,9 @@ fn sweep_over<E: Engine>(
             legs.push(Leg { up, steps, jumps });
         }
     }
-    let (found, slices) = (SweepFindings::of(&legs), steps.iter().map(slice).collect());
-    let proofs = task.prove.then(|| prove(task, job, engine, &plan.look, ways, &steps)).transpose()?;
-    let mut findings = gather(task, job, slices);
-    (findings.windows, findings.coexisting) = (Vec::new(), Vec::new());
-    Ok(DiagramFindings { sweep: Some(found), proofs, upwards, ..findings })
+    let found = SweepFindings::of(&legs);
+    drop(legs);
+    Ok((steps, found, plan.look))
 }
 
 /// Proves the attractors of a sweep.

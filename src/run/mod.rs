@@ -44,6 +44,7 @@ mod pieces;
 mod proved;
 mod range;
 mod report;
+mod response;
 mod rest;
 mod section;
 mod seen;
@@ -92,6 +93,8 @@ pub use pieces::{PieceProofs, PieceRow};
 pub use proved::{AttractorProofs, ProvedRow};
 pub use range::{CellRow, RangeRow, StabilityRow};
 pub use report::{RunReport, TaskReport};
+pub(crate) use response::response;
+pub use response::{ContactRow, HighestRow, PeakRow, ResponseFindings, ResponseRow};
 pub(crate) use rest::rest;
 pub use rest::{ReleaseRow, RestFindings, RestOrbitRow};
 pub(crate) use section::section;
@@ -169,6 +172,8 @@ findings! {
     Basins(BasinsFindings),
     /// Attractors over a parameter.
     Diagram(DiagramFindings),
+    /// Frequency response.
+    Response(ResponseFindings),
     /// Attractors over two parameters.
     Map(MapFindings),
     /// Periodic orbits.
@@ -368,6 +373,7 @@ impl<'a> Job<'a> {
             Kind::SimulateTask(task) => vec![&task.start],
             Kind::SectionTask(task) => task.starts.iter().collect(),
             Kind::DiagramTask(task) => task.starts.iter().collect(),
+            Kind::ResponseTask(task) => vec![&task.start],
             Kind::MapTask(task) => vec![&task.start],
             Kind::CrisisTask(task) => vec![&task.start],
             Kind::BranchTask(task) => {
@@ -526,6 +532,7 @@ fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
         Kind::SectionTask(task) => section(task, job)?.into(),
         Kind::BasinsTask(task) => basins(task, job)?.into(),
         Kind::DiagramTask(task) => diagram(task, job)?.into(),
+        Kind::ResponseTask(task) => response(task, job)?.into(),
         Kind::OrbitTask(task) => orbit(task, job)?.into(),
         Kind::EventTask(task) => event(task, job)?.into(),
         Kind::GrazingTask(task) => grazing(task, job)?.into(),

@@ -9,7 +9,7 @@ use super::{dual::Dual, scene::Scene};
 use crate::{
     error::{Error, Result},
     many::{self, Machine},
-    motion::EffectTally,
+    motion::{EffectTally, System},
     one::orbit::{Family, Oscillator},
 };
 
@@ -64,11 +64,12 @@ impl<'s> SceneFamily<'s> {
     pub fn value(&self) -> f64 {
         self.values[self.free]
     }
-}
 
-impl Family for SceneFamily<'_> {
-    /// Derivatives are exact to rounding: every coefficient is evaluated in dual numbers.
-    fn at(&self, parameter: f64) -> Result<Oscillator> {
+    /// The system at a value of the parameter, and the derivatives of its coefficients.
+    ///
+    /// # Errors
+    /// A coefficient that has no value there.
+    pub(crate) fn systems(&self, parameter: f64) -> Result<[System<f64>; 2]> {
         let values = self.duals(parameter);
         let point = || self.scene.point(&values.iter().map(|value| value.value).collect::<Vec<_>>());
         let mut fixed = self.fixed.iter();
@@ -83,6 +84,14 @@ impl Family for SceneFamily<'_> {
         })?;
         let mut slopes = slopes.into_iter();
         let slope = system.try_map(|_| Ok::<_, Error>(slopes.next().unwrap_or(0.0)))?;
+        Ok([system, slope])
+    }
+}
+
+impl Family for SceneFamily<'_> {
+    /// Derivatives are exact to rounding: every coefficient is evaluated in dual numbers.
+    fn at(&self, parameter: f64) -> Result<Oscillator> {
+        let [system, slope] = self.systems(parameter)?;
         let oscillator = Oscillator::with_slope(system, &slope, self.scene.accuracy.tolerance)?;
         Ok(match &self.tally {
             Some(tally) => oscillator.counting(tally.clone()),

@@ -9,8 +9,9 @@
 //!
 //! Each file imports from those before it alone: `dual`, `expression`, `format`, `keys`, `force`, `matrix`,
 //! `measured`; the keys of the system, `system`; what the engines are told, `machine`, `oscillator`; the keys
-//! of tasks, `simulate`, `orbits`, `sections`, `branches`, `validate`, `chaos`; `task`; `scene`, the type and
-//! its values; `values`, those of a machine; `normal`, `check`; `input`, `upgrade`, `family`, `reference`.
+//! of tasks, `simulate`, `orbits`, `sections`, `branches`, `response`, `validate`, `chaos`; `task`; `scene`,
+//! the type and its values; `values`, those of a machine; `normal`, `check`; `input`, `upgrade`, `family`,
+//! `reference`.
 
 pub mod branches;
 pub mod chaos;
@@ -29,6 +30,7 @@ mod normal;
 pub mod orbits;
 mod oscillator;
 mod reference;
+pub mod response;
 pub mod rest;
 mod restitution;
 #[expect(clippy::module_inception, reason = "the chapter is named after its main type")]

@@ -15,6 +15,7 @@ use tempfile::TempDir;
 
 mod attractors;
 mod ranges;
+mod responses;
 mod sweeps;
 mod tolerances;
 mod tolerated_ranges;

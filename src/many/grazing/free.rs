@@ -128,7 +128,7 @@ fn size(z: &Series) -> f64 {
 ///
 /// Cells are 1/32 of the fastest period; within one the second derivative is taken to change sign once at
 /// most, so that every root of the first is found.
-fn minima(z: &Series) -> Vec<(f64, f64)> {
+pub(in crate::many) fn minima(z: &Series) -> Vec<(f64, f64)> {
     if z.order() == 0 {
         return vec![(0.0, z.mean())];
     }

@@ -15,7 +15,7 @@
 //!
 //! Not here: which patterns exist (`pattern`), motions with impacts (`orbit`).
 
-mod free;
+pub(in crate::many) mod free;
 mod half;
 mod local_map;
 mod locate;

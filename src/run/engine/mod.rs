@@ -23,13 +23,14 @@ use super::{
 use crate::{
     attractor::{
         basins::BasinGrid, cycle::Cycle, detection::Detection, diagram::Look, dynamics::Dynamics,
-        observe::Attraction, rest::Resting, touch::Seen,
+        observe::Attraction, rest::Resting, swing::Swing, touch::Seen,
     },
     continuation::{
         Bifurcation, FollowedOrbit, Label, LocalMap, Located, NoForm, NormalForm, OrbitBranch, PatternFamily,
         PatternOf, SearchReach,
     },
     error::Result,
+    many::Machine,
     pattern::{Map, Report},
     scene::{
         BasinsTask, SectionTask,
@@ -179,6 +180,19 @@ pub(crate) trait Engine {
     /// The scene's system, with another value of a parameter if there is one, for motions that rest; the
     /// names of its stops, and how many radians of the forcing are in a unit of time.
     fn resting(&self, change: Option<(&str, f64)>) -> Result<(Box<dyn Resting>, Vec<String>, f64)>;
+
+    /// The scene as a machine at a value of the family's parameter, and the derivatives of its coefficients.
+    fn machines(&self, family: &Self::Family, value: f64) -> Result<[Machine<f64>; 2]>;
+
+    /// How each coordinate, and the gap of each stop, goes at a value of a parameter, in the motion from a
+    /// start: for so many periods, with the harmonic k; none where the motion ends before.
+    fn swings(
+        &self,
+        states: &Self::States,
+        change: (&str, f64),
+        start: &<Self::Dynamics as Dynamics>::Start,
+        round: [u32; 2],
+    ) -> Result<Option<Vec<Swing>>>;
 
     /// The system of the scene, with another value of a parameter if there is one.
     fn system(&self, change: Option<(&str, f64)>) -> Result<Self::System>;

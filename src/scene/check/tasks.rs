@@ -1,5 +1,7 @@
 //! The checks of each kind of task.
 
+use std::collections::BTreeSet;
+
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -8,9 +10,11 @@ use crate::{
     continuation::Bifurcation,
     error::{Error, Result},
     many::{Machine, RealVector, StopLaw, section::PlaneAxis},
+    motion::{Harmonic, SmoothForce},
     scene::{
         branches::{BranchTask, CrisisTask, DiagramTask, MapTask},
         orbits::{EventTask, GrazingTask, OrbitTask},
+        response::ResponseTask,
         rest::RestTask,
         sections::{BasinsTask, SectionTask},
         simulate::SimulateTask,
@@ -36,6 +40,7 @@ impl Checked<'_> {
             Kind::GrazingTask(task) => self.grazing(task),
             Kind::BranchTask(task) => self.branch(task),
             Kind::DiagramTask(task) => self.diagram(task),
+            Kind::ResponseTask(task) => self.response(task),
             Kind::MapTask(task) => self.map(task),
             Kind::CrisisTask(task) => self.crisis(task),
             Kind::RestTask(task) => self.rest(task),
@@ -80,13 +85,13 @@ impl Checked<'_> {
         let refused = |key: &str| {
             let message = format!(
                 "needs motions that are smooth between impacts; here there is dry friction ({}): `simulate`, `basins`, `section` \
-                 without `orbits` and `diagram` without `branches` take it",
+                 without `orbits`, `diagram` without `branches` and `response` take it",
                 first.name
             );
             self.fail(key, &message)
         };
         match kind {
-            Kind::SimulateTask(_) | Kind::BasinsTask(_) => Ok(()),
+            Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_) => Ok(()),
             Kind::DiagramTask(task) if task.branches.is_empty() => Ok(()),
             Kind::DiagramTask(_) => refused("branches"),
             Kind::SectionTask(task) if task.orbits.is_empty() => Ok(()),
@@ -293,6 +298,47 @@ impl Checked<'_> {
         }
         self.frame(task.frame)?;
         self.options(&task.options)
+    }
+
+    fn response(&self, task: &ResponseTask) -> Result<()> {
+        self.range(("parameter", &task.parameter), ("range", &task.range))?;
+        self.within("count", task.count, 3, 1_000_000)?;
+        self.within("points", task.points, 2, 1_000_000)?;
+        self.within("longest", task.longest, 1, 10_000)?;
+        let (driven, told) = self.drive();
+        if !told && !driven.contains(&task.harmonic) {
+            let known: Vec<String> = driven.iter().map(u32::to_string).collect();
+            let message = match &known[..] {
+                [] => "has no drive to respond to: give `forcing`, a formula in t, or a stop or surface that moves".to_string(),
+                all => format!("is not in the drive, which has {}", all.join(", ")),
+            };
+            return self.fail(if known.is_empty() { "kind" } else { "harmonic" }, &message);
+        }
+        if task.seen == Some(false) {
+            return Ok(());
+        }
+        self.start(&task.start, "start")
+    }
+
+    /// The harmonics of all that drives the system, and whether a formula may have more.
+    fn drive(&self) -> (BTreeSet<u32>, bool) {
+        let of = |all: &[Harmonic<f64>]| all.iter().map(|h| h.k).collect::<Vec<_>>();
+        let timed = |force: &SmoothForce<f64>, time: usize| force.formula.mentions(&|place| place == time);
+        match self.model {
+            Model::One(system) => {
+                let walls = [&system.lower, &system.upper].into_iter().flatten();
+                let moved = walls.flat_map(|wall| of(&wall.harmonics));
+                let told = system.smooth.as_ref().is_some_and(|force| timed(force, 2));
+                (of(&system.forcing).into_iter().chain(moved).collect(), told)
+            }
+            Model::Many(machine) => {
+                let stops = machine.stops.iter().flat_map(|stop| of(&stop.wall.harmonics));
+                let surfaces = machine.friction.iter().flat_map(|friction| of(&friction.harmonics));
+                let forced = machine.forcing.iter().map(|load| load.k);
+                let told = machine.smooth.iter().flatten().any(|force| timed(force, 2 * machine.points()));
+                (forced.chain(stops).chain(surfaces).collect(), told)
+            }
+        }
     }
 
     fn map(&self, task: &MapTask) -> Result<()> {

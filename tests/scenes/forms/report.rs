@@ -5,7 +5,10 @@ use std::{collections::BTreeMap, f64::consts::TAU};
 
 use grazing::{
     Result,
-    run::{Findings, Job, Keeper, SectionSet, SeriesPoint, StopEvent, Surroundings, TaskReport, run_task},
+    run::{
+        Findings, Job, Keeper, ResponseRow, SectionSet, SeriesPoint, StopEvent, Surroundings, TaskReport,
+        run_task,
+    },
     scene::Scene,
 };
 use serde_json::Value;
@@ -438,6 +441,22 @@ impl Reader<'_> {
                     cells.insert(format!("{name} {i}"), Cell::Word(view.wall(stop)));
                 }
             }
+            ("response", "coordinate") => {
+                let of = self.displacement(value.as_str().expect("a name"));
+                if of.is_none() {
+                    cells.insert("stop".into(), Cell::Word("far".into()));
+                }
+                cells.insert(name.into(), Cell::Word(of.unwrap_or_default()));
+            }
+            ("response", "amplitude" | "swing") => self.number(name, value, LENGTH, cells),
+            ("response", "lag") => match value.as_f64() {
+                Some(lag) => {
+                    let gap = row["coordinate"].as_str().is_some_and(|name| name.starts_with("gap "));
+                    let turned = if view.mirrored && !gap { 0.5 } else { 0.0 };
+                    cells.insert(name.into(), Cell::Phase(view.phase(lag + turned)));
+                }
+                None => self.word(name, value, cells),
+            },
             (_, "phase" | "next_phase") => match value.as_f64() {
                 Some(phase) => drop(cells.insert(name.into(), Cell::Phase(view.phase(phase)))),
                 None => self.word(name, value, cells),
@@ -498,6 +517,17 @@ impl Reader<'_> {
             for (i, one) in value.as_array().into_iter().flatten().enumerate() {
                 self.number(&format!("parameter {i}"), one, ONE, cells);
             }
+        }
+    }
+
+    /// A coordinate, or the gap of a wall, as the scene calls it, if the scene has it.
+    fn displacement(&self, name: &str) -> Option<String> {
+        match name.strip_prefix("gap ") {
+            Some(wall) => {
+                (self.view.far.as_deref() != Some(wall)).then(|| format!("gap {}", self.view.wall(wall)))
+            }
+            None if name == "q" => Some("q1".into()),
+            None => name[1..].parse().is_ok_and(|i: usize| i <= self.view.coordinates).then(|| name.into()),
         }
     }
 
@@ -701,6 +731,14 @@ impl Reader<'_> {
                     }
                 }
                 tables.insert("points".into(), rows);
+            }
+            Some(Findings::Response(found)) => {
+                let row = |row: &ResponseRow| {
+                    let of = format!("{} {} {}", row.way, row.value, self.displacement(&row.coordinate)?);
+                    let swing = Cell::Number(self.view.in_units(row.swing, LENGTH), LENGTH);
+                    Some(Row::from([("of".to_string(), Cell::Word(of)), ("swing".to_string(), swing)]))
+                };
+                tables.insert("points".into(), found.rows.iter().filter_map(row).collect());
             }
             Some(Findings::Basins(found)) => {
                 let end = |i: &usize| {

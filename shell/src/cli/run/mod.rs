@@ -10,6 +10,7 @@ mod grazing;
 mod map;
 mod names;
 mod print;
+mod response;
 mod section;
 mod shard;
 mod simulate;
@@ -234,6 +235,7 @@ impl Keeper for Files<'_> {
             (Findings::Basins(found), _) => basins::keep(found, self.0),
             (Findings::Map(found), _) => map::keep(found, self.0),
             (Findings::Diagram(found), Kind::DiagramTask(task)) => diagram::keep(found, task, self.0),
+            (Findings::Response(found), _) => response::keep(found, self.0),
             (Findings::Branch(found), Kind::BranchTask(task)) => branch::keep(found, task, self.0),
             (Findings::Validate(found), _) => validate::keep(found, self.0),
             (Findings::Chaos(found), _) => chaos::keep(found, self.0),
@@ -350,8 +352,12 @@ fn shown(jobs: &[Task]) -> Result<()> {
     let is_one = |job: &&Task| {
         matches!(job.task.kind, Kind::SectionTask(_) | Kind::DiagramTask(_) | Kind::BranchTask(_))
     };
-    let is_other =
-        |job: &&Task| matches!(job.task.kind, Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::MapTask(_));
+    let is_other = |job: &&Task| {
+        matches!(
+            job.task.kind,
+            Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::MapTask(_) | Kind::ResponseTask(_)
+        )
+    };
     let other = jobs.iter().find(is_other).or(jobs.first().filter(|_| !jobs.iter().any(|job| is_one(&job))));
     other.map_or(Ok(()), |job| {
         Err(Error::input(format!(

@@ -6,6 +6,7 @@ mod grazing;
 mod job;
 mod motion;
 mod proofs;
+mod response;
 mod rest;
 mod search;
 mod sections;
@@ -27,7 +28,10 @@ use super::{
     Engine, JudgedOrbit, Prover, RangeProver, StartPlane,
 };
 use crate::{
-    attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, dynamics::Dynamics, rest::Resting},
+    attractor::{
+        basins::BasinGrid, cycle::Cycle, detection::Detection, dynamics::Dynamics, rest::Resting,
+        swing::Swing,
+    },
     continuation::{Bifurcation, FollowedOrbit, counted},
     error::{Error, Result},
     many::{
@@ -224,6 +228,21 @@ impl<'j> Engine for Machines<'j> {
         let simulator = self.job.machine_simulator(machine, &[])?;
         let names = names(machine).into_iter().map(String::from).collect();
         Ok((Box::new(RestingMachine(simulator)), names, machine.rate()))
+    }
+
+    fn machines(&self, family: &MachineSceneFamily, value: f64) -> Result<[Machine<f64>; 2]> {
+        let (machine, slope) = family.at(value)?;
+        Ok([machine, slope])
+    }
+
+    fn swings(
+        &self,
+        states: &Vec<State>,
+        change: (&str, f64),
+        start: &section::Start,
+        round: [u32; 2],
+    ) -> Result<Option<Vec<Swing>>> {
+        response::swings(self, states, change, start, round)
     }
 
     fn system(&self, change: Option<(&str, f64)>) -> Result<Self::System> {

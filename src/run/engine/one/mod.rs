@@ -4,6 +4,7 @@ mod grazing;
 mod motion;
 mod proofs;
 mod ranges;
+mod response;
 mod rest;
 mod sections;
 mod source;
@@ -24,10 +25,11 @@ use super::{
     Engine, JudgedOrbit, Prover, RangeProver, StartPlane,
 };
 use crate::{
-    attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, rest::Resting},
+    attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, rest::Resting, swing::Swing},
     continuation::{Bifurcation, BranchSearch, nearest},
     error::Result,
-    motion::{Flow, State, System},
+    many::Machine,
+    motion::{Flow, Side, State, System},
     number::Precision,
     one::{
         attractor::attracting,
@@ -227,6 +229,24 @@ impl<'j> Engine for Oscillators<'j> {
             .filter_map(|stop| Some((stop.name.clone(), simulator.contact(stop.side?)?.clone())))
             .unzip();
         Ok((Box::new(RestingOscillator::new(simulator, stops)), names, 1.0))
+    }
+
+    fn machines(&self, family: &SceneFamily, value: f64) -> Result<[Machine<f64>; 2]> {
+        let names = [Side::Lower, Side::Upper].map(|side| self.job.stop(side));
+        let [lower, upper] = names.each_ref().map(String::as_str);
+        let [system, slope] = family.systems(value)?;
+        Ok([(system, 1.0), (slope, 0.0)]
+            .map(|(system, unit)| Machine::of_oscillator(&system, [lower, upper], unit)))
+    }
+
+    fn swings(
+        &self,
+        _: &Vec<State>,
+        change: (&str, f64),
+        start: &State,
+        round: [u32; 2],
+    ) -> Result<Option<Vec<Swing>>> {
+        response::swings(self, change, start, round)
     }
 
     fn system(&self, change: Option<(&str, f64)>) -> Result<Oscillator> {

@@ -91,7 +91,7 @@ pub const BY_DESIGN: [(&str, &str, &str); 32] = [
         "motions that are settled on one side only",
         "what comes back is told by the extent, that of the frame",
     ),
-    ("moving stops", "diagram points", "the frame moves with the parameter"),
+    ("moving stops", "diagram points and responses", "the frame moves with the parameter"),
     (
         "half the rate",
         "all but motions and orbits of one impact in an even number of periods",

@@ -62,7 +62,8 @@ pub(super) fn moving(base: &Table) -> Option<Form> {
     let u = sum(terms.iter().map(|(m, _, sin)| format!("{m}*({sin})")).collect());
     // Only what begins at phase 0 and is looked at there.
     let phased = |task: &Value| text(task).contains("phase") || text(task).contains("frame");
-    tasks(&mut form.scene).retain(|task| !phased(task) && task["kind"].as_str() != Some("diagram"));
+    let framed = |task: &Value| ["diagram", "response"].contains(&task["kind"].as_str().unwrap_or(""));
+    tasks(&mut form.scene).retain(|task| !phased(task) && !framed(task));
     for task in list(&mut form.scene, "tasks") {
         let place = |table: &mut Table, key: &str, less: &str| {
             let old = table.get(key).map_or("0".into(), text);
@@ -98,7 +99,7 @@ pub(super) fn moving(base: &Table) -> Option<Form> {
         all.push(Moving { k: f64::from(*m), cos: at(cos)?, sin: at(sin)? });
     }
     form.view.moving = all;
-    form.without.extend(["diagram", "phase"]);
+    form.without.extend(["diagram", "response", "phase"]);
     form.other.extend(["coefficient", "effects", "extent"]);
     Some(form)
 }

@@ -1,0 +1,403 @@
+//! Tasks of kind `response`: how far a machine swings over a parameter, as a rule the drive's frequency.
+//!
+//! Linear, in closed form, with peaks; and as it is seen by following motions up and down, as a `diagram`
+//! that sweeps does.
+
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+
+use super::{
+    Finding, Job, Lines, Status,
+    diagram::{sweep_steps, value, ways},
+    engine::{Engine, by_engine},
+    row,
+    swept::{SweepFindings, way},
+};
+use crate::{
+    attractor::{diagram::SweepStep, swing::Swing},
+    continuation::Options,
+    error::Result,
+    many::{
+        Machine,
+        resonance::{self, FreeResponse, Peak},
+    },
+    scene::{Frame, branches::DiagramTask, response::ResponseTask},
+};
+
+row! {
+    /// How far a coordinate or a gap swings at a value.
+    pub struct ResponseRow {
+        /// `linear`; or which way the parameter goes.
+        pub way: &'static str,
+        /// The parameter's value.
+        pub value: f64,
+        /// The coordinate, or the stop whose gap it is.
+        pub coordinate: String,
+        /// Half of the way from its least to its greatest value.
+        pub swing: f64,
+        /// The amplitude A of the harmonic, A cos(kt − 2π `lag`), t the angle of the forcing.
+        pub amplitude: f64,
+        /// By how much of its own period the harmonic lags, from 0 to 1; absent where it is 0.
+        pub lag: Option<f64>,
+        /// The motion's period, in forcing periods; absent if it is not periodic or not settled.
+        pub period: Option<u32>,
+        /// Impacts in a period.
+        pub impacts: Option<u64>,
+        /// The stop that the linear response reaches or crosses, the one it crosses farthest.
+        pub stop: Option<String>,
+    }
+}
+
+row! {
+    /// A peak of the linear response.
+    pub struct PeakRow {
+        /// The coordinate, or the stop whose gap it is.
+        pub coordinate: String,
+        /// The parameter's value there.
+        pub value: f64,
+        /// The harmonic's amplitude; absent where nothing damps the mode that resonates.
+        pub amplitude: Option<f64>,
+        /// By how much of its own period the harmonic lags.
+        pub lag: Option<f64>,
+        /// Below the peak, where the amplitude is 1/√2 of it.
+        pub lower: Option<f64>,
+        /// Above it.
+        pub upper: Option<f64>,
+        /// Where the parameter is the drive's frequency, the damping ratio by the half-power points ω₁ and
+        /// ω₂ of the peak ω: (ω₂² − ω₁²)/(4ω²).
+        pub half_power_ratio: Option<f64>,
+        /// The damping ratio of the mode whose natural frequency is nearest.
+        pub damping_ratio: Option<f64>,
+        /// Why there are no half-power points.
+        pub open: Option<&'static str>,
+    }
+}
+
+row! {
+    /// Neighbouring values at which the linear response reaches a stop: the machine does something else.
+    pub struct ContactRow {
+        /// The first value.
+        pub from: f64,
+        /// The last.
+        pub to: f64,
+        /// The stop.
+        pub stop: String,
+        /// How many values.
+        pub values: usize,
+    }
+}
+
+row! {
+    /// Where a coordinate is seen to swing most.
+    pub struct HighestRow {
+        /// Which way the parameter goes.
+        pub way: &'static str,
+        /// The coordinate, or the stop whose gap it is.
+        pub coordinate: String,
+        /// The parameter's value there, of those looked at.
+        pub value: f64,
+        /// Half of the way from its least to its greatest value.
+        pub swing: f64,
+        /// The harmonic's amplitude.
+        pub amplitude: f64,
+    }
+}
+
+/// The response over a parameter, and what it amounts to.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ResponseFindings {
+    /// The parameter.
+    pub parameter: String,
+    /// Whether it is the drive's frequency, in whatever unit.
+    pub is_frequency: bool,
+    /// Which harmonic amplitudes and lags are of.
+    pub harmonic: u32,
+    /// How many values were looked at, each way.
+    pub values: usize,
+    /// Peaks of the linear response.
+    pub peaks: Vec<PeakRow>,
+    /// Where it reaches a stop.
+    pub contact: Vec<ContactRow>,
+    /// Values without a linear response: a mode without damping resonates.
+    pub resonant: Vec<f64>,
+    /// Where each coordinate and gap is seen to swing most, each way; none where only the linear response is
+    /// asked for or is what is seen.
+    pub highest: Option<Vec<HighestRow>>,
+    /// What is seen up and down, as of a `diagram` that sweeps.
+    pub sweep: Option<SweepFindings>,
+    /// Values at which it is not decided whether a motion tends to a periodic orbit.
+    pub not_settled: Vec<f64>,
+    /// All swings. Not in JSON: they are the task's CSV file.
+    #[serde(skip)]
+    pub rows: Vec<ResponseRow>,
+}
+
+impl Finding for ResponseFindings {
+    fn status(&self) -> Status {
+        if let Some(first) = self.not_settled.first() {
+            return Status::undecided(format!(
+                "{} times a motion is not settled, first at {first}: raise `transient`",
+                self.not_settled.len()
+            ));
+        }
+        match self.rows.is_empty() {
+            false => Status::Done,
+            true => Status::nothing("at no value is there a response"),
+        }
+    }
+
+    fn lines(&self, lines: &mut Lines) {
+        lines.say("values", self.values);
+        if self.harmonic != 1 {
+            lines.say("harmonic", self.harmonic);
+        }
+        lines.table("peaks", &self.peaks);
+        if !self.contact.is_empty() {
+            lines.table("contact", &self.contact);
+        }
+        if !self.resonant.is_empty() {
+            lines.say("resonant", self.resonant.clone());
+        }
+        if let Some(highest) = &self.highest {
+            lines.table("highest", highest);
+        }
+        if let Some(sweep) = &self.sweep {
+            sweep.lines(lines);
+        }
+        if !self.not_settled.is_empty() {
+            lines.say("not_settled", self.not_settled.len());
+        }
+    }
+}
+
+/// A displacement so small beside the largest is what rounding leaves of 0.
+const NOTHING: f64 = 1e-14;
+
+/// The response over the task's values, resuming from the checkpoint of an interrupted run if there is one.
+///
+/// # Errors
+/// Those of the system at a value and of the simulator; an unusable checkpoint; an interruption.
+pub(crate) fn response(task: &ResponseTask, job: &Job) -> Result<ResponseFindings> {
+    by_engine!(job, engine => over(task, job, &engine))
+}
+
+fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<ResponseFindings> {
+    let family = engine.family(&task.parameter)?;
+    let at = |value: f64| engine.machines(&family, value);
+    let values: Vec<f64> = (0..task.count).map(|i| value(&task.range, i, task.count)).collect();
+    let [machine, _] = at(values[0])?;
+    let (names, k) = (names(&machine), task.harmonic);
+    let (mut rows, mut resonant) = (Vec::new(), Vec::new());
+    job.monitor.begin(values.len() as u64, "values, linear");
+    for &value in &values {
+        match FreeResponse::at(&at, value)? {
+            Some(free) => rows.extend(linear_rows(value, &free, &names, &machine, k)),
+            None => resonant.push(value),
+        }
+        job.monitor.advance(1)?;
+    }
+    let ends = [values[0], values[values.len() / 2], values[values.len() - 1]];
+    let is_frequency = resonance::is_frequency(&at, ends)?;
+    let peaks = resonance::peaks(&at, &values, k, &mut || job.check())?;
+    let peaks = peaks.into_iter().map(|peak| PeakRow::new(peak, &names, is_frequency)).collect();
+    let contact = contacts(&rows);
+    let found = ResponseFindings {
+        parameter: task.parameter.clone(),
+        is_frequency,
+        harmonic: k,
+        values: values.len(),
+        peaks,
+        contact,
+        resonant,
+        highest: None,
+        sweep: None,
+        not_settled: Vec::new(),
+        rows,
+    };
+    let is_linear = !machine.is_smooth() && job.system().map_or(true, |system| system.cubic == 0.0);
+    let same = is_linear && machine.friction.is_empty() && found.contact.is_empty();
+    if !task.seen.unwrap_or(!same) {
+        return Ok(found);
+    }
+    followed(task, job, engine, &names, found)
+}
+
+/// Adds what is seen up and down.
+fn followed<E: Engine>(
+    task: &ResponseTask,
+    job: &Job,
+    engine: &E,
+    names: &[String],
+    found: ResponseFindings,
+) -> Result<ResponseFindings> {
+    let diagram = as_diagram(task);
+    let ways = ways(task.count, task.sweep);
+    let (steps, sweep, _) = sweep_steps(&diagram, job, engine, &ways)?;
+    let states = engine.states(&diagram.starts)?;
+    let (mut rows, mut not_settled) = (Vec::new(), Vec::new());
+    job.monitor.begin(steps.len() as u64, "values, swings");
+    for (step, &(up, _)) in steps.iter().zip(&ways) {
+        job.monitor.advance(1)?;
+        let Some(settled) = &step.settled else { continue };
+        let portrait = &settled.portrait;
+        if portrait.undecided {
+            not_settled.push(step.value);
+        }
+        let (change, round) = ((task.parameter.as_str(), step.value), [portrait.looked, task.harmonic]);
+        if let Some(swings) = engine.swings(&states, change, &settled.start, round)? {
+            rows.extend(seen_rows(step, &swings, names, way(up)));
+        }
+    }
+    let highest = Some(highest(&rows, names));
+    let rows = found.rows.into_iter().chain(rows).collect();
+    Ok(ResponseFindings { highest, sweep: Some(sweep), not_settled, rows, ..found })
+}
+
+/// What follows the motions.
+fn as_diagram(task: &ResponseTask) -> DiagramTask {
+    let ResponseTask { parameter, range, count, sweep, start, .. } = task.clone();
+    let ResponseTask { transient, points, longest, resume, .. } = *task;
+    DiagramTask {
+        parameter,
+        range,
+        count,
+        starts: vec![start],
+        sweep: Some(sweep),
+        prove: false,
+        phase: num_traits::Zero::zero(),
+        frame: Frame::Fixed,
+        plane: Vec::new(),
+        transient,
+        points,
+        longest,
+        every: 1,
+        branches: Vec::new(),
+        options: Options::default(),
+        resume,
+    }
+}
+
+/// What the displacements are called: coordinates, then gaps.
+fn names(machine: &Machine<f64>) -> Vec<String> {
+    let alone = machine.points() == 1;
+    let coordinate = |i: usize| if alone { "q".to_string() } else { format!("q{i}") };
+    let gaps = machine.stops.iter().map(|stop| format!("gap {}", stop.name));
+    (1..=machine.points()).map(coordinate).chain(gaps).collect()
+}
+
+/// Amplitude and lag of a harmonic, beside displacements of this size.
+fn polar([a, b]: [f64; 2], size: f64) -> (f64, Option<f64>) {
+    let amplitude = a.hypot(b);
+    let lag = (b.atan2(a) / TAU).rem_euclid(1.0);
+    (amplitude, (amplitude > NOTHING * size).then_some(if lag < 1.0 { lag } else { 0.0 }))
+}
+
+fn half([low, high]: [f64; 2]) -> f64 {
+    (high - low) / 2.0
+}
+
+fn linear_rows(
+    value: f64,
+    free: &FreeResponse,
+    names: &[String],
+    machine: &Machine<f64>,
+    k: u32,
+) -> Vec<ResponseRow> {
+    let (extents, harmonics) = (free.extents(), free.harmonics(k));
+    let size = extents.iter().map(|extent| half(*extent)).fold(0.0, f64::max);
+    let met = extents[free.points()..].iter().zip(&machine.stops).filter(|(gap, _)| gap[0] <= 0.0);
+    let stop = met.min_by(|a, b| a.0[0].total_cmp(&b.0[0])).map(|(_, stop)| stop.name.clone());
+    let row = |(name, (extent, harmonic)): (&String, (&[f64; 2], [f64; 2]))| {
+        let (amplitude, lag) = polar(harmonic, size);
+        ResponseRow {
+            way: "linear",
+            value,
+            coordinate: name.clone(),
+            swing: half(*extent),
+            amplitude,
+            lag,
+            period: Some(1),
+            impacts: Some(0),
+            stop: stop.clone(),
+        }
+    };
+    names.iter().zip(extents.iter().zip(harmonics)).map(row).collect()
+}
+
+fn seen_rows<S>(
+    step: &SweepStep<S>,
+    swings: &[Swing],
+    names: &[String],
+    way: &'static str,
+) -> Vec<ResponseRow> {
+    let portrait = step.settled.as_ref().map(|settled| &settled.portrait);
+    let period = portrait.and_then(|portrait| portrait.period);
+    let impacts = portrait.filter(|_| period.is_some()).map(|portrait| portrait.impacts);
+    let size = swings.iter().map(|swing| half(swing.extent)).fold(0.0, f64::max);
+    let row = |(name, swing): (&String, &Swing)| {
+        let (amplitude, lag) = polar(swing.harmonic, size);
+        let (value, swing) = (step.value, half(swing.extent));
+        let coordinate = name.clone();
+        ResponseRow { way, value, coordinate, swing, amplitude, lag, period, impacts, stop: None }
+    };
+    names.iter().zip(swings).map(row).collect()
+}
+
+impl PeakRow {
+    fn new(peak: Peak, names: &[String], is_frequency: bool) -> PeakRow {
+        let Peak { place, value, harmonic, half, mode } = peak;
+        let polar = harmonic.map(|harmonic| polar(harmonic, 0.0));
+        let [lower, upper] = [0, 1].map(|i| half.ok().map(|ends| ends[i]));
+        let ratio = |[from, to]: [f64; 2]| (to - from) * (to + from) / (4.0 * value * value);
+        PeakRow {
+            coordinate: names[place].clone(),
+            value,
+            amplitude: polar.map(|polar| polar.0),
+            lag: polar.and_then(|polar| polar.1),
+            lower,
+            upper,
+            half_power_ratio: half.ok().filter(|_| is_frequency).map(ratio),
+            damping_ratio: mode.map(|[_, ratio]| ratio),
+            open: half.err(),
+        }
+    }
+}
+
+/// Where the linear response reaches each stop, in the order of values.
+fn contacts(rows: &[ResponseRow]) -> Vec<ContactRow> {
+    let mut found: Vec<ContactRow> = Vec::new();
+    let mut before: Option<&ResponseRow> = None;
+    for row in rows.iter().filter(|row| row.coordinate == rows[0].coordinate) {
+        if let Some(stop) = &row.stop {
+            let goes_on = before.is_some_and(|before| before.stop.as_ref() == Some(stop));
+            match found.last_mut().filter(|_| goes_on) {
+                Some(last) => (last.to, last.values) = (row.value, last.values + 1),
+                None => {
+                    found.push(ContactRow { from: row.value, to: row.value, stop: stop.clone(), values: 1 })
+                }
+            }
+        }
+        before = Some(row);
+    }
+    found
+}
+
+/// Where each displacement swings most, each way.
+fn highest(rows: &[ResponseRow], names: &[String]) -> Vec<HighestRow> {
+    let mut found = Vec::new();
+    for way in [true, false].map(way) {
+        for name in names {
+            let own = rows.iter().filter(|row| row.way == way && row.coordinate == *name);
+            let most = own.max_by(|a, b| a.swing.total_cmp(&b.swing));
+            found.extend(most.map(|row| HighestRow {
+                way,
+                coordinate: name.clone(),
+                value: row.value,
+                swing: row.swing,
+                amplitude: row.amplitude,
+            }));
+        }
+    }
+    found
+}
