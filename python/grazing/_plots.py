@@ -216,6 +216,17 @@ def _diagram(found: TaskReport, axes: Any) -> None:
     axes.set(xlabel=found.findings.get("parameter", "parameter"), ylabel="q")
 
 
+def _response(found: TaskReport, axes: Any) -> None:
+    """The swing of each coordinate and gap by its number: the linear response dashed, what is seen solid."""
+    data = found.data
+    for coordinate in np.unique(data.coordinate):
+        for way, word, style in ((0, "linear", "--"), (1, "up", "-"), (2, "down", "-")):
+            mine = (data.way == way) & (data.coordinate == coordinate)
+            if mine.any():
+                axes.plot(data.value[mine], data.swing[mine], style, label=f"{coordinate + 1}, {word}")
+    axes.set(xlabel=found.findings.get("parameter", "parameter"), ylabel="swing")
+
+
 def _grid(axes: Any, x: Any, y: Any, cells: Any, words: list[str]) -> None:
     """Cells by their numbers, of which each that there is has a word in the legend."""
     import matplotlib.pyplot as plt
@@ -343,5 +354,6 @@ _KINDS: dict[str, tuple[Any, Any]] = {
     "simulate": (_simulate, _arrays), "section": (_section, _arrays), "diagram": (_diagram, _arrays),
     "basins": (_basins, _arrays), "map": (_map, _arrays), "branch": (_branch, lambda found: found.rows),
     "validate": (_proofs, lambda found: any(row.lower for row in found.findings.get("proofs", ()))),
+    "response": (_response, _arrays),
     "grazing": (_touch, lambda found: any(_begin(row) and row.end for row in found.findings.get("range") or ())),
 }

@@ -7,7 +7,8 @@ use grazing::{
     one::attractor::map::{MapCell, MapEnd},
     run::{
         AttractorProofs, BasinsFindings, DiagramFindings, Findings, GrazingFindings, Job, Keeper,
-        MapFindings, SectionFindings, SectionSet, SeriesOf, SeriesPoint, StopEvent,
+        MapFindings, ResponseFindings, ResponseRow, SectionFindings, SectionSet, SeriesOf, SeriesPoint,
+        StopEvent,
     },
 };
 use numpy::{IntoPyArray, PyArrayMethods};
@@ -150,6 +151,7 @@ impl Keeper for Collector {
                     self.data.proofs(found.proofs.as_ref());
                 }
             }
+            Findings::Response(found) => response(found, &mut self.data),
             Findings::Map(found) => map(found, &mut self.data),
             Findings::Branch(found) => self.data.rows = Some(text(serde_json::to_string(&found.rows))?),
             Findings::Validate(found) => self.data.certificates.clone_from(&found.certificates),
@@ -199,6 +201,28 @@ fn diagram(found: &DiagramFindings, data: &mut Data) {
     data.table("points", points, 2);
     data.whole("motion", motion);
     data.whole("period", period);
+}
+
+/// The way of a row: 0 linear, 1 up, 2 down; its coordinate or gap, counted from 0 as they come.
+fn response(found: &ResponseFindings, data: &mut Data) {
+    let mut names: Vec<&str> = Vec::new();
+    let (mut way, mut coordinate) = (Vec::new(), Vec::new());
+    for row in &found.rows {
+        way.push(["linear", "up", "down"].iter().position(|word| *word == row.way).map_or(-1, |i| i as i64));
+        let known = names.iter().position(|name| *name == row.coordinate);
+        coordinate.push(known.unwrap_or(names.len()) as i64);
+        if known.is_none() {
+            names.push(&row.coordinate);
+        }
+    }
+    data.whole("way", way);
+    data.whole("coordinate", coordinate);
+    let floats = |of: fn(&ResponseRow) -> f64| found.rows.iter().map(of).collect();
+    data.floats("value", floats(|row| row.value));
+    data.floats("swing", floats(|row| row.swing));
+    data.floats("amplitude", floats(|row| row.amplitude));
+    data.floats("lag", floats(|row| row.lag.unwrap_or(f64::NAN)));
+    data.whole("period", found.rows.iter().map(|row| row.period.map_or(0, i64::from)).collect());
 }
 
 fn map(found: &MapFindings, data: &mut Data) {

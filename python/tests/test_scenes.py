@@ -227,6 +227,11 @@ def test_every_kind_of_task_gives_its_arrays(root):
     diagram = run["diagram"]
     assert diagram.data.points.shape == (len(diagram.data.value), 2)
     assert len(set(diagram.data.value.tolist())) == diagram.findings["values"] == 3
+    response = run["response"]
+    # Of three values the displacement and the gap; the drive is the stop's, and the displacement stands still.
+    assert response.data.way.tolist() == [0] * 6 and response.data.coordinate.tolist() == [0, 1] * 3
+    assert response.data.swing[0] == 0 and np.isnan(response.data.lag[0]) and response.data.period.tolist() == [1] * 6
+    assert response.data.amplitude[1] == pytest.approx(0.95) and response.data.lag[1] == 0.5
     branch = run["branch"]
     assert len(branch.rows) == branch.findings.points > 10
     assert len(branch.frame()) == len(branch.rows)
