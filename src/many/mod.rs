@@ -51,6 +51,7 @@
 
 mod algebra;
 pub mod attracting;
+mod backbone;
 pub mod branch;
 pub(crate) mod contact;
 mod critical;

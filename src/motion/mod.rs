@@ -8,6 +8,7 @@
 //! tangency on one piece, `cell` where it is least. Not here: when impacts happen (`one`, `many`).
 
 pub(crate) mod algebra;
+pub(crate) mod backbone;
 mod cell;
 mod contact;
 mod counter;

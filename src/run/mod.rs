@@ -94,7 +94,7 @@ pub use proved::{AttractorProofs, ProvedRow};
 pub use range::{CellRow, RangeRow, StabilityRow};
 pub use report::{RunReport, TaskReport};
 pub(crate) use response::response;
-pub use response::{ContactRow, HighestRow, PeakRow, ResponseFindings, ResponseRow};
+pub use response::{BackboneRow, ContactRow, HighestRow, PeakRow, ResponseFindings, ResponseRow};
 pub(crate) use rest::rest;
 pub use rest::{ReleaseRow, RestFindings, RestOrbitRow};
 pub(crate) use section::section;

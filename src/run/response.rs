@@ -104,6 +104,16 @@ row! {
     }
 }
 
+row! {
+    /// A point of the backbone curve.
+    pub struct BackboneRow {
+        /// The parameter's value.
+        pub value: f64,
+        /// Half of the way from the least to the greatest displacement of the free vibration.
+        pub swing: f64,
+    }
+}
+
 /// The response over a parameter, and what it amounts to.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ResponseFindings {
@@ -124,6 +134,9 @@ pub struct ResponseFindings {
     /// Where each coordinate and gap is seen to swing most, each way; none where only the linear response is
     /// asked for or is what is seen.
     pub highest: Option<Vec<HighestRow>>,
+    /// The backbone curve, value by value, up to twice the largest swing that is seen; if motions are not
+    /// followed, up to that of the linear response. None where it is not asked for.
+    pub backbone: Option<Vec<BackboneRow>>,
     /// What is seen up and down, as of a `diagram` that sweeps.
     pub sweep: Option<SweepFindings>,
     /// Values at which it is not decided whether a motion tends to a periodic orbit.
@@ -162,6 +175,9 @@ impl Finding for ResponseFindings {
         if let Some(highest) = &self.highest {
             lines.table("highest", highest);
         }
+        if let Some(backbone) = &self.backbone {
+            lines.say("backbone", format!("{} points", backbone.len()));
+        }
         if let Some(sweep) = &self.sweep {
             sweep.lines(lines);
         }
@@ -171,6 +187,8 @@ impl Finding for ResponseFindings {
     }
 }
 
+/// How many times the largest swing that is seen the backbone curve goes up to.
+const BEYOND: f64 = 2.0;
 /// A displacement so small beside the largest is what rounding leaves of 0.
 const NOTHING: f64 = 1e-14;
 
@@ -211,16 +229,33 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
         contact,
         resonant,
         highest: None,
+        backbone: None,
         sweep: None,
         not_settled: Vec::new(),
         rows,
     };
     let is_linear = !machine.is_smooth() && job.system().map_or(true, |system| system.cubic == 0.0);
     let same = is_linear && machine.friction.is_empty() && found.contact.is_empty();
-    if !task.seen.unwrap_or(!same) {
+    let found = match task.seen.unwrap_or(!same) {
+        true => followed(task, job, engine, &names, found)?,
+        false => found,
+    };
+    if !task.backbone {
         return Ok(found);
     }
-    followed(task, job, engine, &names, found)
+    let own = |seen: bool| {
+        let all = found.rows.iter().filter(|row| row.coordinate == names[0] && (row.way != "linear") == seen);
+        all.map(|row| row.swing).fold(0.0, f64::max)
+    };
+    let size = if found.sweep.is_some() { BEYOND * own(true) } else { own(false) };
+    let mut backbone = Vec::new();
+    for &value in &values {
+        job.check()?;
+        let (free, factor) = at(value)?[0].conservative(engine.cubic(&family, value)?)?;
+        let swings = free.swings(k, size / factor);
+        backbone.extend(swings.into_iter().map(|swing| BackboneRow { value, swing: swing * factor }));
+    }
+    Ok(ResponseFindings { backbone: Some(backbone), ..found })
 }
 
 /// Adds what is seen up and down.

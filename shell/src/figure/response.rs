@@ -2,11 +2,14 @@
 
 use super::{
     FigurePlace,
-    canvas::{BLUE, COLUMN, Canvas, GREY, RED, Stroke, Words, line},
+    canvas::{BLACK, BLUE, COLUMN, Canvas, GREY, RED, Stroke, Words, line},
     frame::{Axis, PlotFrame, padded, symbol},
     legend::Legend,
 };
-use crate::{error::Result, run::ResponseRow};
+use crate::{
+    error::Result,
+    run::{BackboneRow, ResponseRow},
+};
 
 /// Coordinates that are drawn; the data have all.
 const MOST: usize = 4;
@@ -23,8 +26,13 @@ const ROUND: f64 = 0.5;
 ///
 /// # Errors
 /// An I/O error.
-pub fn response(rows: &[ResponseRow], parameter: &str, place: &FigurePlace) -> Result<()> {
-    place.draw(&draw(rows, parameter))
+pub fn response(
+    rows: &[ResponseRow],
+    backbone: &[BackboneRow],
+    parameter: &str,
+    place: &FigurePlace,
+) -> Result<()> {
+    place.draw(&draw(rows, backbone, parameter))
 }
 
 fn stroke(way: usize) -> Stroke {
@@ -35,7 +43,7 @@ fn stroke(way: usize) -> Stroke {
     }
 }
 
-fn draw(rows: &[ResponseRow], parameter: &str) -> Canvas {
+fn draw(rows: &[ResponseRow], backbone: &[BackboneRow], parameter: &str) -> Canvas {
     let mut names: Vec<&str> = Vec::new();
     for row in rows {
         if !names.contains(&row.coordinate.as_str()) && !row.coordinate.starts_with("gap ") {
@@ -50,6 +58,11 @@ fn draw(rows: &[ResponseRow], parameter: &str) -> Canvas {
                 canvas.line(vec![(x - 9.0, y), (x + 9.0, y)], stroke(i));
             });
         }
+    }
+    if !backbone.is_empty() {
+        legend.add("backbone", |canvas: &mut Canvas, (x, y)| {
+            canvas.discs((-3..=3).map(|i| (x + 3.0 * f64::from(i), y)).collect(), 0.6, BLACK);
+        });
     }
     let each = HIGH[0] + HIGH[1];
     let high = each * names.len().max(1) as f64;
@@ -102,6 +115,9 @@ fn draw(rows: &[ResponseRow], parameter: &str) -> Canvas {
                 }
             }
         }
+        // It is of the only coordinate.
+        let dots = swings.path(backbone.iter().map(|row| (row.value, row.swing)));
+        canvas.discs(dots.into_iter().filter(|at| swings.holds(*at)).collect(), 0.6, BLACK);
         swings.draw(&mut canvas);
         lags.draw(&mut canvas);
     }

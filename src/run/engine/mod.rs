@@ -182,7 +182,11 @@ pub(crate) trait Engine {
     fn resting(&self, change: Option<(&str, f64)>) -> Result<(Box<dyn Resting>, Vec<String>, f64)>;
 
     /// The scene as a machine at a value of the family's parameter, and the derivatives of its coefficients.
+    /// What is cubic of an oscillator is left out.
     fn machines(&self, family: &Self::Family, value: f64) -> Result<[Machine<f64>; 2]>;
+
+    /// The coefficient of the displacement cubed at a value of the family's parameter.
+    fn cubic(&self, family: &Self::Family, value: f64) -> Result<f64>;
 
     /// How each coordinate, and the gap of each stop, goes at a value of a parameter, in the motion from a
     /// start: for so many periods, with the harmonic k; none where the motion ends before.

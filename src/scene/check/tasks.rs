@@ -314,6 +314,13 @@ impl Checked<'_> {
             };
             return self.fail(if known.is_empty() { "kind" } else { "harmonic" }, &message);
         }
+        let why = match self.model {
+            Model::One(system) => Machine::of_oscillator(system, ["lower", "upper"], 1.0).no_backbone(),
+            Model::Many(machine) => machine.no_backbone(),
+        };
+        if let Some(why) = why.filter(|_| task.backbone) {
+            return self.fail("backbone", why);
+        }
         if task.seen == Some(false) {
             return Ok(());
         }

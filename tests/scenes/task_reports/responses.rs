@@ -508,3 +508,89 @@ fn a_gyroscopic_rotor_whirls_as_its_quadratic_says() {
         near(number(&found["q"][1]), exact.im, 1e-11);
     }
 }
+
+fn agm(mut a: f64, mut b: f64) -> f64 {
+    while (a - b).abs() > 1e-15 * a {
+        (a, b) = ((a + b) / 2.0, (a * b).sqrt());
+    }
+    a
+}
+
+/// The backbone of a Duffing oscillator is that of Jacobi's cosine, and the response leans about it: where it
+/// swings most it is on it.
+#[test]
+fn the_backbone_of_a_cubic_spring_is_jacobis() {
+    let scene = format!(
+        "[parameters]\nw = 1\n[system]\ndamping = \"0.02/w\"\nstiffness = \"1/w^2\"\ncubic = \"0.2/w^2\"\n\
+         forcing = [{{ cos = \"0.06/w^2\" }}]\n{}",
+        task("w", [0.8, 2.0], 61, "backbone = true\ntransient = 600\nsweep = \"up\"")
+    );
+    let found = found(&scene);
+    let backbone = found.backbone.as_ref().unwrap();
+    assert!(backbone.len() > 10);
+    for row in backbone {
+        let whole = 1.0 + 0.2 * row.swing * row.swing;
+        let rate = whole.sqrt() * agm(1.0, (1.0 - 0.1 * row.swing * row.swing / whole).sqrt());
+        near(row.value, rate, 1e-13);
+    }
+    let highest = &found.highest.as_ref().unwrap()[0];
+    let on = backbone.iter().find(|row| row.value == highest.value).unwrap();
+    assert!((on.swing - highest.swing).abs() < 0.05 * on.swing, "{on:?} {highest:?}");
+}
+
+/// A free vibration with a swing of the backbone is back after a period of the drive: of a machine with a
+/// second spring, and of an oscillator below a stop; two where the frequency is twice the drive's.
+#[test]
+fn a_free_vibration_of_the_backbone_is_back_after_a_period() {
+    let spring = "[parameters]\nf = 1\nF = 1\n[system]\nfrequency = \"f\"\nmass = 2\ndamping = \"0.3*F\"\nstiffness = 80\n\
+                  forcing = [{ cos = \"F\" }, { k = 2, cos = \"F\" }]\n[[stops]]\nname = \"second\"\nrow = [-1]\n\
+                  offset = -0.02\nstiffness = 300\ndamping = \"0.2*F\"\n";
+    let stop = "[parameters]\nf = 1\nF = 1\n[system]\ndamping = \"F/(10*f)\"\nstiffness = \"40/f^2\"\n\
+                forcing = [{ cos = \"F/f^2\" }, { k = 2, cos = \"F/f^2\" }]\n[[stops]]\nside = \"upper\"\noffset = 0.02\n\
+                restitution = \"1 - F/10\"\n";
+    // The least displacement of a vibration with this swing.
+    let sprung = |swing: f64| {
+        let off = |top: f64| {
+            let deep = (top - 0.02).max(0.0);
+            top + (top * top + 300.0 / 80.0 * deep * deep).sqrt() - 2.0 * swing
+        };
+        let (mut low, mut high) = (0.0, 2.0 * swing);
+        for _ in 0..80 {
+            let middle = (low + high) / 2.0;
+            *(if off(middle) < 0.0 { &mut low } else { &mut high }) = middle;
+        }
+        low - 2.0 * swing
+    };
+    let stopped = |swing: f64| 0.02 - 2.0 * swing;
+    for is_sprung in [true, false] {
+        let (system, unit) = if is_sprung { (spring, 1.0) } else { (stop, TAU) };
+        for (k, range) in [(1, [1.03, 1.3]), (2, [0.52, 0.65])] {
+            let range = range.map(|end: f64| end * unit);
+            let more = format!("harmonic = {k}\nbackbone = true\nseen = false");
+            let found = found(&format!("{system}{}", task("f", range, 5, &more)));
+            let backbone = found.backbone.unwrap();
+            assert!(backbone.len() >= 4, "{backbone:?}");
+            for row in backbone {
+                let low = if is_sprung { sprung(row.swing) } else { stopped(row.swing) };
+                let back = format!(
+                    "{system}[[tasks]]\nname = \"it\"\nkind = \"simulate\"\nset = {{ f = {:?}, F = 0 }}\n\
+                     start = {{ q = {low:?} }}\nperiods = 1\n",
+                    row.value
+                );
+                let back = serde_json::to_value(&reports(&back).unwrap()[0]).unwrap();
+                assert_eq!(back["impacts"], k, "{row:?} {back}");
+                near(number(&back["q"][0]), low, 1e-11 * low.abs());
+            }
+        }
+    }
+    for (text, why) in [
+        (
+            "[parameters]\nf = 1\n[system]\nforce = \"-f*sin(q) + cos(t)\"\n".to_string(),
+            "a force is a formula",
+        ),
+        (stop.replace("offset = 0.02", "offset = 0.02\nharmonics = [{ cos = 0.001 }]"), "a stop moves"),
+    ] {
+        let error = reports(&format!("{text}{}", task("f", [1.0, 2.0], 5, "backbone = true"))).unwrap_err();
+        assert!(error.to_string().contains(why), "{error}");
+    }
+}

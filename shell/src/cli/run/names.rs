@@ -44,9 +44,14 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             &[Picture, Fixed(".csv"), Fixed("-windows.csv"), Fixed("-jumps.csv"), State(".checkpoint")]
         }
         Kind::DiagramTask(_) => &[Picture, Fixed(".csv"), Fixed("-windows.csv"), State(".checkpoint")],
-        Kind::ResponseTask(_) => {
-            &[Picture, Fixed(".csv"), Fixed("-peaks.csv"), Fixed("-jumps.csv"), State(".checkpoint")]
-        }
+        Kind::ResponseTask(_) => &[
+            Picture,
+            Fixed(".csv"),
+            Fixed("-peaks.csv"),
+            Fixed("-backbone.csv"),
+            Fixed("-jumps.csv"),
+            State(".checkpoint"),
+        ],
         Kind::OrbitTask(_) | Kind::EventTask(_) => &[Fixed(".csv")],
         Kind::GrazingTask(task) if task.prove || task.range.0.is_some() => &[
             Fixed(".csv"),

@@ -235,6 +235,10 @@ impl<'j> Engine for Machines<'j> {
         Ok([machine, slope])
     }
 
+    fn cubic(&self, _: &MachineSceneFamily, _: f64) -> Result<f64> {
+        Ok(0.0)
+    }
+
     fn swings(
         &self,
         states: &Vec<State>,

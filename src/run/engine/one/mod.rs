@@ -239,6 +239,10 @@ impl<'j> Engine for Oscillators<'j> {
             .map(|(system, unit)| Machine::of_oscillator(&system, [lower, upper], unit)))
     }
 
+    fn cubic(&self, family: &SceneFamily, value: f64) -> Result<f64> {
+        Ok(family.systems(value)?[0].cubic)
+    }
+
     fn swings(
         &self,
         _: &Vec<State>,

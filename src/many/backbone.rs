@@ -1,0 +1,45 @@
+//! A machine of one coordinate as one without damping, drive and friction: what its backbone curve is of.
+
+use super::{Machine, StopLaw};
+use crate::{error::Result, motion::backbone::Conservative};
+
+impl Machine<f64> {
+    /// Why it has no backbone curve, if it has none.
+    pub(crate) fn no_backbone(&self) -> Option<&'static str> {
+        match () {
+            () if self.size != 1 || self.points() != 1 => {
+                Some("is of one coordinate, and here there are several")
+            }
+            () if self.is_smooth() => Some("is of springs and stops, and here a force is a formula"),
+            () if self.stops.iter().any(|stop| !stop.wall.harmonics.is_empty()) => {
+                Some("is of free vibrations, and here a stop moves")
+            }
+            () => None,
+        }
+    }
+
+    /// The machine without damping, drive and friction, its rigid stops without loss, and the size of its
+    /// displacement over that of its coordinate. `cubic` is the coefficient of the displacement cubed.
+    ///
+    /// # Errors
+    /// Those of [`Machine::equations`] and [`Machine::contacts`].
+    pub(crate) fn conservative(&self, cubic: f64) -> Result<(Conservative, f64)> {
+        let (equations, contacts) = (self.equations()?, self.contacts()?);
+        let mut stops = [f64::NEG_INFINITY, f64::INFINITY];
+        let mut springs = Vec::new();
+        for (contact, stop) in contacts.iter().zip(&self.stops) {
+            let row = contact.row[0];
+            let place = contact.position.mean() / row;
+            match (&stop.law, row > 0.0) {
+                (StopLaw::Soft { stiffness, .. }, below) => {
+                    springs.push([place, if below { -1.0 } else { 1.0 }, stiffness * row * row]);
+                }
+                (_, true) => stops[0] = stops[0].max(place),
+                (_, false) => stops[1] = stops[1].min(place),
+            }
+        }
+        let factor = self.shapes.first().map_or(1.0, |shape| shape[0].abs());
+        let (mass, stiffness) = (equations.mass[(0, 0)], equations.stiffness[(0, 0)]);
+        Ok((Conservative { mass, stiffness, cubic, force: equations.force.mean[0], stops, springs }, factor))
+    }
+}
