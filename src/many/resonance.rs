@@ -84,11 +84,18 @@ impl Machine<f64> {
     }
 }
 
-/// The linear equations at a value; `slopes` is their derivative, where that is asked for.
+/// The linear equations at a value. Of formulas forces have up to 16 harmonics.
 fn linear(family: AtValue, value: f64) -> Result<(Machine<f64>, Machine<f64>, LinearEquations)> {
     let [machine, slope] = family(value)?;
-    let bare = machine.equations()?;
-    let equations = Smooth::new(&machine)?.map_or_else(|| bare.clone(), |smooth| smooth.linearised(&bare));
+    let mut equations = machine.equations()?;
+    if let Some(smooth) = Smooth::new(&machine)? {
+        // The forcing's own harmonics are known better than by looks.
+        let none = Periodic::constant(RealVector::zeros(machine.size));
+        let given = std::mem::replace(&mut equations.force, none);
+        equations = smooth.linearised(&equations);
+        equations.force.mean += given.mean;
+        given.harmonics.iter().for_each(|(k, cos, sin)| equations.force.add(*k, cos, sin));
+    }
     Ok((machine, slope, equations))
 }
 

@@ -23,6 +23,8 @@ use crate::{
     },
 };
 
+/// The highest harmonic of forces at rest that is told of formulas.
+const FORMULA: u32 = 16;
 /// No longer series is written: at some 50 bytes a point, 5 GB.
 const MOST_POINTS: u64 = 100_000_000;
 
@@ -313,6 +315,10 @@ impl Checked<'_> {
                 all => format!("is not in the drive, which has {}", all.join(", ")),
             };
             return self.fail(if known.is_empty() { "kind" } else { "harmonic" }, &message);
+        }
+        if told && task.harmonic > FORMULA && !driven.contains(&task.harmonic) {
+            let message = format!("is looked for in formulas in t up to {FORMULA}: give it as `forcing`");
+            return self.fail("harmonic", &message);
         }
         let why = match self.model {
             Model::One(system) => Machine::of_oscillator(system, ["lower", "upper"], 1.0).no_backbone(),

@@ -447,6 +447,26 @@ fn a_formula_is_linearised_at_rest() {
     }
 }
 
+/// What a formula does not say of the drive is not looked for at a few phases: harmonic 50, too.
+#[test]
+fn forcing_beside_a_formula_keeps_its_harmonics() {
+    let scene = format!(
+        "engine = \"many\"\n[parameters]\nw = 1\n[system]\nperiod = \"2*pi/w\"\nmass = 1\nforce = \"-sin(q) + 0.2*sin(t)\"\n\
+         damping = 0.1\nforcing = [{{ cos = 0.3 }}, {{ k = 50, sin = 2 }}]\n{}",
+        task("w", [0.01, 0.05], 5, "harmonic = 50\nseen = false")
+    );
+    let fast = found(&scene);
+    let slow = found(&scene.replace("harmonic = 50", "harmonic = 1"));
+    for (fast, slow) in rows(&fast, "linear", "q").iter().zip(rows(&slow, "linear", "q")) {
+        for (row, k, force) in [(*fast, 50.0, Complex::new(0.0, -2.0)), (slow, 1.0, Complex::new(0.3, -0.2))]
+        {
+            let w = row.value * k;
+            let exact = force / Complex::new(1.0 - w * w, 0.1 * w);
+            assert!((z(row) - exact).norm() < 1e-13 * exact.norm(), "{row:?} {exact}");
+        }
+    }
+}
+
 /// The example's rotor: its whirls by the quadratic of the closed form, ω² ∓ γΩω = k/Id, its motion from a
 /// tilt as their sum, its answer to its own drive, and its only critical speed.
 #[test]
