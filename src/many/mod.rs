@@ -31,6 +31,7 @@
 //!   ([`normal_form`](mod@normal_form)). Derivatives come from the flow, the saltation at impacts and
 //!   [`Slope`]: nothing is differenced.
 //!
+//! - **Elements.** [`elements`] takes a machine apart into masses, springs and dampers, to be drawn.
 //! - **Attractors.** [`section`] is the machine as sections, basins, diagrams and Lyapunov exponents of
 //!   `attractor` follow it: there is one notion of an attractor.
 //!
@@ -55,6 +56,7 @@ mod backbone;
 pub mod branch;
 pub(crate) mod contact;
 mod critical;
+pub mod elements;
 pub(crate) mod equations;
 pub(crate) mod flow;
 mod friction;

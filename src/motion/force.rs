@@ -33,6 +33,16 @@ impl<T> SmoothForce<T> {
         &self.coefficients
     }
 
+    /// As it was written, without spaces.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Whether a variable of these, known by their places, stands in it.
+    pub fn mentions(&self, which: &dyn Fn(usize) -> bool) -> bool {
+        self.formula.mentions(which)
+    }
+
     /// The same force with these variables' signs turned.
     pub(crate) fn turned(&self, which: &dyn Fn(usize) -> bool) -> SmoothForce<T>
     where

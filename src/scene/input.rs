@@ -146,14 +146,14 @@ impl Scene {
         let file = top(&stopless, &root);
         let read = File::fields(&file, &[])?;
         let known = Known { file: &file, format, parameters: &parameters };
-        let (stops, body, engine) = known.body(&read)?;
+        let (stops, body, engine, whole) = known.body(&read)?;
         let mass = match body {
             Body::Oscillator(_) => read.system.mass.as_ref().and_then(|mass| mass.entries.first()),
             Body::Machine(_) => None,
         };
         let mass = mass.map(|(_, _, mass)| mass.clone());
-        let whole = scope(&names, &stops);
-        let tasks = match top(&whole, &root).get("tasks")? {
+        let all = scope(&names, &stops);
+        let tasks = match top(&all, &root).get("tasks")? {
             Some(entry) => entry.elements()?.iter().map(Task::read).collect::<Result<_>>()?,
             None => Vec::new(),
         };
@@ -163,6 +163,7 @@ impl Scene {
             body,
             engine,
             stops,
+            whole,
             mass,
             accuracy: read.accuracy,
             tasks,
@@ -228,12 +229,12 @@ struct Known<'a> {
 }
 
 impl Known<'_> {
-    /// The stops, what the scene is about, and the engine for it.
-    fn body(&self, read: &File) -> Result<(Vec<StopName>, Body, Engine)> {
+    /// The stops, what the scene is about, the engine for it, and the scene as a machine.
+    fn body(&self, read: &File) -> Result<(Vec<StopName>, Body, Engine, Arc<MachineScene>)> {
         let (file, depth) = (self.file, read.accuracy.minimum_depth);
         let machine = {
             let held = (read.stops.clone(), read.friction.clone());
-            MachineScene::new(file, read.system.clone(), held, depth)?
+            Arc::new(MachineScene::new(file, read.system.clone(), held, depth)?)
         };
         let names = || machine.machine.stops.iter().map(|stop| stop.name.clone());
         let one = match oscillator(file, &read.system, &read.stops)? {
@@ -253,7 +254,8 @@ impl Known<'_> {
                 let stops = names().zip(sides).map(|(name, side)| StopName { name, side: Some(side) });
                 let reason = "one degree of freedom and rigid stops".to_string();
                 let engine = Engine { name: EngineKey::One, reason };
-                return Ok((stops.collect(), Body::Oscillator(Arc::new(system)), engine));
+                let (stops, body) = (stops.collect(), Body::Oscillator(Arc::new(system)));
+                return Ok((stops, body, engine, machine.clone()));
             }
             (Err(Disqualified { key, why }), SceneFormat::One, _) => {
                 let newer = SceneFormat::Three.word();
@@ -272,7 +274,7 @@ impl Known<'_> {
         }
         let stops = names().map(|name| StopName { name, side: None }).collect();
         let engine = Engine { name: EngineKey::Many, reason: why_many };
-        Ok((stops, Body::Machine(Arc::new(machine)), engine))
+        Ok((stops, Body::Machine(machine.clone()), engine, machine))
     }
 
     /// Whether every coefficient is rational, as `one` has them exactly, and the mass positive.

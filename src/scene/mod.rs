@@ -63,3 +63,4 @@ pub use sections::{BasinsTask, Frame, SectionTask, Values};
 pub use system::{Accuracy, EngineKey};
 pub use task::{Kind, Task};
 pub use tolerance::{Tolerance, Tolerances};
+pub use values::WrittenMachine;

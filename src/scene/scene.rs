@@ -42,6 +42,8 @@ pub struct Scene {
     pub engine: Engine,
     /// Its stops.
     pub stops: Vec<StopName>,
+    /// All of it as a machine, whatever computes it.
+    pub(super) whole: Arc<MachineScene>,
     /// Of the engine `one`, what its forces were divided by, if that was not 1.
     pub(super) mass: Option<Expression>,
     /// How accurately to compute.
@@ -113,7 +115,7 @@ impl Scene {
 
     /// The same scene with other values of some parameters, and without its tasks, which may be many.
     pub(super) fn alone(&self, values: &[(String, BigRational)]) -> Result<Scene> {
-        let Scene { title, parameters, body, engine, stops, mass, accuracy, .. } = self;
+        let Scene { title, parameters, body, engine, stops, whole, mass, accuracy, .. } = self;
         let Scene { format, file, places, files, .. } = self;
         Scene {
             title: title.clone(),
@@ -121,6 +123,7 @@ impl Scene {
             body: body.clone(),
             engine: engine.clone(),
             stops: stops.clone(),
+            whole: whole.clone(),
             mass: mass.clone(),
             accuracy: accuracy.clone(),
             tasks: Vec::new(),

@@ -6,6 +6,7 @@ use num_rational::BigRational;
 
 use super::{
     expression::Expression,
+    format::SceneFormat,
     machine::MachineScene,
     matrix::CoordinateList,
     scene::{Body, Scene, float, phase},
@@ -14,10 +15,21 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    many::{Machine, RealVector, State, section::PlaneAxis},
+    many::{Machine, RealVector, State, elements::Evaluated, section::PlaneAxis},
     number::{Ball, Plain, Precision, Real},
     search::machine::Bounds,
 };
+
+/// A scene as it is written, at the parameters' values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WrittenMachine {
+    /// The machine.
+    pub machine: Machine<Evaluated>,
+    /// Of a scene of format 1, the coefficient of the displacement cubed.
+    pub cubic: Option<Evaluated>,
+    /// The file of a measured force.
+    pub measured: Option<String>,
+}
 
 /// A duration so near whole periods, relative to itself, is of whole ones.
 const ROUNDED: f64 = 4.0 * f64::EPSILON;
@@ -113,6 +125,34 @@ impl Scene {
             })?;
         }
         Ok(machine)
+    }
+
+    /// The scene as a machine, whatever computes it, each coefficient exact where it is rational.
+    ///
+    /// # Errors
+    /// As [`machine`](Self::machine), and as [`exact`](Self::exact) where the engine is `one`.
+    pub fn written(&self) -> Result<WrittenMachine> {
+        match &self.body {
+            Body::Oscillator(_) => self.exact(&[]).map(drop)?,
+            Body::Machine(_) => self.machine(&[]).map(drop)?,
+        }
+        let exact: Vec<_> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
+        let floats: Vec<_> = exact.iter().map(|value| Plain(float(value))).collect();
+        let number = |expression: &Expression| -> Result<Evaluated> {
+            if let Ok(value) = expression.evaluate(&exact, &()) {
+                return Ok(Evaluated { value, exact: true });
+            }
+            let Plain(value) = self.value(expression, &floats, |x| x.0, &|| self.where_parameters())?;
+            let not_finite = || self.fail(&expression.key, "is beyond the range of floats");
+            Ok(Evaluated { value: BigRational::from_float(value).ok_or_else(not_finite)?, exact: false })
+        };
+        let cubic = match &self.body {
+            // In other formats it stands among the machine's forces.
+            Body::Oscillator(system) if self.format == SceneFormat::One => Some(number(&system.cubic)?),
+            _ => None,
+        };
+        let measured = self.whole.measured.as_ref().map(|force| force.file.clone());
+        Ok(WrittenMachine { machine: self.whole.machine.try_map(number)?, cubic, measured })
     }
 
     /// The machine where the engine is `many`, a parameter changed if one is named, each coefficient exact

@@ -10,7 +10,7 @@ use grazing::{
 };
 
 /// Draws a figure; returns the rows of its CSV by column name, and its SVG.
-fn draw(arguments: &str, name: &str) -> (Vec<HashMap<String, String>>, String) {
+pub(super) fn draw(arguments: &str, name: &str) -> (Vec<HashMap<String, String>>, String) {
     let folder = tempfile::tempdir().unwrap();
     let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
     command.arg("figure").args(arguments.split_whitespace()).arg("-o").arg(folder.path());
@@ -48,7 +48,7 @@ fn attribute<T: std::str::FromStr<Err: std::fmt::Debug>>(tag: &str, name: &str) 
 }
 
 /// (left, top, right, bottom) of every text in a picture, but for what hangs below the base line.
-fn labels(svg: &str) -> Vec<(String, [f64; 4])> {
+pub(super) fn labels(svg: &str) -> Vec<(String, [f64; 4])> {
     let label = |piece: &str| {
         let (tag, rest) = piece.split_once('>').unwrap();
         let size: f64 = attribute(tag, "font-size");
@@ -73,7 +73,7 @@ fn labels(svg: &str) -> Vec<(String, [f64; 4])> {
 
 /// No text leaves the picture, nor covers another; the picture says in words what it shows. All grows with
 /// the picture: what holds at one width holds at all.
-fn assert_no_overlap(svg: &str) {
+pub(super) fn assert_no_overlap(svg: &str) {
     let all = labels(svg);
     assert!(all.len() >= 5);
     assert!(svg.contains("<title>") && svg.contains("<desc>"));

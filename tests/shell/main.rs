@@ -6,6 +6,7 @@ mod process;
 mod arguments;
 mod cli;
 mod decay;
+mod drawn_machines;
 mod export;
 mod figures;
 mod parsers;

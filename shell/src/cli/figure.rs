@@ -13,16 +13,16 @@ use num_traits::One;
 use super::{
     Outcome,
     place::{self, Asked, AskedPoint, Place},
-    run::paper,
+    run::{paper, scene_with, setting},
     view::ViewArgs,
 };
 use crate::{
     certificate,
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
-    figure::{self, FigurePlace, PictureFormat},
+    figure::{self, FigurePlace, MachinePicture, PictureFormat},
     motion::{Contact, Time},
-    number::{parse_integer, parse_rational},
+    number::{Plain, Real, parse_integer, parse_rational},
     one::simulate::{Event, Settings, Simulator},
     output::{Destination, FileRegistry, FileUse, make_folder, say_to},
     scene::{Kind, Scene},
@@ -41,18 +41,22 @@ use crate::{
 #[command(after_help = "Examples:
   grazing figure intervals 9 -o figures
   grazing figure records --r 0.993 --s 0.205 -o figures
+  grazing figure machine examples/machines/two-masses.toml -o figures
   grazing figure tolerance --frequency 12.3Hz±1% --damping-ratio 0.02±20% --drive 10Hz -o figures")]
 pub(super) struct Args {
     /// Which figure.
     #[arg(value_enum)]
     figure: Figure,
     /// The largest period shown, for 5 the only one; by default 15, for entropy 40, for tips 200, for 5 8,
-    /// for coexistence 10000.
-    #[arg(value_name = "N", value_parser = parse_integer::<u64>)]
-    n: Option<u64>,
+    /// for coexistence 10000. For machine the scene.
+    #[arg(value_name = "N|SCENE")]
+    n: Option<String>,
     /// As it was written once.
     #[arg(long = "n", hide = true, conflicts_with = "n", value_name = "N", value_parser = parse_integer::<u64>)]
     long_n: Option<u64>,
+    /// For machine, give a parameter of the scene another value; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
+    set: Vec<(String, BigRational)>,
     #[command(flatten)]
     place: Place,
     #[command(flatten)]
@@ -118,6 +122,9 @@ enum Figure {
     /// Where a touch gives birth to chaos, over natural / drive frequency and damping ratio; by default
     /// --frequency 0.1..=2.1 --drive 1 --damping-ratio 0.00390625..=0.5.
     Design,
+    /// The machine of a scene: masses, springs, dampers, stops, friction, forces; what may be a wrong sign is
+    /// red.
+    Machine,
 }
 
 /// For how many periods the attractor is followed, and how many it is given to settle.
@@ -151,6 +158,7 @@ impl Figure {
                 | Returns
                 | Tolerance
                 | Design
+                | Machine
         )
     }
 
@@ -189,6 +197,32 @@ impl Args {
             }
             Asked::Point(_) => Err(self.wants("a point by --r and --s")),
         }
+    }
+
+    /// N, if it is given.
+    fn periods(&self) -> Result<Option<u64>> {
+        let given = match (&self.n, self.long_n) {
+            (Some(_), _) if self.figure == Figure::Machine => return Ok(None),
+            (Some(text), _) => Some(parse_integer(text).map_err(|error| Error::from(error).context("N"))?),
+            (None, n) => n,
+        };
+        if given.is_some() && !self.figure.has_periods() {
+            return Err(Error::input(format!("figure {} takes no N", self.figure.name())));
+        }
+        Ok(given)
+    }
+
+    /// The scene that the figure shows.
+    fn machine(&self, files: &FileRegistry) -> Result<MachinePicture> {
+        let scene = self.n.as_ref().ok_or_else(|| self.wants("a scene: give its file"))?;
+        let scene = scene_with(Path::new(scene), &self.set, files)?;
+        let float = |x: &BigRational| Plain::ratio(x, &()).0;
+        let parameters = scene.parameters.iter().map(|(name, value)| (name.clone(), float(value)));
+        Ok(MachinePicture {
+            title: scene.title.clone(),
+            written: scene.written()?,
+            parameters: parameters.collect(),
+        })
     }
 
     fn wants(&self, what: &str) -> Error {
@@ -287,9 +321,9 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     if !args.figure.is_of_a_scene() && !args.view.is_whole() {
         return Err(Error::input("--x-limits, --y-limits and --q-modulo-2pi belong to the figures 6 to 10"));
     }
-    let given = args.n.or(args.long_n);
-    if given.is_some() && !args.figure.has_periods() {
-        return Err(Error::input(format!("figure {} takes no N", args.figure.name())));
+    let given = args.periods()?;
+    if !args.set.is_empty() && args.figure != Figure::Machine {
+        return Err(Error::input("--set belongs to `grazing figure machine`"));
     }
     let file = args.figure.file();
     let place = args.place(&file)?;
@@ -346,6 +380,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         Figure::After => drawn("figure10")?,
         Figure::Chaos => chaos(&place, interrupt)?,
         Figure::Orbits => figure::orbits(&place)?,
+        Figure::Machine => figure::machine(&args.machine(files)?, &place)?,
     }
     let written: Vec<String> = written.iter().map(|file| file.display().to_string()).collect();
     let (last, others) = written.split_last().unwrap_or_else(|| unreachable!("a figure has files"));

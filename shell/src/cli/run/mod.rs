@@ -129,7 +129,7 @@ fn picture_format(text: &str) -> Result<PictureFormat> {
     format.check().map(|()| format)
 }
 
-fn setting(text: &str) -> Result<(String, BigRational)> {
+pub(super) fn setting(text: &str) -> Result<(String, BigRational)> {
     let parts = text.split_once('=').ok_or_else(|| Error::input("write NAME=VALUE"))?;
     Ok((parts.0.trim().to_string(), parse_rational(parts.1)?))
 }
@@ -142,6 +142,18 @@ fn settings_once(settings: &[(String, BigRational)]) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// A scene from a file, with other values of some parameters.
+pub(super) fn scene_with(
+    path: &Path,
+    settings: &[(String, BigRational)],
+    files: &FileRegistry,
+) -> Result<Scene> {
+    settings_once(settings)?;
+    let scene = Scene::from_toml(&read_text(path, LONGEST_SCENE)?, &path.display().to_string())?;
+    names::read(&scene, path, files)?;
+    scene.with(settings)
 }
 
 /// Whether a task is meant by a name: its own or its group's.
