@@ -8,9 +8,12 @@ use super::{
     Analysed, AttractorProofs, ChaosRow, Complex, Finding, Job, Judgement, Lines, Status,
     birth::all_patterns,
     engine::{Engine, GrazingPoint, by_engine},
+    hit::{HitRow, hits},
+    influence::{InfluenceRow, influences},
     range::{RangeRow, SideRange},
     row,
     seen::{self, SeenRow},
+    told,
     tolerance::{self, ToleranceReport},
 };
 use crate::{
@@ -152,6 +155,8 @@ pub struct GrazingMap {
 /// A grazing bifurcation, and the patterns that are born there.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct GrazingReport {
+    /// What happens, in sentences.
+    pub in_words: String,
     /// The bifurcation.
     #[serde(flatten)]
     pub at: GrazingMap,
@@ -165,6 +170,10 @@ pub struct GrazingReport {
     pub seen: Option<Vec<SeenRow>>,
     /// Why it was not.
     pub seen_open: Option<&'static str>,
+    /// How hard what is seen hits; absent if nothing was looked for.
+    pub hits: Option<Vec<HitRow>>,
+    /// By how much parameters move the touch; absent if it was not asked for.
+    pub influence: Option<Vec<InfluenceRow>>,
     /// What is proved of it, if that was asked for.
     pub proofs: Option<AttractorProofs>,
     /// How far from the touch what is born is proved to go on; absent if it was not asked for.
@@ -303,6 +312,7 @@ impl GrazingReport {
 
     fn lines(&self, lines: &mut Lines) {
         let at = &self.at;
+        lines.say("in_words", self.in_words.as_str());
         lines.say("grazing", format!("{} = {}", at.varied, lines.set(at.parameter)));
         lines.say_known("orbit", &at.orbit);
         lines.say("stop", at.stop.as_str());
@@ -337,6 +347,12 @@ impl GrazingReport {
         }
         if let Some(why) = self.seen_open {
             lines.say("seen", format!("not looked for: {why}"));
+        }
+        if let Some(rows) = self.hits.as_ref().filter(|rows| !rows.is_empty()) {
+            lines.table("hits", rows);
+        }
+        if let Some(rows) = &self.influence {
+            lines.table("influence", rows);
         }
         if let Some(proofs) = &self.proofs {
             // Bounds in a proof have all their digits, and so what follows.
@@ -394,17 +410,31 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
     }
     let seen_open = not_seen(task, job, &at);
     let seen = seen_open.is_none().then(|| point.seen(at.map.e, &LOOK)).transpose()?;
+    let hits = seen.as_ref().map(|seen| hits(seen, task, job, engine)).transpose()?;
+    let unit = if at.map.e == 0.0 { at.parameter.abs() } else { point.size()? / at.map.e.abs() };
+    let influence = task.sensitivity.then(|| influences(task, job, &at, unit)).transpose()?;
     let proofs = seen.as_ref().filter(|_| task.prove);
     let proofs = proofs.map(|seen| seen::proofs(seen, task, job, engine)).transpose()?;
     let (range, range_open, certificates) = asked_for_ranges(task, job, &point, &at)?;
     let (tolerance, tolerance_open) = asked_for_tolerances(task, job, &point, &at)?;
+    let seen = seen.as_ref().map(seen::rows);
+    let in_words = told::sentences(
+        &at,
+        job.model.period(),
+        seen.as_deref().unwrap_or_default(),
+        hits.as_deref().unwrap_or_default(),
+        influence.as_deref().unwrap_or_default(),
+    );
     Ok(GrazingFindings::Found(Box::new(GrazingReport {
+        in_words,
         at,
         chaos,
         chaos_open,
         born,
-        seen: seen.as_ref().map(seen::rows),
+        seen,
         seen_open,
+        hits,
+        influence,
         proofs,
         range,
         range_open,

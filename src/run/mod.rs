@@ -36,6 +36,8 @@ mod engine;
 mod event;
 mod follow;
 mod grazing;
+mod hit;
+mod influence;
 mod lines;
 mod map;
 mod orbit;
@@ -54,10 +56,11 @@ mod status;
 mod stretch;
 mod swept;
 mod table;
+mod told;
 mod tolerance;
 mod validate;
 
-use std::{path::Path, sync::Arc};
+use std::{f64::consts::TAU, path::Path, sync::Arc};
 
 use num_rational::BigRational;
 use serde::Serialize;
@@ -82,6 +85,9 @@ pub(crate) use event::event;
 pub use event::{EventFindings, EventRow, WithoutRow};
 pub(crate) use grazing::grazing;
 pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport, MapNumbers};
+pub use hit::HitRow;
+pub(crate) use hit::StartNumbers;
+pub use influence::InfluenceRow;
 pub(crate) use lines::Lines;
 pub(crate) use map::map;
 #[doc(hidden)]
@@ -311,6 +317,23 @@ pub enum Model {
     Machine(Machine<f64>),
 }
 
+impl Model {
+    fn of(scene: &Scene) -> Result<Model> {
+        Ok(match scene.body {
+            Body::Oscillator(_) => Model::Oscillator(scene.exact(&[])?.rounded()),
+            Body::Machine(_) => Model::Machine(scene.machine(&[])?),
+        })
+    }
+
+    /// The period of the forcing, in the scene's unit of time.
+    fn period(&self) -> f64 {
+        match self {
+            Model::Oscillator(_) => TAU,
+            Model::Machine(machine) => machine.period,
+        }
+    }
+}
+
 impl<'a> Job<'a> {
     /// A task with its scene, all checked that can be checked before it runs.
     ///
@@ -318,12 +341,20 @@ impl<'a> Job<'a> {
     /// Those of [`Scene::for_task`].
     pub fn new(scene: &Scene, task: &'a Task, around: Surroundings<'a>) -> Result<Self> {
         let scene = scene.for_task(task, around.changes)?;
-        let model = match scene.body {
-            Body::Oscillator(_) => Model::Oscillator(scene.exact(&[])?.rounded()),
-            Body::Machine(_) => Model::Machine(scene.machine(&[])?),
-        };
+        let model = Model::of(&scene)?;
         let Surroundings { folder, monitor, .. } = around;
         Ok(Job { task, scene, model, folder, monitor, tally: Arc::default() })
+    }
+
+    /// The same task of the scene with other values of some parameters; what it computes is counted here.
+    ///
+    /// # Errors
+    /// Those of the scene.
+    fn with(&self, values: &[(String, BigRational)]) -> Result<Job<'a>> {
+        let scene = self.scene.with(values)?;
+        let model = Model::of(&scene)?;
+        let Job { task, folder, monitor, .. } = *self;
+        Ok(Job { task, scene, model, folder, monitor, tally: self.tally.clone() })
     }
 
     /// Whether motions of the scene cost little: all forces are linear, and all stops rigid.

@@ -39,10 +39,10 @@ row! {
 }
 
 /// A place, the parameter there, what the motion does, what it is on.
-type Sight<'a, S> = (&'static str, f64, &'static str, Option<&'a OnAttractor<S>>);
+pub(super) type Sight<'a, S> = (&'static str, f64, &'static str, Option<&'a OnAttractor<S>>);
 
 /// What is seen, in order.
-fn sights<S>(seen: &Seen<S>) -> Vec<Sight<'_, S>> {
+pub(super) fn sights<S>(seen: &Seen<S>) -> Vec<Sight<'_, S>> {
     let sides = [("before", &seen.before), ("beyond", &seen.beyond)];
     let beside = sides.map(|(place, Beside { parameter, settled, near })| {
         (place, *parameter, if *near { "stays" } else { "jumps" }, settled.as_ref())

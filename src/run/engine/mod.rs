@@ -17,8 +17,8 @@ use num_rational::BigRational;
 use serde::{Serialize, de::DeserializeOwned};
 
 use super::{
-    Analysed, GrazingMap, Judgement, Keeper, ProofRow, SectionFindings, SimulationFindings, ValidateFindings,
-    range::SideRange,
+    Analysed, GrazingMap, Judgement, Keeper, ProofRow, SectionFindings, SimulationFindings, StartNumbers,
+    ValidateFindings, range::SideRange,
 };
 use crate::{
     attractor::{
@@ -173,6 +173,9 @@ pub(crate) trait Engine {
         cycles: &[(usize, Cycle<<Self::Dynamics as Dynamics>::Point>)],
         found: &mut SectionFindings,
     ) -> Result<()>;
+
+    /// A state as a scene has it.
+    fn numbers(&self, start: &<Self::Dynamics as Dynamics>::Start) -> StartNumbers;
 
     /// Follows the motion of a task.
     fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings>;

@@ -20,7 +20,7 @@ use super::{
 };
 
 /// Columns that are not compared, and why.
-pub const NOT_COMPARED: [(&str, &str); 24] = [
+pub const NOT_COMPARED: [(&str, &str); 27] = [
     ("task", "it is what rows are put together by"),
     ("kind", "it is in the scene"),
     ("place", "a line of the file"),
@@ -48,6 +48,9 @@ pub const NOT_COMPARED: [(&str, &str); 24] = [
         "seen",
         "not asked for: what attracts just beyond a touch may be chaotic; sweeps.rs compares two formats",
     ),
+    ("hits", "of what is seen, and so not asked for"),
+    ("influence", "not asked for: a form's parameters are not the scene's; touches.rs compares both engines"),
+    ("in_words", "the numbers beside it, in sentences"),
 ];
 
 /// Of proofs: texts of a file, and ends of enclosures that need not be the same to be true.

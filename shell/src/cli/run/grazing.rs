@@ -10,6 +10,12 @@ pub(super) fn keep(found: &GrazingReport, job: &Job) -> Result<Vec<String>> {
     if let Some(seen) = &found.seen {
         files.push(job.csv(seen, "-seen.csv")?);
     }
+    if let Some(hits) = &found.hits {
+        files.push(job.csv(hits, "-hits.csv")?);
+    }
+    if let Some(influence) = &found.influence {
+        files.push(job.csv(influence, "-influence.csv")?);
+    }
     files.extend(proofs(found.proofs.as_ref(), job)?);
     Ok(files)
 }

@@ -56,6 +56,8 @@ fn endings(kind: &Kind) -> &'static [Ending] {
         Kind::GrazingTask(task) if task.prove || task.range.0.is_some() => &[
             Fixed(".csv"),
             Fixed("-seen.csv"),
+            Fixed("-hits.csv"),
+            Fixed("-influence.csv"),
             Fixed("-proofs.csv"),
             Fixed("-before.certificate"),
             Fixed("-before-part.certificate"),
@@ -67,7 +69,9 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             Numbered("-beyond-cell", ".certificate"),
             Numbered("", ".certificate"),
         ],
-        Kind::GrazingTask(_) => &[Fixed(".csv"), Fixed("-seen.csv")],
+        Kind::GrazingTask(_) => {
+            &[Fixed(".csv"), Fixed("-seen.csv"), Fixed("-hits.csv"), Fixed("-influence.csv")]
+        }
         Kind::BranchTask(task) if task.prove => &[
             Fixed(".json"),
             Numbered("", ".json"),

@@ -23,7 +23,8 @@ pub use source::{MachineSource, form};
 
 use super::{
     super::{
-        Analysed, Complex, Job, Judgement, Keeper, SectionFindings, SimulationFindings, ValidateFindings,
+        Analysed, Complex, Job, Judgement, Keeper, SectionFindings, SimulationFindings, StartNumbers,
+        ValidateFindings,
     },
     Engine, JudgedOrbit, Prover, RangeProver, StartPlane,
 };
@@ -216,6 +217,10 @@ impl<'j> Engine for Machines<'j> {
         found: &mut SectionFindings,
     ) -> Result<()> {
         sections::further(task, self, planar, cycles, found)
+    }
+
+    fn numbers(&self, start: &section::Start) -> StartNumbers {
+        (start.t, self.machine.displaced(&start.q), self.machine.displaced(&start.u))
     }
 
     fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings> {

@@ -20,7 +20,8 @@ pub use source::OscillatorSource;
 
 use super::{
     super::{
-        Analysed, Complex, Job, Judgement, Keeper, SectionFindings, SimulationFindings, ValidateFindings,
+        Analysed, Complex, Job, Judgement, Keeper, SectionFindings, SimulationFindings, StartNumbers,
+        ValidateFindings,
     },
     Engine, JudgedOrbit, Prover, RangeProver, StartPlane,
 };
@@ -213,6 +214,10 @@ impl<'j> Engine for Oscillators<'j> {
         found: &mut SectionFindings,
     ) -> Result<()> {
         sections::further(task, self, simulator, cycles, found)
+    }
+
+    fn numbers(&self, &State { t, q, u }: &State) -> StartNumbers {
+        (t, vec![q], vec![u])
     }
 
     fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings> {
