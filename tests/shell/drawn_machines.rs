@@ -124,13 +124,15 @@ fn every_example_is_drawn_and_its_matrices_come_back() {
 fn random_scene(random: &mut Random, size: usize) -> String {
     let mut number = |most: f64| (random.bits() as f64 / (1u64 << 63) as f64 - 1.0) * most;
     let mut matrix = |diagonal: f64, others: f64, symmetric: bool| {
-        let mut all = vec![vec![0.0; size]; size];
+        let mut all: Vec<Vec<f64>> = Vec::new();
         for i in 0..size {
-            for j in 0..size {
+            let entry = |j: usize| {
                 let x = if i == j { diagonal + number(diagonal / 2.0) } else { number(others) };
                 let kept = if symmetric && j < i { all[j][i] } else { x };
-                all[i][j] = if kept.abs() < others / 3.0 { 0.0 } else { kept };
-            }
+                if kept.abs() < others / 3.0 { 0.0 } else { kept }
+            };
+            let row = (0..size).map(entry).collect();
+            all.push(row);
         }
         let row = |row: &Vec<f64>| row.iter().map(|x| format!("{x:.2}")).collect::<Vec<_>>().join(", ");
         format!("[{}]", all.iter().map(|one| format!("[{}]", row(one))).collect::<Vec<_>>().join(", "))
@@ -187,7 +189,7 @@ fn what_is_not_drawn_is_said() {
     assert!(svg.contains("not drawn, but in the data: coordinates q13 to q40"), "{svg}");
     let full: Vec<String> =
         (0..9).map(|i| format!("[{}]", vec![format!("{}", i + 1); 9].join(", "))).collect();
-    let ones = vec!["1"; 9].join(", ");
+    let ones = ["1"; 9].join(", ");
     let full = full.join(", ");
     fs::write(&path, format!("{head}mass = {{ diagonal = [{ones}] }}\nstiffness = [{full}]\n")).unwrap();
     let (_, svg) = drawn(&path, true);

@@ -92,6 +92,8 @@ mod tests {
             let (canvas, other) = drawn(&picture(&wrong));
             assert!(said(&other).contains(remark), "{remark}:\n{}", said(&other));
             assert!(red(&canvas) >= 2 && said(&other) != said(&rows), "{remark}");
+            let drawn = canvas.svg().contains("stroke=\"#d55e00\"");
+            assert!(drawn, "{remark}: in words alone");
         }
     }
 

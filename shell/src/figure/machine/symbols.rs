@@ -187,6 +187,6 @@ pub(super) fn draw(canvas: &mut Canvas, mark: Mark, level: Level, wrong: bool, g
 pub(super) fn rough(canvas: &mut Canvas, level: Level) {
     let count = ((level.right - level.left) / 2.5).round().max(2.0) as usize;
     let step = (level.right - level.left) / count as f64;
-    let at = |i: usize| (level.left + i as f64 * step, level.y + if i % 2 == 0 { 0.0 } else { 1.6 });
+    let at = |i: usize| (level.left + i as f64 * step, level.y + if i.is_multiple_of(2) { 0.0 } else { 1.6 });
     canvas.line((0..=count).map(at).collect(), line(BLACK, PEN));
 }
