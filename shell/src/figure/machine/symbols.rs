@@ -42,7 +42,7 @@ impl Level {
     }
 }
 
-/// A wall or floor: its line, and hatches to the left of it on its way.
+/// A wall or floor: its line, and hatches to the right of it on its way.
 pub(super) fn hatched(canvas: &mut Canvas, from: At, to: At) {
     let stroke = line(BLACK, PEN);
     canvas.line(vec![from, to], line(BLACK, 1.2));
@@ -52,7 +52,7 @@ pub(super) fn hatched(canvas: &mut Canvas, from: At, to: At) {
     let hatch = |i: usize| {
         let at = (i as f64 + 0.8) * length / count as f64;
         let (px, py) = (from.0 + x * at, from.1 + y * at);
-        vec![(px, py), (px + 3.0 * y - 2.0 * x, py - 3.0 * x - 2.0 * y)]
+        vec![(px, py), (px - 3.0 * y - 2.0 * x, py + 3.0 * x - 2.0 * y)]
     };
     canvas.lines((0..count).map(hatch).collect(), stroke);
 }
