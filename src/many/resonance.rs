@@ -27,6 +27,8 @@ pub(crate) struct FreeResponse {
     motions: Vec<[Series; 2]>,
     /// How many of them are coordinates.
     points: usize,
+    /// Whether a mode without stiffness leaves open about what they move: here 0.
+    floats: bool,
 }
 
 /// A peak of a harmonic's amplitude.
@@ -130,8 +132,14 @@ impl FreeResponse {
     pub fn at(family: AtValue, value: f64) -> Result<Option<FreeResponse>> {
         let (machine, slope, equations) = linear(family, value)?;
         let slopes = slopes(family, value, &machine, &slope)?;
-        let Ok(motion) = equations.response() else { return Ok(None) };
-        let Ok(drift) = equations.response_slope(&motion, &slopes) else { return Ok(None) };
+        let known = equations.response();
+        let floats = known.is_err();
+        let Ok(motion) = known.or_else(|_| equations.response_about_0()) else { return Ok(None) };
+        let drift = match floats {
+            true => equations.slope_about_0(&motion, &slopes),
+            false => equations.response_slope(&motion, &slopes),
+        };
+        let Ok(drift) = drift else { return Ok(None) };
         let still = Series::ZERO;
         let of = |row: &RealVector, row_slope: &RealVector, place: &Series, place_slope: &Series| {
             let here = Series::combination(&[(1.0, &motion.series(row)?), (-1.0, place)]);
@@ -149,7 +157,7 @@ impl FreeResponse {
         let gaps = contacts.iter().zip(&slopes.stops);
         let gaps = gaps.map(|(contact, (row, place))| of(&contact.row, row, &contact.position, place));
         let motions = coordinates.chain(gaps).collect::<Result<_>>()?;
-        Ok(Some(FreeResponse { motions, points }))
+        Ok(Some(FreeResponse { motions, points, floats }))
     }
 
     /// The coefficients of a harmonic's cosine and sine, of each coordinate and gap.
@@ -168,6 +176,12 @@ impl FreeResponse {
         let least = |z: &Series| minima(z).into_iter().map(|found| found.1).fold(z.at(0.0)[0], f64::min);
         let one = |[z, _]: &[Series; 2]| [least(z), -least(&Series::combination(&[(-1.0, z)]))];
         self.motions.iter().map(one).collect()
+    }
+
+    /// Whether a mode without stiffness leaves open about what the displacements move: then about 0, and gaps
+    /// are not known.
+    pub fn floats(&self) -> bool {
+        self.floats
     }
 
     /// How many of the displacements are coordinates; the others are gaps.

@@ -46,14 +46,41 @@ impl LinearEquations {
         self.solve(ks, |k| self.force.amplitude(k))
     }
 
+    /// The same with a mean of 0: the motion about a place that a mode without stiffness leaves open.
+    ///
+    /// # Errors
+    /// An input error at a resonance without damping, and where a constant force drives the mode away.
+    pub(crate) fn response_about_0(&self) -> Result<Periodic> {
+        let mean = &self.force.mean;
+        // What a constant force does not do in displacements of size 1 it does not do at all.
+        let held = self.stiffness.clone().svd(true, true).solve(mean, f64::EPSILON * self.stiffness.norm());
+        let left = held.map_or(f64::INFINITY, |held| (&self.stiffness * held - mean).amax());
+        if left.is_nan() || left > 1e-10 * mean.amax() {
+            return Err(Error::input("a constant force drives a mode without stiffness away"));
+        }
+        self.solve(self.force.harmonics.iter().map(|known| known.0), |k| self.force.amplitude(k))
+    }
+
     /// The derivative in a parameter of the periodic motion `motion`:
     /// (K − k²M + ikC) z_k′ = f_k′ − (K′ − k²M′ + ikC′) z_k.
     ///
     /// # Errors
     /// As [`response`](Self::response).
     pub(crate) fn response_slope(&self, motion: &Periodic, slope: &Slope) -> Result<Periodic> {
+        self.slope_of(motion, slope, true)
+    }
+
+    /// That of a motion about 0: its mean is left out.
+    ///
+    /// # Errors
+    /// As [`response_about_0`](Self::response_about_0).
+    pub(crate) fn slope_about_0(&self, motion: &Periodic, slope: &Slope) -> Result<Periodic> {
+        self.slope_of(motion, slope, false)
+    }
+
+    fn slope_of(&self, motion: &Periodic, slope: &Slope, with_mean: bool) -> Result<Periodic> {
         let both = motion.harmonics.iter().chain(&slope.force.harmonics).map(|known| known.0);
-        let mut ks: Vec<u32> = std::iter::once(0).chain(both).collect();
+        let mut ks: Vec<u32> = with_mean.then_some(0).into_iter().chain(both).collect();
         ks.sort_unstable();
         ks.dedup();
         let changed = |k| dynamic(k, &slope.mass, &slope.damping, &slope.stiffness) * motion.amplitude(k);

@@ -129,8 +129,12 @@ pub struct ResponseFindings {
     pub peaks: Vec<PeakRow>,
     /// Where it reaches a stop.
     pub contact: Vec<ContactRow>,
-    /// Values without a linear response: a mode without damping resonates.
+    /// Values without a linear response: a mode without damping resonates, or a constant force drives one
+    /// without stiffness away.
     pub resonant: Vec<f64>,
+    /// Values at which a mode without stiffness leaves open about what the linear response moves: no stop is
+    /// known to be reached there.
+    pub floating: Vec<f64>,
     /// Where each coordinate and gap is seen to swing most, each way; none where only the linear response is
     /// asked for or is what is seen.
     pub highest: Option<Vec<HighestRow>>,
@@ -158,6 +162,18 @@ impl Finding for ResponseFindings {
             false => Status::Done,
             true => Status::nothing("at no value is there a response"),
         }
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        let at = self.floating.first().map(|first| {
+            format!(
+                "at {} of {} values, the first {first}, a mode without stiffness leaves open about what the linear response \
+                 moves: whether it reaches a stop is not told",
+                self.floating.len(),
+                self.values
+            )
+        });
+        at.into_iter().collect()
     }
 
     fn lines(&self, lines: &mut Lines) {
@@ -206,11 +222,14 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
     let values: Vec<f64> = (0..task.count).map(|i| value(&task.range, i, task.count)).collect();
     let [machine, _] = at(values[0])?;
     let (names, k) = (names(&machine), task.harmonic);
-    let (mut rows, mut resonant) = (Vec::new(), Vec::new());
+    let (mut rows, mut resonant, mut floating) = (Vec::new(), Vec::new(), Vec::new());
     job.monitor.begin(values.len() as u64, "values, linear");
     for &value in &values {
         match FreeResponse::at(&at, value)? {
-            Some(free) => rows.extend(linear_rows(value, &free, &names, &machine, k)),
+            Some(free) => {
+                floating.extend(free.floats().then_some(value));
+                rows.extend(linear_rows(value, &free, &names, &machine, k));
+            }
             None => resonant.push(value),
         }
         job.monitor.advance(1)?;
@@ -228,6 +247,7 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
         peaks,
         contact,
         resonant,
+        floating,
         highest: None,
         backbone: None,
         sweep: None,
@@ -235,7 +255,8 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
         rows,
     };
     let is_linear = !machine.is_smooth() && job.system().map_or(true, |system| system.cubic == 0.0);
-    let same = is_linear && machine.friction.is_empty() && found.contact.is_empty();
+    let clear = found.contact.is_empty() && (found.floating.is_empty() || machine.stops.is_empty());
+    let same = is_linear && machine.friction.is_empty() && clear;
     let found = match task.seen.unwrap_or(!same) {
         true => followed(task, job, engine, &names, found)?,
         false => found,
@@ -341,7 +362,8 @@ fn linear_rows(
 ) -> Vec<ResponseRow> {
     let (extents, harmonics) = (free.extents(), free.harmonics(k));
     let size = extents.iter().map(|extent| half(*extent)).fold(0.0, f64::max);
-    let met = extents[free.points()..].iter().zip(&machine.stops).filter(|(gap, _)| gap[0] <= 0.0);
+    let gaps = extents[free.points()..].iter().filter(|_| !free.floats());
+    let met = gaps.zip(&machine.stops).filter(|(gap, _)| gap[0] <= 0.0);
     let stop = met.min_by(|a, b| a.0[0].total_cmp(&b.0[0])).map(|(_, stop)| stop.name.clone());
     let row = |(name, (extent, harmonic)): (&String, (&[f64; 2], [f64; 2]))| {
         let (amplitude, lag) = polar(harmonic, size);

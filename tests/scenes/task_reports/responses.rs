@@ -447,6 +447,33 @@ fn a_formula_is_linearised_at_rest() {
     }
 }
 
+/// Two masses on a spring, free in space: the force moves their relative coordinate as one mass, wherever
+/// they are. Pushed by a constant force they stay nowhere.
+#[test]
+fn a_machine_that_floats_has_its_harmonics() {
+    let scene = |force: &str| {
+        format!(
+            "[parameters]\nw = 1\n[system]\nperiod = \"2*pi/w\"\nmass = {{ diagonal = [1, 3] }}\n\
+             damping = [[0.2, -0.2], [-0.2, 0.2]]\nstiffness = [[2, -2], [-2, 2]]\nforce = {force}\n\
+             forcing = [{{ cos = [1, 0] }}]\n[[stops]]\nname = \"near\"\nrow = [-1, 1]\noffset = -50\nrestitution = 1\n{}",
+            task("w", [0.5, 3.0], 11, "seen = false")
+        )
+    };
+    for force in ["[0, 0]", "[0.3, -0.3]"] {
+        let found = found(&scene(force));
+        assert_eq!((found.floating.len(), found.resonant.len(), found.contact.len()), (11, 0, 0));
+        for row in rows(&found, "linear", "gap near") {
+            // The reduced mass is 3/4, and three quarters of the force are felt.
+            let w = row.value;
+            let exact = -0.75 / Complex::new(2.0 - 0.75 * w * w, 0.2 * w);
+            assert!((z(row) - exact).norm() < 1e-12 * exact.norm(), "{row:?} {exact}");
+        }
+        assert_eq!(found.peaks.iter().filter(|row| row.coordinate == "gap near").count(), 1);
+    }
+    let pushed = found(&scene("[0.3, 0]"));
+    assert_eq!((pushed.resonant.len(), pushed.rows.len()), (11, 0));
+}
+
 /// What a formula does not say of the drive is not looked for at a few phases: harmonic 50, too.
 #[test]
 fn forcing_beside_a_formula_keeps_its_harmonics() {
