@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 
 use crate::{
     error::Result,
-    motion::{RunEnd, Time},
+    motion::{Event, RunEnd, Time, event::Place},
 };
 
 /// A machine with one coordinate and rigid stops.
@@ -26,6 +26,9 @@ pub trait Resting {
     /// # Errors
     /// Those of the engine.
     fn bend(&self, stop: usize, phase: f64) -> Result<f64>;
+
+    /// The highest harmonic that is known to act.
+    fn order(&self) -> u32;
 
     /// Follows the motion that rests on a stop at a time until another, each event told, or until it is told
     /// to end.
@@ -52,6 +55,27 @@ pub enum RestEvent {
     Rest(Time, usize),
     /// A stop lets go.
     Release(Time, usize),
+}
+
+/// Tells of an engine's events until it is told to end; `stop` is the place of a stop to rest on.
+pub(crate) fn tell<P: Place>(
+    mut next: impl FnMut() -> Event<P>,
+    stop: impl Fn(P) -> Option<usize>,
+    each: &mut dyn FnMut(RestEvent) -> bool,
+) -> RunEnd {
+    loop {
+        let event = match next() {
+            Event::Impact(impact) => Some(RestEvent::Impact(impact.time, impact.velocity.abs())),
+            Event::Tangency(tangency) => Some(RestEvent::Tangency(tangency.time)),
+            Event::Stick(stick) => stop(stick.place).map(|stop| RestEvent::Rest(stick.time, stop)),
+            Event::Release(release) => stop(release.place).map(|stop| RestEvent::Release(release.time, stop)),
+            Event::Touch(_) | Event::Reversal(_) => None,
+            Event::End(end) => return end,
+        };
+        if event.is_some_and(|event| !each(event)) {
+            return RunEnd::Reached;
+        }
+    }
 }
 
 /// Where a stop lets go of what rests on it.
@@ -89,6 +113,8 @@ pub struct Flight {
 pub enum NoRest {
     /// It rests on this stop for ever, which presses at all phases.
     ForEver(usize),
+    /// It is not let go there: where the stop presses least, nothing is left to throw it off.
+    Held,
     /// Not within the time allowed.
     Late,
     /// It is followed no farther.
@@ -119,9 +145,10 @@ pub struct Rests {
     pub for_ever: Vec<usize>,
 }
 
-/// Into how many parts a period is cut to find where a stop presses. What presses or lets go for less than
-/// such a part may be missed.
-pub const PARTS: u32 = 4096;
+/// Into how many parts a period is cut to find where a stop presses, and so many for each harmonic if that is
+/// more. What presses or lets go for less than such a part may be missed.
+const PARTS: u32 = 4096;
+const PARTS_OF_HARMONIC: u32 = 64;
 /// How often a part is halved.
 const HALVINGS: u32 = 60;
 /// A motion begins at rest so much before its release, as a part of the period, or half of what is there.
@@ -132,7 +159,8 @@ const NEAR: f64 = 1e-6;
 impl Rests {
     /// Of a machine; a motion is followed for so many periods after a release.
     ///
-    /// Cost: `PARTS` accelerations for each stop, and one motion of up to `periods` periods for each release.
+    /// Cost: 4096 accelerations for each stop, or 64 for each harmonic up to the highest if these are more,
+    /// and one motion of up to `periods` periods for each release.
     ///
     /// # Errors
     /// Those of the engine.
@@ -160,9 +188,10 @@ enum Pressing {
 
 /// Where it lets go.
 fn pressing(machine: &dyn Resting, stop: usize) -> Result<Pressing> {
-    let at = |i: u32| TAU * f64::from(i) / f64::from(PARTS);
+    let parts = PARTS.max(PARTS_OF_HARMONIC.saturating_mul(machine.order()));
+    let at = |i: u32| TAU * f64::from(i) / f64::from(parts);
     let presses = |phase: f64| Ok(machine.bend(stop, phase)? < 0.0);
-    let all = (0..PARTS).map(|i| presses(at(i))).collect::<Result<Vec<bool>>>()?;
+    let all = (0..parts).map(|i| presses(at(i))).collect::<Result<Vec<bool>>>()?;
     if all.iter().all(|&here| here) {
         return Ok(Pressing::Always);
     }
@@ -176,12 +205,12 @@ fn pressing(machine: &dyn Resting, stop: usize) -> Result<Pressing> {
         }
         Ok(lo)
     };
-    let is = |i: u32| all[(i % PARTS) as usize];
+    let is = |i: u32| all[(i % parts) as usize];
     let mut found = Vec::new();
-    for i in (0..PARTS).filter(|&i| is(i) && !is(i + 1)) {
+    for i in (0..parts).filter(|&i| is(i) && !is(i + 1)) {
         // Back to where it begins to press.
-        let begin = (1..PARTS).find(|&back| !is(i + PARTS - back)).unwrap_or(PARTS - 1);
-        let begin = turn((i + PARTS - begin) % PARTS)?;
+        let begin = (1..parts).find(|&back| !is(i + parts - back)).unwrap_or(parts - 1);
+        let begin = turn((i + parts - begin) % parts)?;
         let phase = turn(i)?;
         found.push(Release { stop, phase, pressed: (phase - begin).rem_euclid(TAU) });
     }
@@ -207,12 +236,16 @@ fn flight(
         fastest: 0.0,
         tangencies: 0,
     };
+    let is_at = |one: &Release, time: Time, stop: usize| {
+        let apart = (one.phase - time.phase + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
+        one.stop == stop && apart.abs() <= NEAR
+    };
     let mut left: Option<Time> = None;
     let mut resting: Option<(Time, usize)> = None;
     let end = machine.follow(release.stop, begin, until, &mut |event| {
         match (event, left) {
             // On its stop still.
-            (RestEvent::Release(time, _), None) => left = Some(time),
+            (RestEvent::Release(time, stop), None) if is_at(&release, time, stop) => left = Some(time),
             (_, None) => {}
             (RestEvent::Impact(_, speed), _) => {
                 resting = None;
@@ -228,10 +261,7 @@ fn flight(
                 }
             }
             (RestEvent::Release(time, stop), Some(left)) => {
-                let next = releases.iter().position(|one| {
-                    let apart = (one.phase - time.phase + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
-                    one.stop == stop && apart.abs() <= NEAR
-                });
+                let next = releases.iter().position(|one| is_at(one, time, stop));
                 if let (Some(next), Some((begin, _))) = (next, resting) {
                     found.next = Ok(next);
                     found.duration = time.since(left);
@@ -242,8 +272,10 @@ fn flight(
         }
         true
     })?;
-    if end != RunEnd::Reached && found.next == Err(NoRest::Late) {
-        found.next = Err(NoRest::Ended(end));
+    match (end, left) {
+        (RunEnd::Reached, None) => found.next = Err(NoRest::Held),
+        (end, _) if end != RunEnd::Reached => found.next = Err(NoRest::Ended(end)),
+        _ => {}
     }
     Ok(found)
 }

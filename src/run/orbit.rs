@@ -1,5 +1,6 @@
 //! Tasks of kind `orbit`: periodic orbits of a pattern.
 
+use num_rational::BigRational;
 use serde::Serialize;
 
 use super::{
@@ -35,6 +36,26 @@ row! {
     }
 }
 
+/// How a task ends that looks for something at so many values, or at the scene's own.
+pub(super) fn status(what: &str, missing: &[MissingRow], values: usize) -> Status {
+    match missing {
+        [] => Status::Done,
+        [MissingRow { value: None, reason }] => Status::nothing(reason.clone()),
+        [first, ..] => Status::nothing(format!(
+            "no {what} at {} of {values} values; at {}: {}",
+            missing.len(),
+            first.value.unwrap_or(f64::NAN),
+            first.reason
+        )),
+    }
+}
+
+/// The values of a parameter that a task goes through, or the scene's own.
+pub(super) fn places<'t>(parameter: Option<&'t str>, values: &[BigRational]) -> Vec<Option<(&'t str, f64)>> {
+    let value = |value| Plain::ratio(value, &()).0;
+    parameter.map_or_else(|| vec![None], |name| values.iter().map(|x| Some((name, value(x)))).collect())
+}
+
 /// The orbits that were found, and where there are none.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OrbitFindings {
@@ -49,17 +70,7 @@ pub struct OrbitFindings {
 
 impl Finding for OrbitFindings {
     fn status(&self) -> Status {
-        match self.missing.as_slice() {
-            [] => Status::Done,
-            [MissingRow { value: None, reason }] => Status::nothing(reason.clone()),
-            [first, ..] => Status::nothing(format!(
-                "no solution at {} of {} values; at {}: {}",
-                self.missing.len(),
-                self.values,
-                first.value.unwrap_or(f64::NAN),
-                first.reason
-            )),
-        }
+        status("solution", &self.missing, self.values)
     }
 
     fn lines(&self, lines: &mut Lines) {
@@ -79,12 +90,7 @@ pub(crate) fn orbit(task: &OrbitTask, job: &Job) -> Result<OrbitFindings> {
 }
 
 fn of<E: Engine>(task: &OrbitTask, job: &Job, engine: &E) -> Result<OrbitFindings> {
-    let places: Vec<Option<(&str, f64)>> = match &task.parameter {
-        None => vec![None],
-        Some(name) => {
-            task.values.iter().map(|value| Some((name.as_str(), Plain::ratio(value, &()).0))).collect()
-        }
-    };
+    let places = places(task.parameter.as_deref(), &task.values);
     let (mut orbits, mut missing, values) = (Vec::new(), Vec::new(), places.len());
     job.monitor.begin(values as u64, "values");
     for place in places {

@@ -7,13 +7,12 @@ use serde::Serialize;
 use super::{
     Finding, Job, Judgement, Lines, Status,
     engine::{Engine, by_engine},
-    orbit::MissingRow,
+    orbit::{MissingRow, places, status},
     row,
 };
 use crate::{
     attractor::rest::{Flight, NoRest, RestOrbit, Rests},
     error::Result,
-    number::{Plain, Real},
     scene::rest::RestTask,
 };
 
@@ -84,17 +83,7 @@ const SHORT: f64 = 1e-9;
 
 impl Finding for RestFindings {
     fn status(&self) -> Status {
-        match self.missing.as_slice() {
-            [] => Status::Done,
-            [MissingRow { value: None, reason }] => Status::nothing(reason.clone()),
-            [first, ..] => Status::nothing(format!(
-                "no periodic motion that rests at {} of {} values; at {}: {}",
-                self.missing.len(),
-                self.values,
-                first.value.unwrap_or(f64::NAN),
-                first.reason
-            )),
-        }
+        status("periodic motion that rests", &self.missing, self.values)
     }
 
     fn lines(&self, lines: &mut Lines) {
@@ -119,12 +108,7 @@ pub(crate) fn rest(task: &RestTask, job: &Job) -> Result<RestFindings> {
 }
 
 fn of<E: Engine>(task: &RestTask, job: &Job, engine: &E) -> Result<RestFindings> {
-    let places: Vec<Option<(&str, f64)>> = match &task.parameter {
-        None => vec![None],
-        Some(name) => {
-            task.values.iter().map(|value| Some((name.as_str(), Plain::ratio(value, &()).0))).collect()
-        }
-    };
+    let places = places(task.parameter.as_deref(), &task.values);
     let mut found =
         RestFindings { orbits: Vec::new(), releases: Vec::new(), missing: Vec::new(), values: places.len() };
     job.monitor.begin(places.len() as u64, "values");
@@ -203,6 +187,7 @@ fn none(rests: &Rests, names: &[String], periods: u32) -> String {
 fn reason(why: NoRest, names: &[String], periods: u32) -> String {
     match why {
         NoRest::ForEver(stop) => format!("it rests on stop {} for ever", names[stop]),
+        NoRest::Held => "it is not let go there: the stop presses least at that phase, to rounding".into(),
         NoRest::Late => format!("it does not come to rest within {periods} periods"),
         NoRest::Ended(end) => format!("it ended {}", end.why()),
     }

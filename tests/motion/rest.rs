@@ -290,6 +290,35 @@ fn rests_do_not_change_with_the_form_of_the_scene() {
     }
 }
 
+/// A wall that moves a thousand times in the scene's period: in a thousandth of it all is as with one that
+/// moves once.
+#[test]
+fn fast_walls_let_go_as_slow_ones_do() {
+    let mut slow = None;
+    for k in [1, 250, 1000] {
+        for engine in ["one", "many"] {
+            let shake = 1.2 / f64::from(k * k);
+            let text = format!(
+                "format = \"grazing-scene 3\"\ntitle = \"t\"\nengine = \"{engine}\"\n[system]\nforce = \
+                 -1\n[[stops]]\nside = \"lower\"\noffset = 0\nharmonics = [{{ k = {k}, sin = {shake:e} \
+                 }}]\nrestitution = 0.5\n[[tasks]]\nname = \"r\"\n{TASK}\n"
+            );
+            let found = found(&text);
+            assert_eq!(found.releases.len(), k as usize);
+            for (i, row) in (0..).zip(&found.releases) {
+                let phase = ((1.0 / 1.2f64).asin() / TAU + f64::from(i)) / f64::from(k);
+                near(row.phase, phase, 1e-9 / f64::from(k));
+                near(row.next_phase.unwrap(), phase + 1.0 / f64::from(k), 1e-9);
+                assert!((row.after.unwrap() * f64::from(k) - 1.0).abs() < 1e-6, "{row:?}");
+            }
+            let [orbit] = &found.orbits[..] else { panic!("{:?}", found.orbits) };
+            assert_eq!((orbit.period, orbit.released.len()), (1, k as usize));
+            let slow = *slow.get_or_insert(orbit.resting);
+            assert!((orbit.resting - slow).abs() < 1e-5, "{k} {engine}: {} {slow}", orbit.resting);
+        }
+    }
+}
+
 /// What does not rest, what rests for ever, and what is never let go.
 #[test]
 fn where_nothing_rests_periodically_why_is_said() {
@@ -297,9 +326,12 @@ fn where_nothing_rests_periodically_why_is_said() {
         Shaken { damping: 0.2, stiffness: 0.1, force: -1.0, drive: 0.0, shake: 0.5, second: 0.0, tau: 0.5 };
     let lifted = Shaken { force: 3.0, ..still };
     let bounces = Shaken { shake: 2.3, second: 0.0, tau: 1.0, ..still };
+    // The force of contact just falls to 0, and grows again.
+    let held = Shaken { damping: 0.0, stiffness: 0.0, shake: 1.0, ..still };
     for (machine, why) in [
         (still, "nothing that rests is let go: stop lower presses at all phases"),
         (lifted, "nothing rests: no stop presses at any phase"),
+        (held, "it is not let go there"),
         (bounces, "it does not come to rest within 40 periods"),
     ] {
         let report = run(&machine.text("one", TASK));

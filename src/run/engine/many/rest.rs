@@ -1,12 +1,9 @@
 //! Motions of a machine with one coordinate that rest on a stop.
 
 use crate::{
-    attractor::rest::{RestEvent, Resting},
+    attractor::rest::{RestEvent, Resting, tell},
     error::Result,
-    many::{
-        RealVector, State,
-        simulate::{Event, Simulator},
-    },
+    many::{RealVector, State, simulate::Simulator},
     motion::{RunEnd, Time},
 };
 
@@ -38,6 +35,11 @@ impl Resting for RestingMachine {
         Ok(contact.row.dot(&acceleration) - contact.position.at(phase)[2])
     }
 
+    fn order(&self) -> u32 {
+        let stops = self.0.contacts().all().iter().map(|stop| stop.position.order());
+        stops.fold(self.0.equations().force.order(), u32::max)
+    }
+
     fn follow(
         &self,
         stop: usize,
@@ -47,26 +49,8 @@ impl Resting for RestingMachine {
     ) -> Result<RunEnd> {
         let State { q, u, .. } = self.state(stop, from.phase);
         let mut run = self.0.start(from, q.as_slice(), u.as_slice())?;
-        let is_soft = |stop: usize| self.0.contacts().all()[stop].soft.is_some();
-        loop {
-            let event = match run.next(until) {
-                Event::Impact(impact) => RestEvent::Impact(impact.time, impact.velocity.abs()),
-                Event::Tangency(tangency) => RestEvent::Tangency(tangency.time),
-                Event::Stick(stick) => RestEvent::Rest(stick.time, stick.place),
-                Event::Release(release) if !is_soft(release.place) => {
-                    RestEvent::Release(release.time, release.place)
-                }
-                Event::Release(_) | Event::Touch(_) | Event::Reversal(_) => continue,
-                Event::End(end) => {
-                    return match run.failure() {
-                        Some(error) => Err(error),
-                        None => Ok(end),
-                    };
-                }
-            };
-            if !each(event) {
-                return Ok(RunEnd::Reached);
-            }
-        }
+        let rigid = |stop: usize| self.0.contacts().all()[stop].soft.is_none().then_some(stop);
+        let end = tell(|| run.next(until), rigid, each);
+        run.failure().map_or(Ok(end), Err)
     }
 }

@@ -225,15 +225,15 @@ impl<'j> Engine for Oscillators<'j> {
     }
 
     fn resting(&self, change: Option<(&str, f64)>) -> Result<(Box<dyn Resting>, Vec<String>, f64)> {
-        let simulator = match change {
-            None => self.job.simulator()?,
-            Some(change) => self.job.simulator_of(&self.job.scene.plain(&[change])?)?,
-        };
+        let changed = change.map(|change| self.job.scene.plain(&[change])).transpose()?;
+        let system = changed.as_ref().unwrap_or(self.system);
+        let simulator = self.job.simulator_of(system)?;
+        let order = system.forcing.iter().map(|harmonic| harmonic.k).max().unwrap_or(0);
         let stops = self.job.scene.stops.iter();
         let (names, stops) = stops
             .filter_map(|stop| Some((stop.name.clone(), simulator.contact(stop.side?)?.clone())))
             .unzip();
-        Ok((Box::new(RestingOscillator::new(simulator, stops)), names, 1.0))
+        Ok((Box::new(RestingOscillator::new(simulator, stops, order)), names, 1.0))
     }
 
     fn machines(&self, family: &SceneFamily, value: f64) -> Result<[Machine<f64>; 2]> {

@@ -1,9 +1,9 @@
 //! Motions of an oscillator that rest on a stop.
 
 use crate::{
-    attractor::rest::{RestEvent, Resting},
+    attractor::rest::{RestEvent, Resting, tell},
     error::Result,
-    motion::{Contact, Event, RunEnd, State, Time},
+    motion::{Contact, RunEnd, State, Time},
     one::simulate::Simulator,
 };
 
@@ -11,12 +11,14 @@ use crate::{
 pub(super) struct RestingOscillator {
     simulator: Simulator,
     stops: Vec<Contact>,
+    order: u32,
 }
 
 impl RestingOscillator {
-    /// With these stops of it, in the scene's order.
-    pub fn new(simulator: Simulator, stops: Vec<Contact>) -> RestingOscillator {
-        RestingOscillator { simulator, stops }
+    /// With these stops of it, in the scene's order; the forcing has harmonics up to `order`.
+    pub fn new(simulator: Simulator, stops: Vec<Contact>, order: u32) -> RestingOscillator {
+        let order = stops.iter().map(|stop| stop.position.order()).fold(order, u32::max);
+        RestingOscillator { simulator, stops, order }
     }
 
     /// What rests on a stop.
@@ -35,6 +37,10 @@ impl Resting for RestingOscillator {
         Ok(self.stops[stop].acceleration(self.simulator.flow(), self.state(stop, phase)))
     }
 
+    fn order(&self) -> u32 {
+        self.order
+    }
+
     fn follow(
         &self,
         stop: usize,
@@ -44,19 +50,7 @@ impl Resting for RestingOscillator {
     ) -> Result<RunEnd> {
         let State { q, u, .. } = self.state(stop, from.phase);
         let mut run = self.simulator.start(from, q, u)?;
-        let place = |side| self.stops.iter().position(|stop| stop.side == side).unwrap_or_default();
-        loop {
-            let event = match run.next(until) {
-                Event::Impact(impact) => RestEvent::Impact(impact.time, impact.velocity.abs()),
-                Event::Tangency(tangency) => RestEvent::Tangency(tangency.time),
-                Event::Stick(stick) => RestEvent::Rest(stick.time, place(stick.place)),
-                Event::Release(release) => RestEvent::Release(release.time, place(release.place)),
-                Event::Touch(_) | Event::Reversal(_) => continue,
-                Event::End(end) => return Ok(end),
-            };
-            if !each(event) {
-                return Ok(RunEnd::Reached);
-            }
-        }
+        let place = |side| self.stops.iter().position(|stop| stop.side == side);
+        Ok(tell(|| run.next(until), place, each))
     }
 }
