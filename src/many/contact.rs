@@ -8,12 +8,13 @@
 //!
 //! a linear complementarity problem. D is symmetric and positive semidefinite, and positive definite unless
 //! rows are dependent: then the problem has exactly one solution, and otherwise one w⁺. The velocities change
-//! by M⁻¹WᵀΛ. Friction takes no part: its forces are bounded, and an impact takes no time. Its rows are here
-//! because what sticks is held as what rests on a stop is. For one stop it is w⁺ = −τ w⁻. For several it is a
+//! by M⁻¹WᵀΛ. Friction under a given normal force takes no part: its forces are bounded, and an impact takes
+//! no time. Its rows are here because what sticks is held as what rests on a stop is. Where the normal force
+//! is a stop's, friction acts with it (`lean`). For one stop it is w⁺ = −τ w⁻. For several it is a
 //! choice: hits in quick succession, in whatever order, may end otherwise. `ImpactLaw::order_matters` says
 //! whether they would.
 
-use super::{LinearEquations, RealMatrix, RealVector, Rub, SpeedLaw, State};
+use super::{Grip, LinearEquations, RealMatrix, RealVector, Rub, SpeedLaw, State};
 use crate::{
     error::{Error, Result},
     motion::Series,
@@ -137,15 +138,30 @@ pub(crate) struct Watch {
 }
 
 impl Watch {
+    /// Nothing but a constant, of n coordinates.
+    pub(super) fn constant(n: usize, value: f64) -> Watch {
+        Watch { places: RealVector::zeros(n), rates: RealVector::zeros(n), given: Series::constant(value) }
+    }
+
     /// `most` less this times a sign.
     pub(super) fn below(&self, most: f64, sign: f64) -> Watch {
         let given = Series::combination(&[(1.0, &Series::constant(most)), (-sign, &self.given)]);
         Watch { places: &self.places * -sign, rates: &self.rates * -sign, given }
     }
+
+    /// This and another one times a factor.
+    pub(super) fn with(&self, factor: f64, other: &Watch) -> Watch {
+        let given = Series::combination(&[(1.0, &self.given), (factor, &other.given)]);
+        Watch {
+            places: &self.places + &other.places * factor,
+            rates: &self.rates + &other.rates * factor,
+            given,
+        }
+    }
 }
 
 /// Most stops at one instant for which all choices of those that act are tried.
-const MOST_TRIED: usize = 12;
+pub(super) const MOST_TRIED: usize = 12;
 
 impl Contacts {
     /// The stops of a machine with these equations.
@@ -220,8 +236,8 @@ impl Contacts {
         sum
     }
 
-    /// Newton's law for the stops touched, the rates of whose gaps are `rates`. Cost: O(2^m m³) for m ≤ 12
-    /// stops.
+    /// Newton's law for the stops touched, the rates of whose gaps are `rates`, without friction. Cost: O(2^m
+    /// m³) for m ≤ 12 stops.
     ///
     /// # Errors
     /// More than 12 stops with dependent rows for which no solution was found.
@@ -233,8 +249,7 @@ impl Contacts {
             return Ok(ImpactLaw { impulses: vec![impulse], change, order_matters: false });
         }
         let coupling = self.among(stops);
-        let goal = |i: usize| rates[i] + self.all[stops[i]].restitution_at(-rates[i]) * rates[i].min(0.0);
-        let impulses = complementary(&coupling, &RealVector::from_fn(stops.len(), |i, _| goal(i)))?;
+        let impulses = complementary(&coupling, &self.bounced(stops, rates))?;
         let after =
             RealVector::from_column_slice(rates) + &coupling * RealVector::from_column_slice(&impulses);
         let scale = rates.iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));
@@ -243,6 +258,12 @@ impl Contacts {
                 .is_none_or(|ended| (ended - &after).amax() > 1e-9 * scale)
         });
         Ok(ImpactLaw { change: self.change(stops, &impulses), impulses, order_matters })
+    }
+
+    /// w⁻ + τ min(w⁻, 0) of each of them: what Newton's law asks not to be negative with the impulses.
+    pub(super) fn bounced(&self, stops: &[usize], rates: &[f64]) -> RealVector {
+        let goal = |i: usize| rates[i] + self.all[stops[i]].restitution_at(-rates[i]) * rates[i].min(0.0);
+        RealVector::from_fn(stops.len(), |i, _| goal(i))
     }
 
     /// The rates after impacts one by one, beginning with `first`; `None` if they do not end.
@@ -269,12 +290,22 @@ impl Contacts {
     }
 
     /// Which of the stops, all touched without velocity, press, and how hard, `accelerations` being z″ of
-    /// each without their forces.
+    /// each without their forces and without that of what slides on them.
     ///
     /// # Errors
-    /// As [`impact`](Self::impact).
-    pub(super) fn pressing(&self, stops: &[usize], accelerations: &[f64]) -> Result<Vec<f64>> {
-        complementary(&self.among(stops), &RealVector::from_column_slice(accelerations))
+    /// As [`impact`](Self::impact); a [`paradox`](Self::paradox).
+    pub(super) fn pressing(
+        &self,
+        stops: &[usize],
+        accelerations: &[f64],
+        grips: &[Grip],
+    ) -> Result<Vec<f64>> {
+        let (coupling, b) =
+            (self.among_along(stops, stops, grips), RealVector::from_column_slice(accelerations));
+        if stops.len() > MOST_TRIED || !self.leans(stops, grips) {
+            return complementary(&coupling, &b);
+        }
+        tried(&coupling, &b).ok_or_else(|| self.paradox(stops))
     }
 
     /// The forces of the rows that are held, stops rested on and what sticks, each as the acceleration that
@@ -282,8 +313,13 @@ impl Contacts {
     ///
     /// # Errors
     /// Dependent rows.
-    pub(super) fn forces(&self, equations: &LinearEquations, stops: &[usize]) -> Result<Vec<Watch>> {
-        // λ = D⁻¹(W M⁻¹(K q + C q′ − f) + Q″).
+    pub(super) fn forces(
+        &self,
+        equations: &LinearEquations,
+        stops: &[usize],
+        grips: &[Grip],
+    ) -> Result<Vec<Watch>> {
+        // λ = D⁻¹(W M⁻¹(K q + C q′ − f) + Q″), D with what leans.
         let one = |(weights, felt): (Vec<f64>, RealVector)| {
             let mut parts = vec![(-1.0, equations.force.series(&felt)?)];
             for (weight, &stop) in weights.iter().zip(stops) {
@@ -296,7 +332,7 @@ impl Contacts {
                 given: Series::combination(&parts),
             })
         };
-        self.felt(stops)?.into_iter().map(one).collect()
+        self.felt(stops, grips)?.into_iter().map(one).collect()
     }
 
     /// For each of the rows that are held, weights a and v = M⁻¹Σ a_j w_jᵀ: under a force f its own, as an
@@ -304,8 +340,8 @@ impl Contacts {
     ///
     /// # Errors
     /// Dependent rows.
-    pub(super) fn felt(&self, stops: &[usize]) -> Result<Vec<(Vec<f64>, RealVector)>> {
-        let inverse = self.among(stops).try_inverse();
+    pub(super) fn felt(&self, stops: &[usize], grips: &[Grip]) -> Result<Vec<(Vec<f64>, RealVector)>> {
+        let inverse = self.among_along(stops, stops, grips).try_inverse();
         let inverse = inverse.ok_or_else(|| Error::input(DEPENDENT))?;
         let one = |i: usize| {
             let own = self.mobility(stops[i]);
@@ -325,9 +361,17 @@ pub(super) fn complementary(coupling: &RealMatrix, b: &RealVector) -> Result<Vec
     if b.iter().all(|x| *x >= 0.0) {
         return Ok(vec![0.0; m]);
     }
-    let scale = b.amax();
     if m > MOST_TRIED {
         return swept(coupling, b);
+    }
+    tried(coupling, b).map_or_else(|| swept(coupling, b), Ok)
+}
+
+/// The same by trying all choices, of a coupling that need not be symmetric; none if there is no answer.
+pub(super) fn tried(coupling: &RealMatrix, b: &RealVector) -> Option<Vec<f64>> {
+    let (m, scale) = (b.len(), b.amax());
+    if b.iter().all(|x| *x >= 0.0) {
+        return Some(vec![0.0; m]);
     }
     let mut choices: Vec<u32> = (1..1 << m).collect();
     choices.sort_by_key(|choice| choice.count_ones());
@@ -345,10 +389,10 @@ pub(super) fn complementary(coupling: &RealMatrix, b: &RealVector) -> Result<Vec
         }
         let left = coupling * &impulses + b;
         if left.iter().all(|x| *x >= -1e-11 * scale) {
-            return Ok(impulses.iter().copied().collect());
+            return Some(impulses.iter().copied().collect());
         }
     }
-    swept(coupling, b)
+    None
 }
 
 fn swept(coupling: &RealMatrix, b: &RealVector) -> Result<Vec<f64>> {

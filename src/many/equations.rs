@@ -131,23 +131,33 @@ impl LinearEquations {
     /// wᵀ (k Q + c Q′), Q being where a stop stands.
     #[must_use]
     pub(crate) fn pushed<'c>(&self, contacts: impl Iterator<Item = &'c StopContact>) -> LinearEquations {
+        self.pushed_along(contacts.map(|contact| (contact, contact.row.clone())))
+    }
+
+    /// The same where the forces act along d, not along w: with d in place of the first w of each product.
+    #[must_use]
+    pub(crate) fn pushed_along<'c>(
+        &self,
+        contacts: impl Iterator<Item = (&'c StopContact, RealVector)>,
+    ) -> LinearEquations {
         let mut all = self.clone();
-        for contact in contacts {
+        for (contact, along) in contacts {
             let Some(soft) = contact.soft else { continue };
             let (row, place) = (&contact.row, &contact.position);
-            all.stiffness.ger(soft.stiffness, row, row, 1.0);
-            all.damping.ger(soft.damping, row, row, 1.0);
-            all.force.add_series(&(row * soft.stiffness), place);
-            all.force.add_series(&(row * soft.damping), &place.derivative());
+            all.stiffness.ger(soft.stiffness, &along, row, 1.0);
+            all.damping.ger(soft.damping, &along, row, 1.0);
+            all.force.add_series(&(&along * soft.stiffness), place);
+            all.force.add_series(&(&along * soft.damping), &place.derivative());
         }
         all
     }
 
-    /// The same machine where it slides, each row with the sign of its velocity, 0 where it sticks.
+    /// The same machine where it slides under given normal forces, each row with the sign of its velocity, 0
+    /// where it sticks.
     #[must_use]
     pub(crate) fn dragged<'r>(&self, rubs: impl Iterator<Item = (&'r Rub, f64)>) -> LinearEquations {
         let mut all = self.clone();
-        for (rub, sign) in rubs {
+        for (rub, sign) in rubs.filter(|(rub, _)| rub.stop.is_none()) {
             all.force.mean.axpy(-sign * rub.sliding, &rub.row, 1.0);
         }
         all
@@ -190,14 +200,26 @@ impl LinearEquations {
         let inner = upper.solve_upper_triangular(&basis).unwrap_or(basis);
         // b = M⁻¹Wᵀ(W M⁻¹Wᵀ)⁻¹.
         let lift = upper.solve_upper_triangular(&seen).unwrap_or_else(|| seen.clone());
-        let inverse = (seen.transpose() * &seen).try_inverse();
-        let inverse = inverse.ok_or_else(|| Error::input(DEPENDENT))?;
-        let lift = lift * inverse;
-        let down = inner.transpose();
+        let dependent = || Error::input(DEPENDENT);
+        let (lift, down) = match &held.along {
+            None => {
+                let inverse = (seen.transpose() * &seen).try_inverse().ok_or_else(dependent)?;
+                (lift * inverse, inner.transpose())
+            }
+            // The forces act along the columns of D: b = M⁻¹D(W M⁻¹D)⁻¹, and in place of Zᵀ what M b is 0
+            // for, M Z still being 1: Zᵀ − ZᵀD(W M⁻¹D)⁻¹W M⁻¹. All below then holds as it is.
+            Some(along) => {
+                let pushed = self.root.solve_lower_triangular(along).ok_or_else(dependent)?;
+                let inverse = (seen.transpose() * &pushed).try_inverse().ok_or_else(dependent)?;
+                let oblique = upper.solve_upper_triangular(&pushed).ok_or_else(dependent)? * &inverse;
+                let taken = inner.tr_mul(along) * inverse * lift.transpose();
+                (oblique, inner.transpose() - taken)
+            }
+        };
         let mut given = self.force.mapped(&down);
         for (j, (_, place)) in stops.iter().enumerate() {
             let b = lift.column(j).into_owned();
-            // Z is M-orthogonal to b: Zᵀ M b Q″ = 0.
+            // Zᵀ M b Q″ = 0.
             given.add_series(&(-(&down * (&self.stiffness * &b))), place);
             given.add_series(&(-(&down * (&self.damping * &b))), &place.derivative());
         }
@@ -265,6 +287,8 @@ pub(crate) struct HeldRows<'a> {
     pub stops: Vec<(&'a RealVector, &'a Series)>,
     /// What sticks, with the velocities of the surfaces.
     pub stuck: Vec<(&'a RealVector, Series)>,
+    /// What the forces of all rows act along, a column for each; none if along the rows.
+    pub along: Option<RealMatrix>,
 }
 
 /// A machine that rests on stops or sticks.
@@ -278,7 +302,7 @@ pub(crate) struct Constrained {
     pub lift: RealMatrix,
     /// From q to (r, p).
     pub down: RealMatrix,
-    /// Z ZᵀM: of a velocity what the rows allow.
+    /// 1 − b W: of a velocity what the rows allow; Z ZᵀM where forces act along the rows.
     pub projection: RealMatrix,
 }
 

@@ -5,6 +5,9 @@
 //! takes is at most F_s = `static_coefficient` · `normal`, and slides on otherwise. Nothing is regularised:
 //! sliding and sticking are equations of their own ([`Grip`]), linear ones of a linear machine. When one
 //! turns into the other is found in `simulate`.
+//!
+//! The normal force is given, or it is that of a stop: then the machine rubs where the stop is in contact,
+//! and at an impact on it.
 
 use serde::Serialize;
 
@@ -21,16 +24,39 @@ pub struct Friction<T> {
     pub name: String,
     /// w, an entry for each coordinate q.
     pub row: Vec<T>,
-    /// The normal force, at least 0.
-    pub normal: T,
-    /// The force of sliding over `normal`, at least 0.
+    /// What presses.
+    pub normal: NormalForce<T>,
+    /// The force of sliding over the normal force, at least 0.
     pub coefficient: T,
-    /// The largest force of sticking over `normal`, at least `coefficient`.
+    /// The largest force of sticking over the normal force, at least `coefficient`.
     pub static_coefficient: T,
     /// The constant part of the surface's velocity along w.
     pub speed: T,
     /// The rest of the surface's motion, displacements along w.
     pub harmonics: Vec<Harmonic<T>>,
+}
+
+/// What presses where a machine rubs.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum NormalForce<T> {
+    /// A given force, at least 0.
+    Given(T),
+    /// A stop, by its place in the machine.
+    Stop {
+        /// That place.
+        stop: usize,
+    },
+}
+
+impl<T> NormalForce<T> {
+    /// The stop, if it is one's.
+    pub fn stop(&self) -> Option<usize> {
+        match self {
+            NormalForce::Given(_) => None,
+            NormalForce::Stop { stop } => Some(*stop),
+        }
+    }
 }
 
 impl<T> Machine<T> {
@@ -63,7 +89,10 @@ impl<T> Friction<T> {
         Ok(Friction {
             name: self.name.clone(),
             row: self.row.iter().map(&mut convert).collect::<std::result::Result<_, E>>()?,
-            normal: convert(&self.normal)?,
+            normal: match &self.normal {
+                NormalForce::Given(force) => NormalForce::Given(convert(force)?),
+                NormalForce::Stop { stop } => NormalForce::Stop { stop: *stop },
+            },
             coefficient: convert(&self.coefficient)?,
             static_coefficient: convert(&self.static_coefficient)?,
             speed: convert(&self.speed)?,
@@ -85,6 +114,8 @@ pub(crate) enum Grip {
     Backward,
     /// It sticks: v stays 0.
     Stuck,
+    /// Nothing presses: the stop whose force it is that does is not in contact.
+    Open,
 }
 
 impl Grip {
@@ -93,13 +124,18 @@ impl Grip {
         if rate > 0.0 { Grip::Forward } else { Grip::Backward }
     }
 
-    /// The sign of v; 0 where it sticks.
+    /// The sign of v; 0 where it sticks or nothing presses.
     pub fn sign(self) -> f64 {
         match self {
             Grip::Forward => 1.0,
             Grip::Backward => -1.0,
-            Grip::Stuck => 0.0,
+            Grip::Stuck | Grip::Open => 0.0,
         }
+    }
+
+    /// Whether it slides.
+    pub fn slides(self) -> bool {
+        self.sign() != 0.0
     }
 }
 
@@ -114,9 +150,11 @@ pub(crate) struct Rub {
     pub speed: f64,
     /// The rest of its motion.
     pub motion: Series,
-    /// F_k.
+    /// The stop whose force presses, if it is not given.
+    pub stop: Option<usize>,
+    /// F_k; over that force, where it is a stop's.
     pub sliding: f64,
-    /// F_s.
+    /// F_s, likewise.
     pub holding: f64,
 }
 
@@ -157,7 +195,22 @@ impl Machine<f64> {
             if row.iter().all(|x| *x == 0.0) {
                 return Err(Error::input("row is zero: nothing slides"));
             }
-            for (name, value) in [("normal", friction.normal), ("coefficient", friction.coefficient)] {
+            let (pressing, stop) = match friction.normal {
+                NormalForce::Given(force) => (force, None),
+                NormalForce::Stop { stop } => (1.0, Some(stop)),
+            };
+            if let Some(stop) = stop {
+                let Some(known) = self.stops.get(stop) else {
+                    return Err(Error::input(format!("stop {stop} is none of the machine's")));
+                };
+                if parallel(&row, &self.vector("row", &known.row)?) {
+                    return Err(Error::input(format!(
+                        "row is that of the stop {}: what slides along a stop moves across its gap",
+                        known.name
+                    )));
+                }
+            }
+            for (name, value) in [("normal", pressing), ("coefficient", friction.coefficient)] {
                 if !(value >= 0.0 && value.is_finite()) {
                     return Err(Error::input(format!("{name} = {value}; it is at least 0")));
                 }
@@ -176,8 +229,9 @@ impl Machine<f64> {
                 row,
                 speed: friction.speed / self.rate(),
                 motion: Series::new(0.0, &friction.harmonics)?,
-                sliding: kinetic * friction.normal,
-                holding: holding * friction.normal,
+                stop,
+                sliding: kinetic * pressing,
+                holding: holding * pressing,
             })
         };
         let named = |friction: &Friction<f64>| {
@@ -185,4 +239,10 @@ impl Machine<f64> {
         };
         self.friction.iter().map(named).collect()
     }
+}
+
+/// Whether one row is a multiple of another, neither of them 0.
+fn parallel(a: &RealVector, b: &RealVector) -> bool {
+    let (a, b) = (a / a.norm(), b / b.norm());
+    (&a - &b).amax().min((&a + &b).amax()) <= 1e-12
 }

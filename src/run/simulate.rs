@@ -34,8 +34,8 @@ row! {
         /// How long the longest contact with a stop that gives way pushed; absent for a rigid one.
         pub longest: Option<f64>,
         /// The energy that impacts and contacts took: of a rigid stop ½ m (1 − τ²) v² each, m being the mass
-        /// felt there; of one that gives way what its damper takes, and what its spring keeps where it lets
-        /// go.
+        /// felt there, and what friction on it takes of an impact; of one that gives way what its damper
+        /// takes, and what its spring keeps where it lets go.
         pub dissipated: f64,
         /// The least gap at points of the series.
         pub least_gap: f64,
@@ -55,9 +55,10 @@ row! {
         pub reversals: u64,
         /// The part of the time in which it sticks.
         pub stuck: f64,
-        /// How far it slid, there and back.
+        /// How far it slid, there and back, under a normal force.
         pub path: f64,
-        /// The energy that the friction took: the force of sliding times the path.
+        /// The energy that the friction took: the force of sliding times the path. What it takes at impacts
+        /// is told of the stop.
         pub dissipated: f64,
         /// What it does at the end: `slides`; `sticks`; `sticks for ever`, where nothing moves it in a period
         /// more and the motion is the same after that, to 10⁻⁹.

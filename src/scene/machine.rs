@@ -13,8 +13,9 @@ use super::{
 };
 use crate::{
     error::Result,
-    many::{Friction, Load, Machine, Stop, StopLaw},
+    many::{Friction, Load, Machine, NormalForce, Stop, StopLaw},
     motion::{Harmonic, Side, Wall},
+    source::hint,
 };
 
 /// Most coordinates and modes.
@@ -112,7 +113,10 @@ impl MachineScene {
                 let why = "is the name of a stop or of an earlier friction, too";
                 return Err(at(&format!("friction[{i}].name")).fail(why));
             }
-            machine.friction.push(rubbing(file, i, name, keys, points)?);
+            let stops = std::mem::take(&mut machine.stops);
+            let rub = rubbing(file, i, name, keys, (points, &stops));
+            machine.stops = stops;
+            machine.friction.push(rub?);
         }
         Ok(MachineScene { machine, minimum_depth, measured, ratios })
     }
@@ -295,7 +299,7 @@ fn rubbing(
     i: usize,
     name: String,
     keys: FrictionKeys,
-    points: usize,
+    (points, stops): (usize, &[Stop<Expression>]),
 ) -> Result<Friction<Expression>> {
     let at = |key: &str| file.at(&format!("friction[{i}]{key}"));
     let harmonics = harmonics(file, keys.harmonics, &format!("friction[{i}].harmonics"))?;
@@ -310,7 +314,26 @@ fn rubbing(
         return Err(at(".row").fail("is zero: nothing slides"));
     }
     let static_coefficient = keys.static_coefficient.unwrap_or_else(|| keys.coefficient.clone());
-    let (normal, coefficient, speed) = (keys.normal, keys.coefficient, keys.speed);
+    let normal = match (keys.normal, keys.stop) {
+        (Some(force), None) => NormalForce::Given(force),
+        (None, Some(stop)) => {
+            let place = stops.iter().position(|known| known.name == stop).ok_or_else(|| {
+                let near = hint(&stop, stops.iter().map(|stop| stop.name.as_str()));
+                at(".stop").fail(&format!("is {stop:?}, none of the scene's stops; {near}"))
+            })?;
+            NormalForce::Stop { stop: place }
+        }
+        (Some(_), Some(_)) => {
+            return Err(
+                at("").fail("has `normal` and `stop`: give the normal force or the stop whose force it is")
+            );
+        }
+        (None, None) => {
+            let why = "has neither `normal` nor `stop`: give the normal force, or the stop whose force it is";
+            return Err(at("").fail(why));
+        }
+    };
+    let (coefficient, speed) = (keys.coefficient, keys.speed);
     Ok(Friction { name, row, normal, coefficient, static_coefficient, speed, harmonics })
 }
 

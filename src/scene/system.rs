@@ -104,16 +104,19 @@ keys! {
 
 keys! {
     /// Dry friction (Coulomb): while the velocity v = `row`·q′ − `speed` − (Σ `harmonics`)′ is not 0, a force
-    /// of size `coefficient`·`normal` along `row` against it; where it is 0, any force up to
-    /// `static_coefficient`·`normal` that keeps it 0.
+    /// of size `coefficient`·N along `row` against it; where it is 0, any force up to `static_coefficient`·N
+    /// that keeps it 0. The normal force N is `normal`, or that with which `stop` pushes.
     pub struct FrictionKeys {
         /// what it is called in reports; without it `friction`, with a number if there are several
         name: Option<String>,
         /// what slides, an entry for each coordinate. Two masses on each other: [1, −1]. Of a single
         /// coordinate [1] if absent
         row: Option<CoordinateList>,
-        /// the normal force, at least 0
-        normal: Expression,
+        /// the normal force, at least 0. This or `stop` must be given
+        normal: Option<Expression>,
+        /// in place of `normal`, the name of the stop on which it slides: friction acts while the stop is in
+        /// contact, and at impacts
+        stop: Option<String>,
         /// the coefficient of kinetic friction, at least 0
         coefficient: Expression,
         /// that of static friction, at least `coefficient`; without it the same

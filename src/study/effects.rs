@@ -8,7 +8,7 @@ use std::{
 
 use crate::{
     error::Result,
-    many::{self, Friction, Machine, SpeedLaw, Stop, StopLaw},
+    many::{self, Friction, Machine, NormalForce, SpeedLaw, Stop, StopLaw},
     motion::{Counts, Effect, EffectTally, Harmonic, SmoothForce, System, Time, Wall},
     one::simulate::{Settings, Simulator},
     scene::Scene,
@@ -133,7 +133,7 @@ pub fn machine_effects() -> Vec<MachineWithEffect> {
     duffing.machine.smooth = vec![force("-0.1*q^3 - 1e-30*q^2")];
     let rubbing = |name, speed, needs| {
         let mut rough: MachineWithEffect = with(name, None, needs);
-        let (row, normal, harmonics) = (vec![1.0], 1.0, vec![]);
+        let (row, normal, harmonics) = (vec![1.0], NormalForce::Given(1.0), vec![]);
         let (coefficient, static_coefficient) = (0.1, 0.2);
         let name = "belt".into();
         let belt = Friction { name, row, normal, coefficient, static_coefficient, speed, harmonics };

@@ -1,7 +1,10 @@
 //! What a machine is in contact with, where it slides and sticks, and what is watched because of it.
 
 use crate::{
-    many::{Grip, State, contact::Contacts},
+    many::{
+        Grip, State,
+        contact::{Contacts, Watch},
+    },
     motion::Effect,
 };
 
@@ -103,6 +106,24 @@ impl Holds {
     /// The friction that sticks.
     pub fn stuck(&self) -> impl Iterator<Item = usize> {
         self.grips.iter().enumerate().filter(|(_, grip)| **grip == Grip::Stuck).map(|(j, _)| j)
+    }
+
+    /// By how much what sticks could push more to a side, as an acceleration; `forces` are those of the rows
+    /// held.
+    pub fn bound(&self, contacts: &Contacts, forces: &[Watch], rub: usize, side: Grip) -> Watch {
+        let (row, known) = (contacts.rub_row(rub), &contacts.rubs()[rub]);
+        let rows = self.rows(contacts);
+        let at = |row: usize| rows.iter().position(|known| *known == row);
+        let own = &forces[at(row).unwrap_or(0)];
+        let most = known.holding * contacts.mobility(row);
+        let Some(stop) = known.stop else { return own.below(most, side.sign()) };
+        match (at(stop), contacts.all()[stop].soft) {
+            (Some(i), _) => own.below(0.0, side.sign()).with(most / contacts.mobility(stop), &forces[i]),
+            (None, Some(soft)) => {
+                own.below(0.0, side.sign()).with(most * soft.unit(), &contacts.all()[stop].push_watch(1.0))
+            }
+            (None, None) => own.below(0.0, side.sign()),
+        }
     }
 
     /// The rows that are held: stops rested on, then what sticks.

@@ -385,8 +385,9 @@ impl Simulator {
             starts.iter().map(seen).fold(forced.max(place).max(rub.speed.abs()), f64::max)
         };
         let moved = rubs().map(moved).fold(0.0, f64::max);
+        let given = |known: &(usize, &Rub)| known.1.stop.is_none();
         let holds = |(j, rub): (usize, &Rub)| rub.holding * self.contacts.mobility(self.contacts.rub_row(j));
-        if moved > 0.0 { moved } else { rubs().map(holds).fold(0.0, f64::max) }
+        if moved > 0.0 { moved } else { rubs().filter(given).map(holds).fold(0.0, f64::max) }
     }
 
     fn gap_size(&self, stop: usize) -> GapSize {

@@ -1,11 +1,20 @@
 //! How far a machine slides where there is dry friction, and how long it sticks.
 //!
-//! Between two events a velocity keeps its sign, so that the path is the difference of two places.
+//! Between two events a velocity keeps its sign, so that the path is the difference of two places. The energy
+//! under a stop's force is an integral over each flight, by Gauss's rule on pieces as short as `pushes` takes
+//! them.
 
+use std::sync::Arc;
+
+use super::Stage;
 use crate::{
-    many::{Grip, simulate::engine::Run},
-    motion::{RunEnd, Time},
+    many::{Grip, State, simulate::engine::Run},
+    motion::{RunEnd, Time, flow::GAUSS},
 };
+
+/// Radians of the fastest motion in a piece, and the least and most pieces of a flight.
+const PIECE: f64 = 3.0;
+const PIECES: [f64; 2] = [2.0, 28.0];
 
 /// A motion repeats itself where its states a period apart differ by no more than this of their size.
 const SAME: f64 = 1e-9;
@@ -14,11 +23,13 @@ const SAME: f64 = 1e-9;
 pub(crate) struct Slid {
     begin: Time,
     from: Time,
-    grips: Vec<Grip>,
+    stage: Arc<Stage>,
+    state: State,
     /// Where each row is, and the surface but for its constant velocity.
     places: Vec<f64>,
     stuck: Vec<f64>,
     paths: Vec<f64>,
+    energies: Vec<f64>,
 }
 
 impl Slid {
@@ -26,7 +37,9 @@ impl Slid {
     pub fn new(run: &Run) -> Slid {
         let (now, places) = (run.time(), places(run));
         let none = vec![0.0; places.len()];
-        Slid { begin: now, from: now, grips: run.grips().to_vec(), places, stuck: none.clone(), paths: none }
+        let (stage, state) = (run.stage(), run.state());
+        let (stuck, paths) = (none.clone(), none.clone());
+        Slid { begin: now, from: now, stage, state, places, stuck, paths, energies: none }
     }
 
     /// The run has come to its next event, or to where it was asked to stop.
@@ -37,20 +50,45 @@ impl Slid {
         let (now, places) = (run.time(), places(run));
         let duration = now.since(self.from);
         for (j, rub) in run.simulator().contacts().rubs().iter().enumerate() {
-            match self.grips[j] {
+            match self.stage.holds.grips[j] {
+                Grip::Open => {}
                 Grip::Stuck => self.stuck[j] += duration,
-                grip => self.paths[j] += grip.sign() * (places[j] - self.places[j] - rub.speed * duration),
+                grip => {
+                    let path = grip.sign() * (places[j] - self.places[j] - rub.speed * duration);
+                    self.paths[j] += path;
+                    if let Some(stop) = rub.stop {
+                        self.energies[j] += rub.sliding * self.work(run, (j, stop), duration);
+                    }
+                }
             }
         }
-        (self.from, self.places, self.grips) = (now, places, run.grips().to_vec());
+        (self.from, self.places, self.stage, self.state) = (now, places, run.stage(), run.state());
+        self.state.t = self.from.phase;
     }
 
-    /// For each row with friction the part of the time in which it sticks, and how far it slid.
-    pub fn rows(&self) -> impl Iterator<Item = (f64, f64)> {
+    /// ∫ N |v| dt on the flight of that duration, N being the force of a stop.
+    fn work(&self, run: &Run, (rub, stop): (usize, usize), duration: f64) -> f64 {
+        let contacts = run.simulator().contacts();
+        let fastest = self.stage.flow.rates().into_iter().fold(1.0, f64::max);
+        let pieces = (fastest * duration / PIECE).clamp(PIECES[0], PIECES[1]).ceil();
+        let piece = duration / pieces;
+        let look = |after: f64| {
+            let state = self.stage.after(self.from, &self.state, after);
+            let force = self.stage.pressing(contacts, stop, self.from.after(after), &state);
+            force * contacts.rubs()[rub].rate(&state).abs()
+        };
+        let pieces = (0..pieces as u32).map(f64::from);
+        pieces.flat_map(|i| GAUSS.map(|(x, weight)| weight * piece * look((i + x) * piece))).sum()
+    }
+
+    /// For each row with friction the part of the time in which it sticks, how far it slid under a normal
+    /// force, and of a stop's force the energy that this took.
+    pub fn rows(&self) -> impl Iterator<Item = (f64, f64, f64)> {
         let whole = self.from.since(self.begin);
         let part = move |stuck: &f64| if whole > 0.0 { stuck / whole } else { 0.0 };
         // A velocity of rounding may go the other way.
-        self.stuck.iter().zip(&self.paths).map(move |(stuck, path)| (part(stuck), path.max(0.0)))
+        let all = self.stuck.iter().zip(&self.paths).zip(&self.energies);
+        all.map(move |((stuck, path), energy)| (part(stuck), path.max(0.0), energy.max(0.0)))
     }
 }
 

@@ -7,7 +7,7 @@ use super::holds::What;
 use crate::{
     error::Result,
     many::{
-        LinearEquations, RealMatrix, RealVector, State,
+        Grip, LinearEquations, RealMatrix, RealVector, State,
         algebra::stacked,
         contact::{Contacts, Watch},
         equations::Constrained,
@@ -39,8 +39,8 @@ pub(crate) struct SmoothStage {
 enum Sight {
     /// By displacements, velocities and the time.
     Seen(Watch),
-    /// An output times a factor, and a constant.
-    Output(usize, [f64; 2]),
+    /// Outputs times factors, and what is seen.
+    Outputs(Vec<(usize, f64)>, Watch),
 }
 
 impl SmoothStage {
@@ -51,18 +51,31 @@ impl SmoothStage {
         equations: &LinearEquations,
         contacts: &Contacts,
         watches: &[(What, Watch)],
+        grips: &[Grip],
         held: Option<(&[usize], &[Watch], &Constrained)>,
     ) -> Result<SmoothStage> {
         let n = equations.size();
         let rows = held.map_or(&[][..], |known| known.0);
         // The outputs after the n accelerations are the forces, in the order of the rows.
         let output = |row: usize| n + rows.iter().position(|known| *known == row).unwrap_or(0);
+        let none = |constant: f64| Watch::constant(n, constant);
         let sights = watches.iter().map(|(what, watch)| match *what {
-            What::Force(stop) => Sight::Output(output(stop), [1.0, 0.0]),
+            What::Force(stop) => Sight::Outputs(vec![(output(stop), 1.0)], none(0.0)),
             What::Hold(j, side) => {
-                let row = contacts.rub_row(j);
-                let most = contacts.rubs()[j].holding * contacts.mobility(row);
-                Sight::Output(output(row), [-side.sign(), most])
+                let (row, rub) = (contacts.rub_row(j), &contacts.rubs()[j]);
+                let (own, most) = ((output(row), -side.sign()), rub.holding * contacts.mobility(row));
+                match rub.stop {
+                    None => Sight::Outputs(vec![own], none(most)),
+                    Some(stop) if rows.contains(&stop) => {
+                        let press = (output(stop), most / contacts.mobility(stop));
+                        Sight::Outputs(vec![own, press], none(0.0))
+                    }
+                    Some(stop) => {
+                        let unit = contacts.all()[stop].soft.map_or(0.0, |soft| soft.unit());
+                        let press = contacts.all()[stop].push_watch(1.0);
+                        Sight::Outputs(vec![own], none(0.0).with(most * unit, &press))
+                    }
+                }
             }
             _ => Sight::Seen(watch.clone()),
         });
@@ -75,7 +88,7 @@ impl SmoothStage {
                     .zip(rows)
                     .map(|(i, &row)| (constrained.lift.column(i).into_owned(), contacts.held_row(row).1))
                     .collect(),
-                felt: contacts.felt(rows)?.into_iter().map(|(_, felt)| felt).collect(),
+                felt: contacts.felt(rows, grips)?.into_iter().map(|(_, felt)| felt).collect(),
                 forces: forces.iter().collect(),
             }),
         };
@@ -125,9 +138,13 @@ impl SmoothStage {
     pub fn slopes(&self, watch: usize, state: &State) -> (RealVector, f64) {
         match &self.sights[watch] {
             Sight::Seen(watch) => (stacked(&watch.places, &watch.rates), watch.given.at(state.t)[1]),
-            Sight::Output(output, [factor, _]) => {
-                let (by_state, by_time) = self.flow.output_slopes(*output, state.t, &state.q, &state.u);
-                (by_state * *factor, by_time * factor)
+            Sight::Outputs(outputs, watch) => {
+                let mut all = (stacked(&watch.places, &watch.rates), watch.given.at(state.t)[1]);
+                for (output, factor) in outputs {
+                    let (by_state, by_time) = self.flow.output_slopes(*output, state.t, &state.q, &state.u);
+                    all = (all.0 + by_state * *factor, all.1 + by_time * factor);
+                }
+                all
             }
         }
     }
@@ -197,11 +214,13 @@ impl SmoothStage {
     /// added up from.
     pub fn polynomial(&self, leap: &Leap, watch: usize) -> ([f64; TERMS], f64) {
         match &self.sights[watch] {
-            Sight::Output(output, [factor, constant]) => {
-                let mut all = leap.outputs[*output];
-                let size = all[0].abs() + constant.abs();
-                all.iter_mut().for_each(|c| *c *= factor);
-                all[0] += constant;
+            Sight::Outputs(outputs, watch) => {
+                let (mut all, mut size) = seen(leap, watch);
+                for (output, factor) in outputs {
+                    let own = leap.outputs[*output];
+                    size += own[0].abs();
+                    all.iter_mut().zip(own).for_each(|(sum, c)| *sum += factor * c);
+                }
                 (all, size)
             }
             Sight::Seen(watch) => seen(leap, watch),

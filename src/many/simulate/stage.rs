@@ -134,7 +134,8 @@ impl Stage {
         let Holds { resting, soft, grips } = holds;
         let (all, rubs) = (contacts.all(), contacts.rubs());
         let watched = |j: usize| !(resting.contains(&j) || through && all[j].soft.is_none());
-        let pushed = equations.pushed(soft.pushing.iter().map(|&j| &all[j]));
+        let leaning = soft.pushing.iter().map(|&j| (&all[j], contacts.along(j, grips)));
+        let pushed = equations.pushed_along(leaning);
         let dragged = pushed.dragged(rubs.iter().zip(grips.iter().map(|grip| grip.sign())));
         let equations = &dragged;
         let mut watches: Vec<(What, Watch)> = Vec::new();
@@ -149,7 +150,7 @@ impl Stage {
             }
         }
         for (j, (rub, grip)) in rubs.iter().zip(grips).enumerate() {
-            if *grip != Grip::Stuck {
+            if grip.slides() {
                 watches.push((What::Slide(j), rub.rate_watch(grip.sign())));
             }
         }
@@ -161,19 +162,24 @@ impl Stage {
         let linearised = formulas.map(|formulas| formulas.linearised(equations));
         let flow = if rows.is_empty() {
             if let Some(formulas) = formulas {
-                smooth = Some(SmoothStage::new(formulas, equations, contacts, &watches, None)?);
+                smooth = Some(SmoothStage::new(formulas, equations, contacts, &watches, grips, None)?);
             }
             LinearFlow::new(linearised.unwrap_or_else(|| equations.clone()))?
         } else {
-            let forces = contacts.forces(equations, &rows)?;
+            let forces = contacts.forces(equations, &rows, grips)?;
             let rested = resting.iter().zip(&forces);
             watches.extend(rested.map(|(j, watch)| (What::Force(*j), watch.clone())));
-            for (j, force) in holds.stuck().zip(&forces[resting.len()..]) {
-                let most = rubs[j].holding * contacts.mobility(contacts.rub_row(j));
-                let bound = |side: Grip| (What::Hold(j, side), force.below(most, side.sign()));
+            for j in holds.stuck() {
+                let bound = |side: Grip| (What::Hold(j, side), holds.bound(contacts, &forces, j, side));
                 watches.extend([Grip::Forward, Grip::Backward].map(bound));
             }
+            let leans = contacts.leans(&rows, grips);
+            let along = || {
+                let columns: Vec<RealVector> = rows.iter().map(|&row| contacts.along(row, grips)).collect();
+                RealMatrix::from_columns(&columns)
+            };
             let held = HeldRows {
+                along: leans.then(along),
                 stops: resting.iter().map(|&j| contacts.held_row(j)).collect(),
                 stuck: holds.stuck().map(|j| (&rubs[j].row, rubs[j].velocity())).collect(),
             };
@@ -181,7 +187,7 @@ impl Stage {
             if let (Some(formulas), Some(linearised)) = (formulas, linearised) {
                 let held = linearised.constrained(&held)?;
                 let both = Some((&rows[..], &forces[..], &constrained));
-                smooth = Some(SmoothStage::new(formulas, equations, contacts, &watches, both)?);
+                smooth = Some(SmoothStage::new(formulas, equations, contacts, &watches, grips, both)?);
                 constrained.equations = held.equations;
             }
             positions = resting.iter().map(|&j| all[j].position.clone()).collect();
@@ -475,6 +481,20 @@ impl Stage {
         forces.map(|(_, (g, given))| g.dot(&whole) + given.at(t)[0]).collect()
     }
 
+    /// The force of a stop that is rested on or gives way, at a state; 0 of any other.
+    pub fn pressing(&self, contacts: &Contacts, stop: usize, time: Time, state: &State) -> f64 {
+        if let Some(i) = self.holds.resting.iter().position(|&known| known == stop) {
+            let all = match &self.smooth {
+                Some(smooth) => smooth.forces(time, state),
+                None => self.forces(state.t, &self.split(state)),
+            };
+            return all[i] / contacts.mobility(stop);
+        }
+        let contact = &contacts.all()[stop];
+        let pushing = self.holds.soft.pushing.contains(&stop);
+        contact.soft.filter(|_| pushing).map_or(0.0, |soft| soft.force(contact.gap(state)))
+    }
+
     /// y as the tables want it.
     pub fn padded(&self, y: &RealVector) -> Vec<f64> {
         let mut all = y.as_slice().to_vec();
@@ -570,9 +590,8 @@ impl Stage {
             What::Slide(j) => contacts.rubs()[j].rate_watch(self.holds.grips[j].sign()),
             What::Hold(j, side) => {
                 let rows = self.holds.rows(contacts);
-                let force = contacts.forces(&self.equations, &rows)?;
-                let at = rows.iter().position(|row| *row == contacts.rub_row(j)).unwrap_or(0);
-                force[at].below(0.0, side.sign())
+                let forces = contacts.forces(&self.equations, &rows, &self.holds.grips)?;
+                self.holds.bound(contacts, &forces, j, side)
             }
             _ => return Ok((RealVector::zeros(2 * state.q.len()), 0.0)),
         };

@@ -22,7 +22,7 @@ use super::{Event, Simulator, holds::What, stage::Stage};
 use crate::{
     attractor::dynamics::{Tangents, orthonormalise},
     error::Result,
-    many::{RealVector, State, algebra::stacked, simulate::engine::Run},
+    many::{Grip, RealVector, State, algebra::stacked, simulate::engine::Run},
     motion::{
         RunEnd, Time,
         event::{Impact, Touch},
@@ -152,32 +152,34 @@ impl<'a> Carried<'a> {
         let (arrival, after, stage) = (self.state.clone(), self.run.state(), self.run.stage());
         let all: Vec<usize> = hits.iter().map(|hit| hit.place).chain(before.iter().copied()).collect();
         let rates: Vec<f64> = hits.iter().map(|hit| hit.velocity).chain(before.iter().map(|_| 0.0)).collect();
-        let law = contacts.impact(&all, &rates)?;
+        let sliding = self.simulator.sliding(&arrival);
+        let law = contacts.struck(&all, &rates, &sliding, &self.stage.holds.grips)?;
         let acting: Vec<usize> = (0..all.len()).filter(|&i| law.impulses[i] > 0.0).collect();
         let first = acting.iter().copied().min_by(|&a, &b| rates[a].total_cmp(&rates[b]));
         let Some(first) = first.filter(|&i| rates[i] < 0.0) else { return Ok(()) };
-        let stops: Vec<usize> = acting.iter().map(|&i| all[i]).collect();
-        let inner = contacts.among(&stops).lu();
+        let mut stops: Vec<usize> = acting.iter().map(|&i| all[i]).collect();
+        // What sticks at the impact has no velocity after it.
+        let stuck = contacts.rubbing(&stops).into_iter().filter(|&j| law.grips[j] == Grip::Stuck);
+        let stuck: Vec<usize> = stuck.map(|j| contacts.rub_row(j)).collect();
+        stops.extend(&stuck);
+        let inner = contacts.among_along(&stops, &stops, &law.grips).lu();
         let now = Time::new(0, arrival.t);
         let (bend, bent) = (self.stage.acceleration(now, &arrival), stage.acceleration(now, &after));
         let (row, speed) = (contacts.all()[all[first]].row.clone(), -rates[first]);
-        let rows: Vec<_> = stops.iter().map(|&stop| contacts.all()[stop].clone()).collect();
-        let bends: Vec<f64> =
-            rows.iter().map(|row| row.row.dot(&bend) - row.position.at(arrival.t)[2]).collect();
-        let factors: Vec<f64> = acting
-            .iter()
-            .zip(&rows)
-            .map(|(&i, row)| if rates[i] < 0.0 { 1.0 + row.restitution_slope(-rates[i]) } else { 1.0 })
-            .collect();
+        let rows: Vec<RealVector> = stops.iter().map(|&row| contacts.held_row(row).0.clone()).collect();
+        let bends: Vec<f64> = stops.iter().map(|&row| contacts.felt_along(row, &bend, arrival.t)).collect();
+        let factor = |&i: &usize| {
+            if rates[i] < 0.0 { 1.0 + contacts.all()[all[i]].restitution_slope(-rates[i]) } else { 1.0 }
+        };
+        let factors: Vec<f64> = acting.iter().map(factor).chain(stuck.iter().map(|_| 1.0)).collect();
         let jump = &arrival.u - &after.u;
         let turn = bend - bent;
         self.mapped(|q, u| {
             let delay = row.dot(&q) / speed;
-            let change = RealVector::from_fn(rows.len(), |i, _| {
-                -factors[i] * (rows[i].row.dot(&u) + bends[i] * delay)
-            });
+            let change =
+                RealVector::from_fn(rows.len(), |i, _| -factors[i] * (rows[i].dot(&u) + bends[i] * delay));
             let impulses = inner.solve(&change).unwrap_or_else(|| RealVector::zeros(rows.len()));
-            let u = u + &turn * delay + contacts.change(&stops, impulses.as_slice());
+            let u = u + &turn * delay + contacts.change_along(&stops, impulses.as_slice(), &law.grips);
             (q + &jump * delay, u)
         });
         Ok(())
@@ -343,7 +345,7 @@ mod tests {
 
     use super::*;
     use crate::{
-        many::{Friction, Load, Machine, Stop, StopLaw, simulate::Settings},
+        many::{Friction, Load, Machine, NormalForce, Stop, StopLaw, simulate::Settings},
         motion::Wall,
     };
 
@@ -378,7 +380,7 @@ mod tests {
             friction: vec![Friction {
                 name: "ground".into(),
                 row: vec![1.0, 0.0],
-                normal: 1.0,
+                normal: NormalForce::Given(1.0),
                 coefficient: sliding,
                 static_coefficient: sliding * more,
                 speed: between(-0.2, 0.2),
@@ -387,50 +389,83 @@ mod tests {
         }
     }
 
+    /// The same pair where a floor and a pad rub, both under their own forces.
+    fn leaning(random: &mut Random, rests: bool) -> Machine<f64> {
+        let mut machine = rough(random);
+        let mut between = |low: f64, high: f64| low + (high - low) * (random.bits() as f64 / u64::MAX as f64);
+        machine.force = vec![between(-0.3, 0.3), -between(0.5, 1.5)];
+        let restitution = if rests { 0.0 } else { between(0.6, 0.9) };
+        let wall = Wall { offset: -0.3, harmonics: vec![], restitution };
+        machine.stops[0].row = vec![1.0, 0.2];
+        machine.stops.push(Stop { name: "floor".into(), row: vec![0.0, 1.0], wall, law: StopLaw::Newton });
+        let own = machine.friction[0].clone();
+        let tied = |name: &str, stop: usize, row: [f64; 2], coefficient: f64| Friction {
+            name: name.into(),
+            row: row.to_vec(),
+            normal: NormalForce::Stop { stop },
+            coefficient,
+            static_coefficient: 1.2 * coefficient,
+            ..own.clone()
+        };
+        machine.friction = vec![
+            tied("floor", 1, [1.0, 0.0], between(0.05, 0.6)),
+            tied("pad", 0, [0.1, 1.0], between(0.05, 0.3)),
+        ];
+        machine
+    }
+
+    /// How many numbers of a vector that is carried agree with differences of motions.
+    fn compared(machine: &Machine<f64>, trial: u32) -> usize {
+        let mut compared = 0;
+        let simulator = Simulator::new(machine, &Settings::default()).unwrap();
+        let begin = Time::new(0, 0.0);
+        let (q, u) = ([0.1, 0.05], [0.0, 0.2]);
+        let run = || simulator.start(begin, &q, &u).unwrap();
+        let (mut carried, beside) = (Carried::new(run(), 1), Carried::new(run(), 1));
+        let (dq, du) = carried.open(&carried.frame[0]);
+        let after = |h: f64, goal: Time| {
+            let moved = |x: &[f64], d: &RealVector| [x[0] + h * d[0], x[1] + h * d[1]];
+            let mut run = simulator.start(begin, &moved(&q, &dq), &moved(&u, &du)).unwrap();
+            let mut words = Vec::new();
+            run.record(goal, |event| words.push((event.word(), event.place())));
+            let State { q, u, .. } = run.state();
+            (beside.close(&q, &u), words)
+        };
+        let mut growth = vec![0.0];
+        for i in 1..=24 {
+            let goal = Time::new(0, 0.5 * f64::from(i));
+            carried.grow(goal, &mut growth).unwrap();
+            let [plus, minus] = [1e-6, -1e-6].map(|h| after(h, goal));
+            if plus.1 != minus.1 {
+                // An event comes between them and the goal.
+                continue;
+            }
+            let size = growth[0].exp();
+            for (j, x) in carried.frame[0].iter().enumerate() {
+                let wanted = (plus.0[j] - minus.0[j]) / 2e-6;
+                let off = (x * size - wanted).abs();
+                assert!(off < 1e-6 * (1.0 + size), "{trial}, {goal:?}: {off:e} of {wanted}, {:?}", plus.1);
+                compared += 1;
+            }
+        }
+        compared
+    }
+
     /// A vector is the derivative of the motion in its direction, through stick and slip and through contact
     /// that begins while something sticks.
     #[test]
     fn vectors_are_differences_of_motions() {
         let mut random = Random::of_unit(7, 0);
-        let mut compared = 0;
-        for trial in 0..40 {
-            let machine = rough(&mut random);
-            let simulator = Simulator::new(&machine, &Settings::default()).unwrap();
-            let begin = Time::new(0, 0.0);
-            let (q, u) = ([0.1, 0.05], [0.0, 0.2]);
-            let run = || simulator.start(begin, &q, &u).unwrap();
-            let (mut carried, beside) = (Carried::new(run(), 1), Carried::new(run(), 1));
-            let (dq, du) = carried.open(&carried.frame[0]);
-            let after = |h: f64, goal: Time| {
-                let moved = |x: &[f64], d: &RealVector| [x[0] + h * d[0], x[1] + h * d[1]];
-                let mut run = simulator.start(begin, &moved(&q, &dq), &moved(&u, &du)).unwrap();
-                let mut words = Vec::new();
-                run.record(goal, |event| words.push((event.word(), event.place())));
-                let State { q, u, .. } = run.state();
-                (beside.close(&q, &u), words)
-            };
-            let mut growth = vec![0.0];
-            for i in 1..=24 {
-                let goal = Time::new(0, 0.5 * f64::from(i));
-                carried.grow(goal, &mut growth).unwrap();
-                let [plus, minus] = [1e-6, -1e-6].map(|h| after(h, goal));
-                if plus.1 != minus.1 {
-                    // An event comes between them and the goal.
-                    continue;
-                }
-                let size = growth[0].exp();
-                for (j, x) in carried.frame[0].iter().enumerate() {
-                    let wanted = (plus.0[j] - minus.0[j]) / 2e-6;
-                    let off = (x * size - wanted).abs();
-                    assert!(
-                        off < 1e-6 * (1.0 + size),
-                        "{trial}, {goal:?}: {off:e} of {wanted}, {:?}",
-                        plus.1
-                    );
-                    compared += 1;
-                }
-            }
-        }
+        let compared: usize = (0..40).map(|trial| compared(&rough(&mut random), trial)).sum();
         assert!(compared > 3000, "{compared}");
+    }
+
+    /// The same through impacts, rest and contact with friction under the stops' forces.
+    #[test]
+    fn vectors_pass_friction_on_stops() {
+        let mut random = Random::of_unit(8, 0);
+        let one = |trial: u32| compared(&leaning(&mut random, trial.is_multiple_of(2)), trial);
+        let compared: usize = (0..40).map(one).sum();
+        assert!(compared > 2000, "{compared}");
     }
 }

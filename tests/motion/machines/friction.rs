@@ -2,13 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use grazing::many::Friction;
+use grazing::many::{Friction, NormalForce};
 
 use super::*;
 
 mod forms;
+mod pressed;
 mod refusals;
 mod rough;
+mod stops;
 
 use rough::Rough;
 
@@ -16,7 +18,7 @@ fn friction(row: &[f64], normal: f64, [coefficient, static_coefficient]: [f64; 2
     Friction {
         name: format!("friction {row:?}"),
         row: row.to_vec(),
-        normal,
+        normal: NormalForce::Given(normal),
         coefficient,
         static_coefficient,
         speed: 0.0,

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     many::{
-        Friction, Stop, StopLaw,
+        Friction, NormalForce, Stop, StopLaw,
         elements::{Evaluated, Short},
     },
     motion::Harmonic,
@@ -73,8 +73,14 @@ fn stop(stop: &Stop<Evaluated>, names: &Names) -> String {
     )
 }
 
-fn friction(rub: &Friction<Evaluated>, names: &Names) -> String {
-    let force = |coefficient: &Evaluated| Short(rub.normal.float() * coefficient.float());
+fn friction(rub: &Friction<Evaluated>, stops: &[Stop<Evaluated>], names: &Names) -> String {
+    let force = |coefficient: &Evaluated| match &rub.normal {
+        NormalForce::Given(normal) => Short(normal.float() * coefficient.float()).to_string(),
+        NormalForce::Stop { stop } => {
+            let name = stops.get(*stop).map_or("a stop", |stop| &stop.name);
+            format!("{} of {name}'s force", Short(coefficient.float()))
+        }
+    };
     let speed = match rub.speed.value.is_zero() {
         true => String::new(),
         false => format!("; the surface runs at {}", Short(rub.speed.float())),
@@ -124,7 +130,7 @@ pub(super) fn lines(picture: &MachinePicture, names: &Names, plan: &Plan) -> Vec
         all.push(format!("damping ratios of the modes: {}", ratios(&machine.damping_ratio)));
     }
     all.extend(machine.stops.iter().map(|one| stop(one, names)));
-    all.extend(machine.friction.iter().map(|rub| friction(rub, names)));
+    all.extend(machine.friction.iter().map(|rub| friction(rub, &machine.stops, names)));
     let mut used: Vec<&(String, f64)> = Vec::new();
     for (number, (on, text)) in (1..).zip(&plan.formulas) {
         all.push(format!("f{number} on {}: {text}", names.point(*on)));

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     many::{
-        StopLaw,
+        NormalForce, StopLaw,
         elements::{Coupling, Elements, Evaluated},
     },
     motion::Harmonic,
@@ -142,7 +142,13 @@ pub(super) fn rows(
     for rub in &machine.friction {
         let name = rub.name.as_str();
         table.row_of("friction", name, &rub.row);
-        table.number(["friction", name, "normal", "force"], "", 0, &rub.normal);
+        match &rub.normal {
+            NormalForce::Given(force) => table.number(["friction", name, "normal", "force"], "", 0, force),
+            NormalForce::Stop { stop } => {
+                let stop = machine.stops.get(*stop).map_or("", |stop| &stop.name);
+                table.row(["friction", name, "", "", "stop", "", stop, "", "in words"]);
+            }
+        }
         table.number(["friction", name, "coefficient", "1"], "", 0, &rub.coefficient);
         table.number(["friction", name, "static_coefficient", "1"], "", 0, &rub.static_coefficient);
         table.number(["friction", name, "speed", "length/time"], "", 0, &rub.speed);

@@ -6,7 +6,7 @@ use super::{Found, MOST_CHANGES, NUDGE, Run};
 use crate::{
     error::Result,
     many::{
-        RealVector, State,
+        Grip, RealVector, State,
         simulate::{
             Event, SoftStops, Stage, What,
             holds::{Holds, SoftPlace},
@@ -25,6 +25,7 @@ impl Run<'_> {
         let (x, half) = (hit.place(), self.half());
         let time = self.time_at(x);
         self.from = x;
+        self.still.clear();
         self.rubbed = Some(stage.watched[watch]).filter(|what| what.effect() == Effect::Friction);
         match (stage.watched[watch], hit) {
             (What::Gap(stop), Hit::Tangency(_)) => {
@@ -95,6 +96,8 @@ impl Run<'_> {
         self.open[stop] = false;
         let mut holds = self.stage.holds.clone();
         holds.soft = holds.soft.with(stop, place);
+        holds.grips = self.grips_with(&state, &holds.resting, &holds.soft);
+        self.told_grips(time, &holds.grips);
         self.change(self.simulator.stage(&holds)?, time, &state);
         self.regrip(time, &state, None)
     }
@@ -216,8 +219,12 @@ impl Run<'_> {
             self.count(Effect::Together);
         }
         let rates: Vec<f64> = rates.iter().copied().chain(resting.iter().map(|_| 0.0)).collect();
-        let law = simulator.contacts.impact(&all, &rates)?;
+        let sliding = simulator.sliding(&state);
+        let law = simulator.contacts.struck(&all, &rates, &sliding, &self.stage.holds.grips)?;
         state.u += &law.change;
+        // What rounding leaves of velocities before would look like sliding beside those after.
+        let rubbing = simulator.contacts.rubbing(&all).into_iter();
+        self.still = rubbing.filter(|&j| law.grips[j] == Grip::Stuck).collect();
         for (i, &stop) in touched.iter().enumerate() {
             // Where no impulse acts there is no impact: the stop is only touched, or another, which may be
             // the same stop once more, has turned the motion already.
@@ -228,7 +235,7 @@ impl Run<'_> {
                 let after = rates[i] + simulator.contacts.held_row(stop).0.dot(&law.change);
                 let shock = Shock {
                     impulse: law.impulses[i],
-                    energy: -0.5 * law.impulses[i] * (rates[i] + after),
+                    energy: -0.5 * law.impulses[i] * (rates[i] + after) + law.rubbed[i],
                     together: all.len(),
                     order_matters: law.order_matters,
                 };
@@ -236,7 +243,8 @@ impl Run<'_> {
             }
         }
         let soft = self.soft_after(time, &state);
-        let holds = Holds { resting: resting.clone(), soft, grips: self.grips_after(&state) };
+        let grips = self.grips_with(&state, &resting, &soft);
+        let holds = Holds { resting: resting.clone(), soft, grips };
         if holds != self.stage.holds {
             // What it rests on is decided by the forces that act from now on.
             self.told_grips(time, &holds.grips);
@@ -266,8 +274,9 @@ impl Run<'_> {
         // z″ of a stop with the forces of those that are held.
         let free = |j: usize, state: &State| now.bend(&simulator.contacts, j, time, state);
         let accelerations: Vec<f64> = held.iter().map(|&j| free(j, &state)).collect();
-        let forces = simulator.contacts.pressing(&held, &accelerations)?;
-        let helped = simulator.contacts.change(&held, &forces);
+        let grips = &now.holds.grips;
+        let forces = simulator.contacts.pressing(&held, &accelerations, grips)?;
+        let helped = simulator.contacts.change_along(&held, &forces, grips);
         let pressed = |j: usize| free(j, &state) + contacts[j].row.dot(&helped);
         let mut added: Vec<(usize, f64)> = Vec::new();
         for &j in touched {
@@ -282,19 +291,33 @@ impl Run<'_> {
             return Ok(false);
         }
         let all: Vec<usize> = held.iter().copied().chain(added.iter().map(|known| known.0)).collect();
-        // What still moves away is brought to rest, all at once.
-        let rates = RealVector::from_iterator(all.len(), all.iter().map(|&j| -contacts[j].gap(&state)[1]));
-        if let Some(stopped) = simulator.contacts.among(&all).lu().solve(&rates) {
-            state.u += simulator.contacts.change(&all, stopped.as_slice());
+        // What still moves away is brought to rest, all at once: the bounces left out. With them goes what
+        // slides there, and what has no velocity along the stops keeps none.
+        let grips = self.grips_with(&state, &all, &now.holds.soft);
+        let rubbing = simulator.contacts.rubbing(&all);
+        let still: Vec<usize> = rubbing.into_iter().filter(|&j| !grips[j].slides()).collect();
+        let held = still.iter().map(|&j| simulator.contacts.rub_row(j));
+        let rows: Vec<usize> = all.iter().copied().chain(held).collect();
+        let along: Vec<f64> = simulator.contacts.rubs().iter().map(|rub| rub.rate(&state)).collect();
+        let rate = |&row: &usize| match contacts.get(row) {
+            Some(contact) => -contact.gap(&state)[1],
+            None => -along[row - contacts.len()],
+        };
+        let rates = RealVector::from_iterator(rows.len(), rows.iter().map(rate));
+        if let Some(stopped) = simulator.contacts.among_along(&rows, &rows, &grips).lu().solve(&rates) {
+            state.u += simulator.contacts.change_along(&rows, stopped.as_slice(), &grips);
         }
         let accelerations: Vec<f64> = all.iter().map(|&j| free(j, &state)).collect();
-        let forces = simulator.contacts.pressing(&all, &accelerations)?;
+        let forces = simulator.contacts.pressing(&all, &accelerations, &grips)?;
         let mut pressing: Vec<usize> = (0..all.len()).filter(|&i| forces[i] > 0.0).map(|i| all[i]).collect();
         pressing.sort_unstable();
         if !added.iter().any(|(j, _)| pressing.contains(j)) {
             return Ok(false);
         }
-        let stage = simulator.stage(&Holds { resting: pressing.clone(), ..now.holds.clone() })?;
+        self.still = still;
+        let grips = self.grips_with(&state, &pressing, &now.holds.soft);
+        let holds = Holds { resting: pressing.clone(), soft: now.holds.soft.clone(), grips };
+        let stage = simulator.stage(&holds)?;
         let longest = added.iter().map(|known| known.1).fold(0.0, f64::max);
         if longest > 0.0 && !steady(&stage, time, &state, longest) {
             // The stop changes its mind before the bounces end: one by one, then.
@@ -309,6 +332,7 @@ impl Run<'_> {
                 self.events.push(Event::Stick(Stick { time: time.after(rest), place: stop, rest }));
             }
         }
+        self.told_grips(time, &stage.holds.grips);
         self.change(stage, time, &state);
         self.regrip(time, &state, None)?;
         Ok(true)
@@ -340,7 +364,8 @@ impl Run<'_> {
         let simulator = self.simulator;
         let accelerations: Vec<f64> =
             stops.iter().map(|&j| self.stage.bend(&simulator.contacts, j, time, state)).collect();
-        let forces = simulator.contacts.pressing(stops, &accelerations)?;
+        let grips = self.grips_with(state, stops, &self.stage.holds.soft);
+        let forces = simulator.contacts.pressing(stops, &accelerations, &grips)?;
         let mut pressing = Vec::new();
         for (&stop, force) in stops.iter().zip(forces) {
             if force > 0.0 {
@@ -350,7 +375,10 @@ impl Run<'_> {
             }
         }
         pressing.sort_unstable();
-        let stage = simulator.stage(&Holds { resting: pressing, ..self.stage.holds.clone() })?;
+        let soft = self.stage.holds.soft.clone();
+        let grips = self.grips_with(state, &pressing, &soft);
+        self.told_grips(time, &grips);
+        let stage = simulator.stage(&Holds { resting: pressing, soft, grips })?;
         self.change(stage, time, state);
         self.regrip(time, state, None)
     }

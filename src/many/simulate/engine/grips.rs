@@ -8,14 +8,21 @@
 //! F_k. The one in which the most sticks is taken; among these the one in which most of what stuck before
 //! still does; and among these the one in which stops press least: so a mass that friction alone can hold
 //! beside a stop leaves the stop alone.
+//!
+//! Where the normal force is a stop's, F_s and F_k follow its force: known of one that gives way, of one that
+//! is rested on a part of what is decided (`many::lean`). Then there may be no answer, or one for which the
+//! stop's force would have to pull (Painlevé's paradox): the run ends and says so.
 
 use super::Run;
 use crate::{
     error::Result,
     many::{
-        Grip, RealMatrix, RealVector, State,
-        contact::{Contacts, complementary},
-        simulate::{Event, Stage, holds::Holds},
+        Grip, RealVector, State,
+        contact::{Contacts, MOST_TRIED, complementary, tried},
+        simulate::{
+            Event, Stage,
+            holds::{Holds, SoftStops},
+        },
     },
     motion::{
         Time,
@@ -49,6 +56,8 @@ struct Open<'a> {
     rubs: Vec<usize>,
     /// What slides, and what surely does; of the others how they were.
     grips: Vec<Grip>,
+    /// The normal force of each row, but for that of a stop rested on, which is open.
+    normals: Vec<Option<f64>>,
 }
 
 impl Run<'_> {
@@ -109,20 +118,34 @@ impl Run<'_> {
                 _ if was == is => {}
                 (_, Grip::Stuck) => self.events.push(Event::Stick(Stick { time, place, rest: 0.0 })),
                 (Grip::Stuck, _) => self.events.push(Event::Release(Release { time, place })),
+                (Grip::Open, _) | (_, Grip::Open) => {}
                 _ => self.events.push(Event::Reversal(Reversal { time, place })),
             }
         }
     }
 
-    /// The grips that velocities alone tell, after they have jumped: what had none and still has none stays
-    /// as it is.
-    pub(super) fn grips_after(&self, state: &State) -> Vec<Grip> {
+    /// The grips in contact with what `holds` says, that velocities alone tell: what had none and still has
+    /// none stays as it is, and where nothing presses it is open.
+    pub(super) fn grips_with(&self, state: &State, resting: &[usize], soft: &SoftStops) -> Vec<Grip> {
         let before = &self.stage.holds.grips;
         if before.is_empty() {
             return Vec::new();
         }
-        let rates = self.simulator.sliding(state).into_iter().zip(before);
-        rates.map(|(rate, &before)| if rate == 0.0 { before } else { Grip::of(rate) }).collect()
+        let rubs = self.simulator.contacts.rubs();
+        let rates = self.sliding(state).into_iter().zip(before);
+        let one = |(j, (rate, &before)): (usize, (f64, &Grip))| match rubs[j].stop {
+            Some(stop) if !(resting.contains(&stop) || soft.pushing.contains(&stop)) => Grip::Open,
+            _ if rate == 0.0 => before,
+            _ => Grip::of(rate),
+        };
+        rates.enumerate().map(one).collect()
+    }
+
+    /// v at each row with friction; where it is rounding's, 0.
+    fn sliding(&self, state: &State) -> Vec<f64> {
+        let mut all = self.simulator.sliding(state);
+        self.still.iter().for_each(|&j| all[j] = 0.0);
+        all
     }
 
     fn decide(
@@ -133,30 +156,53 @@ impl Run<'_> {
         sure: Option<(usize, Grip)>,
     ) -> Result<Decided> {
         let contacts = &self.simulator.contacts;
-        let mut grips = stage.holds.grips.clone();
+        let (mut grips, rubs) = (stage.holds.grips.clone(), contacts.rubs());
+        let normal = |j: usize| match rubs[j].stop {
+            None => Some(1.0),
+            Some(stop) if stage.holds.resting.contains(&stop) => None,
+            Some(stop) if stage.holds.soft.pushing.contains(&stop) => {
+                let contact = &contacts.all()[stop];
+                contact.soft.map(|soft| soft.force(contact.gap(state)).max(0.0))
+            }
+            Some(_) => Some(0.0),
+        };
+        let normals: Vec<Option<f64>> = (0..rubs.len()).map(normal).collect();
         // q″ without the forces of stops rested on, and without any friction.
         let mut bend = stage.unheld(time, state);
         let drag = |bend: &mut RealVector, j: usize, sign: f64| {
-            bend.axpy(sign * contacts.rubs()[j].sliding, contacts.push(contacts.rub_row(j)), 1.0);
+            let force = sign * rubs[j].sliding * normals[j].unwrap_or(0.0);
+            bend.axpy(force, contacts.push(contacts.rub_row(j)), 1.0);
         };
         for (j, grip) in stage.holds.grips.iter().enumerate() {
             drag(&mut bend, j, grip.sign());
         }
-        let mut rubs = Vec::new();
-        for (j, rate) in self.simulator.sliding(state).into_iter().enumerate() {
+        let mut open = Vec::new();
+        for (j, rate) in self.sliding(state).into_iter().enumerate() {
+            let presses = rubs[j].stop.is_none_or(|stop| {
+                stage.holds.resting.contains(&stop) || stage.holds.soft.pushing.contains(&stop)
+            });
             grips[j] = match (sure.filter(|sure| sure.0 == j), grips[j]) {
+                _ if !presses => Grip::Open,
                 (Some((_, way)), _) if way != Grip::Stuck => way,
                 (None, grip) if grip != Grip::Stuck && rate != 0.0 => Grip::of(rate),
                 _ => {
-                    rubs.push(j);
+                    open.push(j);
                     continue;
                 }
             };
             drag(&mut bend, j, -grips[j].sign());
         }
-        let rows = contacts.all().len() + contacts.rubs().len();
+        let rows = contacts.all().len() + rubs.len();
         let accelerations = (0..rows).map(|row| contacts.felt_along(row, &bend, state.t)).collect();
-        Open { contacts, accelerations, stops: stage.holds.resting.clone(), rubs, grips }.decided()
+        let stops = stage.holds.resting.clone();
+        let mut decided = Open { contacts, accelerations, stops, rubs: open, grips, normals }.decided()?;
+        for (j, rub) in rubs.iter().enumerate() {
+            let left = |stop: usize| stage.holds.resting.contains(&stop) && !decided.pressing.contains(&stop);
+            if rub.stop.is_some_and(left) {
+                decided.grips[j] = Grip::Open;
+            }
+        }
+        Ok(decided)
     }
 }
 
@@ -183,6 +229,9 @@ impl Open<'_> {
                 return Ok(best);
             }
         }
+        if self.normals.iter().any(Option::is_none) {
+            return Err(self.contacts.paradox(&self.stops));
+        }
         let way = |&j: &usize| (j, Grip::of(self.accelerations[self.contacts.rub_row(j)]));
         let mut grips = self.grips.clone();
         self.rubs.iter().map(way).for_each(|(j, grip)| grips[j] = grip);
@@ -201,38 +250,54 @@ impl Open<'_> {
         let stuck: Vec<usize> =
             self.rubs.iter().copied().filter(|j| sliding.iter().all(|known| known.0 != *j)).collect();
         let held: Vec<usize> = stuck.iter().map(|&j| contacts.rub_row(j)).collect();
-        // What the rows feel of the forces of what slides.
-        let forces: Vec<(usize, f64)> =
-            sliding.iter().map(|&(j, way)| (contacts.rub_row(j), -way.sign() * rubs[j].sliding)).collect();
+        let mut grips = self.grips.clone();
+        stuck.iter().for_each(|&j| grips[j] = Grip::Stuck);
+        sliding.iter().for_each(|&(j, way)| grips[j] = way);
+        // What the rows feel of the forces of what slides; those under stops that are open lean.
+        let known = |j: usize| self.normals[j].unwrap_or(0.0);
+        let forces: Vec<(usize, f64)> = sliding
+            .iter()
+            .map(|&(j, way)| (contacts.rub_row(j), -way.sign() * rubs[j].sliding * known(j)))
+            .collect();
         let bend = |row: usize| {
             let felt = forces.iter().map(|&(other, force)| contacts.coupled(row, other) * force);
             self.accelerations[row] + felt.sum::<f64>()
         };
-        let between = |rows: &[usize], columns: &[usize]| {
-            RealMatrix::from_fn(rows.len(), columns.len(), |i, j| contacts.coupled(rows[i], columns[j]))
-        };
         let stops = &self.stops;
+        let between = |rows: &[usize], columns: &[usize]| contacts.among_along(rows, columns, &grips);
         let Some(inner) = between(&held, &held).try_inverse() else { return Ok(None) };
         let own = RealVector::from_iterator(held.len(), held.iter().map(|&row| bend(row)));
-        let cross = between(stops, &held);
+        let (cross, back) = (between(stops, &held), between(&held, stops));
         let mut coupling = between(stops, stops);
         let mut goal = RealVector::from_iterator(stops.len(), stops.iter().map(|&row| bend(row)));
         if !held.is_empty() {
-            coupling -= &cross * &inner * cross.transpose();
+            coupling -= &cross * &inner * &back;
             goal -= &cross * &inner * &own;
         }
+        let leaning = contacts.leans(stops, &grips);
         for (i, &stop) in stops.iter().enumerate() {
             // A stop along what sticks: no force of it is felt.
-            if coupling[(i, i)] <= 1e-12 * contacts.mobility(stop) {
+            if !leaning && coupling[(i, i)] <= 1e-12 * contacts.mobility(stop) {
                 coupling.row_mut(i).fill(0.0);
                 coupling.column_mut(i).fill(0.0);
                 (coupling[(i, i)], goal[i]) = (1.0, 0.0);
             }
         }
-        let pressing = complementary(&coupling, &goal)?;
+        let pressing = if leaning && stops.len() <= MOST_TRIED {
+            let Some(found) = tried(&coupling, &goal) else { return Ok(None) };
+            found
+        } else {
+            complementary(&coupling, &goal)?
+        };
         let load = RealVector::from_column_slice(&pressing);
-        let holding = -&inner * (own + cross.transpose() * &load);
-        let within = |(&j, force): (&usize, &f64)| force.abs() <= rubs[j].holding * (1.0 + SMALL);
+        let holding = -&inner * (own + back * &load);
+        let normal = |j: usize| {
+            self.normals[j].unwrap_or_else(|| {
+                let at = stops.iter().position(|stop| Some(*stop) == rubs[j].stop);
+                at.map_or(0.0, |at| pressing[at])
+            })
+        };
+        let within = |(&j, force): (&usize, &f64)| force.abs() <= rubs[j].holding * normal(j) * (1.0 + SMALL);
         if !stuck.iter().zip(holding.iter()).all(within) {
             return Ok(None);
         }
@@ -241,19 +306,17 @@ impl Open<'_> {
             let part = |rows: &[usize], forces: &RealVector| {
                 rows.iter()
                     .zip(forces.iter())
-                    .map(|(&other, force)| contacts.coupled(row, other) * force)
+                    .map(|(&other, force)| contacts.coupled_along(row, other, &grips) * force)
                     .sum::<f64>()
             };
             let others = part(&held, &holding) + part(stops, &load);
-            let size =
-                self.accelerations[row].abs() + rubs[j].sliding * contacts.mobility(row) + others.abs();
+            let size = self.accelerations[row].abs()
+                + rubs[j].sliding * normal(j) * contacts.mobility(row)
+                + others.abs();
             if way.sign() * (bend(row) + others) < -SMALL * size {
                 return Ok(None);
             }
         }
-        let mut grips = self.grips.clone();
-        stuck.iter().for_each(|&j| grips[j] = Grip::Stuck);
-        sliding.iter().for_each(|&(j, way)| grips[j] = way);
         let presses = stops.iter().zip(&pressing).filter(|(_, force)| **force > 0.0);
         Ok(Some(Decided { pressing: presses.map(|(&stop, _)| stop).collect(), grips, load: load.sum() }))
     }

@@ -54,6 +54,8 @@ pub struct Run<'a> {
     failure: Option<Error>,
     /// What of friction was met last.
     rubbed: Option<What>,
+    /// The friction known to have no velocity at the instant of the last hit, whatever rounding says.
+    still: Vec<usize>,
     counts: Option<Share>,
 }
 
@@ -69,7 +71,12 @@ impl<'a> Run<'a> {
     pub(super) fn new(simulator: &'a Simulator, time: Time, state: State) -> Result<Run<'a>> {
         let soft = SoftStops::of(&simulator.contacts, &state);
         // What has no velocity is decided below.
-        let grips = simulator.sliding(&state).into_iter().map(Grip::of).collect();
+        let grips = (simulator.sliding(&state).into_iter().zip(simulator.contacts.rubs()))
+            .map(|(rate, rub)| match rub.stop {
+                Some(stop) if !soft.pushing.contains(&stop) => Grip::Open,
+                _ => Grip::of(rate),
+            })
+            .collect();
         let stage = simulator.stage(&Holds { resting: Vec::new(), soft, grips })?;
         let gaps: Vec<[f64; 2]> =
             simulator.contacts.all().iter().map(|contact| contact.gap(&state)).collect();
@@ -90,6 +97,7 @@ impl<'a> Run<'a> {
             changes: 0,
             failure: None,
             rubbed: None,
+            still: Vec::new(),
             counts: simulator.tally.as_ref().map(Share::of),
         };
         run.enter(stage, time, &state);

@@ -15,7 +15,7 @@ use super::{
 use crate::{
     error::Result,
     many::{
-        Grip, Machine, RealVector, State,
+        Grip, Machine, NormalForce, RealVector, State,
         contact::StopContact,
         simulate::{Contact, Event, Pushes, Run, Simulator, Slid, goes_on},
     },
@@ -81,9 +81,12 @@ pub(super) fn simulate(
     let forever =
         stuck.contains(&true) && end == RunEnd::Reached && machine.record.is_none() && goes_on(&mut run);
     let rubs = machine.friction.iter().zip(stuck.into_iter().zip(slid.rows()));
-    for (row, (friction, (sticks, (share, path)))) in found.friction.iter_mut().zip(rubs) {
+    for (row, (friction, (sticks, (share, path, energy)))) in found.friction.iter_mut().zip(rubs) {
         (row.stuck, row.path) = (share, path);
-        row.dissipated = friction.coefficient * friction.normal * path;
+        row.dissipated = match friction.normal {
+            NormalForce::Given(normal) => friction.coefficient * normal * path,
+            NormalForce::Stop { .. } => energy,
+        };
         row.at_end = match (sticks, forever) {
             (false, _) => "slides",
             (true, false) => "sticks",

@@ -1,6 +1,6 @@
 //! A second solver for dry friction. It shares no code with `src`.
 
-use grazing::many::Machine;
+use grazing::many::{Friction, Machine, NormalForce};
 
 use super::super::second::{dot, extrapolated};
 
@@ -16,7 +16,7 @@ pub struct Rough<'a> {
 }
 
 /// x of a x = b, by elimination with pivots.
-fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
+pub fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     let n = b.len();
     for i in 0..n {
         let pivot = (i..n).max_by(|&p, &q| a[p][i].abs().total_cmp(&a[q][i].abs())).unwrap();
@@ -34,6 +34,14 @@ fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
         b[i] = (b[i] - left) / a[i][i];
     }
     b
+}
+
+/// The normal force at a row, which is given here.
+fn normal(rub: &Friction<f64>) -> f64 {
+    match rub.normal {
+        NormalForce::Given(force) => force,
+        NormalForce::Stop { .. } => panic!("the force of a stop: see `pressed`"),
+    }
 }
 
 impl<'a> Rough<'a> {
@@ -97,7 +105,7 @@ impl<'a> Rough<'a> {
                 b.push(self.surface(j, t)[1]);
             } else {
                 a[n + j][n + j] = 1.0;
-                b.push(-f64::from(modes[j]) * rub.coefficient * rub.normal);
+                b.push(-f64::from(modes[j]) * rub.coefficient * normal(rub));
             }
         }
         let mut found = solved(a, b);
@@ -118,8 +126,8 @@ impl<'a> Rough<'a> {
         let (_, forces) = self.solve(&self.modes, t, x);
         let rubs = (0..self.modes.len()).map(|j| match self.modes[j] {
             0 => {
-                self.machine.friction[j].static_coefficient * self.machine.friction[j].normal
-                    - forces[j].abs()
+                let rub = &self.machine.friction[j];
+                rub.static_coefficient * normal(rub) - forces[j].abs()
             }
             mode => f64::from(mode) * self.speed(j, t, x),
         });
@@ -150,7 +158,7 @@ impl<'a> Rough<'a> {
                 let bend = dot(&rub.row, &a) - self.surface(j, t)[1];
                 let sure = sure.is_some_and(|known| known.0 == j);
                 match modes[j] {
-                    0 => forces[j].abs() <= rub.static_coefficient * rub.normal + 1e-10,
+                    0 => forces[j].abs() <= rub.static_coefficient * normal(rub) + 1e-10,
                     way if still[j] && !sure => f64::from(way) * bend > -1e-10,
                     _ => true,
                 }
