@@ -1,5 +1,7 @@
 //! A frequency response: for each coordinate its swing over the parameter, and its lag below.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 use super::{
     FigurePlace,
     canvas::{BLACK, BLUE, COLUMN, Canvas, GREY, RED, Stroke, Words, line},
@@ -8,9 +10,11 @@ use super::{
 };
 use crate::{
     error::Result,
-    run::{BackboneRow, ResponseRow},
+    run::{BackboneRow, PeakRow, ResponseRow},
 };
 
+/// The radius of a peak's mark.
+const PEAK: f64 = 1.6;
 /// Coordinates that are drawn; the data have all.
 const MOST: usize = 4;
 /// The height of a panel of swings, and of one of lags.
@@ -28,11 +32,12 @@ const ROUND: f64 = 0.5;
 /// An I/O error.
 pub fn response(
     rows: &[ResponseRow],
+    peaks: &[PeakRow],
     backbone: &[BackboneRow],
     parameter: &str,
     place: &FigurePlace,
 ) -> Result<()> {
-    place.draw(&draw(rows, backbone, parameter))
+    place.draw(&draw(rows, peaks, backbone, parameter))
 }
 
 fn stroke(way: usize) -> Stroke {
@@ -43,7 +48,7 @@ fn stroke(way: usize) -> Stroke {
     }
 }
 
-fn draw(rows: &[ResponseRow], backbone: &[BackboneRow], parameter: &str) -> Canvas {
+fn draw(rows: &[ResponseRow], peaks: &[PeakRow], backbone: &[BackboneRow], parameter: &str) -> Canvas {
     let mut names: Vec<&str> = Vec::new();
     for row in rows {
         if !names.contains(&row.coordinate.as_str()) && !row.coordinate.starts_with("gap ") {
@@ -58,6 +63,12 @@ fn draw(rows: &[ResponseRow], backbone: &[BackboneRow], parameter: &str) -> Canv
                 canvas.line(vec![(x - 9.0, y), (x + 9.0, y)], stroke(i));
             });
         }
+    }
+    if peaks.iter().any(|peak| names.contains(&peak.coordinate.as_str()) && peak.amplitude.is_some()) {
+        legend.add("linear peak, half power", |canvas: &mut Canvas, (x, y)| {
+            canvas.line(vec![(x - 6.0, y), (x + 6.0, y)], line(BLACK, 0.6));
+            canvas.disc((x, y), PEAK, BLACK);
+        });
     }
     if !backbone.is_empty() {
         legend.add("backbone", |canvas: &mut Canvas, (x, y)| {
@@ -114,6 +125,16 @@ fn draw(rows: &[ResponseRow], backbone: &[BackboneRow], parameter: &str) -> Canv
                     canvas.line(lags.path(part), stroke(way));
                 }
             }
+        }
+        for peak in peaks.iter().filter(|peak| peak.coordinate == **name) {
+            let Some(amplitude) = peak.amplitude else { continue };
+            let half = amplitude * FRAC_1_SQRT_2;
+            if let (Some(lower), Some(upper)) = (peak.lower, peak.upper) {
+                let path = swings.path([(lower, half), (upper, half)]);
+                canvas.inside(swings.inside(), |canvas| canvas.line(path, line(BLACK, 0.6)));
+            }
+            let at = swings.path([(peak.value, amplitude)]);
+            canvas.discs(at.into_iter().filter(|at| swings.holds(*at)).collect(), PEAK, BLACK);
         }
         // It is of the only coordinate.
         let dots = swings.path(backbone.iter().map(|row| (row.value, row.swing)));
