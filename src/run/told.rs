@@ -1,41 +1,65 @@
 //! A touch in sentences: what it does there and after, how hard it hits, what changes it. The numbers are
-//! those of the report, in the scene's names and units.
+//! those of the report, in the scene's names, and in SI units where the scene says what its units are.
 
 use super::{GrazingMap, HitRow, InfluenceRow, SeenRow};
-use crate::many::elements::Short;
+use crate::{many::elements::Short, scene::units::SiUnits};
 
 /// Most parameters that are named; the table has all.
 const NAMED: usize = 3;
 
+/// What is told in units.
+#[derive(Clone, Copy)]
+enum Dimension {
+    Time,
+    Speed,
+    Impulse,
+    Force,
+    Energy,
+}
+
+use Dimension::{Energy, Force, Impulse, Speed, Time};
+
+/// A number in SI units, or without units as it stands.
+fn told(x: f64, dimension: Dimension, units: Option<SiUnits>) -> String {
+    let Some(SiUnits { length, time, mass }) = units else { return Short(x).to_string() };
+    let (factor, word) = match dimension {
+        Time => (time, "s"),
+        Speed => (length / time, "m/s"),
+        Impulse => (mass * length / time, "N s"),
+        Force => (mass * length / (time * time), "N"),
+        Energy => (mass * (length / time) * (length / time), "J"),
+    };
+    format!("{} {word}", Short(x * factor))
+}
+
 /// The sentences; `period` is that of the forcing.
 pub(super) fn sentences(
     at: &GrazingMap,
-    period: f64,
+    (period, units): (f64, Option<SiUnits>),
     seen: &[SeenRow],
     hits: &[HitRow],
     influence: &[InfluenceRow],
 ) -> String {
-    let mut all = vec![first(at, period)];
+    let mut all = vec![first(at, &told(at.phase * period, Time, units))];
     for row in seen {
         all.extend(sight(at, row));
-        all.extend(blows(hits, &row.place));
+        all.extend(blows(hits, &row.place, units));
     }
     all.extend(influences(influence));
     all.join(" ")
 }
 
-fn first(at: &GrazingMap, period: f64) -> String {
+fn first(at: &GrazingMap, after: &str) -> String {
     let motion = match at.orbit.as_deref() {
         None | Some("free 1") => "the motion without impacts".to_string(),
         Some(orbit) => format!("the orbit {orbit}"),
     };
     format!(
-        "At {} = {} {motion} touches stop {}, at the phase {} of the period, {} after its beginning.",
+        "At {} = {} {motion} touches stop {}, at the phase {} of the period, {after} after its beginning.",
         at.varied,
         Short(at.parameter),
         at.stop,
-        Short(at.phase),
-        Short(at.phase * period)
+        Short(at.phase)
     )
 }
 
@@ -59,23 +83,24 @@ fn sight(at: &GrazingMap, row: &SeenRow) -> Option<String> {
 }
 
 /// How hard what is seen at a place hits.
-fn blows(hits: &[HitRow], place: &str) -> Option<String> {
+fn blows(hits: &[HitRow], place: &str, units: Option<SiUnits>) -> Option<String> {
     let each: Vec<String> = hits
         .iter()
         .filter(|row| row.place == place)
         .filter_map(|row| {
             let (stop, fastest) = (row.stop.as_ref()?, row.fastest?);
-            let mut text = format!("stop {stop} is hit with a speed of up to {}", Short(fastest));
+            let mut text =
+                format!("stop {stop} is hit with a speed of up to {}", told(fastest, Speed, units));
             if let Some(impulse) = row.strongest {
-                text += &format!(", an impulse of up to {}", Short(impulse));
+                text += &format!(", an impulse of up to {}", told(impulse, Impulse, units));
             }
             if let Some(force) = row.peak_force {
-                text += &format!(", a force of up to {}", Short(force));
+                text += &format!(", a force of up to {}", told(force, Force, units));
             }
             if let Some(energy) = row.dissipated {
                 let periods =
                     if row.periods == 1 { "a period".into() } else { format!("{} periods", row.periods) };
-                text += &format!(", which takes the energy {} in {periods}", Short(energy));
+                text += &format!(", which takes the energy {} in {periods}", told(energy, Energy, units));
             }
             Some(text)
         })

@@ -15,6 +15,7 @@ use super::{
     scene::{Body, Engine, Scene},
     system::{Accuracy, EngineKey, FrictionKeys, StopKeys, SystemKeys},
     task::Task,
+    units::UnitKeys,
 };
 use crate::{
     error::Result,
@@ -46,6 +47,8 @@ keys! {
         stops: Vec<StopKeys> = "[]",
         /// the dry friction
         friction: Vec<FrictionKeys> = "[]",
+        /// what the numbers' units are
+        units: Option<UnitKeys>,
         /// how accurately to compute
         accuracy: Accuracy = "{}",
         /// what to do
@@ -166,6 +169,7 @@ impl Scene {
             whole,
             mass,
             accuracy: read.accuracy,
+            units: read.units.map(|keys| keys.si()),
             tasks,
             format,
             file: Arc::new((name.to_string(), text.to_string())),

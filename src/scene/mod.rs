@@ -41,6 +41,7 @@ mod system;
 pub mod task;
 mod tolerance;
 pub(crate) mod tolerated;
+pub mod units;
 mod upgrade;
 pub mod validate;
 mod values;

@@ -8,6 +8,7 @@ use super::{
     simulate::Start,
     system::TABLES,
     task::{KINDS, TaskKeys},
+    units,
 };
 
 /// Every table of a scene file with its keys, nested ones after those in which they stand: what may stand
@@ -18,7 +19,7 @@ pub fn reference() -> String {
     let mut written: Vec<&str> = Vec::new();
     // What it is, its keys, and the names under which it stands.
     let mut nested: Vec<(Table, Vec<&str>)> = Vec::new();
-    for &(name, about, keys) in [FILE].iter().chain(TABLES).chain(&tasks) {
+    for &(name, about, keys) in [FILE].iter().chain(TABLES).chain(&[units::TABLE]).chain(&tasks) {
         written.push(about);
         table(&mut text, name, about, keys);
     }

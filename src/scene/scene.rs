@@ -17,6 +17,7 @@ use super::{
     simulate::Start,
     system::{Accuracy, EngineKey},
     task::Task,
+    units::SiUnits,
     walls,
 };
 use crate::{
@@ -48,6 +49,8 @@ pub struct Scene {
     pub(super) mass: Option<Expression>,
     /// How accurately to compute.
     pub accuracy: Accuracy,
+    /// What a unit of its numbers is, if it says so.
+    pub units: Option<SiUnits>,
     /// What to do.
     pub tasks: Vec<Task>,
     /// The format of its file.
@@ -116,7 +119,7 @@ impl Scene {
     /// The same scene with other values of some parameters, and without its tasks, which may be many.
     pub(super) fn alone(&self, values: &[(String, BigRational)]) -> Result<Scene> {
         let Scene { title, parameters, body, engine, stops, whole, mass, accuracy, .. } = self;
-        let Scene { format, file, places, files, .. } = self;
+        let Scene { units, format, file, places, files, .. } = self;
         Scene {
             title: title.clone(),
             parameters: parameters.clone(),
@@ -126,6 +129,7 @@ impl Scene {
             whole: whole.clone(),
             mass: mass.clone(),
             accuracy: accuracy.clone(),
+            units: *units,
             tasks: Vec::new(),
             format: *format,
             file: file.clone(),

@@ -157,3 +157,34 @@ fn how_hard_it_hits_is_told_with_what_is_seen() {
         assert!(shown.contains("in_words"), "{shown}");
     }
 }
+
+/// In metres, seconds and kilograms and in millimetres, milliseconds and grams the sentences are the same.
+#[test]
+fn sentences_are_in_si_units_where_the_scene_says_its_own() {
+    let text = driven("many", "").replace("c = 0.3", "c = 0.22").replace("k = 0.6", "k = 0.726");
+    let with = |text: &str, units: &str| {
+        grazing_found(&text.replace("[system]", &format!("[units]\n{units}\n[system]")))
+    };
+    let (metres, ..) = with(&text, "length = \"m\"\ntime = \"s\"\nmass = \"kg\"");
+    // A newton is one gram times one millimetre over a millisecond squared.
+    let other = [
+        ("m = 2", "m = 2000"),
+        ("k = 0.726", "k = 0.000726"),
+        ("w = 1.1", "w = 0.0011"),
+        ("gap = 0.7", "gap = 700"),
+    ];
+    let small = other.iter().fold(text.clone(), |text, (from, to)| text.replace(from, to));
+    let (small, ..) = with(&small, "length = \"mm\"\ntime = \"ms\"\nmass = \"g\"");
+    assert_eq!(small.in_words, metres.in_words);
+    let hit = |found: &GrazingReport| found.hits.as_ref().unwrap()[0].clone();
+    assert!((hit(&small).fastest.unwrap() / hit(&metres).fastest.unwrap() - 1.0).abs() < 1e-6);
+    let speed = Short(hit(&metres).fastest.unwrap()).to_string();
+    for part in [&format!("speed of up to {speed} m/s"), " N s", " J in a period", " s after its beginning"] {
+        assert!(metres.in_words.contains(part), "{part}: {}", metres.in_words);
+    }
+    let (without, ..) = grazing_found(&text);
+    assert!(!without.in_words.contains("m/s"), "{}", without.in_words);
+    let wrong = text.replace("[system]", "[units]\nlength = \"km\"\n[system]");
+    let error = grazing::scene::Scene::from_toml(&wrong, "wrong.toml").unwrap_err().to_string();
+    assert!(error.contains("units.length") && error.contains("\"mm\""), "{error}");
+}
