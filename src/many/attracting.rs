@@ -37,8 +37,8 @@ pub(crate) fn attracting(
     let period = cycle.period() as i64;
     let mut run = simulator.start(Time::new(0, phase), at.q.as_slice(), at.u.as_slice())?;
     // Where the state does not follow from times and speeds.
-    let soft =
-        simulator.is_smooth() || simulator.contacts().all().iter().any(|contact| contact.soft.is_some());
+    let soft = simulator.is_pieced();
+    let stops = simulator.contacts().all().len();
     let (mut struck, mut impacts) = (None, Vec::<(usize, Time, f64)>::new());
     let mut rests = !run.resting().is_empty();
     let end = loop {
@@ -49,7 +49,7 @@ pub(crate) fn attracting(
                     struck = Some(run.state());
                 }
             }
-            Event::Stick(_) => rests = true,
+            Event::Stick(stick) if stick.place < stops => rests = true,
             Event::End(end) => break end,
             _ => {}
         }

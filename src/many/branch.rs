@@ -52,7 +52,9 @@ impl Common {
         let settings = Settings::default();
         let simulator = Simulator::new(machine, &settings)?;
         let size = |size: f64| if size > 0.0 && size.is_finite() { size } else { 1.0 };
-        let (scale, gap) = (size(simulator.scale()), size(simulator.gap_scale()));
+        let own = simulator.size();
+        let gap = simulator.gap_scale();
+        let (scale, gap) = (size(own), size(if gap > 0.0 { gap } else { own }));
         Ok(Common { scale, depth: depth.unwrap_or(RELATIVE_DEPTH * gap), tally: tally.cloned() })
     }
 
@@ -94,10 +96,10 @@ impl Solved {
         tally: Option<&Arc<EffectTally>>,
     ) -> Result<Solved> {
         let flow = LinearFlow::new(machine.equations()?)?;
-        machine.check_no_friction()?;
-        let contacts = Contacts::new(flow.equations(), machine.contacts()?, Vec::new());
+        let contacts = Contacts::new(flow.equations(), machine.contacts()?, machine.rubs()?);
         check_stops(pattern, &contacts)?;
-        let soft = if machine.is_smooth() || contacts.all().iter().any(|contact| contact.soft.is_some()) {
+        let soft = || contacts.all().iter().any(|contact| contact.soft.is_some());
+        let soft = if machine.is_smooth() || !machine.friction.is_empty() || soft() {
             let settings = Settings { minimum_depth: depth, ..Settings::default() };
             Simulator::new(machine, &settings)?.counting_too(tally).through()?
         } else {

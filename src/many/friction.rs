@@ -65,16 +65,11 @@ impl<T> Machine<T> {
     /// # Errors
     /// An input error if there is any.
     pub(crate) fn check_no_friction(&self) -> Result<()> {
-        refused(self.friction.first().map(|friction| &friction.name))
+        let Some(Friction { name, .. }) = self.friction.first() else { return Ok(()) };
+        Err(Error::input(format!(
+            "there is dry friction ({name}): the motion is not followed as one that is smooth between impacts"
+        )))
     }
-}
-
-/// Refuses what has friction of this name.
-pub(super) fn refused(name: Option<&String>) -> Result<()> {
-    let Some(name) = name else { return Ok(()) };
-    Err(Error::input(format!(
-        "there is dry friction ({name}): the motion is not followed as one that is smooth between impacts"
-    )))
 }
 
 impl<T> Friction<T> {

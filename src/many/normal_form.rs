@@ -44,7 +44,7 @@ const BESIDE: f64 = 1e-4;
 /// # Errors
 /// Why there is none: at grazing and fading the Poincaré map is not smooth, without impacts it is linear, at
 /// a double multiplier the critical direction is no direction of its own, and the map's derivatives are not
-/// followed through stops that give way, forces that are formulas or a restitution that depends on the speed.
+/// followed through stops that give way, friction, forces that are formulas or a restitution that depends on the speed.
 pub(crate) fn normal_form(
     machine: &Machine<f64>,
     slope: &Machine<f64>,
@@ -60,7 +60,7 @@ pub(crate) fn normal_form(
     let equations = solved.equations(&orbit.itinerary, orbit.scale);
     let own = |i: usize| equations.contact(i).law.is_some();
     if equations.between.soft.is_some() || (0..orbit.impacts.len()).any(own) {
-        return Err("none: through soft stops, formulas or a law of restitution");
+        return Err("none: through soft stops, friction, formulas or a law of restitution");
     }
     if orbit.impacts.is_empty() {
         return Err("none: without impacts the map is linear");

@@ -43,6 +43,21 @@ pub struct Slope {
     pub stops: Vec<(RealVector, Series)>,
     /// Of each soft stop's stiffness and damping.
     pub soft: Vec<Option<SoftContact>>,
+    /// Of the friction.
+    pub rubs: Vec<RubSlope>,
+}
+
+/// How friction changes with a parameter.
+#[derive(Debug, Clone)]
+pub struct RubSlope {
+    /// Of its row.
+    pub row: RealVector,
+    /// Of the surface's velocity.
+    pub velocity: Series,
+    /// Of F_k.
+    pub sliding: f64,
+    /// Of F_s.
+    pub holding: f64,
 }
 
 impl Slope {
@@ -96,7 +111,19 @@ impl Slope {
             }
             _ => None,
         });
+        let rubs = machine.friction.iter().zip(&slope.friction).map(|(friction, change)| {
+            let speed = change.speed / rate - friction.speed * faster / (rate * rate);
+            let motion = Series::new(0.0, &change.harmonics)?.derivative();
+            let force = |coefficient: f64, by: f64| by * friction.normal + coefficient * change.normal;
+            Ok(RubSlope {
+                row: vector("row", &friction.row, &change.row)?,
+                velocity: Series::combination(&[(1.0, &Series::constant(speed)), (1.0, &motion)]),
+                sliding: force(friction.coefficient, change.coefficient),
+                holding: force(friction.static_coefficient, change.static_coefficient),
+            })
+        });
         Ok(Slope {
+            rubs: rubs.collect::<Result<_>>()?,
             soft: soft.collect(),
             mass: mass_slope,
             damping: damping_slope,
@@ -137,6 +164,16 @@ impl Slope {
             all.force.add_series(row, &changed);
         }
         all
+    }
+
+    /// The same where it slides, each row with the sign of its velocity ([`LinearEquations::dragged`]).
+    #[must_use]
+    pub(crate) fn dragged(mut self, contacts: &Contacts, signs: impl Iterator<Item = f64>) -> Slope {
+        for ((rub, slope), sign) in contacts.rubs().iter().zip(&self.rubs).zip(signs) {
+            self.force.mean.axpy(-sign * slope.sliding, &rub.row, 1.0);
+            self.force.mean.axpy(-sign * rub.sliding, &slope.row, 1.0);
+        }
+        self
     }
 }
 

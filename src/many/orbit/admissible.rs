@@ -98,7 +98,7 @@ impl fmt::Display for Obstacle {
 impl StopEquations<'_> {
     /// Each leg by the simulator, from the state just after its impact up to the next.
     pub fn admissibility(&self, z: &[f64], simulator: &Simulator) -> Result<Admissibility> {
-        let (mut state, times, speeds) = self.split(z);
+        let (mut state, times, speeds) = self.begun(z)?;
         let m = times.len();
         let name = |stop: usize| self.contacts.all()[stop].name.clone();
         if let Some(i) = speeds.iter().position(|speed| speed.is_nan() || *speed <= 0.0) {
@@ -188,6 +188,8 @@ impl StopEquations<'_> {
                     }
                     return (None, marginal);
                 }
+                // Friction that sticks is no rest on a stop.
+                Event::Stick(stick) if stick.place >= self.contacts.all().len() => {}
                 Event::Stick(stick) => {
                     let (stop, after) = (name(stick.place), stick.time.since(begin));
                     return (Some(Admissibility::No(Obstacle::Met { leg, stop, after })), marginal);
@@ -210,7 +212,7 @@ impl StopEquations<'_> {
     /// # Errors
     /// Legs that do not follow one another.
     pub fn least(&self, z: &[f64]) -> Result<Option<Minimum>> {
-        let (mut state, times, speeds) = self.split(z);
+        let (mut state, times, speeds) = self.begun(z)?;
         let m = times.len();
         let mut least: Option<Minimum> = None;
         for leg in 0..m.max(1) {
@@ -226,9 +228,15 @@ impl StopEquations<'_> {
                         least = Some(found);
                     }
                 };
+                let place = (leg, begun, duration);
                 match &piece.stage {
-                    None => self.minima(&piece, (leg, begun, duration), &mut each)?,
-                    Some(stage) => self.minima_by_steps(stage, &piece, (leg, begun, duration), &mut each)?,
+                    Some(stage) if stage.smooth.is_some() => {
+                        self.minima_by_steps(stage, &piece, place, &mut each)?;
+                    }
+                    Some(stage) if stage.holds.stuck().next().is_some() => {
+                        self.minima_where_it_sticks(stage, &piece, place, &mut each);
+                    }
+                    _ => self.minima(&piece, place, &mut each)?,
                 }
                 begun += piece.duration;
             }
@@ -282,6 +290,44 @@ impl StopEquations<'_> {
             (time, state) = (leap.time(1.0), leap.state(1.0));
         }
         Ok(())
+    }
+
+    /// Where something sticks: from the states at the ends of cells.
+    fn minima_where_it_sticks(
+        &self,
+        stage: &Stage,
+        piece: &LegPiece,
+        (leg, before, whole): (usize, f64, f64),
+        each: &mut impl FnMut(Minimum),
+    ) {
+        let now = Time::new(0, piece.start.t);
+        let order = stage.equations.force.order().max(self.order()).max(1);
+        let fastest = stage.flow.rates().into_iter().fold(f64::from(order), f64::max);
+        let cells = (piece.duration / (PI / 8.0 / fastest).max(1e-6 * piece.duration)).ceil();
+        let impacts = !self.pattern.strikes().is_empty();
+        for (stop, contact) in self.contacts.all().iter().enumerate().filter(|known| known.1.soft.is_none()) {
+            let seen = |after: f64| {
+                let state = State { t: now.after(after).phase, ..stage.after(now, &piece.start, after) };
+                let [gap, rate] = contact.gap(&state);
+                let bend = stage.acceleration(Time::new(0, state.t), &state);
+                [gap, rate, contact.row.dot(&bend) - contact.position.at(state.t)[2]]
+            };
+            let width = piece.duration / cells;
+            let mut a = seen(0.0);
+            for cell in 0..cells as u64 {
+                let begun = cell as f64 * width;
+                let b = seen(begun + width);
+                if let Some(x) = minimum_within(|x| seen(begun + x), a, b, width) {
+                    let ([gap, _, acceleration], own) = (seen(begun + x), begun + x);
+                    let after = before + own;
+                    if !impacts || after.min(whole - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
+                        let phase = turned(now.after(own).phase);
+                        each(Minimum { stop, leg, after, phase, gap, acceleration });
+                    }
+                }
+                a = b;
+            }
+        }
     }
 
     fn minima(

@@ -34,7 +34,7 @@ pub(crate) struct Change {
     /// The machine under f′ alone, if that is all; none if nothing changes.
     alone: Option<LinearFlow>,
     /// Of the machine's coefficients.
-    slope: Slope,
+    pub(super) slope: Slope,
     /// Of each stop.
     stops: Vec<StopChange>,
     /// The formulas of forces, and what they change by.

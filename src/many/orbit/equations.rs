@@ -81,8 +81,9 @@ impl<'s> StopEquations<'s> {
     /// (n + m)² n), and for ∂F/∂p that of [`Change::leg`] for each impact.
     pub fn linearise(&self, z: &[f64], change: Option<&Change>) -> Result<Linearised> {
         let (n, m, s) = (self.size(), self.pattern.strikes().len(), self.scale);
-        let (first, times, speeds) = self.split(z);
-        let (mut state, unknowns) = (first.clone(), 2 * n + 2 * m);
+        let (first, _, _) = self.split(z);
+        let (mut state, times, speeds) = self.begun(z)?;
+        let unknowns = 2 * n + 2 * m;
         // The derivative of the state at the time of the present impact, just after it: by the unknowns and,
         // last, by the parameter.
         let mut d = RealMatrix::zeros(2 * n, unknowns + 1);
@@ -92,13 +93,15 @@ impl<'s> StopEquations<'s> {
             let next = (i + 1) % m;
             let (time, speed) = (2 * n + 2 * next, 2 * n + 2 * next + 1);
             let duration = self.duration(&times, i)?;
-            let LegPassage { mut end, phi, slope } = self.between.passage(&state, duration, change)?;
-            let begin = self.between.field(&state);
+            let LegPassage { mut end, phi, slope, fields } =
+                self.between.passage(&state, duration, change)?;
             end.t = turned(times[next]);
+            let [begin, arrival] =
+                fields.unwrap_or_else(|| [self.between.field(&state), self.between.field(&end)]);
             d = &phi * d;
             let earlier = &phi * begin;
             add_column(&mut d, 2 * n + 2 * i, -1.0, &earlier);
-            add_column(&mut d, time, 1.0, &self.between.field(&end));
+            add_column(&mut d, time, 1.0, &arrival);
             if change.is_some() {
                 add_column(&mut d, unknowns, 1.0, &slope);
             }
@@ -135,7 +138,7 @@ impl<'s> StopEquations<'s> {
         }
         if m == 0 {
             let duration = TAU * f64::from(self.pattern.periods());
-            let LegPassage { end, phi, slope } = self.between.passage(&state, duration, change)?;
+            let LegPassage { end, phi, slope, .. } = self.between.passage(&state, duration, change)?;
             d = phi * d;
             if change.is_some() {
                 add_column(&mut d, unknowns, 1.0, &slope);
@@ -159,7 +162,8 @@ impl<'s> StopEquations<'s> {
     pub fn complete(&self, impacts: &[f64]) -> Result<Vec<f64>> {
         let mut z = vec![0.0; 2 * self.size()];
         z.extend(impacts);
-        let smooth = self.between.soft.is_some_and(Simulator::is_smooth);
+        let pieced = |simulator: &Simulator| simulator.is_smooth() || simulator.is_rough();
+        let smooth = self.between.soft.is_some_and(pieced);
         for _ in 0..if smooth { COMPLETED } else { 1 } {
             z = self.completed(z)?;
         }
@@ -188,7 +192,7 @@ impl<'s> StopEquations<'s> {
 
     /// The state a time ≥ 0 after the first impact (after phase 0 without impacts).
     pub fn state(&self, z: &[f64], mut left: f64) -> Result<State> {
-        let (mut state, times, speeds) = self.split(z);
+        let (mut state, times, speeds) = self.begun(z)?;
         for i in 0..times.len() {
             let (next, duration) = ((i + 1) % times.len(), self.duration(&times, i)?);
             if left <= duration {
@@ -209,7 +213,7 @@ impl<'s> StopEquations<'s> {
     /// derivative before it, and w δq/V the delay of the impact.
     pub fn monodromy(&self, z: &[f64]) -> Result<RealMatrix> {
         let (n, m) = (self.size(), self.pattern.strikes().len());
-        let (mut state, times, speeds) = self.split(z);
+        let (mut state, times, speeds) = self.begun(z)?;
         if m == 0 {
             return Ok(self.between.passage(&state, TAU * f64::from(self.pattern.periods()), None)?.phi);
         }
@@ -217,11 +221,11 @@ impl<'s> StopEquations<'s> {
         for i in 0..m {
             let next = (i + 1) % m;
             let duration = self.duration(&times, i)?;
-            let LegPassage { mut end, phi, .. } = self.between.passage(&state, duration, None)?;
+            let LegPassage { mut end, phi, fields, .. } = self.between.passage(&state, duration, None)?;
             all = phi * all;
             end.t = turned(times[next]);
             let (contact, kick) = (self.contact(next), self.kick(next, speeds[next]));
-            let before = self.between.field(&end);
+            let before = fields.map_or_else(|| self.between.field(&end), |[_, arrival]| arrival);
             let bend = contact.row.dot(&before.rows(n, n)) - contact.position.at(end.t)[2];
             end.u.axpy(speeds[next], &kick, 1.0);
             let kappa = stacked(&RealVector::zeros(n), &self.kick_slope(next, speeds[next]));
@@ -237,7 +241,7 @@ impl<'s> StopEquations<'s> {
 
     /// The determinant of [`monodromy`](Self::monodromy), by Liouville.
     pub fn determinant(&self, z: &[f64]) -> Result<f64> {
-        let (mut state, times, speeds) = self.split(z);
+        let (mut state, times, speeds) = self.begun(z)?;
         let m = times.len();
         let lost = |i: usize| {
             let contact = self.contact(i);

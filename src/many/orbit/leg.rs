@@ -6,11 +6,14 @@
 //! own. Where it ends, the motion's field is continuous, and nothing is to be done; where it begins the force
 //! jumps by cV, and a displacement δ becomes δq′ − c M⁻¹wᵀ δz, δz being by how much the gap is larger there.
 //! So a branch passes through a grazing of a soft stop. Where forces are formulas, pieces are not linear, and
-//! their derivatives are those of the flow along the motion.
+//! their derivatives are those of the flow along the motion. Where there is friction, it is in `rubbing`.
 
 use std::sync::Arc;
 
-use super::Change;
+use super::{
+    Change,
+    rubbing::{Turn, rough_field, rough_pieces},
+};
 use crate::{
     error::{Error, Result},
     many::{
@@ -27,7 +30,8 @@ use crate::{
 pub(crate) struct Between<'s> {
     pub flow: &'s LinearFlow,
     pub contacts: &'s Contacts,
-    /// The machine with its rigid stops passed through, if it has soft ones or its forces are formulas.
+    /// The machine with its rigid stops passed through, if it has soft ones or friction, or its forces are
+    /// formulas.
     pub soft: Option<&'s Simulator>,
 }
 
@@ -38,10 +42,12 @@ pub(crate) struct LegPiece {
     pub pushing: Vec<usize>,
     pub start: State,
     pub duration: f64,
-    /// Where forces are formulas, how it moves.
+    /// Where forces are formulas or there is friction, how it moves.
     pub stage: Option<Arc<Stage>>,
     /// Contact that begins at its end, with the state there.
-    touch: Option<(Touch<usize>, State)>,
+    pub touch: Option<(Touch<usize>, State)>,
+    /// What changes at its end, where there is friction.
+    pub turn: Option<Turn>,
 }
 
 /// A leg's end, what of a displacement before is left there, and how the end changes with a parameter.
@@ -49,9 +55,16 @@ pub(crate) struct LegPassage {
     pub end: State,
     pub phi: RealMatrix,
     pub slope: RealVector,
+    /// Where there is friction (q′, q″) at its begin and end, as it slides and sticks on the leg.
+    pub fields: Option<[RealVector; 2]>,
 }
 
 impl<'s> Between<'s> {
+    /// The machine with its rigid stops passed through, where there is friction.
+    pub fn rough(&self) -> Option<&'s Simulator> {
+        self.soft.filter(|simulator| simulator.is_rough())
+    }
+
     /// The state after a leg.
     pub fn after(&self, state: &State, duration: f64) -> Result<State> {
         let Some(simulator) = self.soft.filter(|_| duration > 0.0) else {
@@ -66,6 +79,9 @@ impl<'s> Between<'s> {
 
     /// (q′, q″) of a state.
     pub fn field(&self, state: &State) -> RealVector {
+        if let Some(simulator) = self.rough() {
+            return rough_field(simulator, state);
+        }
         if let Some(simulator) = self.soft.filter(|simulator| simulator.is_smooth()) {
             let bend = simulator.acceleration(state);
             return stacked(&state.u, &bend.unwrap_or_else(|_| state.u.map(|_| f64::NAN)));
@@ -92,9 +108,13 @@ impl<'s> Between<'s> {
     pub fn pieces(&self, state: &State, duration: f64) -> Result<(Vec<LegPiece>, State)> {
         let Some(simulator) = self.soft else {
             let (flow, start) = (self.flow.clone(), state.clone());
-            let whole = LegPiece { flow, pushing: Vec::new(), start, duration, stage: None, touch: None };
+            let (stage, touch, turn) = (None, None, None);
+            let whole = LegPiece { flow, pushing: Vec::new(), start, duration, stage, touch, turn };
             return Ok((vec![whole], self.flow.after(state, duration)));
         };
+        if simulator.is_rough() {
+            return rough_pieces(simulator, state, duration);
+        }
         let begin = Time::new(0, state.t);
         let until = begin.after(duration);
         let mut run = simulator.start(begin, state.q.as_slice(), state.u.as_slice())?;
@@ -112,7 +132,7 @@ impl<'s> Between<'s> {
             let touch = touch.filter(|touch| touch.jump > 0.0).map(|touch| (touch, here.clone()));
             let duration = time.since(now).max(0.0);
             let own = stage.smooth.is_some().then_some(stage);
-            pieces.push(LegPiece { flow, pushing, start, duration, stage: own, touch });
+            pieces.push(LegPiece { flow, pushing, start, duration, stage: own, touch, turn: None });
             if let Event::End(end) = event {
                 followed(run.failure(), end)?;
                 return Ok((pieces, here));
@@ -129,13 +149,17 @@ impl<'s> Between<'s> {
                 end: self.flow.after(state, duration),
                 phi: self.flow.transition(duration),
                 slope: change.map_or_else(none, |change| change.leg(self.flow, state, duration)),
+                fields: None,
             });
+        }
+        if self.rough().is_some() {
+            return self.rough_passage(state, duration, change);
         }
         let n = state.q.len();
         let (pieces, end) = self.pieces(state, duration)?;
         let (mut phi, mut slope) = (RealMatrix::identity(2 * n, 2 * n), RealVector::zeros(2 * n));
         for piece in &pieces {
-            let own = piece.transition()?;
+            let own = piece.transition(self.contacts)?;
             phi = &own * phi;
             slope = own * slope;
             if let Some(change) = change {
@@ -157,7 +181,7 @@ impl<'s> Between<'s> {
             let seen = row.transpose() * &phi;
             phi += &kick * seen;
         }
-        Ok(LegPassage { end, phi, slope })
+        Ok(LegPassage { end, phi, slope, fields: None })
     }
 
     /// det of the flow over a leg, by Liouville: beginnings of contact have determinant 1.
@@ -166,13 +190,16 @@ impl<'s> Between<'s> {
             return Ok(self.flow.equations().determinant(duration));
         }
         let (pieces, _) = self.pieces(state, duration)?;
-        pieces.iter().map(LegPiece::determinant).product()
+        pieces.iter().map(|piece| piece.determinant(self.contacts)).product()
     }
 }
 
 impl LegPiece {
     /// ∂(q, q′) at its end by (q, q′) before.
-    fn transition(&self) -> Result<RealMatrix> {
+    pub fn transition(&self, contacts: &Contacts) -> Result<RealMatrix> {
+        if let Some(held) = self.stage.as_ref().filter(|stage| stage.holds.stuck().next().is_some()) {
+            return self.held_transition(held, contacts);
+        }
         let smooth = self.stage.as_ref().and_then(|stage| stage.smooth.as_ref());
         let phi = match smooth {
             None => return Ok(self.flow.transition(self.duration)),
@@ -182,23 +209,28 @@ impl LegPiece {
     }
 
     /// The determinant of [`transition`](Self::transition).
-    fn determinant(&self) -> Result<f64> {
+    fn determinant(&self, contacts: &Contacts) -> Result<f64> {
+        if self.stage.as_ref().is_some_and(|stage| stage.holds.stuck().next().is_some()) {
+            return Ok(0.0);
+        }
         let smooth = self.stage.as_ref().and_then(|stage| stage.smooth.as_ref());
         let found = match smooth {
             None => self.flow.equations().determinant(self.duration),
             Some(smooth) => smooth.determinant(&self.start, self.duration),
         };
+        let turned = self.turn.as_ref().map_or(Ok(1.0), |turn| turn.determinant(contacts))?;
+        let found = found * turned;
         found.is_finite().then_some(found).ok_or_else(|| Error::input(LOST))
     }
 }
 
-const LOST: &str = "the motion's derivative could not be followed";
+pub(super) const LOST: &str = "the motion's derivative could not be followed";
 
 fn none() -> RealVector {
     RealVector::zeros(0)
 }
 
-fn followed(failure: Option<Error>, end: RunEnd) -> Result<()> {
+pub(super) fn followed(failure: Option<Error>, end: RunEnd) -> Result<()> {
     match (failure, end) {
         (Some(error), _) => Err(error),
         (None, RunEnd::Reached) => Ok(()),

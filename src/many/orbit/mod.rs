@@ -10,7 +10,8 @@
 //! its impacts expands by 1/V.
 //!
 //! Soft stops take no part in the pattern: a leg passes through contact with them (`leg`), and a branch
-//! through their grazing.
+//! through their grazing. Neither does dry friction (`rubbing`): where something sticks, a direction is lost,
+//! and the motion once around has multipliers 0; the equations stay regular.
 //!
 //! `pattern` is the pattern, `equations` the equations with all derivatives, that in a parameter by `change`,
 //! `admissible` what tells an orbit from another solution, `surface` the Poincaré map to third order. Not
@@ -21,6 +22,7 @@ mod admissible;
 mod change;
 mod equations;
 mod leg;
+mod rubbing;
 mod starts;
 mod surface;
 
@@ -34,7 +36,7 @@ pub(crate) use starts::FreeStarts;
 pub(super) use surface::{Image, Surface};
 
 use super::{
-    State,
+    Grip, State,
     algebra::eigenvalues,
     contact::{Contacts, StopContact},
     simulate::Simulator,
@@ -78,13 +80,15 @@ pub struct Orbit {
     pub admissibility: Admissibility,
     /// The least minimum of a gap away from the impacts; none if no gap has one.
     pub least: Option<Minimum>,
+    /// How each row with friction moves, one after the other.
+    pub(crate) grips: Vec<Vec<Grip>>,
 }
 
 /// The orbit of a pattern nearest to times and incoming speeds t_1, V_1, …, t_m, V_m (none without impacts):
 /// Newton's method with exact derivatives.
 ///
 /// # Errors
-/// An input error if the start has another length, a stop is not there, there is dry friction, or Newton's
+/// An input error if the start has another length, a stop is not there, or Newton's
 /// method does not end.
 pub fn find(simulator: &Simulator, pattern: &Itinerary, start: &[f64]) -> Result<Orbit> {
     find_from(simulator, pattern, start, None)
@@ -109,9 +113,9 @@ pub fn find_from(
             2 * m
         )));
     }
-    simulator.check_no_friction()?;
     check_stops(pattern, simulator.contacts())?;
     let size = simulator.scale_at(pattern.strikes().iter().map(|strike| strike.place));
+    let size = if size > 0.0 { size } else { simulator.rub_scale(&[]) };
     let fastest = start.iter().skip(1).step_by(2).fold(0.0, |most: f64, v| most.max(v.abs()));
     let scale = if size > 0.0 {
         size
@@ -172,6 +176,7 @@ pub(super) fn describe(simulator: &Simulator, pattern: &Itinerary, scale: f64, r
         multipliers: multipliers(&equations, &z)?,
         admissibility: equations.admissibility(&z, simulator)?,
         least: equations.least(&z)?,
+        grips: equations.grips(&z)?,
         scale,
         z,
     })

@@ -1,5 +1,5 @@
-//! Where a search begins for orbits without impacts of machines whose stops give way or whose forces are
-//! formulas: the same motions in every form of a question.
+//! Where a search begins for orbits without impacts of machines whose stops give way, whose forces are
+//! formulas, or that have dry friction: the same motions in every form of a question.
 //!
 //! First the motion that the forces bring about where no stop is in the way (of forces that are formulas, the
 //! machine linearised at rest): it is the same from whichever phase time is counted. Then what a deflection
@@ -39,9 +39,8 @@ impl<'s> FreeStarts<'s> {
     /// With deflections' speeds up to `greatest`, per radian of the forcing.
     ///
     /// # Errors
-    /// Dry friction; those of [`Simulator::new`].
+    /// Those of [`Simulator::new`].
     pub fn new(simulator: &'s Simulator, pattern: &'s Itinerary, greatest: f64) -> Result<Self> {
-        simulator.check_no_friction()?;
         let nearest = simulator.nearest_stop();
         let starts = Starts::new(greatest, |t| nearest.map_or(0.0, |stop| simulator.on_stop(stop, t)));
         let directions = directions(simulator, nearest);
@@ -61,11 +60,17 @@ impl<'s> FreeStarts<'s> {
         let t = self.starts.phase(Starts::part(i, 0, count));
         let mut state = self.forced(t);
         for (j, direction) in self.directions.iter().enumerate() {
-            let most = DEFLECTED * self.simulator.scale();
+            let most = DEFLECTED * self.simulator.size();
             state.q.axpy(most * part(2 * j + 1), direction, 1.0);
             state.u.axpy(greatest * part(2 * j + 2), direction, 1.0);
         }
-        self.from(&self.after(&state, TAU - t)?)
+        let state = self.after(&state, TAU - t)?;
+        let found = self.from(&state);
+        if found.is_ok() || !self.simulator.is_rough() {
+            return found;
+        }
+        // The equations have corners where friction changes otherwise: nearer to the motion it leads to.
+        self.from(&self.after(&state, TAU * f64::from(LATER[1]))?)
     }
 
     /// From the motion of the forces or, where Newton's method finds nothing there, from where that leads.

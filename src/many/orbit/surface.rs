@@ -146,7 +146,8 @@ impl StopEquations<'_> {
         for i in 0..m {
             let next = (i + 1) % m;
             let (duration, stop) = (self.duration(&times, i)?, self.pattern.strikes()[next].place);
-            let LegPassage { mut end, phi, slope } = self.between.passage(&state, duration, Some(change))?;
+            let LegPassage { mut end, phi, slope, .. } =
+                self.between.passage(&state, duration, Some(change))?;
             x = phi * x + slope;
             end.t = turned(times[next]);
             let (kick, speed) = (self.kick(next, speeds[next]), speeds[next]);

@@ -86,16 +86,15 @@ use std::{
 use serde::Serialize;
 
 pub use engine::Run;
-use holds::{Holds, SoftStops, What};
+pub(crate) use holds::What;
+use holds::{Holds, SoftStops};
 pub(crate) use pushes::{Contact, Pushes};
 pub(crate) use slid::{Slid, goes_on};
 pub(crate) use smooth::seen;
 pub(crate) use stage::Stage;
 pub use tangent::Carried;
 
-use super::{
-    LinearEquations, Machine, RealVector, Rub, State, contact::Contacts, friction::refused, smooth::Smooth,
-};
+use super::{LinearEquations, Machine, RealVector, Rub, State, contact::Contacts, smooth::Smooth};
 use crate::many::LinearFlow;
 use crate::{
     error::{Error, Result},
@@ -228,12 +227,12 @@ impl Simulator {
     }
 
     /// The machine with its rigid stops passed through; none if then it is one linear machine: it has no soft
-    /// stops, and no force is a formula.
+    /// stops and no friction, and no force is a formula.
     ///
     /// # Errors
     /// None in practice: those of [`Simulator::new`].
     pub(crate) fn through(&self) -> Result<Option<Simulator>> {
-        if self.smooth.is_none() && self.contacts.all().iter().all(|contact| contact.soft.is_none()) {
+        if !self.is_pieced() {
             return Ok(None);
         }
         let smooth = self.smooth.as_ref();
@@ -274,6 +273,18 @@ impl Simulator {
     /// Whether forces are formulas.
     pub(crate) fn is_smooth(&self) -> bool {
         self.smooth.is_some()
+    }
+
+    /// Whether motion between impacts is more than that of one linear machine: a state does not follow from
+    /// times and speeds of impacts.
+    pub(crate) fn is_pieced(&self) -> bool {
+        let soft = || self.contacts.all().iter().any(|contact| contact.soft.is_some());
+        self.is_smooth() || self.is_rough() || soft()
+    }
+
+    /// Whether there is dry friction.
+    pub(crate) fn is_rough(&self) -> bool {
+        !self.contacts.rubs().is_empty()
     }
 
     /// (q″) of a state between impacts.
@@ -342,6 +353,12 @@ impl Simulator {
         })
     }
 
+    /// The same; of a machine without stops the size of the motions where there is friction.
+    pub(crate) fn size(&self) -> f64 {
+        let scale = self.scale();
+        if scale > 0.0 { scale } else { self.rub_scale(&[]) }
+    }
+
     /// The same where these stops are met: of their places and motions, too.
     pub(crate) fn scale_at(&self, stops: impl IntoIterator<Item = usize>) -> f64 {
         let size = |stop: usize| {
@@ -377,7 +394,7 @@ impl Simulator {
 
     /// The size of the motion along the rows with friction, from these starts; where nothing moves, of what
     /// friction does in a radian.
-    fn rub_scale(&self, starts: &[State]) -> f64 {
+    pub(crate) fn rub_scale(&self, starts: &[State]) -> f64 {
         let rubs = || self.contacts.rubs().iter().enumerate();
         let moved = |(j, rub): (usize, &Rub)| {
             let GapSize { forced, place, .. } = self.gap_size(self.contacts.rub_row(j));
@@ -433,16 +450,14 @@ impl Simulator {
         Run::new(self, time, state)
     }
 
-    /// Refuses a machine with friction, where motions between impacts must be smooth.
-    ///
-    /// # Errors
-    /// An input error if there is any.
-    pub(crate) fn check_no_friction(&self) -> Result<()> {
-        refused(self.contacts.rubs().first().map(|rub| &rub.name))
-    }
-
     /// v at each row with friction; where it is rounding's, 0.
     pub(crate) fn sliding(&self, state: &State) -> Vec<f64> {
+        let still = |[rate, size]: [f64; 2]| if rate.abs() <= STILL * size { 0.0 } else { rate };
+        self.rub_rates(state).into_iter().map(still).collect()
+    }
+
+    /// v at each row with friction, and what it is added up from.
+    pub(crate) fn rub_rates(&self, state: &State) -> Vec<[f64; 2]> {
         if self.contacts.rubs().is_empty() {
             return Vec::new();
         }
@@ -451,8 +466,7 @@ impl Simulator {
         let one = |(j, rub): (usize, &Rub)| {
             let mobility = self.contacts.mobility(self.contacts.rub_row(j));
             let size = mobility.sqrt() * whole + rub.speed.abs() + rub.motion.derivative_bound(0);
-            let rate = rub.rate(state);
-            if rate.abs() <= STILL * size { 0.0 } else { rate }
+            [rub.rate(state), size]
         };
         self.contacts.rubs().iter().enumerate().map(one).collect()
     }

@@ -323,7 +323,7 @@ fn first(n: usize, count: usize) -> Vec<Vec<f64>> {
 
 impl Stage {
     /// (δq, δq′) after a duration of motion in this stage; of (δq, δq′) only what the stage allows.
-    fn carried(&self, q: &RealVector, u: &RealVector, duration: f64) -> (RealVector, RealVector) {
+    pub(crate) fn carried(&self, q: &RealVector, u: &RealVector, duration: f64) -> (RealVector, RealVector) {
         let (q, u) = self.lowered_vector(q, u);
         let mut y = self.flow.inward(&q, &u);
         if duration != 0.0 {

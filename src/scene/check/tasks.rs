@@ -80,22 +80,38 @@ impl Checked<'_> {
         Ok(())
     }
 
-    /// With dry friction motions are followed, and attractors found; nothing that is smooth between impacts.
+    /// With dry friction motions are followed, attractors and orbits found, and branches of these over one
+    /// parameter; nothing that takes a map that is smooth, or has an inverse.
     fn rubbing(&self, kind: &Kind) -> Result<()> {
         let Model::Many(machine) = self.model else { return Ok(()) };
         let Some(first) = machine.friction.first() else { return Ok(()) };
         let refused = |key: &str| {
             let message = format!(
-                "needs motions that are smooth between impacts; here there is dry friction ({}): `simulate`, `basins`, `section` \
-                 without `orbits`, `diagram` without `branches` and `response` take it",
+                "needs motions that are smooth between impacts; here there is dry friction ({}): `simulate`, `orbit`, `branch` over one \
+                 parameter, `basins`, `section` without `orbits`, `diagram` and `response` take it",
+                first.name
+            );
+            self.fail(key, &message)
+        };
+        let formulas = |key: &str| {
+            let message = format!(
+                "takes how motions change with a parameter, which is not followed where a force is a formula and there is dry friction \
+                 ({}): leave one of them out, or use `diagram` without `branches`",
                 first.name
             );
             self.fail(key, &message)
         };
         match kind {
-            Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_) => Ok(()),
-            Kind::DiagramTask(task) if task.branches.is_empty() => Ok(()),
-            Kind::DiagramTask(_) => refused("branches"),
+            Kind::SimulateTask(_) | Kind::OrbitTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_) => {
+                Ok(())
+            }
+            Kind::BranchTask(task) if task.second.is_some() => refused("second"),
+            Kind::BranchTask(_) if machine.is_smooth() => formulas("kind"),
+            Kind::BranchTask(_) => Ok(()),
+            Kind::DiagramTask(task) if !task.branches.is_empty() && machine.is_smooth() => {
+                formulas("branches")
+            }
+            Kind::DiagramTask(_) => Ok(()),
             Kind::SectionTask(task) if task.orbits.is_empty() => Ok(()),
             Kind::SectionTask(_) => refused("orbits"),
             _ => refused("kind"),
@@ -247,7 +263,10 @@ impl Checked<'_> {
     }
 
     fn branch(&self, task: &BranchTask) -> Result<()> {
-        self.stops()?;
+        // Friction alone makes a motion worth following, too.
+        if !matches!(self.model, Model::Many(machine) if !machine.friction.is_empty()) {
+            self.stops()?;
+        }
         self.frame(task.frame)?;
         self.branch_starts(&task.starts, "starts")?;
         self.range(("parameter", &task.parameter), ("range", &task.range))?;

@@ -7,6 +7,7 @@ use grazing::many::{Friction, NormalForce};
 use super::*;
 
 mod forms;
+mod orbits;
 mod pressed;
 mod refusals;
 mod rough;

@@ -147,7 +147,7 @@ impl<'a> Run<'a> {
     }
 
     /// What of friction was met last, taken once.
-    pub(super) fn rubbed(&mut self) -> Option<What> {
+    pub(crate) fn rubbed(&mut self) -> Option<What> {
         self.rubbed.take()
     }
 

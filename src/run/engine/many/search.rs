@@ -9,7 +9,7 @@ use crate::{
     continuation::Starts,
     error::{Error, Result},
     many::{
-        Machine, RealVector, State,
+        Grip, Machine, RealVector, State,
         orbit::{FreeStarts, Itinerary, Orbit, Strike, find, find_from},
         simulate::Simulator,
     },
@@ -31,8 +31,7 @@ pub(crate) fn machine_orbits(
 ) -> Result<Vec<Orbit>> {
     let pattern = pattern(keys, machine)?;
     let rate = machine.rate();
-    let soft = simulator.contacts().all().iter().any(|contact| contact.soft.is_some());
-    if (soft || simulator.is_smooth()) && keys.pattern.is_empty() {
+    if simulator.is_pieced() && keys.pattern.is_empty() {
         return through_soft_stops(keys, machine, simulator, job);
     }
     if keys.pattern.is_empty() {
@@ -66,7 +65,7 @@ pub(crate) fn machine_orbits(
     Ok(found)
 }
 
-/// Orbits without impacts on rigid stops, where there are soft ones or forces are formulas: from the state at
+/// Orbits without impacts on rigid stops, where there are soft ones or friction or forces are formulas: from the state at
 /// phase 0 of the keys, or those of a search, from the motion that the forces alone bring about and from
 /// deflections of it.
 fn through_soft_stops(
@@ -79,13 +78,16 @@ fn through_soft_stops(
     if let Some(state) = state(keys, machine)? {
         return Ok(vec![find_from(simulator, &pattern, &[], Some(&state))?]);
     }
-    let scale = simulator.scale();
+    let scale = simulator.size();
     let greatest = keys.speed.map_or(4.0 * scale, |speed| speed / rate);
     let starts = FreeStarts::new(simulator, &pattern, greatest)?;
     let near = |a: &State, b: &State| {
         let size = a.q.amax().max(a.u.amax());
         (&a.q - &b.q).amax().max((&a.u - &b.u).amax()) <= NEAR * size
     };
+    // Where a row sticks all the time, it may do so at all places of a stretch: one of them is enough.
+    let rests =
+        |a: &Orbit, b: &Orbit| a.grips.iter().zip(&b.grips).any(|(a, b)| a == b && a[..] == [Grip::Stuck]);
     let mut found: Vec<Orbit> = Vec::new();
     for first in (0..keys.starts).step_by(CHUNK as usize) {
         job.check()?;
@@ -101,7 +103,7 @@ fn through_soft_stops(
                 let again = find_from(simulator, &Itinerary::free(n)?, &[], Some(&orbit.state));
                 Ok(again.is_ok_and(|again| near(&orbit.state, &again.state)))
             };
-            let known = found.iter().any(|old| near(&old.state, &orbit.state));
+            let known = found.iter().any(|old| near(&old.state, &orbit.state) || rests(old, &orbit));
             if !known {
                 let repeats = (1..keys.period).map(shorter).collect::<Result<Vec<_>>>()?;
                 if !repeats.contains(&true) {

@@ -1,10 +1,8 @@
 //! What is said of friction that is not covered, or wrongly written.
 
-use grazing::many::orbit::{Itinerary, find};
-
 use super::*;
 
-const ROUGH: &str = "[parameters]\nF = 1\n[system]\nforcing = [{ cos = \"F\" }]\nstiffness = 2\n[[stops]]\noffset = -1\n\
+const ROUGH: &str = "[parameters]\nF = 1\nG = 1\n[system]\nforcing = [{ cos = \"F\" }]\nstiffness = 2\n[[stops]]\noffset = -1\n\
                      restitution = 0.5\n[[friction]]\nname = \"table\"\nnormal = 1\ncoefficient = 0.3\n";
 
 fn refusal(format: u32, body: &str) -> String {
@@ -20,17 +18,17 @@ fn refusal(format: u32, body: &str) -> String {
 fn tasks_that_do_not_take_friction_say_so() {
     let orbit = "orbit = { pattern = [1], speed = 1 }";
     for (kind, keys, at) in [
-        ("orbit", orbit.to_string(), "kind"),
         ("event", format!("{orbit}\nparameter = \"F\"\nevent = \"grazing\""), "kind"),
         ("grazing", "parameter = \"F\"".into(), "kind"),
-        ("branch", format!("starts = [{{ {orbit} }}]\nparameter = \"F\"\nrange = [1, 2]"), "kind"),
+        (
+            "branch",
+            "starts = [{ restart = { file = \"a.json\", label = \"flip 1\" } }]\nparameter = \"F\"\nrange = [1, 2]\n\
+             second = \"G\"\nsecond_range = [1, 2]"
+                .into(),
+            "second",
+        ),
         ("validate", orbit.into(), "kind"),
         ("section", "starts = [{ q = 0 }]\norbits = [{ pattern = [1], speed = 1 }]".into(), "orbits"),
-        (
-            "diagram",
-            format!("starts = [{{ q = 0 }}]\nparameter = \"F\"\nrange = [1, 2]\nbranches = [{{ {orbit} }}]"),
-            "branches",
-        ),
     ] {
         let error = refusal(3, &format!("{ROUGH}[[tasks]]\nname = \"x\"\nkind = \"{kind}\"\n{keys}\n"));
         assert!(
@@ -39,23 +37,24 @@ fn tasks_that_do_not_take_friction_say_so() {
         );
         assert!(error.contains("t.toml:"), "{error}");
     }
+    let over = "parameter = \"F\"\nrange = [1, 2]";
+    let branch = format!("[[tasks]]\nname = \"x\"\nkind = \"branch\"\nstarts = [{{ {orbit} }}]\n{over}\n");
+    let cubic = ROUGH.replace("stiffness = 2", "stiffness = 2\nforce = \"-q^3\"");
+    let error = refusal(3, &format!("{cubic}{branch}"));
+    assert!(error.contains("a force is a formula") && error.contains("(table)"), "{error}");
     for (kind, keys) in [
-        ("simulate", "start = { q = 0 }"),
-        ("section", "starts = [{ q = 0 }]"),
-        ("diagram", "starts = [{ q = 0 }]\nparameter = \"F\"\nrange = [1, 2]"),
-        ("basins", "q = { from = -0.5, to = 1 }\nu = { from = -1, to = 1 }"),
+        ("simulate", "start = { q = 0 }".to_string()),
+        ("orbit", orbit.into()),
+        ("branch", format!("starts = [{{ {orbit} }}]\n{over}")),
+        ("section", "starts = [{ q = 0 }]".into()),
+        ("diagram", format!("starts = [{{ q = 0 }}]\n{over}")),
+        ("diagram", format!("starts = [{{ q = 0 }}]\n{over}\nbranches = [{{ {orbit} }}]")),
+        ("basins", "q = { from = -0.5, to = 1 }\nu = { from = -1, to = 1 }".into()),
     ] {
         let body = format!("{ROUGH}[[tasks]]\nname = \"x\"\nkind = \"{kind}\"\n{keys}\n");
         let text = format!("format = \"grazing-scene 3\"\ntitle = \"t\"\n{body}");
         Scene::from_toml(&text, "t.toml").unwrap_or_else(|error| panic!("{error}"));
     }
-}
-
-/// Orbits are not found as if there were none, by who asks the library.
-#[test]
-fn orbits_among_friction_are_refused() {
-    let error = find(&simulator(&rough_pair()), &Itinerary::free(1).unwrap(), &[]).unwrap_err();
-    assert!(error.is_input() && error.to_string().contains("dry friction"), "{error}");
 }
 
 #[test]
