@@ -18,18 +18,45 @@ pub enum Bifurcation {
     Grazing,
     /// An impact's velocity is zero: the branch ends as an orbit of this pattern.
     Fade,
+    /// Dry friction: where a velocity changes its sign, the force that sticking takes is the largest there
+    /// is, and falls from one to the other side of it: beside it the motion sticks for a moment.
+    CrossingSliding,
+    /// Dry friction: a minimum of a velocity is zero: beside it the motion sticks, and slides on the same
+    /// way.
+    GrazingSliding,
+    /// Dry friction: where it begins to stick, the force that this takes is the largest there is, and gets
+    /// smaller: beside it the motion turns round before it sticks.
+    SwitchingSliding,
+    /// Dry friction: while it sticks, a maximum of the force that this takes is the largest there is: beside
+    /// it the motion slides in between.
+    AddingSliding,
+    /// Dry friction: what happens along it is otherwise from here on, in another way than these.
+    FrictionChange,
 }
 
 impl Bifurcation {
     /// All, in the order of a branch's monitors.
-    pub(crate) const ALL: [Bifurcation; 6] = [
+    pub(crate) const ALL: [Bifurcation; 11] = [
         Bifurcation::SaddleNode,
         Bifurcation::Crossing,
         Bifurcation::Flip,
         Bifurcation::Torus,
         Bifurcation::Grazing,
         Bifurcation::Fade,
+        Bifurcation::CrossingSliding,
+        Bifurcation::GrazingSliding,
+        Bifurcation::SwitchingSliding,
+        Bifurcation::AddingSliding,
+        Bifurcation::FrictionChange,
     ];
+
+    /// Those that are zeros of a monitor, in its order.
+    pub(crate) const MONITORED: [Bifurcation; 6] = *Bifurcation::ALL.first_chunk().unwrap();
+
+    /// Whether what friction does is otherwise beyond it.
+    pub(crate) fn is_sliding(self) -> bool {
+        self as usize > Bifurcation::Fade as usize
+    }
 
     /// Its name in tables and labels.
     pub fn name(self) -> &'static str {
@@ -40,6 +67,11 @@ impl Bifurcation {
             Bifurcation::Torus => "neimark-sacker",
             Bifurcation::Grazing => "grazing",
             Bifurcation::Fade => "fade",
+            Bifurcation::CrossingSliding => "crossing-sliding",
+            Bifurcation::GrazingSliding => "grazing-sliding",
+            Bifurcation::SwitchingSliding => "switching-sliding",
+            Bifurcation::AddingSliding => "adding-sliding",
+            Bifurcation::FrictionChange => "friction-change",
         }
     }
 
@@ -50,6 +82,17 @@ impl Bifurcation {
             Bifurcation::Fade => {
                 Some("an impact has lost its speed: a grazing, seen from the orbit that has the impact")
             }
+            Bifurcation::CrossingSliding => {
+                Some("what turns round in dry friction begins to stick for a moment there, or ceases to")
+            }
+            Bifurcation::GrazingSliding => {
+                Some("what slides begins to stick for a moment, and slides on the same way, or ceases to")
+            }
+            Bifurcation::SwitchingSliding => {
+                Some("what begins to stick turns round first for a moment, or ceases to")
+            }
+            Bifurcation::AddingSliding => Some("what sticks slides for a moment in between, or ceases to"),
+            Bifurcation::FrictionChange => Some("what sticks and slides changes in another way"),
             _ => None,
         }
     }

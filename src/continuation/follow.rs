@@ -1,6 +1,9 @@
 //! Following a curve: step control, events between points, and why it ended.
 
-use std::{cell::RefCell, f64::consts::TAU};
+use std::{
+    cell::RefCell,
+    f64::consts::{PI, TAU},
+};
 
 use super::{
     Options,
@@ -39,6 +42,21 @@ pub trait Followed: Curve {
     /// the step is then halved, down to the least one.
     fn leaps(&self, _before: &Self::View, _after: &Self::View) -> bool {
         false
+    }
+
+    /// Whether something happens between two points that no function's zero tells.
+    fn differs(&self, _before: &Self::View, _after: &Self::View) -> bool {
+        false
+    }
+
+    /// Whether the curve may have a corner between two points.
+    fn bends(&self, _before: &Self::View, _after: &Self::View) -> bool {
+        false
+    }
+
+    /// What differs, of two points next to one another: the number of an event.
+    fn changed(&self, _before: &Self::View, _after: &Self::View) -> usize {
+        0
     }
 
     /// The unknowns that have bounds, with them.
@@ -251,21 +269,32 @@ impl<C: Followed> Walk<'_, C> {
             },
         };
         let turned = dot(&place.tangent, &here.place.tangent).clamp(-1.0, 1.0).acos();
-        if turned > self.options.turn {
+        let view = self.curve.view(&place)?;
+        // At a corner it may turn as much as it likes, but not back.
+        let corner = self.curve.bends(&here.view, &view);
+        if turned > self.options.turn && !(corner && turned < 0.5 * PI) {
             return Err(Error::input(format!("the curve turns by {turned:.2} within the shortest step")));
         }
-        let view = self.curve.view(&place)?;
         if self.curve.leaps(&here.view, &view) && h / 2.0 >= self.options.least_step {
             return Err(Error::input("events may lie closer together than the shortest step"));
         }
-        let mut events = self.events(here, &place, &view, reach)?;
+        let zeros = self.events(here, &place, &view, reach)?.into_iter();
+        let mut events: Vec<(f64, Told, CurvePoint)> =
+            zeros.map(|(at, which, place)| (at, Told::Zero(which), place)).collect();
+        if self.curve.differs(&here.view, &view) {
+            self.changes(here, (&place, &view), reach, &mut events)?;
+        }
         events.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (mut steps, foot_end) = (Vec::new(), place.clone());
         let length = |place: &CurvePoint| here.length + norm(&difference(&place.u, &here.place.u));
         for index in 0..events.len() {
             let (at, event, place) = events[index].clone();
             let view = self.curve.view(&place)?;
-            if let Some((event, place, view)) = self.curve.settle(event, place, view)? {
+            let settled = match event {
+                Told::Zero(which) => self.curve.settle(which, place, view)?,
+                Told::Change(event) => Some((event, place, view)),
+            };
+            if let Some((event, place, view)) = settled {
                 let ends = self.curve.repeats(&place, [&here.place, &foot_end]);
                 let step = Step { length: length(&place), place, view, event: Some(event) };
                 // Two monitors may vanish together at one event.
@@ -360,6 +389,61 @@ impl<C: Followed> Walk<'_, C> {
         Ok((h + aside * (2.0 * part - 1.0), CurvePoint { u, tangent, residual, steps: 0 }))
     }
 
+    /// Where what differs at the ends of a step changes, by bisection.
+    fn changes(
+        &self,
+        here: &Step<C::View>,
+        (place, view): (&CurvePoint, &C::View),
+        reach: f64,
+        events: &mut Vec<(f64, Told, CurvePoint)>,
+    ) -> Result<()> {
+        let mut known = vec![(0.0, here.place.clone()), (reach, place.clone())];
+        let (mut begin, mut first) = (0.0, None);
+        for _ in 0..MOST_CHANGES {
+            let before = first.as_ref().unwrap_or(&here.view);
+            if !self.curve.differs(before, view) {
+                return Ok(());
+            }
+            let (mut low, mut high) = (begin, reach);
+            let (mut below, mut above) = (None, None);
+            for _ in 0..BISECTIONS {
+                let middle = 0.5 * (low + high);
+                if middle <= low || middle >= high {
+                    break;
+                }
+                // So near a corner Newton's method may not end: the change is in between.
+                let Ok(point) = self.near(&known, &here.place.tangent, middle) else { break };
+                let Ok(seen) = self.curve.view(&point) else { break };
+                known.insert(known.partition_point(|known| known.0 < middle), (middle, point.clone()));
+                let side = Some((point, seen));
+                if side.as_ref().is_some_and(|(_, seen)| self.curve.differs(before, seen)) {
+                    (high, above) = (middle, side);
+                } else {
+                    (low, below) = (middle, side);
+                }
+            }
+            let last =
+                |side: &'_ Option<(CurvePoint, C::View)>| side.as_ref().map(|(point, _)| point.clone());
+            let from = last(&below).or_else(|| known.first().map(|known| known.1.clone()));
+            let to = last(&above).unwrap_or_else(|| place.clone());
+            // A jump of the orbit is the end of its curve.
+            let jump = from.map_or(0.0, |from| norm(&difference(&to.u, &from.u)));
+            if jump > JUMP * (1.0 + norm(&to.u)) {
+                return Err(Error::input(
+                    "what sticks and slides changes here, and the orbit beyond is another one: the motion jumps",
+                ));
+            }
+            let event = {
+                let before = below.as_ref().map_or(before, |(_, seen)| seen);
+                self.curve.changed(before, above.as_ref().map_or(view, |(_, seen)| seen))
+            };
+            events.push((high, Told::Change(event), to));
+            let Some((_, seen)) = above else { return Ok(()) };
+            (begin, first) = (high, Some(seen));
+        }
+        Err(Error::input("what sticks and slides changes too often within the shortest step"))
+    }
+
     /// The events within `reach` of a point: (how far, which, where).
     fn events(
         &self,
@@ -439,6 +523,22 @@ impl<C: Followed> Walk<'_, C> {
         self.between(&a.1, &b.1, normal, (h - a.0) / (b.0 - a.0))
     }
 }
+
+/// What tells of an event: a monitor's zero, or what is known of points on both sides.
+#[derive(Clone, Copy)]
+enum Told {
+    Zero(usize),
+    Change(usize),
+}
+
+/// More changes than this within a step are too many.
+const MOST_CHANGES: u32 = 8;
+
+/// Of a step, to where a change is.
+const BISECTIONS: u32 = 48;
+
+/// Points on both sides of a change that are farther apart than this are on two curves.
+const JUMP: f64 = 1e-6;
 
 /// So close to an event, as a part of the way to the end of its step, other functions are looked at.
 const BESIDE: f64 = 1e-6;

@@ -126,6 +126,18 @@ impl<F: PatternFamily + ?Sized> Followed for PatternCurve<'_, F> {
         unknown < self.family.count(&self.itinerary) && self.family.is_time(&self.itinerary, unknown)
     }
 
+    fn differs(&self, before: &F::Orbit, after: &F::Orbit) -> bool {
+        !before.slides_as(after)
+    }
+
+    fn bends(&self, before: &F::Orbit, after: &F::Orbit) -> bool {
+        self.differs(before, after) || !before.begins_as(after)
+    }
+
+    fn changed(&self, before: &F::Orbit, after: &F::Orbit) -> usize {
+        before.changed(after) as usize
+    }
+
     /// A branch of doubled orbits comes to the flip of the orbit that they are born from: the orbit there
     /// repeats after half its period, those before and after it do not, and a turn round the point is a shift
     /// by half the period.

@@ -126,7 +126,7 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
                 &[Bifurcation::SaddleNode, Bifurcation::Flip, Bifurcation::Torus]
             }
             Bifurcation::Crossing => &[Bifurcation::SaddleNode, Bifurcation::Torus],
-            Bifurcation::Grazing | Bifurcation::Fade => &[],
+            _ => &[],
         };
         others
             .iter_mut()

@@ -62,6 +62,22 @@ pub trait FollowedOrbit: Clone {
     /// Whether all multipliers are inside the unit circle.
     fn is_stable(&self) -> bool;
 
+    /// Whether, where there is dry friction, both slide and stick in the same order.
+    fn slides_as(&self, _other: &Self) -> bool {
+        true
+    }
+
+    /// Whether both slide and stick in the same way where they begin: where that changes their unknowns have
+    /// a corner, and nothing else does.
+    fn begins_as(&self, _other: &Self) -> bool {
+        true
+    }
+
+    /// What it is called where they do not slide in the same order, and nothing else is between them.
+    fn changed(&self, _other: &Self) -> Bifurcation {
+        Bifurcation::FrictionChange
+    }
+
     /// Π (1 − λ), zero where a multiplier is 1.
     fn fold(&self) -> f64;
 

@@ -18,6 +18,7 @@ use super::{
         Admissibility, Between, Change, Itinerary, Orbit, StopEquations, check_stops, describe, multipliers,
     },
     simulate::{Settings, Simulator},
+    sliding,
 };
 use crate::{
     continuation::{
@@ -249,6 +250,19 @@ impl FollowedOrbit for Orbit {
         self.multipliers.clone()
     }
 
+    fn slides_as(&self, other: &Orbit) -> bool {
+        self.grips.len() == other.grips.len()
+            && self.grips.iter().zip(&other.grips).all(|(a, b)| sliding::same(a, b))
+    }
+
+    fn begins_as(&self, other: &Orbit) -> bool {
+        self.begins == other.begins
+    }
+
+    fn changed(&self, other: &Orbit) -> Bifurcation {
+        sliding::between(&self.grips, &other.grips)
+    }
+
     fn is_stable(&self) -> bool {
         self.multipliers.iter().all(|(re, im)| re.hypot(*im) < 1.0)
     }
@@ -283,6 +297,8 @@ impl FollowedOrbit for Orbit {
                 moving && FollowedOrbit::least_gap(self).is_some_and(|gap| gap.abs() <= 1e-9)
             }
             Bifurcation::Fade => speeds.iter().any(|speed| speed.abs() <= 1e-9),
+            // Known by what lies on both sides.
+            _ => false,
         }
     }
 }
@@ -361,6 +377,7 @@ impl PatternPlane for Plane<'_> {
                     "crossings of branches of a machine are not followed in two parameters",
                 ));
             }
+            _ => return Err(Error::input("what friction changes is not followed in two parameters")),
         });
         Ok(values)
     }
@@ -423,7 +440,7 @@ impl PatternPlane for Plane<'_> {
             Bifurcation::Grazing => {
                 set(Degeneracy::NoDrift, tangent.last().copied().unwrap_or(f64::NAN));
             }
-            Bifurcation::Crossing | Bifurcation::Fade => {}
+            _ => {}
         }
         all
     }

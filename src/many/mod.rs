@@ -71,6 +71,7 @@ pub(crate) mod resonance;
 mod response;
 pub mod section;
 pub mod simulate;
+mod sliding;
 pub(crate) mod slope;
 mod smooth;
 mod speed;

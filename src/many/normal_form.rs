@@ -42,16 +42,17 @@ const BESIDE: f64 = 1e-4;
 /// the rates `slope`. Cost: O(n³).
 ///
 /// # Errors
-/// Why there is none: at grazing and fading the Poincaré map is not smooth, without impacts it is linear, at
-/// a double multiplier the critical direction is no direction of its own, and the map's derivatives are not
-/// followed through stops that give way, friction, forces that are formulas or a restitution that depends on the speed.
+/// Why there is none: where contact or friction changes the Poincaré map is not smooth, without impacts
+/// it is linear, at a double multiplier the critical direction is no direction of its own, and the map's
+/// derivatives are not followed through stops that give way, friction, forces that are formulas or a
+/// restitution that depends on the speed.
 pub(crate) fn normal_form(
     machine: &Machine<f64>,
     slope: &Machine<f64>,
     orbit: &Orbit,
     bifurcation: Bifurcation,
 ) -> Result<NormalForm, NoForm> {
-    if matches!(bifurcation, Bifurcation::Grazing | Bifurcation::Fade) {
+    if matches!(bifurcation, Bifurcation::Grazing | Bifurcation::Fade) || bifurcation.is_sliding() {
         return Err(NOT_SMOOTH);
     }
     let unknown = |_: Error| UNKNOWN;

@@ -141,8 +141,10 @@ impl Finding for BranchFindings {
         lines.table("starts", &self.starts);
         lines.table("labels", &self.labels);
         for kind in Bifurcation::ALL {
-            let is_one =
-                |row: &BranchRow| row.label.as_ref().is_some_and(|label| label.starts_with(kind.name()));
+            let is_one = |row: &BranchRow| {
+                let name = row.label.as_ref().and_then(|label| label.rsplit_once(' '));
+                name.is_some_and(|(name, _)| name == kind.name())
+            };
             if let Some(meaning) = kind.meaning().filter(|_| self.labels.iter().any(is_one)) {
                 lines.say(kind.name(), meaning);
             }

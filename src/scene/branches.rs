@@ -85,7 +85,8 @@ words! {
 keys! {
     /// Follows branches of periodic orbits over a parameter by pseudo-arclength continuation, through
     /// saddle-nodes, and labels what happens: saddle-node, crossing, flip, neimark-sacker, grazing (a minimum
-    /// of the gap is zero), fade (an impact's speed is zero).
+    /// of the gap is zero), fade (an impact's speed is zero); with dry friction crossing-sliding,
+    /// grazing-sliding, switching-sliding, adding-sliding, friction-change.
     pub struct BranchTask {
         /// the parameter that varies
         parameter: String,

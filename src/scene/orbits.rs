@@ -164,11 +164,11 @@ keys! {
 
 impl Value for Bifurcation {
     fn shape() -> String {
-        Bifurcation::ALL.map(|known| format!("`\"{}\"`", known.name())).join(" or ")
+        Bifurcation::MONITORED.map(|known| format!("`\"{}\"`", known.name())).join(" or ")
     }
 
     fn read(entry: &Entry) -> Result<Self> {
-        entry.word(&Bifurcation::ALL.map(|known| (known.name(), known)))
+        entry.word(&Bifurcation::MONITORED.map(|known| (known.name(), known)))
     }
 }
 

@@ -24,11 +24,14 @@ pub(crate) struct StopEquations<'s> {
     pub pattern: &'s Itinerary,
     /// The unit of X and V.
     pub scale: f64,
+    /// Rows with friction that stick all the time, with the places at which they are to: any place of a
+    /// stretch is one.
+    pub pins: &'s [(usize, f64)],
 }
 
 impl<'s> StopEquations<'s> {
     pub fn new(between: Between<'s>, pattern: &'s Itinerary, scale: f64) -> StopEquations<'s> {
-        StopEquations { between, contacts: between.contacts, pattern, scale }
+        StopEquations { between, contacts: between.contacts, pattern, scale, pins: &[] }
     }
 
     /// n.
@@ -152,6 +155,7 @@ impl<'s> StopEquations<'s> {
             row[k] -= 1.0;
             jacobian.push(row);
         }
+        self.pin(&first, (&mut residual, &mut jacobian));
         let slope = jacobian.iter_mut().map(|row| row.pop().unwrap_or(0.0)).collect();
         Ok(Linearised { residual, jacobian, slope })
     }

@@ -32,6 +32,7 @@ pub use admissible::{Admissibility, Minimum, Obstacle};
 pub(super) use change::Change;
 pub(super) use equations::StopEquations;
 pub(super) use leg::Between;
+use rubbing::{held, told};
 pub(crate) use starts::FreeStarts;
 pub(super) use surface::{Image, Surface};
 
@@ -82,6 +83,10 @@ pub struct Orbit {
     pub least: Option<Minimum>,
     /// How each row with friction moves, one after the other.
     pub(crate) grips: Vec<Vec<Grip>>,
+    /// How it moves at each where the orbit begins.
+    pub(crate) begins: Vec<Grip>,
+    /// The first row with friction that sticks all the time.
+    pub(crate) held: Option<usize>,
 }
 
 /// The orbit of a pattern nearest to times and incoming speeds t_1, V_1, …, t_m, V_m (none without impacts):
@@ -132,7 +137,22 @@ pub fn find_from(
         None => equations.complete(&scaled)?,
         Some(state) => state.q.iter().chain(state.u.iter()).map(|x| x / scale).chain(scaled).collect(),
     };
-    let root = newton(first, |z| equations.linearise(z, None))?;
+    // What sticks all the time from this start may do so at many places: it is to stay where it is.
+    let pins: Vec<(usize, f64)> = match state.map(|state| (state, equations.parts(&first))) {
+        Some((state, Ok(parts))) => {
+            let rows = held(&parts).into_iter();
+            rows.map(|j| (j, simulator.contacts().rubs()[j].row.dot(&state.q))).collect()
+        }
+        _ => Vec::new(),
+    };
+    let pinned = StopEquations { pins: &pins, ..equations };
+    let mut root = newton(first.clone(), |z| pinned.linearise(z, None))?;
+    if !pins.is_empty() {
+        let rows = held(&equations.parts(&root.z)?);
+        if pins.iter().any(|(j, _)| !rows.contains(j)) {
+            root = newton(first, |z| equations.linearise(z, None))?;
+        }
+    }
     describe(simulator, pattern, scale, root)
 }
 
@@ -165,6 +185,7 @@ pub(super) fn describe(simulator: &Simulator, pattern: &Itinerary, scale: f64, r
     let Root { z, residual, steps } = root;
     let (state, times, speeds) = equations.split(&z);
     let impacts = pattern.strikes().iter().zip(times.iter().zip(&speeds));
+    let parts = equations.parts(&z)?;
     Ok(Orbit {
         itinerary: pattern.clone(),
         state,
@@ -176,7 +197,9 @@ pub(super) fn describe(simulator: &Simulator, pattern: &Itinerary, scale: f64, r
         multipliers: multipliers(&equations, &z)?,
         admissibility: equations.admissibility(&z, simulator)?,
         least: equations.least(&z)?,
-        grips: equations.grips(&z)?,
+        held: held(&parts).first().copied(),
+        grips: parts.into_iter().map(told).collect(),
+        begins: equations.begins(&z)?,
         scale,
         z,
     })

@@ -200,6 +200,7 @@ impl FollowedOrbit for Orbit {
                 moving && FollowedOrbit::least_gap(self).is_some_and(|gap| gap.abs() <= 1e-9)
             }
             Bifurcation::Fade => speeds.iter().any(|speed| speed.abs() <= 1e-9),
+            _ => false,
         }
     }
 }
@@ -285,6 +286,7 @@ impl PatternPlane for Plane<'_> {
                 least.ok_or_else(|| Error::input("no minimum of a gap to graze at"))?.gap / unit
             }
             Bifurcation::Fade => speeds().min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0),
+            _ => return Err(Error::input("oscillators have no dry friction")),
         });
         Ok(values)
     }
@@ -348,7 +350,7 @@ impl PatternPlane for Plane<'_> {
                 set(Degeneracy::Resonance1, Some(det - 1.0));
                 set(Degeneracy::DegeneratePitchfork, expansion().and_then(|map| map.pitchfork()));
             }
-            Bifurcation::Fade => {}
+            _ => {}
         }
         all
     }

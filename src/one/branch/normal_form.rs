@@ -21,7 +21,7 @@ impl NormalForm {
         orbit: &Orbit,
         bifurcation: Bifurcation,
     ) -> Result<NormalForm, NoForm> {
-        if matches!(bifurcation, Bifurcation::Grazing | Bifurcation::Fade) {
+        if matches!(bifurcation, Bifurcation::Grazing | Bifurcation::Fade) || bifurcation.is_sliding() {
             return Err(NOT_SMOOTH);
         }
         let double = (orbit.multipliers.determinant - 1.0).abs() <= 1e-9;

@@ -6,6 +6,7 @@ use grazing::many::{Friction, NormalForce};
 
 use super::*;
 
+mod branches;
 mod forms;
 mod orbits;
 mod pressed;

@@ -48,11 +48,20 @@ fn of_machine(
     let at = phase(&task.phase);
     let draw = |branch: &many::branch::Branch| {
         let drawn = |point: &BranchPoint<many::orbit::Orbit>| {
+            if stops.is_empty() {
+                let state = patterns.state(point.parameters[0], &point.orbit, at)?;
+                return Ok(machine.displaced(state.q())[0]);
+            }
             patterns.gap(point.parameters[0], &point.orbit, stop, at)
         };
         curve(branch, &named(branch), &drawn)
     };
-    let axis = if stops.len() == 1 { "gap".to_string() } else { format!("gap of {}", stops[stop]) };
+    let axis = match stops[..] {
+        [] if machine.points() == 1 => "q".to_string(),
+        [] => "q1".to_string(),
+        [_] => "gap".to_string(),
+        _ => format!("gap of {}", stops[stop]),
+    };
     write((found, all), task, job, (&record, &draw, &named), &axis)
 }
 

@@ -9,7 +9,7 @@ use crate::{
     continuation::Starts,
     error::{Error, Result},
     many::{
-        Grip, Machine, RealVector, State,
+        Machine, RealVector, State,
         orbit::{FreeStarts, Itinerary, Orbit, Strike, find, find_from},
         simulate::Simulator,
     },
@@ -65,9 +65,9 @@ pub(crate) fn machine_orbits(
     Ok(found)
 }
 
-/// Orbits without impacts on rigid stops, where there are soft ones or friction or forces are formulas: from the state at
-/// phase 0 of the keys, or those of a search, from the motion that the forces alone bring about and from
-/// deflections of it.
+/// Orbits without impacts on rigid stops, where there are soft ones or friction or forces are formulas: from
+/// the state at phase 0 of the keys, or those of a search, from the motion that the forces alone bring about
+/// and from deflections of it.
 fn through_soft_stops(
     keys: &OrbitKeys,
     machine: &Machine<f64>,
@@ -86,8 +86,7 @@ fn through_soft_stops(
         (&a.q - &b.q).amax().max((&a.u - &b.u).amax()) <= NEAR * size
     };
     // Where a row sticks all the time, it may do so at all places of a stretch: one of them is enough.
-    let rests =
-        |a: &Orbit, b: &Orbit| a.grips.iter().zip(&b.grips).any(|(a, b)| a == b && a[..] == [Grip::Stuck]);
+    let rests = |a: &Orbit, b: &Orbit| a.held.is_some() && a.held == b.held;
     let mut found: Vec<Orbit> = Vec::new();
     for first in (0..keys.starts).step_by(CHUNK as usize) {
         job.check()?;

@@ -14,7 +14,7 @@ use super::{
 };
 use crate::{
     continuation::{Bifurcation, FollowedOrbit, Label, Located, RecordForm, SearchReach, read_label_as},
-    error::Result,
+    error::{Error, Result},
     many::{
         Family, Machine,
         attracting::attracting,
@@ -63,8 +63,18 @@ impl<'a> MachineSource<'a> {
     fn admissible(&self, keys: &OrbitKeys, machine: &Machine<f64>) -> Result<Vec<Orbit>> {
         let mut found = machine_orbits(keys, machine, &self.job.machine_simulator(machine, &[])?, self.job)?;
         found.retain(FollowedOrbit::is_orbit);
+        alone(&found, machine)?;
         Ok(found)
     }
+}
+
+/// Refuses orbits that are not alone: of what sticks all the time there is one for each place.
+fn alone(orbits: &[Orbit], machine: &Machine<f64>) -> Result<()> {
+    let Some(held) = orbits.iter().find_map(|orbit| orbit.held) else { return Ok(()) };
+    Err(Error::input(format!(
+        "friction {} sticks all the time: such orbits fill a stretch of places, and have no branch",
+        machine.friction[held].name
+    )))
 }
 
 impl<'a> OrbitSource for MachineSource<'a> {
@@ -91,6 +101,7 @@ impl<'a> OrbitSource for MachineSource<'a> {
                 let planar = self.job.planar(&machine, std::slice::from_ref(&from), &[])?;
                 let start = from.start(machine.rate());
                 let found = attracting(&planar, &start, &settled(from.t), self.job.monitor)?;
+                alone(std::slice::from_ref(&found), &machine)?;
                 Ok(Some(found).filter(FollowedOrbit::is_orbit).into_iter().collect())
             }
             BranchOrigin::Orbit(keys) => self.admissible(keys, &machine),
