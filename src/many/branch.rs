@@ -13,6 +13,7 @@ use super::{
     Family, Machine, State,
     contact::Contacts,
     critical::{nearest_pair, pairs, pairs_product, product, product_of_others, without},
+    friction::check_given,
     normal_form::Local,
     orbit::{
         Admissibility, Between, Change, Itinerary, Orbit, StopEquations, check_stops, describe, multipliers,
@@ -97,6 +98,7 @@ impl Solved {
         tally: Option<&Arc<EffectTally>>,
     ) -> Result<Solved> {
         let flow = LinearFlow::new(machine.equations()?)?;
+        check_given(machine.friction.iter().map(|friction| (&friction.name, friction.normal.stop())))?;
         let contacts = Contacts::new(flow.equations(), machine.contacts()?, machine.rubs()?);
         check_stops(pattern, &contacts)?;
         let soft = || contacts.all().iter().any(|contact| contact.soft.is_some());

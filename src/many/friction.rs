@@ -72,6 +72,18 @@ impl<T> Machine<T> {
     }
 }
 
+/// Refuses friction under the force of a stop, given by names and stops, where orbits are followed.
+///
+/// # Errors
+/// An input error if there is any.
+pub(super) fn check_given<'r>(rubs: impl Iterator<Item = (&'r String, Option<usize>)>) -> Result<()> {
+    let on = |(name, stop): (&'r String, Option<usize>)| stop.map(|_| name);
+    let Some(name) = rubs.filter_map(on).next() else { return Ok(()) };
+    Err(Error::input(format!(
+        "the normal force of friction {name} is that of a stop: orbits are followed under given normal forces alone"
+    )))
+}
+
 impl<T> Friction<T> {
     /// The same with every coefficient converted.
     ///

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use super::{
-    LinearEquations, Machine, Periodic, RealMatrix, RealVector, StopLaw,
+    LinearEquations, Machine, NormalForce, Periodic, RealMatrix, RealVector, StopLaw,
     contact::{Contacts, SoftContact},
     modes,
 };
@@ -114,7 +114,11 @@ impl Slope {
         let rubs = machine.friction.iter().zip(&slope.friction).map(|(friction, change)| {
             let speed = change.speed / rate - friction.speed * faster / (rate * rate);
             let motion = Series::new(0.0, &change.harmonics)?.derivative();
-            let force = |coefficient: f64, by: f64| by * friction.normal + coefficient * change.normal;
+            let (normal, more) = match (&friction.normal, &change.normal) {
+                (NormalForce::Given(force), NormalForce::Given(change)) => (*force, *change),
+                _ => (1.0, 0.0),
+            };
+            let force = |coefficient: f64, by: f64| by * normal + coefficient * more;
             Ok(RubSlope {
                 row: vector("row", &friction.row, &change.row)?,
                 velocity: Series::combination(&[(1.0, &Series::constant(speed)), (1.0, &motion)]),

@@ -40,6 +40,7 @@ use super::{
     Grip, State,
     algebra::eigenvalues,
     contact::{Contacts, StopContact},
+    friction::check_given,
     simulate::Simulator,
 };
 use crate::{
@@ -93,8 +94,8 @@ pub struct Orbit {
 /// Newton's method with exact derivatives.
 ///
 /// # Errors
-/// An input error if the start has another length, a stop is not there, or Newton's
-/// method does not end.
+/// An input error if the start has another length, a stop is not there, friction is under the force of a stop,
+/// or Newton's method does not end.
 pub fn find(simulator: &Simulator, pattern: &Itinerary, start: &[f64]) -> Result<Orbit> {
     find_from(simulator, pattern, start, None)
 }
@@ -118,6 +119,7 @@ pub fn find_from(
             2 * m
         )));
     }
+    check_given(simulator.contacts().rubs().iter().map(|rub| (&rub.name, rub.stop)))?;
     check_stops(pattern, simulator.contacts())?;
     let size = simulator.scale_at(pattern.strikes().iter().map(|strike| strike.place));
     let size = if size > 0.0 { size } else { simulator.rub_scale(&[]) };

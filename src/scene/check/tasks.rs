@@ -101,7 +101,18 @@ impl Checked<'_> {
             );
             self.fail(key, &message)
         };
+        let on_stop = machine.friction.iter().find(|friction| friction.normal.stop().is_some());
+        let leaning = |key: &str| {
+            let name = on_stop.map_or("", |friction| &friction.name);
+            let message = format!(
+                "follows orbits, which is done under given normal forces alone; that of {name} is a stop's: `simulate`, `basins`, \
+                 `section` without `orbits`, `diagram` without `branches` and `response` take it"
+            );
+            self.fail(key, &message)
+        };
         match kind {
+            Kind::OrbitTask(_) | Kind::BranchTask(_) if on_stop.is_some() => leaning("kind"),
+            Kind::DiagramTask(task) if !task.branches.is_empty() && on_stop.is_some() => leaning("branches"),
             Kind::SimulateTask(_) | Kind::OrbitTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_) => {
                 Ok(())
             }

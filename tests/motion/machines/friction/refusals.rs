@@ -57,6 +57,32 @@ fn tasks_that_do_not_take_friction_say_so() {
     }
 }
 
+/// Orbits are not followed under a stop's force: the scene says so, and the library.
+#[test]
+fn orbits_with_friction_on_a_stop_are_refused() {
+    let body = "[parameters]\nF = 1\n[system]\nmass = [[1, 0], [0, 1]]\nforcing = [{ cos = [\"F\", 1] }]\nstiffness = [[2, 0], [0, 3]]\n\
+                [[stops]]\nname = \"floor\"\nrow = [0, 1]\noffset = -1\nrestitution = 0.5\n[[friction]]\nname = \"foot\"\n\
+                row = [1, 0]\nstop = \"floor\"\ncoefficient = 0.3\n";
+    let orbit = "orbit = { pattern = [{ stop = \"floor\", periods = 1 }], speed = 1 }";
+    let over = "parameter = \"F\"\nrange = [1, 2]";
+    for (kind, keys, at) in [
+        ("orbit", orbit.to_string(), "kind"),
+        ("branch", format!("starts = [{{ {orbit} }}]\n{over}"), "kind"),
+        ("diagram", format!("starts = [{{ q = 0 }}]\n{over}\nbranches = [{{ {orbit} }}]"), "branches"),
+        ("grazing", "parameter = \"F\"".into(), "kind"),
+        ("validate", orbit.into(), "kind"),
+    ] {
+        let error = refusal(3, &format!("{body}[[tasks]]\nname = \"x\"\nkind = \"{kind}\"\n{keys}\n"));
+        assert!(error.contains("foot") && error.contains(&format!("tasks[1].{at}")), "{kind}: {error}");
+    }
+    let text = format!("format = \"grazing-scene 3\"\ntitle = \"t\"\n{body}");
+    let machine = Scene::from_toml(&text, "t.toml").unwrap().machine(&[]).unwrap();
+    let simulator = Simulator::new(&machine, &Settings::default()).unwrap();
+    let free = grazing::many::orbit::Itinerary::free(1).unwrap();
+    let error = grazing::many::orbit::find(&simulator, &free, &[]).unwrap_err().to_string();
+    assert!(error.contains("foot") && error.contains("given normal forces"), "{error}");
+}
+
 #[test]
 fn what_is_wrong_with_friction_is_said_with_its_place() {
     let with = |old: &str, new: &str| ROUGH.replace(old, new);
