@@ -93,7 +93,6 @@ mod tests {
         for (a, b, name) in [
             ("fb", "fsb", "crossing-sliding"),
             ("fb", "fsbs", "crossing-sliding"),
-            ("bfsbf", "sbfbf", "friction-change"),
             ("f", "fs", "grazing-sliding"),
             ("fsb", "sbfsf", "grazing-sliding"),
             ("fs", "bsf", "switching-sliding"),

@@ -266,7 +266,7 @@ fn random_rough(trial: u64) -> (Changing, Vec<f64>, Vec<f64>) {
             ..friction(
                 &row,
                 between(0.5, 1.5),
-                [coefficient, coefficient + if kind % 2 == 0 { 0.0 } else { more }],
+                [coefficient, coefficient + if kind.is_multiple_of(2) { 0.0 } else { more }],
             )
         });
     }
