@@ -24,6 +24,7 @@ mod friction;
 mod recorded;
 pub mod second;
 mod soft;
+mod steep;
 mod stiff;
 
 /// How far two vectors are apart, at most.

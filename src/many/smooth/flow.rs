@@ -297,8 +297,11 @@ fn suited<S: Scalar>(program: &Program<S>, metric: &RealMatrix, rows: &Rows<S>, 
         if whole { most } else { (goal / defect).powf(1.0 / order as f64).min(most) }
     };
     let fits = |all: &[f64], most: f64| {
-        // |Lᵀ K| entry by entry.
-        let bent = (0..n).map(|i| (0..n).map(|j| metric[(i, j)].abs() * all[j]).sum::<f64>());
+        // |Lᵀ K| entry by entry: what is infinite times an entry of 0 takes no part.
+        let bent = (0..n).map(|i| {
+            let row = (0..n).filter(|&j| metric[(i, j)] != 0.0);
+            row.map(|j| metric[(i, j)].abs() * all[j]).sum::<f64>()
+        });
         let bent = bent.fold(0.0, f64::max) * trial * trial;
         // x² K x^{n−1} ≤ allowed k C_k x^k for some k.
         let mut best = 0.0f64;
