@@ -16,10 +16,11 @@ import sys
 from jsonschema import Draft202012Validator
 from jsonschema.exceptions import best_match
 
-# Keys that a value may lack: rounded ends, what is only said of two dimensions, of measured forces and friction,
-# of a machine's plane, and of more exponents than one.
+# Keys that a value may lack: rounded ends, what is only said of two dimensions, of measured forces, friction,
+# kinks and wear, of a machine's plane, and of more exponents than one.
 OPTIONAL = {
-    "left_rounded", "right_rounded", "growth_plus", "growth_minus", "measured", "friction", "plane", "exponents",
+    "left_rounded", "right_rounded", "growth_plus", "growth_minus", "measured", "friction", "kinks", "wear", "plane",
+    "exponents",
 }
 # Objects whose keys are names of the user's or of the computation's own, not of the format.
 FREE = {"parameters", "effects", "detail"}

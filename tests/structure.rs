@@ -150,7 +150,7 @@ fn engines_are_siblings() {
 const FILES: [(&str, &str); 2] = [
     (
         "scene",
-        "dual expression format keys units restitution force matrix measured walls system machine oscillator simulate \
+        "dual expression format keys units restitution force law matrix measured walls system machine oscillator simulate \
          tolerance orbits sections branches response rest validate chaos task scene values normal tolerated check \
          input upgrade family reference",
     ),

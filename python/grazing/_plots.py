@@ -188,7 +188,9 @@ def report(found: TaskReport, axes: Any) -> Any:
 
 
 #: Marks of events, by the numbers of EVENT_KINDS.
-_EVENTS = (("impact", "o"), ("tangency", "*"), ("stick", "s"), ("release", "^"), ("touch", "d"), ("reversal", "v"))
+_EVENTS = (
+    ("impact", "o"), ("tangency", "*"), ("stick", "s"), ("release", "^"), ("touch", "d"), ("reversal", "v"), ("kink", "+"),
+)
 
 
 def _simulate(found: TaskReport, axes: Any) -> None:

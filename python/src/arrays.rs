@@ -126,6 +126,7 @@ impl Keeper for Collector {
             "stick" => (2, event.rest),
             "release" => (3, None),
             "reversal" => (5, None),
+            "kink" => (6, None),
             _ => (4, event.velocity),
         };
         self.event_time.push(event.time.periods());

@@ -69,7 +69,7 @@ pub(crate) fn tell<P: Place>(
             Event::Tangency(tangency) => Some(RestEvent::Tangency(tangency.time)),
             Event::Stick(stick) => stop(stick.place).map(|stop| RestEvent::Rest(stick.time, stop)),
             Event::Release(release) => stop(release.place).map(|stop| RestEvent::Release(release.time, stop)),
-            Event::Touch(_) | Event::Reversal(_) => None,
+            Event::Touch(_) | Event::Reversal(_) | Event::Kink(_) => None,
             Event::End(end) => return end,
         };
         if event.is_some_and(|event| !each(event)) {

@@ -17,7 +17,7 @@
 use super::{Grip, LinearEquations, RealMatrix, RealVector, Rub, SpeedLaw, State};
 use crate::{
     error::{Error, Result},
-    motion::Series,
+    motion::{Series, SmoothForce},
 };
 
 /// A stop seen from the machine: the gap z = row·q − position(t) is positive away from it.
@@ -33,8 +33,34 @@ pub struct StopContact {
     pub restitution: f64,
     /// τ as a function of the speed, per radian of the forcing, if it is one.
     pub law: Option<SpeedLaw<f64>>,
-    /// What it does instead, if it is soft.
+    /// What it does instead, if it is soft; where its force is a formula, without stiffness and damping.
     pub soft: Option<SoftContact>,
+    /// Its force, if that is a formula.
+    pub(crate) force: Option<StopForce>,
+}
+
+/// The force of a stop as a formula of its depth and of the speed with which it closes.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct StopForce {
+    law: SmoothForce<f64>,
+    rate: f64,
+}
+
+impl StopForce {
+    /// Of a law, velocities per radian times `rate` being those of the scene.
+    pub(crate) fn new(law: &SmoothForce<f64>, rate: f64) -> StopForce {
+        StopForce { law: law.clone(), rate }
+    }
+
+    /// The force at z and z′, per radian.
+    pub(crate) fn at(&self, [gap, rate]: [f64; 2]) -> f64 {
+        if gap > 0.0 {
+            return 0.0;
+        }
+        let motion = [-gap, -rate * self.rate, 0.0].into_iter();
+        let variables: Vec<f64> = motion.chain(self.law.coefficients().iter().copied()).collect();
+        self.law.formula.at(&variables)[0].max(0.0)
+    }
 }
 
 /// The force −(`stiffness` z + `damping` z′) of a soft stop where z < 0, unless it would pull.
@@ -64,6 +90,15 @@ impl StopContact {
     pub fn gap(&self, at: &State) -> [f64; 2] {
         let [place, speed, _] = self.position.at(at.t);
         [self.row.dot(&at.q) - place, self.row.dot(&at.u) - speed]
+    }
+
+    /// The force of a stop that gives way, at z and z′; it may be negative: then there is none.
+    pub(crate) fn push_at(&self, gap: [f64; 2]) -> f64 {
+        match (&self.force, self.soft) {
+            (Some(force), _) => force.at(gap),
+            (None, Some(soft)) => soft.force(gap),
+            (None, None) => 0.0,
+        }
     }
 
     /// τ at an impact of speed V; for V < 0 that at 0.
@@ -141,6 +176,11 @@ impl Watch {
     /// Nothing but a constant, of n coordinates.
     pub(super) fn constant(n: usize, value: f64) -> Watch {
         Watch { places: RealVector::zeros(n), rates: RealVector::zeros(n), given: Series::constant(value) }
+    }
+
+    /// Nothing: 0.
+    pub(crate) fn none(size: usize) -> Watch {
+        Watch::constant(size, 0.0)
     }
 
     /// `most` less this times a sign.
@@ -432,6 +472,7 @@ mod tests {
             restitution,
             law: None,
             soft: None,
+            force: None,
         };
         Contacts::new(&equations, rows.iter().map(contact).collect(), Vec::new())
     }

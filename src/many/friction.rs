@@ -11,7 +11,7 @@
 
 use serde::Serialize;
 
-use super::{Machine, RealVector, State, contact::Watch};
+use super::{Machine, RealVector, State, StopLaw, contact::Watch};
 use crate::{
     error::{Error, Result},
     motion::{Harmonic, Series},
@@ -60,15 +60,26 @@ impl<T> NormalForce<T> {
 }
 
 impl<T> Machine<T> {
-    /// Refuses a machine with friction, where motions between impacts must be smooth.
+    /// Refuses a machine with friction, or with forces that have kinks, where motions between impacts must be
+    /// smooth.
     ///
     /// # Errors
     /// An input error if there is any.
     pub(crate) fn check_no_friction(&self) -> Result<()> {
-        let Some(Friction { name, .. }) = self.friction.first() else { return Ok(()) };
-        Err(Error::input(format!(
-            "there is dry friction ({name}): the motion is not followed as one that is smooth between impacts"
-        )))
+        if let Some(Friction { name, .. }) = self.friction.first() {
+            return Err(Error::input(format!(
+                "there is dry friction ({name}): the motion is not followed as one that is smooth between impacts"
+            )));
+        }
+        self.check_no_kinks()
+    }
+
+    /// Refuses a machine with forces that have kinks.
+    ///
+    /// # Errors
+    /// An input error if there is any.
+    pub(crate) fn check_no_kinks(&self) -> Result<()> {
+        refused_kinks(self.kinked().as_deref())
     }
 }
 
@@ -81,6 +92,14 @@ pub(super) fn check_given<'r>(rubs: impl Iterator<Item = (&'r String, Option<usi
     let Some(name) = rubs.filter_map(on).next() else { return Ok(()) };
     Err(Error::input(format!(
         "the normal force of friction {name} is that of a stop: orbits are followed under given normal forces alone"
+    )))
+}
+
+/// Refuses forces with such a kink.
+pub(super) fn refused_kinks(text: Option<&str>) -> Result<()> {
+    let Some(text) = text else { return Ok(()) };
+    Err(Error::input(format!(
+        "a force has kinks ({text}): the motion is not followed as one that is smooth between impacts"
     )))
 }
 
@@ -210,6 +229,12 @@ impl Machine<f64> {
                 let Some(known) = self.stops.get(stop) else {
                     return Err(Error::input(format!("stop {stop} is none of the machine's")));
                 };
+                if matches!(known.law, StopLaw::Formula(_)) {
+                    return Err(Error::input(format!(
+                        "stop {} pushes by a law: friction follows a restitution, or stiffness and damping",
+                        known.name
+                    )));
+                }
                 if parallel(&row, &self.vector("row", &known.row)?) {
                     return Err(Error::input(format!(
                         "row is that of the stop {}: what slides along a stop moves across its gap",

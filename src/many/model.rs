@@ -93,12 +93,21 @@ pub enum StopLaw<T> {
     /// It is rigid as Newton's is, τ being a function of the impact's speed. The wall's restitution is not
     /// used.
     Speed(SpeedLaw<T>),
+    /// It gives way: where the depth d = −z is positive it pushes along w with the force that a formula in d
+    /// and in the speed of closing v = −z′, per unit of time, says, unless that is negative. The wall's
+    /// restitution is not used.
+    Formula(SmoothForce<T>),
 }
 
 impl<T> StopLaw<T> {
     /// Whether it is Newton's.
     pub(crate) fn is_newton(&self) -> bool {
         matches!(self, StopLaw::Newton)
+    }
+
+    /// Whether the stop is rigid.
+    pub(crate) fn is_rigid(&self) -> bool {
+        matches!(self, StopLaw::Newton | StopLaw::Speed(_))
     }
 
     /// The same law with every coefficient converted.
@@ -112,6 +121,7 @@ impl<T> StopLaw<T> {
         Ok(match self {
             StopLaw::Newton => StopLaw::Newton,
             StopLaw::Speed(law) => StopLaw::Speed(law.try_map(convert)?),
+            StopLaw::Formula(force) => StopLaw::Formula(force.try_map(convert)?),
             StopLaw::Soft { stiffness, damping } => {
                 StopLaw::Soft { stiffness: convert(stiffness)?, damping: convert(damping)? }
             }
@@ -176,7 +186,22 @@ impl<T> Machine<T> {
 impl<T> Machine<T> {
     /// Whether a force on it is a formula: then its motion is no sum of modes.
     pub fn is_smooth(&self) -> bool {
-        self.smooth.iter().any(Option::is_some)
+        self.smooth.iter().any(Option::is_some) || self.has_laws()
+    }
+
+    /// Whether a stop pushes by a formula.
+    pub(crate) fn has_laws(&self) -> bool {
+        self.stops.iter().any(|stop| matches!(stop.law, StopLaw::Formula(_)))
+    }
+
+    /// What of its forces has kinks, if anything has.
+    pub(crate) fn kinked(&self) -> Option<String> {
+        let forces = self.smooth.iter().flatten().filter(|force| force.formula.chooses());
+        let laws = self.stops.iter().filter(|stop| matches!(stop.law, StopLaw::Formula(_)));
+        forces
+            .map(|force| force.text.clone())
+            .chain(laws.map(|stop| format!("law of stop {}", stop.name)))
+            .next()
     }
 
     /// The number of coordinates q.
@@ -245,7 +270,7 @@ impl Machine<f64> {
     /// no number, as a root of a negative one.
     pub(crate) fn check_forces(&self) -> Result<()> {
         match super::smooth::Smooth::new(self)? {
-            Some(smooth) => smooth.flow(&self.equations()?, None).map(drop),
+            Some(smooth) => smooth.in_mode(&[]).flow(&self.equations()?, None).map(drop),
             None => Ok(()),
         }
     }
@@ -269,7 +294,7 @@ impl Machine<f64> {
             }
             let position = Series::new(stop.wall.offset, &stop.wall.harmonics)?;
             let mut restitution = restitution;
-            let mut law = None;
+            let (mut law, mut force) = (None, None);
             let soft = match &stop.law {
                 StopLaw::Newton => None,
                 StopLaw::Speed(given) => {
@@ -277,6 +302,13 @@ impl Machine<f64> {
                     restitution = given.at(0.0)[0];
                     law = Some(given.scaled(self.rate()));
                     None
+                }
+                StopLaw::Formula(given) => {
+                    if given.coefficients().iter().any(|x| !x.is_finite()) {
+                        return Err(Error::input("law has a coefficient that is not finite"));
+                    }
+                    force = Some(super::contact::StopForce::new(given, self.rate()));
+                    Some(super::contact::SoftContact { stiffness: 0.0, damping: 0.0 })
                 }
                 &StopLaw::Soft { stiffness, damping } => {
                     if !(stiffness > 0.0 && stiffness.is_finite()) {
@@ -290,7 +322,8 @@ impl Machine<f64> {
                     Some(super::contact::SoftContact { stiffness, damping: damping * self.rate() })
                 }
             };
-            Ok(super::contact::StopContact { name: stop.name.clone(), row, position, restitution, law, soft })
+            let name = stop.name.clone();
+            Ok(super::contact::StopContact { name, row, position, restitution, law, soft, force })
         };
         let named =
             |stop: &Stop<f64>| one(stop).map_err(|error| error.context(format!("stop {}", stop.name)));

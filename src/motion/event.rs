@@ -70,6 +70,8 @@ pub enum Event<P: Place> {
     Release(Release<P>),
     /// What slides turned back without sticking.
     Reversal(Reversal<P>),
+    /// A force with a kink or a jump there is on its other side.
+    Kink(Kink<P>),
     /// Nothing more before the time asked for, or nothing more at all.
     End(RunEnd),
 }
@@ -148,6 +150,15 @@ pub struct Reversal<P> {
     pub place: P,
 }
 
+/// A change of sides of a force with a kink or a jump.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Kink<P> {
+    /// When.
+    pub time: Time,
+    /// At which kink, after all stops and all friction.
+    pub place: P,
+}
+
 impl<P: Place> Event<P> {
     /// When it happened, and at which stop; an end has the time that the run has.
     pub(crate) fn at(&self) -> Option<(Time, P)> {
@@ -157,7 +168,8 @@ impl<P: Place> Event<P> {
             | Event::Tangency(Tangency { time, place, .. })
             | Event::Stick(Stick { time, place, .. })
             | Event::Release(Release { time, place })
-            | Event::Reversal(Reversal { time, place }) => Some((time, place)),
+            | Event::Reversal(Reversal { time, place })
+            | Event::Kink(Kink { time, place }) => Some((time, place)),
             Event::End(_) => None,
         }
     }
@@ -189,6 +201,7 @@ impl<P: Place> Event<P> {
             Event::Stick(_) => "stick",
             Event::Release(_) => "release",
             Event::Reversal(_) => "reversal",
+            Event::Kink(_) => "kink",
             Event::End(_) => "end",
         }
     }

@@ -43,6 +43,11 @@ impl<T> SmoothForce<T> {
         self.formula.mentions(which)
     }
 
+    /// Whether it has kinks or jumps, or powers that need not be whole.
+    pub(crate) fn has_kinks(&self) -> bool {
+        self.formula.has_kinks()
+    }
+
     /// The same force with these variables' signs turned.
     pub(crate) fn turned(&self, which: &dyn Fn(usize) -> bool) -> SmoothForce<T>
     where

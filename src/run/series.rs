@@ -12,6 +12,8 @@ pub struct SeriesOf {
     pub stops: Vec<SeriesStop>,
     /// The names of its dry friction, in the scene's order.
     pub friction: Vec<String>,
+    /// The kinks and jumps of its forces, as they are written.
+    pub kinks: Vec<String>,
     /// The forcing period, in the scene's unit of time.
     pub period: f64,
     /// When it begins, after the transient, in periods.
@@ -23,7 +25,8 @@ pub struct SeriesOf {
 impl SeriesOf {
     /// The names of all places where something happens, as [`StopEvent::stop`] counts them.
     pub fn places(&self) -> Vec<String> {
-        self.stops.iter().map(|stop| &stop.name).chain(&self.friction).cloned().collect()
+        let stops = self.stops.iter().map(|stop| &stop.name);
+        stops.chain(&self.friction).chain(&self.kinks).cloned().collect()
     }
 }
 
@@ -53,11 +56,12 @@ pub struct SeriesPoint<'a> {
 /// What happened at a stop, or where there is dry friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StopEvent {
-    /// "impact", "tangency", "touch", "stick" or "release"; with friction "stick", "release" or "reversal".
+    /// "impact", "tangency", "touch", "stick" or "release"; with friction "stick", "release" or "reversal";
+    /// of a force with kinks "kink".
     pub event: &'static str,
     /// When.
     pub time: Time,
-    /// The stop, by its place; friction comes after all stops.
+    /// The stop, by its place; friction comes after all stops, kinks of forces after both.
     pub stop: usize,
     /// The gap's rate on arrival, of an impact or a touch.
     pub velocity: Option<f64>,

@@ -67,6 +67,28 @@ row! {
 }
 
 row! {
+    /// What happened at a kink or a jump of a force.
+    pub struct KinkRow {
+        /// As it is written.
+        pub kink: String,
+        /// How often the motion crossed it.
+        pub crossings: u64,
+    }
+}
+
+row! {
+    /// What wears off a stop, where the scene says how much.
+    pub struct WearRow {
+        /// Its name.
+        pub stop: String,
+        /// The volume that wore off: the stop's coefficient times the energy that impacts and contacts took.
+        pub volume: f64,
+        /// The same per unit of time.
+        pub rate: f64,
+    }
+}
+
+row! {
     /// A mode that oscillates.
     pub struct ModeRow {
         /// Its natural frequency, in cycles per unit of time.
@@ -129,12 +151,21 @@ pub struct SimulationFindings {
     /// What happened at each row with dry friction, after the transient.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(crate) friction: Vec<FrictionRow>,
+    /// What happened at each kink or jump of a force, after the transient.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) kinks: Vec<KinkRow>,
+    /// What wears off stops that have a coefficient for it, after the transient.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) wear: Vec<WearRow>,
     /// What the harmonics of a measured force leave out, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) measured: Option<MeasuredEffect>,
     /// The accelerations at the end.
     #[serde(skip)]
     pub(super) acceleration: Vec<f64>,
+    /// When the series begins, in periods.
+    #[serde(skip)]
+    begin: f64,
     /// The last instant at which the order of several impacts mattered: it counts once.
     #[serde(skip)]
     several: Option<Time>,
@@ -217,6 +248,12 @@ impl Finding for SimulationFindings {
         if !self.friction.is_empty() {
             lines.table("friction", &self.friction);
         }
+        if !self.kinks.is_empty() {
+            lines.table("kinks", &self.kinks);
+        }
+        if !self.wear.is_empty() {
+            lines.table("wear", &self.wear);
+        }
         self.measured.iter().for_each(|measured| measured.lines(lines));
     }
 }
@@ -251,7 +288,14 @@ pub(crate) fn simulate(
     job: &Job,
     keeper: &mut dyn Keeper,
 ) -> Result<SimulationFindings> {
-    by_engine!(job, engine => engine.simulate(task, keeper))
+    let mut found: SimulationFindings = by_engine!(job, engine => engine.simulate(task, keeper))?;
+    let time = (found.moved.ended_at - found.begin) * found.moved.period;
+    for (row, wear) in found.stops.iter().zip(job.scene.wear()?) {
+        let Some(volume) = wear.map(|wear| wear * row.dissipated) else { continue };
+        let rate = if time > 0.0 { volume / time } else { 0.0 };
+        found.wear.push(WearRow { stop: row.stop.clone(), volume, rate });
+    }
+    Ok(found)
 }
 
 impl StopRow {
@@ -319,7 +363,10 @@ impl SimulationFindings {
             modes: Vec::new(),
             stops: stops.map(|(stop, &compliant)| StopRow::new(&stop.name, compliant)).collect(),
             friction: of.friction.iter().map(|name| FrictionRow::new(name)).collect(),
+            kinks: of.kinks.iter().map(|kink| KinkRow { kink: kink.clone(), crossings: 0 }).collect(),
+            wear: Vec::new(),
             measured: None,
+            begin: of.begin,
             acceleration: Vec::new(),
             several: None,
         }
@@ -364,7 +411,11 @@ impl SimulationFindings {
             self.widen(q);
         }
         let Some(row) = self.stops.get_mut(event.stop) else {
-            let row = &mut self.friction[event.stop - self.stops.len()];
+            let place = event.stop - self.stops.len();
+            let Some(row) = self.friction.get_mut(place) else {
+                self.kinks[place - self.friction.len()].crossings += 1;
+                return;
+            };
             match event.event {
                 "stick" => row.sticks += 1,
                 "reversal" => row.reversals += 1,

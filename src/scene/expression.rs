@@ -4,13 +4,15 @@
 //! sum     = product { ("+" | "-") product }
 //! product = signed { ("*" | "/") signed }
 //! signed  = [ "+" | "-" ] power
-//! power   = atom [ "^" [ "+" | "-" ] digits ]
-//! atom    = decimal | parameter | "pi" | function "(" sum ")" | "(" sum ")"
+//! power   = atom [ "^" exponent ]
+//! exponent = [ "+" | "-" ] digits | decimal | "(" digits "/" digits ")"
+//! atom    = decimal | parameter | "pi" | function "(" sum ")" | kink | "(" sum ")"
 //! function = "sqrt" | "exp" | "sin" | "cos" | "log" | "tanh"
+//! kink    = ("abs" | "sign") "(" sum ")" | ("max" | "min") "(" sum "," sum ")"
 //! ```
 //!
-//! In a force the displacement q, the velocity u and the time t are parameters, too (`force`); log and tanh
-//! have no enclosures and stand only there.
+//! In a force the displacement q, the velocity u and the time t are parameters, too (`force`); log, tanh,
+//! kinks and powers that are not whole have no enclosures and stand only there. Such a power is above 1.
 //!
 //! A parameter called like a function or `pi` is that parameter. Angles are in radians. A value is exact
 //! where it is rational (√ of a square, e⁰); other values there are on rungs that have the functions: floats,
@@ -22,13 +24,13 @@
 use std::fmt;
 
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 use serde::{Serialize, Serializer};
 
 use super::dual::Dual;
 use crate::{
     error::{Error, Result},
-    formula::{Formula, Function, Operation},
+    formula::{Formula, Function, KINKS, Operation, kink},
     number::{Ball, BoundedFraction, Elementary, FloatInterval, Plain, Real, Sign, parse_rational_within},
     search::chaos::RationalFunction,
     source::hint,
@@ -36,6 +38,8 @@ use crate::{
 
 /// Above this many factors and terms, powers written out, an expression is refused.
 const LIMIT_SIZE: u64 = 256;
+/// The same where there are kinks, both sides of each written out.
+const LIMIT_KINKS: u64 = 16 * LIMIT_SIZE;
 /// The most bits of a literal's or parameter's numerator and denominator.
 pub(super) const LIMIT_BITS: u32 = 4096;
 /// The most bits of an exact value's numerator and denominator, not in lowest terms, at every step of its
@@ -63,10 +67,7 @@ fn call<T: Elementary>(function: Function, x: &T, context: &T::Context) -> Resul
         Function::Sin => x.sin_cos(context).0,
         Function::Cos => x.sin_cos(context).1,
         Function::Log | Function::Tanh => {
-            return Err(Error::input(format!(
-                "{}(…) stands only in a force that depends on q, u or t",
-                function.name()
-            )));
+            return Err(only_in_forces(&format!("{}(…)", function.name())));
         }
     })
 }
@@ -93,9 +94,10 @@ impl Expression {
         if parser.peek().is_some() {
             return Err(parser.expected("an operator or the end"));
         }
-        if root.size() > LIMIT_SIZE {
+        let most = if root.chooses() { LIMIT_KINKS } else { LIMIT_SIZE };
+        if root.size() > most {
             return Err(Error::input(format!(
-                "has {} factors and terms, powers written out; at most {LIMIT_SIZE} are allowed",
+                "has {} factors and terms, powers written out; at most {most} are allowed",
                 root.size()
             )));
         }
@@ -277,7 +279,13 @@ fn evaluate<T: Coefficient>(formula: &Formula, parameters: &[T], context: &T::Co
             let power = (0..exponent.unsigned_abs()).fold(one.clone(), |power, _| power * &base);
             if *exponent < 0 { divide(one, &power)? } else { power }
         }
+        Formula::Choice(choice) => return Err(only_in_forces(&choice.text)),
+        Formula::Raised(_, exponent) => return Err(only_in_forces(&format!("x^({exponent})"))),
     })
+}
+
+fn only_in_forces(what: &str) -> Error {
+    Error::input(format!("{what} stands only in a force that depends on q, u or t"))
 }
 
 fn divide<T: Real>(left: T, right: &T) -> Result<T> {
@@ -359,6 +367,9 @@ impl<'a> Parser<'a> {
         if !self.take('^') {
             return Ok(base);
         }
+        if let Some(exponent) = self.fraction()? {
+            return Ok(Formula::Raised(Box::new(base), exponent));
+        }
         let negative = self.take('-') || {
             self.take('+');
             false
@@ -372,6 +383,51 @@ impl<'a> Parser<'a> {
             _ if digits.is_empty() => Err(self.expected("a whole number as exponent")),
             _ => Err(Error::input(format!("the exponent {digits} is above {LIMIT_SIZE}"))),
         }
+    }
+
+    /// An exponent that is no whole number; none where another kind stands, which is left unread.
+    fn fraction(&mut self) -> Result<Option<BigRational>> {
+        self.peek();
+        let start = self.at;
+        let is_part = |c: char| c.is_ascii_digit() || c == '.';
+        let read = if self.take('(') {
+            self.peek();
+            let over = self.word(is_part);
+            let under = if self.take('/') {
+                self.peek();
+                self.word(is_part)
+            } else {
+                "1"
+            };
+            let closed = self.take(')');
+            [over, under].iter().all(|part| !part.is_empty()).then_some((over, under)).filter(|_| closed)
+        } else {
+            Some((self.word(is_part), "1")).filter(|known| known.0.contains('.'))
+        };
+        let Some((over, under)) = read else {
+            self.at = start;
+            return Ok(None);
+        };
+        let part = |text: &str| parse_rational_within(text, LIMIT_BITS).map_err(Error::from);
+        let (over, under) = (part(over)?, part(under)?);
+        let place = self.position(start);
+        if under.is_zero() {
+            return Err(Error::input(format!("the exponent at character {place} divides by zero")));
+        }
+        let exponent = over / under;
+        let most = BigRational::from_integer(LIMIT_SIZE.into());
+        if exponent <= BigRational::one() || exponent > most {
+            return Err(Error::input(format!(
+                "the exponent {exponent} at character {place} is not above 1, or above {LIMIT_SIZE}: write x^1.5 as it is, \
+                 x^0.5 as sqrt(x) where x stays positive, x^-1.5 as 1/x^1.5, a whole power without a point"
+            )));
+        }
+        if exponent.is_integer() {
+            return Err(Error::input(format!(
+                "the exponent at character {place} is whole: write it as {exponent}, without a point or parentheses"
+            )));
+        }
+        Ok(Some(exponent))
     }
 
     fn atom(&mut self) -> Result<Formula> {
@@ -429,6 +485,9 @@ impl<'a> Parser<'a> {
             }
             return Ok(Formula::Call(function, Box::new(self.parenthesis()?)));
         }
+        if let Some((_, count)) = KINKS.into_iter().find(|known| known.0 == name) {
+            return self.kink(start, count);
+        }
         let hint = hint(name, self.names.iter().map(String::as_str));
         let is_state = matches!(name.trim_end_matches(|c: char| c.is_ascii_digit()), "q" | "u" | "t");
         let hint = if is_state {
@@ -437,6 +496,39 @@ impl<'a> Parser<'a> {
             hint
         };
         Err(Error::input(format!("unknown parameter {name:?} at character {}; {hint}", self.position(start))))
+    }
+
+    /// A function with kinks of so many arguments, its name, which begins at `start`, being read.
+    fn kink(&mut self, start: usize, count: usize) -> Result<Formula> {
+        let name = &self.text[start..self.at];
+        if !self.take('(') {
+            return Err(self.expected("\"(\""));
+        }
+        self.depth += 1;
+        if self.depth > LIMIT_DEPTH {
+            return Err(Error::input(format!("has more than {LIMIT_DEPTH} levels of parentheses")));
+        }
+        let mut arguments = vec![self.sum()?];
+        while arguments.len() < count {
+            if !self.take(',') {
+                return Err(self.expected(&format!("an operator or \",\", as {name} has {count} arguments,")));
+            }
+            arguments.push(self.sum()?);
+        }
+        if !self.take(')') {
+            return Err(self.expected("an operator or \")\""));
+        }
+        self.depth -= 1;
+        let text = &self.text[start..self.at];
+        let made = kink(name, text, arguments).ok_or_else(|| self.expected("a function"))?;
+        // Each side of a kink has its arguments: what is nested grows threefold on each level.
+        if made.size() > LIMIT_KINKS {
+            return Err(Error::input(format!(
+                "has {} factors and terms in {text}, both sides of all kinks written out; at most {LIMIT_KINKS} are allowed",
+                made.size()
+            )));
+        }
+        Ok(made)
     }
 
     fn word(&mut self, belongs: impl Fn(char) -> bool) -> &'a str {

@@ -20,7 +20,7 @@ use crate::{
 /// What the variables of a force are called, and the place of each.
 pub(super) struct Variables {
     names: Vec<(String, usize)>,
-    /// That of the time, which is the last.
+    /// That of the time, which is the last, whether it has a name or not.
     time: usize,
 }
 
@@ -28,6 +28,14 @@ impl Variables {
     /// Those of so many coordinates in a format.
     pub(super) fn of(points: usize, format: SceneFormat) -> Variables {
         if format == SceneFormat::One { Variables::of_oscillator() } else { Variables::of_machine(points) }
+    }
+
+    /// Those of the force of a stop: the depth and the speed of closing.
+    pub(super) fn of_contact() -> Variables {
+        Variables {
+            names: [("d", 0), ("v", 1)].map(|(name, place)| (name.to_string(), place)).to_vec(),
+            time: 2,
+        }
     }
 
     /// Of an oscillator: [`Q`], [`U`] and [`TIME`].
@@ -138,7 +146,7 @@ impl ForceList {
     }
 }
 
-fn read(text: &str, parameters: &[String], key: &str, variables: &Variables) -> Result<ForceKey> {
+pub(super) fn read(text: &str, parameters: &[String], key: &str, variables: &Variables) -> Result<ForceKey> {
     let count = parameters.len();
     let own = variables.names.iter().map(|known| known.0.clone());
     let names: Vec<String> = parameters.iter().cloned().chain(own).collect();
@@ -154,13 +162,13 @@ fn read(text: &str, parameters: &[String], key: &str, variables: &Variables) -> 
         && whole.mentions(&hidden)
     {
         return Err(Error::input(format!(
-            "{name} is a parameter of the scene, and the displacement, velocity or time of a force: rename the parameter"
+            "{name} is a parameter of the scene, and a displacement, a depth, a velocity or the time of a force: rename the \
+             parameter"
         )));
     }
-    let time = variables.names.iter().position(|known| known.1 == variables.time).unwrap_or_default();
-    if let Some(left) = drift(&whole.root, count + time)
-        && left.is_zero()
-    {
+    let time = variables.names.iter().position(|known| known.1 == variables.time);
+    let left = time.map_or_else(|| Some(BigRational::zero()), |time| drift(&whole.root, count + time));
+    if left.is_some_and(|left| left.is_zero()) {
         let mut coefficients = Vec::new();
         let formula = split(&whole.root, (count, variables), &whole, &mut coefficients);
         let text = text.split_whitespace().collect();
@@ -199,7 +207,11 @@ fn drift(formula: &Formula, time: usize) -> Option<BigRational> {
                 },
             }
         }
-        Formula::Power(inner, _) => periodic(inner),
+        Formula::Power(inner, _) | Formula::Raised(inner, _) => periodic(inner),
+        Formula::Choice(choice) => {
+            let periods = choice.parts().map(periodic);
+            periods.iter().all(Option::is_some).then(BigRational::zero)
+        }
         Formula::Call(Function::Sin | Function::Cos, inner) => {
             let k = drift(inner, time)?;
             let small =
@@ -244,6 +256,8 @@ fn split(
         Formula::Negated(part) => Formula::Negated(inner(part)),
         Formula::Power(part, exponent) => Formula::Power(inner(part), *exponent),
         Formula::Call(function, part) => Formula::Call(*function, inner(part)),
+        Formula::Raised(part, exponent) => Formula::Raised(inner(part), exponent.clone()),
+        Formula::Choice(choice) => Formula::Choice(Box::new(choice.mapped(|part| *inner(part)))),
         Formula::Binary(operation, parts) => {
             let [left, right] = [&parts[0], &parts[1]].map(|part| *inner(part));
             Formula::Binary(*operation, Box::new([left, right]))

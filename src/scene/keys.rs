@@ -66,7 +66,7 @@ fn foreign(format: SceneFormat, path: &str, key: &str) -> Option<String> {
         (SceneFormat::One, "system", "period" | "frequency") => {
             return newer("in format 1 the forcing has period 2π");
         }
-        (SceneFormat::One, path, "stiffness" | "damping") if path.starts_with("stops[") => {
+        (SceneFormat::One, path, "stiffness" | "damping" | "law") if path.starts_with("stops[") => {
             return newer("walls of format 1 are rigid");
         }
         (SceneFormat::Two, path, "side") if path.starts_with("stops[") => {

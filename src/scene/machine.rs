@@ -6,6 +6,7 @@ use super::{
     force::Variables,
     format::SceneFormat,
     keys::Entry,
+    law::LawKey,
     matrix::{CoordinateList, MatrixValue},
     measured::{MeasuredForce, MeasuredKeys},
     restitution::RestitutionKey,
@@ -32,6 +33,8 @@ pub struct MachineScene {
     pub measured: Option<MeasuredForce>,
     /// The damping ratios that the damping is made of, none of which is negative.
     pub(super) ratios: Vec<Expression>,
+    /// Of each stop the volume that wears off for a unit of energy, if it is given.
+    pub(super) wear: Vec<Option<Expression>>,
 }
 
 impl MachineScene {
@@ -92,6 +95,7 @@ impl MachineScene {
             machine.forcing.push(Load { k: load.k, cos, sin });
         }
         let measured = measured(file, keys.measured, once, &mut machine)?;
+        let wear = stops.iter().map(|keys| keys.wear.clone()).collect();
         for (i, keys) in (1..).zip(stops) {
             let name = name(&keys, i);
             if machine.stops.iter().any(|known| known.name == name) {
@@ -118,7 +122,7 @@ impl MachineScene {
             machine.stops = stops;
             machine.friction.push(rub?);
         }
-        Ok(MachineScene { machine, minimum_depth, measured, ratios })
+        Ok(MachineScene { machine, minimum_depth, measured, ratios, wear })
     }
 }
 
@@ -269,6 +273,20 @@ fn stop(file: &Entry, i: usize, keys: StopKeys, points: usize) -> Result<Stop<Ex
     if row.is_empty() {
         return Err(at(".row").fail("is zero: no motion reaches the stop"));
     }
+    if let Some(LawKey(force)) = keys.law {
+        let others = [
+            (".restitution", keys.restitution.is_some()),
+            (".stiffness", keys.stiffness.is_some()),
+            (".damping", keys.damping.is_some()),
+        ];
+        if let Some((key, _)) = others.into_iter().find(|known| known.1) {
+            return Err(
+                at(key).fail("stands beside `law`, which says all of the force: leave one of them out")
+            );
+        }
+        let wall = Wall { offset, harmonics, restitution: number("0")? };
+        return Ok(Stop { name, row, wall, law: StopLaw::Formula(force) });
+    }
     let (restitution, law) = match (keys.restitution, keys.stiffness) {
         (Some(_), None) if keys.damping.is_some() => {
             let why =
@@ -286,7 +304,7 @@ fn stop(file: &Entry, i: usize, keys: StopKeys, points: usize) -> Result<Stop<Ex
             return Err(at(".stiffness").fail(why));
         }
         (None, None) => {
-            let why = "has neither `restitution` nor `stiffness`: give the first for a rigid stop, the second for a compliant one";
+            let why = "has neither `restitution` nor `stiffness`: give the first for a rigid stop, the second for a compliant one, or `law`";
             return Err(at("").fail(why));
         }
     };

@@ -23,6 +23,7 @@ mod force;
 mod format;
 mod input;
 mod keys;
+mod law;
 mod machine;
 mod matrix;
 mod measured;

@@ -19,7 +19,7 @@ use super::{
 use crate::{
     error::Result,
     formula::{Formula, Operation},
-    motion::{Harmonic, Side, System, Wall},
+    motion::{Harmonic, Side, SmoothForce, System, Wall},
 };
 
 /// Why a system is not one for `one`: the key that disqualifies it, and what it says.
@@ -78,6 +78,9 @@ pub(super) fn oscillator(
     let force = force.read_all(&file.at("system.force"), &Variables::of(1, file.scope.format))?;
     let force = force.into_iter().next().map_or_else(|| ForceKey::constant("0"), Ok)?;
     let (force, smooth) = force.parts()?;
+    if smooth.as_ref().is_some_and(SmoothForce::has_kinks) {
+        return not("system.force", "has a force with kinks");
+    }
     let mut system = System {
         damping: coefficient(&keys.damping),
         stiffness: coefficient(&keys.stiffness),
@@ -110,6 +113,9 @@ pub(super) fn oscillator(
 fn wall(file: &Entry, i: usize, keys: &StopKeys) -> Qualified<(Side, Wall<Expression>)> {
     let path = format!("stops[{i}]");
     let (name, word) = (name(keys, i), file.scope.format.stop());
+    if keys.law.is_some() {
+        return not(format!("{path}.law"), format!("has a {word}, {name}, with a law of its own"));
+    }
     let restitution = match &keys.restitution {
         Some(RestitutionKey::Constant(restitution)) => restitution.clone(),
         Some(RestitutionKey::Speed(_)) => {

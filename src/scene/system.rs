@@ -4,6 +4,7 @@ use super::{
     expression::Expression,
     force::ForceList,
     keys::{Entry, Key, Record, Value, keys, words},
+    law::LawKey,
     matrix::{CoordinateList, MatrixValue},
     measured::MeasuredKeys,
     restitution::RestitutionKey,
@@ -93,12 +94,17 @@ keys! {
         /// its motion, harmonics of the forcing's frequency; none for a stop that stands still
         harmonics: Vec<HarmonicKeys> = "[]",
         /// at least 0: 0 for a stop that takes all velocity, 1 for one that keeps the energy; or a rational
-        /// function of the speed v of the impact, as "1/(1 + v/2)". This or `stiffness` must be given
+        /// function of the speed v of the impact, as "1/(1 + v/2)". This, `stiffness` or `law` must be given
         restitution: Option<RestitutionKey>,
         /// of a compliant stop, the force per displacement along `row`, above 0
         stiffness: Option<Expression>,
         /// of a compliant stop, the force per velocity, at least 0; without it 0
         damping: Option<Expression>,
+        /// of a stop that gives way by a law of its own, the force in its depth d and in the speed v with
+        /// which it closes, as "k*d^1.5*(1 + c*v)": where d > 0 it pushes by that, unless it would pull
+        law: Option<LawKey>,
+        /// the volume that wears off for each unit of energy that contacts take
+        wear: Option<Expression>,
     }
 }
 

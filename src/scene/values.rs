@@ -193,6 +193,23 @@ impl Scene {
         }
     }
 
+    /// Of each stop the volume that wears off for a unit of energy that contacts take, if the scene says it.
+    ///
+    /// # Errors
+    /// A coefficient that has no value, or is negative.
+    pub(crate) fn wear(&self) -> Result<Vec<Option<f64>>> {
+        let one = |given: &Option<Expression>| {
+            let Some(given) = given else { return Ok(None) };
+            let value = self.number(given)?;
+            if value >= 0.0 {
+                Ok(Some(value))
+            } else {
+                Err(self.fail(&given.key, "is negative: nothing grows by contact"))
+            }
+        };
+        self.whole.wear.iter().map(one).collect()
+    }
+
     /// What the axes of a plane are: `q3` and `u3`, displacement and velocity of a coordinate, `gap NAME` and
     /// `rate NAME`, the gap of a stop and how fast it opens; without names those of the first coordinate.
     ///

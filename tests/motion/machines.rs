@@ -21,6 +21,7 @@ use grazing::{
 mod attractors;
 mod formulas;
 mod friction;
+mod kinks;
 mod recorded;
 pub mod second;
 mod soft;

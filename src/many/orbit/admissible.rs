@@ -194,7 +194,7 @@ impl StopEquations<'_> {
                     let (stop, after) = (name(stick.place), stick.time.since(begin));
                     return (Some(Admissibility::No(Obstacle::Met { leg, stop, after })), marginal);
                 }
-                Event::Touch(_) | Event::Release(_) | Event::Reversal(_) => {}
+                Event::Touch(_) | Event::Release(_) | Event::Reversal(_) | Event::Kink(_) => {}
                 Event::End(RunEnd::Reached) => return (None, marginal),
                 Event::End(_) => {
                     return (Some(Admissibility::Marginal(Obstacle::Lost(leg))), marginal);

@@ -1,6 +1,6 @@
 //! The minimum depth that suits motions of a machine, where its scene gives none.
 
-use super::{Settings, Simulator};
+use super::{Settings, Simulator, looks};
 use crate::{
     error::Result,
     many::{Machine, State, contact::StopContact},
@@ -33,10 +33,20 @@ impl Simulator {
             self.contacts.all().iter().map(one).fold(0.0, f64::max)
         };
         let scale = match self.contacts.all() {
+            [] if self.contacts.rubs().is_empty() && !self.switches().is_empty() => {
+                let seen = starts.iter().map(|state| state.q.amax().max(state.u.amax())).fold(0.0, f64::max);
+                if seen > 0.0 { seen } else { self.moved() }
+            }
             [] => self.rub_scale(starts),
             _ => starts.iter().map(gap).fold(self.gap_scale(), f64::max),
         };
         RELATIVE_DEPTH * if scale > 0.0 && scale.is_finite() { scale } else { 1.0 }
+    }
+
+    /// How far the forces alone, without formulas, move a coordinate.
+    fn moved(&self) -> f64 {
+        let (flow, n) = (&self.free.flow, self.equations.size());
+        looks().map(|t| flow.outward(&flow.particular(t)).rows(0, n).amax()).fold(0.0, f64::max)
     }
 
     /// What counts as contact without impact.

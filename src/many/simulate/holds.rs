@@ -1,4 +1,5 @@
-//! What a machine is in contact with, where it slides and sticks, and what is watched because of it.
+//! What a machine is in contact with, where it slides and sticks, on which side of kinks its forces are, and
+//! what is watched because of it.
 
 use crate::{
     many::{
@@ -25,13 +26,15 @@ pub(crate) enum What {
     Slide(usize),
     /// By how much what sticks could push more, as an acceleration: along its row, or against it.
     Hold(usize, Grip),
+    /// A switch of forces with kinks, with the sign that it has.
+    Kink(usize),
 }
 
 impl What {
     /// What a look at it counts as.
     pub fn effect(self) -> Effect {
         match self {
-            What::Gap(_) | What::Rise(_) => Effect::Gap,
+            What::Gap(_) | What::Rise(_) | What::Kink(_) => Effect::Gap,
             What::Force(_) | What::Push(_) | What::Pull(_) => Effect::Force,
             What::Slide(_) | What::Hold(..) => Effect::Friction,
         }
@@ -52,7 +55,7 @@ impl SoftStops {
     pub fn of(contacts: &Contacts, state: &State) -> SoftStops {
         let mut all = SoftStops::default();
         for (j, contact) in contacts.all().iter().enumerate() {
-            let Some(soft) = contact.soft else { continue };
+            let Some(soft) = contact.soft.filter(|_| contact.force.is_none()) else { continue };
             let gap = contact.gap(state);
             match soft.force(gap) > 0.0 {
                 _ if gap[0] >= 0.0 => {}
@@ -100,6 +103,8 @@ pub(crate) struct Holds {
     pub soft: SoftStops,
     /// How it moves at each row with friction.
     pub grips: Vec<Grip>,
+    /// The switches of forces with kinks that are negative, ascending.
+    pub below: Vec<usize>,
 }
 
 impl Holds {
@@ -124,6 +129,18 @@ impl Holds {
             }
             (None, None) => own.below(0.0, side.sign()),
         }
+    }
+
+    /// The same with one switch turned.
+    pub fn turned(&self, switch: usize) -> Holds {
+        let mut all = self.clone();
+        if self.below.contains(&switch) {
+            all.below.retain(|&k| k != switch);
+        } else {
+            all.below.push(switch);
+            all.below.sort_unstable();
+        }
+        all
     }
 
     /// The rows that are held: stops rested on, then what sticks.

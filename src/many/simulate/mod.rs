@@ -29,6 +29,9 @@
 //!   the surface holds it. *Proof* of what is found: where it ceases to slide is the minimum of a velocity,
 //!   as above; where it ceases to stick, that of what the surface could hold more. There Coulomb's law for
 //!   all rows without velocity and all stops rested on at once says how it goes on (`engine::grips`).
+//! - Forces with kinks are smooth on each side of them. *Proof* of what is found: the switch of each kink is
+//!   watched as a gap is, with the same depth, in its own unit; that of a stop's force as the acceleration of
+//!   the gap (`kinks`).
 //! - A run ends by a [`RunEnd`](crate::motion::RunEnd) that says why.
 //!
 //! The trajectory itself carries rounding errors only, amplified by the condition number of the modes. Where
@@ -71,6 +74,7 @@
 mod depth;
 mod engine;
 mod holds;
+mod kinks;
 mod pushes;
 mod slid;
 mod smooth;
@@ -94,7 +98,12 @@ pub(crate) use smooth::seen;
 pub(crate) use stage::Stage;
 pub use tangent::Carried;
 
-use super::{LinearEquations, Machine, RealVector, Rub, State, contact::Contacts, smooth::Smooth};
+use super::{
+    LinearEquations, Machine, RealVector, Rub, State,
+    contact::Contacts,
+    friction::refused_kinks,
+    smooth::{Smooth, SwitchOf},
+};
 use crate::many::LinearFlow;
 use crate::{
     error::{Error, Result},
@@ -210,6 +219,14 @@ impl Simulator {
     /// that would accelerate the gap by more than the minimum depth per radian²: a depth by itself is a force
     /// that grows with the stiffness, and a stop as stiff as 10¹² would hold on to a mass.
     fn depth(&self, what: &What) -> f64 {
+        if let What::Kink(k) = *what {
+            // What a force changes by must be seen in the motion.
+            let unit = match self.switches()[k].of {
+                SwitchOf::Push(stop) => self.contacts.mobility(stop),
+                SwitchOf::Kink | SwitchOf::Depth(_) => 1.0,
+            };
+            return self.settings.minimum_depth / unit;
+        }
         let (What::Gap(stop) | What::Push(stop) | What::Pull(stop) | What::Rise(stop) | What::Force(stop)) =
             *what
         else {
@@ -293,8 +310,9 @@ impl Simulator {
     /// A stage that cannot be built.
     pub(crate) fn acceleration(&self, state: &State) -> Result<RealVector> {
         let soft = SoftStops::of(&self.contacts, state);
-        let stage = self.stage(&Holds { soft, ..Holds::default() })?;
-        Ok(stage.acceleration(Time::new(0, state.t), state))
+        let time = Time::new(0, state.t);
+        let holds = self.decided(Holds { soft, ..Holds::default() }, None, time, state)?;
+        Ok(self.stage(&holds)?.acceleration(time, state))
     }
 
     /// The acceleration of a stop's gap at a phase where the machine rests on it, moved by a push there from
@@ -448,6 +466,14 @@ impl Simulator {
             return Err(Error::input(format!("the start lies behind the stop {name}: its gap is {gap:e}")));
         }
         Run::new(self, time, state)
+    }
+
+    /// Refuses a machine with forces that have kinks, where motions between impacts must be smooth.
+    ///
+    /// # Errors
+    /// An input error if there is any.
+    pub(crate) fn check_no_kinks(&self) -> Result<()> {
+        refused_kinks(self.switches().first().map(|switch| switch.text.as_str()))
     }
 
     /// v at each row with friction; where it is rounding's, 0.

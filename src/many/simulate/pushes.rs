@@ -7,7 +7,7 @@
 //! looks and rises above both more than a parabola does can be missed, and what moves faster than the looks:
 //! these are numbers found, not bounds.
 
-use std::sync::Arc;
+use std::{cell::RefCell, sync::Arc};
 
 use super::Stage;
 use crate::{
@@ -20,6 +20,8 @@ use crate::{
 const PIECE: f64 = 3.0;
 /// Pieces of a flight: at least the first, at most the second number.
 const PIECES: [f64; 2] = [2.0, 28.0];
+/// Pieces of a flight with the force of a formula.
+const BENT: f64 = 8.0;
 /// Steps of golden section: the parabola through what is left errs by some 10⁻¹² of the force.
 const STEPS: usize = 14;
 
@@ -68,7 +70,7 @@ impl Pushes {
     pub fn flown(&mut self, run: &Run) {
         let duration = run.time().since(self.from);
         if duration > 0.0 {
-            for stop in self.stage.holds.soft.pushing.clone() {
+            for stop in self.stage.pushing.clone() {
                 let flight = self.flight(run, stop, duration);
                 let (now, all) = (&mut self.now[stop], &mut self.all[stop]);
                 for one in [&mut *now, &mut *all] {
@@ -88,20 +90,36 @@ impl Pushes {
     fn flight(&self, run: &Run, stop: usize, duration: f64) -> Contact {
         let contact = &run.simulator().contacts().all()[stop];
         let mut found = Contact { duration, ..Contact::default() };
-        let Some(soft) = contact.soft else { return found };
+        // By a law's steps the way from the beginning is long: looks go on from the one before.
+        let last = RefCell::new((0.0, self.state.clone()));
         let look = |after: f64| {
-            let gap = contact.gap(&self.stage.after(self.from, &self.state, after));
-            [soft.force(gap), gap[1]]
+            if contact.force.is_none() {
+                let gap = contact.gap(&self.stage.after(self.from, &self.state, after));
+                return [contact.push_at(gap), gap[1]];
+            }
+            let (known, state) = last.borrow().clone();
+            let (known, state) = if known <= after { (known, state) } else { (0.0, self.state.clone()) };
+            let state = self.stage.after(self.from.after(known), &state, after - known);
+            let gap = contact.gap(&state);
+            *last.borrow_mut() = (after, state);
+            [contact.push_at(gap), gap[1]]
         };
         let fastest = self.stage.flow.rates().into_iter().fold(1.0, f64::max);
         let pieces = (fastest * duration / PIECE).clamp(PIECES[0], PIECES[1]).ceil();
         let piece = duration / pieces;
         let mut looks = vec![(0.0, look(0.0)[0])];
+        // A formula's force may begin and end as a power that is not whole: s ↦ s²(3 − 2s) makes it smooth.
+        let (pieces, bent) = if contact.force.is_some() { (BENT, true) } else { (pieces, false) };
         for i in 0..pieces as u32 {
             for (x, weight) in GAUSS {
-                let after = (f64::from(i) + x) * piece;
+                let s = (f64::from(i) + x) / pieces;
+                let (after, part) = if bent {
+                    (duration * s * s * (3.0 - 2.0 * s), weight * duration / pieces * 6.0 * s * (1.0 - s))
+                } else {
+                    ((f64::from(i) + x) * piece, weight * piece)
+                };
                 let [force, rate] = look(after);
-                let part = weight * piece * force;
+                let part = part * force;
                 (found.impulse, found.energy) = (found.impulse + part, found.energy - part * rate);
                 looks.push((after, force));
             }

@@ -44,10 +44,11 @@ enum Sight {
 }
 
 impl SmoothStage {
-    /// The stage of `equations`, with what is watched; where it rests on stops or sticks, with the rows that
-    /// are held, their forces as those of the linear machine, and the constrained motion.
+    /// The stage of `equations`, with what is watched, in the mode in which these switches are negative;
+    /// where it rests on stops or sticks, with the rows that are held, their forces as those of the linear
+    /// machine, and the constrained motion.
     pub fn new(
-        smooth: &Smooth,
+        (smooth, modes): (&Smooth, &[usize]),
         equations: &LinearEquations,
         contacts: &Contacts,
         watches: &[(What, Watch)],
@@ -59,7 +60,11 @@ impl SmoothStage {
         // The outputs after the n accelerations are the forces, in the order of the rows.
         let output = |row: usize| n + rows.iter().position(|known| *known == row).unwrap_or(0);
         let none = |constant: f64| Watch::constant(n, constant);
+        let first = if held.is_some() { 2 * n + rows.len() } else { n };
+        let below = |k: usize| if modes.contains(&k) { -1.0 } else { 1.0 };
+        let place = |k: usize| first + smooth.reached().iter().position(|known| *known == k).unwrap_or(0);
         let sights = watches.iter().map(|(what, watch)| match *what {
+            What::Kink(k) => Sight::Outputs(vec![(place(k), below(k))], none(0.0)),
             What::Force(stop) => Sight::Outputs(vec![(output(stop), 1.0)], none(0.0)),
             What::Hold(j, side) => {
                 let (row, rub) = (contacts.rub_row(j), &contacts.rubs()[j]);

@@ -34,7 +34,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::{
-    holds::{Holds, What},
+    holds::{Holds, SoftStops, What},
     smooth::SmoothStage,
 };
 use crate::{
@@ -44,7 +44,7 @@ use crate::{
         algebra::stacked,
         contact::{Contacts, Watch},
         equations::HeldRows,
-        smooth::Smooth,
+        smooth::{Smooth, SwitchOf},
     },
     motion::{
         Series, Time,
@@ -73,6 +73,8 @@ pub(crate) struct Stage {
     pub holds: Holds,
     /// How many rows stick.
     stuck: usize,
+    /// The soft stops that push, ascending.
+    pub pushing: Vec<usize>,
     /// The equations with the forces of soft stops, not resting on any other.
     pub equations: LinearEquations,
     /// Where forces are formulas, that of the machine linearised at rest.
@@ -131,7 +133,10 @@ impl Stage {
         through: bool,
         formulas: Option<&Smooth>,
     ) -> Result<Stage> {
-        let Holds { resting, soft, grips } = holds;
+        let Holds { resting, soft, grips, below } = holds;
+        let whole = formulas;
+        let mode = formulas.filter(|all| !all.switches().is_empty()).map(|all| all.in_mode(below));
+        let formulas = mode.as_ref().or(formulas);
         let (all, rubs) = (contacts.all(), contacts.rubs());
         let watched = |j: usize| !(resting.contains(&j) || through && all[j].soft.is_none());
         let leaning = soft.pushing.iter().map(|&j| (&all[j], contacts.along(j, grips)));
@@ -139,7 +144,8 @@ impl Stage {
         let dragged = pushed.dragged(rubs.iter().zip(grips.iter().map(|grip| grip.sign())));
         let equations = &dragged;
         let mut watches: Vec<(What, Watch)> = Vec::new();
-        for (j, contact) in all.iter().enumerate().filter(|(j, _)| watched(*j)) {
+        let own = |j: &usize| all[*j].force.is_none();
+        for (j, contact) in all.iter().enumerate().filter(|(j, _)| watched(*j) && own(j)) {
             if soft.pushing.contains(&j) {
                 watches.push((What::Push(j), contact.push_watch(1.0)));
             } else if soft.behind.contains(&j) {
@@ -154,15 +160,19 @@ impl Stage {
                 watches.push((What::Slide(j), rub.rate_watch(grip.sign())));
             }
         }
+        for &k in formulas.map_or(&[][..], Smooth::reached) {
+            watches.push((What::Kink(k), Watch::none(equations.size())));
+        }
         let rows = holds.rows(contacts);
         let (mut reduced, mut positions) = (None, Vec::new());
         let mut smooth = None;
         // Where forces are formulas the linear flow carries no motion: it tells the scales and the modes of
         // one.
-        let linearised = formulas.map(|formulas| formulas.linearised(equations));
+        let linearised = whole.map(|formulas| formulas.linearised(equations));
         let flow = if rows.is_empty() {
             if let Some(formulas) = formulas {
-                smooth = Some(SmoothStage::new(formulas, equations, contacts, &watches, grips, None)?);
+                smooth =
+                    Some(SmoothStage::new((formulas, below), equations, contacts, &watches, grips, None)?);
             }
             LinearFlow::new(linearised.unwrap_or_else(|| equations.clone()))?
         } else {
@@ -187,7 +197,8 @@ impl Stage {
             if let (Some(formulas), Some(linearised)) = (formulas, linearised) {
                 let held = linearised.constrained(&held)?;
                 let both = Some((&rows[..], &forces[..], &constrained));
-                smooth = Some(SmoothStage::new(formulas, equations, contacts, &watches, grips, both)?);
+                smooth =
+                    Some(SmoothStage::new((formulas, below), equations, contacts, &watches, grips, both)?);
                 constrained.equations = held.equations;
             }
             positions = resting.iter().map(|&j| all[j].position.clone()).collect();
@@ -198,6 +209,7 @@ impl Stage {
         let mut stage = Stage {
             holds: holds.clone(),
             stuck: surfaces.len(),
+            pushing: pushing(soft, formulas, below),
             equations: equations.clone(),
             padded: flow.dimension().next_multiple_of(LANES),
             flow,
@@ -628,6 +640,19 @@ impl Stage {
         }
         State { t: state.t, q, u }
     }
+}
+
+/// The soft stops that push where these switches are negative: those with laws among them.
+fn pushing(soft: &SoftStops, formulas: Option<&Smooth>, below: &[usize]) -> Vec<usize> {
+    let mut all = soft.pushing.clone();
+    for &k in formulas.map_or(&[][..], Smooth::reached).iter().filter(|k| !below.contains(k)) {
+        // That a switch of the force is looked at says that there is contact.
+        if let Some(SwitchOf::Push(stop)) = formulas.map(|formulas| formulas.switches()[k].of) {
+            all.push(stop);
+        }
+    }
+    all.sort_unstable();
+    all
 }
 
 /// The matrix [[a, b], [c, d]], each entry moved by at most one place of its last digit, whose determinant is

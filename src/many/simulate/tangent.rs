@@ -138,7 +138,8 @@ impl<'a> Carried<'a> {
             let left = then.since(self.now);
             let gone = self.advance(left.min(self.longest));
             // Where it cannot be followed the run ends, too.
-            if gone >= left || gone.is_nan() || gone <= SHORTEST {
+            let shortest = self.stage.smooth.as_ref().map_or(SHORTEST, |smooth| smooth.flow.shortest());
+            if gone >= left || gone.is_nan() || gone <= shortest {
                 return;
             }
             orthonormalise(&mut self.frame, growth, FLOOR);
@@ -215,7 +216,9 @@ impl<'a> Carried<'a> {
         let turn = &bend - stage.acceleration(now, &arrival);
         let rate = by_state.dot(&stacked(&arrival.u, &bend)) + by_time;
         // Where it goes on as before, it does not matter when; else it falls, or it would not have come to 0.
-        if turn.amax() > 0.0 && rate < 0.0 {
+        // A switch may have turned unseen since, where it did not matter.
+        let falls = rate < 0.0 || matches!(what, What::Kink(_)) && rate > 0.0;
+        if turn.amax() > 0.0 && falls {
             self.mapped(|q, u| {
                 let delay = -by_state.dot(&stacked(&q, &u)) / rate;
                 (q, u + &turn * delay)

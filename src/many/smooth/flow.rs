@@ -12,7 +12,7 @@ use crate::{
     many::{LinearEquations, RealMatrix, RealVector, State},
     motion::{
         Effect, EffectTally, RunEnd, Time,
-        flow::{Gradient, LEAST, Obstacle, Program, Rows, SHORTEST, Scalar, TERMS, defect},
+        flow::{Gradient, LEAST, Obstacle, Program, Rows, Scalar, TERMS, defect},
     },
 };
 
@@ -51,6 +51,8 @@ pub(crate) struct Leap {
     pub outputs: Vec<[f64; TERMS]>,
     /// What a step means that is too short to go on by.
     pub obstacle: Obstacle,
+    /// Steps this short end the motion.
+    shortest: f64,
 }
 
 /// A step in numbers of any kind.
@@ -78,10 +80,16 @@ impl SmoothFlow {
         }
     }
 
+    /// Steps this short end a motion that needs them.
+    pub fn shortest(&self) -> f64 {
+        self.program.shortest()
+    }
+
     /// The step from a state, no longer than `longest`. `given` is a straight force for each output, a value
     /// and a slope by time.
     pub fn leap(&self, start: Time, state: &State, longest: f64, given: &[[f64; 2]]) -> Leap {
         self.stepped(1);
+        let shortest = self.shortest();
         let from: Vec<f64> = state.q.iter().chain(state.u.iter()).copied().collect();
         let step = step(&self.program, &self.metric, &from, start.phase, longest, given);
         let padded = |row: &Vec<f64>| {
@@ -94,16 +102,17 @@ impl SmoothFlow {
             // Its terms overflow, or it stands at a pole: as far as it can be told, and no farther.
             let still = |i: usize| {
                 let mut all = [0.0; TERMS];
-                (all[0], all[1]) = (state.q[i], state.u[i] * SHORTEST);
+                (all[0], all[1]) = (state.q[i], state.u[i] * shortest);
                 all
             };
             let q = (0..self.size).map(still).collect();
             return Leap {
                 start,
-                h: SHORTEST,
+                h: shortest,
                 q,
                 outputs: vec![[0.0; TERMS]; step.outputs.len()],
                 obstacle: step.obstacle,
+                shortest,
             };
         }
         let q = step.rows.iter().map(padded).collect();
@@ -113,6 +122,7 @@ impl SmoothFlow {
             q,
             outputs: step.outputs.iter().map(padded).collect(),
             obstacle: step.obstacle,
+            shortest,
         }
     }
 
@@ -257,7 +267,7 @@ fn step<S: Scalar>(
         }
     }
     let factor = suited(program, metric, &rows, factor);
-    let short = trial * factor <= SHORTEST;
+    let short = trial * factor <= program.shortest();
     let obstacle = if short { program.obstacle(&rows, factor) } else { Obstacle::Escape };
     let scaled = |row: &[S]| {
         let mut power = 1.0;
@@ -311,10 +321,18 @@ fn suited<S: Scalar>(program: &Program<S>, metric: &RealMatrix, rows: &Rows<S>, 
                 break;
             }
         }
-        let forces = all[n..]
-            .iter()
-            .zip(&sizes)
-            .map(|(defect, size)| longest(ORDER - 1, allowed * size.max(f64::MIN_POSITIVE), *defect, most));
+        let forces = all[n..].iter().zip(&sizes).enumerate().map(|(k, (defect, size))| {
+            let size = match program.watched(n + k) {
+                None => *size,
+                // The defect of the accelerations holds.
+                Some(true) => return most,
+                // It may begin at 0.
+                Some(false) => {
+                    rows.output(n + k)[..=4].iter().rev().fold(0.0, |sum, c| sum * most + c.part(0).abs())
+                }
+            };
+            longest(ORDER - 1, allowed * size.max(f64::MIN_POSITIVE), *defect, most)
+        });
         forces.fold(best, f64::min)
     };
     program.suited(rows, far, LEAST / trial, fits)
@@ -332,7 +350,7 @@ fn carry<S: Scalar>(
     while left > 0.0 {
         steps += 1;
         let step = step(program, metric, &from, t, left, &[]);
-        if step.h.is_nan() || step.h < left.min(1e-11) {
+        if step.h.is_nan() || step.h < left.min(1e-11).min(program.shortest()) {
             return (vec![S::constant(f64::NAN); 2 * n], steps);
         }
         for j in 0..n {
@@ -375,7 +393,8 @@ impl Leap {
     /// Why the motion cannot go on from here, if it cannot.
     pub fn over(&self) -> Option<RunEnd> {
         let size: f64 = self.q.iter().map(|row| row[0].abs()).sum();
-        let over = size.is_nan() || size > 1e100 || self.h <= SHORTEST;
-        over.then_some(if self.h <= SHORTEST { self.obstacle.into() } else { RunEnd::Escaped })
+        let short = self.h <= self.shortest;
+        let over = size.is_nan() || size > 1e100 || short;
+        over.then_some(if short { self.obstacle.into() } else { RunEnd::Escaped })
     }
 }

@@ -3,10 +3,12 @@
 //!
 //! All of it is compiled to one list of operations on Taylor series ([`Program`]), the linear part as sums,
 //! so that what the formulas of several coordinates have in common is computed once. A machine that rests on
-//! stops, or that soft ones push, is another list. `flow` follows motions by it. Not here: what is watched on
+//! stops, or that soft ones push, is another list, and so is every mode of forces with kinks (`kinks`).
+//! `flow` follows motions by it. Not here: what is watched on
 //! the way (`simulate`).
 
 mod flow;
+mod kinks;
 mod record;
 
 use std::{
@@ -15,6 +17,7 @@ use std::{
 };
 
 pub(crate) use flow::{Leap, SmoothFlow};
+pub(crate) use kinks::{Switch, SwitchOf};
 pub use record::Record;
 
 use super::{LinearEquations, Machine, Periodic, RealMatrix, RealVector, Slope};
@@ -29,8 +32,15 @@ use crate::{
 /// The formulas of a machine, and what they need of it.
 #[derive(Debug, Clone)]
 pub(crate) struct Smooth {
-    /// The point on which each acts.
+    /// The point on which each acts; after all points the stops with laws.
     formulas: Vec<(usize, SmoothForce<f64>)>,
+    /// Of each stop with a law what a force of 1 there is on the equations' coordinates, and its name.
+    laws: Vec<(RealVector, String)>,
+    /// Where formulas have kinks.
+    switches: Arc<Vec<Switch>>,
+    /// The switches that its mode looks at, and these as formulas.
+    reached: Vec<usize>,
+    sights: Vec<SmoothForce<f64>>,
     /// Φ.
     shape: RealMatrix,
     /// Ω.
@@ -69,11 +79,11 @@ impl Smooth {
             }
             None => None,
         };
-        if !machine.is_smooth() && record.is_none() {
+        if !machine.is_smooth() && !machine.has_laws() && record.is_none() {
             return Ok(None);
         }
         let points = machine.points();
-        if machine.is_smooth() && machine.smooth.len() != points {
+        if !machine.smooth.is_empty() && machine.smooth.len() != points {
             let found = machine.smooth.len();
             return Err(Error::input(format!(
                 "force has {found} entries; the machine has {points} coordinates"
@@ -89,12 +99,23 @@ impl Smooth {
             return Err(Error::input("force has a coefficient that is not finite"));
         }
         let shape = machine.shape().unwrap_or_else(|| RealMatrix::identity(machine.size, machine.size));
-        Ok(Some(Smooth { formulas, shape, rate: machine.rate(), record, tally: Arc::default() }))
+        let (laws, switches, reached, sights) = (vec![], Arc::default(), vec![], vec![]);
+        let (rate, tally) = (machine.rate(), Arc::default());
+        let all = Smooth { formulas, laws, switches, reached, sights, shape, rate, record, tally };
+        Ok(Some(all.with_kinks(machine)))
     }
 
     /// A force known at times, and its direction on the equations' coordinates.
     pub fn record(&self) -> Option<(&Arc<Record>, &RealVector)> {
         self.record.as_ref().map(|(record, direction)| (record, direction))
+    }
+
+    /// What a force of 1 that a formula is on is on the equations' coordinates.
+    fn direction(&self, point: usize) -> RealVector {
+        match point.checked_sub(self.shape.nrows()) {
+            Some(law) => self.laws[law].0.clone(),
+            None => self.shape.row(point).transpose(),
+        }
     }
 
     /// What the same formulas change by in a parameter in which the machine's coefficients change at the
@@ -109,6 +130,10 @@ impl Smooth {
         let (rows, columns) = self.shape.shape();
         Smooth {
             formulas: formulas.collect(),
+            laws: self.laws.clone(),
+            switches: self.switches.clone(),
+            reached: vec![],
+            sights: vec![],
             shape: slope.shape().unwrap_or_else(|| RealMatrix::zeros(rows, columns)),
             rate: -machine.rate() * slope.period / machine.period,
             record: None,
@@ -158,7 +183,8 @@ impl Smooth {
     /// harmonics; those without the formulas where these are not smooth there.
     pub fn linearised(&self, equations: &LinearEquations) -> LinearEquations {
         let (n, mut all) = (equations.size(), equations.clone());
-        let Ok(flow) = self.flow(equations, None) else { return all };
+        let mode = (!self.switches.is_empty()).then(|| self.in_mode(&self.below_at_rest(n)));
+        let Ok(flow) = mode.as_ref().unwrap_or(self).flow(equations, None) else { return all };
         let zero = RealVector::zeros(n);
         let part = 1.0 / f64::from(LOOKS);
         let (mut by_place, mut by_rate) = (RealMatrix::zeros(n, n), RealMatrix::zeros(n, n));
@@ -202,10 +228,15 @@ impl Smooth {
     ) -> Result<Program<S>> {
         let n = equations.size();
         let free = self.free(equations, slope, &make);
-        let outlines = match held {
+        let mut outlines = match held {
             None => free,
             Some(held) => self.held(held, free, |value| make(value, 0.0)),
         };
+        for at in 0..self.sights.len() {
+            let mut outline = Outline::zero();
+            outline.formulas.push((make(1.0, 0.0), self.formulas.len() + at));
+            outlines.push(outline);
+        }
         let variables = self.variables(slope, &make);
         let mut formulas = Vec::new();
         for (at, (_, force)) in self.formulas.iter().enumerate() {
@@ -217,14 +248,27 @@ impl Smooth {
             };
             formulas.push(force.try_map(&mut number)?);
         }
+        for sight in &self.sights {
+            formulas.push(sight.try_map(&mut |value: &f64| Ok::<_, Error>(make(*value, 0.0)))?);
+        }
         let formulas: Vec<&SmoothForce<S>> = formulas.iter().collect();
-        Program::assemble(n, &variables, &formulas, &outlines).map_err(|(at, error)| {
-            let name = if self.shape.nrows() == 1 {
-                String::new()
-            } else {
-                format!(" on q{}", self.formulas[at].0 + 1)
-            };
-            error.context(format!("force{name}"))
+        let made = Program::assemble(n, &variables, &formulas, &outlines).map_err(|(at, error)| {
+            let points = self.shape.nrows();
+            error.context(match self.formulas.get(at) {
+                Some((point, _)) if *point >= points => {
+                    format!("law of stop {}", self.laws[point - points].1)
+                }
+                Some((point, _)) if points > 1 => format!("force on q{}", point + 1),
+                Some(_) => "force".to_string(),
+                None => self.sights[at - self.formulas.len()].text.clone(),
+            })
+        });
+        let first = outlines.len() - self.sights.len();
+        let pushes = |k: &usize| matches!(self.switches[*k].of, SwitchOf::Push(_));
+        let signs = self.reached.iter().enumerate().map(|(at, k)| (first + at, pushes(k))).collect();
+        made.map(|mut program| {
+            program.watch(signs);
+            program
         })
     }
 
@@ -294,8 +338,8 @@ impl Smooth {
             }
         }
         for (at, (point, _)) in self.formulas.iter().enumerate() {
-            let change = slope.map(|(_, own)| own.shape.row(*point).transpose());
-            let push = solved(&self.shape.row(*point).transpose(), change.as_ref());
+            let change = slope.map(|(_, own)| own.direction(*point));
+            let push = solved(&self.direction(*point), change.as_ref());
             for (i, outline) in free.iter_mut().enumerate() {
                 if push.0[i] != 0.0 || push.1[i] != 0.0 {
                     outline.formulas.push((make(push.0[i], push.1[i]), at));
@@ -369,7 +413,7 @@ impl Smooth {
             }
             series(&mut outline, 1.0, &force.given);
             for (at, (point, _)) in self.formulas.iter().enumerate() {
-                let seen = self.shape.row(*point).transpose().dot(felt);
+                let seen = self.direction(*point).dot(felt);
                 outline.formulas.push((make(-seen), at));
             }
             all.push(outline);

@@ -6,7 +6,7 @@ use std::{
 };
 
 /// The functions of one number that forces are made of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Primitive {
     Inverse,
     Sqrt,
@@ -17,6 +17,8 @@ pub(crate) enum Primitive {
     Tanh,
     /// 1 − tanh².
     SquaredSech,
+    /// x^p, p > 1, and 0 for x ≤ 0.
+    Raise(f64),
 }
 
 impl Primitive {
@@ -52,6 +54,13 @@ impl Primitive {
                 let (y, w) = (x.tanh(), squared_sech(x));
                 [w, -2.0 * y * w, -2.0 * w * (w - 2.0 * y * y), 16.0 * y * w * w - 8.0 * y * y * y * w]
             }
+            Primitive::Raise(_) if x <= 0.0 => [0.0; 4],
+            Primitive::Raise(p) => {
+                let y = x.powf(p);
+                let slope = p * y / x;
+                let bend = (p - 1.0) * slope / x;
+                [y, slope, bend, (p - 2.0) * bend / x]
+            }
         }
     }
 
@@ -66,6 +75,7 @@ impl Primitive {
             Primitive::Cos => x.cos(),
             Primitive::Tanh => x.tanh(),
             Primitive::SquaredSech => squared_sech(x),
+            Primitive::Raise(p) => x.max(0.0).powf(p),
         }
     }
 }
@@ -310,7 +320,7 @@ impl Scalar for Range {
             Primitive::Inverse if self.low <= 0.0 && self.high >= 0.0 => Range::ALL,
             Primitive::Inverse => Range { low: 1.0 / self.high, high: 1.0 / self.low },
             Primitive::Sqrt | Primitive::Log if self.low.is_nan() || self.low <= 0.0 => Range::ALL,
-            Primitive::Sqrt | Primitive::Log | Primitive::Exp | Primitive::Tanh => {
+            Primitive::Sqrt | Primitive::Log | Primitive::Exp | Primitive::Tanh | Primitive::Raise(_) => {
                 self.rising(|x| function.at(x))
             }
             // No slope is steeper than 1.
@@ -335,7 +345,7 @@ impl Scalar for Range {
 mod tests {
     use super::*;
 
-    const ALL: [Primitive; 8] = [
+    const ALL: [Primitive; 9] = [
         Primitive::Inverse,
         Primitive::Sqrt,
         Primitive::Exp,
@@ -344,6 +354,7 @@ mod tests {
         Primitive::Cos,
         Primitive::Tanh,
         Primitive::SquaredSech,
+        Primitive::Raise(1.5),
     ];
 
     /// Each derivative by differences of the one before it.

@@ -199,7 +199,11 @@ impl Tangents for Carried<'_> {
                     self.frame.iter_mut().for_each(|v| *v = apply(&matrix, *v));
                 }
                 Event::Stick(_) | Event::Release(_) => self.frame.fill([0.0; 2]),
-                Event::Tangency(_) | Event::Touch(_) | Event::Reversal(_) | Event::End(_) => {}
+                Event::Tangency(_)
+                | Event::Touch(_)
+                | Event::Reversal(_)
+                | Event::Kink(_)
+                | Event::End(_) => {}
             }
             orthonormalise(&mut self.frame, growth, 0.0);
             (self.state, self.now) = (self.run.state(), self.run.time());

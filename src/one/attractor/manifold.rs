@@ -141,7 +141,7 @@ pub(crate) fn return_map(
                 matrix = product(&contact.saltation(simulator.flow(), arrival), &matrix);
             }
             Event::Stick(_) | Event::Release(_) => matrix = [[0.0; 2]; 2],
-            Event::Tangency(_) | Event::Touch(_) | Event::Reversal(_) => {}
+            Event::Tangency(_) | Event::Touch(_) | Event::Reversal(_) | Event::Kink(_) => {}
             Event::End(RunEnd::Reached) => {
                 let state = run.state();
                 return Ok(([state.q, state.u], matrix));

@@ -3,7 +3,7 @@
 use super::{Checked, Model};
 use crate::{
     error::Result,
-    many::{Machine, Stop, StopLaw},
+    many::{Machine, Stop},
     scene::orbits::{OrbitKeys, StartNumber},
 };
 
@@ -70,5 +70,5 @@ fn compliant<'m>(orbit: &OrbitKeys, machine: &'m Machine<f64>) -> Option<&'m Sto
         let named = orbit.stops.iter().any(|known| known.name == stop.name);
         !orbit.pattern.is_empty() && (orbit.stops.is_empty() || named)
     };
-    machine.stops.iter().filter(hit).find(|stop| matches!(stop.law, StopLaw::Soft { .. }))
+    machine.stops.iter().filter(hit).find(|stop| !stop.law.is_rigid())
 }

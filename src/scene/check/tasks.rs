@@ -9,7 +9,7 @@ use super::{Checked, LONGEST, Model, POINTS};
 use crate::{
     continuation::Bifurcation,
     error::{Error, Result},
-    many::{Machine, RealVector, StopLaw, section::PlaneAxis},
+    many::{Machine, RealVector, section::PlaneAxis},
     motion::{Harmonic, SmoothForce},
     scene::{
         branches::{BranchTask, CrisisTask, DiagramTask, MapTask},
@@ -81,51 +81,43 @@ impl Checked<'_> {
     }
 
     /// With dry friction motions are followed, attractors and orbits found, and branches of these over one
-    /// parameter; nothing that takes a map that is smooth, or has an inverse.
+    /// parameter; with forces that have kinks motions are followed, and attractors found. Nothing that takes a
+    /// map that is smooth, or has an inverse.
     fn rubbing(&self, kind: &Kind) -> Result<()> {
         let Model::Many(machine) = self.model else { return Ok(()) };
-        let Some(first) = machine.friction.first() else { return Ok(()) };
-        let refused = |key: &str| {
-            let message = format!(
-                "needs motions that are smooth between impacts; here there is dry friction ({}): `simulate`, `orbit`, `branch` over one \
-                 parameter, `basins`, `section` without `orbits`, `diagram` and `response` take it",
-                first.name
-            );
-            self.fail(key, &message)
-        };
-        let formulas = |key: &str| {
-            let message = format!(
-                "takes how motions change with a parameter, which is not followed where a force is a formula and there is dry friction \
-                 ({}): leave one of them out, or use `diagram` without `branches`",
-                first.name
-            );
-            self.fail(key, &message)
-        };
+        let (first, kinked) = (machine.friction.first(), machine.kinked());
+        let friction = first.map(|first| format!("there is dry friction ({})", first.name));
         let on_stop = machine.friction.iter().find(|friction| friction.normal.stop().is_some());
-        let leaning = |key: &str| {
-            let name = on_stop.map_or("", |friction| &friction.name);
+        let on_stop = on_stop.map(|friction| format!("the normal force of {} is a stop's", friction.name));
+        let kinks = kinked.map(|text| format!("a force has kinks ({text})"));
+        let formula = friction.as_ref().filter(|_| machine.is_smooth());
+        let formula = formula.map(|friction| format!("{friction} beside a force that is a formula"));
+        let Some(what) = friction.or_else(|| kinks.clone()) else { return Ok(()) };
+        let refused = |key: &str, what: &str| {
+            let orbits = if kinks.is_none() && on_stop.is_none() {
+                ", `orbit`, `branch` over one parameter"
+            } else {
+                ""
+            };
             let message = format!(
-                "follows orbits, which is done under given normal forces alone; that of {name} is a stop's: `simulate`, `basins`, \
-                 `section` without `orbits`, `diagram` without `branches` and `response` take it"
+                "needs motions that are smooth between impacts; here {what}: `simulate`{orbits}, `basins`, `section` without `orbits`, \
+                 `diagram` without `branches` and `response` take it"
             );
             self.fail(key, &message)
         };
-        match kind {
-            Kind::OrbitTask(_) | Kind::BranchTask(_) if on_stop.is_some() => leaning("kind"),
-            Kind::DiagramTask(task) if !task.branches.is_empty() && on_stop.is_some() => leaning("branches"),
-            Kind::SimulateTask(_) | Kind::OrbitTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_) => {
-                Ok(())
-            }
-            Kind::BranchTask(task) if task.second.is_some() => refused("second"),
-            Kind::BranchTask(_) if machine.is_smooth() => formulas("kind"),
-            Kind::BranchTask(_) => Ok(()),
-            Kind::DiagramTask(task) if !task.branches.is_empty() && machine.is_smooth() => {
-                formulas("branches")
-            }
-            Kind::DiagramTask(_) => Ok(()),
-            Kind::SectionTask(task) if task.orbits.is_empty() => Ok(()),
-            Kind::SectionTask(_) => refused("orbits"),
-            _ => refused("kind"),
+        // Why orbits are not found, and why branches are not followed.
+        let orbits = kinks.as_ref().or(on_stop.as_ref());
+        let branches = orbits.or(formula.as_ref());
+        match (kind, orbits, branches) {
+            (Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_), ..) => Ok(()),
+            (Kind::OrbitTask(_), None, _) => Ok(()),
+            (Kind::OrbitTask(_), Some(why), _) | (Kind::BranchTask(_), _, Some(why)) => refused("kind", why),
+            (Kind::BranchTask(task), ..) if task.second.is_some() => refused("second", &what),
+            (Kind::DiagramTask(task), _, Some(why)) if !task.branches.is_empty() => refused("branches", why),
+            (Kind::BranchTask(_) | Kind::DiagramTask(_), ..) => Ok(()),
+            (Kind::SectionTask(task), ..) if task.orbits.is_empty() => Ok(()),
+            (Kind::SectionTask(_), ..) => refused("orbits", &what),
+            _ => refused("kind", &what),
         }
     }
 
@@ -414,9 +406,7 @@ impl Checked<'_> {
                 );
                 return self.fail("kind", &message);
             }
-            Model::Many(machine) => {
-                machine.stops.iter().any(|stop| !matches!(stop.law, StopLaw::Soft { .. }))
-            }
+            Model::Many(machine) => machine.stops.iter().any(|stop| stop.law.is_rigid()),
         };
         if !rigid {
             return self.fail("kind", "needs a rigid stop to rest on, one with a restitution; there is none");

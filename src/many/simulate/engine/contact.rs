@@ -26,7 +26,8 @@ impl Run<'_> {
         let time = self.time_at(x);
         self.from = x;
         self.still.clear();
-        self.rubbed = Some(stage.watched[watch]).filter(|what| what.effect() == Effect::Friction);
+        let rubs = |what: &What| what.effect() == Effect::Friction || matches!(what, What::Kink(_));
+        self.rubbed = Some(stage.watched[watch]).filter(rubs);
         match (stage.watched[watch], hit) {
             (What::Gap(stop), Hit::Tangency(_)) => {
                 self.events.push(Event::Tangency(Tangency { time, place: stop, gap: z[0] }));
@@ -68,6 +69,7 @@ impl Run<'_> {
                 self.place(time, x, stop, SoftPlace::Pushing)?;
             }
             (What::Rise(stop), _) => self.place(time, x, stop, SoftPlace::Open)?,
+            (What::Kink(switch), _) => self.kinked(time, x, switch)?,
             (What::Slide(rub), _) => self.caught(time, x, rub)?,
             (What::Hold(rub, side), _) => self.slips(time, x, rub, side)?,
             (What::Force(stop), Hit::Impact(_) | Hit::Press(_)) => {
@@ -85,7 +87,7 @@ impl Run<'_> {
         self.simulator.contacts.all()[stop].soft.is_some()
     }
 
-    fn touch(&mut self, touch: Touch<usize>) {
+    pub(in crate::many::simulate) fn touch(&mut self, touch: Touch<usize>) {
         self.impacts += 1;
         self.events.push(Event::Touch(touch));
     }
@@ -111,7 +113,7 @@ impl Run<'_> {
         }
         let mut after = before.clone();
         for (stop, contact) in self.simulator.contacts.all().iter().enumerate() {
-            let Some(soft) = contact.soft else { continue };
+            let Some(soft) = contact.soft.filter(|_| contact.force.is_none()) else { continue };
             let gap = contact.gap(state);
             let pushes = soft.force(gap) > 0.0;
             if before.pushing.contains(&stop) && !pushes && soft.damping > 0.0 {
@@ -244,11 +246,15 @@ impl Run<'_> {
         }
         let soft = self.soft_after(time, &state);
         let grips = self.grips_with(&state, &resting, &soft);
-        let holds = Holds { resting: resting.clone(), soft, grips };
+        let below = self.stage.holds.below.clone();
+        let holds = Holds { resting: resting.clone(), soft, grips, below };
+        let holds = simulator.decided(holds, None, time, &state)?;
         if holds != self.stage.holds {
             // What it rests on is decided by the forces that act from now on.
             self.told_grips(time, &holds.grips);
-            self.enter(simulator.stage(&holds)?, time, &state);
+            let (before, after) = (self.stage.clone(), simulator.stage(&holds)?);
+            self.tell_kinks(time, &state, &before, &after);
+            self.enter(after, time, &state);
         }
         if !self.settle(time, state.clone(), touched, &resting)? {
             // Thrown off what it rested on, unless some of it still presses.
@@ -316,7 +322,7 @@ impl Run<'_> {
         }
         self.still = still;
         let grips = self.grips_with(&state, &pressing, &now.holds.soft);
-        let holds = Holds { resting: pressing.clone(), soft: now.holds.soft.clone(), grips };
+        let holds = Holds { resting: pressing.clone(), grips, ..now.holds.clone() };
         let stage = simulator.stage(&holds)?;
         let longest = added.iter().map(|known| known.1).fold(0.0, f64::max);
         if longest > 0.0 && !steady(&stage, time, &state, longest) {
@@ -375,15 +381,14 @@ impl Run<'_> {
             }
         }
         pressing.sort_unstable();
-        let soft = self.stage.holds.soft.clone();
-        let grips = self.grips_with(state, &pressing, &soft);
+        let grips = self.grips_with(state, &pressing, &self.stage.holds.soft);
         self.told_grips(time, &grips);
-        let stage = simulator.stage(&Holds { resting: pressing, soft, grips })?;
+        let stage = simulator.stage(&Holds { resting: pressing, grips, ..self.stage.holds.clone() })?;
         self.change(stage, time, state);
         self.regrip(time, state, None)
     }
 
-    pub(super) fn change(&mut self, stage: Arc<Stage>, time: Time, state: &State) {
+    pub(in crate::many::simulate) fn change(&mut self, stage: Arc<Stage>, time: Time, state: &State) {
         for &stop in stage.holds.resting.iter().chain(&self.stage.holds.resting) {
             self.open[stop] = false;
         }

@@ -80,7 +80,12 @@ impl Run<'_> {
 
     /// Decides anew what slides and what sticks, of a machine with friction, beside the stops rested on. Of a
     /// row it may be known that it slides from rest, or, as [`Grip::Stuck`], that it has no velocity.
-    pub(super) fn regrip(&mut self, time: Time, state: &State, sure: Option<(usize, Grip)>) -> Result<()> {
+    pub(in crate::many::simulate) fn regrip(
+        &mut self,
+        time: Time,
+        state: &State,
+        sure: Option<(usize, Grip)>,
+    ) -> Result<()> {
         if self.stage.holds.grips.is_empty() {
             return Ok(());
         }
@@ -103,7 +108,7 @@ impl Run<'_> {
             }
         }
         self.told_grips(time, &grips);
-        let holds = Holds { resting: pressing, soft: stage.holds.soft.clone(), grips };
+        let holds = Holds { resting: pressing, grips, ..stage.holds.clone() };
         let stage = self.simulator.stage(&holds)?;
         self.change(stage, time, state);
         Ok(())

@@ -52,10 +52,12 @@ pub struct Run<'a> {
     /// Changes of the stage without progress.
     changes: u32,
     failure: Option<Error>,
-    /// What of friction was met last.
+    /// What of friction was met last, or which switch.
     rubbed: Option<What>,
     /// The friction known to have no velocity at the instant of the last hit, whatever rounding says.
     still: Vec<usize>,
+    /// The period, and how many zeros of switches it had so far.
+    pub(super) kinks: (i64, u32),
     counts: Option<Share>,
 }
 
@@ -77,7 +79,8 @@ impl<'a> Run<'a> {
                 _ => Grip::of(rate),
             })
             .collect();
-        let stage = simulator.stage(&Holds { resting: Vec::new(), soft, grips })?;
+        let holds = Holds { soft, grips, ..Holds::default() };
+        let stage = simulator.stage(&simulator.decided(holds, None, time, &state)?)?;
         let gaps: Vec<[f64; 2]> =
             simulator.contacts.all().iter().map(|contact| contact.gap(&state)).collect();
         let depth = simulator.settings.minimum_depth;
@@ -98,6 +101,7 @@ impl<'a> Run<'a> {
             failure: None,
             rubbed: None,
             still: Vec::new(),
+            kinks: (time.period, 0),
             counts: simulator.tally.as_ref().map(Share::of),
         };
         run.enter(stage, time, &state);
@@ -146,7 +150,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// What of friction was met last, taken once.
+    /// What of friction was met last, or which switch, taken once.
     pub(crate) fn rubbed(&mut self) -> Option<What> {
         self.rubbed.take()
     }
@@ -179,7 +183,7 @@ impl<'a> Run<'a> {
     }
 
     /// What is run.
-    pub(super) fn simulator(&self) -> &'a Simulator {
+    pub(in crate::many::simulate) fn simulator(&self) -> &'a Simulator {
         self.simulator
     }
 
@@ -220,7 +224,7 @@ impl<'a> Run<'a> {
 
     /// The soft stops that push, ascending.
     pub fn pushing(&self) -> &[usize] {
-        &self.stage.holds.soft.pushing
+        &self.stage.pushing
     }
 
     /// On to `until`, events unseen.
@@ -236,6 +240,11 @@ impl<'a> Run<'a> {
                 event => each(event),
             }
         }
+    }
+
+    /// To be told.
+    pub(super) fn push_event(&mut self, event: Event) {
+        self.events.push(event);
     }
 
     #[inline]
@@ -270,7 +279,7 @@ impl<'a> Run<'a> {
         Time::new(self.period, (2 * self.cell + 1) as f64 * self.half() + x * self.half())
     }
 
-    fn state_at(&self, x: f64) -> State {
+    pub(super) fn state_at(&self, x: f64) -> State {
         if let Some(leap) = &self.leap {
             return leap.state(x);
         }

@@ -50,7 +50,14 @@ pub(crate) struct Plain<S> {
 
 impl<S: Scalar> Program<S> {
     fn empty(size: usize) -> Program<S> {
-        Program { size, ops: Vec::new(), outputs: Vec::new(), guards: Vec::new() }
+        Program {
+            size,
+            ops: Vec::new(),
+            outputs: Vec::new(),
+            guards: Vec::new(),
+            raised: false,
+            signs: Vec::new(),
+        }
     }
 
     /// The whole equation of motion of a system without its walls.
@@ -157,7 +164,8 @@ impl<S: Scalar> Program<S> {
                 | Op::Sin(a)
                 | Op::Cos(a)
                 | Op::Tanh(a)
-                | Op::SquaredSech(a) => moved(a),
+                | Op::SquaredSech(a)
+                | Op::Raised(a, _) => moved(a),
                 Op::TurnSin(..) | Op::TurnCos(..) => {}
             }
         }
@@ -167,6 +175,7 @@ impl<S: Scalar> Program<S> {
         let mut alive = live.iter();
         self.ops.retain(|_| *alive.next().expect("one for each"));
         self.guards = self.ops.iter().filter_map(Op::guard).collect();
+        self.raised = self.ops.iter().any(|op| matches!(op, Op::Raised(..)));
         self.outputs = outputs;
     }
 
@@ -261,6 +270,25 @@ impl<S: Scalar> Program<S> {
             Formula::Call(function, inner) => {
                 let argument = self.lower(inner, known)?;
                 self.call(*function, argument)?
+            }
+            Formula::Raised(base, exponent) => {
+                let (base, p) = (self.lower(base, known)?, float(exponent));
+                if base.terms.is_empty() {
+                    let value = base.constant.part(0);
+                    if value < 0.0 {
+                        return Err(Error::input("raises a negative number to a power that is not whole"));
+                    }
+                    return Ok(Sum::constant(base.constant.call(Primitive::Raise(p))));
+                }
+                let row = self.whole(base);
+                one(self.row(Op::Raised(row, p)))
+            }
+            // Which of its branches it is has been decided before.
+            Formula::Choice(choice) => {
+                return Err(Error::input(format!(
+                    "{} has a kink, where a smooth force is needed",
+                    choice.text
+                )));
             }
         })
     }

@@ -54,7 +54,20 @@ enum Op<S> {
     Tanh(usize),
     /// 1 less the square of the row before; that row's argument.
     SquaredSech(usize),
+    /// A row to a power above 1 that is no whole number.
+    Raised(usize, f64),
 }
+
+/// How near to the branch point of a power, in radians of the motion, that is a straight line with the same
+/// impulse instead of a power.
+const THIN: f64 = 1e-10;
+
+/// A base below 0 by more than this part of how it moves in a trial step, or of what it is added up from, is
+/// negative.
+const NEGATIVE: f64 = 1e-9;
+
+/// The shortest step of a motion by powers: towards their branch points steps shrink, and beyond they grow.
+const SHORTEST_RAISED: f64 = 1e-13;
 
 impl<S> Op<S> {
     /// The rows that it needs; its partner among them.
@@ -62,7 +75,9 @@ impl<S> Op<S> {
         match self {
             Op::Sum(sum) => sum.terms.iter().map(|term| term.1).collect(),
             Op::Product(a, b) | Op::Quotient(a, b) => vec![*a, *b],
-            Op::Square(a) | Op::Inverse(a) | Op::Sqrt(a) | Op::Exp(a) | Op::Log(a) => vec![*a],
+            Op::Square(a) | Op::Inverse(a) | Op::Sqrt(a) | Op::Exp(a) | Op::Log(a) | Op::Raised(a, _) => {
+                vec![*a]
+            }
             Op::Sin(a) | Op::Tanh(a) => vec![*a, own + 1],
             Op::Cos(a) | Op::SquaredSech(a) => vec![*a, own - 1],
             Op::TurnSin(..) => vec![own + 1],
@@ -102,6 +117,10 @@ pub(crate) struct Program<S> {
     /// The accelerations first.
     outputs: Vec<Output<S>>,
     guards: Vec<(usize, bool)>,
+    /// Whether a power in it is not whole.
+    raised: bool,
+    /// Of the outputs those that are watched for their sign alone, and whether the accelerations say as much.
+    signs: Vec<(usize, bool)>,
 }
 
 /// A sum of rows and harmonics.
@@ -125,6 +144,16 @@ impl<S: Scalar> Program<S> {
     /// How many outputs there are.
     pub fn outputs(&self) -> usize {
         self.outputs.len()
+    }
+
+    /// Of these outputs only the sign matters; where the flag is set, it matters as that of an acceleration.
+    pub fn watch(&mut self, signs: Vec<(usize, bool)>) {
+        self.signs = signs;
+    }
+
+    /// Whether of an output only the sign matters, as [`watch`](Self::watch) has it.
+    pub fn watched(&self, output: usize) -> Option<bool> {
+        self.signs.iter().find(|known| known.0 == output).map(|known| known.1)
     }
 
     /// Whether the time enters.
@@ -157,7 +186,7 @@ impl<S: Scalar> Program<S> {
                 Op::Product(a, b) | Op::Quotient(a, b) => of(a).times(of(b)),
                 Op::Square(a) => of(a).times(of(a)),
                 Op::Inverse(a) | Op::Sin(a) | Op::Tanh(a) => of(a),
-                Op::Sqrt(a) | Op::Exp(a) | Op::Log(a) => of(a).even_only(),
+                Op::Sqrt(a) | Op::Exp(a) | Op::Log(a) | Op::Raised(a, _) => of(a).even_only(),
                 Op::Cos(a) | Op::SquaredSech(a) => of(a).times(of(a)),
                 Op::TurnSin(k, _) | Op::TurnCos(k, _) => Parity::of_harmonic(*k),
             });
@@ -177,8 +206,47 @@ impl<S: Scalar> Program<S> {
     /// The same for n coordinates from (q₁, …, q_n, u₁, …, u_n); `given` is added to the outputs, a value and
     /// a slope by x for each, or none at all.
     pub fn solve_all(&self, from: &[S], t: S, h: f64, count: usize, given: &[[f64; 2]]) -> Rows<S> {
+        if !self.raised {
+            return self.solve_with(from, t, (h, count), given, Vec::new());
+        }
+        let frozen = self.solve_with(from, t, (h, 5), given, vec![f64::NAN; self.ops.len()]);
+        self.solve_with(from, t, (h, count), given, self.thin(&frozen, h.abs()))
+    }
+
+    /// For each operation within how much of 0 the base of a power is as good as 0, by how it moves; infinite
+    /// with the other sign if it is negative.
+    fn thin(&self, frozen: &Rows<S>, h: f64) -> Vec<f64> {
+        let row_of = |row: usize| row.checked_sub(self.inputs()).map(|k| &self.ops[k]);
+        let one = |op: &Op<S>| {
+            let Op::Raised(base, _) = op else { return 0.0 };
+            let row = &frozen.data[frozen.count * base..][..3];
+            let [start, slope, bend] = [0, 1, 2].map(|i| row[i].part(0));
+            let part = THIN / h;
+            let size = match row_of(*base) {
+                Some(Op::Sum(sum)) => sum.terms.iter().fold(sum.constant.part(0).abs(), |size, (by, row)| {
+                    size + (*by * frozen.data[frozen.count * row]).part(0).abs()
+                }),
+                _ => 0.0,
+            };
+            if start < -NEGATIVE * (slope.abs() + bend.abs()).max(size) {
+                return f64::NEG_INFINITY;
+            }
+            (slope.abs() + bend.abs() * part) * part
+        };
+        self.ops.iter().map(one).collect()
+    }
+
+    fn solve_with(
+        &self,
+        from: &[S],
+        t: S,
+        (h, count): (f64, usize),
+        given: &[[f64; 2]],
+        thin: Vec<f64>,
+    ) -> Rows<S> {
         let n = self.size;
         let mut rows = self.rows(t, h, count);
+        rows.thin = thin;
         let first = self.inputs() + self.ops.len();
         for (k, straight) in given.iter().enumerate() {
             for (i, part) in straight.iter().enumerate() {
@@ -239,8 +307,13 @@ impl<S: Scalar> Program<S> {
     fn rows(&self, t: S, h: f64, count: usize) -> Rows<S> {
         let zero = S::constant(0.0);
         let first = self.inputs() + self.ops.len();
-        let mut rows =
-            Rows { count, first, trial: h, data: vec![zero; count * (first + self.outputs.len())] };
+        let mut rows = Rows {
+            count,
+            first,
+            trial: h,
+            data: vec![zero; count * (first + self.outputs.len())],
+            thin: Vec::new(),
+        };
         rows.data[count * self.time()] = t;
         if count > 1 {
             rows.data[count * self.time() + 1] = S::constant(h);
@@ -329,6 +402,7 @@ impl<S: Scalar> Program<S> {
                 Op::Tanh(a) => weighted(row(*a), &partner[..i], i),
                 Op::SquaredSech(a) if i == 0 => row(*a)[0].call(Primitive::SquaredSech),
                 Op::SquaredSech(_) => -square(&before[before.len() - count..][..i + 1]),
+                Op::Raised(a, p) => raised(row(*a), *p, &own[..i], rows.thin.get(k).copied()),
             };
         }
         for (k, output) in self.outputs.iter().enumerate() {
@@ -349,9 +423,14 @@ impl<S: Scalar> Program<S> {
         })
     }
 
+    /// Steps this short end a motion that needs them.
+    pub fn shortest(&self) -> f64 {
+        if self.raised { SHORTEST_RAISED } else { SHORTEST }
+    }
+
     /// What keeps a motion from going on where a step of x is too short to go on by.
     pub fn obstacle(&self, rows: &Rows<S>, x: f64) -> Obstacle {
-        if self.is_near_pole(rows, x) {
+        if self.is_near_pole(rows, x) || rows.thin.contains(&f64::NEG_INFINITY) {
             return Obstacle::Pole;
         }
         let (mut place, mut speed, mut bend, mut along) = (0.0, 0.0, 0.0, 0.0);
@@ -401,6 +480,8 @@ pub(crate) struct Rows<S> {
     /// The trial step, whose part x is.
     trial: f64,
     data: Vec<S>,
+    /// For each operation what [`Program::thin`] says; empty where only values are asked for.
+    thin: Vec<f64>,
 }
 
 impl<S: Scalar> Rows<S> {
@@ -525,4 +606,27 @@ fn weighted<S: Scalar>(a: &[S], b: &[S], i: usize) -> S {
     let last = a.len() - 1;
     let sum = (1..=last).fold(S::constant(0.0), |sum, j| sum + (a[j] * b[last - j]).scaled(j as f64));
     sum.scaled(1.0 / i as f64)
+}
+
+/// The next coefficient of a^p, `own` being those before: i a₀ z_i = Σ (pj − i + j) a_j z_{i−j} over 1 ≤ j ≤
+/// i; where a₀ is as good as 0, that of the straight line through 0 with the same impulse up to `thin`. It
+/// stays as it is where that is not known yet.
+fn raised<S: Scalar>(a: &[S], p: f64, own: &[S], thin: Option<f64>) -> S {
+    let (i, start) = (own.len(), a[0].part(0));
+    match thin {
+        Some(thin) if thin.is_nan() && i > 0 => S::constant(0.0),
+        Some(f64::NEG_INFINITY) => S::constant(f64::NAN),
+        Some(thin) if start <= thin => a[i].scaled(straight(thin, p)),
+        _ if i == 0 => a[0].call(Primitive::Raise(p)),
+        _ => {
+            let term = |j: usize| (a[j] * own[i - j]).scaled((p + 1.0) * j as f64 - i as f64);
+            let sum = (1..=i).fold(S::constant(0.0), |sum, j| sum + term(j));
+            sum.scaled(1.0 / i as f64).over(a[0])
+        }
+    }
+}
+
+/// The slope of the line that has the integral of x^p from 0 to `thin`.
+fn straight(thin: f64, p: f64) -> f64 {
+    if thin > 0.0 { 2.0 * thin.powf(p - 1.0) / (p + 1.0) } else { 0.0 }
 }

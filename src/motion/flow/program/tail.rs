@@ -13,13 +13,14 @@
 //! L being the rest of the linear terms and of the harmonics, whose series are known. M comes from one pass
 //! over the operations: each row lies in a disc round its value at x = 0, which is known, and only the radius
 //! is computed. For q, q′ and t that is the sum of |a_k| ρ^k over k ≥ 1. A disc that reaches a pole, or the
-//! branch point of a root or a logarithm, makes M infinite. Several ρ are tried: a larger one takes more of
+//! branch point of a root, a power or a logarithm, makes M infinite; so near to that of a power that it is a
+//! straight line there, it must stay near. Several ρ are tried: a larger one takes more of
 //! the force's surroundings in, a smaller one makes less of its smoothness.
 //!
 //! Bounds are computed in floats and not rounded outwards. Derivatives that numbers carry along are not
 //! bounded: the length of their steps is told by their last terms and by the values.
 
-use super::{super::TERMS, Op, Output, Program, Rows, Sum};
+use super::{super::TERMS, Op, Output, Program, Rows, SHORTEST_RAISED, Sum, straight};
 use crate::motion::flow::Scalar;
 
 /// ρ over the longest step that it allows, at least.
@@ -27,6 +28,9 @@ const LEAST: f64 = 3.2;
 
 /// Radii that are tried first, over the step that the last terms suggest.
 const FIRST: [f64; 3] = [LEAST, 5.0, 8.0];
+
+/// The same near a branch point of a power, where what is not smooth is small.
+const NEAR: [f64; 3] = [1.5, 1.9, 2.4];
 
 /// Each radius after these is that part of the one before.
 const NEXT: f64 = 0.7;
@@ -37,22 +41,35 @@ const NEXT: f64 = 0.7;
 pub(crate) fn suited(
     order: usize,
     [far, least]: [f64; 2],
+    known: (&[f64], &mut [f64]),
+    bounds: impl FnMut(f64, &mut [f64]),
+    fits: impl Fn(&[f64], f64) -> f64,
+) -> f64 {
+    suited_by(order, [far, least], FIRST, known, bounds, fits)
+}
+
+/// The same with other radii: the first of them is ρ over the longest step that it allows.
+fn suited_by(
+    order: usize,
+    [far, least]: [f64; 2],
+    first: [f64; 3],
     (known, all): (&[f64], &mut [f64]),
     mut bounds: impl FnMut(f64, &mut [f64]),
     fits: impl Fn(&[f64], f64) -> f64,
 ) -> f64 {
+    let ratio = first[0];
     let mut best = 0.0f64;
     let power = 1 - order as i32;
     let mut allowed = |radius: f64| {
         bounds(radius, all);
-        let factor = radius.powi(power) / (1.0 - 1.0 / LEAST);
+        let factor = radius.powi(power) / (1.0 - 1.0 / ratio);
         for (bound, known) in all.iter_mut().zip(known) {
             let sum = *bound * factor + known;
             *bound = if sum.is_nan() { f64::INFINITY } else { sum };
         }
-        fits(all, far.min(radius / LEAST))
+        fits(all, far.min(radius / ratio))
     };
-    for radius in FIRST {
+    for radius in first {
         let here = allowed(radius * far);
         if here >= far {
             return far;
@@ -64,10 +81,10 @@ pub(crate) fn suited(
         }
         best = here;
     }
-    let mut radius = LEAST * far;
+    let mut radius = ratio * far;
     loop {
         radius *= NEXT;
-        let most = radius / LEAST;
+        let most = radius / ratio;
         if most <= best {
             return best;
         }
@@ -93,6 +110,9 @@ pub(crate) fn radii(row: impl DoubleEndedIterator<Item = f64> + ExactSizeIterato
     }
     [place, slope]
 }
+
+/// Steps by powers shorter than this, in units of the trial step, are given as 0.
+const LEAST_RAISED: f64 = SHORTEST_RAISED / 10.0;
 
 /// 1/k!.
 const INVERSE_FACTORIALS: [f64; TERMS] = {
@@ -132,14 +152,20 @@ impl<S: Scalar> Program<S> {
         let (all, room) = room.split_at_mut(outputs);
         let (discs, nearest) = room.split_at_mut(self.inputs() + self.ops.len());
         known.iter_mut().enumerate().for_each(|(k, known)| *known = self.rest(rows, k, far));
-        let bounds = |radius: f64, all: &mut [f64]| {
+        let mut bounds = |radius: f64, all: &mut [f64]| {
             self.discs(rows, radius, discs, nearest);
             for (bound, output) in all.iter_mut().zip(&self.outputs) {
                 let formulas = output.sum.terms.iter().filter(|term| term.1 >= self.inputs());
                 *bound = formulas.fold(0.0, |sum, (factor, row)| sum + factor.part(0).abs() * discs[*row]);
             }
         };
-        suited(order, [far, least], (known, all), bounds, fits)
+        if !self.raised {
+            return suited(order, [far, least], (known, all), bounds, fits);
+        }
+        let reached = |first, all: &mut [f64], bounds: &mut dyn FnMut(f64, &mut [f64])| {
+            suited_by(order, [far, least.min(LEAST_RAISED)], first, (known, all), bounds, &fits)
+        };
+        reached(FIRST, all, &mut bounds).max(reached(NEAR, all, &mut bounds))
     }
 
     /// The sum of the moduli of what an output was added up from.
@@ -197,7 +223,8 @@ impl<S: Scalar> Program<S> {
         }
         for (k, op) in self.ops.iter().enumerate() {
             let own = inputs + k;
-            discs[own] = op.disc(own, discs, nearest, value, radius * trial);
+            let thin = rows.thin.get(k).copied().unwrap_or(0.0);
+            discs[own] = op.disc(own, (discs, nearest), value, radius * trial, thin);
             let mut other = 0.0;
             match op {
                 Op::Square(a) if nearest[*a] > 0.0 => other = nearest[*a] * nearest[*a],
@@ -236,14 +263,14 @@ fn beside_zeros(c: f64, x: f64, radius: f64) -> f64 {
 
 impl<S: Scalar> Op<S> {
     /// How far its values are from that at x = 0 where those of the rows before are this far, and the time;
-    /// `nearest` says how near to 0 those come.
+    /// `nearest` says how near to 0 those come, `thin` where a power is a straight line.
     fn disc(
         &self,
         own: usize,
-        discs: &[f64],
-        nearest: &[f64],
+        (discs, nearest): (&[f64], &[f64]),
         value: impl Fn(usize) -> f64,
         time: f64,
+        thin: f64,
     ) -> f64 {
         // What is not smooth in all of a disc is anything there; so is what is no number.
         let inside =
@@ -283,6 +310,14 @@ impl<S: Scalar> Op<S> {
             Op::SquaredSech(a) => {
                 let (y, r) = (value(own - 1).abs(), tanh(value(*a), discs[*a]));
                 inside(true, (2.0 * y + r) * r)
+            }
+            Op::Raised(a, p) => {
+                let (x, r) = (value(*a), discs[*a]);
+                if x <= thin {
+                    return inside(x.abs() + r <= (1.1 * thin).max(2.0 * x.abs()), straight(thin, *p) * r);
+                }
+                // |(x + z)^p − x^p| ≤ |z| p (x + |z|)^{p−1}.
+                inside(r < x, p * r * (x + r).powf(p - 1.0))
             }
         }
     }

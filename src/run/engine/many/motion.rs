@@ -111,7 +111,8 @@ fn series_of(machine: &Machine<f64>, simulator: &Simulator, [begin, span]: [f64;
     };
     let stops = simulator.contacts().all().iter().map(stop).collect();
     let friction = machine.friction.iter().map(|friction| friction.name.clone()).collect();
-    SeriesOf { points, stops, friction, period: machine.period, begin, span }
+    let kinks = simulator.kinks().map(|k| simulator.switches()[k].text.clone()).collect();
+    SeriesOf { points, stops, friction, kinks, period: machine.period, begin, span }
 }
 
 /// What there is to say of the machine before it moves.
@@ -237,7 +238,7 @@ impl Motion<'_> {
                     ..known
                 }
             }
-            Event::Release(_) | Event::Reversal(_) => known,
+            Event::Release(_) | Event::Reversal(_) | Event::Kink(_) => known,
             Event::End(_) => return None,
         })
     }

@@ -46,7 +46,7 @@ pub(super) fn simulate(
         .unzip();
     let span = job.scene.span(task)?;
     let begin = Time::new(task.transient as i64, start.t).periods();
-    let of = SeriesOf { points: 1, stops: named, friction: Vec::new(), period: TAU, begin, span };
+    let of = SeriesOf { points: 1, stops: named, friction: vec![], kinks: vec![], period: TAU, begin, span };
     keeper.begin(&of)?;
     job.monitor.begin(task.transient + span.ceil() as u64, "periods");
     let run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
@@ -117,6 +117,6 @@ fn told(event: &simulate::Event, stops: &[Contact], mass: f64) -> Option<StopEve
         }
         Event::Tangency(tangency) => StopEvent { gap: Some(tangency.gap), ..known },
         Event::Stick(stick) => StopEvent { rest: Some(stick.rest), ..known },
-        Event::Release(_) | Event::Touch(_) | Event::Reversal(_) | Event::End(_) => known,
+        Event::Release(_) | Event::Touch(_) | Event::Reversal(_) | Event::Kink(_) | Event::End(_) => known,
     })
 }

@@ -1,0 +1,51 @@
+//! The key `law` of a stop: its force as a formula of depth and speed.
+
+use super::{
+    expression::Expression,
+    force::{ForceKey, Variables, read},
+    keys::{Entry, Value},
+};
+use crate::{error::Result, motion::SmoothForce};
+
+/// What stands under `law`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct LawKey(pub SmoothForce<Expression>);
+
+impl Value for LawKey {
+    fn shape() -> String {
+        "expression, also in d and v".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        let text = entry.expression()?;
+        let law = read(&text, entry.scope.names, &entry.path, &Variables::of_contact());
+        match law.map_err(|error| entry.fail(&error.to_string()))? {
+            ForceKey::Smooth(force) if force.mentions(&|place| place < 2) => Ok(LawKey(force)),
+            _ => Err(entry.fail(
+                "depends on neither the depth d nor the speed of closing v: write k*d^1.5, or the like",
+            )),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formula::Formula;
+
+    #[test]
+    fn laws_are_formulas_in_depth_and_speed() {
+        let read = |text: &str, names: &[&str]| {
+            let names: Vec<String> = names.iter().map(|name| (*name).to_string()).collect();
+            read(text, &names, "", &Variables::of_contact())
+        };
+        let Ok(ForceKey::Smooth(law)) = read("k*d^1.5*(1 + c*v)", &["k", "c"]) else {
+            panic!("depends on d")
+        };
+        assert_eq!((law.text(), law.coefficients.len()), ("k*d^1.5*(1+c*v)", 2));
+        let Formula::Binary(..) = &*law.formula else { panic!("{law:?}") };
+        assert!(read("k*d^1.5", &["k", "d"]).unwrap_err().to_string().contains("rename the parameter"));
+        assert!(read("q + d", &[]).unwrap_err().to_string().contains("unknown parameter"));
+        assert!(matches!(read("3", &[]), Ok(ForceKey::Constant(_))));
+    }
+}
