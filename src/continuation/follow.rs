@@ -285,6 +285,13 @@ impl<C: Followed> Walk<'_, C> {
             self.changes(here, (&place, &view), reach, &mut events)?;
         }
         events.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // Where both are one event it is the zero, which is known better.
+        for i in 1..events.len() {
+            let both = events[i].0 - events[i - 1].0 <= BESIDE * reach;
+            if both && matches!((events[i - 1].1, events[i].1), (Told::Change(_), Told::Zero(_))) {
+                events.swap(i - 1, i);
+            }
+        }
         let (mut steps, foot_end) = (Vec::new(), place.clone());
         let length = |place: &CurvePoint| here.length + norm(&difference(&place.u, &here.place.u));
         for index in 0..events.len() {

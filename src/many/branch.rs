@@ -263,6 +263,11 @@ impl FollowedOrbit for Orbit {
     }
 
     fn changed(&self, other: &Orbit) -> Bifurcation {
+        // An impact that has lost its speed is what changes the order, if there is one.
+        let slow = |orbit: &Orbit| FollowedOrbit::speeds(orbit).iter().any(|speed| speed.abs() <= 1e-9);
+        if slow(self) || slow(other) {
+            return Bifurcation::Fade;
+        }
         sliding::between(&self.grips, &other.grips)
     }
 

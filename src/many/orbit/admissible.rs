@@ -9,7 +9,7 @@ use std::{
     fmt,
 };
 
-use super::{StopEquations, leg::LegPiece, turned};
+use super::{StopEquations, leg::LegPiece, rubbing::Turn, turned};
 use crate::{
     error::{Error, Result},
     many::{
@@ -239,6 +239,9 @@ impl StopEquations<'_> {
                     _ => self.minima(&piece, place, &mut each)?,
                 }
                 begun += piece.duration;
+                if let Some(turn) = &piece.turn {
+                    self.minima_where_it_turns(turn, (leg, begun, duration), &mut each);
+                }
             }
             if m > 0 {
                 let next = (leg + 1) % m;
@@ -290,6 +293,26 @@ impl StopEquations<'_> {
             (time, state) = (leap.time(1.0), leap.state(1.0));
         }
         Ok(())
+    }
+
+    /// Where friction changes, a gap whose rate is 0 there has a minimum between two pieces.
+    fn minima_where_it_turns(
+        &self,
+        turn: &Turn,
+        (leg, after, whole): (usize, f64, f64),
+        each: &mut impl FnMut(Minimum),
+    ) {
+        let impacts = !self.pattern.strikes().is_empty();
+        for (stop, contact) in self.contacts.all().iter().enumerate().filter(|known| known.1.soft.is_none()) {
+            let [gap, rate] = contact.gap(&turn.at);
+            let still = rate.abs() <= STILL * self.scale;
+            let bends = turn.bends().map(|bend| contact.row.dot(&bend) - contact.position.at(turn.at.t)[2]);
+            let own = impacts && after.min(whole - after) <= NEAR && gap.abs() <= NEAR * NEAR * self.scale;
+            if still && bends[0] > 0.0 && bends[1] >= 0.0 && !own {
+                let (phase, acceleration) = (turned(turn.at.t), bends[1]);
+                each(Minimum { stop, leg, after, phase, gap, acceleration });
+            }
+        }
     }
 
     /// Where something sticks: from the states at the ends of cells.
@@ -446,6 +469,9 @@ impl Sight<'_> {
 /// How near the end of a leg a contact without speed belongs to the impact there: gaps there are of the order
 /// of its square.
 const NEAR: f64 = 1e-6;
+
+/// A gap's rate below this part of the unit of speeds is rounding's where friction has stopped it.
+const STILL: f64 = 1e-9;
 
 /// A contact that the simulator sees this near an end of a leg, at the stop hit there, is that impact.
 const CLOSE: f64 = 1e-5;

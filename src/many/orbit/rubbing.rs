@@ -45,7 +45,7 @@ pub(super) type Parts = Vec<(Grip, f64)>;
 /// What happens at the end of a piece.
 pub(crate) struct Turn {
     /// The state there, as the piece comes to it.
-    at: State,
+    pub at: State,
     /// What friction does from then on, or the stop that begins to push.
     met: Met,
     /// How it moves before and after.
@@ -95,6 +95,11 @@ impl Turn {
                 Ok(Some(Salt { seen, own, kick: stacked(&zero, &(turn / -rate)) }))
             }
         }
+    }
+
+    /// q″ before and after.
+    pub fn bends(&self) -> [RealVector; 2] {
+        self.stages.each_ref().map(|stage| stage.acceleration(Time::new(0, self.at.t), &self.at))
     }
 
     /// Of its map of displacements.

@@ -158,3 +158,47 @@ fn what_sticks_for_ever_has_an_orbit_and_no_branch() {
     let reason = report["tasks"][1]["starts"][0]["reason"].as_str().unwrap();
     assert!(reason.contains("friction friction sticks all the time"), "{reason}");
 }
+
+/// A stop among friction: the branch of an orbit with two impacts ends where one fades and where a third
+/// comes, though what stands still at the stop is where friction turns, too; both where the numbers of
+/// impacts of simulations change.
+#[test]
+fn branches_with_impacts_among_friction_end_where_simulations_gain_or_lose_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = BELT
+        .replace("v = 1.2", "v = 0")
+        .replace("N = 1.2", "N = 0.3")
+        .replace("d = 0.4", "d = 0.2")
+        .replace("F = 1", "F = 1.6");
+    let scene = format!("{scene}[[stops]]\noffset = -0.3\nrestitution = 0.7\n");
+    let keys = "parameter = \"F\"\nrange = [1, 3]\nstarts = [{ attractor = { q = 0 } }]";
+    let (report, code, error) = run(&scene, &[task("b", "branch", keys)], folder.path());
+    let report = &report["tasks"][0];
+    assert_eq!(code, 0, "{error}{report}");
+    let impacts = |force: f64| {
+        let mut rough = machine(&[&[1.0]], &[&[0.2]], &[&[4.0]]);
+        rough.forcing = vec![Load { k: 1, cos: vec![force], sin: vec![0.0] }];
+        rough.friction = vec![friction(&[1.0], 0.3, [1.0, 1.0])];
+        rough.stops = vec![stop(&[1.0], -0.3, 0.7)];
+        let simulator = Simulator::suited(&rough, None, &[]).unwrap();
+        let mut run = simulator.start(at(0.0), &[0.0], &[0.0]).unwrap();
+        run.finish(Time::new(300, 0.0));
+        let before = run.impacts();
+        run.finish(Time::new(301, 0.0));
+        run.impacts() - before
+    };
+    let found = labels(report);
+    println!("{found:?}");
+    for (name, [mut low, mut high], counts) in
+        [("fade", [1.45f64, 1.5], [1, 2]), ("grazing", [1.85, 1.95], [2, 3])]
+    {
+        assert_eq!([impacts(low), impacts(high)], counts);
+        for _ in 0..30 {
+            let middle = 0.5 * (low + high);
+            if impacts(middle) == counts[0] { low = middle } else { high = middle }
+        }
+        let known = found.iter().find(|label| label.0 == name).unwrap_or_else(|| panic!("{name}: {found:?}"));
+        println!("{name} {low} {}", known.1 - low);
+        assert!((known.1 - low).abs() < 1e-8, "{name}: {low} {known:?}");
+    }
+}
