@@ -44,7 +44,7 @@ mod tests {
         };
         assert_eq!((law.text(), law.coefficients.len()), ("k*d^1.5*(1+c*v)", 2));
         let Formula::Binary(..) = &*law.formula else { panic!("{law:?}") };
-        assert!(read("k*d^1.5", &["k", "d"]).unwrap_err().to_string().contains("rename the parameter"));
+        assert!(read("k*d^1.5*v", &["k", "d"]).unwrap_err().to_string().contains("rename the parameter"));
         assert!(read("q + d", &[]).unwrap_err().to_string().contains("unknown parameter"));
         assert!(matches!(read("3", &[]), Ok(ForceKey::Constant(_))));
     }

@@ -1,5 +1,5 @@
-//! The units of a scene's numbers, and what they are in metres, seconds and kilograms. Not here: conversion of
-//! what a scene computes with; it computes with the numbers as they stand.
+//! The units of a scene's numbers, and what they are in metres, seconds and kilograms. Not here: conversion
+//! of what a scene computes with; it computes with the numbers as they stand.
 
 use super::keys::{Record, keys, words};
 

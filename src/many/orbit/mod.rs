@@ -94,8 +94,8 @@ pub struct Orbit {
 /// Newton's method with exact derivatives.
 ///
 /// # Errors
-/// An input error if the start has another length, a stop is not there, friction is under the force of a stop,
-/// or Newton's method does not end.
+/// An input error if the start has another length, a stop is not there, friction is under the force of a
+/// stop, or Newton's method does not end.
 pub fn find(simulator: &Simulator, pattern: &Itinerary, start: &[f64]) -> Result<Orbit> {
     find_from(simulator, pattern, start, None)
 }

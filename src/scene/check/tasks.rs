@@ -81,8 +81,8 @@ impl Checked<'_> {
     }
 
     /// With dry friction motions are followed, attractors and orbits found, and branches of these over one
-    /// parameter; with forces that have kinks motions are followed, and attractors found. Nothing that takes a
-    /// map that is smooth, or has an inverse.
+    /// parameter; with forces that have kinks motions are followed, and attractors found. Nothing that takes
+    /// a map that is smooth, or has an inverse.
     fn rubbing(&self, kind: &Kind) -> Result<()> {
         let Model::Many(machine) = self.model else { return Ok(()) };
         let (first, kinked) = (machine.friction.first(), machine.kinked());
@@ -91,7 +91,7 @@ impl Checked<'_> {
         let on_stop = on_stop.map(|friction| format!("the normal force of {} is a stop's", friction.name));
         let kinks = kinked.map(|text| format!("a force has kinks ({text})"));
         let formula = friction.as_ref().filter(|_| machine.is_smooth());
-        let formula = formula.map(|friction| format!("{friction} beside a force that is a formula"));
+        let formula = formula.map(|friction| format!("{friction}, and a force is a formula"));
         let Some(what) = friction.or_else(|| kinks.clone()) else { return Ok(()) };
         let refused = |key: &str, what: &str| {
             let orbits = if kinks.is_none() && on_stop.is_none() {

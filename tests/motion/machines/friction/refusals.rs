@@ -63,7 +63,7 @@ fn orbits_with_friction_on_a_stop_are_refused() {
     let body = "[parameters]\nF = 1\n[system]\nmass = [[1, 0], [0, 1]]\nforcing = [{ cos = [\"F\", 1] }]\nstiffness = [[2, 0], [0, 3]]\n\
                 [[stops]]\nname = \"floor\"\nrow = [0, 1]\noffset = -1\nrestitution = 0.5\n[[friction]]\nname = \"foot\"\n\
                 row = [1, 0]\nstop = \"floor\"\ncoefficient = 0.3\n";
-    let orbit = "orbit = { pattern = [{ stop = \"floor\", periods = 1 }], speed = 1 }";
+    let orbit = "orbit = { pattern = [1], speed = 1 }";
     let over = "parameter = \"F\"\nrange = [1, 2]";
     for (kind, keys, at) in [
         ("orbit", orbit.to_string(), "kind"),

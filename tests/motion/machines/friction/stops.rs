@@ -306,7 +306,8 @@ fn the_energy_on_stops_is_accounted_for() {
     }
     let along = "[[stops]]\nname = \"floor\"\nrow = [0, 1]\noffset = 0\nrestitution = 0\n[[friction]]\nrow = [0, -2]\n\
                  stop = \"floor\"\ncoefficient = 0.1\n";
-    let error = scene(system, along).machine(&[]).unwrap_err().to_string();
+    let text = format!("format = \"grazing-scene 3\"\ntitle = \"wrong\"\n[system]\n{system}{along}");
+    let error = Scene::from_toml(&text, "wrong.toml").unwrap_err().to_string();
     assert!(error.contains("friction[1].row") && error.contains("moves across its gap"), "{error}");
 }
 
