@@ -194,7 +194,11 @@ test("ranges are typed as on the command line, and what is wrong with one is sai
     // One of the two may be a number.
     ["polar", "0.9", "1/7..=0.145", ["r", "s"]],
   ]) {
+    // What is said of the box before stands until the next one is decided.
+    const told = () => [...document.querySelectorAll("#plane-facts .numbers")].map((each) => each.textContent).join();
+    const before = await page.evaluate(told);
     await type(kind, first, second);
+    while ((await page.evaluate(told)) === before) await page.waitForTimeout(20);
     await page.waitForFunction((key) => new URLSearchParams(location.hash.split("?")[1]).has(key), keys[0]);
     const range = (name) => name.replace("a1", "a₁").replace("a2", "a₂");
     await page.locator("#plane-facts .numbers", { hasText: new RegExp(`^${range(keys[0])} .*, ${range(keys[1])} `) }).first().waitFor();
