@@ -354,25 +354,25 @@ fn random_orbits_agree_with_simulations_and_their_derivatives_with_differences()
                 let state = run.state();
                 state.q().iter().chain(state.u()).copied().collect::<Vec<f64>>()
             };
-            let h = 3e-6;
-            let columns: Vec<Vec<f64>> = (0..x.len())
-                .map(|j| {
+            let differences = |h: f64| -> Vec<Vec<f64>> {
+                let column = |j: usize| {
                     let moved = |h: f64| {
                         let mut x = x.clone();
                         x[j] += h;
                         map(&x)
                     };
                     moved(h).iter().zip(moved(-h)).map(|(a, b)| (a - b) / (2.0 * h)).collect()
-                })
-                .collect();
-            let wanted = traces(&columns);
+                };
+                (0..x.len()).map(column).collect()
+            };
             let sum = orbit
                 .multipliers
                 .iter()
                 .fold([0.0; 2], |sum, (re, im)| [sum[0] + re, sum[1] + re * re - im * im]);
-            let off = apart(&sum, &wanted);
-            worst[1] = worst[1].max(off);
-            assert!(off < 1e-5, "{trial}: {sum:?} {wanted:?}");
+            // Near a sliding bifurcation a step may lead beyond it: then a shorter one.
+            let off = [3e-6, 3e-7].map(|h| apart(&sum, &traces(&differences(h))));
+            worst[1] = worst[1].max(off[0].min(off[1]));
+            assert!(off[0].min(off[1]) < 1e-5, "{trial}: {sum:?} {off:?}");
         }
         // The equations' derivatives.
         let patterns = Patterns::new(&family, 0.0, None).unwrap();
@@ -380,13 +380,21 @@ fn random_orbits_agree_with_simulations_and_their_derivatives_with_differences()
         let z: Vec<f64> =
             (0..orbit.z.len()).map(|i| orbit.z[i] * orbit.unit(i) / patterns.unit(pattern, i)).collect();
         let at = |p: f64, z: &[f64]| patterns.equations(p, pattern, z).unwrap();
-        let (exact, h) = (at(0.0, &z), 1e-6);
+        let exact = at(0.0, &z);
         let largest = exact.residual.iter().fold(0.0f64, |most, x| most.max(x.abs()));
         assert!(largest < 1e-9, "{trial}: {largest:e}");
-        let (more, less) = (at(h, &z), at(-h, &z));
+        let steps = [1e-6, 1e-7];
+        let nearest = |exact: f64, slope: &dyn Fn(f64) -> f64| {
+            let all = steps.map(slope).map(|slope| ((slope - exact).abs() / (1.0 + slope.abs()), slope));
+            if all[0].0 < all[1].0 { all[0] } else { all[1] }
+        };
+        let beside = steps.map(|h| [at(h, &z), at(-h, &z)]);
         for i in 0..z.len() {
-            let slope = (more.residual[i] - less.residual[i]) / (2.0 * h);
-            let off = (slope - exact.slope[i]).abs() / (1.0 + slope.abs());
+            let by = |h: f64| {
+                let [more, less] = &beside[usize::from(h < 1e-6)];
+                (more.residual[i] - less.residual[i]) / (2.0 * h)
+            };
+            let (off, slope) = nearest(exact.slope[i], &by);
             worst[2] = worst[2].max(off);
             assert!(off < 1e-5, "{trial}, {i}: {slope} {}", exact.slope[i]);
             for j in 0..z.len() {
@@ -395,8 +403,8 @@ fn random_orbits_agree_with_simulations_and_their_derivatives_with_differences()
                     z[j] += h;
                     at(0.0, &z).residual[i]
                 };
-                let slope = (moved(h) - moved(-h)) / (2.0 * h);
-                let off = (slope - exact.jacobian[i][j]).abs() / (1.0 + slope.abs());
+                let by = |h: f64| (moved(h) - moved(-h)) / (2.0 * h);
+                let (off, slope) = nearest(exact.jacobian[i][j], &by);
                 worst[3] = worst[3].max(off);
                 assert!(off < 1e-5, "{trial}, {i} {j}: {slope} {}", exact.jacobian[i][j]);
             }
