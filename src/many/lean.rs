@@ -73,7 +73,7 @@ impl Contacts {
         grips: &[Grip],
     ) -> Result<Struck> {
         let mut rubbed = vec![0.0; stops.len()];
-        if self.rubbing(stops).is_empty() {
+        if self.rubs().is_empty() || self.rubbing(stops).is_empty() {
             let ImpactLaw { impulses, change, order_matters } = self.impact(stops, rates)?;
             return Ok(Struck { impulses, rubbed, grips: grips.to_vec(), change, order_matters });
         }
@@ -144,6 +144,9 @@ impl Contacts {
 
     /// The friction under the force of one of some stops.
     pub(super) fn rubbing(&self, stops: &[usize]) -> Vec<usize> {
+        if self.rubs().is_empty() {
+            return Vec::new();
+        }
         let under = |j: &usize| self.rubs()[*j].stop.is_some_and(|stop| stops.contains(&stop));
         (0..self.rubs().len()).filter(under).collect()
     }

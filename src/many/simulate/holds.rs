@@ -108,6 +108,12 @@ pub(crate) struct Holds {
 }
 
 impl Holds {
+    /// Whether it is in contact with nothing, without friction and with no switch negative.
+    #[inline]
+    pub fn is_free(&self) -> bool {
+        self.resting.is_empty() && self.soft.is_empty() && self.grips.is_empty() && self.below.is_empty()
+    }
+
     /// The friction that sticks.
     pub fn stuck(&self) -> impl Iterator<Item = usize> {
         self.grips.iter().enumerate().filter(|(_, grip)| **grip == Grip::Stuck).map(|(j, _)| j)

@@ -137,6 +137,9 @@ impl Run<'_> {
 
     /// Tells on which switches the two stages differ.
     pub(super) fn tell_kinks(&mut self, time: Time, state: &State, before: &Stage, after: &Stage) {
+        if self.simulator().switches().is_empty() {
+            return;
+        }
         let contacts = self.simulator().contacts();
         let count = contacts.all().len();
         for stop in (0..count).filter(|&j| contacts.all()[j].force.is_some()) {

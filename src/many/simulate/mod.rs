@@ -499,7 +499,7 @@ impl Simulator {
 
     /// The machine in contact so.
     fn stage(&self, holds: &Holds) -> Result<Arc<Stage>> {
-        if *holds == Holds::default() {
+        if holds.is_free() {
             return Ok(self.free.clone());
         }
         let mut stages = self.stages.lock().unwrap_or_else(PoisonError::into_inner);

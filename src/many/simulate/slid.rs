@@ -24,7 +24,8 @@ pub(crate) struct Slid {
     begin: Time,
     from: Time,
     stage: Arc<Stage>,
-    state: State,
+    /// Where the force of a stop presses anywhere.
+    state: Option<State>,
     /// Where each row is, and the surface but for its constant velocity.
     places: Vec<f64>,
     stuck: Vec<f64>,
@@ -37,7 +38,7 @@ impl Slid {
     pub fn new(run: &Run) -> Slid {
         let (now, places) = (run.time(), places(run));
         let none = vec![0.0; places.len()];
-        let (stage, state) = (run.stage(), run.state());
+        let (stage, state) = (run.stage(), pressed(run));
         let (stuck, paths) = (none.clone(), none.clone());
         Slid { begin: now, from: now, stage, state, places, stuck, paths, energies: none }
     }
@@ -62,18 +63,18 @@ impl Slid {
                 }
             }
         }
-        (self.from, self.places, self.stage, self.state) = (now, places, run.stage(), run.state());
-        self.state.t = self.from.phase;
+        (self.from, self.places, self.stage, self.state) = (now, places, run.stage(), pressed(run));
     }
 
     /// ∫ N |v| dt on the flight of that duration, N being the force of a stop.
     fn work(&self, run: &Run, (rub, stop): (usize, usize), duration: f64) -> f64 {
+        let Some(from) = &self.state else { return 0.0 };
         let contacts = run.simulator().contacts();
         let fastest = self.stage.flow.rates().into_iter().fold(1.0, f64::max);
         let pieces = (fastest * duration / PIECE).clamp(PIECES[0], PIECES[1]).ceil();
         let piece = duration / pieces;
         let look = |after: f64| {
-            let state = self.stage.after(self.from, &self.state, after);
+            let state = self.stage.after(self.from, from, after);
             let force = self.stage.pressing(contacts, stop, self.from.after(after), &state);
             force * contacts.rubs()[rub].rate(&state).abs()
         };
@@ -90,6 +91,12 @@ impl Slid {
         let all = self.stuck.iter().zip(&self.paths).zip(&self.energies);
         all.map(move |((stuck, path), energy)| (part(stuck), path.max(0.0), energy.max(0.0)))
     }
+}
+
+/// The state, where the force of a stop presses anywhere.
+fn pressed(run: &Run) -> Option<State> {
+    let any = run.simulator().contacts().rubs().iter().any(|rub| rub.stop.is_some());
+    any.then(|| State { t: run.time().phase, ..run.state() })
 }
 
 /// Where each row is, less the surface but for its constant velocity.

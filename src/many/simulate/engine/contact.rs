@@ -164,7 +164,7 @@ impl Run<'_> {
             }
             known = Some(state);
         }
-        let free = stage.smooth.is_none() && stage.holds == Holds::default();
+        let free = stage.smooth.is_none() && stage.holds.is_free();
         if touched.len() > 1 || !free {
             let state = known.unwrap_or_else(|| self.state_at(x));
             let rate =

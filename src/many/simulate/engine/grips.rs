@@ -116,6 +116,9 @@ impl Run<'_> {
 
     /// Tells what is gripped otherwise from now on.
     pub(super) fn told_grips(&mut self, time: Time, grips: &[Grip]) {
+        if grips.is_empty() {
+            return;
+        }
         let stage = self.stage.clone();
         for (j, (&was, &is)) in stage.holds.grips.iter().zip(grips).enumerate() {
             let place = self.simulator.contacts.rub_row(j);
