@@ -91,17 +91,17 @@ impl Pushes {
         let contact = &run.simulator().contacts().all()[stop];
         let mut found = Contact { duration, ..Contact::default() };
         // By a law's steps the way from the beginning is long: looks go on from the one before.
-        let last = RefCell::new((0.0, self.state.clone()));
+        let last = RefCell::new(contact.force.as_ref().map(|_| (0.0, self.state.clone())));
         let look = |after: f64| {
             if contact.force.is_none() {
                 let gap = contact.gap(&self.stage.after(self.from, &self.state, after));
                 return [contact.push_at(gap), gap[1]];
             }
-            let (known, state) = last.borrow().clone();
-            let (known, state) = if known <= after { (known, state) } else { (0.0, self.state.clone()) };
+            let known = last.borrow_mut().take().filter(|(known, _)| *known <= after);
+            let (known, state) = known.unwrap_or_else(|| (0.0, self.state.clone()));
             let state = self.stage.after(self.from.after(known), &state, after - known);
             let gap = contact.gap(&state);
-            *last.borrow_mut() = (after, state);
+            *last.borrow_mut() = Some((after, state));
             [contact.push_at(gap), gap[1]]
         };
         let fastest = self.stage.flow.rates().into_iter().fold(1.0, f64::max);
