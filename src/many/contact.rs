@@ -174,13 +174,8 @@ pub(crate) struct Watch {
 
 impl Watch {
     /// Nothing but a constant, of n coordinates.
-    pub(super) fn constant(n: usize, value: f64) -> Watch {
+    pub(crate) fn constant(n: usize, value: f64) -> Watch {
         Watch { places: RealVector::zeros(n), rates: RealVector::zeros(n), given: Series::constant(value) }
-    }
-
-    /// Nothing: 0.
-    pub(crate) fn none(size: usize) -> Watch {
-        Watch::constant(size, 0.0)
     }
 
     /// `most` less this times a sign.
@@ -294,8 +289,12 @@ impl Contacts {
             RealVector::from_column_slice(rates) + &coupling * RealVector::from_column_slice(&impulses);
         let scale = rates.iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));
         let order_matters = (0..stops.len()).any(|first| {
-            self.in_turn(stops, &coupling, rates, first)
-                .is_none_or(|ended| (ended - &after).amax() > 1e-9 * scale)
+            let hit = |i: usize, rate: f64| {
+                let factor = 1.0 + self.all[stops[i]].restitution_at(-rate);
+                let impulse = -factor * rate / coupling[(i, i)];
+                Some(coupling.column(i) * impulse)
+            };
+            in_turn(rates, first, hit).is_none_or(|ended| (ended - &after).amax() > 1e-9 * scale)
         });
         Ok(ImpactLaw { change: self.change(stops, &impulses), impulses, order_matters })
     }
@@ -304,29 +303,6 @@ impl Contacts {
     pub(super) fn bounced(&self, stops: &[usize], rates: &[f64]) -> RealVector {
         let goal = |i: usize| rates[i] + self.all[stops[i]].restitution_at(-rates[i]) * rates[i].min(0.0);
         RealVector::from_fn(stops.len(), |i, _| goal(i))
-    }
-
-    /// The rates after impacts one by one, beginning with `first`; `None` if they do not end.
-    fn in_turn(
-        &self,
-        stops: &[usize],
-        coupling: &RealMatrix,
-        rates: &[f64],
-        first: usize,
-    ) -> Option<RealVector> {
-        let mut now = RealVector::from_column_slice(rates);
-        let (m, tiny) = (stops.len(), 1e-13 * now.amax());
-        for turn in 0..200 * m {
-            if now.iter().all(|rate| *rate >= -tiny) {
-                return Some(now);
-            }
-            let i = (first + turn) % m;
-            if now[i] < 0.0 {
-                let impulse = -(1.0 + self.all[stops[i]].restitution_at(-now[i])) * now[i] / coupling[(i, i)];
-                now += coupling.column(i) * impulse;
-            }
-        }
-        None
     }
 
     /// Which of the stops, all touched without velocity, press, and how hard, `accelerations` being z″ of
@@ -340,12 +316,9 @@ impl Contacts {
         accelerations: &[f64],
         grips: &[Grip],
     ) -> Result<Vec<f64>> {
-        let (coupling, b) =
-            (self.among_along(stops, stops, grips), RealVector::from_column_slice(accelerations));
-        if stops.len() > MOST_TRIED || !self.leans(stops, grips) {
-            return complementary(&coupling, &b);
-        }
-        tried(&coupling, &b).ok_or_else(|| self.paradox(stops))
+        let coupling = self.among_along(stops, stops, grips);
+        let b = RealVector::from_column_slice(accelerations);
+        self.loads(stops, grips, (&coupling, &b))?.ok_or_else(|| self.paradox(stops))
     }
 
     /// The forces of the rows that are held, stops rested on and what sticks, each as the acceleration that
@@ -391,6 +364,27 @@ impl Contacts {
         };
         Ok((0..stops.len()).map(one).collect())
     }
+}
+
+/// The rates after impacts one by one, beginning with `first`; none if they do not end. `hit` says what the
+/// impact at a place and of a rate below 0 changes all rates by.
+pub(super) fn in_turn(
+    rates: &[f64],
+    first: usize,
+    mut hit: impl FnMut(usize, f64) -> Option<RealVector>,
+) -> Option<RealVector> {
+    let mut now = RealVector::from_column_slice(rates);
+    let (m, tiny) = (rates.len(), 1e-13 * now.amax());
+    for turn in 0..200 * m {
+        if now.iter().all(|rate| *rate >= -tiny) {
+            return Some(now);
+        }
+        let i = (first + turn) % m;
+        if now[i] < 0.0 {
+            now += hit(i, now[i])?;
+        }
+    }
+    None
 }
 
 /// Λ ≥ 0 with DΛ + b ≥ 0 and, for each entry, one of the two 0. Up to 12 entries all choices of those that

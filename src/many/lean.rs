@@ -16,32 +16,30 @@
 
 use super::{
     Grip, RealMatrix, RealVector, Rub,
-    contact::{Contacts, ImpactLaw, MOST_TRIED, tried},
+    contact::{Contacts, ImpactLaw, MOST_TRIED, complementary, in_turn, tried},
 };
-use crate::error::{Error, Result};
+use crate::{
+    error::{Error, Result},
+    motion::Series,
+};
 
 /// Velocities within this of their size have no sign.
 const SMALL: f64 = 1e-12;
 
-/// Impacts one after the other at one instant: more than this for each stop do not end.
-const TURNS: usize = 200;
-
 /// More rows than this at one impact are refused: all ways in which they go on are tried.
 const MOST: usize = 6;
 
-/// An impact on stops with friction.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct LeaningImpact {
-    /// The impulses, one for each stop.
-    pub impulses: Vec<f64>,
-    /// The rows of friction at them, by their places among all friction, and the impulses along them.
-    pub rubs: Vec<(usize, f64)>,
-    /// How all friction goes on; of what has no part in it as it was.
-    pub grips: Vec<Grip>,
-    /// The change of velocity.
-    pub change: RealVector,
-    /// Whether impacts one after the other, in some order, would have ended with other velocities.
-    pub order_matters: bool,
+/// What meets at one instant.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Blow<'a> {
+    /// The stops.
+    pub stops: &'a [usize],
+    /// The rates of their gaps.
+    pub rates: &'a [f64],
+    /// The velocities of all friction.
+    pub sliding: &'a [f64],
+    /// How it moved before.
+    pub grips: &'a [Grip],
 }
 
 /// What an impact does, with friction or without.
@@ -51,7 +49,7 @@ pub(crate) struct Struck {
     pub impulses: Vec<f64>,
     /// The energy that the friction at each stop takes.
     pub rubbed: Vec<f64>,
-    /// How all friction goes on.
+    /// How all friction goes on; what has no part in it as it was.
     pub grips: Vec<Grip>,
     /// The change of velocity.
     pub change: RealVector,
@@ -60,31 +58,40 @@ pub(crate) struct Struck {
 }
 
 impl Contacts {
-    /// The impact on stops with gaps' rates `rates`, `sliding` and `grips` being those of all friction
-    /// before.
+    /// The impact, by the law of the head where there is friction on the stops. Cost: O(3^r 2^m (m + r)³) for
+    /// m stops and r rows of friction at them.
     ///
     /// # Errors
-    /// Those of [`impact`](Self::impact) and of [`leaning_impact`](Self::leaning_impact).
-    pub(crate) fn struck(
-        &self,
-        stops: &[usize],
-        rates: &[f64],
-        sliding: &[f64],
-        grips: &[Grip],
-    ) -> Result<Struck> {
-        let mut rubbed = vec![0.0; stops.len()];
+    /// Those of [`impact`](Self::impact); more than 12 stops with friction or six rows of it; none of the
+    /// ways to go on is one.
+    pub(crate) fn struck(&self, blow: &Blow) -> Result<Struck> {
+        let Blow { stops, rates, sliding, grips } = *blow;
         if self.rubs().is_empty() || self.rubbing(stops).is_empty() {
             let ImpactLaw { impulses, change, order_matters } = self.impact(stops, rates)?;
+            let rubbed = vec![0.0; stops.len()];
             return Ok(Struck { impulses, rubbed, grips: grips.to_vec(), change, order_matters });
         }
-        let law = self.leaning_impact(stops, rates, sliding, grips)?;
-        for &(j, impulse) in &law.rubs {
-            let after = sliding[j] + self.held_row(self.rub_row(j)).0.dot(&law.change);
-            let at = stops.iter().position(|stop| self.rubs()[j].stop == Some(*stop));
-            at.into_iter().for_each(|i| rubbed[i] -= 0.5 * impulse * (sliding[j] + after));
+        let mut found = self.leaning_impact(blow)?;
+        if stops.len() > 1 {
+            let size = rates.iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));
+            let faster = |change: &RealVector| {
+                RealVector::from_fn(stops.len(), |i, _| self.held_row(stops[i]).0.dot(change))
+            };
+            let after = RealVector::from_column_slice(rates) + faster(&found.change);
+            found.order_matters = (0..stops.len()).any(|first| {
+                let mut change = &found.change * 0.0;
+                let ended = in_turn(rates, first, |i, rate| {
+                    let slid = |j: usize| sliding[j] + self.held_row(self.rub_row(j)).0.dot(&change);
+                    let slid: Vec<f64> = (0..sliding.len()).map(slid).collect();
+                    let one = Blow { stops: &stops[i..=i], rates: &[rate], sliding: &slid, grips };
+                    let one = self.leaning_impact(&one).ok()?.change;
+                    change += &one;
+                    Some(faster(&one))
+                });
+                ended.is_none_or(|ended| (ended - &after).amax() > 1e-9 * size)
+            });
         }
-        let LeaningImpact { impulses, grips, change, order_matters, .. } = law;
-        Ok(Struck { impulses, rubbed, grips, change, order_matters })
+        Ok(found)
     }
 
     /// The friction that slides on a stop: its row, and −σμ.
@@ -115,6 +122,28 @@ impl Contacts {
         ))
     }
 
+    /// Forces of stops of which each presses or is let go of: none if there is no answer.
+    ///
+    /// # Errors
+    /// As [`complementary`]; more than 12 stops of which some lean.
+    pub(super) fn loads(
+        &self,
+        stops: &[usize],
+        grips: &[Grip],
+        (coupling, b): (&RealMatrix, &RealVector),
+    ) -> Result<Option<Vec<f64>>> {
+        if !self.leans(stops, grips) {
+            return complementary(coupling, b).map(Some);
+        }
+        if stops.len() > MOST_TRIED {
+            return Err(Error::input(format!(
+                "{} stops are rested on at once where there is friction on some; at most {MOST_TRIED} are followed",
+                stops.len()
+            )));
+        }
+        Ok(tried(coupling, b))
+    }
+
     /// Whether the force of any of some rows leans.
     pub(super) fn leans(&self, rows: &[usize], grips: &[Grip]) -> bool {
         rows.iter().any(|&row| self.leaning(row, grips).next().is_some())
@@ -142,6 +171,28 @@ impl Contacts {
         sum
     }
 
+    /// Whether a row with friction can have no velocity, whatever happens, where these rows are held: it is a
+    /// combination of them, and its surface moves with theirs. Two feet of a body on one floor are such rows.
+    pub(super) fn follows(&self, rub: usize, held: &[usize]) -> bool {
+        let (row, own) = (self.rub_row(rub), self.rubs()[rub].velocity());
+        let Some(inverse) = self.among(held).try_inverse().filter(|_| !held.is_empty()) else { return false };
+        let seen = RealVector::from_fn(held.len(), |i, _| self.coupled(held[i], row));
+        let weights = inverse * &seen;
+        if self.mobility(row) - weights.dot(&seen) > SMALL * self.mobility(row) {
+            return false;
+        }
+        let velocity = |&row: &usize| match self.all().get(row) {
+            Some(contact) => contact.position.derivative(),
+            None => self.rubs()[row - self.all().len()].velocity(),
+        };
+        let all: Vec<Series> = held.iter().map(velocity).collect();
+        let others = weights.iter().zip(&all).map(|(weight, velocity)| (-weight, velocity));
+        let parts: Vec<(f64, &Series)> = [(1.0, &own)].into_iter().chain(others).collect();
+        let size = |series: &Series| series.mean().abs() + series.derivative_bound(0);
+        let whole: f64 = parts.iter().map(|(weight, series)| weight.abs() * size(series)).sum();
+        size(&Series::combination(&parts)) <= SMALL * whole
+    }
+
     /// The friction under the force of one of some stops.
     pub(super) fn rubbing(&self, stops: &[usize]) -> Vec<usize> {
         if self.rubs().is_empty() {
@@ -151,68 +202,8 @@ impl Contacts {
         (0..self.rubs().len()).filter(under).collect()
     }
 
-    /// The law of the head for stops with gaps' rates `rates`, at which friction has these velocities. Cost:
-    /// O(3^r 2^m (m + r)³) for m stops and r rows of friction at them.
-    ///
-    /// # Errors
-    /// More than six rows of friction at them; none of the ways to go on is one.
-    pub(crate) fn leaning_impact(
-        &self,
-        stops: &[usize],
-        rates: &[f64],
-        sliding: &[f64],
-        grips: &[Grip],
-    ) -> Result<LeaningImpact> {
-        let mut found = self.at_once(stops, rates, sliding, grips)?;
-        if stops.len() > 1 {
-            let size = rates.iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));
-            let other = |first: usize| {
-                let ended = self.leaning_in_turn(stops, rates, (sliding, grips), first);
-                ended.is_none_or(|change| {
-                    stops.iter().any(|&stop| {
-                        (self.held_row(stop).0.dot(&(&change - &found.change))).abs() > 1e-9 * size
-                    })
-                })
-            };
-            found.order_matters = (0..stops.len()).any(other);
-        }
-        Ok(found)
-    }
-
-    /// The change of velocity by impacts one by one, beginning with `first`; none if they do not end.
-    fn leaning_in_turn(
-        &self,
-        stops: &[usize],
-        rates: &[f64],
-        (sliding, grips): (&[f64], &[Grip]),
-        first: usize,
-    ) -> Option<RealVector> {
-        let m = stops.len();
-        let tiny = 1e-13 * rates.iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));
-        let mut change: RealVector = self.push(stops[0]) * 0.0;
-        for turn in 0..TURNS * m {
-            let now = |i: usize| rates[i] + self.held_row(stops[i]).0.dot(&change);
-            if (0..m).all(|i| now(i) >= -tiny) {
-                return Some(change);
-            }
-            let i = (first + turn) % m;
-            if now(i) < 0.0 {
-                let slid: Vec<f64> = (0..sliding.len())
-                    .map(|j| sliding[j] + self.held_row(self.rub_row(j)).0.dot(&change))
-                    .collect();
-                change += self.at_once(&stops[i..=i], &[now(i)], &slid, grips).ok()?.change;
-            }
-        }
-        None
-    }
-
-    fn at_once(
-        &self,
-        stops: &[usize],
-        rates: &[f64],
-        sliding: &[f64],
-        grips: &[Grip],
-    ) -> Result<LeaningImpact> {
+    fn leaning_impact(&self, blow: &Blow) -> Result<Struck> {
+        let Blow { stops, rates, grips, .. } = *blow;
         let rubs = self.rubbing(stops);
         if rubs.len() > MOST || stops.len() > MOST_TRIED {
             return Err(Error::input(format!(
@@ -222,8 +213,6 @@ impl Contacts {
             )));
         }
         let goal = self.bounced(stops, rates);
-        let size =
-            rates.iter().chain(rubs.iter().map(|&j| &sliding[j])).fold(0.0, |most: f64, v| most.max(v.abs()));
         let mut ways: Vec<Vec<Grip>> = vec![grips.to_vec()];
         for &j in &rubs {
             let each = |way: Vec<Grip>| {
@@ -236,60 +225,48 @@ impl Contacts {
             ways = ways.into_iter().flat_map(each).collect();
         }
         ways.sort_by_key(|way| way.iter().filter(|grip| grip.slides()).count());
-        for way in ways {
-            if let Some(found) = self.one_way(stops, &rubs, &goal, sliding, way, size) {
-                return Ok(found);
-            }
-        }
-        Err(Error::input("an impact with friction that Coulomb's and Newton's laws leave no answer for"))
+        ways.into_iter()
+            .find_map(|way| self.one_way(&Blow { grips: &way, ..*blow }, &rubs, &goal))
+            .ok_or_else(|| {
+                let names: Vec<&str> = stops.iter().map(|&stop| self.all()[stop].name.as_str()).collect();
+                Error::input(format!(
+                    "an impact with friction on {} that Coulomb's and Newton's laws leave no answer for",
+                    names.join(", ")
+                ))
+            })
     }
 
-    /// The impact if friction goes on in this way, if it can.
-    fn one_way(
-        &self,
-        stops: &[usize],
-        rubs: &[usize],
-        goal: &RealVector,
-        sliding: &[f64],
-        way: Vec<Grip>,
-        size: f64,
-    ) -> Option<LeaningImpact> {
+    /// The impact if its friction, `rubs`, goes on as `grips` say, if it can.
+    fn one_way(&self, blow: &Blow, rubs: &[usize], goal: &RealVector) -> Option<Struck> {
+        let Blow { stops, rates, sliding, grips: way } = *blow;
+        let fastest = rates.iter().chain(rubs.iter().map(|&j| &sliding[j]));
+        let size = fastest.fold(0.0, |most: f64, v| most.max(v.abs()));
         let stuck: Vec<usize> = rubs.iter().copied().filter(|&j| way[j] == Grip::Stuck).collect();
         let held: Vec<usize> = stuck.iter().map(|&j| self.rub_row(j)).collect();
         let own = RealVector::from_fn(held.len(), |i, _| sliding[stuck[i]]);
         let inner = self.among(&held).try_inverse()?;
-        let (cross, back) = (self.among_along(stops, &held, &way), self.among_along(&held, stops, &way));
-        let coupling = self.among_along(stops, stops, &way) - &cross * &inner * &back;
+        let (cross, back) = (self.among_along(stops, &held, way), self.among_along(&held, stops, way));
+        let coupling = self.among_along(stops, stops, way) - &cross * &inner * &back;
         let impulses = tried(&coupling, &(goal - &cross * &inner * &own))?;
-        let load = RealVector::from_column_slice(&impulses);
-        let holding = -&inner * (own + back * &load);
-        let of = |stop: Option<usize>| {
-            let at = stops.iter().position(|known| Some(*known) == stop);
-            at.map_or(0.0, |i| impulses[i])
-        };
-        let most = |j: usize, by: f64| by * of(self.rubs()[j].stop);
-        let within = |(&j, force): (&usize, &f64)| {
-            let mobility = self.coupled(self.rub_row(j), self.rub_row(j));
-            force.abs() <= most(j, self.rubs()[j].holding) + SMALL * size / mobility
-        };
-        if !stuck.iter().zip(holding.iter()).all(within) {
-            return None;
-        }
+        let holding = -&inner * (own + back * RealVector::from_column_slice(&impulses));
         let rows: Vec<usize> = stops.iter().chain(&held).copied().collect();
         let all: Vec<f64> = impulses.iter().chain(holding.iter()).copied().collect();
-        let change = self.change_along(&rows, &all, &way);
-        let slides_on = |&&j: &&usize| {
-            let after = sliding[j] + self.held_row(self.rub_row(j)).0.dot(&change);
-            !way[j].slides() || way[j].sign() * after >= -SMALL * size
-        };
-        if rubs.iter().filter(slides_on).count() < rubs.len() {
-            return None;
+        let change = self.change_along(&rows, &all, way);
+        let mut rubbed = vec![0.0; stops.len()];
+        for &j in rubs {
+            let (rub, row) = (&self.rubs()[j], self.rub_row(j));
+            let at = stops.iter().position(|stop| rub.stop == Some(*stop))?;
+            let after = sliding[j] + self.held_row(row).0.dot(&change);
+            let impulse = match stuck.iter().position(|known| *known == j) {
+                Some(i) => {
+                    let most = rub.holding * impulses[at] + SMALL * size / self.mobility(row);
+                    Some(holding[i]).filter(|impulse| impulse.abs() <= most)?
+                }
+                None if way[j].sign() * after < -SMALL * size => return None,
+                None => -way[j].sign() * rub.sliding * impulses[at],
+            };
+            rubbed[at] -= 0.5 * impulse * (sliding[j] + after);
         }
-        let along = |&j: &usize| match stuck.iter().position(|known| *known == j) {
-            Some(i) => (j, holding[i]),
-            None => (j, -way[j].sign() * most(j, self.rubs()[j].sliding)),
-        };
-        let rubs = rubs.iter().map(along).collect();
-        Some(LeaningImpact { impulses, rubs, grips: way, change, order_matters: false })
+        Some(Struck { impulses, rubbed, grips: way.to_vec(), change, order_matters: false })
     }
 }

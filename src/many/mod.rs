@@ -81,6 +81,7 @@ pub use flow::FlowMethod;
 pub(crate) use flow::LinearFlow;
 pub use friction::{Friction, NormalForce};
 pub(crate) use friction::{Grip, Rub};
+pub(crate) use lean::Blow;
 pub use model::{Load, Machine, Stop, StopLaw};
 pub use slope::Family;
 pub(crate) use slope::Slope;

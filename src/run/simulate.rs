@@ -60,7 +60,7 @@ row! {
         /// The energy that the friction took: the force of sliding times the path. What it takes at impacts
         /// is told of the stop.
         pub dissipated: f64,
-        /// What it does at the end: `slides`; `sticks`; `sticks for ever`, where nothing moves it in a period
+        /// What it does at the end: `slides`; `open`, where the stop on which it would is open; `sticks`; `sticks for ever`, where nothing moves it in a period
         /// more and the motion is the same after that, to 10⁻⁹.
         pub at_end: &'static str,
     }
@@ -166,6 +166,9 @@ pub struct SimulationFindings {
     /// When the series begins, in periods.
     #[serde(skip)]
     begin: f64,
+    /// How many impacts, each on one stop alone, left more energy than there was.
+    #[serde(skip)]
+    gained: u64,
     /// The last instant at which the order of several impacts mattered: it counts once.
     #[serde(skip)]
     several: Option<Time>,
@@ -208,6 +211,12 @@ impl Finding for SimulationFindings {
     fn warnings(&self) -> Vec<String> {
         let Moved { order_matters, ref extent, minimum_depth, .. } = self.moved;
         let mut all = Vec::new();
+        if self.gained > 0 {
+            all.push(format!(
+                "{} impacts gave the motion energy: a restitution above 1, or friction at an eccentric impact under Newton's law",
+                self.gained
+            ));
+        }
         if order_matters > 0 {
             all.push(format!(
                 "{order_matters} times several stops were hit at one instant and the outcome depends on the order: Newton's law for all at once was used"
@@ -367,6 +376,7 @@ impl SimulationFindings {
             wear: Vec::new(),
             measured: None,
             begin: of.begin,
+            gained: 0,
             acceleration: Vec::new(),
             several: None,
         }
@@ -434,6 +444,9 @@ impl SimulationFindings {
         }
         if let Some(energy) = event.energy {
             row.dissipated += energy;
+            // Rounding leaves a part of what is exchanged.
+            let exchanged = event.impulse.unwrap_or(0.0) * event.velocity.unwrap_or(0.0).abs();
+            self.gained += u64::from(event.together == Some(1) && energy < -1e-9 * exchanged);
         }
         if event.order_matters == Some(true) && self.several != Some(event.time) {
             moved.order_matters += 1;

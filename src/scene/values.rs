@@ -119,7 +119,7 @@ impl Scene {
             alone.rubs().map_err(|error| {
                 let text = error.to_string();
                 let text = text.strip_prefix(&format!("friction {}: ", friction.name)).unwrap_or(&text);
-                let parts = ["normal", "coefficient", "static_coefficient", "speed"];
+                let parts = ["normal", "stop", "coefficient", "static_coefficient", "speed"];
                 let part = parts.into_iter().find(|part| text.starts_with(&format!("{part} ")));
                 keyed(&format!("friction[{i}].{}", part.unwrap_or("row")), &Error::input(text))
             })?;

@@ -399,13 +399,13 @@ impl StopEquations<'_> {
         let begin = Time::new(0, held.t);
         let Ok(mut run) = simulator.start(begin, held.q.as_slice(), held.u.as_slice()) else { return false };
         let sticks = |grips: &[Grip]| rubs.iter().all(|&j| grips[j] == Grip::Stuck);
-        if !sticks(run.grips()) {
+        if !sticks(&run.grips()) {
             return false;
         }
         match self.pattern.strikes().first() {
             None => {
                 let until = begin.after(TAU * f64::from(self.pattern.periods()));
-                run.finish(until) == RunEnd::Reached && sticks(run.grips())
+                run.finish(until) == RunEnd::Reached && sticks(&run.grips())
             }
             // It stuck before the impact, too, if that is not felt there.
             Some(strike) => {
@@ -441,7 +441,7 @@ impl StopEquations<'_> {
         let Some(simulator) = self.between.rough() else { return Ok(Vec::new()) };
         let (state, ..) = self.begun(z)?;
         let run = simulator.start(Time::new(0, state.t), state.q.as_slice(), state.u.as_slice())?;
-        Ok(run.grips().to_vec())
+        Ok(run.grips())
     }
 
     /// How each row with friction moves on the orbit, one after the other, and how long.
@@ -460,8 +460,8 @@ impl StopEquations<'_> {
             for piece in &pieces {
                 let Some(stage) = &piece.stage else { continue };
                 all.resize(stage.holds.grips.len(), Vec::new());
-                for (row, grip) in all.iter_mut().zip(&stage.holds.grips) {
-                    row.push((*grip, piece.duration));
+                for (row, grip) in all.iter_mut().zip(stage.grips()) {
+                    row.push((grip, piece.duration));
                 }
             }
             if m > 0 {

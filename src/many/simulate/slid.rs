@@ -50,8 +50,8 @@ impl Slid {
         }
         let (now, places) = (run.time(), places(run));
         let duration = now.since(self.from);
-        for (j, rub) in run.simulator().contacts().rubs().iter().enumerate() {
-            match self.stage.holds.grips[j] {
+        for (j, (rub, grip)) in run.simulator().contacts().rubs().iter().zip(self.stage.grips()).enumerate() {
+            match grip {
                 Grip::Open => {}
                 Grip::Stuck => self.stuck[j] += duration,
                 grip => {

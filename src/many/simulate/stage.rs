@@ -73,6 +73,8 @@ pub(crate) struct Stage {
     pub holds: Holds,
     /// How many rows stick.
     stuck: usize,
+    /// The friction that would slide, but goes with what is held.
+    still: Vec<usize>,
     /// The soft stops that push, ascending.
     pub pushing: Vec<usize>,
     /// The equations with the forces of soft stops, not resting on any other.
@@ -155,15 +157,18 @@ impl Stage {
                 watches.push((What::Gap(j), contact.gap_watch(1.0)));
             }
         }
+        let rows = holds.rows(contacts);
+        let slides = |j: &usize| grips[*j].slides();
+        let still: Vec<usize> =
+            (0..grips.len()).filter(slides).filter(|&j| contacts.follows(j, &rows)).collect();
         for (j, (rub, grip)) in rubs.iter().zip(grips).enumerate() {
-            if grip.slides() {
+            if grip.slides() && !still.contains(&j) {
                 watches.push((What::Slide(j), rub.rate_watch(grip.sign())));
             }
         }
         for &k in formulas.map_or(&[][..], Smooth::reached) {
-            watches.push((What::Kink(k), Watch::none(equations.size())));
+            watches.push((What::Kink(k), Watch::constant(equations.size(), 0.0)));
         }
-        let rows = holds.rows(contacts);
         let (mut reduced, mut positions) = (None, Vec::new());
         let mut smooth = None;
         // Where forces are formulas the linear flow carries no motion: it tells the scales and the modes of
@@ -209,6 +214,7 @@ impl Stage {
         let mut stage = Stage {
             holds: holds.clone(),
             stuck: surfaces.len(),
+            still,
             pushing: pushing(soft, formulas, below),
             equations: equations.clone(),
             padded: flow.dimension().next_multiple_of(LANES),
@@ -491,6 +497,13 @@ impl Stage {
         let all = self.watched.iter().zip(&self.watches);
         let forces = all.filter(|(what, _)| matches!(what, What::Force(_)));
         forces.map(|(_, (g, given))| g.dot(&whole) + given.at(t)[0]).collect()
+    }
+
+    /// How it moves at each row with friction, with what goes with what is held as what sticks, whichever of
+    /// them holds it.
+    pub fn grips(&self) -> Vec<Grip> {
+        let one = |(j, grip): (usize, &Grip)| if self.still.contains(&j) { Grip::Stuck } else { *grip };
+        self.holds.grips.iter().enumerate().map(one).collect()
     }
 
     /// The force of a stop that is rested on or gives way, at a state; 0 of any other.

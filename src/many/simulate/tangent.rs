@@ -22,7 +22,7 @@ use super::{Event, Simulator, holds::What, stage::Stage};
 use crate::{
     attractor::dynamics::{Tangents, orthonormalise},
     error::Result,
-    many::{Grip, RealVector, State, algebra::stacked, simulate::engine::Run},
+    many::{Blow, Grip, RealVector, State, algebra::stacked, simulate::engine::Run},
     motion::{
         RunEnd, Time,
         event::{Impact, Touch},
@@ -154,7 +154,8 @@ impl<'a> Carried<'a> {
         let all: Vec<usize> = hits.iter().map(|hit| hit.place).chain(before.iter().copied()).collect();
         let rates: Vec<f64> = hits.iter().map(|hit| hit.velocity).chain(before.iter().map(|_| 0.0)).collect();
         let sliding = self.simulator.sliding(&arrival);
-        let law = contacts.struck(&all, &rates, &sliding, &self.stage.holds.grips)?;
+        let blow = Blow { stops: &all, rates: &rates, sliding: &sliding, grips: &self.stage.holds.grips };
+        let law = contacts.struck(&blow)?;
         let acting: Vec<usize> = (0..all.len()).filter(|&i| law.impulses[i] > 0.0).collect();
         let first = acting.iter().copied().min_by(|&a, &b| rates[a].total_cmp(&rates[b]));
         let Some(first) = first.filter(|&i| rates[i] < 0.0) else { return Ok(()) };

@@ -512,8 +512,9 @@ fn a_stop_and_friction_on_one_row_share_what_holds() {
     // −2 cos t − 0.5 pulls from −2 cos t = 0.8 on; until then it rests: on the stop while 2 cos t > 0.5.
     let (leaves, pulls) = ((0.25f64).acos(), (-0.4f64).acos());
     let words: Vec<_> = found.iter().map(|one| (one.0, one.1)).collect();
-    assert_eq!(words[..4], [("stick", 0), ("release", 0), ("stick", 1), ("release", 1)], "{found:?}");
-    for (one, time) in found.iter().zip([0.0, leaves, leaves, pulls]) {
+    // On the stop it has no velocity either: it sticks from the beginning, which is not told.
+    assert_eq!(words[..3], [("stick", 0), ("release", 0), ("release", 1)], "{found:?}");
+    for (one, time) in found.iter().zip([0.0, leaves, pulls]) {
         assert!((one.2 - time).abs() < 1e-12, "{found:?}");
     }
     // Held by friction alone: thrown gently at the stop, it bounces once and sticks.

@@ -6,7 +6,7 @@ use super::{Found, MOST_CHANGES, NUDGE, Run};
 use crate::{
     error::Result,
     many::{
-        Grip, RealVector, State,
+        Blow, Grip, RealVector, State,
         simulate::{
             Event, SoftStops, Stage, What,
             holds::{Holds, SoftPlace},
@@ -21,7 +21,14 @@ use crate::{
 
 impl Run<'_> {
     /// Makes events of a hit.
-    pub(super) fn meet(&mut self, stage: &Stage, Found { watch, hit, z, rounding }: Found) -> Result<()> {
+    pub(super) fn meet(&mut self, stage: &Stage, found: Found) -> Result<()> {
+        let time = self.time_at(found.hit.place());
+        self.met(stage, found)?;
+        self.told_grips(time, &stage.grips());
+        Ok(())
+    }
+
+    fn met(&mut self, stage: &Stage, Found { watch, hit, z, rounding }: Found) -> Result<()> {
         let (x, half) = (hit.place(), self.half());
         let time = self.time_at(x);
         self.from = x;
@@ -98,8 +105,7 @@ impl Run<'_> {
         self.open[stop] = false;
         let mut holds = self.stage.holds.clone();
         holds.soft = holds.soft.with(stop, place);
-        holds.grips = self.grips_with(&state, &holds.resting, &holds.soft);
-        self.told_grips(time, &holds.grips);
+        holds.grips = self.grips_with(&state, (&holds.resting, &holds.soft), false);
         self.change(self.simulator.stage(&holds)?, time, &state);
         self.regrip(time, &state, None)
     }
@@ -222,7 +228,8 @@ impl Run<'_> {
         }
         let rates: Vec<f64> = rates.iter().copied().chain(resting.iter().map(|_| 0.0)).collect();
         let sliding = simulator.sliding(&state);
-        let law = simulator.contacts.struck(&all, &rates, &sliding, &self.stage.holds.grips)?;
+        let blow = Blow { stops: &all, rates: &rates, sliding: &sliding, grips: &self.stage.holds.grips };
+        let law = simulator.contacts.struck(&blow)?;
         state.u += &law.change;
         // What rounding leaves of velocities before would look like sliding beside those after.
         let rubbing = simulator.contacts.rubbing(&all).into_iter();
@@ -245,13 +252,12 @@ impl Run<'_> {
             }
         }
         let soft = self.soft_after(time, &state);
-        let grips = self.grips_with(&state, &resting, &soft);
+        let grips = self.grips_with(&state, (&resting, &soft), true);
         let below = self.stage.holds.below.clone();
         let holds = Holds { resting: resting.clone(), soft, grips, below };
         let holds = simulator.decided(holds, None, time, &state)?;
         if holds != self.stage.holds {
             // What it rests on is decided by the forces that act from now on.
-            self.told_grips(time, &holds.grips);
             let (before, after) = (self.stage.clone(), simulator.stage(&holds)?);
             self.tell_kinks(time, &state, &before, &after);
             self.enter(after, time, &state);
@@ -299,7 +305,7 @@ impl Run<'_> {
         let all: Vec<usize> = held.iter().copied().chain(added.iter().map(|known| known.0)).collect();
         // What still moves away is brought to rest, all at once: the bounces left out. With them goes what
         // slides there, and what has no velocity along the stops keeps none.
-        let grips = self.grips_with(&state, &all, &now.holds.soft);
+        let grips = self.grips_with(&state, (&all, &now.holds.soft), false);
         let rubbing = simulator.contacts.rubbing(&all);
         let still: Vec<usize> = rubbing.into_iter().filter(|&j| !grips[j].slides()).collect();
         let held = still.iter().map(|&j| simulator.contacts.rub_row(j));
@@ -321,7 +327,7 @@ impl Run<'_> {
             return Ok(false);
         }
         self.still = still;
-        let grips = self.grips_with(&state, &pressing, &now.holds.soft);
+        let grips = self.grips_with(&state, (&pressing, &now.holds.soft), false);
         let holds = Holds { resting: pressing.clone(), grips, ..now.holds.clone() };
         let stage = simulator.stage(&holds)?;
         let longest = added.iter().map(|known| known.1).fold(0.0, f64::max);
@@ -338,7 +344,6 @@ impl Run<'_> {
                 self.events.push(Event::Stick(Stick { time: time.after(rest), place: stop, rest }));
             }
         }
-        self.told_grips(time, &stage.holds.grips);
         self.change(stage, time, &state);
         self.regrip(time, &state, None)?;
         Ok(true)
@@ -370,7 +375,7 @@ impl Run<'_> {
         let simulator = self.simulator;
         let accelerations: Vec<f64> =
             stops.iter().map(|&j| self.stage.bend(&simulator.contacts, j, time, state)).collect();
-        let grips = self.grips_with(state, stops, &self.stage.holds.soft);
+        let grips = self.grips_with(state, (stops, &self.stage.holds.soft), false);
         let forces = simulator.contacts.pressing(stops, &accelerations, &grips)?;
         let mut pressing = Vec::new();
         for (&stop, force) in stops.iter().zip(forces) {
@@ -381,8 +386,7 @@ impl Run<'_> {
             }
         }
         pressing.sort_unstable();
-        let grips = self.grips_with(state, &pressing, &self.stage.holds.soft);
-        self.told_grips(time, &grips);
+        let grips = self.grips_with(state, (&pressing, &self.stage.holds.soft), false);
         let stage = simulator.stage(&Holds { resting: pressing, grips, ..self.stage.holds.clone() })?;
         self.change(stage, time, state);
         self.regrip(time, state, None)

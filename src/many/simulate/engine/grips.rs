@@ -18,7 +18,7 @@ use crate::{
     error::Result,
     many::{
         Grip, RealVector, State,
-        contact::{Contacts, MOST_TRIED, complementary, tried},
+        contact::Contacts,
         simulate::{
             Event, Stage,
             holds::{Holds, SoftStops},
@@ -107,34 +107,41 @@ impl Run<'_> {
                 self.events.push(Event::Release(Release { time, place: stop }));
             }
         }
-        self.told_grips(time, &grips);
         let holds = Holds { resting: pressing, grips, ..stage.holds.clone() };
         let stage = self.simulator.stage(&holds)?;
         self.change(stage, time, state);
         Ok(())
     }
 
-    /// Tells what is gripped otherwise from now on.
-    pub(super) fn told_grips(&mut self, time: Time, grips: &[Grip]) {
-        if grips.is_empty() {
-            return;
-        }
-        let stage = self.stage.clone();
-        for (j, (&was, &is)) in stage.holds.grips.iter().zip(grips).enumerate() {
-            let place = self.simulator.contacts.rub_row(j);
+    /// Tells what is gripped otherwise than before all that came of one hit, before the rests on stops that
+    /// come of it, which may begin later.
+    pub(super) fn told_grips(&mut self, time: Time, before: &[Grip]) {
+        let contacts = &self.simulator.contacts;
+        let now = self.stage.grips();
+        let changed = |(j, (&was, is)): (usize, (&Grip, Grip))| {
+            let place = contacts.rub_row(j);
             match (was, is) {
-                _ if was == is => {}
-                (_, Grip::Stuck) => self.events.push(Event::Stick(Stick { time, place, rest: 0.0 })),
-                (Grip::Stuck, _) => self.events.push(Event::Release(Release { time, place })),
-                (Grip::Open, _) | (_, Grip::Open) => {}
-                _ => self.events.push(Event::Reversal(Reversal { time, place })),
+                _ if was == is => None,
+                (_, Grip::Stuck) => Some(Event::Stick(Stick { time, place, rest: 0.0 })),
+                (Grip::Stuck, _) => Some(Event::Release(Release { time, place })),
+                (Grip::Open, _) | (_, Grip::Open) => None,
+                _ => Some(Event::Reversal(Reversal { time, place })),
             }
-        }
+        };
+        let told: Vec<Event> = before.iter().zip(now).enumerate().filter_map(changed).collect();
+        let rests = self.events.iter().position(|event| matches!(event, Event::Stick(_)));
+        let at = rests.unwrap_or(self.events.len());
+        self.events.splice(at..at, told);
     }
 
-    /// The grips in contact with what `holds` says, that velocities alone tell: what had none and still has
-    /// none stays as it is, and where nothing presses it is open.
-    pub(super) fn grips_with(&self, state: &State, resting: &[usize], soft: &SoftStops) -> Vec<Grip> {
+    /// The grips in contact with these stops: where nothing presses it is open, and where something begins
+    /// to, or all velocities have jumped, these tell; what has none stays as it is.
+    pub(super) fn grips_with(
+        &self,
+        state: &State,
+        (resting, soft): (&[usize], &SoftStops),
+        jumped: bool,
+    ) -> Vec<Grip> {
         let before = &self.stage.holds.grips;
         if before.is_empty() {
             return Vec::new();
@@ -143,7 +150,7 @@ impl Run<'_> {
         let rates = self.sliding(state).into_iter().zip(before);
         let one = |(j, (rate, &before)): (usize, (f64, &Grip))| match rubs[j].stop {
             Some(stop) if !(resting.contains(&stop) || soft.pushing.contains(&stop)) => Grip::Open,
-            _ if rate == 0.0 => before,
+            _ if rate == 0.0 || !jumped && before != Grip::Open => before,
             _ => Grip::of(rate),
         };
         rates.enumerate().map(one).collect()
@@ -291,12 +298,7 @@ impl Open<'_> {
                 (coupling[(i, i)], goal[i]) = (1.0, 0.0);
             }
         }
-        let pressing = if leaning && stops.len() <= MOST_TRIED {
-            let Some(found) = tried(&coupling, &goal) else { return Ok(None) };
-            found
-        } else {
-            complementary(&coupling, &goal)?
-        };
+        let Some(pressing) = contacts.loads(stops, &grips, (&coupling, &goal))? else { return Ok(None) };
         let load = RealVector::from_column_slice(&pressing);
         let holding = -&inner * (own + back * &load);
         let normal = |j: usize| {

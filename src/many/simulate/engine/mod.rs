@@ -213,8 +213,8 @@ impl<'a> Run<'a> {
     }
 
     /// How it moves at each row with friction.
-    pub(crate) fn grips(&self) -> &[Grip] {
-        &self.stage.holds.grips
+    pub(crate) fn grips(&self) -> Vec<Grip> {
+        self.stage.grips()
     }
 
     /// The flow of the machine as it is in contact now.

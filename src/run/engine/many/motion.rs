@@ -76,21 +76,24 @@ pub(super) fn simulate(
     let last = [list(&state.q, 1.0), list(&state.u, rate), list(&bend, rate * rate)];
     found.ended((end, run.time()), last);
     let slid = slid.unwrap_or_else(|| Slid::new(&run));
-    let stuck: Vec<bool> = run.grips().iter().map(|grip| *grip == Grip::Stuck).collect();
+    let grips = run.grips();
     // A force recorded once has no next period.
-    let forever =
-        stuck.contains(&true) && end == RunEnd::Reached && machine.record.is_none() && goes_on(&mut run);
-    let rubs = machine.friction.iter().zip(stuck.into_iter().zip(slid.rows()));
-    for (row, (friction, (sticks, (share, path, energy)))) in found.friction.iter_mut().zip(rubs) {
+    let forever = grips.contains(&Grip::Stuck)
+        && end == RunEnd::Reached
+        && machine.record.is_none()
+        && goes_on(&mut run);
+    let rubs = machine.friction.iter().zip(grips.into_iter().zip(slid.rows()));
+    for (row, (friction, (grip, (share, path, energy)))) in found.friction.iter_mut().zip(rubs) {
         (row.stuck, row.path) = (share, path);
         row.dissipated = match friction.normal {
             NormalForce::Given(normal) => friction.coefficient * normal * path,
             NormalForce::Stop { .. } => energy,
         };
-        row.at_end = match (sticks, forever) {
-            (false, _) => "slides",
-            (true, false) => "sticks",
-            (true, true) => "sticks for ever",
+        row.at_end = match grip {
+            Grip::Open => "open",
+            Grip::Stuck if forever => "sticks for ever",
+            Grip::Stuck => "sticks",
+            Grip::Forward | Grip::Backward => "slides",
         };
     }
     // After a transient it is not the first impact; where forces are formulas the record's effect is none of

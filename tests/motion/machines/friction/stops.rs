@@ -344,6 +344,46 @@ fn a_body_on_two_feet_is_one_mass() {
     }
 }
 
+/// Two rows along one stop, or under given forces, that cannot but move together are one: nothing turns back
+/// while they stick, and both do.
+#[test]
+fn rows_that_move_together_stick_together() {
+    let mut block = machine(&[&[1.0, 0.2], &[0.2, 1.0]], &[], &[]);
+    block.force = vec![0.0, -10.0];
+    block.forcing = vec![Load { k: 1, cos: vec![6.0, 1.0], sin: vec![0.0, 0.0] }];
+    block.stops = vec![stop(&[0.0, 1.0], 0.0, 0.0)];
+    let given = |coefficient: f64| friction(&[1.0, 0.0], 10.0, [coefficient, coefficient]);
+    for under in [true, false] {
+        let rub =
+            |coefficient: f64| if under { on(0, &[1.0, 0.0], [coefficient; 2]) } else { given(coefficient) };
+        let told = |rubs: &[Friction<f64>]| {
+            let mut one = block.clone();
+            one.friction = rubs.to_vec();
+            one.friction.iter_mut().enumerate().for_each(|(j, rub)| rub.name = format!("rub {j}"));
+            let simulator = simulator(&one);
+            let mut run = simulator.start(at(0.0), &[0.0, 0.0], &[0.5, 0.0]).unwrap();
+            let mut all = Vec::new();
+            assert_eq!(run.record(at(5.0 * TAU), |event| all.push(event)), RunEnd::Reached);
+            (told(&all, 0), [run.state().q(), run.state().u()].concat())
+        };
+        let (alone, both) = (told(&[rub(0.5)]), told(&[rub(0.3), rub(0.2)]));
+        assert!(apart(&alone.1, &both.1) < 1e-10, "{under}: {alone:?} {both:?}");
+        assert!(alone.0.iter().filter(|one| one.0 == "stick").count() > 4, "{alone:?}");
+        // What one does, both do, at the same time.
+        let of = |row: usize| -> Vec<(&str, f64)> {
+            both.0.iter().filter(|one| one.1 == row).map(|one| (one.0, one.2)).collect()
+        };
+        let wanted: Vec<(&str, f64)> =
+            alone.0.iter().filter(|one| one.1 == 1).map(|one| (one.0, one.2)).collect();
+        for row in [1, 2] {
+            assert_eq!(of(row).len(), wanted.len(), "{under} {row}: {:?} {wanted:?}", of(row));
+            for (one, known) in of(row).iter().zip(&wanted) {
+                assert!(one.0 == known.0 && (one.1 - known.1).abs() < 1e-9, "{under}: {one:?} {known:?}");
+            }
+        }
+    }
+}
+
 /// Random machines on a floor and a pad with friction on both, against the second solver.
 #[test]
 fn random_machines_agree_with_a_second_solver() {
