@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use grazing::many::{Friction, NormalForce};
 
-use super::*;
+use super::{second::numbers, *};
 
 mod branches;
 mod forms;
@@ -122,18 +122,12 @@ fn stick_and_slip_on_a_belt_is_closed() {
 #[test]
 fn random_machines_with_friction_agree_with_a_second_solver() {
     let trials = std::env::var("GRAZING_TRIALS").map_or(30, |many| many.parse().expect("a number"));
-    let mut seed = 88_172_645_463_325_252u64;
-    let mut random = move || {
-        seed ^= seed << 13;
-        seed ^= seed >> 7;
-        seed ^= seed << 17;
-        (seed >> 11) as f64 / (1u64 << 53) as f64
-    };
+    let mut random = numbers(88_172_645_463_325_252);
     let mut words: BTreeMap<&str, u32> = BTreeMap::new();
     let mut worst = 0.0f64;
     for trial in 0..trials {
         let n = 1 + trial as usize % 3;
-        let mut between = |low: f64, high: f64| low + (high - low) * random();
+        let mut between = |low: f64, high: f64| random(low, high);
         let mut rough = machine(&[], &[], &[]);
         rough.size = n;
         for i in 0..n {

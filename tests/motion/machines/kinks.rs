@@ -6,7 +6,10 @@ use grazing::{
     many::section::{PlanarMachine, PlaneAxis},
 };
 
-use super::{second::extrapolated, *};
+use super::{
+    second::{extrapolated, pair_with},
+    *,
+};
 
 fn read(body: &str) -> grazing::Result<Scene> {
     let text = format!("format = \"grazing-scene 3\"\ntitle = \"kinks\"\n{body}");
@@ -365,12 +368,7 @@ fn random_forces_with_kinks_agree_with_the_second_integrator() {
             Kinked { terms: (0..2).map(|_| term(&mut random)).collect() }
         };
         let forces = [force(), force()];
-        let text = format!(
-            "[system]\nperiod = \"2*pi\"\nmass = [[1, 0], [0, 1]]\nstiffness = [[2, -0.5], [-0.5, 1.5]]\n\
-             damping = [[0.2, 0], [0, 0.3]]\nforcing = [{{ cos = [1, 0] }}]\nforce = [\"{}\", \"{}\"]",
-            forces[0].text(),
-            forces[1].text()
-        );
+        let text = pair_with([forces[0].text(), forces[1].text()]);
         let machine = built(&text);
         let simulator = simulator(&machine);
         let Ok(mut run) = simulator.start(at(0.0), &[0.7, -0.3], &[0.2, 0.4]) else { panic!("{text}") };

@@ -336,3 +336,52 @@ pub fn extrapolated(x: &[f64], h: f64, slope: impl Fn(f64, &[f64]) -> Vec<f64>) 
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
+
+/// Numbers from a seed, evenly between two.
+pub fn numbers(mut seed: u64) -> impl FnMut(f64, f64) -> f64 {
+    move |low, high| {
+        seed ^= seed << 13;
+        seed ^= seed >> 7;
+        seed ^= seed << 17;
+        low + (high - low) * ((seed >> 11) as f64 / (1u64 << 53) as f64)
+    }
+}
+
+/// When the first of some values falls below 0 in a step of h, by samples and bisection: a value that is 0 at
+/// the beginning may rise. Which it is, and just after when.
+pub fn falls(h: f64, values: impl Fn(f64) -> Vec<f64>) -> Option<(usize, f64)> {
+    let mut before = (0.0, values(0.0));
+    let mut hit = None;
+    for part in 1..=6 {
+        let now = h * f64::from(part) / 6.0;
+        let seen = values(now);
+        if (0..seen.len()).any(|i| seen[i] < 0.0 && before.1[i] > -1e-9) {
+            hit = Some((before.0, now));
+            break;
+        }
+        before = (now, seen);
+    }
+    let (mut low, mut high): (f64, f64) = hit?;
+    let negative = |h: f64| values(h).iter().position(|value| *value < 0.0);
+    if low == 0.0 {
+        let mut inner = high / 2.0;
+        while inner > 1e-9 && negative(inner).is_some() {
+            inner /= 2.0;
+        }
+        low = if negative(inner).is_none() { inner } else { 0.0 };
+    }
+    for _ in 0..60 {
+        let middle = (low + high) / 2.0;
+        if negative(middle).is_some() { high = middle } else { low = middle }
+    }
+    negative(high).map(|which| (which, high))
+}
+
+/// Two masses of 1 on springs, driven, with a formula for the force on each.
+pub fn pair_with(forces: [String; 2]) -> String {
+    format!(
+        "[system]\nperiod = \"2*pi\"\nmass = [[1, 0], [0, 1]]\nstiffness = [[2, -0.5], [-0.5, 1.5]]\n\
+         damping = [[0.2, 0], [0, 0.3]]\nforcing = [{{ cos = [1, 0] }}]\nforce = [\"{}\", \"{}\"]",
+        forces[0], forces[1]
+    )
+}

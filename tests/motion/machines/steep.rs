@@ -1,7 +1,10 @@
 //! Steep forces on two coordinates against the second integrator's extrapolation, with steps that follow the
 //! layers.
 
-use super::{second::extrapolated, *};
+use super::{
+    second::{extrapolated, pair_with},
+    *,
+};
 
 fn built(body: &str) -> Machine<f64> {
     let text = format!("format = \"grazing-scene 3\"\ntitle = \"steep\"\n{body}");
@@ -88,12 +91,7 @@ fn steep_forces_on_two_coordinates_are_not_leapt_over() {
                 .collect(),
         };
         let forces = [force(), force()];
-        let text = format!(
-            "[system]\nperiod = \"2*pi\"\nmass = [[1, 0], [0, 1]]\nstiffness = [[2, -0.5], [-0.5, 1.5]]\n\
-             damping = [[0.2, 0], [0, 0.3]]\nforcing = [{{ cos = [1, 0] }}]\nforce = [\"{}\", \"{}\"]",
-            forces[0].text(),
-            forces[1].text()
-        );
+        let text = pair_with([forces[0].text(), forces[1].text()]);
         let machine = built(&text);
         let simulator = simulator(&machine);
         let (begin, until) = ([0.7, -0.3, 0.2, 0.4], 3.0);

@@ -196,16 +196,6 @@ fn attractor(simulator: &Simulator, q: &[f64], u: &[f64]) -> Option<Attractor> {
     None
 }
 
-/// Numbers from a seed, evenly in [0, 1).
-fn numbers(mut seed: u64) -> impl FnMut(f64, f64) -> f64 {
-    move |low, high| {
-        seed ^= seed << 13;
-        seed ^= seed >> 7;
-        seed ^= seed << 17;
-        low + (high - low) * ((seed >> 11) as f64 / (1u64 << 53) as f64)
-    }
-}
-
 /// A machine every coefficient of which changes with the parameter.
 struct Changing {
     base: Machine<f64>,

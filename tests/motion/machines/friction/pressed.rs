@@ -3,7 +3,7 @@
 
 use grazing::many::{Machine, NormalForce, StopLaw};
 
-use super::super::second::{dot, extrapolated};
+use super::super::second::{dot, extrapolated, falls};
 use super::rough::solved;
 
 /// A stop: open; pressing, rested on if it is rigid; let go of before it is open.
@@ -300,38 +300,11 @@ impl<'a> Pressed<'a> {
             steps += 1;
             assert!(steps < most, "no end at {}: {:?} {:?} {:?}", self.time, self.modes, self.stops, self.x);
             let h = 0.02f64.min(until - self.time);
-            let mut hit: Option<(f64, f64)> = None;
-            let mut before = (0.0, self.watched(self.time, &self.x));
-            for part in 1..=6 {
-                let now = h * f64::from(part) / 6.0;
-                let values = self.watched(self.time + now, &self.after(now));
-                if (0..values.len()).any(|i| values[i] < 0.0 && before.1[i] > -1e-9) {
-                    hit = Some((before.0, now));
-                    break;
-                }
-                before = (now, values);
-            }
-            let Some((mut low, mut high)) = hit else {
+            let watched = |h: f64| self.watched(self.time + h, &self.after(h));
+            let Some((which, high)) = falls(h, watched) else {
                 (self.x, self.time) = (self.after(h), self.time + h);
                 continue;
             };
-            let negative = |h: f64| {
-                let values = self.watched(self.time + h, &self.after(h));
-                (0..values.len()).find(|&i| values[i] < 0.0)
-            };
-            if low == 0.0 {
-                // Something begins at 0 and rises: past that.
-                let mut inner = high / 2.0;
-                while inner > 1e-9 && negative(inner).is_some() {
-                    inner /= 2.0;
-                }
-                low = if negative(inner).is_none() { inner } else { 0.0 };
-            }
-            for _ in 0..60 {
-                let middle = (low + high) / 2.0;
-                if negative(middle).is_some() { high = middle } else { low = middle }
-            }
-            let which = negative(high).unwrap();
             let forces = self.solve(&self.modes, &self.stops, self.time + high, &self.after(high)).1;
             (self.x, self.time) = (self.after(high), self.time + high);
             let (was, mut sure) = (self.modes.clone(), None);

@@ -2,7 +2,7 @@
 
 use grazing::many::{Friction, Machine, NormalForce};
 
-use super::super::second::{dot, extrapolated};
+use super::super::second::{dot, extrapolated, falls};
 
 /// A second solver: the equations as they stand, extrapolated midpoint steps, modes by brute force.
 pub struct Rough<'a> {
@@ -172,42 +172,11 @@ impl<'a> Rough<'a> {
         let (n, stops, mut all) = (self.machine.size, self.machine.stops.len(), Vec::new());
         while self.time < until {
             let h = 0.05f64.min(until - self.time);
-            // The first sample at which something is negative, but for what was 0 at the beginning.
-            let mut hit: Option<(usize, f64, f64)> = None;
-            let mut before = (0.0, self.watched(self.time, &self.x));
-            for part in 1..=6 {
-                let now = h * f64::from(part) / 6.0;
-                let x = self.after(now);
-                let values = self.watched(self.time + now, &x);
-                let fell = (0..values.len()).find(|&i| values[i] < 0.0 && before.1[i] > -1e-9);
-                // A minimum between two samples that both are positive.
-                if let Some(i) = fell {
-                    hit = Some((i, before.0, now));
-                    break;
-                }
-                before = (now, values);
-            }
-            let Some((_, mut low, mut high)) = hit else {
+            let watched = |h: f64| self.watched(self.time + h, &self.after(h));
+            let Some((which, high)) = falls(h, watched) else {
                 (self.x, self.time) = (self.after(h), self.time + h);
                 continue;
             };
-            // Something begins at 0 and rises: past that.
-            let negative = |h: f64| {
-                let values = self.watched(self.time + h, &self.after(h));
-                (0..values.len()).find(|&i| values[i] < 0.0)
-            };
-            if low == 0.0 {
-                let mut inner = high;
-                while inner > 1e-7 && negative(inner).is_some() {
-                    inner /= 2.0;
-                }
-                low = if negative(inner).is_none() { inner } else { 0.0 };
-            }
-            for _ in 0..60 {
-                let middle = (low + high) / 2.0;
-                if negative(middle).is_some() { high = middle } else { low = middle }
-            }
-            let which = negative(high).unwrap();
             let forces = self.solve(&self.modes, self.time + high, &self.after(high)).1;
             (self.x, self.time) = (self.after(high), self.time + high);
             let (m, was) = (self.modes.len(), self.modes.clone());

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use grazing::many::{Friction, Load, Machine, NormalForce, StopLaw};
 
-use super::{super::*, friction, pressed::Pressed, scene};
+use super::{super::*, friction, numbers, pressed::Pressed, scene};
 
 /// Friction along a row on a stop.
 fn on(stop: usize, row: &[f64], [coefficient, static_coefficient]: [f64; 2]) -> Friction<f64> {
@@ -390,15 +390,9 @@ fn random_machines_agree_with_a_second_solver() {
     let trials: u32 = std::env::var("GRAZING_TRIALS").map_or(24, |text| text.parse().unwrap());
     let mut words: BTreeMap<&str, u32> = BTreeMap::new();
     let (mut worst, mut apart_by) = (0.0f64, 0.0f64);
-    let mut seed = 0x9e37_79b9_7f4a_7c15u64;
-    let mut random = move || {
-        seed ^= seed << 13;
-        seed ^= seed >> 7;
-        seed ^= seed << 17;
-        (seed >> 11) as f64 / (1u64 << 53) as f64
-    };
+    let mut random = numbers(0x9e37_79b9_7f4a_7c15);
     for trial in 0..trials {
-        let mut between = |low: f64, high: f64| low + (high - low) * random();
+        let mut between = |low: f64, high: f64| random(low, high);
         let mixed = between(-0.25, 0.25);
         let (first, second) = (between(0.8, 1.5), between(0.8, 1.5));
         let third = between(-0.2, 0.2);
