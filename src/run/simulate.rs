@@ -60,8 +60,9 @@ row! {
         /// The energy that the friction took: the force of sliding times the path. What it takes at impacts
         /// is told of the stop.
         pub dissipated: f64,
-        /// What it does at the end: `slides`; `open`, where the stop on which it would is open; `sticks`; `sticks for ever`, where nothing moves it in a period
-        /// more and the motion is the same after that, to 10⁻⁹.
+        /// What it does at the end: `slides`; `open`, where the stop on which it would is open; `sticks`;
+        /// `sticks for ever`, where nothing moves it in a period more and the motion is the same after that,
+        /// to 10⁻⁹.
         pub at_end: &'static str,
     }
 }

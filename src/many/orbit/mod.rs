@@ -22,7 +22,9 @@ mod admissible;
 mod change;
 mod equations;
 mod leg;
+mod rough;
 mod rubbing;
+mod slides;
 mod starts;
 mod surface;
 
@@ -32,7 +34,7 @@ pub use admissible::{Admissibility, Minimum, Obstacle};
 pub(super) use change::Change;
 pub(super) use equations::StopEquations;
 pub(super) use leg::Between;
-use rubbing::{held, told};
+use slides::{held, told};
 pub(crate) use starts::FreeStarts;
 pub(super) use surface::{Image, Surface};
 
