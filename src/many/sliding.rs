@@ -126,7 +126,7 @@ mod tests {
         // As many ways as there are orders of taking parts out.
         let long = [vec![circle(&"fsbs".repeat(6))], vec![circle("fsf")]];
         assert_eq!(between(&long[0], &long[1]).name(), "friction-change");
-        assert_eq!(between(&long[0], &[circle("fb")]).name(), "crossing-sliding");
+        assert_eq!(between(&long[0], &[circle(&"fb".repeat(6))]).name(), "crossing-sliding");
         let both = [vec![circle("s"), circle("fsb")], vec![circle("sf"), circle("fb")]];
         assert_eq!(between(&both[0], &both[1]).name(), "friction-change");
     }
