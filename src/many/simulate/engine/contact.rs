@@ -22,6 +22,9 @@ use crate::{
 impl Run<'_> {
     /// Makes events of a hit.
     pub(super) fn meet(&mut self, stage: &Stage, found: Found) -> Result<()> {
+        if stage.holds.grips.is_empty() {
+            return self.met(stage, found);
+        }
         let time = self.time_at(found.hit.place());
         self.met(stage, found)?;
         self.told_grips(time, &stage.grips());
@@ -105,7 +108,9 @@ impl Run<'_> {
         self.open[stop] = false;
         let mut holds = self.stage.holds.clone();
         holds.soft = holds.soft.with(stop, place);
-        holds.grips = self.grips_with(&state, (&holds.resting, &holds.soft), false);
+        if !holds.grips.is_empty() {
+            holds.grips = self.grips_with(&state, (&holds.resting, &holds.soft), false);
+        }
         self.change(self.simulator.stage(&holds)?, time, &state);
         self.regrip(time, &state, None)
     }
