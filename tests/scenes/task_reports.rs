@@ -295,6 +295,31 @@ fn restitution_above_one_and_tiny_motions_are_warned_of() {
 }
 
 #[test]
+fn friction_at_an_eccentric_impact_may_gain_energy_and_then_the_run_says_so() {
+    // Impulses Λ along w = (1, 0) and Λₜ along t = (−1/2, √3/2) bring w·u from −1 to e and t·u from 3/10 to 0:
+    // Λ(1 − 1/4) = 1 + e − 3/20, Λₜ = Λ/2 − 3/10. Of the energy they take Λ(1 − e)/2 − 3Λₜ/20.
+    let found = |restitution: f64| {
+        let scene = format!(
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\n[system]\nfrequency = \"1/(2*pi)\"\nmass = [[1, 0], [0, 1]]\n[[stops]]\nrow = [1, 0]\n\
+             offset = 0\nrestitution = {restitution}\n[[friction]]\nrow = [-0.5, \"sqrt(3)/2\"]\nstop = \"1\"\n\
+             coefficient = 0.5\n[[tasks]]\nname = \"hit\"\nkind = \"simulate\"\nperiods = 1\n\
+             start = {{ q = [0.1, 0], u = [-1, \"-0.4/sqrt(3)\"] }}\n"
+        );
+        let (code, report, error, _folder) = json(&scene, &[]);
+        assert_eq!((code, error.as_str()), (0, ""));
+        let task = &report["tasks"][0];
+        let impulse = (1.0 + restitution - 0.15) / 0.75;
+        let lost = impulse * (1.0 - restitution) / 2.0 - 0.15 * (impulse / 2.0 - 0.3);
+        let dissipated = task["stops"][0]["dissipated"].as_f64().unwrap();
+        assert!((dissipated - lost).abs() < 1e-12, "{dissipated} {lost}");
+        task["warnings"].clone()
+    };
+    assert_eq!(found(0.5), Value::Array(Vec::new()));
+    let gained = found(1.0);
+    assert!(gained[0].as_str().unwrap().starts_with("1 impacts gave the motion energy: a restitution"), "{gained}");
+}
+
+#[test]
 fn a_series_too_long_is_refused_before_the_work() {
     let (code, out, error, folder) =
         command(&format!("{BALL}start = {{ q = 1 }}\nperiods = 100000001\nsamples = 1\n"), &[]);
