@@ -174,6 +174,36 @@ pub(super) fn tends<D: Dynamics>(
     Ok(of_period(dynamics, from, phase, period, size)?.0)
 }
 
+/// The fixed point of the map round a period that Newton's method finds from these coordinates, with the map's
+/// derivative there, by rows, and how large it is; none where it finds none. Cost: a round with vectors for
+/// each of some five steps.
+///
+/// # Errors
+/// Those of [`Motion::pass`].
+pub(crate) fn fixed_point<D: Dynamics>(
+    dynamics: &D,
+    from: &[f64],
+    phase: f64,
+    period: u64,
+) -> Result<Option<FixedPoint>> {
+    let Some(first) = round(dynamics, from, phase, period)? else { return Ok(None) };
+    let size = Size::of(dynamics, from, phase)?;
+    let found = newton(dynamics, from, first, phase, period, &size)?;
+    let Some((x, slope)) = found else { return Ok(None) };
+    let same = Size::of(dynamics, &x, phase)?.same();
+    Ok(Some(FixedPoint { x, slope, same }))
+}
+
+/// A fixed point of the map round a period.
+pub(crate) struct FixedPoint {
+    /// The point, as [`SectionState::coordinates`].
+    pub x: Vec<f64>,
+    /// The derivative there, by rows.
+    pub slope: Vec<Vec<f64>>,
+    /// States this close to its motion are on it.
+    pub same: f64,
+}
+
 fn of_period<D: Dynamics>(
     dynamics: &D,
     from: &[f64],

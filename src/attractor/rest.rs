@@ -6,7 +6,7 @@
 //! same. The periodic motions with a rest are the cycles of that map of the phases of release to themselves,
 //! of which there are few. A motion near one comes to rest a little earlier or later and leaves as the orbit
 //! does: all its multipliers are 0. Not here: how motions come to rest (`one`, `many`), several coordinates,
-//! of which the others remember.
+//! of which the others remember (`many::resting`).
 
 use std::f64::consts::TAU;
 
@@ -26,6 +26,9 @@ pub trait Resting {
     /// # Errors
     /// Those of the engine.
     fn bend(&self, stop: usize, phase: f64) -> Result<f64>;
+
+    /// Where what rests on a stop is at a phase, and its velocity per radian.
+    fn on(&self, stop: usize, phase: f64) -> [f64; 2];
 
     /// The highest harmonic that is known to act.
     fn order(&self) -> u32;

@@ -5,13 +5,13 @@ use std::f64::consts::TAU;
 use serde::Serialize;
 
 use super::{
-    Finding, Job, Judgement, Lines, Status,
+    Complex, Finding, Job, Judgement, Lines, Status,
     engine::{Engine, by_engine},
     orbit::{MissingRow, places, status},
     row,
 };
 use crate::{
-    attractor::rest::{Flight, NoRest, RestOrbit, Rests},
+    attractor::rest::{Flight, NoRest, RestOrbit, Resting, Rests},
     error::Result,
     scene::rest::RestTask,
 };
@@ -29,6 +29,8 @@ row! {
         pub released: Vec<f64>,
         /// The phases at which its rests begin, the one before each release.
         pub rested: Vec<f64>,
+        /// The stops that it rests on all the time.
+        pub held: Vec<String>,
         /// The part of the time in which it rests.
         pub resting: f64,
         /// Impacts in a period, as far as they are followed one by one: those of a bounce lower than the
@@ -36,9 +38,15 @@ row! {
         pub impacts: u64,
         /// The greatest speed of an impact, in the scene's units.
         pub fastest: f64,
-        /// Whether motions near come to it: they do, all multipliers being 0, but where a minimum of a gap,
-        /// or the beginning of a rest, is not told from what ends it.
+        /// Whether motions near come to it, as the multipliers tell, but where a minimum of a gap, or the
+        /// beginning of a rest, is not told from what ends it.
         pub stable: Judgement,
+        /// The multipliers of largest modulus, at most four, the largest first. With one coordinate all are 0.
+        pub multipliers: Vec<Complex>,
+        /// Its displacements as the first of its rests ends; at phase 0 if none does.
+        pub q: Vec<f64>,
+        /// Its velocities there.
+        pub u: Vec<f64>,
     }
 }
 
@@ -67,6 +75,9 @@ row! {
 /// The periodic motions that rest, and what follows each release.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RestFindings {
+    /// Whether these are all periodic motions that rest, with no more than `periods` from a release to the
+    /// next: with one coordinate. With several they are those that the search found.
+    pub complete: bool,
     /// Periodic motions, by value, then by release.
     pub orbits: Vec<RestOrbitRow>,
     /// Releases, by value, then by stop and phase.
@@ -87,6 +98,7 @@ impl Finding for RestFindings {
     }
 
     fn lines(&self, lines: &mut Lines) {
+        lines.say("complete", if self.complete { "yes" } else { "no, those that the search found" });
         if !self.orbits.is_empty() {
             lines.table("orbits", &self.orbits);
         }
@@ -109,39 +121,101 @@ pub(crate) fn rest(task: &RestTask, job: &Job) -> Result<RestFindings> {
 
 fn of<E: Engine>(task: &RestTask, job: &Job, engine: &E) -> Result<RestFindings> {
     let places = places(task.parameter.as_deref(), &task.values);
-    let mut found =
-        RestFindings { orbits: Vec::new(), releases: Vec::new(), missing: Vec::new(), values: places.len() };
+    let mut found = RestFindings {
+        complete: true,
+        orbits: Vec::new(),
+        releases: Vec::new(),
+        missing: Vec::new(),
+        values: places.len(),
+    };
     job.monitor.begin(places.len() as u64, "values");
     for place in places {
         let value = place.map(|(_, value)| value);
-        let (machine, names, rate) = engine.resting(place)?;
-        let rests = Rests::of(machine.as_ref(), task.periods)?;
-        if rests.orbits.is_empty() {
-            found.missing.push(MissingRow { value, reason: none(&rests, &names, task.periods) });
+        let RestsHere { complete, orbits, releases, none } = engine.rests(task, place)?;
+        if orbits.is_empty() {
+            found.missing.push(MissingRow { value, reason: none });
         }
-        let rows = rests.orbits.iter().map(|orbit| orbit_row(value, orbit, &rests, &names, rate));
-        found.orbits.extend(rows);
-        let all = rests.releases.iter().zip(&rests.flights);
-        found.releases.extend(all.map(|(release, flight)| {
-            let next = flight.next.ok().map(|next| rests.releases[next]);
-            ReleaseRow {
-                value,
-                stop: names[release.stop].clone(),
-                phase: release.phase / TAU,
-                next_stop: next.map(|next| names[next.stop].clone()),
-                next_phase: next.map(|next| next.phase / TAU),
-                after: next.map(|_| flight.duration / TAU),
-                impacts: flight.impacts,
-                reason: flight.next.err().map(|why| reason(why, &names, task.periods)),
-            }
-        }));
+        found.complete &= complete;
+        found.orbits.extend(orbits.into_iter().map(|row| RestOrbitRow { value, ..row }));
+        found.releases.extend(releases.into_iter().map(|row| ReleaseRow { value, ..row }));
         job.monitor.advance(1)?;
     }
     Ok(found)
 }
 
+/// What there is at one value of a parameter; the rows do not yet have it.
+pub(crate) struct RestsHere {
+    /// Whether these are all orbits.
+    pub complete: bool,
+    pub orbits: Vec<RestOrbitRow>,
+    pub releases: Vec<ReleaseRow>,
+    /// Why there are no orbits, if there are none.
+    pub none: String,
+}
+
+/// All rests of a machine with one coordinate, its stops and its states being told so in the scene's units,
+/// in which `rate` radians of the forcing are a unit of time.
+///
+/// # Errors
+/// Those of [`Rests::of`].
+pub(crate) fn all_rests(
+    machine: &dyn Resting,
+    names: &[String],
+    rate: f64,
+    task: &RestTask,
+) -> Result<RestsHere> {
+    let rests = Rests::of(machine, task.periods)?;
+    let mut orbits: Vec<RestOrbitRow> =
+        rests.orbits.iter().map(|orbit| orbit_row(machine, orbit, &rests, names, rate)).collect();
+    orbits.extend(rests.for_ever.iter().map(|&stop| {
+        let [place, speed] = machine.on(stop, 0.0);
+        RestOrbitRow {
+            period: 1,
+            held: vec![names[stop].clone()],
+            resting: 1.0,
+            stable: Judgement::Yes,
+            ..row_at([place, speed * rate])
+        }
+    }));
+    let none = if orbits.is_empty() { none(&rests, names, task.periods) } else { String::new() };
+    let all = rests.releases.iter().zip(&rests.flights);
+    let releases = all.map(|(release, flight)| {
+        let next = flight.next.ok().map(|next| rests.releases[next]);
+        ReleaseRow {
+            value: None,
+            stop: names[release.stop].clone(),
+            phase: release.phase / TAU,
+            next_stop: next.map(|next| names[next.stop].clone()),
+            next_phase: next.map(|next| next.phase / TAU),
+            after: next.map(|_| flight.duration / TAU),
+            impacts: flight.impacts,
+            reason: flight.next.err().map(|why| reason(why, names, task.periods)),
+        }
+    });
+    Ok(RestsHere { complete: true, orbits, releases: releases.collect(), none })
+}
+
+/// A row of a motion of one coordinate that is there, with that velocity, of which nothing else is known yet.
+fn row_at([place, speed]: [f64; 2]) -> RestOrbitRow {
+    RestOrbitRow {
+        value: None,
+        period: 0,
+        stops: Vec::new(),
+        released: Vec::new(),
+        rested: Vec::new(),
+        held: Vec::new(),
+        resting: 0.0,
+        impacts: 0,
+        fastest: 0.0,
+        stable: Judgement::Marginal,
+        multipliers: vec![Complex(0.0, 0.0); 2],
+        q: vec![place],
+        u: vec![speed],
+    }
+}
+
 fn orbit_row(
-    value: Option<f64>,
+    machine: &dyn Resting,
     orbit: &RestOrbit,
     rests: &Rests,
     names: &[String],
@@ -154,9 +228,10 @@ fn orbit_row(
         .collect();
     let resting = before.iter().map(|[_, length]| length / TAU).sum::<f64>();
     let clear = flights.iter().all(|flight| flight.tangencies == 0)
-        && before.iter().all(|[_, length]| *length > SHORT * TAU);
+        && before.iter().all(|[_, length]| is_rest(*length));
+    let first = rests.releases[orbit.releases[0]];
+    let [place, speed] = machine.on(first.stop, first.phase);
     RestOrbitRow {
-        value,
         period: orbit.periods,
         stops: orbit.releases.iter().map(|&i| names[rests.releases[i].stop].clone()).collect(),
         released: orbit.releases.iter().map(|&i| rests.releases[i].phase / TAU).collect(),
@@ -165,16 +240,20 @@ fn orbit_row(
         impacts: flights.iter().map(|flight| flight.impacts).sum(),
         fastest: flights.iter().map(|flight| flight.fastest).fold(0.0, f64::max) * rate,
         stable: if clear { Judgement::Yes } else { Judgement::Marginal },
+        ..row_at([place, speed * rate])
     }
+}
+
+/// Whether a rest so long, in radians, is one: it may end as it begins.
+pub(crate) fn is_rest(length: f64) -> bool {
+    length > SHORT * TAU
 }
 
 /// Why nothing rests periodically.
 fn none(rests: &Rests, names: &[String], periods: u32) -> String {
-    let ever = rests.for_ever.first().map(|&stop| format!("stop {} presses at all phases", names[stop]));
-    match (rests.flights.first(), ever) {
-        (None, Some(ever)) => format!("nothing that rests is let go: {ever}"),
-        (None, None) => "nothing rests: no stop presses at any phase".into(),
-        (Some(flight), _) => match flight.next {
+    match rests.flights.first() {
+        None => "nothing rests: no stop presses at any phase".into(),
+        Some(flight) => match flight.next {
             Err(why) => format!(
                 "no motion that a stop lets go comes back to its rest: {}",
                 reason(why, names, periods)

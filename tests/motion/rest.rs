@@ -8,6 +8,8 @@ use grazing::{
     scene::Scene,
 };
 
+mod several;
+
 struct Random(u64);
 
 impl Random {
@@ -328,8 +330,17 @@ fn where_nothing_rests_periodically_why_is_said() {
     let bounces = Shaken { shake: 2.3, second: 0.0, tau: 1.0, ..still };
     // The force of contact just falls to 0, and grows again.
     let held = Shaken { damping: 0.0, stiffness: 0.0, shake: 1.0, ..still };
+    for engine in ["one", "many"] {
+        let found = found(&still.text(engine, TASK));
+        let [row] = &found.orbits[..] else { panic!("{found:?}") };
+        assert_eq!(
+            (row.held.join(" "), row.period, row.resting, row.stable),
+            ("lower".into(), 1, 1.0, Judgement::Yes)
+        );
+        // The wall at phase 0.
+        assert!((row.q[0] + 1.0).abs() < 1e-15 && (row.u[0] - 0.5).abs() < 1e-15, "{row:?}");
+    }
     for (machine, why) in [
-        (still, "nothing that rests is let go: stop lower presses at all phases"),
         (lifted, "nothing rests: no stop presses at any phase"),
         (held, "it is not let go there"),
         (bounces, "it does not come to rest within 40 periods"),
@@ -351,17 +362,14 @@ fn what_cannot_rest_so_is_refused_by_name() {
     let machine =
         Shaken { damping: 0.2, stiffness: 0.1, force: -1.0, drive: 0.3, shake: 2.3, second: 0.0, tau: 0.4 };
     let text = machine.text("many", TASK);
-    let two = text
-        .replace("damping = 0.2", "mass = [[1, 0], [0, 1]]\ndamping = [[0.2, 0], [0, 0.1]]")
-        .replace("stiffness = 0.1", "stiffness = [[2, -1], [-1, 2]]")
-        .replace("force = -1", "force = [-1, 0]")
-        .replace("cos = 0.3", "cos = [0.3, 0]")
-        .replace("side = \"lower\"", "name = \"lower\"\nrow = [1, 0]");
+    let many = text.replace("periods = 40", "starts = 0");
+    let long = text.replace("periods = 40", "longest = 101");
     let soft = text.replace("restitution = \"tau\"", "stiffness = 100");
     let alone = text.replace("periods = 40", "parameter = \"tau\"");
     let none = text.replace("periods = 40", "periods = 0");
     for (text, why) in [
-        (&two, "works with one coordinate; this machine has 2"),
+        (&many, "starts = 0"),
+        (&long, "longest = 101"),
         (&soft, "needs a rigid stop to rest on"),
         (&alone, "parameter and values belong together"),
         (&none, "periods"),

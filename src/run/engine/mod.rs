@@ -18,12 +18,12 @@ use serde::{Serialize, de::DeserializeOwned};
 
 use super::{
     Analysed, GrazingMap, Judgement, Keeper, ProofRow, SectionFindings, SimulationFindings, StartNumbers,
-    ValidateFindings, range::SideRange,
+    ValidateFindings, range::SideRange, rest::RestsHere,
 };
 use crate::{
     attractor::{
         basins::BasinGrid, cycle::Cycle, detection::Detection, diagram::Look, dynamics::Dynamics,
-        observe::Attraction, rest::Resting, swing::Swing, touch::Seen,
+        observe::Attraction, swing::Swing, touch::Seen,
     },
     continuation::{
         Bifurcation, FollowedOrbit, Label, LocalMap, Located, NoForm, NormalForm, OrbitBranch, PatternFamily,
@@ -36,6 +36,7 @@ use crate::{
         BasinsTask, SectionTask,
         branches::{BranchStart, BranchTask},
         orbits::{GrazingTask, OrbitKeys},
+        rest::RestTask,
         simulate::{SimulateTask, Start},
         tolerated::ToleratedMachines,
         validate::ValidateTask,
@@ -180,9 +181,9 @@ pub(crate) trait Engine {
     /// Follows the motion of a task.
     fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings>;
 
-    /// The scene's system, with another value of a parameter if there is one, for motions that rest; the
-    /// names of its stops, and how many radians of the forcing are in a unit of time.
-    fn resting(&self, change: Option<(&str, f64)>) -> Result<(Box<dyn Resting>, Vec<String>, f64)>;
+    /// The periodic motions that rest, of the scene's system with another value of a parameter if there is
+    /// one.
+    fn rests(&self, task: &RestTask, change: Option<(&str, f64)>) -> Result<RestsHere>;
 
     /// The scene as a machine at a value of the family's parameter, and the derivatives of its coefficients.
     /// What is cubic of an oscillator is left out.

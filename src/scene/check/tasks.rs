@@ -398,20 +398,14 @@ impl Checked<'_> {
     fn rest(&self, task: &RestTask) -> Result<()> {
         let rigid = match self.model {
             Model::One(system) => system.lower.is_some() || system.upper.is_some(),
-            Model::Many(machine) if machine.size != 1 => {
-                let message = format!(
-                    "works with one coordinate; this machine has {}, and while one rests the others remember how it came there: \
-                     `simulate` and `section` follow such motions",
-                    machine.size
-                );
-                return self.fail("kind", &message);
-            }
             Model::Many(machine) => machine.stops.iter().any(|stop| stop.law.is_rigid()),
         };
         if !rigid {
             return self.fail("kind", "needs a rigid stop to rest on, one with a restitution; there is none");
         }
         self.within("periods", task.periods, 1, 100_000)?;
+        self.within("starts", task.starts, 1, 100_000)?;
+        self.within("longest", task.longest, 1, 100)?;
         self.values(task.parameter.as_deref(), &task.values)
     }
 

@@ -17,22 +17,18 @@ use std::f64::consts::TAU;
 use grazing::MachineGrazingPoint;
 use num_rational::BigRational;
 use proofs::MachineProver;
-use rest::RestingMachine;
 use search::machine_orbits;
 pub use source::{MachineSource, form};
 
 use super::{
     super::{
         Analysed, Complex, Job, Judgement, Keeper, SectionFindings, SimulationFindings, StartNumbers,
-        ValidateFindings,
+        ValidateFindings, rest::RestsHere,
     },
     Engine, JudgedOrbit, Prover, RangeProver, StartPlane,
 };
 use crate::{
-    attractor::{
-        basins::BasinGrid, cycle::Cycle, detection::Detection, dynamics::Dynamics, rest::Resting,
-        swing::Swing,
-    },
+    attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, dynamics::Dynamics, swing::Swing},
     continuation::{Bifurcation, FollowedOrbit, counted},
     error::{Error, Result},
     many::{
@@ -47,6 +43,7 @@ use crate::{
     scene::{
         BasinsTask, MachineSceneFamily, SectionTask,
         orbits::{GrazingTask, OrbitKeys},
+        rest::RestTask,
         simulate::{SimulateTask, Start},
         validate::ValidateTask,
     },
@@ -227,12 +224,9 @@ impl<'j> Engine for Machines<'j> {
         motion::simulate(task, self, keeper)
     }
 
-    fn resting(&self, change: Option<(&str, f64)>) -> Result<(Box<dyn Resting>, Vec<String>, f64)> {
+    fn rests(&self, task: &RestTask, change: Option<(&str, f64)>) -> Result<RestsHere> {
         let changed = change.map(|change| self.job.scene.machine(&[change])).transpose()?;
-        let machine = changed.as_ref().unwrap_or(self.machine);
-        let simulator = self.job.machine_simulator(machine, &[])?;
-        let names = names(machine).into_iter().map(String::from).collect();
-        Ok((Box::new(RestingMachine(simulator)), names, machine.rate()))
+        rest::rests(task, self.job, changed.as_ref().unwrap_or(self.machine))
     }
 
     fn machines(&self, family: &MachineSceneFamily, value: f64) -> Result<[Machine<f64>; 2]> {

@@ -1,14 +1,87 @@
-//! Motions of a machine with one coordinate that rest on a stop.
+//! Periodic motions of a machine that rest on a stop: all of them with one coordinate, with several those that
+//! a search finds.
 
+use std::f64::consts::TAU;
+
+use super::{
+    super::super::{
+        Complex, Job, Judgement, RestOrbitRow,
+        rest::{RestsHere, all_rests, is_rest},
+    },
+    SHOWN, names,
+};
 use crate::{
     attractor::rest::{RestEvent, Resting, tell},
     error::Result,
-    many::{RealVector, State, simulate::Simulator},
+    many::{
+        Machine, RealVector, State,
+        resting::{RestCycle, RestSearch, RestsFound, search},
+        simulate::Simulator,
+    },
     motion::{RunEnd, Time},
+    scene::rest::RestTask,
 };
 
+/// A multiplier nearer than this to the unit circle may be on it: it is carried through bounces that are
+/// summed up.
+const UNDECIDED: f64 = 1e-5;
+
+/// The periodic motions of a machine that rest.
+///
+/// # Errors
+/// Where the machine is not defined; an interruption.
+pub(super) fn rests(task: &RestTask, job: &Job, machine: &Machine<f64>) -> Result<RestsHere> {
+    let names: Vec<String> = names(machine).into_iter().map(String::from).collect();
+    if machine.size == 1 {
+        let resting = RestingMachine(job.machine_simulator(machine, &[])?);
+        return all_rests(&resting, &names, machine.rate(), task);
+    }
+    let planar = job.planar(machine, &[], &[])?;
+    let RestTask { periods, starts, longest, .. } = *task;
+    let found = search(&planar, &RestSearch { starts, longest, periods }, job.monitor)?;
+    let orbits = found.cycles.iter().map(|cycle| row(cycle, machine, &names)).collect();
+    Ok(RestsHere { complete: false, orbits, releases: Vec::new(), none: none(&found, task) })
+}
+
+fn row(cycle: &RestCycle, machine: &Machine<f64>, names: &[String]) -> RestOrbitRow {
+    let rate = machine.rate();
+    let largest = cycle.multipliers.first().map_or(0.0, |(re, im)| re.hypot(*im));
+    let clear = cycle.tangencies == 0 && cycle.rests.iter().all(|rest| is_rest(rest.length));
+    RestOrbitRow {
+        value: None,
+        period: cycle.period,
+        stops: cycle.rests.iter().map(|rest| names[rest.stop].clone()).collect(),
+        released: cycle.rests.iter().map(|rest| rest.release / TAU).collect(),
+        rested: cycle.rests.iter().map(|rest| rest.begin / TAU).collect(),
+        held: cycle.held.iter().map(|&stop| names[stop].clone()).collect(),
+        resting: cycle.resting,
+        impacts: cycle.impacts,
+        fastest: cycle.fastest * rate,
+        stable: match largest {
+            _ if !clear => Judgement::Marginal,
+            size if size < 1.0 - UNDECIDED => Judgement::Yes,
+            size if size > 1.0 + UNDECIDED => Judgement::No,
+            _ => Judgement::Marginal,
+        },
+        multipliers: cycle.multipliers.iter().take(SHOWN).map(|&one| Complex::from(one)).collect(),
+        q: machine.displaced(cycle.begin.q()),
+        u: machine.displaced(cycle.begin.u()).into_iter().map(|u| u * rate).collect(),
+    }
+}
+
+/// Why nothing was found.
+fn none(found: &RestsFound, task: &RestTask) -> String {
+    let RestsFound { followed, rested, failure, .. } = found;
+    let RestTask { periods, longest, .. } = task;
+    let failed = failure.as_ref().map_or_else(String::new, |error| format!("; of one: {error}"));
+    format!(
+        "none found: of {followed} motions followed for {periods} periods {rested} came to a rest that ended, and from none \
+         Newton's method found one of up to {longest} periods; there may be others: raise starts or longest{failed}"
+    )
+}
+
 /// A machine with one coordinate.
-pub(super) struct RestingMachine(pub Simulator);
+struct RestingMachine(Simulator);
 
 impl RestingMachine {
     /// What rests on a stop.
@@ -33,6 +106,11 @@ impl Resting for RestingMachine {
         }
         let acceleration = self.0.acceleration(&self.state(stop, phase))?;
         Ok(contact.row.dot(&acceleration) - contact.position.at(phase)[2])
+    }
+
+    fn on(&self, stop: usize, phase: f64) -> [f64; 2] {
+        let State { q, u, .. } = self.state(stop, phase);
+        [q[0], u[0]]
     }
 
     fn order(&self) -> u32 {

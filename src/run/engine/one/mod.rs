@@ -22,11 +22,12 @@ use super::{
     super::{
         Analysed, Complex, Job, Judgement, Keeper, SectionFindings, SimulationFindings, StartNumbers,
         ValidateFindings,
+        rest::{RestsHere, all_rests},
     },
     Engine, JudgedOrbit, Prover, RangeProver, StartPlane,
 };
 use crate::{
-    attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, rest::Resting, swing::Swing},
+    attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, swing::Swing},
     continuation::{Bifurcation, BranchSearch, nearest},
     error::Result,
     many::Machine,
@@ -42,6 +43,7 @@ use crate::{
     scene::{
         BasinsTask, SceneFamily, SectionTask, StartAxis,
         orbits::{GrazingTask, OrbitKeys},
+        rest::RestTask,
         simulate::{SimulateTask, Start},
         validate::ValidateTask,
     },
@@ -224,16 +226,16 @@ impl<'j> Engine for Oscillators<'j> {
         motion::simulate(task, self, keeper)
     }
 
-    fn resting(&self, change: Option<(&str, f64)>) -> Result<(Box<dyn Resting>, Vec<String>, f64)> {
+    fn rests(&self, task: &RestTask, change: Option<(&str, f64)>) -> Result<RestsHere> {
         let changed = change.map(|change| self.job.scene.plain(&[change])).transpose()?;
         let system = changed.as_ref().unwrap_or(self.system);
         let simulator = self.job.simulator_of(system)?;
         let order = system.forcing.iter().map(|harmonic| harmonic.k).max().unwrap_or(0);
         let stops = self.job.scene.stops.iter();
-        let (names, stops) = stops
+        let (names, stops): (Vec<String>, _) = stops
             .filter_map(|stop| Some((stop.name.clone(), simulator.contact(stop.side?)?.clone())))
             .unzip();
-        Ok((Box::new(RestingOscillator::new(simulator, stops, order)), names, 1.0))
+        all_rests(&RestingOscillator::new(simulator, stops, order), &names, 1.0, task)
     }
 
     fn machines(&self, family: &SceneFamily, value: f64) -> Result<[Machine<f64>; 2]> {

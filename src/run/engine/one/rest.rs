@@ -37,6 +37,11 @@ impl Resting for RestingOscillator {
         Ok(self.stops[stop].acceleration(self.simulator.flow(), self.state(stop, phase)))
     }
 
+    fn on(&self, stop: usize, phase: f64) -> [f64; 2] {
+        let [q, u, _] = self.stops[stop].position.at(phase);
+        [q, u]
+    }
+
     fn order(&self) -> u32 {
         self.order
     }
