@@ -174,9 +174,8 @@ pub(super) fn tends<D: Dynamics>(
     Ok(of_period(dynamics, from, phase, period, size)?.0)
 }
 
-/// The fixed point of the map round a period that Newton's method finds from these coordinates, with the map's
-/// derivative there, by rows, and how large it is; none where it finds none. Cost: a round with vectors for
-/// each of some five steps.
+/// The fixed point of the map round a period that Newton's method finds from these coordinates, with the
+/// map's derivative there; none where it finds none. Cost: a round with vectors for each of some five steps.
 ///
 /// # Errors
 /// Those of [`Motion::pass`].

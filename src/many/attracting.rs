@@ -56,7 +56,9 @@ pub(crate) fn attracting(
     };
     ended(&mut run, end)?;
     if rests {
-        return Err(Error::input("the motion comes to rest on a stop: orbits with rests are not followed"));
+        return Err(Error::input(
+            "the motion comes to rest on a stop: orbits with rests are not followed; a task `rest` finds them",
+        ));
     }
     let turned = |time: &Time| {
         let turns = (time.phase / TAU).floor();

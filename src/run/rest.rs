@@ -41,7 +41,8 @@ row! {
         /// Whether motions near come to it, as the multipliers tell, but where a minimum of a gap, or the
         /// beginning of a rest, is not told from what ends it.
         pub stable: Judgement,
-        /// The multipliers of largest modulus, at most four, the largest first. With one coordinate all are 0.
+        /// The multipliers of largest modulus, at most four, the largest first. With one coordinate all
+        /// are 0.
         pub multipliers: Vec<Complex>,
         /// Its displacements as the first of its rests ends; at phase 0 if none does.
         pub q: Vec<f64>,
@@ -76,7 +77,7 @@ row! {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RestFindings {
     /// Whether these are all periodic motions that rest, with no more than `periods` from a release to the
-    /// next: with one coordinate. With several they are those that the search found.
+    /// next: with one coordinate and without dry friction. Else they are those that the search found.
     pub complete: bool,
     /// Periodic motions, by value, then by release.
     pub orbits: Vec<RestOrbitRow>,

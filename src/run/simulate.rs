@@ -445,8 +445,8 @@ impl SimulationFindings {
         }
         if let Some(energy) = event.energy {
             row.dissipated += energy;
-            // Rounding leaves a part of what is exchanged. Without friction only a restitution above 1 gains, and
-            // of that the scene warns.
+            // Rounding leaves a part of what is exchanged. Without friction only a restitution above 1 gains,
+            // and of that the scene warns.
             let exchanged = event.impulse.unwrap_or(0.0) * event.velocity.unwrap_or(0.0).abs();
             let gains = event.together == Some(1) && energy < -1e-9 * exchanged;
             self.gained += u64::from(gains && !self.friction.is_empty());

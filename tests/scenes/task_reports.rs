@@ -296,8 +296,8 @@ fn restitution_above_one_and_tiny_motions_are_warned_of() {
 
 #[test]
 fn friction_at_an_eccentric_impact_may_gain_energy_and_then_the_run_says_so() {
-    // Impulses Λ along w = (1, 0) and Λₜ along t = (−1/2, √3/2) bring w·u from −1 to e and t·u from 3/10 to 0:
-    // Λ(1 − 1/4) = 1 + e − 3/20, Λₜ = Λ/2 − 3/10. Of the energy they take Λ(1 − e)/2 − 3Λₜ/20.
+    // Impulses Λ along w = (1, 0) and Λₜ along t = (−1/2, √3/2) bring w·u from −1 to e and t·u from 3/10 to
+    // 0: Λ(1 − 1/4) = 1 + e − 3/20, Λₜ = Λ/2 − 3/10. Of the energy they take Λ(1 − e)/2 − 3Λₜ/20.
     let found = |restitution: f64| {
         let scene = format!(
             "format = \"grazing-scene 3\"\ntitle = \"t\"\n[system]\nfrequency = \"1/(2*pi)\"\nmass = [[1, 0], [0, 1]]\n[[stops]]\nrow = [1, 0]\n\

@@ -101,7 +101,7 @@ impl Checked<'_> {
             };
             let message = format!(
                 "needs motions that are smooth between impacts; here {what}: `simulate`{orbits}, `basins`, `section` without `orbits`, \
-                 `diagram` without `branches` and `response` take it"
+                 `diagram` without `branches`, `response` and `rest` take it"
             );
             self.fail(key, &message)
         };
@@ -109,7 +109,9 @@ impl Checked<'_> {
         let orbits = kinks.as_ref().or(on_stop.as_ref());
         let branches = orbits.or(formula.as_ref());
         match (kind, orbits, branches) {
-            (Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_), ..) => Ok(()),
+            (Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_) | Kind::RestTask(_), ..) => {
+                Ok(())
+            }
             (Kind::OrbitTask(_), None, _) => Ok(()),
             (Kind::OrbitTask(_), Some(why), _) | (Kind::BranchTask(_), _, Some(why)) => refused("kind", why),
             (Kind::BranchTask(task), ..) if task.second.is_some() => refused("second", &what),

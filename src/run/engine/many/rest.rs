@@ -1,5 +1,5 @@
-//! Periodic motions of a machine that rest on a stop: all of them with one coordinate, with several those that
-//! a search finds.
+//! Periodic motions of a machine that rest on a stop: all of them with one coordinate, with several those
+//! that a search finds.
 
 use std::f64::consts::TAU;
 
@@ -32,7 +32,7 @@ const UNDECIDED: f64 = 1e-5;
 /// Where the machine is not defined; an interruption.
 pub(super) fn rests(task: &RestTask, job: &Job, machine: &Machine<f64>) -> Result<RestsHere> {
     let names: Vec<String> = names(machine).into_iter().map(String::from).collect();
-    if machine.size == 1 {
+    if machine.size == 1 && machine.friction.is_empty() {
         let resting = RestingMachine(job.machine_simulator(machine, &[])?);
         return all_rests(&resting, &names, machine.rate(), task);
     }

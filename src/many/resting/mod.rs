@@ -2,16 +2,18 @@
 //!
 //! While a machine rests on a stop, what it does not hold remembers how it came there. So there is no map of
 //! phases alone whose cycles are all such motions, as with one coordinate (`attractor::rest`), and they are
-//! looked for. Motions begin at rest on each rigid stop, deflected in all that the stop leaves free. Some of
-//! their flights after a release, the 1st, 2nd, 4th, and so on, are where Newton's method looks for a fixed
+//! looked for. Motions begin at rest on each rigid stop, deflected in all that the stop leaves free. From
+//! some of their flights after a release, the 1st, 2nd, 4th, and so on, Newton's method looks for a fixed
 //! point of the map round 1, 2, … periods, its derivative carried through bounces, rests and releases
-//! (`simulate::Carried`); so orbits that do not attract are found, too. Each is followed once round, and counts
-//! if it comes back and rests on the way. Bounces lower than the minimum depth are summed up, and to the
-//! derivative are rest: it is good to about the root of that depth.
+//! (`simulate::Carried`): orbits that do not attract are found, too. Each is followed once round, and counts
+//! if it comes back and rests on the way. Not here: what happens once round (`round`).
 
-use std::{collections::BTreeSet, f64::consts::TAU};
+mod round;
+
+use std::f64::consts::TAU;
 
 use rayon::prelude::*;
+use round::{Round, Span, covered};
 
 use super::{
     State,
@@ -24,7 +26,7 @@ use crate::{
         FixedPoint,
         dynamics::{Dynamics, Motion},
         fixed_point,
-        rest::{RestEvent, tell},
+        rest::tell,
     },
     error::{Error, Result},
     monitor::Monitor,
@@ -60,7 +62,7 @@ pub(crate) struct RestSpan {
 pub(crate) struct RestCycle {
     /// In periods of the forcing.
     pub period: u64,
-    /// Its rests that end, by their releases.
+    /// Its rests that end, in order, from the one of the least phase of release on.
     pub rests: Vec<RestSpan>,
     /// The stops that it rests on all the time.
     pub held: Vec<usize>,
@@ -98,8 +100,6 @@ pub(crate) struct RestsFound {
 
 /// Starts between two looks at whether to go on.
 const CHUNK: usize = 16;
-/// A rest that begins within so many radians of where a motion is looked at was there before.
-const AT_ONCE: f64 = 1e-3;
 /// A multiplier that is this part of the derivative is 0.
 const GONE: f64 = 1e-13;
 /// Flights are looked at in the middle, or as long after their beginning, in radians, if they are long.
@@ -191,14 +191,14 @@ impl Follower<'_> {
                 Event::Release(release) if self.rigid(release.place) => {
                     (releases, found.rested) = (releases + 1, true);
                     if releases.is_power_of_two() {
-                        self.into_flight(&state).iter().for_each(|state| tried(state, &mut found));
+                        self.in_flight_after(&state).iter().for_each(|state| tried(state, &mut found));
                     }
                 }
                 Event::End(end) => {
                     if end == RunEnd::Reached && !run.resting().is_empty() {
                         // What rests at the end may do so for ever.
                         let flight = match self.next_release(&state) {
-                            Some(release) => self.into_flight(&release),
+                            Some(release) => self.in_flight_after(&release),
                             None => Some(state),
                         };
                         flight.iter().for_each(|state| tried(state, &mut found));
@@ -229,7 +229,7 @@ impl Follower<'_> {
     }
 
     /// A state on the flight that begins with a release: beside it, too, nothing is behind the stop.
-    fn into_flight(&self, release: &State) -> Option<State> {
+    fn in_flight_after(&self, release: &State) -> Option<State> {
         let begin = || {
             let (time, simulator) = (Time::new(0, release.t), self.planar.simulator());
             simulator.start(time, release.q.as_slice(), release.u.as_slice())
@@ -268,8 +268,8 @@ impl Follower<'_> {
         Ok(())
     }
 
-    /// The orbit of a fixed point; none if it does not rest, or does not come back. When a rest began in which
-    /// the point lies is not seen from there: then, once, from the flight after it.
+    /// The orbit of a fixed point; none if it does not rest, or does not come back. When a rest began in
+    /// which the point lies is not seen from there: then, once, from the flight after it.
     fn cycle(&self, fixed: FixedPoint, phase: f64, period: u64, again: bool) -> Result<Option<RestCycle>> {
         let (planar, simulator) = (self.planar, self.planar.simulator());
         let FixedPoint { x, slope, same } = fixed;
@@ -300,16 +300,19 @@ impl Follower<'_> {
             true
         });
         run.failure().map_or(Ok(()), Err)?;
-        if again && round.rests_at(Time::new(0, phase)) {
-            if let Some(flight) = self.next_release(&state).and_then(|release| self.into_flight(&release)) {
-                let whole = planar.point(&flight).whole;
-                let known = fixed_point(planar, &whole, flight.t, period)?;
-                return known.map_or(Ok(None), |known| self.cycle(known, flight.t, period, false));
-            }
+        let after = || self.next_release(&state).and_then(|release| self.in_flight_after(&release));
+        if let Some(flight) = (again && round.rests_at(Time::new(0, phase))).then(after).flatten() {
+            let known = fixed_point(planar, &planar.point(&flight).whole, flight.t, period)?;
+            return known.map_or(Ok(None), |known| self.cycle(known, flight.t, period, false));
         }
         let back = State { t: phase, ..run.state() };
         let residual = apart(&planar.point(&back).whole, &x);
-        let Some((rests, held)) = round.rests(period) else { return Ok(None) };
+        let Some((mut rests, held)) = round.rests(period) else { return Ok(None) };
+        let least = |i: &usize, j: &usize| {
+            turned(rests[*i].release.phase).total_cmp(&turned(rests[*j].release.phase))
+        };
+        let least = (0..rests.len()).min_by(least).unwrap_or(0);
+        rests.rotate_left(least);
         if end != RunEnd::Reached || residual > same || rests.is_empty() && held.is_empty() {
             return Ok(None);
         }
@@ -367,99 +370,4 @@ impl RestCycle {
         };
         self.points.len() == other.points.len() && (0..self.points.len()).any(same)
     }
-}
-
-/// A rest with its times.
-#[derive(Clone, Copy)]
-struct Span {
-    stop: usize,
-    begin: Time,
-    release: Time,
-}
-
-impl Span {
-    fn phases(self) -> RestSpan {
-        RestSpan {
-            stop: self.stop,
-            begin: turned(self.begin.phase),
-            release: turned(self.release.phase),
-            length: self.release.since(self.begin),
-        }
-    }
-}
-
-/// What happens once round.
-struct Round {
-    /// The stops rested on at first.
-    first: Vec<usize>,
-    begun: Vec<(usize, Time)>,
-    ended: Vec<(usize, Time)>,
-    impacts: u64,
-    fastest: f64,
-    tangencies: u64,
-}
-
-impl Round {
-    fn new(first: Vec<usize>) -> Round {
-        Round { first, begun: Vec::new(), ended: Vec::new(), impacts: 0, fastest: 0.0, tangencies: 0 }
-    }
-
-    fn meet(&mut self, event: RestEvent) {
-        match event {
-            RestEvent::Impact(_, speed) => {
-                (self.impacts, self.fastest) = (self.impacts + 1, self.fastest.max(speed));
-            }
-            RestEvent::Tangency(_) => self.tangencies += 1,
-            RestEvent::Rest(time, stop) => self.begun.push((stop, time)),
-            RestEvent::Release(time, stop) => self.ended.push((stop, time)),
-        }
-    }
-
-    /// Whether it begins at rest, at this time.
-    fn rests_at(&self, begin: Time) -> bool {
-        !self.first.is_empty() || self.begun.iter().any(|(_, time)| time.since(begin) < AT_ONCE)
-    }
-
-    /// Its rests by their releases, and the stops rested on all the time; none if a release has no rest
-    /// before it.
-    fn rests(&self, period: u64) -> Option<(Vec<Span>, Vec<usize>)> {
-        let one = |&(stop, release): &(usize, Time)| {
-            let own = || self.begun.iter().filter(|begun| begun.0 == stop).map(|begun| begun.1);
-            let last = |all: &mut dyn Iterator<Item = Time>| all.max_by(|a, b| a.since(*b).total_cmp(&0.0));
-            let before = last(&mut own().filter(|begin| release.since(*begin) >= 0.0));
-            // Of the time round before.
-            let earlier = || last(&mut own()).map(|t| Time { period: t.period - period as i64, ..t });
-            Some(Span { stop, begin: before.or_else(earlier)?, release })
-        };
-        let rests = self.ended.iter().map(one).collect::<Option<Vec<_>>>()?;
-        let lets_go = |stop: &usize| self.ended.iter().any(|(known, _)| known == stop);
-        let begun = self.begun.iter().map(|begun| begun.0);
-        let held: BTreeSet<usize> =
-            self.first.iter().copied().chain(begun).filter(|stop| !lets_go(stop)).collect();
-        Some((rests, held.into_iter().collect()))
-    }
-}
-
-/// The part of the time that the rests cover.
-fn covered(rests: &[Span], period: u64) -> f64 {
-    let whole = TAU * period as f64;
-    let zero = Time::new(0, 0.0);
-    let mut spans: Vec<[f64; 2]> = Vec::new();
-    for rest in rests {
-        let (begin, end) = (rest.begin.since(zero), rest.release.since(zero));
-        // On a circle, cut where it begins.
-        let from = begin.rem_euclid(whole);
-        let to = from + (end - begin);
-        spans.push([from, to.min(whole)]);
-        if to > whole {
-            spans.push([0.0, to - whole]);
-        }
-    }
-    spans.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let (mut all, mut reached) = (0.0, 0.0);
-    for [from, to] in spans {
-        all += (to - from.max(reached)).max(0.0);
-        reached = f64::max(reached, to);
-    }
-    all / whole
 }
