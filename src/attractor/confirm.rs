@@ -38,7 +38,7 @@ const SAME_ROUNDING: f64 = 1e-11;
 /// Smaller numbers are 0: the simulators end motions that small.
 const NOTHING: f64 = 1e-140;
 /// A spectral radius this near 1 is 1: what is on such an orbit stays, what is beside it is not attracted.
-const NEUTRAL: f64 = 1e-7;
+pub(crate) const NEUTRAL: f64 = 1e-7;
 /// Steps of Newton's method: to an orbit at rest in 0, which has no size, each takes 16 digits off, until
 /// nothing is left.
 const STEPS: usize = 40;

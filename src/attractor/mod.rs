@@ -36,4 +36,4 @@ pub(crate) mod swing;
 pub mod touch;
 
 pub(crate) use checkpoint::Keep;
-pub(crate) use confirm::{FixedPoint, fixed_point};
+pub(crate) use confirm::{FixedPoint, NEUTRAL, fixed_point};

@@ -13,7 +13,7 @@ mod round;
 use std::f64::consts::TAU;
 
 use rayon::prelude::*;
-use round::{Round, Span, covered};
+use round::{Round, Span, at_once, covered};
 
 use super::{
     State,
@@ -100,8 +100,6 @@ pub(crate) struct RestsFound {
 
 /// Starts between two looks at whether to go on.
 const CHUNK: usize = 16;
-/// A multiplier that is this part of the derivative is 0.
-const GONE: f64 = 1e-13;
 /// Flights are looked at in the middle, or as long after their beginning, in radians, if they are long.
 const INTO_FLIGHT: f64 = TAU / 8.0;
 
@@ -269,7 +267,7 @@ impl Follower<'_> {
     }
 
     /// The orbit of a fixed point; none if it does not rest, or does not come back. When a rest began in
-    /// which the point lies is not seen from there: then, once, from the flight after it.
+    /// which the point may lie is not seen from there: once more, from the flight after it.
     fn cycle(&self, fixed: FixedPoint, phase: f64, period: u64, again: bool) -> Result<Option<RestCycle>> {
         let (planar, simulator) = (self.planar, self.planar.simulator());
         let FixedPoint { x, slope, same } = fixed;
@@ -301,7 +299,7 @@ impl Follower<'_> {
         });
         run.failure().map_or(Ok(()), Err)?;
         let after = || self.next_release(&state).and_then(|release| self.in_flight_after(&release));
-        if let Some(flight) = (again && round.rests_at(Time::new(0, phase))).then(after).flatten() {
+        if let Some(flight) = again.then(after).flatten() {
             let known = fixed_point(planar, &planar.point(&flight).whole, flight.t, period)?;
             return known.map_or(Ok(None), |known| self.cycle(known, flight.t, period, false));
         }
@@ -318,9 +316,9 @@ impl Follower<'_> {
         }
         let Some(multipliers) = PlanarMachine::multipliers(&slope, None) else { return Ok(None) };
         // What a rest holds is gone: rounding is what is left of it.
-        let size = slope.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let told = |(re, im): (f64, f64)| if re.hypot(im) <= GONE * size { (0.0, 0.0) } else { (re, im) };
-        let multipliers = multipliers.into_iter().map(told).collect();
+        let left = multipliers.len().saturating_sub(2 * at_once(&rests, held.len(), period));
+        let told = |(i, one)| if i < left { one } else { (0.0, 0.0) };
+        let multipliers = multipliers.into_iter().enumerate().map(told).collect();
         let Some(begin) = self.state_at(&state, rests.first().map(|rest| rest.release)) else {
             return Ok(None);
         };

@@ -5,9 +5,6 @@ use std::{collections::BTreeSet, f64::consts::TAU};
 use super::{RestSpan, turned};
 use crate::{attractor::rest::RestEvent, motion::Time};
 
-/// A rest that begins within so many radians of where a motion is looked at was there before.
-const AT_ONCE: f64 = 1e-3;
-
 /// A rest with its times.
 #[derive(Clone, Copy)]
 pub(super) struct Span {
@@ -58,11 +55,6 @@ impl Round {
         }
     }
 
-    /// Whether it begins at rest, at this time.
-    pub fn rests_at(&self, begin: Time) -> bool {
-        !self.first.is_empty() || self.begun.iter().any(|(_, time)| time.since(begin) < AT_ONCE)
-    }
-
     /// Its rests by their releases, and the stops rested on all the time; none if a release has no rest
     /// before it.
     pub fn rests(&self, period: u64) -> Option<(Vec<Span>, Vec<usize>)> {
@@ -105,4 +97,19 @@ pub(super) fn covered(rests: &[Span], period: u64) -> f64 {
         reached = f64::max(reached, to);
     }
     all / whole
+}
+
+/// The most stops that it rests on at once, of which `held` all the time.
+pub(super) fn at_once(rests: &[Span], held: usize, period: u64) -> usize {
+    let whole = TAU * period as f64;
+    let lasts = |span: &Span, time: Time| {
+        let before = span.release.since(time).rem_euclid(whole);
+        before < span.release.since(span.begin)
+    };
+    // Where one begins all that rest at once with it for the most do.
+    let most = rests.iter().map(|one| {
+        let others = rests.iter().filter(|other| other.stop != one.stop && lasts(other, one.begin));
+        1 + others.count()
+    });
+    held + most.max().unwrap_or(0)
 }

@@ -11,7 +11,10 @@ use super::{
     SHOWN, names,
 };
 use crate::{
-    attractor::rest::{RestEvent, Resting, tell},
+    attractor::{
+        NEUTRAL,
+        rest::{RestEvent, Resting, tell},
+    },
     error::Result,
     many::{
         Machine, RealVector, State,
@@ -21,10 +24,6 @@ use crate::{
     motion::{RunEnd, Time},
     scene::rest::RestTask,
 };
-
-/// A multiplier nearer than this to the unit circle may be on it: it is carried through bounces that are
-/// summed up.
-const UNDECIDED: f64 = 1e-5;
 
 /// The periodic motions of a machine that rest.
 ///
@@ -59,8 +58,8 @@ fn row(cycle: &RestCycle, machine: &Machine<f64>, names: &[String]) -> RestOrbit
         fastest: cycle.fastest * rate,
         stable: match largest {
             _ if !clear => Judgement::Marginal,
-            size if size < 1.0 - UNDECIDED => Judgement::Yes,
-            size if size > 1.0 + UNDECIDED => Judgement::No,
+            size if size < 1.0 - NEUTRAL => Judgement::Yes,
+            size if size > 1.0 + NEUTRAL => Judgement::No,
             _ => Judgement::Marginal,
         },
         multipliers: cycle.multipliers.iter().take(SHOWN).map(|&one| Complex::from(one)).collect(),
