@@ -16,6 +16,7 @@
 
 use super::{
     Grip, RealMatrix, RealVector, Rub,
+    brace::Brace,
     contact::{Contacts, ImpactLaw, MOST_TRIED, complementary, in_turn, tried},
 };
 use crate::{
@@ -175,12 +176,7 @@ impl Contacts {
     /// combination of them, and its surface moves with theirs. Two feet of a body on one floor are such rows.
     pub(super) fn follows(&self, rub: usize, held: &[usize]) -> bool {
         let (row, own) = (self.rub_row(rub), self.rubs()[rub].velocity());
-        let Some(inverse) = self.among(held).try_inverse().filter(|_| !held.is_empty()) else { return false };
-        let seen = RealVector::from_fn(held.len(), |i, _| self.coupled(held[i], row));
-        let weights = inverse * &seen;
-        if self.mobility(row) - weights.dot(&seen) > SMALL * self.mobility(row) {
-            return false;
-        }
+        let Some(weights) = self.weights(row, held) else { return false };
         let velocity = |&row: &usize| match self.all().get(row) {
             Some(contact) => contact.position.derivative(),
             None => self.rubs()[row - self.all().len()].velocity(),
@@ -191,6 +187,15 @@ impl Contacts {
         let size = |series: &Series| series.mean().abs() + series.derivative_bound(0);
         let whole: f64 = parts.iter().map(|(weight, series)| weight.abs() * size(series)).sum();
         size(&Series::combination(&parts)) <= SMALL * whole
+    }
+
+    /// A row as a combination of others, which are independent, if it is one.
+    pub(super) fn weights(&self, row: usize, others: &[usize]) -> Option<RealVector> {
+        let inverse = self.among(others).try_inverse().filter(|_| !others.is_empty())?;
+        let seen = RealVector::from_fn(others.len(), |i, _| self.coupled(others[i], row));
+        let weights = inverse * &seen;
+        let left = self.mobility(row) - weights.dot(&seen);
+        (left <= SMALL * self.mobility(row)).then_some(weights)
     }
 
     /// The friction under the force of one of some stops.
@@ -242,8 +247,9 @@ impl Contacts {
         let fastest = rates.iter().chain(rubs.iter().map(|&j| &sliding[j]));
         let size = fastest.fold(0.0, |most: f64, v| most.max(v.abs()));
         let stuck: Vec<usize> = rubs.iter().copied().filter(|&j| way[j] == Grip::Stuck).collect();
-        let held: Vec<usize> = stuck.iter().map(|&j| self.rub_row(j)).collect();
-        let own = RealVector::from_fn(held.len(), |i, _| sliding[stuck[i]]);
+        let basis = self.basis(&stuck);
+        let held: Vec<usize> = basis.iter().map(|&j| self.rub_row(j)).collect();
+        let own = RealVector::from_fn(held.len(), |i, _| sliding[basis[i]]);
         let inner = self.among(&held).try_inverse()?;
         let (cross, back) = (self.among_along(stops, &held, way), self.among_along(&held, stops, way));
         let coupling = self.among_along(stops, stops, way) - &cross * &inner * &back;
@@ -252,18 +258,28 @@ impl Contacts {
         let rows: Vec<usize> = stops.iter().chain(&held).copied().collect();
         let all: Vec<f64> = impulses.iter().chain(holding.iter()).copied().collect();
         let change = self.change_along(&rows, &all, way);
+        let held_by = |j: usize| basis.iter().position(|known| *known == j).map_or(0.0, |i| holding[i]);
+        let at = |j: usize| stops.iter().position(|stop| self.rubs()[j].stop == Some(*stop));
+        for Brace { needed, parts } in self.braces(&stuck).ok()? {
+            let force = |(j, factor): &(usize, f64)| factor * held_by(*j) * self.mobility(self.rub_row(*j));
+            let most = |(j, part): &(usize, f64)| {
+                let spare = SMALL * size / self.mobility(self.rub_row(*j));
+                at(*j).map_or(0.0, |at| part.abs() * (self.rubs()[*j].holding * impulses[at] + spare))
+            };
+            if needed.iter().map(force).sum::<f64>().abs() > parts.iter().map(most).sum() {
+                return None;
+            }
+        }
         let mut rubbed = vec![0.0; stops.len()];
         for &j in rubs {
-            let (rub, row) = (&self.rubs()[j], self.rub_row(j));
-            let at = stops.iter().position(|stop| rub.stop == Some(*stop))?;
+            let (rub, row, at) = (&self.rubs()[j], self.rub_row(j), at(j)?);
             let after = sliding[j] + self.held_row(row).0.dot(&change);
-            let impulse = match stuck.iter().position(|known| *known == j) {
-                Some(i) => {
-                    let most = rub.holding * impulses[at] + SMALL * size / self.mobility(row);
-                    Some(holding[i]).filter(|impulse| impulse.abs() <= most)?
-                }
-                None if way[j].sign() * after < -SMALL * size => return None,
-                None => -way[j].sign() * rub.sliding * impulses[at],
+            let impulse = match way[j] {
+                // What depends on the rest of what sticks is held by that, if its surface moves along.
+                Grip::Stuck if !basis.contains(&j) && !self.follows(j, &held) => return None,
+                Grip::Stuck => held_by(j),
+                _ if way[j].sign() * after < -SMALL * size => return None,
+                _ => -way[j].sign() * rub.sliding * impulses[at],
             };
             rubbed[at] -= 0.5 * impulse * (sliding[j] + after);
         }

@@ -53,6 +53,7 @@
 mod algebra;
 pub mod attracting;
 mod backbone;
+mod brace;
 pub mod branch;
 pub(crate) mod contact;
 mod critical;

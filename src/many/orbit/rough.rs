@@ -14,6 +14,7 @@ use crate::{
     error::{Error, Result},
     many::{
         LinearEquations, LinearFlow, Periodic, RealMatrix, RealVector, Slope, State,
+        brace::Brace,
         contact::{Contacts, DEPENDENT},
         simulate::{Stage, What},
     },
@@ -25,7 +26,7 @@ pub(super) struct Rough<'c> {
     slope: Slope,
     stage: &'c Stage,
     contacts: &'c Contacts,
-    /// What sticks.
+    /// What sticks, but for what depends on the rest of it.
     stuck: Vec<usize>,
     /// D⁻¹.
     inverse: RealMatrix,
@@ -40,7 +41,14 @@ impl<'c> Rough<'c> {
         }
         let signs = stage.holds.grips.iter().map(|grip| grip.sign());
         let slope = change.slope.pushed(contacts, &stage.holds.soft.pushing).dragged(contacts, signs);
-        let stuck: Vec<usize> = stage.holds.stuck().collect();
+        let stuck = stage.holds.held(contacts);
+        let turns = |j: usize| slope.rubs[j].row.amax() != 0.0;
+        if stage.holds.stuck().count() > stuck.len() && stage.holds.stuck().any(turns) {
+            return Err(Error::input(
+                "what sticks together has rows that depend on one another and change with the parameter: how that changes \
+                 what they hold is not followed",
+            ));
+        }
         let rows: Vec<usize> = stuck.iter().map(|&j| contacts.rub_row(j)).collect();
         let inverse = contacts.among(&rows).try_inverse().ok_or_else(|| Error::input(DEPENDENT))?;
         Ok(Rough { slope, stage, contacts, stuck, inverse })
@@ -89,11 +97,16 @@ impl<'c> Rough<'c> {
                 let own = &self.slope.rubs[j];
                 self.stage.holds.grips[j].sign() * (own.row.dot(&at.u) - own.velocity.at(at.t)[0])
             }
-            What::Hold(j, side) => {
-                let place = self.stuck.iter().position(|&known| known == j);
-                let load = place.map_or(0.0, |place| self.bent(at).1[place]);
-                let mobility = self.contacts.mobility(self.contacts.rub_row(j));
-                mobility * (self.slope.rubs[j].holding - side.sign() * load)
+            What::Hold(i, side) => {
+                let Brace { needed, parts } = &self.stage.braces[i];
+                let loads = self.bent(at).1;
+                let load = |(j, factor): &(usize, f64)| {
+                    let place = self.stuck.iter().position(|known| known == j);
+                    let mobility = self.contacts.mobility(self.contacts.rub_row(*j));
+                    factor * mobility * place.map_or(0.0, |place| loads[place])
+                };
+                let most = |(j, part): &(usize, f64)| part.abs() * self.slope.rubs[*j].holding;
+                parts.iter().map(most).sum::<f64>() - side.sign() * needed.iter().map(load).sum::<f64>()
             }
             _ => 0.0,
         }

@@ -169,7 +169,7 @@ impl LegPiece {
     pub(super) fn held_transition(&self, stage: &Stage, contacts: &Contacts) -> Result<RealMatrix> {
         let n = self.start.q.len();
         let zero = RealVector::zeros(n);
-        let rows: Vec<usize> = stage.holds.stuck().map(|j| contacts.rub_row(j)).collect();
+        let rows: Vec<usize> = stage.holds.held(contacts).iter().map(|&j| contacts.rub_row(j)).collect();
         let inverse = contacts.among(&rows).try_inverse().ok_or_else(|| Error::input(DEPENDENT))?;
         let allowed = |u: RealVector| {
             let rates = rows.iter().map(|&row| contacts.held_row(row).0.dot(&u));

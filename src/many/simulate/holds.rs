@@ -4,6 +4,7 @@
 use crate::{
     many::{
         Grip, State,
+        brace::Brace,
         contact::{Contacts, Watch},
     },
     motion::Effect,
@@ -24,7 +25,7 @@ pub(crate) enum What {
     Rise(usize),
     /// The velocity at a row with friction that slides, with the sign that it has.
     Slide(usize),
-    /// By how much what sticks could push more, as an acceleration: along its row, or against it.
+    /// By how much what sticks could push more, as an acceleration, along a brace of the stage or against it.
     Hold(usize, Grip),
     /// A switch of forces with kinks, with the sign that it has.
     Kink(usize),
@@ -119,22 +120,37 @@ impl Holds {
         self.grips.iter().enumerate().filter(|(_, grip)| **grip == Grip::Stuck).map(|(j, _)| j)
     }
 
-    /// By how much what sticks could push more to a side, as an acceleration; `forces` are those of the rows
-    /// held.
-    pub fn bound(&self, contacts: &Contacts, forces: &[Watch], rub: usize, side: Grip) -> Watch {
-        let (row, known) = (contacts.rub_row(rub), &contacts.rubs()[rub]);
+    /// By how much what sticks could push more to a side of a brace, as an acceleration; `forces` are those
+    /// of the rows held.
+    pub fn bound(&self, contacts: &Contacts, forces: &[Watch], brace: &Brace, side: Grip) -> Watch {
         let rows = self.rows(contacts);
         let at = |row: usize| rows.iter().position(|known| *known == row);
-        let own = &forces[at(row).unwrap_or(0)];
-        let most = known.holding * contacts.mobility(row);
-        let Some(stop) = known.stop else { return own.below(most, side.sign()) };
-        match (at(stop), contacts.all()[stop].soft) {
-            (Some(i), _) => own.below(0.0, side.sign()).with(most / contacts.mobility(stop), &forces[i]),
-            (None, Some(soft)) => {
-                own.below(0.0, side.sign()).with(most * soft.unit(), &contacts.all()[stop].push_watch(1.0))
+        let own = |rub: usize| &forces[at(contacts.rub_row(rub)).unwrap_or(0)];
+        let needed = match brace.needed[..] {
+            [(rub, 1.0)] => own(rub).clone(),
+            _ => {
+                let none = Watch::constant(contacts.held_row(0).0.len(), 0.0);
+                brace.needed.iter().fold(none, |sum, (rub, factor)| sum.with(*factor, own(*rub)))
             }
-            (None, None) => own.below(0.0, side.sign()),
+        };
+        let most = |&(rub, part): &(usize, f64)| (rub, part.abs() * contacts.rubs()[rub].holding);
+        let given = |(rub, most): (usize, f64)| contacts.rubs()[rub].stop.is_none().then_some(most);
+        let known = brace.parts.iter().map(most).filter_map(given).sum();
+        let mut bound = needed.below(known, side.sign());
+        for (rub, most) in brace.parts.iter().map(most) {
+            let Some(stop) = contacts.rubs()[rub].stop else { continue };
+            bound = match (at(stop), contacts.all()[stop].soft) {
+                (Some(i), _) => bound.with(most / contacts.mobility(stop), &forces[i]),
+                (None, Some(soft)) => bound.with(most * soft.unit(), &contacts.all()[stop].push_watch(1.0)),
+                (None, None) => bound,
+            };
         }
+        bound
+    }
+
+    /// The friction that sticks but for what depends on the rest of it.
+    pub fn held(&self, contacts: &Contacts) -> Vec<usize> {
+        contacts.basis(&self.stuck().collect::<Vec<_>>())
     }
 
     /// The same with one switch turned.
@@ -149,8 +165,8 @@ impl Holds {
         all
     }
 
-    /// The rows that are held: stops rested on, then what sticks.
+    /// The rows that are held: stops rested on, then what sticks, but for what depends on the rest of it.
     pub fn rows(&self, contacts: &Contacts) -> Vec<usize> {
-        self.resting.iter().copied().chain(self.stuck().map(|j| contacts.rub_row(j))).collect()
+        self.resting.iter().copied().chain(self.held(contacts).iter().map(|&j| contacts.rub_row(j))).collect()
     }
 }

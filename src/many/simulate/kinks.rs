@@ -132,7 +132,7 @@ impl Run<'_> {
         let stage = self.simulator().stage(&holds)?;
         self.tell_kinks(time, &state, &before, &stage);
         self.change(stage, time, &state);
-        self.regrip(time, &state, None)
+        self.regrip(time, &state, &[])
     }
 
     /// Tells on which switches the two stages differ.

@@ -9,6 +9,7 @@ use crate::{
     many::{
         Grip, LinearEquations, RealMatrix, RealVector, State,
         algebra::stacked,
+        brace::Brace,
         contact::{Contacts, Watch},
         equations::Constrained,
         smooth::{Held, Leap, Record, Smooth, SmoothFlow},
@@ -34,6 +35,10 @@ pub(crate) struct SmoothStage {
     record: Option<(Arc<Record>, Vec<f64>)>,
 }
 
+/// The rows that are held, their forces as those of the linear machine, the constrained motion, and what
+/// bounds the forces of what sticks.
+type Kept<'a> = (&'a [usize], &'a [Watch], &'a Constrained, &'a [Brace]);
+
 /// Something that is watched.
 #[derive(Debug)]
 enum Sight {
@@ -46,14 +51,14 @@ enum Sight {
 impl SmoothStage {
     /// The stage of `equations`, with what is watched, in the mode in which these switches are negative;
     /// where it rests on stops or sticks, with the rows that are held, their forces as those of the linear
-    /// machine, and the constrained motion.
+    /// machine, the constrained motion, and what bounds the forces of what sticks.
     pub fn new(
         (smooth, modes): (&Smooth, &[usize]),
         equations: &LinearEquations,
         contacts: &Contacts,
         watches: &[(What, Watch)],
         grips: &[Grip],
-        held: Option<(&[usize], &[Watch], &Constrained)>,
+        held: Option<Kept>,
     ) -> Result<SmoothStage> {
         let n = equations.size();
         let rows = held.map_or(&[][..], |known| known.0);
@@ -66,28 +71,33 @@ impl SmoothStage {
         let sights = watches.iter().map(|(what, watch)| match *what {
             What::Kink(k) => Sight::Outputs(vec![(place(k), below(k))], none(0.0)),
             What::Force(stop) => Sight::Outputs(vec![(output(stop), 1.0)], none(0.0)),
-            What::Hold(j, side) => {
-                let (row, rub) = (contacts.rub_row(j), &contacts.rubs()[j]);
-                let (own, most) = ((output(row), -side.sign()), rub.holding * contacts.mobility(row));
-                match rub.stop {
-                    None => Sight::Outputs(vec![own], none(most)),
-                    Some(stop) if rows.contains(&stop) => {
-                        let press = (output(stop), most / contacts.mobility(stop));
-                        Sight::Outputs(vec![own, press], none(0.0))
-                    }
-                    Some(stop) => {
-                        let unit = contacts.all()[stop].soft.map_or(0.0, |soft| soft.unit());
-                        let press = contacts.all()[stop].push_watch(1.0);
-                        Sight::Outputs(vec![own], none(0.0).with(most * unit, &press))
+            What::Hold(i, side) => {
+                let Brace { needed, parts } = &held.expect("what sticks is held").3[i];
+                let one = |(j, factor): &(usize, f64)| (output(contacts.rub_row(*j)), -side.sign() * factor);
+                let mut outputs: Vec<(usize, f64)> = needed.iter().map(one).collect();
+                let mut known = none(0.0);
+                for (j, part) in parts {
+                    let rub = &contacts.rubs()[*j];
+                    let most = rub.holding * part.abs();
+                    match rub.stop {
+                        None => known = known.with(1.0, &none(most)),
+                        Some(stop) if rows.contains(&stop) => {
+                            outputs.push((output(stop), most / contacts.mobility(stop)));
+                        }
+                        Some(stop) => {
+                            let unit = contacts.all()[stop].soft.map_or(0.0, |soft| soft.unit());
+                            known = known.with(most * unit, &contacts.all()[stop].push_watch(1.0));
+                        }
                     }
                 }
+                Sight::Outputs(outputs, known)
             }
             _ => Sight::Seen(watch.clone()),
         });
         let (sights, next) = (sights.collect(), n + rows.len());
         let held = match held {
             None => None,
-            Some((rows, forces, constrained)) => Some(Held {
+            Some((rows, forces, constrained, _)) => Some(Held {
                 projection: constrained.projection.clone(),
                 lifts: (0..)
                     .zip(rows)

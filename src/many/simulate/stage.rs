@@ -42,6 +42,7 @@ use crate::{
     many::{
         Grip, LinearEquations, LinearFlow, RealMatrix, RealVector, State,
         algebra::stacked,
+        brace::Brace,
         contact::{Contacts, Watch},
         equations::HeldRows,
         smooth::{Smooth, SwitchOf},
@@ -71,8 +72,10 @@ const LANES: usize = 4;
 #[derive(Debug)]
 pub(crate) struct Stage {
     pub holds: Holds,
-    /// How many rows stick.
+    /// How many independent rows stick.
     stuck: usize,
+    /// What bounds the forces of what sticks.
+    pub braces: Vec<Brace>,
     /// The friction that would slide, but goes with what is held.
     still: Vec<usize>,
     /// The soft stops that push, ascending.
@@ -171,6 +174,8 @@ impl Stage {
         }
         let (mut reduced, mut positions) = (None, Vec::new());
         let mut smooth = None;
+        let stuck = holds.held(contacts);
+        let braces = contacts.braces(&holds.stuck().collect::<Vec<_>>())?;
         // Where forces are formulas the linear flow carries no motion: it tells the scales and the modes of
         // one.
         let linearised = whole.map(|formulas| formulas.linearised(equations));
@@ -184,8 +189,8 @@ impl Stage {
             let forces = contacts.forces(equations, &rows, grips)?;
             let rested = resting.iter().zip(&forces);
             watches.extend(rested.map(|(j, watch)| (What::Force(*j), watch.clone())));
-            for j in holds.stuck() {
-                let bound = |side: Grip| (What::Hold(j, side), holds.bound(contacts, &forces, j, side));
+            for (i, brace) in braces.iter().enumerate() {
+                let bound = |side: Grip| (What::Hold(i, side), holds.bound(contacts, &forces, brace, side));
                 watches.extend([Grip::Forward, Grip::Backward].map(bound));
             }
             let leans = contacts.leans(&rows, grips);
@@ -196,12 +201,12 @@ impl Stage {
             let held = HeldRows {
                 along: leans.then(along),
                 stops: resting.iter().map(|&j| contacts.held_row(j)).collect(),
-                stuck: holds.stuck().map(|j| (&rubs[j].row, rubs[j].velocity())).collect(),
+                stuck: stuck.iter().map(|&j| (&rubs[j].row, rubs[j].velocity())).collect(),
             };
             let mut constrained = equations.constrained(&held)?;
             if let (Some(formulas), Some(linearised)) = (formulas, linearised) {
                 let held = linearised.constrained(&held)?;
-                let both = Some((&rows[..], &forces[..], &constrained));
+                let both = Some((&rows[..], &forces[..], &constrained, &braces[..]));
                 smooth =
                     Some(SmoothStage::new((formulas, below), equations, contacts, &watches, grips, both)?);
                 constrained.equations = held.equations;
@@ -210,10 +215,11 @@ impl Stage {
             reduced = Some((constrained.free, constrained.lift, constrained.down));
             LinearFlow::new(constrained.equations)?
         };
-        let surfaces: Vec<Series> = holds.stuck().map(|j| rubs[j].velocity()).collect();
+        let surfaces: Vec<Series> = stuck.iter().map(|&j| rubs[j].velocity()).collect();
         let mut stage = Stage {
             holds: holds.clone(),
             stuck: surfaces.len(),
+            braces,
             still,
             pushing: pushing(soft, formulas, below),
             equations: equations.clone(),
@@ -613,10 +619,10 @@ impl Stage {
         }
         let seen = match what {
             What::Slide(j) => contacts.rubs()[j].rate_watch(self.holds.grips[j].sign()),
-            What::Hold(j, side) => {
+            What::Hold(i, side) => {
                 let rows = self.holds.rows(contacts);
                 let forces = contacts.forces(&self.equations, &rows, &self.holds.grips)?;
-                self.holds.bound(contacts, &forces, j, side)
+                self.holds.bound(contacts, &forces, &self.braces[i], side)
             }
             _ => return Ok((RealVector::zeros(2 * state.q.len()), 0.0)),
         };

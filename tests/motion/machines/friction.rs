@@ -12,6 +12,7 @@ mod orbits;
 mod pressed;
 mod refusals;
 mod rough;
+mod shared;
 mod stops;
 
 use rough::Rough;

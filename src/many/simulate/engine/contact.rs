@@ -81,7 +81,7 @@ impl Run<'_> {
             (What::Rise(stop), _) => self.place(time, x, stop, SoftPlace::Open)?,
             (What::Kink(switch), _) => self.kinked(time, x, switch)?,
             (What::Slide(rub), _) => self.caught(time, x, rub)?,
-            (What::Hold(rub, side), _) => self.slips(time, x, rub, side)?,
+            (What::Hold(brace, side), _) => self.slips(time, x, &stage.braces[brace], side)?,
             (What::Force(stop), Hit::Impact(_) | Hit::Press(_)) => {
                 let state = self.state_at(x);
                 let resting: Vec<usize> =
@@ -112,7 +112,7 @@ impl Run<'_> {
             holds.grips = self.grips_with(&state, (&holds.resting, &holds.soft), false);
         }
         self.change(self.simulator.stage(&holds)?, time, &state);
-        self.regrip(time, &state, None)
+        self.regrip(time, &state, &[])
     }
 
     /// Where soft stops are after velocities have jumped to those of `state`: some may be thrown off, others
@@ -350,7 +350,7 @@ impl Run<'_> {
             }
         }
         self.change(stage, time, &state);
-        self.regrip(time, &state, None)?;
+        self.regrip(time, &state, &[])?;
         Ok(true)
     }
 
@@ -394,7 +394,7 @@ impl Run<'_> {
         let grips = self.grips_with(state, (&pressing, &self.stage.holds.soft), false);
         let stage = simulator.stage(&Holds { resting: pressing, grips, ..self.stage.holds.clone() })?;
         self.change(stage, time, state);
-        self.regrip(time, state, None)
+        self.regrip(time, state, &[])
     }
 
     pub(in crate::many::simulate) fn change(&mut self, stage: Arc<Stage>, time: Time, state: &State) {

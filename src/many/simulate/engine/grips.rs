@@ -18,6 +18,7 @@ use crate::{
     error::Result,
     many::{
         Grip, RealVector, State,
+        brace::{Brace, chosen},
         contact::Contacts,
         simulate::{
             Event, Stage,
@@ -67,24 +68,25 @@ impl Run<'_> {
         let row = contacts.rub_row(rub);
         let left = contacts.rubs()[rub].rate(&state);
         state.u.axpy(-left / contacts.mobility(row), contacts.push(row), 1.0);
-        self.regrip(time, &state, Some((rub, Grip::Stuck)))
+        self.regrip(time, &state, &[(rub, Grip::Stuck)])
     }
 
     /// Where what sticks cannot be held any more: the force on it has grown to its bound on the given side,
     /// and it slides to the other.
-    pub(super) fn slips(&mut self, time: Time, x: f64, rub: usize, side: Grip) -> Result<()> {
+    pub(super) fn slips(&mut self, time: Time, x: f64, brace: &Brace, side: Grip) -> Result<()> {
         let state = self.state_at(x);
-        let way = if side == Grip::Forward { Grip::Backward } else { Grip::Forward };
-        self.regrip(time, &state, Some((rub, way)))
+        let way = |&(rub, part): &(usize, f64)| (rub, Grip::of(-side.sign() * part));
+        let sure: Vec<(usize, Grip)> = brace.parts.iter().map(way).collect();
+        self.regrip(time, &state, &sure)
     }
 
-    /// Decides anew what slides and what sticks, of a machine with friction, beside the stops rested on. Of a
-    /// row it may be known that it slides from rest, or, as [`Grip::Stuck`], that it has no velocity.
+    /// Decides anew what slides and what sticks, of a machine with friction, beside the stops rested on. Of
+    /// rows it may be known that they slide from rest, or, as [`Grip::Stuck`], that they have no velocity.
     pub(in crate::many::simulate) fn regrip(
         &mut self,
         time: Time,
         state: &State,
-        sure: Option<(usize, Grip)>,
+        sure: &[(usize, Grip)],
     ) -> Result<()> {
         if self.stage.holds.grips.is_empty() {
             return Ok(());
@@ -92,7 +94,7 @@ impl Run<'_> {
         let stage = self.stage.clone();
         let Decided { pressing, grips, .. } = self.decide(&stage, time, state, sure)?;
         if grips == stage.holds.grips && pressing == stage.holds.resting {
-            if sure.is_some() {
+            if !sure.is_empty() {
                 // Nothing changes: on, and surely not to the same place.
                 self.change(stage, time, state);
             }
@@ -163,13 +165,7 @@ impl Run<'_> {
         all
     }
 
-    fn decide(
-        &self,
-        stage: &Stage,
-        time: Time,
-        state: &State,
-        sure: Option<(usize, Grip)>,
-    ) -> Result<Decided> {
+    fn decide(&self, stage: &Stage, time: Time, state: &State, sure: &[(usize, Grip)]) -> Result<Decided> {
         let contacts = &self.simulator.contacts;
         let (mut grips, rubs) = (stage.holds.grips.clone(), contacts.rubs());
         let normal = |j: usize| match rubs[j].stop {
@@ -191,15 +187,25 @@ impl Run<'_> {
         for (j, grip) in stage.holds.grips.iter().enumerate() {
             drag(&mut bend, j, grip.sign());
         }
+        let rates = self.sliding(state);
+        let known = |j: usize| sure.iter().find(|sure| sure.0 == j).map(|sure| sure.1);
+        // What is a combination of rows without velocity has none, whatever rounding leaves of it.
+        let none = |j: &usize| match known(*j) {
+            Some(way) => way == Grip::Stuck,
+            None => stage.holds.grips[*j] == Grip::Stuck || rates[*j] == 0.0,
+        };
+        let still = contacts.basis(&(0..rubs.len()).filter(none).collect::<Vec<_>>());
+        let still: Vec<usize> = still.into_iter().map(|j| contacts.rub_row(j)).collect();
         let mut open = Vec::new();
-        for (j, rate) in self.sliding(state).into_iter().enumerate() {
+        for (j, rate) in rates.iter().copied().enumerate() {
             let presses = rubs[j].stop.is_none_or(|stop| {
                 stage.holds.resting.contains(&stop) || stage.holds.soft.pushing.contains(&stop)
             });
-            grips[j] = match (sure.filter(|sure| sure.0 == j), grips[j]) {
+            let slides = || rate != 0.0 && !contacts.follows(j, &still);
+            grips[j] = match (known(j), grips[j]) {
                 _ if !presses => Grip::Open,
-                (Some((_, way)), _) if way != Grip::Stuck => way,
-                (None, grip) if grip != Grip::Stuck && rate != 0.0 => Grip::of(rate),
+                (Some(way), _) if way != Grip::Stuck => way,
+                (None, grip) if grip != Grip::Stuck && slides() => Grip::of(rate),
                 _ => {
                     open.push(j);
                     continue;
@@ -264,7 +270,12 @@ impl Open<'_> {
         let (contacts, rubs) = (self.contacts, self.contacts.rubs());
         let stuck: Vec<usize> =
             self.rubs.iter().copied().filter(|j| sliding.iter().all(|known| known.0 != *j)).collect();
-        let held: Vec<usize> = stuck.iter().map(|&j| contacts.rub_row(j)).collect();
+        let basis = contacts.basis(&stuck);
+        let held: Vec<usize> = basis.iter().map(|&j| contacts.rub_row(j)).collect();
+        // Surfaces that move otherwise do not hold what depends on one another at once for long.
+        if stuck.iter().any(|j| !basis.contains(j) && !contacts.follows(*j, &held)) {
+            return Ok(None);
+        }
         let mut grips = self.grips.clone();
         stuck.iter().for_each(|&j| grips[j] = Grip::Stuck);
         sliding.iter().for_each(|&(j, way)| grips[j] = way);
@@ -307,8 +318,16 @@ impl Open<'_> {
                 at.map_or(0.0, |at| pressing[at])
             })
         };
-        let within = |(&j, force): (&usize, &f64)| force.abs() <= rubs[j].holding * normal(j) * (1.0 + SMALL);
-        if !stuck.iter().zip(holding.iter()).all(within) {
+        let force = |(j, factor): &(usize, f64)| {
+            let at = basis.iter().position(|known| known == j);
+            at.map_or(0.0, |at| factor * holding[at] * contacts.mobility(held[at]))
+        };
+        let most = |(j, part): &(usize, f64)| part.abs() * rubs[*j].holding * normal(*j);
+        let within = |Brace { needed, parts }: &Brace| {
+            let needed = needed.iter().map(force).sum::<f64>().abs();
+            needed <= parts.iter().map(most).sum::<f64>() * (1.0 + SMALL)
+        };
+        if !contacts.braces(&stuck)?.iter().all(within) {
             return Ok(None);
         }
         for &(j, way) in sliding {
@@ -329,17 +348,5 @@ impl Open<'_> {
         }
         let presses = stops.iter().zip(&pressing).filter(|(_, force)| **force > 0.0);
         Ok(Some(Decided { pressing: presses.map(|(&stop, _)| stop).collect(), grips, load: load.sum() }))
-    }
-}
-
-/// All choices of `count` of some numbers.
-fn chosen(all: &[usize], count: usize) -> Vec<Vec<usize>> {
-    match (count, all) {
-        (0, _) => vec![Vec::new()],
-        (_, []) => Vec::new(),
-        (_, [first, rest @ ..]) => {
-            let with = chosen(rest, count - 1).into_iter().map(|more| [vec![*first], more].concat());
-            with.chain(chosen(rest, count)).collect()
-        }
     }
 }

@@ -111,7 +111,7 @@ impl<'a> Run<'a> {
             let rates: Vec<f64> = touched.iter().map(|&j| gaps[j][1]).collect();
             run.strike(time, state, &touched, &rates, 0.0)?;
         } else if touched.is_empty() || !run.settle(time, state.clone(), &touched, &[])? {
-            run.regrip(time, &state, None)?;
+            run.regrip(time, &state, &[])?;
         }
         // How it begins is nothing that happens.
         let friction = run.simulator.contacts.all().len();
