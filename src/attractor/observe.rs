@@ -28,7 +28,8 @@ pub struct Observation {
 /// What was seen of a motion that goes on.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Observed<S, P> {
-    /// Where the motion was at the end of the transient.
+    /// Where the motion was at the end of the transient; if it was still on its way to a cycle, the point of
+    /// the cycle nearest to it.
     pub settled: S,
     /// The periodic orbit that it tends to, if it does.
     pub cycle: Option<Cycle<P>>,
@@ -42,6 +43,34 @@ pub struct Observed<S, P> {
 
 /// What was seen of a motion, or why it ended.
 pub(crate) type ObservedMotion<S, P> = std::result::Result<Observed<S, P>, RunEnd>;
+
+impl<S, P: SectionState> Observed<S, P> {
+    /// Of a motion on its way to a cycle, the cycle in its place: a motion can be told to tend there long
+    /// before it comes there, and no number is to depend on how far it was.
+    ///
+    /// # Errors
+    /// Those of [`Dynamics::begin`].
+    pub(crate) fn on_its_cycle<D: Dynamics<Start = S, Point = P>>(
+        self,
+        dynamics: &D,
+        phase: f64,
+    ) -> Result<Observed<S, P>> {
+        let Some(cycle) = &self.cycle else { return Ok(self) };
+        let here = dynamics.begin(&self.settled)?.point();
+        if cycle.passes(&here) {
+            return Ok(self);
+        }
+        let apart = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let nearest = |to: &dyn Fn(&P) -> f64| {
+            let least = cycle.points.iter().min_by(|a, b| to(a).total_cmp(&to(b)));
+            least.expect("a cycle has points").clone()
+        };
+        let on = nearest(&|point| apart(point.coordinates(), here.coordinates()));
+        let drawn = |at: &[f64; 2]| nearest(&|point| apart(&point.plane(), at)).plane();
+        let points = self.points.iter().map(drawn).collect();
+        Ok(Observed { settled: dynamics.at(on.coordinates(), phase), points, ..self })
+    }
+}
 
 impl Observation {
     pub(crate) fn detection(&self) -> Detection {
@@ -149,5 +178,5 @@ fn observe<'a, D: Dynamics>(
         return Ok(Err(end));
     }
     let impacts = cycle.as_ref().map_or_else(|| run.impacts() - before, |cycle| cycle.impacts);
-    Ok(Ok(Observed { settled, cycle, undecided, points, impacts }))
+    Observed { settled, cycle, undecided, points, impacts }.on_its_cycle(dynamics, phase).map(Ok)
 }

@@ -88,7 +88,9 @@ pub(super) fn observe(
         let mut failed = None;
         seen.retain_mut(|(motion, settled, stage)| {
             let outcome = match batch.end(*motion) {
-                RunEnd::Reached => match stage.see(&batch, *motion, *settled, observation) {
+                RunEnd::Reached => match stage.see(&batch, *motion, *settled, observation).and_then(|seen| {
+                    seen.map(|seen| seen.on_its_cycle(simulators[*motion], observation.phase)).transpose()
+                }) {
                     Ok(Some(observed)) => Ok(observed),
                     Ok(None) => return true,
                     Err(error) => {

@@ -104,6 +104,27 @@ fn one_mass_has_its_closed_response_its_peak_and_its_half_power_points() {
     }
 }
 
+/// A motion is told to tend to an orbit long before it comes there: its swings are those of the orbit,
+/// however short the transient is.
+#[test]
+fn swings_are_those_of_the_orbit_and_not_of_a_motion_on_its_way() {
+    for (scene, unit) in one_mass(0.4, "").iter().zip([TAU, 1.0]) {
+        let task = task("f", [5.0 / unit, 45.0 / unit], 5, "seen = true\ntransient = 5");
+        let found = found(&format!("{scene}{task}"));
+        assert_eq!(found.not_settled, [0.0; 0]);
+        let linear = rows(&found, "linear", "q");
+        for way in ["up", "down"] {
+            let seen = rows(&found, way, "q");
+            assert_eq!(seen.len(), 5);
+            for row in seen {
+                let exact = linear.iter().find(|known| known.value == row.value).unwrap();
+                assert!((z(row) - z(exact)).norm() < 1e-10 * exact.amplitude, "{row:?} {exact:?}");
+                near(row.swing, exact.swing, 1e-8);
+            }
+        }
+    }
+}
+
 /// Without damping there is no height; where half of the power is beyond the range, no width; and a parameter
 /// that is not the drive's frequency gives no damping.
 #[test]
