@@ -153,8 +153,12 @@ pub struct ResponseFindings {
 impl Finding for ResponseFindings {
     fn status(&self) -> Status {
         if let Some(first) = self.not_settled.first() {
+            let why = match self.resonant.contains(first) {
+                true => "nothing damps it there, and it may grow for ever",
+                false => "raise `transient`",
+            };
             return Status::undecided(format!(
-                "{} times a motion is not settled, first at {first}: raise `transient`",
+                "{} times a motion is not settled, first at {first}: {why}",
                 self.not_settled.len()
             ));
         }
@@ -222,6 +226,7 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
     let values: Vec<f64> = (0..task.count).map(|i| value(&task.range, i, task.count)).collect();
     let [machine, _] = at(values[0])?;
     let (names, k) = (names(&machine), task.harmonic);
+    let is_linear = !machine.is_smooth() && job.system().map_or(true, |system| system.cubic == 0.0);
     let (mut rows, mut resonant, mut floating) = (Vec::new(), Vec::new(), Vec::new());
     job.monitor.begin(values.len() as u64, "values, linear");
     for &value in &values {
@@ -254,11 +259,10 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
         not_settled: Vec::new(),
         rows,
     };
-    let is_linear = !machine.is_smooth() && job.system().map_or(true, |system| system.cubic == 0.0);
     let clear = found.contact.is_empty() && (found.floating.is_empty() || machine.stops.is_empty());
     let same = is_linear && machine.friction.is_empty() && clear;
     let found = match task.seen.unwrap_or(!same) {
-        true => followed(task, job, engine, &names, found)?,
+        true => followed(task, job, engine, (&names, is_linear && machine.stops.is_empty()), found)?,
         false => found,
     };
     if !task.backbone {
@@ -279,12 +283,13 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
     Ok(ResponseFindings { backbone: Some(backbone), ..found })
 }
 
-/// Adds what is seen up and down.
+/// Adds what is seen up and down. Where only friction bounds what resonates without damping, a motion that is
+/// not periodic grows: there it has no swing.
 fn followed<E: Engine>(
     task: &ResponseTask,
     job: &Job,
     engine: &E,
-    names: &[String],
+    (names, grows): (&[String], bool),
     found: ResponseFindings,
 ) -> Result<ResponseFindings> {
     let diagram = as_diagram(task);
@@ -297,8 +302,12 @@ fn followed<E: Engine>(
         job.monitor.advance(1)?;
         let Some(settled) = &step.settled else { continue };
         let portrait = &settled.portrait;
-        if portrait.undecided {
+        let grows = grows && portrait.period.is_none() && found.resonant.contains(&step.value);
+        if portrait.undecided || grows {
             not_settled.push(step.value);
+        }
+        if grows {
+            continue;
         }
         let (change, round) = ((task.parameter.as_str(), step.value), [portrait.looked, task.harmonic]);
         if let Some(swings) = engine.swings(&states, change, &settled.start, round)? {

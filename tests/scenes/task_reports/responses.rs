@@ -125,6 +125,24 @@ fn swings_are_those_of_the_orbit_and_not_of_a_motion_on_its_way() {
     }
 }
 
+/// Without damping friction bounds a resonance if 4F of it is more than πP of the drive; else the motion
+/// grows for ever, and has no swing.
+#[test]
+fn what_grows_at_a_resonance_is_not_settled() {
+    let scene = |most: f64| {
+        let friction = format!("[[friction]]\nnormal = {most}\ncoefficient = 1\n");
+        let text = "[parameters]\nf = 1\n[system]\nfrequency = \"f\"\nmass = 1\nstiffness = \"(2*pi*10)^2\"\n\
+                    forcing = [{ cos = 1 }]\n";
+        found(&format!("{text}{friction}{}", task("f", [9.0, 11.0], 5, "sweep = \"up\"")))
+    };
+    let grows = scene(0.5);
+    assert_eq!((&grows.resonant[..], &grows.not_settled[..]), (&[10.0][..], &[10.0][..]));
+    let swings: Vec<f64> = rows(&grows, "up", "q").iter().map(|row| row.value).collect();
+    assert_eq!(swings, [9.0, 9.5, 10.5, 11.0]);
+    let bounded = scene(0.9);
+    assert_eq!((rows(&bounded, "up", "q").len(), &bounded.not_settled[..]), (5, &[][..]));
+}
+
 /// Without damping there is no height; where half of the power is beyond the range, no width; and a parameter
 /// that is not the drive's frequency gives no damping.
 #[test]
