@@ -329,7 +329,11 @@ fn cycle<D: Dynamics>(dynamics: &D, fixed: &Fixed, phase: f64) -> Result<Option<
     let mut growth = vec![0.0; x.len()];
     let mut carried = dynamics.tangents(dynamics.begin(&start)?, x.len());
     carried.grow(Time::new(*period as i64, phase), &mut growth)?;
-    let multipliers = D::multipliers(slope, Some(growth.iter().sum::<f64>().exp())).unwrap_or_default();
+    let mut multipliers = D::multipliers(slope, Some(growth.iter().sum::<f64>().exp())).unwrap_or_default();
+    // What vanishes is 0, whatever rounding leaves of it.
+    let lost = growth.iter().filter(|growth| **growth == f64::NEG_INFINITY).count();
+    let kept = multipliers.len().saturating_sub(lost);
+    multipliers[kept..].fill((0.0, 0.0));
     Ok(Some(Cycle { points: ordered(points), impacts, same: size.same(), multipliers }))
 }
 

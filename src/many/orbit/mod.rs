@@ -143,17 +143,18 @@ pub fn find_from(
         Some(state) => state.q.iter().chain(state.u.iter()).map(|x| x / scale).chain(scaled).collect(),
     };
     // What sticks all the time from this start may do so at many places: it is to stay where it is.
-    let pins: Vec<(usize, f64)> = match state.map(|state| (state, equations.parts(&first))) {
-        Some((state, Ok(parts))) => {
-            let rows = held(&parts).into_iter();
-            rows.map(|j| (j, simulator.contacts().rubs()[j].row.dot(&state.q))).collect()
-        }
-        _ => Vec::new(),
-    };
+    let pins: Vec<(usize, f64)> =
+        match state.map(|state| (state, equations.parts(&first).map(|known| known.0))) {
+            Some((state, Ok(parts))) => {
+                let rows = held(&parts).into_iter();
+                rows.map(|j| (j, simulator.contacts().rubs()[j].row.dot(&state.q))).collect()
+            }
+            _ => Vec::new(),
+        };
     let pinned = StopEquations { pins: &pins, ..equations };
     let mut root = newton(first.clone(), |z| pinned.linearise(z, None))?;
     if !pins.is_empty() {
-        let rows = held(&equations.parts(&root.z)?);
+        let rows = held(&equations.parts(&root.z)?.0);
         if pins.iter().any(|(j, _)| !rows.contains(j)) {
             root = newton(first, |z| equations.linearise(z, None))?;
         }
@@ -190,7 +191,14 @@ pub(super) fn describe(simulator: &Simulator, pattern: &Itinerary, scale: f64, r
     let Root { z, residual, steps } = root;
     let (state, times, speeds) = equations.split(&z);
     let impacts = pattern.strikes().iter().zip(times.iter().zip(&speeds));
-    let parts = equations.parts(&z)?;
+    let (parts, lost) = equations.parts(&z)?;
+    let mut multipliers = multipliers(&equations, &z)?;
+    // What is lost where it sticks is 0, whatever rounding leaves of it: its root, of two that are one
+    // eigenvector's.
+    let rounded = 64.0 * f64::EPSILON.sqrt();
+    let kept = multipliers.len().saturating_sub(lost);
+    let left = multipliers[kept..].iter_mut().filter(|(re, im)| re.hypot(*im) < rounded);
+    left.for_each(|multiplier| *multiplier = (0.0, 0.0));
     Ok(Orbit {
         itinerary: pattern.clone(),
         state,
@@ -199,7 +207,7 @@ pub(super) fn describe(simulator: &Simulator, pattern: &Itinerary, scale: f64, r
             .collect(),
         residual,
         steps,
-        multipliers: multipliers(&equations, &z)?,
+        multipliers,
         admissibility: equations.admissibility(&z, simulator)?,
         least: equations.least(&z)?,
         held: held(&parts).first().copied(),

@@ -101,11 +101,13 @@ impl StopEquations<'_> {
         Ok(run.grips())
     }
 
-    /// How each row with friction moves on the orbit, one after the other, and how long.
-    pub fn parts(&self, z: &[f64]) -> Result<Vec<Parts>> {
+    /// How each row with friction moves on the orbit, one after the other, and how long; and how many
+    /// directions are lost where the most sticks.
+    pub fn parts(&self, z: &[f64]) -> Result<(Vec<Parts>, usize)> {
         if self.between.rough().is_none() {
-            return Ok(Vec::new());
+            return Ok((Vec::new(), 0));
         }
+        let mut lost = 0;
         let (mut state, times, speeds) = self.begun(z)?;
         let (m, mut all) = (times.len(), Vec::<Parts>::new());
         for leg in 0..m.max(1) {
@@ -117,6 +119,7 @@ impl StopEquations<'_> {
             for piece in &pieces {
                 let Some(stage) = &piece.stage else { continue };
                 all.resize(stage.holds.grips.len(), Vec::new());
+                lost = lost.max(2 * self.size() - stage.rank());
                 for (row, grip) in all.iter_mut().zip(stage.grips()) {
                     row.push((grip, piece.duration));
                 }
@@ -127,7 +130,7 @@ impl StopEquations<'_> {
                 state.u.axpy(speeds[next], &self.kick(next, speeds[next]), 1.0);
             }
         }
-        Ok(all)
+        Ok((all, lost))
     }
 }
 

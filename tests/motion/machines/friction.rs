@@ -2,7 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use grazing::many::{Friction, NormalForce};
+use grazing::{
+    attractor::{
+        cycle::Cycle,
+        detection::{Detection, Fate},
+        dynamics::Dynamics,
+    },
+    many::{Friction, NormalForce},
+};
 
 use super::{second::numbers, *};
 
@@ -433,11 +440,18 @@ fn exponents_are_those_of_a_second_solver() {
         let axes = [PlaneAxis::Place(0), PlaneAxis::Speed(0)];
         let planar = PlanarMachine::new(&rough, Simulator::new(&rough, &Settings::default()).unwrap(), &axes);
         let start = State::new(0.0, &state[..n], &state[n..]).start(1.0);
-        let all = exponents(&planar.unwrap(), &start, 2 * n, 0, 400, &()).unwrap();
+        let planar = planar.unwrap();
+        let all = exponents(&planar, &start, 2 * n, 0, 400, &()).unwrap();
         println!("{name}: {all:?}, by differences {wanted}");
         assert!((all[0].second_half - wanted).abs() < 5e-4, "{name}: {all:?} {wanted}");
         let lost = all.iter().filter(|one| !one.rate.is_finite()).count();
         assert!(if stuck == 0 { lost == 0 } else { lost >= 1 }, "{name}: {all:?}");
+        // Those of the orbit: what is lost is 0, and not what rounding leaves of it.
+        let mut run = planar.begin(&start).unwrap();
+        let fate = Detection { transient: 0, ..Detection::default() }.detect(&planar, &mut run).unwrap();
+        let Fate::Periodic(Cycle { multipliers, .. }) = fate else { panic!("{name}: {fate:?}") };
+        let zeros = multipliers.iter().filter(|one| **one == (0.0, 0.0)).count();
+        assert_eq!((multipliers.len(), zeros), (2 * n, lost), "{name}: {multipliers:?}");
     }
 }
 
