@@ -113,6 +113,13 @@ fn every_example_is_drawn_and_its_matrices_come_back() {
             };
             assert_eq!((remarks, svg.contains("#d55e00")), expected, "{}", path.display());
             assert!(rows.iter().all(|row| row["drawn"] != "no: too many"), "{}", path.display());
+            // A stop that pushes by a law of its own has that in place of a restitution.
+            if path.ends_with("hertz.toml") {
+                let law = rows.iter().find(|row| row["quantity"] == "law").map(|row| row["value"].as_str());
+                assert_eq!(law, Some("k*d^1.5*(1+c*v)"));
+                assert!(rows.iter().all(|row| row["quantity"] != "restitution"));
+                assert!(svg.contains("pushes by k*d^1.5*(1+c*v)"), "{svg}");
+            }
             // Every stop and every friction is in the picture by its name.
             let texts: Vec<String> = labels(&svg).into_iter().map(|(text, _)| text).collect();
             for row in rows.iter().filter(|row| ["stop", "friction"].contains(&row["kind"].as_str())) {

@@ -51,6 +51,7 @@ fn stop(stop: &Stop<Evaluated>, names: &Names) -> String {
         StopLaw::Soft { stiffness, damping } => {
             format!("compliant, stiffness {}, damping {}", number(stiffness), number(damping))
         }
+        StopLaw::Formula(law) => format!("pushes by {} of the depth d and its speed v", law.text()),
         _ => "of another law".to_string(),
     };
     let closing = stop.row.iter().enumerate().filter(|(_, x)| !x.value.is_zero()).map(|(i, x)| {

@@ -136,6 +136,9 @@ pub(super) fn rows(
             StopLaw::Speed(law) => {
                 table.row(["stop", name, "", "", "restitution", "", &law.text, "1", "in words"]);
             }
+            StopLaw::Formula(law) => {
+                table.row(["stop", name, "", "", "law", "", law.text(), "force", "in words"]);
+            }
             _ => table.number(["stop", name, "restitution", "1"], "", 0, &stop.wall.restitution),
         }
     }
