@@ -14,10 +14,10 @@
 //! choice: hits in quick succession, in whatever order, may end otherwise. `ImpactLaw::order_matters` says
 //! whether they would.
 
-use super::{Grip, LinearEquations, RealMatrix, RealVector, Rub, SpeedLaw, State};
+use super::{Grip, LinearEquations, RealMatrix, RealVector, Rub, SpeedLaw, State, push::StopForce};
 use crate::{
     error::{Error, Result},
-    motion::{Series, SmoothForce},
+    motion::Series,
 };
 
 /// A stop seen from the machine: the gap z = row·q − position(t) is positive away from it.
@@ -37,30 +37,6 @@ pub struct StopContact {
     pub soft: Option<SoftContact>,
     /// Its force, if that is a formula.
     pub(crate) force: Option<StopForce>,
-}
-
-/// The force of a stop as a formula of its depth and of the speed with which it closes.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct StopForce {
-    law: SmoothForce<f64>,
-    rate: f64,
-}
-
-impl StopForce {
-    /// Of a law, velocities per radian times `rate` being those of the scene.
-    pub(crate) fn new(law: &SmoothForce<f64>, rate: f64) -> StopForce {
-        StopForce { law: law.clone(), rate }
-    }
-
-    /// The force at z and z′, per radian.
-    pub(crate) fn at(&self, [gap, rate]: [f64; 2]) -> f64 {
-        if gap > 0.0 {
-            return 0.0;
-        }
-        let motion = [-gap, -rate * self.rate, 0.0].into_iter();
-        let variables: Vec<f64> = motion.chain(self.law.coefficients().iter().copied()).collect();
-        self.law.formula.at(&variables)[0].max(0.0)
-    }
 }
 
 /// The force −(`stiffness` z + `damping` z′) of a soft stop where z < 0, unless it would pull.

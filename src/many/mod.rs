@@ -69,6 +69,7 @@ mod modes;
 pub mod normal_form;
 pub mod orbit;
 mod pair;
+pub(crate) mod push;
 pub(crate) mod resonance;
 mod response;
 pub(crate) mod resting;

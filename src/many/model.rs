@@ -307,7 +307,14 @@ impl Machine<f64> {
                     if given.coefficients().iter().any(|x| !x.is_finite()) {
                         return Err(Error::input("law has a coefficient that is not finite"));
                     }
-                    force = Some(super::contact::StopForce::new(given, self.rate()));
+                    let own = super::push::StopForce::new(given, self.rate());
+                    if own.pulls() {
+                        return Err(Error::input(
+                            "law is negative at every depth, so that the stop never pushes: the law is how hard it pushes \
+                             where the depth d is above 0; turn its sign",
+                        ));
+                    }
+                    force = Some(own);
                     Some(super::contact::SoftContact { stiffness: 0.0, damping: 0.0 })
                 }
                 &StopLaw::Soft { stiffness, damping } => {

@@ -490,11 +490,7 @@ impl<'a> Parser<'a> {
         }
         let hint = hint(name, self.names.iter().map(String::as_str));
         let is_state = matches!(name.trim_end_matches(|c: char| c.is_ascii_digit()), "q" | "u" | "t");
-        let hint = if is_state {
-            format!("{hint}; q, u and t stand only in `force` of format \"grazing-scene 1\"")
-        } else {
-            hint
-        };
+        let hint = if is_state { format!("{hint}; q, u and t stand only in `force`") } else { hint };
         Err(Error::input(format!("unknown parameter {name:?} at character {}; {hint}", self.position(start))))
     }
 

@@ -21,9 +21,15 @@ impl Value for LawKey {
         let law = read(&text, entry.scope.names, &entry.path, &Variables::of_contact());
         match law.map_err(|error| entry.fail(&error.to_string()))? {
             ForceKey::Smooth(force) if force.mentions(&|place| place < 2) => Ok(LawKey(force)),
-            _ => Err(entry.fail(
-                "depends on neither the depth d nor the speed of closing v: write k*d^1.5, or the like",
-            )),
+            _ => {
+                let hides = |name: &&str| entry.scope.names.iter().any(|known| known == name);
+                let hidden = ["d", "v"]
+                    .into_iter()
+                    .find(hides)
+                    .map(|name| format!("; {name} is a parameter of the scene here: rename the parameter"));
+                let hidden = hidden.unwrap_or_else(|| ": write k*d^1.5, or the like".to_string());
+                Err(entry.fail(&format!("depends on neither the depth d nor the speed of closing v{hidden}")))
+            }
         }
     }
 }

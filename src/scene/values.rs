@@ -109,7 +109,7 @@ impl Scene {
             alone.contacts().map_err(|error| {
                 let text = error.to_string();
                 let text = text.strip_prefix(&format!("stop {}: ", stop.name)).unwrap_or(&text);
-                let parts = ["restitution", "stiffness", "damping"];
+                let parts = ["restitution", "stiffness", "damping", "law"];
                 let part = parts.into_iter().find(|part| text.starts_with(part)).unwrap_or("row");
                 keyed(&format!("stops[{i}].{part}"), &error)
             })?;

@@ -17,7 +17,7 @@ use super::{
 use crate::{
     continuation::Options,
     error::{Error, Result},
-    many::{Machine, StopLaw},
+    many::{Machine, StopLaw, push::StopForce},
     motion::{Contact, Side, System},
 };
 
@@ -51,6 +51,7 @@ impl Scene {
             Body::Oscillator(_) => Model::One(scene.exact(&[])?.rounded()),
             Body::Machine(_) => Model::Many(scene.machine(&[])?),
         };
+        scene.wear()?;
         Checked { scene: &scene, model: &model, path: &task.path }.kind(&task.kind)?;
         Ok(scene)
     }
@@ -83,6 +84,15 @@ impl Scene {
                 "the restitution of stop {name}, {text}, is above 1 at the speed v = {v}: impacts there add energy"
             ))
         });
+        let pushed = laws.iter().filter_map(|stop| {
+            let StopLaw::Formula(law) = &stop.law else { return None };
+            let (depth, speed) = StopForce::new(law, 1.0).gains()?;
+            Some(format!(
+                "the law of stop {}, {}, pushes harder as the stop is left than as it is entered, as at the depth {depth:e} \
+                 with the speed {speed:e}: contacts there add energy",
+                stop.name, law.text()
+            ))
+        });
         let stops = scene.machine.stops.iter();
         let gains = stops.filter_map(|stop| {
             let value = self.number(&stop.wall.restitution).ok().filter(|value| *value > 1.0)?;
@@ -95,7 +105,7 @@ impl Scene {
                  whole periods are used"
             )
         });
-        gains.chain(faster).chain(measured).collect()
+        gains.chain(faster).chain(pushed).chain(measured).collect()
     }
 }
 

@@ -213,6 +213,10 @@ fn kinks_in_the_wrong_place_are_refused() {
     refused(&stop("law = \"3\""), "depends on neither");
     refused(&stop("law = \"3*d\"\nstiffness = 2"), "stands beside `law`");
     refused(&stop("law = \"3*q\""), "unknown parameter");
+    refused(
+        &stop("law = \"-3*d^1.5\""),
+        "stops[1].law = \"-3*d^1.5\": stop lower: law is negative at every depth",
+    );
 }
 
 /// A force of a few kinks: its text, and what it is.
