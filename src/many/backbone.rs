@@ -1,7 +1,11 @@
 //! A machine of one coordinate as one without damping, drive and friction: what its backbone curve is of.
 
 use super::{Machine, StopLaw};
-use crate::{error::Result, motion::backbone::Conservative};
+use crate::{
+    error::Result,
+    formula::{Formula, Operation},
+    motion::{Q, TIME, backbone::Conservative},
+};
 
 impl Machine<f64> {
     /// Why it has no backbone curve, if it has none.
@@ -10,12 +14,30 @@ impl Machine<f64> {
             () if self.size != 1 || self.points() != 1 => {
                 Some("is of one coordinate, and here there are several")
             }
-            () if self.is_smooth() => Some("is of springs and stops, and here a force is a formula"),
+            () if self.has_laws() || self.cubic().is_none() => {
+                Some("is of springs and stops, and here a force is a formula")
+            }
             () if self.stops.iter().any(|stop| !stop.wall.harmonics.is_empty()) => {
                 Some("is of free vibrations, and here a stop moves")
             }
             () => None,
         }
+    }
+
+    /// The constant force and the coefficient of the displacement cubed, where a formula is no more than
+    /// these, as that of `cubic` is: a − b q³.
+    fn cubic(&self) -> Option<[f64; 2]> {
+        let Some(force) = self.smooth.iter().flatten().next() else { return Some([0.0; 2]) };
+        let known = |formula: &Formula| !formula.mentions(&|place| place <= TIME);
+        let Formula::Binary(Operation::Difference, both) = &*force.formula else { return None };
+        let [constant, Formula::Binary(Operation::Product, product)] = &**both else { return None };
+        let [factor, Formula::Power(place, 3)] = &**product else { return None };
+        if **place != Formula::Variable(Q) || !known(constant) || !known(factor) {
+            return None;
+        }
+        let none = [0.0; TIME + 1].into_iter();
+        let variables: Vec<f64> = none.chain(force.coefficients().iter().copied()).collect();
+        Some([constant, factor].map(|part| part.at(&variables)[0]))
     }
 
     /// The machine without damping, drive and friction, its rigid stops without loss, and the size of its
@@ -38,8 +60,10 @@ impl Machine<f64> {
                 (_, false) => stops[1] = stops[1].min(place),
             }
         }
-        let factor = self.shapes.first().map_or(1.0, |shape| shape[0].abs());
+        let shape = self.shapes.first().map_or(1.0, |shape| shape[0]);
         let (mass, stiffness) = (equations.mass[(0, 0)], equations.stiffness[(0, 0)]);
-        Ok((Conservative { mass, stiffness, cubic, force: equations.force.mean[0], stops, springs }, factor))
+        let [constant, own] = self.cubic().unwrap_or_default();
+        let (force, cubic) = (equations.force.mean[0] + shape * constant, cubic + shape.powi(4) * own);
+        Ok((Conservative { mass, stiffness, cubic, force, stops, springs }, shape.abs()))
     }
 }

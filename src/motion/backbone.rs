@@ -60,6 +60,14 @@ impl Conservative {
         own + springs.sum::<f64>()
     }
 
+    /// Whether 0 is a place from which all forces lead away: then it does not swing about that.
+    pub fn leads_away(&self) -> bool {
+        let [low, high] = self.stops;
+        let held = self.springs.iter().any(|spring| spring[0] == 0.0);
+        let softens = self.stiffness < 0.0 || self.stiffness == 0.0 && self.cubic < 0.0;
+        softens && self.force_at(0.0) == 0.0 && low < 0.0 && high > 0.0 && !held
+    }
+
     /// Where it rests, if there is a place to which all forces lead in its neighbourhood: by halving from 0,
     /// outwards as far as `reach`.
     fn rest(&self, reach: f64) -> Option<f64> {
@@ -293,5 +301,7 @@ mod tests {
             assert!((found - swing).abs() < 1e-12, "{found} {swing}");
         }
         assert!(FREE.swings(2, 1.0).is_empty() && spring.swings(1, 0.1).is_empty());
+        assert!(!spring.leads_away() && Conservative { stiffness: -1.0, ..spring.clone() }.leads_away());
+        assert!(!Conservative { stiffness: -1.0, force: 0.1, ..spring }.leads_away());
     }
 }

@@ -17,7 +17,7 @@ use super::{
 use crate::{
     attractor::{diagram::SweepStep, swing::Swing},
     continuation::Options,
-    error::Result,
+    error::{Error, Result},
     many::{
         Machine,
         resonance::{self, FreeResponse, Peak},
@@ -227,6 +227,15 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
     let [machine, _] = at(values[0])?;
     let (names, k) = (names(&machine), task.harmonic);
     let is_linear = !machine.is_smooth() && job.system().map_or(true, |system| system.cubic == 0.0);
+    for &value in values.iter().filter(|_| task.backbone) {
+        if at(value)?[0].conservative(engine.cubic(&family, value)?)?.0.leads_away() {
+            return Err(Error::input(format!(
+                "backbone = true: at {} = {value} all forces lead away from q = 0, and a backbone is of vibrations about a \
+                 place of rest there: leave it out",
+                task.parameter
+            )));
+        }
+    }
     let (mut rows, mut resonant, mut floating) = (Vec::new(), Vec::new(), Vec::new());
     job.monitor.begin(values.len() as u64, "values, linear");
     for &value in &values {

@@ -619,6 +619,29 @@ fn the_backbone_of_a_cubic_spring_is_jacobis() {
         let rate = whole.sqrt() * agm(1.0, (1.0 - 0.1 * row.swing * row.swing / whole).sqrt());
         near(row.value, rate, 1e-13);
     }
+    // The same in other units, by the engine for formulas, about a place of rest of a constant force, too.
+    let seconds = |stiffness: &str, force: &str| {
+        format!(
+            "[parameters]\nf = 1\n[system]\nfrequency = \"f\"\nmass = 2\ndamping = 0.04\nstiffness = {stiffness}\n\
+             cubic = 0.4\nforce = {force}\nforcing = [{{ cos = 0.12 }}]\n{}",
+            task("f", [0.8 / TAU, 2.0 / TAU], 61, "backbone = true\nseen = false")
+        )
+    };
+    let other = self::found(&seconds("2", "0"));
+    let other = other.backbone.as_ref().unwrap();
+    assert!(other.len() > 3);
+    for row in other {
+        let same = backbone.iter().find(|known| (known.value - TAU * row.value).abs() < 1e-12).unwrap();
+        near(row.swing, same.swing, 1e-10);
+    }
+    let pushed = self::found(&seconds("2", "0.1"));
+    let pushed = pushed.backbone.as_ref().unwrap();
+    assert!(pushed.iter().zip(other).any(|(a, b)| (a.swing - b.swing).abs() > 1e-6), "{pushed:?}");
+    let report = reports(&seconds("-2", "0")).unwrap().remove(0).to_string();
+    assert!(
+        report.contains("failed: backbone = true") && report.contains("lead away from q = 0"),
+        "{report}"
+    );
     let highest = &found.highest.as_ref().unwrap()[0];
     let on = backbone.iter().find(|row| row.value == highest.value).unwrap();
     assert!((on.swing - highest.swing).abs() < 0.05 * on.swing, "{on:?} {highest:?}");
