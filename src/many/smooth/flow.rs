@@ -288,7 +288,7 @@ fn step<S: Scalar>(
 
 /// The part of the trial step, at most `far`, on which all outputs along the step's polynomials are near
 /// their series: for the accelerations the defect of the velocities is small beside the velocities that the
-/// first terms make, for the forces of stops it is beside what they are added up from.
+/// first terms make, for the forces of stops it is beside what they are added up from and become.
 fn suited<S: Scalar>(program: &Program<S>, metric: &RealMatrix, rows: &Rows<S>, far: f64) -> f64 {
     let (n, trial) = (metric.nrows(), rows.trial());
     let norm = |k: usize| (metric * RealVector::from_fn(n, |j, _| rows.place(j)[k].part(0))).amax();
@@ -322,14 +322,16 @@ fn suited<S: Scalar>(program: &Program<S>, metric: &RealMatrix, rows: &Rows<S>, 
             }
         }
         let forces = all[n..].iter().zip(&sizes).enumerate().map(|(k, (defect, size))| {
+            // It may begin at 0, and with all that it is added up from: where nothing moves yet.
+            let grown = |last: usize| {
+                rows.output(n + k)[..=last].iter().rev().fold(0.0, |sum, c| sum * most + c.part(0).abs())
+            };
+            let grown = || Some(grown(4)).filter(|&size| size > 0.0).unwrap_or_else(|| grown(ORDER - 4));
             let size = match program.watched(n + k) {
-                None => *size,
+                None => size.max(grown()),
                 // The defect of the accelerations holds.
                 Some(true) => return most,
-                // It may begin at 0.
-                Some(false) => {
-                    rows.output(n + k)[..=4].iter().rev().fold(0.0, |sum, c| sum * most + c.part(0).abs())
-                }
+                Some(false) => grown(),
             };
             longest(ORDER - 1, allowed * size.max(f64::MIN_POSITIVE), *defect, most)
         });
