@@ -43,6 +43,14 @@ impl Simulator {
         RELATIVE_DEPTH * if scale > 0.0 && scale.is_finite() { scale } else { 1.0 }
     }
 
+    /// With what each switch of the forces changes by, seen over the size of the machine's motions.
+    pub(super) fn with_steepness(self) -> Simulator {
+        let smooth = self.smooth.as_ref().filter(|smooth| !smooth.switches().is_empty());
+        let Some(smooth) = smooth else { return self };
+        let steepness = smooth.steepness(self.depth_for(&[]) / RELATIVE_DEPTH).into();
+        Simulator { steepness, ..self }
+    }
+
     /// How far the forces alone, without formulas, move a coordinate.
     fn moved(&self) -> f64 {
         let (flow, n) = (&self.free.flow, self.equations.size());
@@ -64,6 +72,7 @@ impl Simulator {
             free: self.free.clone(),
             stages: self.stages.clone(),
             drags: self.drags.clone(),
+            steepness: self.steepness.clone(),
             settings: Settings { minimum_depth, ..self.settings.clone() },
             rate: self.rate,
             through: self.through,

@@ -165,6 +165,8 @@ pub struct Simulator {
     stages: Arc<Mutex<Stages>>,
     /// w M⁻¹ C M⁻¹ wᵀ of each stop: by how much an impulse of 1 there changes z″ through damping.
     drags: Vec<f64>,
+    /// By how much each switch of the forces changes for a displacement of 1.
+    steepness: Arc<[f64]>,
     settings: Settings,
     rate: f64,
     /// Whether rigid stops are passed through.
@@ -201,18 +203,20 @@ impl Simulator {
         };
         let drags = (0..contacts.all().len()).map(drag).collect();
         let (stages, settings, rate) = (Arc::default(), settings.clone(), machine.rate());
-        Ok(Simulator {
+        let simulator = Simulator {
             equations,
             contacts,
             smooth,
             free,
             stages,
             drags,
+            steepness: Arc::default(),
             settings,
             rate,
             through: false,
             tally: None,
-        })
+        };
+        Ok(simulator.with_steepness())
     }
 
     /// Within how much of 0 what is watched of a stop has no sign. At a soft stop no force is passed over
@@ -220,12 +224,13 @@ impl Simulator {
     /// that grows with the stiffness, and a stop as stiff as 10¹² would hold on to a mass.
     fn depth(&self, what: &What) -> f64 {
         if let What::Kink(k) = *what {
-            // What a force changes by must be seen in the motion.
-            let unit = match self.switches()[k].of {
-                SwitchOf::Push(stop) => self.contacts.mobility(stop),
-                SwitchOf::Kink | SwitchOf::Depth(_) => 1.0,
+            let depth = self.settings.minimum_depth;
+            return match self.switches()[k].of {
+                // What a force changes by must be seen in the motion.
+                SwitchOf::Push(stop) => depth / self.contacts.mobility(stop),
+                SwitchOf::Depth(_) => depth,
+                SwitchOf::Kink => depth * self.steepness[k],
             };
-            return self.settings.minimum_depth / unit;
         }
         let (What::Gap(stop) | What::Push(stop) | What::Pull(stop) | What::Rise(stop) | What::Force(stop)) =
             *what
@@ -261,6 +266,7 @@ impl Simulator {
             free: Arc::new(free),
             stages: Arc::default(),
             drags: self.drags.clone(),
+            steepness: self.steepness.clone(),
             settings: self.settings.clone(),
             rate: self.rate,
             through: true,

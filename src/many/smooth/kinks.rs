@@ -5,7 +5,7 @@
 //! the machine. The switches that a mode looks at are outputs of its program, after all others; when one of
 //! them changes its sign is found as an impact is (`simulate`). Equal switches are one.
 
-use std::sync::Arc;
+use std::{f64::consts::FRAC_PI_2, sync::Arc};
 
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -164,6 +164,35 @@ impl Smooth {
         let (q, u) = (&self.shape * &state.q, &self.shape * &state.u * self.rate);
         let variables: Vec<f64> = q.iter().chain(u.iter()).copied().chain([state.t]).collect();
         self.switches.iter().map(|known| known.formula.at(&variables)).collect()
+    }
+
+    /// By how much each switch changes for a displacement, or a velocity per radian, of 1: the most that one of
+    /// `size` changes it by, from rest or from that far away. A switch may be of any unit, which is not known.
+    pub fn steepness(&self, size: f64) -> Vec<f64> {
+        let points = self.shape.nrows();
+        let by = |at: usize| if at < points { size } else { size * self.rate };
+        let far: Vec<f64> = (0..2 * points).map(by).collect();
+        let one = |known: &Switch| {
+            let mut most = 0.0f64;
+            let places: Vec<usize> =
+                (0..2 * points).filter(|&at| known.formula.mentions(&|p| p == at)).collect();
+            for t in [0.0, 1.0, 2.0, 3.0].map(|i| i * FRAC_PI_2) {
+                for base in [&vec![0.0; 2 * points], &far] {
+                    let mut variables = [&base[..], &[t]].concat();
+                    let from = known.formula.at(&variables)[0];
+                    for &at in &places {
+                        for step in [far[at], -far[at]] {
+                            variables[at] = base[at] + step;
+                            let changed = (known.formula.at(&variables)[0] - from).abs() / size;
+                            most = if changed.is_finite() { most.max(changed) } else { most };
+                        }
+                        variables[at] = base[at];
+                    }
+                }
+            }
+            most
+        };
+        self.switches.iter().map(one).collect()
     }
 
     /// The switches that are negative at rest: stops that are just touched are open.

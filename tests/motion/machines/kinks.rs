@@ -420,3 +420,27 @@ fn what_nothing_moves_yet_is_no_steep_force() {
     let off = apart(end.q(), near.q()).max(apart(end.u(), near.u()));
     assert!(off < 1e-11, "{off:e}: {end:?} {near:?}");
 }
+
+/// What stands in a kink may be of any unit: with lengths 2²⁰ times as large, or smaller, and the kink in the
+/// old unit, all is the same to the last bit.
+#[test]
+fn a_kink_in_another_unit_than_lengths_is_the_same_to_the_last_bit() {
+    let in_unit = |unit: f64| {
+        let machine = built(&format!(
+            "[system]\nperiod = \"2*pi\"\nmass = [[1.2, 0], [0, 1.3]]\ndamping = [[0.2, -0.1], [-0.1, 0.1]]\n\
+             stiffness = [[4.5, -4], [-4, 4]]\nforcing = [{{ cos = [\"{unit:?}\", 0] }}]\n\
+             force = [\"{unit:?}*0.2*max(-q1/{unit:?} - 0.09, 0)^1.5\", \"-{unit:?}*0.1*max(u2/{unit:?}, 0)\"]\n\
+             [[stops]]\nrow = [0, -1]\noffset = \"-{unit:?}*0.4\"\nrestitution = 0.7\n"
+        ));
+        let (q, u) = ([0.05 * unit; 2], [0.02 * unit; 2]);
+        let simulator = Simulator::suited(&machine, None, &[State::new(0.0, &q, &u)]).unwrap();
+        let (events, end) = followed_by(&simulator, &q, &u, 40.0);
+        let state: Vec<f64> = end.q().iter().chain(end.u()).map(|x| x / unit).collect();
+        (events, state)
+    };
+    let known = in_unit(1.0);
+    assert!(known.0.iter().filter(|event| event.0 == "kink").count() > 10, "{known:?}");
+    for unit in [1_048_576.0, 1.0 / 1_048_576.0] {
+        assert_eq!(in_unit(unit), known, "{unit}");
+    }
+}
