@@ -166,8 +166,9 @@ impl Smooth {
         self.switches.iter().map(|known| known.formula.at(&variables)).collect()
     }
 
-    /// By how much each switch changes for a displacement, or a velocity per radian, of 1: the most that one of
-    /// `size` changes it by, from rest or from that far away. A switch may be of any unit, which is not known.
+    /// By how much each switch changes for a displacement, or a velocity per radian, of 1: the most that one
+    /// of `size` changes it by, from rest or from that far away. A switch may be of any unit, which is not
+    /// known.
     pub fn steepness(&self, size: f64) -> Vec<f64> {
         let points = self.shape.nrows();
         let by = |at: usize| if at < points { size } else { size * self.rate };

@@ -402,8 +402,8 @@ fn random_forces_with_kinks_agree_with_the_second_integrator() {
     assert!(compared > 40 && crossed > 300, "{compared} {crossed} {slid}");
 }
 
-/// From rest a drive reaches the third mass, which friction holds, only later: the force that holds it, and the
-/// velocity in a kink, begin at 0 with all that they are added up from.
+/// From rest a drive reaches the third mass, which friction holds, only later: the force that holds it, and
+/// the velocity in a kink, begin at 0 with all that they are added up from.
 #[test]
 fn what_nothing_moves_yet_is_no_steep_force() {
     let machine = built(
