@@ -11,7 +11,7 @@
 //! off by δS, S being the size of the motion, is an impact of speed v that is δS/v early, and so slower by
 //! δV V/v, V being the speed that the motion's forces give a body over S. In a chatter, whose impacts all
 //! changes move alike, that is all that moves them. So of the times and speeds of a motion's events δ is V/v
-//! times as large, until it rests ([`slowness`]).
+//! times as large, until it rests ([`slowness`]), and of what is added up over them as large as it ever is.
 
 use std::collections::BTreeMap;
 
@@ -184,6 +184,8 @@ impl Condition<'_> {
         let mut say = |column: String, what: String| {
             all.push(Difference { task: task.to_string(), column, what });
         };
+        let events = self.answer.get("events").map_or(&[][..], Vec::as_slice);
+        let slowest = slowness("events", events, self.sizes).into_iter().fold(1.0, f64::max);
         for (table, rows) in self.answer {
             let changed: Vec<&[Row]> =
                 self.changed.iter().map(|answer| answer.get(table).map_or(&[][..], Vec::as_slice)).collect();
@@ -213,7 +215,8 @@ impl Condition<'_> {
                     !self.common || !is_null(other.get(*name)) && other.contains_key(*name)
                 }) {
                     let column = format!("{table}[{i}].{name}");
-                    let floor = self.delta * slowness[i];
+                    let added_up = ["stops", "friction", "wear"].contains(&&**table);
+                    let floor = self.delta * if added_up { slowest } else { slowness[i] };
                     match self.cell(cell, other.get(name), &like, (name, floor)) {
                         Judged::Same => count.compared += 1,
                         Judged::Undecided => count.undecided += 1,
@@ -280,7 +283,7 @@ fn slowness(table: &str, rows: &[Row], sizes: &BTreeMap<Unit, f64>) -> Vec<f64> 
             slow = if *speed == 0.0 { slow } else { f64::max(slow, most / speed.abs()) };
         }
         let here = slow;
-        if matches!(row.get("event"), Some(Cell::Word(word)) if word.starts_with("stick")) {
+        if matches!(row.get("event"), Some(Cell::Word(word)) if word.starts_with("stick wall")) {
             slow = 1.0;
         }
         here

@@ -4,7 +4,11 @@
 //! multiplies the forcing or the stop's motion. The stop is where nine tenths of the response at F = 1 just
 //! reach, so that F = 1 has impacts and the grazing is near F = 9/10, exactly so for a linear system.
 
+mod effects;
+
 use std::f64::consts::TAU;
+
+pub use effects::with_effects;
 
 /// SplitMix64.
 pub struct Random(pub u64);
@@ -194,6 +198,10 @@ struct Plan<'a> {
     coordinates: usize,
     soft: bool,
     linear: bool,
+    /// Whether there is no stop.
+    free: bool,
+    /// Whether its response over the parameter w is asked for.
+    response: bool,
 }
 
 fn machine(random: &mut Random, formula: bool) -> String {
@@ -247,13 +255,13 @@ fn machine(random: &mut Random, formula: bool) -> String {
         -reach,
         tasks(
             random,
-            &Plan { size, coordinates: n, soft, linear: !formula && !law.contains("v"), walls: None }
+            &Plan { size, coordinates: n, soft, linear: !formula && !law.contains("v"), ..Plan::default() }
         )
     )
 }
 
 fn tasks(random: &mut Random, plan: &Plan) -> String {
-    let Plan { size, walls, coordinates, soft, linear } = *plan;
+    let Plan { size, walls, coordinates, soft, linear, free, response } = *plan;
     let machine = coordinates > 0;
     let place = |x: f64| match machine {
         true => format!("[{}]", (0..coordinates).map(|_| format!("{x:?}")).collect::<Vec<_>>().join(", ")),
@@ -276,6 +284,11 @@ fn tasks(random: &mut Random, plan: &Plan) -> String {
     let (one, two) = (orbit("1", [0, 0]), orbit("2", [0, 0]));
     let [one, two] =
         if soft { [1, 2].map(|period| format!("{{ period = {period}, starts = 8 }}")) } else { [one, two] };
+    let [one, two] = if free {
+        [1, 2].map(|period| format!("{{ pattern = [], period = {period}, starts = 8 }}"))
+    } else {
+        [one, two]
+    };
     let round = match walls {
         Some(_) if !soft => {
             format!("[[tasks]]\nname = \"round\"\nkind = \"orbit\"\norbit = {}\n", orbit("0, 1", [0, 1]))
@@ -285,6 +298,18 @@ fn tasks(random: &mut Random, plan: &Plan) -> String {
     // Only where a search is cheap.
     let two = format!("[[tasks]]\nname = \"two\"\nkind = \"orbit\"\norbit = {two}\n");
     let several = if linear { two + &round } else { String::new() };
+    let response = match response {
+        true => format!(
+            "[[tasks]]\nname = \"response\"\nkind = \"response\"\nparameter = \"w\"\nrange = [0.75, 1.25]\ncount = 5\n\
+             start = {rest}\ntransient = 60\npoints = 30\nlongest = 8\n"
+        ),
+        false => String::new(),
+    };
+    // Without a stop there is nothing to touch.
+    let touches = match free {
+        true => String::new(),
+        false => touches(size, &one),
+    };
     let [low, high] = [-size / 4.0, size / 2.0];
     format!(
         "[[tasks]]\nname = \"sim\"\nkind = \"simulate\"\nstart = {off}\nperiods = 6\nsamples = 4\n\
@@ -294,14 +319,11 @@ fn tasks(random: &mut Random, plan: &Plan) -> String {
          {several}\
          [[tasks]]\nname = \"attractor\"\nkind = \"branch\"\nparameter = \"F\"\nrange = [0.75, 1.5]\nstarts = [{{ attractor = {rest} }}]\n\
          [[tasks]]\nname = \"branch\"\nkind = \"branch\"\nparameter = \"F\"\nrange = [0.75, 1.5]\nstarts = [{{ orbit = {one} }}]\n\
-         [[tasks]]\nname = \"grazing\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 3\nreach = 2.0\ndistance = {:?}\nseen = false\nset = {{ F = 0.8 }}\n\
+         {touches}\
          [[tasks]]\nname = \"flip\"\nkind = \"event\"\nevent = \"flip\"\nparameter = \"F\"\nreach = 1.0\norbit = {one}\n\
          [[tasks]]\nname = \"fold\"\nkind = \"event\"\nevent = \"saddle-node\"\nparameter = \"F\"\nreach = 1.0\norbit = {one}\n\
-         [[tasks]]\nname = \"touch\"\nkind = \"event\"\nevent = \"grazing\"\nparameter = \"F\"\nreach = 1.0\nset = {{ F = 0.8 }}\norbit = {{ pattern = [], starts = 8 }}\n\
-         [[tasks]]\nname = \"fade\"\nkind = \"event\"\nevent = \"fade\"\nparameter = \"F\"\nreach = 1.0\norbit = {one}\n\
          [[tasks]]\nname = \"diagram\"\nkind = \"diagram\"\nparameter = \"F\"\nrange = [0.75, 1.25]\ncount = 5\nstarts = [{rest}]\n{plane}points = 60\ntransient = 200\nlongest = 16\n\
-         [[tasks]]\nname = \"basins\"\nkind = \"basins\"\n{plane}q = {{ from = {low:?}, to = {high:?}, count = 3 }}\nu = {{ from = {:?}, to = {:?}, count = 3 }}\ntransient = 200\n{}",
-        size / 1_048_576.0,
+         [[tasks]]\nname = \"basins\"\nkind = \"basins\"\n{plane}q = {{ from = {low:?}, to = {high:?}, count = 3 }}\nu = {{ from = {:?}, to = {:?}, count = 3 }}\ntransient = 200\n{response}{}",
         -size,
         size,
         if soft || !linear {
@@ -309,5 +331,15 @@ fn tasks(random: &mut Random, plan: &Plan) -> String {
         } else {
             format!("[[tasks]]\nname = \"proof\"\nkind = \"validate\"\norbit = {one}\n")
         }
+    )
+}
+
+/// Where the motion without impacts grazes, and orbits of impacts begin or fade.
+fn touches(size: f64, one: &str) -> String {
+    format!(
+        "[[tasks]]\nname = \"grazing\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 3\nreach = 2.0\ndistance = {:?}\nseen = false\nset = {{ F = 0.8 }}\n\
+         [[tasks]]\nname = \"touch\"\nkind = \"event\"\nevent = \"grazing\"\nparameter = \"F\"\nreach = 1.0\nset = {{ F = 0.8 }}\norbit = {{ pattern = [], starts = 8 }}\n\
+         [[tasks]]\nname = \"fade\"\nkind = \"event\"\nevent = \"fade\"\nparameter = \"F\"\nreach = 1.0\norbit = {one}\n",
+        size / 1_048_576.0
     )
 }

@@ -6,7 +6,8 @@
 //! through soft stops, tasks are cut short (`brief` in [`scene`]).
 //! [`report`] reads a form's report in the frame of the scene, and [`compare`] says what differs. A sample is
 //! part of the program; the ignored test takes all scenes, with `GRAZING_FORMS=7-9` those of these seeds,
-//! with `GRAZING_FORMS=examples` or the name of one those. With `GRAZING_FORMS_TO=FOLDER` every form is
+//! with `GRAZING_FORMS="effects 7-9"` those with effects, with `GRAZING_FORMS=examples` or the name of one
+//! those. With `GRAZING_FORMS_TO=FOLDER` every form is
 //! written there as a scene.
 
 mod apart;
@@ -44,7 +45,11 @@ use scenes::Question;
 /// spring, and machines. The last four were seen to differ by faults that are mended; 107 has motions
 /// through a soft stop that a search found in one form only.
 const DRAWN: u64 = 200;
+const EFFECTS: u64 = 200;
 const SAMPLE: [u64; 11] = [3, 4, 8, 11, 17, 24, 31, 10, 53, 85, 107];
+/// Of those with effects: friction on a stop and by itself, on surfaces that move and that stand still;
+/// kinks, one of them in a law; wear.
+const SAMPLE_EFFECTS: [u64; 4] = [7, 8, 22, 29];
 /// Examples of the sample.
 const QUICK: [&str; 1] = ["free"];
 /// The first seed.
@@ -199,9 +204,18 @@ fn compared(name: &str, scene: &Table) -> Outcome {
     };
     let view = report::View::of(&base);
     let mut forms = form::forms(&base);
+    // What is refused is compared by its reason, and is not asked again.
+    let base = form::without(&base, own.1.keys());
     // Where a closed form is known, what there is to count depends on the way.
     if !form::is_integrated(&base) {
         forms.iter_mut().for_each(|form| form.other.push("work"));
+    }
+    // At a sliding bifurcation a multiplier goes with the root of the distance from it.
+    if scene::has_friction(&base) {
+        forms
+            .iter_mut()
+            .filter(|form| form.level > Level::Exact)
+            .for_each(|form| form.other.push("labels.multipliers"));
     }
     let integrated = forms.iter().any(|form| form.of.is_none() && form.level == Level::Integrator);
     let rounding = Samples::new(&base, ROUNDING, CHANGES);
@@ -209,11 +223,13 @@ fn compared(name: &str, scene: &Table) -> Outcome {
     for form in forms {
         let shorter = form.of.as_ref().map(|of| {
             let own = run(of).unwrap_or_else(|refusal| panic!("{name}: {refusal}"));
-            (own, Samples::new(of, INTEGRATOR, CHANGES))
+            let accepted = form::without(of, own.1.keys());
+            (own, accepted)
         });
-        let (own, changes): (&Reports, [&Samples; 2]) = match &shorter {
-            Some((own, changed)) => (own, [changed, changed]),
-            None => (&own, [&rounding, &integrator]),
+        let of_shorter = shorter.as_ref().map(|(_, of)| Samples::new(of, INTEGRATOR, CHANGES));
+        let (own, changes): (&Reports, [&Samples; 2]) = match (&shorter, &of_shorter) {
+            (Some((own, _)), Some(changed)) => (own, [changed, changed]),
+            _ => (&own, [&rounding, &integrator]),
         };
         let mut count = Count::default();
         let mut say = |difference| outcome.differences.push((name.to_string(), form.name, difference));
@@ -223,21 +239,26 @@ fn compared(name: &str, scene: &Table) -> Outcome {
                 column: "the scene".into(),
                 what: format!("refused: {refusal}"),
             }),
-            Ok(other) if form.level == Level::Same => {
-                for one in &other.0 {
-                    let same =
-                        own.0.iter().find(|known| known.report.task == one.report.task).map(Reported::whole);
-                    count.compared += 1;
-                    if same.as_ref() != Some(&one.whole()) {
-                        let what = format!("{:?} for {same:?}", one.whole());
-                        say(Difference { task: one.report.task.clone(), column: "all".into(), what });
-                    }
-                }
-            }
             Ok(other) => {
-                let all = against((own, &view), changes, &form, &other, &mut count);
-                all.into_iter().for_each(&mut say);
-                contradictions(&answers(&other, &form.view, Texts::Presence)).into_iter().for_each(say);
+                refusals((own, &view), (&other, &form), &mut count).into_iter().for_each(&mut say);
+                if form.level == Level::Same {
+                    for one in &other.0 {
+                        let same = own
+                            .0
+                            .iter()
+                            .find(|known| known.report.task == one.report.task)
+                            .map(Reported::whole);
+                        count.compared += 1;
+                        if same.as_ref() != Some(&one.whole()) {
+                            let what = format!("{:?} for {same:?}", one.whole());
+                            say(Difference { task: one.report.task.clone(), column: "all".into(), what });
+                        }
+                    }
+                } else {
+                    let all = against((own, &view), changes, &form, &other, &mut count);
+                    all.into_iter().for_each(&mut say);
+                    contradictions(&answers(&other, &form.view, Texts::Presence)).into_iter().for_each(say);
+                }
             }
         }
         let (pairs, sum) = outcome.counts.entry(form.name).or_default();
@@ -286,11 +307,33 @@ impl Own {
             }
         }
         // Starts are spread over a period, and steps are as long as the frame's size lets them.
-        if form.view.rounds != 1.0 || moved {
+        if form.view.rounds != 1.0 || moved || form.view.mixed {
             found.left_out.extend(form::searched(&form.scene));
         }
         found
     }
+}
+
+/// Tasks that are refused in one form alone, or for another reason.
+fn refusals(
+    (own, view): (&Reports, &report::View),
+    (other, form): (&Reports, &Form),
+    count: &mut Count,
+) -> Vec<Difference> {
+    let mut all = Vec::new();
+    // A form may have fewer tasks.
+    for task in form::names(&form.scene) {
+        let (own, other) = (own.refusal(&task, view), other.refusal(&task, &form.view));
+        match (own, other) {
+            (None, None) => {}
+            (Some(own), Some(other)) if own == other || form.texts == Texts::Presence => count.compared += 1,
+            (own, other) => {
+                let (column, what) = ("refused".into(), format!("{other:?} for {own:?}"));
+                all.push(Difference { task, column, what });
+            }
+        }
+    }
+    all
 }
 
 fn against(
@@ -305,8 +348,11 @@ fn against(
         let all = answers(reports, view, form.texts);
         let one = |(task, answer): (String, Answer)| {
             let mut answer = without(&answer, &form.other);
-            if !form.view.further.is_empty() {
+            if !form.view.further.is_empty() || form.view.mixed {
                 report::without_means(&mut answer);
+            }
+            if form.view.mixed {
+                report::without_mixed(&mut answer);
             }
             if told.contains(&task) {
                 answer.values_mut().flatten().for_each(|row| drop(row.remove("reason")));
@@ -502,7 +548,9 @@ fn one_answer(questions: Vec<Question>, whole: bool) {
 #[test]
 fn every_form_of_a_sample_has_one_answer() {
     let examples = Question::examples().into_iter().filter(|one| QUICK.contains(&one.name().as_str()));
-    one_answer(SAMPLE.into_iter().map(Question::Seed).chain(examples).collect(), false);
+    let drawn = SAMPLE.into_iter().map(Question::Seed);
+    let effects = SAMPLE_EFFECTS.into_iter().map(Question::Effects);
+    one_answer(drawn.chain(effects).chain(examples).collect(), false);
 }
 
 #[test]
@@ -510,9 +558,20 @@ fn every_form_of_a_sample_has_one_answer() {
 fn every_form_of_every_scene_has_one_answer() {
     let wanted = std::env::var("GRAZING_FORMS").unwrap_or_else(|_| "all".into());
     let drawn = |from, to| (from..=to).map(Question::Seed);
+    let effects = |from, to| (from..=to).map(Question::Effects);
     let questions: Vec<Question> = match wanted.as_str() {
-        "all" => drawn(FIRST, FIRST + DRAWN - 1).chain(Question::examples()).collect(),
+        "all" => drawn(FIRST, FIRST + DRAWN - 1)
+            .chain(effects(FIRST, FIRST + EFFECTS - 1))
+            .chain(Question::examples())
+            .collect(),
         "examples" => Question::examples(),
+        "effects" => effects(FIRST, FIRST + EFFECTS - 1).collect(),
+        some if some.starts_with("effects ") => {
+            let some = &some["effects ".len()..];
+            let (from, to) = some.split_once('-').unwrap_or((some, some));
+            let number = |text: &str| text.parse().expect("the number of a seed");
+            effects(number(from), number(to)).collect()
+        }
         some => {
             let (from, to) = some.split_once('-').unwrap_or((some, some));
             match (from.parse(), to.parse()) {
@@ -521,6 +580,9 @@ fn every_form_of_every_scene_has_one_answer() {
             }
         }
     };
-    assert!(!questions.is_empty(), "GRAZING_FORMS is all, 7, 7-9, examples, or the name of one");
+    assert!(
+        !questions.is_empty(),
+        "GRAZING_FORMS is all, 7, 7-9, effects, effects 7-9, examples, or the name of one"
+    );
     one_answer(questions, wanted == "all");
 }

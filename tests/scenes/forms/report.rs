@@ -15,7 +15,8 @@ use serde_json::Value;
 use toml::Table;
 
 use super::{
-    scene::{LENGTH, ONE, SPEED, Unit, coordinates, is_machine},
+    form,
+    scene::{LENGTH, ONE, SPEED, Unit, coordinates, is_machine, list, stops_key, text, with_names},
     scenes::NAME,
 };
 
@@ -74,6 +75,13 @@ pub struct View {
     pub walls: Vec<String>,
     /// The names of the form's walls, in its own order.
     pub own_walls: Vec<String>,
+    /// The form's names for what rubs in the scene, in its order, and all its own.
+    pub friction: Vec<String>,
+    pub own_friction: Vec<String>,
+    /// How long the form's rows of friction are, if those of the scene are 1.
+    pub rubbing: f64,
+    /// Whether the form's coordinates are those of `form::mixed`.
+    pub mixed: bool,
     /// A wall of the form that is not the scene's.
     pub far: Option<String>,
     /// The form's names for the parameters of the scene.
@@ -99,12 +107,16 @@ impl View {
     pub fn of(scene: &Table) -> View {
         let machine = is_machine(scene);
         let none = Vec::new();
-        let walls = scene.get("walls").and_then(toml::Value::as_array).unwrap_or(&none);
+        let walls = scene.get(stops_key(scene)).and_then(toml::Value::as_array).unwrap_or(&none);
         let key = if machine { "name" } else { "side" };
         let name = |(i, wall): (usize, &toml::Value)| {
             wall.get(key).and_then(toml::Value::as_str).map_or_else(|| format!("{}", i + 1), String::from)
         };
         let names: Vec<String> = walls.iter().enumerate().map(name).collect();
+        let mut named = scene.clone();
+        with_names(&mut named);
+        let friction: Vec<String> =
+            list(&mut named, "friction").map(|friction| text(&friction["name"])).collect();
         View {
             length: 1.0,
             time: 1.0,
@@ -114,6 +126,10 @@ impl View {
             rounds: 1.0,
             walls: names.clone(),
             own_walls: names,
+            friction: friction.clone(),
+            own_friction: friction,
+            rubbing: 1.0,
+            mixed: false,
             far: None,
             parameters: scene
                 .get("parameters")
@@ -131,6 +147,31 @@ impl View {
 
     fn signed(&self, x: f64, unit: Unit) -> f64 {
         self.in_units(if self.mirrored { -x } else { x }, unit)
+    }
+
+    /// The scene's displacements or velocities, of those that it has.
+    fn state(&self, all: &[f64], unit: Unit) -> Vec<f64> {
+        let mixed = |i: usize| match i.checked_sub(1).filter(|_| self.mixed) {
+            Some(before) => all[i] + all[before] / 2.0,
+            None => all[i],
+        };
+        (0..all.len().min(self.coordinates)).map(|i| self.signed(mixed(i), unit)).collect()
+    }
+
+    /// What rubs, by its place in the scene.
+    fn rub(&self, name: &str) -> String {
+        let place = self.friction.iter().position(|known| known == name);
+        place.map_or_else(|| format!("unknown friction {name}"), |i| format!("friction {i}"))
+    }
+
+    /// What a motion's events are of, by the form's number of it: stops, then friction, then kinks.
+    fn place(&self, number: usize) -> String {
+        let (walls, friction) = (self.own_walls.len(), self.own_friction.len());
+        match (self.own_walls.get(number), number.checked_sub(walls).and_then(|i| self.own_friction.get(i))) {
+            (Some(wall), _) => self.wall(wall),
+            (_, Some(name)) => self.rub(name),
+            _ => format!("kink {}", number - walls - friction),
+        }
     }
 
     /// A phase of the form as a fraction of the scene's period, from 0.
@@ -182,7 +223,7 @@ pub type Answer = BTreeMap<String, Vec<Row>>;
 #[derive(Default)]
 struct Series {
     samples: Vec<(f64, Vec<f64>, Vec<f64>)>,
-    events: Vec<(&'static str, f64, usize, f64)>,
+    events: Vec<StopEvent>,
 }
 
 impl Keeper for Series {
@@ -192,14 +233,28 @@ impl Keeper for Series {
     }
 
     fn event(&mut self, event: &StopEvent) -> Result<()> {
-        let (time, speed) = (event.time.periods(), event.velocity.unwrap_or(0.0));
-        self.events.push((event.event, time, event.stop, speed));
+        self.events.push(*event);
         Ok(())
     }
 }
 
-/// What a scene's run reports of each task.
-pub struct Reports(pub Vec<Reported>);
+/// What a scene's run reports of each task, and why others are refused, by their names.
+pub struct Reports(pub Vec<Reported>, pub BTreeMap<String, String>);
+
+impl Reports {
+    /// Why a task is refused, in the words of the scene.
+    pub fn refusal(&self, task: &str, view: &View) -> Option<String> {
+        // Kinks are written in the form's own words, and of several rows of friction the first is told.
+        let reason = self.1.get(task)?;
+        let mut words = reason.clone();
+        for what in ["a force has kinks (", "there is dry friction ("] {
+            if let Some((before, after)) = words.split_once(what) {
+                words = format!("{before}{}{}", &what[..what.len() - 2], closed(after));
+            }
+        }
+        Some(skeleton(&words, view))
+    }
+}
 
 /// What a run reports of a task.
 pub struct Reported {
@@ -227,8 +282,9 @@ impl Reported {
 
     /// Times in periods and speeds of the impacts of a motion, as its format has them.
     pub fn impacts(&self) -> Vec<[f64; 2]> {
-        let impact = |(word, time, _, speed): &(&str, f64, usize, f64)| {
-            (*word == "impact").then_some([*time, speed.abs()])
+        let impact = |event: &StopEvent| {
+            let speed = event.velocity.unwrap_or(0.0).abs();
+            (event.event == "impact").then_some([event.time.periods(), speed])
         };
         self.series.events.iter().filter_map(impact).collect()
     }
@@ -242,19 +298,46 @@ impl Reported {
     }
 }
 
-/// Runs all tasks.
+/// What follows the parenthesis that is open at first.
+fn closed(text: &str) -> &str {
+    let mut open = 1;
+    let end = text.find(|c| {
+        open += i32::from(c == '(') - i32::from(c == ')');
+        open == 0
+    });
+    end.map_or("", |end| &text[end + 1..])
+}
+
+/// Why tasks are refused, each asked alone.
+pub fn refusals(scene: &Table) -> BTreeMap<String, String> {
+    let alone = |task: String| {
+        let text = toml::to_string(&form::only(scene, &task)).expect("a table");
+        let refusal = Scene::from_toml(&text, NAME).err()?.to_string();
+        Some((task, refusal))
+    };
+    form::names(scene).into_iter().filter_map(alone).collect()
+}
+
+/// Runs all tasks; a scene is refused if one of them is, and so these are told by asking each alone.
 ///
 /// # Errors
-/// The refusal of the scene.
+/// The refusal of a scene without tasks.
 pub fn reports(text: &str, around: Surroundings) -> std::result::Result<Reports, String> {
-    let scene = Scene::from_toml(text, NAME).map_err(|error| error.to_string())?;
+    let mut refused = BTreeMap::new();
+    let scene = Scene::from_toml(text, NAME).or_else(|_| {
+        let table: Table = toml::from_str(text).expect("it was a table");
+        refused = refusals(&table);
+        let rest = form::without(&table, refused.keys());
+        Scene::from_toml(&toml::to_string(&rest).expect("a table"), NAME)
+    });
+    let scene = scene.map_err(|error| error.to_string())?;
     let mut all = Vec::new();
     for task in &scene.tasks {
         let job = Job::new(&scene, task, around).map_err(|error| error.to_string())?;
         let mut series = Series::default();
         all.push(Reported { report: run_task(&job, &mut series), series });
     }
-    Ok(Reports(all))
+    Ok(Reports(all, refused))
 }
 
 /// How far the wall is that is never met.
@@ -280,7 +363,14 @@ pub fn answer(one: &Reported, view: &View, texts: Texts) -> Answer {
         match rows {
             Some(rows) => {
                 let rows = rows.iter().map(|row| reader.row(row)).filter(|row| !reader.is_far(row));
-                tables.insert(name.clone(), rows.collect());
+                let mut rows: Vec<Row> = rows.collect();
+                // Kinks are written in the form's own words.
+                if name == "kinks" {
+                    (0..).zip(&mut rows).for_each(|(i, row): (usize, _)| {
+                        row.insert("kink".into(), Cell::Word(format!("kink {i}")));
+                    });
+                }
+                tables.insert(name.clone(), rows);
             }
             None => reader.cell(name, value, &whole, &mut head),
         }
@@ -308,11 +398,31 @@ pub fn without_means(answer: &mut Answer) {
     }
 }
 
+/// Without the rows of a response about coordinates that are not those of the scene.
+pub fn without_mixed(answer: &mut Answer) {
+    let is_mixed = |cell: &Cell| matches!(cell, Cell::Word(word) if word.starts_with('q') && word != "q1" || word.contains(" q") && !word.contains(" q1"));
+    for rows in answer.values_mut() {
+        rows.retain(|row| !["coordinate", "of"].iter().any(|name| row.get(*name).is_some_and(is_mixed)));
+    }
+}
+
 /// Names of tables, empty or not.
 fn is_table(name: &str) -> bool {
     ["orbits", "missing", "attractors", "further_orbits", "found", "without", "born", "basins", "windows"]
         .contains(&name)
-        || ["coexisting", "starts", "labels", "proofs", "stops", "modes", "exponents"].contains(&name)
+        || [
+            "coexisting",
+            "starts",
+            "labels",
+            "proofs",
+            "stops",
+            "modes",
+            "exponents",
+            "friction",
+            "kinks",
+            "wear",
+        ]
+        .contains(&name)
 }
 
 struct Reader<'a> {
@@ -451,6 +561,7 @@ impl Reader<'_> {
                 }
                 cells.insert(name.into(), Cell::Word(of.unwrap_or_default()));
             }
+            ("response", "sweep") if value.is_object() => self.sweep(value, cells),
             ("response", "amplitude" | "swing") => self.number(name, value, LENGTH, cells),
             ("response", "lag") => match value.as_f64() {
                 Some(lag) => {
@@ -498,6 +609,23 @@ impl Reader<'_> {
             }
             (_, "measured gap_change") => self.number(name, value, LENGTH, cells),
             (_, "acceleration") => self.number(name, value, Unit(1, -2, 0), cells),
+            // What the further coordinate loses, where nothing else of the motion is left.
+            (_, "lyapunov_per_period")
+                if !view.further.is_empty()
+                    && value.as_f64().is_some_and(|x| (x + 1.5 * TAU).abs() < 1e-9) =>
+            {
+                self.word(name, &Value::Null, cells);
+            }
+            ("simulate", "friction") => match value.as_str() {
+                Some(rubs) => drop(cells.insert(name.into(), Cell::Word(view.rub(rubs)))),
+                None => self.word(name, value, cells),
+            },
+            (_, "path") => {
+                let length = value.as_f64().map_or(Value::Null, |x| Value::from(x / view.rubbing));
+                self.number(name, &length, LENGTH, cells);
+            }
+            (_, "volume") => self.number(name, value, Unit(3, 0, 0), cells),
+            ("simulate", "rate") => self.number(name, value, Unit(3, -1, 0), cells),
             (_, "least_gap") => self.gap(name, value, cells),
             (_, "e" | "largest_gap") => self.number(name, value, LENGTH, cells),
             (_, "fastest") => self.number(name, value, SPEED, cells),
@@ -519,6 +647,31 @@ impl Reader<'_> {
         if name == "parameters" {
             for (i, one) in value.as_array().into_iter().flatten().enumerate() {
                 self.number(&format!("parameter {i}"), one, ONE, cells);
+            }
+        }
+    }
+
+    /// What is seen as a parameter goes up and down, the columns of all rows one after the other.
+    fn sweep(&self, value: &Value, cells: &mut Row) {
+        for (table, rows) in value.as_object().into_iter().flatten() {
+            for (i, row) in rows.as_array().into_iter().flatten().enumerate() {
+                let Some(columns) = row.as_object() else {
+                    self.number(&format!("{table} {i}"), row, ONE, cells);
+                    continue;
+                };
+                for (column, value) in columns {
+                    let name = format!("{table} {i} {column}");
+                    match &**column {
+                        "extent_before" | "extent_after" => {
+                            let ends = numbers(value);
+                            let width = ends.last().zip(ends.first()).map(|(to, from)| to - from);
+                            self.number(&name, &width.map_or(Value::Null, Value::from), LENGTH, cells);
+                        }
+                        "speed_before" | "speed_after" => self.number(&name, value, SPEED, cells),
+                        _ if value.is_f64() => self.number(&name, value, ONE, cells),
+                        _ => self.word(&name, value, cells),
+                    }
+                }
             }
         }
     }
@@ -642,9 +795,9 @@ impl Reader<'_> {
     /// Counts, without those of a stop that is never met, and the last state.
     fn simulated(&self, whole: &Value, head: &mut Row, tables: &mut Answer) {
         for (name, unit) in [("q", LENGTH), ("u", SPEED)] {
-            let all = numbers(&whole[name]);
-            for (i, &x) in all.iter().take(self.view.coordinates).enumerate() {
-                let x = self.view.signed(x, unit) + self.carried(name, self.view.shift);
+            let all = self.view.state(&numbers(&whole[name]), unit);
+            for (i, x) in all.into_iter().enumerate() {
+                let x = x + self.carried(name, self.view.shift);
                 head.insert(format!("{name} {i}"), Cell::Number(x, unit));
             }
         }
@@ -679,8 +832,8 @@ impl Reader<'_> {
             let phase = since(*time) + self.view.shift;
             let mut row = Row::from([("time".to_string(), Cell::Number(since(*time), ONE))]);
             for (name, unit, all) in [("q", LENGTH, q), ("u", SPEED, u)] {
-                for (i, &x) in all.iter().take(self.view.coordinates).enumerate() {
-                    let x = self.view.signed(x, unit) + self.carried(name, phase);
+                for (i, x) in self.view.state(all, unit).into_iter().enumerate() {
+                    let x = x + self.carried(name, phase);
                     row.insert(format!("{name} {i}"), Cell::Number(x, unit));
                 }
             }
@@ -689,16 +842,36 @@ impl Reader<'_> {
         let last = samples.last().and_then(|row: &Row| row.get("time").cloned());
         head.extend(last.map(|time| ("ended_at".to_string(), time)));
         tables.insert("samples".into(), samples);
-        let events = series.events.iter().map(|(word, time, wall, speed)| {
-            let name = self.view.own_walls.get(*wall).map_or("", String::as_str);
-            let speed = self.view.in_units(*speed, SPEED);
-            Row::from([
-                ("event".to_string(), Cell::Word(format!("{word} {}", self.view.wall(name)))),
-                ("time".to_string(), Cell::Number(since(*time), ONE)),
-                ("speed".to_string(), Cell::Number(speed, SPEED)),
-            ])
-        });
-        tables.insert("events".into(), events.collect());
+        let mut events: Vec<(f64, String, &StopEvent)> = series
+            .events
+            .iter()
+            .map(|event| (event.time.periods(), self.view.place(event.stop), event))
+            .collect();
+        // What changes at one instant is told in the order of the form's rows.
+        let rubs = |event: &StopEvent| event.stop >= self.view.own_walls.len();
+        events
+            .chunk_by_mut(|(s, _, one), (t, _, other)| s == t && rubs(one) && rubs(other))
+            .for_each(|all| all.sort_by(|(_, a, _), (_, b, _)| a.cmp(b)));
+        let row = |(time, place, event): (f64, String, &StopEvent)| {
+            let mut row = Row::from([
+                ("event".to_string(), Cell::Word(format!("{} {place}", event.event))),
+                ("time".to_string(), Cell::Number(since(time), ONE)),
+            ]);
+            let mut put = |name: &str, x: Option<f64>, unit: Unit| {
+                if let Some(x) = x {
+                    row.insert(name.into(), Cell::Number(self.view.in_units(x, unit), unit));
+                }
+            };
+            put("speed", event.velocity.or(Some(0.0)), SPEED);
+            put("leaving", event.leaving, SPEED);
+            put("impulse", event.impulse, Unit(1, -1, 1));
+            put("duration", event.duration, Unit(0, 1, 0));
+            put("force", event.force, Unit(1, -2, 1));
+            put("energy", event.energy, Unit(2, -2, 1));
+            row
+        };
+        let events = events.into_iter().map(row).collect();
+        tables.insert("events".into(), events);
     }
 
     /// Points on the section of periodic motions, and the ends of all starts of a grid.
@@ -782,7 +955,9 @@ fn numbers(value: &Value) -> Vec<f64> {
 
 /// A text without its numbers, walls and parameters by their places.
 fn skeleton(text: &str, view: &View) -> String {
-    let named: Vec<&String> = view.walls.iter().chain(&view.parameters).collect();
+    let named: Vec<&String> = view.walls.iter().chain(&view.parameters).chain(&view.friction).collect();
+    // What friction without a name is called is a word of every sentence about it.
+    let named: Vec<&String> = named.into_iter().filter(|name| !name.starts_with("friction")).collect();
     let mut out = String::new();
     let mut rest = text;
     while let Some(c) = rest.chars().next() {

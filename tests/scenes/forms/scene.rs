@@ -26,8 +26,10 @@ pub enum What {
     Place,
     /// What a stop gives back.
     Restitution,
-    /// A stiffness or damping of a stop.
+    /// A stiffness, damping or coefficient of wear of a stop, a normal force, a coefficient of friction.
     Stop,
+    /// The force of a stop as a formula of depth and speed.
+    Law,
     /// An entry of a stop's row.
     Row,
     /// The period, the frequency.
@@ -98,8 +100,69 @@ pub fn text(value: &Value) -> String {
     }
 }
 
+/// Whether the scene is of the engine `many`: of format 2, or of format 3, which is for what format 2 lacks.
 pub fn is_machine(scene: &Table) -> bool {
-    scene["format"].as_str() == Some("grazing-scene 2")
+    scene["format"].as_str() != Some("grazing-scene 1")
+}
+
+/// What the list of stops is called.
+pub fn stops_key(scene: &Table) -> &'static str {
+    if scene["format"].as_str() == Some("grazing-scene 3") { "stops" } else { "walls" }
+}
+
+/// The stops.
+pub fn stops(scene: &mut Table) -> impl Iterator<Item = &mut Table> + use<'_> {
+    let key = stops_key(scene);
+    list(scene, key)
+}
+
+/// Whether some row has dry friction.
+pub fn has_friction(scene: &Table) -> bool {
+    scene.contains_key("friction")
+}
+
+/// All that moves or stands against the machine: stops, and surfaces with friction.
+pub fn surfaces(scene: &mut Table, look: &mut dyn FnMut(&mut Table)) {
+    stops(scene).for_each(&mut *look);
+    list(scene, "friction").for_each(look);
+}
+
+/// Of a machine of one coordinate rows may be left out.
+pub fn with_rows(scene: &mut Table) {
+    surfaces(scene, &mut |surface| {
+        surface.entry("row").or_insert(Value::Array(vec![Value::Integer(1)]));
+    });
+}
+
+/// Stops and friction without a name are called by their places: with them these stay with their tables.
+pub fn with_names(scene: &mut Table) {
+    for (i, stop) in (1..).zip(stops(scene)) {
+        stop.entry("name").or_insert(Value::String(format!("{i}")));
+    }
+    let alone = list(scene, "friction").count() == 1;
+    for (i, friction) in (1..).zip(list(scene, "friction")) {
+        let name = if alone { "friction".into() } else { format!("friction {i}") };
+        friction.entry("name").or_insert(Value::String(name));
+    }
+}
+
+/// A stop on a side of a single coordinate as a row.
+pub fn side_as_row(stop: &mut Table) -> Option<()> {
+    let side = stop.remove("side")?;
+    let upper = side.as_str() == Some("upper");
+    stop.insert("row".into(), Value::Array(vec![Value::Integer(if upper { -1 } else { 1 })]));
+    stop.entry("name").or_insert(side);
+    if upper {
+        stop["offset"] = Value::String(format!("-({})", text(&stop["offset"])));
+        for harmonic in list(stop, "harmonics") {
+            for key in ["cos", "sin"] {
+                if let Some(value) = harmonic.get_mut(key) {
+                    *value = Value::String(format!("-({})", text(value)));
+                }
+            }
+        }
+    }
+    Some(())
 }
 
 /// A whole number of a table, where it is more.
@@ -189,14 +252,25 @@ pub fn each_number(scene: &mut Table, look: &mut dyn FnMut(Slot)) {
     if let Some(system) = scene.get_mut("system").and_then(Value::as_table_mut) {
         if machine { of_machine(system, look) } else { of_oscillator(system, look) }
     }
-    for wall in list(scene, "walls") {
-        let place = |key: &str| if key == "offset" { What::Place } else { What::Force };
-        visit(wall, "offset", (place("offset"), LENGTH), look);
+    for wall in stops(scene) {
+        visit(wall, "offset", (What::Place, LENGTH), look);
         harmonics(wall, "harmonics", (What::Place, LENGTH), look);
         visit(wall, "restitution", (What::Restitution, ONE), look);
         visit(wall, "row", (What::Row, ONE), look);
         visit(wall, "stiffness", (What::Stop, Unit(0, -2, 1)), look);
         visit(wall, "damping", (What::Stop, Unit(0, -1, 1)), look);
+        visit(wall, "law", (What::Law, Unit(1, -2, 1)), look);
+        // A volume for an energy.
+        visit(wall, "wear", (What::Stop, Unit(1, 2, -1)), look);
+    }
+    for friction in list(scene, "friction") {
+        visit(friction, "row", (What::Row, ONE), look);
+        visit(friction, "normal", (What::Stop, Unit(1, -2, 1)), look);
+        visit(friction, "coefficient", (What::Stop, ONE), look);
+        visit(friction, "static_coefficient", (What::Stop, ONE), look);
+        // What is along a row that turns does not.
+        visit(friction, "speed", (What::Place, SPEED), look);
+        harmonics(friction, "harmonics", (What::Place, LENGTH), look);
     }
     if let Some(accuracy) = scene.get_mut("accuracy").and_then(Value::as_table_mut) {
         plain(accuracy, "minimum_depth", (What::Bound, LENGTH), look);
@@ -415,7 +489,7 @@ pub fn each_text(value: &mut Value, look: &mut dyn FnMut(&mut String)) {
         "label",
         "event",
         "walls_of",
-        "stops",
+        "stop",
         "plane",
         "frame",
         "direction_of",
@@ -431,9 +505,9 @@ pub fn each_text(value: &mut Value, look: &mut dyn FnMut(&mut String)) {
         Value::Array(all) => all.iter_mut().for_each(|value| each_text(value, look)),
         Value::Table(table) => {
             for (key, value) in table.iter_mut() {
-                // A parameter's own value, and walls by their sides.
-                let side =
-                    key == "walls" && value.as_array().is_some_and(|all| all.iter().all(Value::is_str));
+                // A parameter's own value, and stops by their names.
+                let side = ["walls", "stops"].contains(&&**key)
+                    && value.as_array().is_some_and(|all| all.iter().all(Value::is_str));
                 if !NAMES.contains(&key.as_str())
                     && !["parameters", "set", "values", "range"].contains(&&**key)
                     && !side

@@ -12,15 +12,15 @@ use super::{
     draw, form,
     report::Reported,
     run,
-    scene::{at_most, brief, is_machine, list},
+    scene::{at_most, brief, has_friction, is_machine, list, side_as_row, stops, stops_key},
 };
 
 /// Folders of examples, and the name under which every scene is read: beside the record of one of them.
 const EXAMPLES: [&str; 2] = ["examples/scenes", "examples/machines"];
 pub const NAME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/machines/scene.toml");
 
-/// The depth of the least impacts of examples of format 1, whose lengths are about 1: 2⁻³⁶. Chatter that goes
-/// on below it is rounding's soon.
+/// The depth of the least impacts of examples of format 1, whose lengths are about 1, and of those with
+/// friction: 2⁻³⁶. Chatter that goes on below it is rounding's soon.
 const MINIMUM_DEPTH: f64 = 1.0 / (1u64 << 36) as f64;
 
 /// How far from their grazing born orbits are found in examples of format 1.
@@ -34,23 +34,21 @@ const CHAOTIC: usize = 1;
 pub enum Question {
     /// Drawn with a seed.
     Seed(u64),
+    /// Drawn with a seed, with dry friction, kinks of forces, laws of stops and wear.
+    Effects(u64),
     /// A file of `examples`, its tasks cut short.
     Example(PathBuf),
 }
 
 impl Question {
-    /// All examples, by their files' names, but for those with friction: older formats do not have it, and
-    /// its forms are a test of their own (`motion`, `machines::friction`).
+    /// All examples, by their files' names.
     pub fn examples() -> Vec<Question> {
         let mut all = Vec::new();
         for folder in EXAMPLES {
             let files = fs::read_dir(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join(folder))
                 .expect("the folder");
             let files = files.map(|file| file.expect("a file").path());
-            all.extend(files.filter(|file| {
-                let text = || fs::read_to_string(file).expect("a scene");
-                file.extension().is_some_and(|end| end == "toml") && !text().contains("[[friction]]")
-            }));
+            all.extend(files.filter(|file| file.extension().is_some_and(|end| end == "toml")));
         }
         all.sort();
         all.into_iter().map(Question::Example).collect()
@@ -59,6 +57,7 @@ impl Question {
     pub fn name(&self) -> String {
         match self {
             Question::Seed(seed) => format!("seed {seed}"),
+            Question::Effects(seed) => format!("effects {seed}"),
             Question::Example(file) => file.file_stem().expect("a name").to_string_lossy().into_owned(),
         }
     }
@@ -68,6 +67,7 @@ impl Question {
         let read = |text: &str| toml::from_str(text).unwrap_or_else(|error| panic!("{error}\n{text}"));
         match self {
             Question::Seed(seed) => prepared(read(&draw::drawn(*seed))),
+            Question::Effects(seed) => prepared(read(&draw::with_effects(*seed))),
             Question::Example(file) => {
                 prepared(shorter(older(read(&fs::read_to_string(file).expect("a scene")))))
             }
@@ -75,36 +75,47 @@ impl Question {
     }
 }
 
-/// An example in the older format in which forms are made.
+/// An example in the older format in which forms are made, but for what older formats do not have.
 fn older(mut scene: Table) -> Table {
     let units = ["mass", "modes"].iter().any(|key| scene["system"].get(key).is_some());
+    if units {
+        stops(&mut scene).for_each(|stop| {
+            side_as_row(stop);
+        });
+    }
+    if has_friction(&scene) || scene.contains_key("units") {
+        scene.iter_mut().for_each(|(_, value)| older_orbits(value, None));
+        return scene;
+    }
     let format = if units { "grazing-scene 2" } else { "grazing-scene 1" };
     assert_eq!(scene.insert("format".into(), format.into()), Some("grazing-scene 3".into()));
     if let Some(stops) = scene.remove("stops") {
         scene.insert("walls".into(), stops);
     }
-    scene.iter_mut().for_each(|(_, value)| older_orbits(value, if units { 1.0 / TAU } else { 1.0 }));
+    scene.iter_mut().for_each(|(_, value)| older_orbits(value, (!units).then_some(1.0)));
     scene
 }
 
-/// Orbits name walls for stops, and what begins at angles, which the older formats write as numbers of
-/// `radians`, or of what one is in them.
-fn older_orbits(value: &mut Value, radian: f64) {
+/// What begins at angles begins at numbers of what one radian is; of format 1, where that is given, orbits
+/// name walls for stops, too.
+fn older_orbits(value: &mut Value, of_one: Option<f64>) {
     match value {
-        Value::Array(all) => all.iter_mut().for_each(|value| older_orbits(value, radian)),
+        Value::Array(all) => all.iter_mut().for_each(|value| older_orbits(value, of_one)),
         Value::Table(table) => {
             if table.contains_key("pattern") {
-                if let Some(stops) = table.remove("stops") {
+                if of_one.is_some()
+                    && let Some(stops) = table.remove("stops")
+                {
                     table.insert("walls".into(), stops);
                 }
                 for phase in table.get_mut("start").and_then(Value::as_array_mut).into_iter().flatten() {
                     if let Some(angle) = phase.as_str() {
                         let angle = angle.strip_suffix(" rad").expect("an angle").parse::<f64>();
-                        *phase = Value::Float(angle.expect("a number") * radian);
+                        *phase = Value::Float(angle.expect("a number") * of_one.unwrap_or(1.0 / TAU));
                     }
                 }
             }
-            table.iter_mut().for_each(|(_, value)| older_orbits(value, radian));
+            table.iter_mut().for_each(|(_, value)| older_orbits(value, of_one));
         }
         _ => {}
     }
@@ -115,7 +126,7 @@ fn older_orbits(value: &mut Value, radian: f64) {
 /// frame, and where nothing holds a body by what forces do in a radian: here it has one.
 fn shorter(mut scene: Table) -> Table {
     let machine = is_machine(&scene);
-    if !machine {
+    if !machine || has_friction(&scene) {
         let accuracy = scene.entry("accuracy").or_insert(Value::Table(Table::new())).as_table_mut();
         accuracy.expect("a table").entry("minimum_depth").or_insert(Value::Float(MINIMUM_DEPTH));
     }
@@ -196,10 +207,11 @@ fn prepared(mut scene: Table) -> Table {
             fill(start, &set);
         }
     }
-    // Soft stops divide motions into pieces, whose ends are searched for.
+    // Soft stops and friction divide motions into pieces, whose ends are searched for.
     let soft = |wall: &Value| wall.get("stiffness").is_some();
-    let through_soft = scene.get("walls").and_then(Value::as_array).is_some_and(|all| all.iter().any(soft));
-    if through_soft || form::is_integrated(&scene) {
+    let all = scene.get(stops_key(&scene)).and_then(Value::as_array);
+    let through_soft = all.is_some_and(|all| all.iter().any(soft));
+    if through_soft || form::is_integrated(&scene) || has_friction(&scene) {
         brief(&mut scene);
     }
     scene

@@ -4,7 +4,7 @@ use toml::{Table, Value};
 
 use crate::forms::{
     draw::Random,
-    scene::{LENGTH, What, each_number, list, text},
+    scene::{LENGTH, What, each_number, stops, text},
 };
 
 /// The scene with every coefficient changed by a part of up to δ, at random.
@@ -54,7 +54,7 @@ fn move_walls(scene: &mut Table, delta: f64, seed: u64) {
             size = size.max(x.abs());
         }
     });
-    for (i, wall) in (1..).zip(list(scene, "walls")) {
+    for (i, wall) in (1..).zip(stops(scene)) {
         let upper = wall.get("side").and_then(Value::as_str) == Some("upper");
         let Some(offset) = wall.get_mut("offset").filter(|offset| text(offset).parse::<f64>() == Ok(0.0))
         else {

@@ -5,7 +5,7 @@ use toml::{Table, Value};
 use super::{Form, Level, form, is_integrated, tasks};
 use crate::forms::{
     report::FAR,
-    scene::{coordinates, is_machine, list},
+    scene::{coordinates, is_machine, list, stops_key},
 };
 
 /// Patterns name their walls where there are several.
@@ -59,7 +59,11 @@ pub(super) fn far_stop(base: &Table) -> Option<Form> {
     }
     wall.insert("restitution".into(), Value::Float(0.5));
     form.view.own_walls.extend(form.view.far.clone());
-    form.scene.entry("walls").or_insert(Value::Array(Vec::new())).as_array_mut()?.push(Value::Table(wall));
+    form.scene
+        .entry(stops_key(base))
+        .or_insert(Value::Array(Vec::new()))
+        .as_array_mut()?
+        .push(Value::Table(wall));
     if let Some(name) = only {
         name_walls(&mut form.scene, if is_machine(base) { "stops" } else { "walls" }, &name);
     }

@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 use super::{Form, Level, form, is_integrated, system, tasks, without_prove};
-use crate::forms::scene::{brief, coordinates, is_machine, text};
+use crate::forms::scene::{brief, coordinates, has_friction, is_machine, text};
 
 /// The keys of an oscillator as one formula, its first term with `stiffness` in place of q.
 fn formula(system: &Table, displacement: &str) -> String {
@@ -60,6 +60,9 @@ fn without_proofs(form: &mut Form) {
 pub(super) fn hidden(base: &Table) -> Option<Form> {
     let mut form = form("a formula that is not recognised", Level::Integrator, base);
     without_proofs(&mut form);
+    if has_friction(base) && !is_integrated(base) {
+        tasks(&mut form.scene).retain(|task| task["kind"].as_str() != Some("branch"));
+    }
     if !is_integrated(base) {
         brief(&mut form.scene);
         form.of = Some(form.scene.clone());

@@ -7,7 +7,7 @@ use toml::{Table, Value};
 use super::{Form, Level, form, is_integrated, is_over_a_range, number, system, tasks, without_prove};
 use crate::forms::{
     report::Texts,
-    scene::{coordinates, is_machine, list, renamed, text},
+    scene::{coordinates, is_machine, list, renamed, side_as_row, stops, surfaces, text, with_rows},
 };
 
 /// An oscillator as a machine of one coordinate.
@@ -29,21 +29,8 @@ pub(super) fn machine(base: &Table) -> Option<Form> {
     if let Some(accuracy) = scene.get_mut("accuracy").and_then(Value::as_table_mut) {
         accuracy.remove("tolerance");
     }
-    for wall in list(scene, "walls") {
-        let side = wall.remove("side")?;
-        let upper = side.as_str() == Some("upper");
-        wall.insert("row".into(), Value::Array(vec![Value::Integer(if upper { -1 } else { 1 })]));
-        wall.insert("name".into(), side);
-        if upper {
-            wall["offset"] = Value::String(format!("-({})", text(&wall["offset"])));
-            for harmonic in list(wall, "harmonics") {
-                for key in ["cos", "sin"] {
-                    if let Some(value) = harmonic.get_mut(key) {
-                        *value = Value::String(format!("-({})", text(value)));
-                    }
-                }
-            }
-        }
+    for wall in stops(scene) {
+        side_as_row(wall)?;
     }
     let framed = |task: &Value| task.get("frame").is_some_and(|frame| frame.as_str() != Some("fixed"));
     let impacting = |task: &Value| {
@@ -170,10 +157,8 @@ pub(super) fn further(base: &Table) -> Option<Form> {
         widen(harmonic, "cos");
         widen(harmonic, "sin");
     }
-    for wall in list(&mut form.scene, "walls") {
-        wall.entry("row").or_insert(Value::Array(vec![Value::Integer(1)]));
-        widen(wall, "row");
-    }
+    with_rows(&mut form.scene);
+    surfaces(&mut form.scene, &mut |surface| widen(surface, "row"));
     // Displacements, then velocities.
     let longer = |holder: &mut Table| {
         let Some(orbit) = holder.get_mut("orbit").and_then(Value::as_table_mut) else { return };

@@ -3,16 +3,13 @@
 use toml::{Table, Value};
 
 use super::{Form, Level, form, is_integrated};
-use crate::forms::scene::{What, each_number, is_machine, list, substituted};
+use crate::forms::scene::{What, each_number, is_machine, list, substituted, with_rows};
 
 pub(super) fn mirrored(base: &Table) -> Option<Form> {
     let mut form = form("mirrored", Level::Exact, base);
     let machine = is_machine(base);
     if machine {
-        // One coordinate's row may be left out.
-        for wall in list(&mut form.scene, "walls") {
-            wall.entry("row").or_insert(Value::Array(vec![Value::Integer(1)]));
-        }
+        with_rows(&mut form.scene);
     }
     each_number(&mut form.scene, &mut |mut slot| match slot.what {
         What::Force | What::Start => slot.scale(-1.0),

@@ -5,10 +5,12 @@ mod far;
 mod formula;
 mod machine;
 mod mirrored;
+mod mixed;
 mod moving;
 mod order;
 mod phase;
 mod rate;
+mod rubbing;
 mod units;
 mod upgraded;
 mod words;
@@ -57,7 +59,7 @@ pub struct Form {
 }
 
 /// Tasks that a form has not, and why: printed with every run.
-pub const BY_DESIGN: [(&str, &str, &str); 32] = [
+pub const BY_DESIGN: [(&str, &str, &str); 37] = [
     ("machine of formulas", "criticality", "no normal form is computed through formulas of machines"),
     ("machine of formulas", "what a record's residual could move", "it is told of linear machines"),
     ("machine", "columns that one format has", "each is compared between forms of its own format"),
@@ -109,11 +111,12 @@ pub const BY_DESIGN: [(&str, &str, &str); 32] = [
         "its motion would be part of the extent by which attractors are told apart",
     ),
     ("all", "tasks that restart from a file", "tested where files are: it needs those of another task"),
-    (
-        "all",
-        "examples with dry friction",
-        "formats 1 and 2 have none: `machines::friction::forms` has forms of it",
-    ),
+    ("laws", "all but motions", "a law is a kink to what finds and follows orbits"),
+    ("laws", "stops on which friction is", "friction does not follow a law"),
+    ("mixed", "basins", "the other coordinates of a grid's points stay where they are"),
+    ("mixed", "responses of other coordinates", "they are others"),
+    ("hidden, machine of formulas", "branches among friction", "they are refused where a force is a formula"),
+    ("shifted", "how far is seen to swing", "turning points are those of a cubic through looks"),
     ("further coordinate", "rest", "what rests has one coordinate"),
     ("shifted", "section with manifolds", "drawn for one phase"),
     ("all but the units of length", "a force measured once", "it is no function of the phase"),
@@ -154,7 +157,11 @@ pub fn is_integrated(scene: &Table) -> bool {
         Value::Array(all) => all.iter().any(|one| is_formula(&text(one))),
         one => is_formula(&text(one)),
     };
-    system.get("cubic").is_some() || system.get("force").is_some_and(formula)
+    let law = |stop: &Value| stop.get("law").is_some();
+    let stops = scene.get(scene::stops_key(scene)).and_then(Value::as_array);
+    system.get("cubic").is_some()
+        || system.get("force").is_some_and(formula)
+        || stops.is_some_and(|all| all.iter().any(law))
 }
 
 /// Without the tasks that no form has.
@@ -162,6 +169,19 @@ pub fn base(scene: &Table) -> Table {
     let mut scene = scene.clone();
     let restarts = |task: &Value| text(task).contains("restart");
     tasks(&mut scene).retain(|task| !restarts(task));
+    scene
+}
+
+/// The names of its tasks.
+pub fn names(scene: &Table) -> Vec<String> {
+    let all = scene.get("tasks").and_then(Value::as_array).into_iter().flatten();
+    all.map(|task| text(&task["name"])).collect()
+}
+
+/// The scene without some of its tasks.
+pub fn without<'a>(scene: &Table, names: impl Iterator<Item = &'a String> + Clone) -> Table {
+    let mut scene = scene.clone();
+    tasks(&mut scene).retain(|task| names.clone().all(|name| task["name"].as_str() != Some(name)));
     scene
 }
 
@@ -232,6 +252,9 @@ pub fn forms(base: &Table) -> Vec<Form> {
         machine::further(base),
         moving::moving(base),
         rate::half_rate(base),
+        mixed::mixed(base),
+        rubbing::turned_rows(base),
+        rubbing::laws(base),
     ];
     all.into_iter().flatten().collect()
 }

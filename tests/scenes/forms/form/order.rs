@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 use super::{Form, Level, form, is_integrated, system, tasks};
-use crate::forms::scene::{is_machine, list};
+use crate::forms::scene::{is_machine, stops_key, surfaces, with_names};
 
 pub(super) fn reversed_tasks(base: &Table) -> Option<Form> {
     let mut form = form("order of tasks", Level::Same, base);
@@ -23,13 +23,13 @@ pub(super) fn reversed_lists(base: &Table) -> Option<Form> {
     };
     // Names that are places in the list stay with their stops.
     if is_machine(base) {
-        for (i, wall) in (1..).zip(list(&mut form.scene, "walls")) {
-            wall.entry("name").or_insert(Value::String(format!("{i}")));
-        }
+        with_names(&mut form.scene);
     }
-    reverse(&mut form.scene, "walls");
+    reverse(&mut form.scene, stops_key(base));
+    reverse(&mut form.scene, "friction");
     reverse(system(&mut form.scene), "forcing");
-    list(&mut form.scene, "walls").for_each(|wall| reverse(wall, "harmonics"));
+    surfaces(&mut form.scene, &mut |surface| reverse(surface, "harmonics"));
     form.view.own_walls.reverse();
+    form.view.own_friction.reverse();
     turned.then_some(form)
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use toml::{Table, Value};
 
 use super::{Form, Level, form, is_integrated, system};
-use crate::forms::scene::{What, each_number, is_machine, list, substituted, text};
+use crate::forms::scene::{What, each_number, is_machine, list, substituted, surfaces, text};
 
 /// A phase less a part of a period, as a fraction from 0.
 fn less(value: Option<&Value>, shift: f64) -> Value {
@@ -42,7 +42,7 @@ pub(super) fn shifted(name: &'static str, base: &Table, shift: f64) -> Option<Fo
         harmonics.insert("sin".into(), sum(&s, &cos, &c, &format!("-({sin})")));
     };
     list(system(&mut form.scene), "forcing").for_each(turn);
-    list(&mut form.scene, "walls").for_each(|wall| list(wall, "harmonics").for_each(turn));
+    surfaces(&mut form.scene, &mut |surface| list(surface, "harmonics").for_each(turn));
     each_number(&mut form.scene, &mut |slot| {
         if slot.what == What::Formula {
             let inner = substituted(&slot.text(), "{}", "{}", &format!("(t + 2*pi*{shift})"));
@@ -54,6 +54,9 @@ pub(super) fn shifted(name: &'static str, base: &Table, shift: f64) -> Option<Fo
     }
     form.view.shift = shift;
     form.other.push("coefficient");
+    // Turning points are those of a cubic through looks at multiples of a part of the period, and the
+    // parameter goes on at the form's phase 0: before all is settled it is another motion.
+    form.other.extend(["points.swing", "highest.swing", "highest.amplitude"]);
     Some(form)
 }
 

@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 use super::{Form, Level, is_integrated, system, tasks, units::in_units};
-use crate::forms::scene::{What, each_number, is_machine, list, substituted, text};
+use crate::forms::scene::{What, each_number, is_machine, list, substituted, surfaces, text};
 
 /// Every harmonic twice its number, in twice the period. An oscillator's period is 2π, so that its unit of
 /// time becomes twice as long.
@@ -26,7 +26,7 @@ pub(super) fn half_rate(base: &Table) -> Option<Form> {
     if let Some(frequency) = system.get_mut("frequency") {
         *frequency = Value::String(format!("({})/2", text(frequency)));
     }
-    list(&mut form.scene, "walls").for_each(|wall| list(wall, "harmonics").for_each(double));
+    surfaces(&mut form.scene, &mut |surface| list(surface, "harmonics").for_each(double));
     each_number(&mut form.scene, &mut |slot| {
         if slot.what == What::Formula {
             *slot.value = Value::String(substituted(&slot.text(), "{}", "{}", "(2*t)"));

@@ -28,6 +28,15 @@ pub(super) fn in_units(name: &'static str, base: &Table, [length, time, mass]: [
                     substituted(&slot.text(), &format!("({{}}*({q}))"), &format!("({{}}*({u}))"), "t");
                 *slot.value = Value::String(format!("({})*({inner})", exact(factor)));
             }
+            What::Law => {
+                let (d, v) = (exact(1.0 / length), exact(time / length));
+                let inner = renamed(&slot.text(), &|name| match name {
+                    "d" => Some(format!("(d*({d}))")),
+                    "v" => Some(format!("(v*({v}))")),
+                    _ => None,
+                });
+                *slot.value = Value::String(format!("({})*({inner})", exact(factor)));
+            }
             What::Restitution => {
                 let speed = exact(time / length);
                 let law = renamed(&slot.text(), &|name| (name == "v").then(|| format!("(v*({speed}))")));
