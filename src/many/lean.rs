@@ -191,7 +191,10 @@ impl Contacts {
 
     /// A row as a combination of others, which are independent, if it is one.
     pub(super) fn weights(&self, row: usize, others: &[usize]) -> Option<RealVector> {
-        let inverse = self.among(others).try_inverse().filter(|_| !others.is_empty())?;
+        if others.is_empty() {
+            return None;
+        }
+        let inverse = self.among(others).try_inverse()?;
         let seen = RealVector::from_fn(others.len(), |i, _| self.coupled(others[i], row));
         let weights = inverse * &seen;
         let left = self.mobility(row) - weights.dot(&seen);

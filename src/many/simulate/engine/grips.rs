@@ -194,7 +194,8 @@ impl Run<'_> {
             Some(way) => way == Grip::Stuck,
             None => stage.holds.grips[*j] == Grip::Stuck || rates[*j] == 0.0,
         };
-        let still = contacts.basis(&(0..rubs.len()).filter(none).collect::<Vec<_>>());
+        let still = if rubs.len() < 2 { Vec::new() } else { (0..rubs.len()).filter(none).collect() };
+        let still = if still.len() < 2 { still } else { contacts.basis(&still) };
         let still: Vec<usize> = still.into_iter().map(|j| contacts.rub_row(j)).collect();
         let mut open = Vec::new();
         for (j, rate) in rates.iter().copied().enumerate() {
@@ -270,7 +271,8 @@ impl Open<'_> {
         let (contacts, rubs) = (self.contacts, self.contacts.rubs());
         let stuck: Vec<usize> =
             self.rubs.iter().copied().filter(|j| sliding.iter().all(|known| known.0 != *j)).collect();
-        let basis = contacts.basis(&stuck);
+        let independent = (stuck.len() > 1).then(|| contacts.basis(&stuck));
+        let basis = independent.as_ref().unwrap_or(&stuck);
         let held: Vec<usize> = basis.iter().map(|&j| contacts.rub_row(j)).collect();
         // Surfaces that move otherwise do not hold what depends on one another at once for long.
         if stuck.iter().any(|j| !basis.contains(j) && !contacts.follows(*j, &held)) {
@@ -318,16 +320,22 @@ impl Open<'_> {
                 at.map_or(0.0, |at| pressing[at])
             })
         };
-        let force = |(j, factor): &(usize, f64)| {
-            let at = basis.iter().position(|known| known == j);
-            at.map_or(0.0, |at| factor * holding[at] * contacts.mobility(held[at]))
+        let most = |j: usize| rubs[j].holding * normal(j);
+        let can = |needed: f64, most: f64| needed.abs() <= most * (1.0 + SMALL);
+        let holds = if basis.len() == stuck.len() {
+            stuck.iter().zip(holding.iter()).all(|(&j, force)| can(*force, most(j)))
+        } else {
+            let force = |(j, factor): &(usize, f64)| {
+                let at = basis.iter().position(|known| known == j);
+                at.map_or(0.0, |at| factor * holding[at] * contacts.mobility(held[at]))
+            };
+            let within = |Brace { needed, parts }: &Brace| {
+                let parts = parts.iter().map(|&(j, part)| part.abs() * most(j));
+                can(needed.iter().map(force).sum(), parts.sum())
+            };
+            contacts.braces(&stuck)?.iter().all(within)
         };
-        let most = |(j, part): &(usize, f64)| part.abs() * rubs[*j].holding * normal(*j);
-        let within = |Brace { needed, parts }: &Brace| {
-            let needed = needed.iter().map(force).sum::<f64>().abs();
-            needed <= parts.iter().map(most).sum::<f64>() * (1.0 + SMALL)
-        };
-        if !contacts.braces(&stuck)?.iter().all(within) {
+        if !holds {
             return Ok(None);
         }
         for &(j, way) in sliding {
