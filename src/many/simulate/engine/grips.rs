@@ -292,28 +292,7 @@ impl Open<'_> {
             self.accelerations[row] + felt.sum::<f64>()
         };
         let stops = &self.stops;
-        let between = |rows: &[usize], columns: &[usize]| contacts.among_along(rows, columns, &grips);
-        let Some(inner) = between(&held, &held).try_inverse() else { return Ok(None) };
-        let own = RealVector::from_iterator(held.len(), held.iter().map(|&row| bend(row)));
-        let (cross, back) = (between(stops, &held), between(&held, stops));
-        let mut coupling = between(stops, stops);
-        let mut goal = RealVector::from_iterator(stops.len(), stops.iter().map(|&row| bend(row)));
-        if !held.is_empty() {
-            coupling -= &cross * &inner * &back;
-            goal -= &cross * &inner * &own;
-        }
-        let leaning = contacts.leans(stops, &grips);
-        for (i, &stop) in stops.iter().enumerate() {
-            // A stop along what sticks: no force of it is felt.
-            if !leaning && coupling[(i, i)] <= 1e-12 * contacts.mobility(stop) {
-                coupling.row_mut(i).fill(0.0);
-                coupling.column_mut(i).fill(0.0);
-                (coupling[(i, i)], goal[i]) = (1.0, 0.0);
-            }
-        }
-        let Some(pressing) = contacts.loads(stops, &grips, (&coupling, &goal))? else { return Ok(None) };
-        let load = RealVector::from_column_slice(&pressing);
-        let holding = -&inner * (own + back * &load);
+        let Some([holding, pressing]) = self.balanced(&held, &grips, bend)? else { return Ok(None) };
         let normal = |j: usize| {
             self.normals[j].unwrap_or_else(|| {
                 let at = stops.iter().position(|stop| Some(*stop) == rubs[j].stop);
@@ -340,13 +319,13 @@ impl Open<'_> {
         }
         for &(j, way) in sliding {
             let row = contacts.rub_row(j);
-            let part = |rows: &[usize], forces: &RealVector| {
+            let part = |rows: &[usize], forces: &[f64]| {
                 rows.iter()
                     .zip(forces.iter())
                     .map(|(&other, force)| contacts.coupled_along(row, other, &grips) * force)
                     .sum::<f64>()
             };
-            let others = part(&held, &holding) + part(stops, &load);
+            let others = part(&held, &holding) + part(stops, &pressing);
             let size = self.accelerations[row].abs()
                 + rubs[j].sliding * normal(j) * contacts.mobility(row)
                 + others.abs();
@@ -355,6 +334,47 @@ impl Open<'_> {
             }
         }
         let presses = stops.iter().zip(&pressing).filter(|(_, force)| **force > 0.0);
-        Ok(Some(Decided { pressing: presses.map(|(&stop, _)| stop).collect(), grips, load: load.sum() }))
+        Ok(Some(Decided {
+            pressing: presses.map(|(&stop, _)| stop).collect(),
+            grips,
+            load: pressing.iter().sum(),
+        }))
+    }
+
+    /// What the rows that are held push with, and the stops, where what is held is not accelerated and stops
+    /// press or let go; `bend` is what each row feels of everything else.
+    fn balanced(
+        &self,
+        held: &[usize],
+        grips: &[Grip],
+        bend: impl Fn(usize) -> f64,
+    ) -> Result<Option<[Vec<f64>; 2]>> {
+        let (contacts, stops) = (self.contacts, &self.stops);
+        let between = |rows: &[usize], columns: &[usize]| contacts.among_along(rows, columns, grips);
+        if let ([], &[row]) = (&stops[..], held) {
+            return Ok(Some([vec![-(1.0 / contacts.mobility(row)) * bend(row)], Vec::new()]));
+        }
+        let Some(inner) = between(held, held).try_inverse() else { return Ok(None) };
+        let own = RealVector::from_iterator(held.len(), held.iter().map(|&row| bend(row)));
+        let (cross, back) = (between(stops, held), between(held, stops));
+        let mut coupling = between(stops, stops);
+        let mut goal = RealVector::from_iterator(stops.len(), stops.iter().map(|&row| bend(row)));
+        if !held.is_empty() {
+            coupling -= &cross * &inner * &back;
+            goal -= &cross * &inner * &own;
+        }
+        let leaning = contacts.leans(stops, grips);
+        for (i, &stop) in stops.iter().enumerate() {
+            // A stop along what sticks: no force of it is felt.
+            if !leaning && coupling[(i, i)] <= 1e-12 * contacts.mobility(stop) {
+                coupling.row_mut(i).fill(0.0);
+                coupling.column_mut(i).fill(0.0);
+                (coupling[(i, i)], goal[i]) = (1.0, 0.0);
+            }
+        }
+        let Some(pressing) = contacts.loads(stops, grips, (&coupling, &goal))? else { return Ok(None) };
+        let load = RealVector::from_column_slice(&pressing);
+        let holding = -&inner * (own + back * &load);
+        Ok(Some([holding.as_slice().to_vec(), pressing]))
     }
 }
