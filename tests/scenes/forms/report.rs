@@ -396,6 +396,13 @@ pub fn without_means(answer: &mut Answer) {
         row.remove("lyapunov_per_period");
         row.remove("standard_error");
     }
+    // Exponents that are means have an error.
+    for row in answer.get_mut("exponents").into_iter().flatten() {
+        if row.get("standard_error").is_some_and(|error| *error != null) {
+            row.remove("per_period");
+            row.remove("standard_error");
+        }
+    }
 }
 
 /// Without the rows of a response about coordinates that are not those of the scene.
