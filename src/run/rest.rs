@@ -88,6 +88,9 @@ pub struct RestFindings {
     /// How many values were asked for.
     #[serde(skip)]
     values: usize,
+    /// What of a search could not be followed, by value.
+    #[serde(skip)]
+    unfollowed: Vec<String>,
 }
 
 /// A rest that lasts no longer than this part of the period may be none.
@@ -96,6 +99,10 @@ const SHORT: f64 = 1e-9;
 impl Finding for RestFindings {
     fn status(&self) -> Status {
         status("periodic motion that rests", &self.missing, self.values)
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.unfollowed.clone()
     }
 
     fn lines(&self, lines: &mut Lines) {
@@ -128,15 +135,18 @@ fn of<E: Engine>(task: &RestTask, job: &Job, engine: &E) -> Result<RestFindings>
         releases: Vec::new(),
         missing: Vec::new(),
         values: places.len(),
+        unfollowed: Vec::new(),
     };
     job.monitor.begin(places.len() as u64, "values");
     for place in places {
         let value = place.map(|(_, value)| value);
-        let RestsHere { complete, orbits, releases, none } = engine.rests(task, place)?;
+        let RestsHere { complete, orbits, releases, none, unfollowed } = engine.rests(task, place)?;
         if orbits.is_empty() {
             found.missing.push(MissingRow { value, reason: none });
         }
         found.complete &= complete;
+        let at = place.map_or_else(String::new, |(name, value)| format!(" (at {name} = {value})"));
+        found.unfollowed.extend(unfollowed.map(|what| format!("{what}{at}")));
         found.orbits.extend(orbits.into_iter().map(|row| RestOrbitRow { value, ..row }));
         found.releases.extend(releases.into_iter().map(|row| ReleaseRow { value, ..row }));
         job.monitor.advance(1)?;
@@ -152,6 +162,8 @@ pub(crate) struct RestsHere {
     pub releases: Vec<ReleaseRow>,
     /// Why there are no orbits, if there are none.
     pub none: String,
+    /// What of a search could not be followed.
+    pub unfollowed: Option<String>,
 }
 
 /// All rests of a machine with one coordinate, its stops and its states being told so in the scene's units,
@@ -193,7 +205,7 @@ pub(crate) fn all_rests(
             reason: flight.next.err().map(|why| reason(why, names, task.periods)),
         }
     });
-    Ok(RestsHere { complete: true, orbits, releases: releases.collect(), none })
+    Ok(RestsHere { complete: true, orbits, releases: releases.collect(), none, unfollowed: None })
 }
 
 /// A row of a motion of one coordinate that is there, with that velocity, of which nothing else is known yet.

@@ -214,7 +214,7 @@ impl Finding for SimulationFindings {
         let mut all = Vec::new();
         if self.gained > 0 {
             all.push(format!(
-                "{} impacts gave the motion energy: a restitution above 1, or friction at an eccentric impact under Newton's law",
+                "{} times an impact gave the motion energy: a restitution above 1, or friction at an eccentric impact under Newton's law",
                 self.gained
             ));
         }

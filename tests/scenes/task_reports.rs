@@ -317,7 +317,7 @@ fn friction_at_an_eccentric_impact_may_gain_energy_and_then_the_run_says_so() {
     assert_eq!(found(0.5), Value::Array(Vec::new()));
     let gained = found(1.0);
     assert!(
-        gained[0].as_str().unwrap().starts_with("1 impacts gave the motion energy: a restitution"),
+        gained[0].as_str().unwrap().starts_with("1 times an impact gave the motion energy: a restitution"),
         "{gained}"
     );
 }

@@ -172,11 +172,8 @@ impl LinearFlow {
             Pair::Mode { damping, stiffness } if stiffness > 0.0 => {
                 Some((stiffness.sqrt(), damping / (2.0 * stiffness.sqrt())))
             }
-            Pair::Spiral { rate, turn } =>
             // 0 without a sign where nothing damps.
-            {
-                Some((rate.hypot(turn), 0.0 - rate / rate.hypot(turn)))
-            }
+            Pair::Spiral { rate, turn } => Some((rate.hypot(turn), 0.0 - rate / rate.hypot(turn))),
             _ => None,
         };
         let mut all: Vec<(f64, f64)> = self.pairs().unwrap_or_default().into_iter().filter_map(one).collect();

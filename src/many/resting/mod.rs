@@ -78,8 +78,6 @@ pub(crate) struct RestCycle {
     pub tangencies: u64,
     /// Real and imaginary part, the largest modulus first.
     pub multipliers: Vec<(f64, f64)>,
-    /// By how much it does not come back, in coordinates in which the mass is 1.
-    pub residual: f64,
     /// Its states at phase 0.
     points: Vec<Vec<f64>>,
     /// States this close are the same.
@@ -90,11 +88,13 @@ pub(crate) struct RestCycle {
 pub(crate) struct RestsFound {
     /// Periodic motions, by period, then by the phase of the first release.
     pub cycles: Vec<RestCycle>,
-    /// How many motions were followed, and how many of them came to a rest that ended.
+    /// How many motions were followed.
     pub followed: u64,
-    /// The same.
+    /// How many of them came to a rest that ended.
     pub rested: u64,
-    /// Why the first of those ended that could not be followed to their end.
+    /// How many could not be followed to their end, or on the way to an orbit.
+    pub failed: u64,
+    /// Why the first of these could not.
     pub failure: Option<Error>,
 }
 
@@ -115,16 +115,16 @@ pub(crate) fn search(planar: &PlanarMachine, keys: &RestSearch, monitor: &dyn Mo
     let deflections = Deflections::new(simulator, 4.0 * simulator.size());
     let starts: Vec<(usize, u32)> =
         (0..keys.starts).flat_map(|i| rigid.iter().map(move |&stop| (stop, i))).collect();
-    let mut found = RestsFound { cycles: Vec::new(), followed: 0, rested: 0, failure: None };
+    let mut found = RestsFound { cycles: Vec::new(), followed: 0, rested: 0, failed: 0, failure: None };
     for chunk in starts.chunks(CHUNK) {
         monitor.advance(0)?;
         let one = |&(stop, i): &(usize, u32)| {
-            let state = if i == 0 { deflections.forced(0.0) } else { deflections.deflected(i) };
-            Follower { planar, keys }.follow(&on_stop(simulator, stop, state))
+            Follower { planar, keys }.follow(&on_stop(simulator, stop, deflections.deflected(i)))
         };
         let motions: Vec<Option<Followed>> = chunk.par_iter().map(one).collect();
         for Followed { cycles, rested, failure } in motions.into_iter().flatten() {
             (found.followed, found.rested) = (found.followed + 1, found.rested + u64::from(rested));
+            found.failed += u64::from(failure.is_some());
             found.failure = found.failure.take().or(failure);
             for cycle in cycles {
                 if !found.cycles.iter().any(|known| known.is(&cycle)) {
@@ -133,12 +133,8 @@ pub(crate) fn search(planar: &PlanarMachine, keys: &RestSearch, monitor: &dyn Mo
             }
         }
     }
-    let order = |cycle: &RestCycle| (cycle.period, cycle.rests.first().map_or(0.0, |rest| rest.release));
-    found.cycles.sort_by(|a, b| {
-        let ([a, b], [q, r]) = ([order(a), order(b)], [a, b].map(|cycle| cycle.points[0].clone()));
-        let places = || q.iter().zip(&r).map(|(q, r)| q.total_cmp(r)).find(|order| order.is_ne());
-        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then_with(|| places().unwrap_or(std::cmp::Ordering::Equal))
-    });
+    let released = |cycle: &RestCycle| cycle.rests.first().map_or(0.0, |rest| rest.release);
+    found.cycles.sort_by(|a, b| a.period.cmp(&b.period).then(released(a).total_cmp(&released(b))));
     Ok(found)
 }
 
@@ -303,15 +299,14 @@ impl Follower<'_> {
             let known = fixed_point(planar, &planar.point(&flight).whole, flight.t, period)?;
             return known.map_or(Ok(None), |known| self.cycle(known, flight.t, period, false));
         }
-        let back = State { t: phase, ..run.state() };
-        let residual = apart(&planar.point(&back).whole, &x);
+        let back = planar.point(&State { t: phase, ..run.state() });
         let Some((mut rests, held)) = round.rests(period) else { return Ok(None) };
         let least = |i: &usize, j: &usize| {
             turned(rests[*i].release.phase).total_cmp(&turned(rests[*j].release.phase))
         };
         let least = (0..rests.len()).min_by(least).unwrap_or(0);
         rests.rotate_left(least);
-        if end != RunEnd::Reached || residual > same || rests.is_empty() && held.is_empty() {
+        if end != RunEnd::Reached || apart(&back.whole, &x) > same || rests.is_empty() && held.is_empty() {
             return Ok(None);
         }
         let Some(multipliers) = PlanarMachine::multipliers(&slope, None) else { return Ok(None) };
@@ -334,7 +329,6 @@ impl Follower<'_> {
             fastest,
             tangencies,
             multipliers,
-            residual,
             points,
             same,
         }))

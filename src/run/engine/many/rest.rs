@@ -39,7 +39,11 @@ pub(super) fn rests(task: &RestTask, job: &Job, machine: &Machine<f64>) -> Resul
     let RestTask { periods, starts, longest, .. } = *task;
     let found = search(&planar, &RestSearch { starts, longest, periods }, job.monitor)?;
     let orbits = found.cycles.iter().map(|cycle| row(cycle, machine, &names)).collect();
-    Ok(RestsHere { complete: false, orbits, releases: Vec::new(), none: none(&found, task) })
+    let RestsFound { followed, failed, failure, .. } = &found;
+    let unfollowed = failure.as_ref().map(|error| {
+        format!("{failed} of {followed} motions were not followed to their end; the first: {error}")
+    });
+    Ok(RestsHere { complete: false, orbits, releases: Vec::new(), none: none(&found, task), unfollowed })
 }
 
 fn row(cycle: &RestCycle, machine: &Machine<f64>, names: &[String]) -> RestOrbitRow {
@@ -70,12 +74,11 @@ fn row(cycle: &RestCycle, machine: &Machine<f64>, names: &[String]) -> RestOrbit
 
 /// Why nothing was found.
 fn none(found: &RestsFound, task: &RestTask) -> String {
-    let RestsFound { followed, rested, failure, .. } = found;
+    let RestsFound { followed, rested, .. } = found;
     let RestTask { periods, longest, .. } = task;
-    let failed = failure.as_ref().map_or_else(String::new, |error| format!("; of one: {error}"));
     format!(
         "none found: of {followed} motions followed for {periods} periods {rested} came to a rest that ended, and from none \
-         Newton's method found one of up to {longest} periods; there may be others: raise starts or longest{failed}"
+         Newton's method found one of up to {longest} periods; there may be others: raise starts or longest"
     )
 }
 
