@@ -573,3 +573,25 @@ fn orbits_that_rest_and_rub_have_the_multipliers_of_differences() {
     println!("{orbits} orbits, {sticks} that stick, {low} with a low flight, multipliers to {apart:e}");
     assert!(orbits >= 6 && sticks > 0 && low * 4 <= orbits, "{orbits} {sticks} {low}");
 }
+
+/// Beside one that runs away nothing attracts: the orbit is found, and that motions were lost is said.
+#[test]
+fn motions_that_a_search_loses_are_told_of() {
+    let machine =
+        Shaken { damping: 0.2, stiffness: 0.1, force: -1.0, drive: 0.3, shake: 1.6, second: 0.0, tau: 0.4 };
+    let [known] = &found(&machine.text("many", super::TASK)).orbits[..] else { panic!("one orbit") };
+    let report = run(&beside(&machine, [0.1, -1.0], "kind = \"rest\"\nperiods = 200"));
+    let text = report.to_string();
+    let Some(Findings::Rest(found)) = report.findings else { panic!("{text}") };
+    let [row] = &found.orbits[..] else { panic!("{text}") };
+    near(row.released[0], known.released[0], 1e-9);
+    assert_eq!((row.stable, row.impacts), (Judgement::No, known.impacts));
+    // e^{λT} with λ² + λ/10 − 1 = 0.
+    let large = (0.5 * TAU * (4.01f64.sqrt() - 0.1)).exp();
+    let small = (-0.5 * TAU * (4.01f64.sqrt() + 0.1)).exp();
+    assert!((traces(row)[0] / (large + small) - 1.0).abs() < 1e-9, "{row:?}");
+    assert!(
+        text.contains("16 motions were not followed to their end; the first: it ended when it left"),
+        "{text}"
+    );
+}

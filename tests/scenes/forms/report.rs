@@ -377,8 +377,10 @@ pub fn answer(one: &Reported, view: &View, texts: Texts) -> Answer {
         }
     }
     // How much work it was differs, that there was some does not.
-    let worked = if one.report.effects.is_empty() { "none" } else { "counted" };
-    head.insert("work".into(), Cell::Word(worked.into()));
+    if one.report.kind != "rest" {
+        let worked = if one.report.effects.is_empty() { "none" } else { "counted" };
+        head.insert("work".into(), Cell::Word(worked.into()));
+    }
     if one.report.kind == "simulate" {
         reader.simulated(&whole, &mut head, &mut tables);
         reader.series(&one.series, &mut head, &mut tables);

@@ -109,6 +109,9 @@ fn friction(random: &mut Random, n: usize, (on_stop, size): (bool, f64)) -> Stri
     all
 }
 
+/// What rests, on a stop that does not give way.
+const RESTS: &str = "[[tasks]]\nname = \"rests\"\nkind = \"rest\"\nperiods = 40\nstarts = 4\nlongest = 2\n";
+
 fn machine(random: &mut Random) -> String {
     let n = 1 + random.below(3) as usize;
     let [mass, damping, stiffness] = chain(random, n);
@@ -176,8 +179,9 @@ fn machine(random: &mut Random) -> String {
     format!(
         "format = \"grazing-scene {format}\"\n[accuracy]\nminimum_depth = {depth:?}\n[parameters]\nF = 1\nmu = {mu}\nw = 1\n[system]\nperiod = \"2*pi/w\"\n\
          mass = {mass:?}\ndamping = {damping:?}\nstiffness = {stiffness:?}\n{forces}forcing = [{{ cos = [{}] }}]\n\
-         {stop}{friction}{}",
+         {stop}{friction}{}{}",
         cosines.join(", "),
-        tasks(random, &plan)
+        tasks(random, &plan),
+        if stands && rigid { RESTS } else { "" }
     )
 }

@@ -59,7 +59,7 @@ pub struct Form {
 }
 
 /// Tasks that a form has not, and why: printed with every run.
-pub const BY_DESIGN: [(&str, &str, &str); 37] = [
+pub const BY_DESIGN: [(&str, &str, &str); 38] = [
     ("machine of formulas", "criticality", "no normal form is computed through formulas of machines"),
     ("machine of formulas", "what a record's residual could move", "it is told of linear machines"),
     ("machine", "columns that one format has", "each is compared between forms of its own format"),
@@ -117,7 +117,13 @@ pub const BY_DESIGN: [(&str, &str, &str); 37] = [
     ("mixed", "responses of other coordinates", "they are others"),
     ("hidden, machine of formulas", "branches among friction", "they are refused where a force is a formula"),
     ("shifted", "how far is seen to swing", "turning points are those of a cubic through looks"),
-    ("further coordinate", "rest", "what rests has one coordinate"),
+    ("further coordinate", "rest", "of one coordinate it is all, of several what a search finds"),
+    (
+        "all",
+        "rest: warnings, and whether it took work",
+        "which motions of a search are not followed to their end goes with their rounding, and with one coordinate \
+         what presses may be told without steps",
+    ),
     ("shifted", "section with manifolds", "drawn for one phase"),
     ("all but the units of length", "a force measured once", "it is no function of the phase"),
     (
