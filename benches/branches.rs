@@ -7,7 +7,7 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use grazing::{
+use grazing_scenes::{
     attractor::detection::Detection,
     continuation::{Direction, Options},
     motion::{Side, State},

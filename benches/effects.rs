@@ -2,11 +2,11 @@
 //! effect added.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use grazing::{
-    internals::study::effects::{PERIODS, effects},
+use grazing_scenes::{
     motion::Time,
     one::simulate::{Settings, Simulator},
 };
+use grazing_study::effects::{PERIODS, effects};
 
 fn bench(c: &mut Criterion) {
     let mut group = c.benchmark_group("effects/1000 periods");

@@ -9,7 +9,7 @@
 
 use std::{f64::consts::TAU, hint::black_box, time::Duration};
 
-use grazing::{
+use grazing_scenes::{
     many::{
         Load, Machine, State, Stop, StopLaw,
         simulate::{Settings, Simulator},

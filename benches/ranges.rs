@@ -23,7 +23,7 @@ mod truth;
 
 use std::env;
 
-use grazing::{
+use grazing_scenes::{
     num_rational::BigRational,
     number::parse_rational,
     search::range::{

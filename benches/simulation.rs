@@ -7,7 +7,7 @@
 use std::{f64::consts::TAU, hint::black_box, sync::Arc};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use grazing::{
+use grazing_scenes::{
     attractor::section::section,
     motion::{Harmonic, RunEnd, System, Time, Wall, flow::Linear},
     one::simulate::{Event, Settings, Simulator, batch::Batch},

@@ -7,8 +7,7 @@
 use std::{env, fs};
 
 use grazing::{
-    internals::study::condition,
-    local::{Plane, Point, Polar, Quantity},
+    local::{Plane, Point, Polar, Quantity, condition::condition},
     number::{Ball, FloatInterval, Precision, parse_rational},
 };
 

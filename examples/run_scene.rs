@@ -1,6 +1,6 @@
 //! Runs all tasks of a scene and prints what each found: `cargo run --example run_scene -- SCENE.toml`.
 
-use grazing::{Result, run, scene::Scene};
+use grazing_scenes::{Result, run, scene::Scene};
 
 fn main() -> Result<()> {
     let path = std::env::args().nth(1).unwrap_or_else(|| "examples/scenes/two-sided.toml".into());

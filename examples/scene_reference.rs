@@ -12,5 +12,5 @@ fn main() -> io::Result<()> {
     let (head, rest) = page.split_once(MARKS[0]).ok_or_else(missing)?;
     let (_, tail) = rest.split_once(MARKS[1]).ok_or_else(missing)?;
     let [begin, end] = MARKS;
-    fs::write(path, format!("{head}{begin}{}{end}{tail}", grazing::scene::reference()))
+    fs::write(path, format!("{head}{begin}{}{end}{tail}", grazing_scenes::scene::reference()))
 }

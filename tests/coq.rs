@@ -288,9 +288,9 @@ fn compare_patterns(
 /// nothing with it.
 #[test]
 fn chaos_has_the_certificates_boxes() {
-    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let statement = fs::read_to_string(root.join("proofs/coq/StatementChaos.v")).unwrap();
-    let certificate = fs::read_to_string(root.join("checker/tests/data/chaos-12.txt")).unwrap();
+    let certificate = fs::read_to_string(root.join("crates/checker/tests/data/chaos-12.txt")).unwrap();
     let line = |name: &str| -> Vec<&str> {
         let line = certificate.lines().find(|line| line.split(' ').next() == Some(name)).unwrap();
         line.split(' ').skip(1).collect()
@@ -551,7 +551,7 @@ fn folder(name: &str) -> PathBuf {
 
 /// The files under `proofs/coq` that a build reads, by name.
 fn sources() -> BTreeMap<String, String> {
-    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("proofs/coq");
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("proofs/coq");
     let names = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name());
     names
         .filter_map(|name| name.into_string().ok())

@@ -1,5 +1,5 @@
-//! The sources keep to the map of `src/lib.rs`: imports point down its table, and no two public types share a
-//! name.
+//! What Cargo does not hold of the sources: within a chapter imports point down the table of its `lib.rs`, no
+//! two public types share a name, and pages keep their form.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -7,23 +7,22 @@ use std::{
     path::{Path, PathBuf},
 };
 
-/// Below the table: what every part may use.
-const BELOW: [&str; 10] = [
-    "number",
-    "printable",
-    "error",
-    "formula",
-    "outcome",
-    "processor",
-    "profile",
-    "monitor",
-    "random",
-    "output",
+/// The folders of the chapters; the last two have no interface.
+const FOLDERS: [&str; 8] = [
+    "src",
+    "crates/base/src",
+    "crates/motion/src",
+    "crates/prove/src",
+    "crates/scenes/src",
+    "crates/study/src",
+    "crates/verify/src",
+    "crates/shell/src",
 ];
-/// Above it; the last two are the shell's.
-const ABOVE: [&str; 4] = ["study", "internals", "figure", "cli"];
-/// The folders of the library and of the shell.
-const FOLDERS: [&str; 2] = ["src", "shell/src"];
+
+/// The folder of the repository.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
+}
 
 fn sources(folder: &Path, all: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
@@ -42,7 +41,7 @@ fn files() -> Vec<(Vec<String>, String)> {
 }
 
 fn files_of(folder: &str) -> Vec<(Vec<String>, String)> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let root = root().join(folder);
     let mut all = Vec::new();
     sources(&root, &mut all);
     let read = |path: PathBuf| {
@@ -86,47 +85,35 @@ fn heads<'t>(text: &'t str, prefix: &str) -> BTreeSet<&'t str> {
     found
 }
 
-/// The modules in order, from the bottom up.
-fn order() -> Vec<String> {
-    let map = include_str!("../src/lib.rs").lines().filter_map(|line| {
-        let row = line.strip_prefix("//! | [`")?;
-        Some(row.split('`').next()?.to_string())
-    });
-    let table = map.filter(|name| name != "certificate" && name.chars().all(|c| c.is_lowercase()));
-    let below = BELOW.iter().map(ToString::to_string);
-    // Errors of TOML files hold numbers.
-    let source = ["source".to_string()];
-    let table = table.filter(|name| name != "number");
-    below.chain(source).chain(table).chain(ABOVE.iter().map(ToString::to_string)).collect()
+/// The modules of a chapter in the order of the table in its `lib.rs`, from the bottom up.
+fn order(folder: &str) -> Vec<String> {
+    let text = fs::read_to_string(root().join(folder).join("lib.rs")).unwrap();
+    let rows = text.lines().filter_map(|line| line.strip_prefix("//! | [`")?.split(" | ").next());
+    let names = rows.flat_map(|row| row.split(['`', '[', ']', ',', ' '])).filter(|name| !name.is_empty());
+    names.map(ToString::to_string).collect()
 }
 
 #[test]
-fn imports_point_down_the_map() {
-    let order = order();
-    let place = |name: &str| order.iter().position(|known| known == name);
+fn imports_point_down_the_map_of_a_chapter() {
     let mut seen = BTreeSet::new();
-    for (names, text) in files() {
-        let [chapter, ..] = &names[..] else { unreachable!("a file has a name") };
-        if ["lib", "main"].contains(&chapter.as_str()) {
-            continue;
-        }
-        let own = place(chapter).unwrap_or_else(|| panic!("{chapter} is not on the map of src/lib.rs"));
-        // In the shell's files the library is `grazing`.
-        for used in heads(&text, "crate::").union(&heads(&text, "grazing::")).copied() {
-            // The root's own names: Error, Monitor, Outcome, certificate.
-            let Some(other) = place(used) else { continue };
-            assert!(other <= own, "{} imports from {used}, which stands above {chapter}", names.join("/"));
-            seen.insert((chapter.clone(), used.to_string()));
+    for folder in ["src", "crates/base/src", "crates/motion/src", "crates/scenes/src"] {
+        let order = order(folder);
+        let place = |name: &str| order.iter().position(|known| known == name);
+        for (names, text) in files_of(folder) {
+            let Some(own) = place(&names[0]) else { continue };
+            for used in heads(&text, "crate::") {
+                // The root's own names, and those of chapters below.
+                let Some(other) = place(used) else { continue };
+                let file = names.join("/");
+                assert!(other <= own, "{folder}/{file} imports from {used}, which stands above it");
+                seen.insert((names[0].clone(), used.to_string()));
+            }
         }
     }
     // The script has seen the imports that there must be.
-    for (upper, lower) in [
-        ("run", "scene"),
-        ("scene", "search"),
-        ("search", "motion"),
-        ("many", "continuation"),
-        ("cli", "run"),
-    ] {
+    for (upper, lower) in
+        [("run", "scene"), ("search", "existence"), ("many", "continuation"), ("output", "error")]
+    {
         assert!(seen.contains(&(upper.to_string(), lower.to_string())), "{upper} uses {lower}");
     }
 }
@@ -134,27 +121,29 @@ fn imports_point_down_the_map() {
 /// What both engines share stands below them: neither imports from the other.
 #[test]
 fn engines_are_siblings() {
-    let mut files_of = BTreeMap::new();
-    for (names, text) in files() {
+    let mut counted = BTreeMap::new();
+    for (names, text) in files_of("crates/motion/src") {
         for (own, other) in [("one", "many"), ("many", "one")] {
             if names[0] == own {
-                *files_of.entry(own).or_insert(0) += 1;
+                *counted.entry(own).or_insert(0) += 1;
                 assert!(!heads(&text, "crate::").contains(other), "{} imports from {other}", names.join("/"));
             }
         }
     }
-    assert!(files_of["one"] > 30 && files_of["many"] > 30, "{files_of:?}");
+    assert!(counted["one"] > 30 && counted["many"] > 30, "{counted:?}");
 }
 
 /// Chapters whose files import from those that stand before them in these lists.
-const FILES: [(&str, &str); 2] = [
+const FILES: [(&str, &str, &str); 2] = [
     (
+        "crates/scenes/src",
         "scene",
         "dual expression format keys units restitution force law matrix measured walls system machine oscillator simulate \
          tolerance orbits sections branches response rest validate chaos task scene values normal tolerated check \
          input upgrade family reference",
     ),
     (
+        "crates/motion/src",
         "attractor",
         "dynamics section cycle confirm detection observe portrait swing checkpoint lyapunov basins diagram touch \
          rest",
@@ -163,10 +152,10 @@ const FILES: [(&str, &str); 2] = [
 
 #[test]
 fn files_of_a_chapter_import_from_earlier_ones() {
-    for (chapter, order) in FILES {
+    for (folder, chapter, order) in FILES {
         let order: Vec<&str> = order.split_whitespace().collect();
         let place = |name: &str| order.iter().position(|known| *known == name);
-        for (names, text) in files() {
+        for (names, text) in files_of(folder) {
             let [of, file, ..] = &names[..] else { continue };
             if of != chapter || file == "mod" {
                 continue;
@@ -184,8 +173,9 @@ fn files_of_a_chapter_import_from_earlier_ones() {
 /// A kind of task is found by its word.
 #[test]
 fn files_of_tasks_bear_the_names_of_their_kinds() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let (_, table) = include_str!("../src/scene/task.rs").split_once("\nkinds! {").unwrap();
+    let root = root();
+    let table = fs::read_to_string(root.join("crates/scenes/src/scene/task.rs")).unwrap();
+    let (_, table) = table.split_once("\nkinds! {").unwrap();
     let (table, _) = table.split_once('}').unwrap();
     let kinds: Vec<(&str, &str)> = table
         .lines()
@@ -194,7 +184,7 @@ fn files_of_tasks_bear_the_names_of_their_kinds() {
         .collect();
     assert!(kinds.len() >= 12, "{kinds:?}");
     for (word, name) in kinds {
-        let file = root.join("src/run").join(word).with_extension("rs");
+        let file = root.join("crates/scenes/src/run").join(word).with_extension("rs");
         let text = fs::read_to_string(&file).unwrap_or_else(|_| panic!("{} is absent", file.display()));
         assert!(text.contains(name), "{} does not answer {name}", file.display());
     }
@@ -205,9 +195,11 @@ fn files_of_tasks_bear_the_names_of_their_kinds() {
 #[test]
 fn the_library_asks_the_clock_in_one_place() {
     let asks = |text: &str| ["Instant::now", "SystemTime::now"].iter().any(|call| text.contains(call));
-    let found: Vec<String> = files()
-        .into_iter()
-        .filter(|(names, text)| !ABOVE.contains(&names[0].as_str()) && asks(text))
+    let library = &FOLDERS[..5];
+    let found: Vec<String> = library
+        .iter()
+        .flat_map(|folder| files_of(folder))
+        .filter(|(_, text)| asks(text))
         .map(|(names, _)| names.join("/"))
         .collect();
     assert_eq!(found, ["processor"]);
@@ -217,17 +209,17 @@ fn the_library_asks_the_clock_in_one_place() {
 #[test]
 fn every_public_type_has_a_name_of_its_own_in_its_chapter() {
     let mut places: BTreeMap<(String, String), Vec<String>> = BTreeMap::new();
-    for (names, text) in files() {
+    // The commands' arguments have one name each, in a module each.
+    for (folder, (names, text)) in
+        FOLDERS[..6].iter().flat_map(|folder| files_of(folder).into_iter().map(move |file| (folder, file)))
+    {
         for line in text.lines() {
             let line = line.trim_start();
             for kind in ["struct", "enum", "trait", "type"] {
                 if let Some(rest) = line.strip_prefix(&format!("pub {kind} ")) {
                     let end = rest.find(|c: char| !c.is_alphanumeric()).unwrap_or(rest.len());
-                    let chapter = if ["motion", "one", "many"].contains(&names[0].as_str()) {
-                        names[0].clone()
-                    } else {
-                        String::new()
-                    };
+                    let part = ["motion", "one", "many"].iter().find(|part| **part == names[0]);
+                    let chapter = format!("{folder} {}", part.unwrap_or(&""));
                     places.entry((chapter, rest[..end].to_string())).or_default().push(names.join("/"));
                 }
             }
@@ -260,7 +252,7 @@ fn below(folder: &Path, ending: &str, all: &mut Vec<PathBuf>) {
 /// The files of the package with this ending.
 fn all_files(ending: &str) -> Vec<PathBuf> {
     let mut all = Vec::new();
-    below(Path::new(env!("CARGO_MANIFEST_DIR")), ending, &mut all);
+    below(&root(), ending, &mut all);
     all.sort();
     all
 }
@@ -371,7 +363,7 @@ fn targets(text: &str) -> Vec<String> {
 
 #[test]
 fn every_link_leads_somewhere() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     let pages: BTreeMap<PathBuf, String> = all_files("md")
         .into_iter()
         .map(|path| (path.canonicalize().unwrap(), fs::read_to_string(&path).unwrap()))
@@ -413,7 +405,7 @@ fn every_link_leads_somewhere() {
 /// What the article names as proved is a theorem, a statement or a file of the proofs.
 #[test]
 fn names_in_the_article_are_in_the_proofs() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     let proofs: BTreeMap<String, String> = fs::read_dir(root.join("proofs/coq"))
         .unwrap()
         .map(|entry| entry.unwrap().path())
@@ -445,7 +437,7 @@ fn names_in_the_article_are_in_the_proofs() {
 /// The list of pages is complete, so that docs can be read from front to back.
 #[test]
 fn the_summary_lists_every_page_once() {
-    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    let docs = root().join("docs");
     let mut listed = targets(&fs::read_to_string(docs.join("SUMMARY.md")).unwrap());
     listed.sort();
     let mut pages: Vec<String> = fs::read_dir(&docs)

@@ -9,6 +9,6 @@ cd "$(dirname "$0")/../.."
 build=$(mktemp -d)
 trap 'rm -rf "$build"' EXIT
 compile_with_arb "$build/digits" benches/peers/digits.c
-tail -n +2 src/study/digits_reference.csv | "$build/digits" >"$build/rows.csv"
+tail -n +2 crates/study/src/digits_reference.csv | "$build/digits" >"$build/rows.csv"
 python3 benches/peers/digits.py "$build/rows.csv" >"$build/peers.csv"
 mv "$build/peers.csv" "$folder/digits-peers.csv"

@@ -1,6 +1,6 @@
 """b_{n,k} to 1240 digits by python-flint at 16384 bits, four times the longest precision that is measured.
 
-Usage: digits_reference.py POINTS >src/study/digits_reference.csv, where `grazing accuracy --of digits --quick --points POINTS
+Usage: digits_reference.py POINTS >crates/study/src/digits_reference.csv, where `grazing accuracy --of digits --quick --points POINTS
 -o DIR` wrote POINTS; needs python-flint 0.9.0. Formulas as the paper prints them: (B1) on r = 1, (62) for r < 1, powers of the
 eigenvalues from (a1, a2). Fails if a ball is wider than the digits printed.
 """

@@ -8,5 +8,5 @@ cd "$(dirname "$0")/../.."
 build=$(mktemp -d)
 trap 'rm -rf "$build"' EXIT
 gcc -O2 -o "$build/motions" benches/peers/motions.c -lm
-"${PYTHON:-python3}" benches/peers/motions_peers.py "$build/motions" src/study/simulations_reference.csv ${QUICK:+1} >"$build/peers.csv"
+"${PYTHON:-python3}" benches/peers/motions_peers.py "$build/motions" crates/study/src/simulations_reference.csv ${QUICK:+1} >"$build/peers.csv"
 mv "$build/peers.csv" "$folder/simulations-peers.csv"

@@ -1,6 +1,6 @@
 """The motions of motions.py by a plain loop in C and by SciPy, as CSV with the columns of simulations.csv.
 
-Usage: motions_peers.py C_PROGRAM REFERENCE [RUNS]: motions.c compiled, src/study/simulations_reference.csv, and how many runs are
+Usage: motions_peers.py C_PROGRAM REFERENCE [RUNS]: motions.c compiled, crates/study/src/simulations_reference.csv, and how many runs are
 timed (5). SciPy's rows need numpy and scipy and are left out without. Each call of solve_ivp ends at an impact, found by its
 event function; rebounds slower than 1e-9 onto a wall that presses are rest, until it presses no more. Impacts that are over
 within a step fall between its steps: then the motion passes through the wall, and its count is too low.

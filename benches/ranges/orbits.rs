@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     certificate::single::Word,
     num_rational::BigRational,
     search::range::{Born, RangeEffort, SingleProblem, born, prove_single, single_orbits},

@@ -1,7 +1,7 @@
 //! The truth, followed in floats by other formulas than the library's: periodic words, from the touch to
 //! where they are no motions or no longer alone.
 
-use grazing::search::chaos::LetterGraph;
+use grazing_scenes::search::chaos::LetterGraph;
 
 /// The most impacts of a word, and how many words are followed.
 const IMPACTS: usize = 6;

@@ -55,7 +55,7 @@ def test_a_false_line_is_named(certificate):
 
 
 def test_chaos_has_letters_and_no_range(root):
-    text = (root / "checker/tests/data/chaos-123.txt").read_text()
+    text = (root / "crates/checker/tests/data/chaos-123.txt").read_text()
     details = grazing.check(text).details
     assert (details.kind, details.title, details.range) == ("chaos", "chaos", None)
     assert "3: 3 periods, " in details.detail.letters

@@ -57,6 +57,6 @@ pub(crate) use intervals::intervals_between;
 pub use intervals::{Interval, MAX_PERIOD, intervals, tree_intervals};
 pub use measure::{MAX_DECIMALS, MAX_EXACT, NarrowBounds, PeriodMeasure, measure, measures};
 pub use signs::{Approach, Signs};
-pub(crate) use single::definition_and_rung;
+pub use single::definition_and_rung;
 pub use single::{Existence, by_definition, by_records, up_to};
 pub use tip::{Lowest, Tip, tip_correction, tip_law};

@@ -126,7 +126,7 @@ pub fn up_to(
 }
 
 /// [`by_definition`], and the highest rung it took: intervals, then balls by their bits, then integers.
-pub(crate) fn definition_and_rung(ladder: &Ladder, point: &Point, n: u64) -> (Existence, Rung) {
+pub fn definition_and_rung(ladder: &Ladder, point: &Point, n: u64) -> (Existence, Rung) {
     let c = ladder.sign(point, Quantity::C { n });
     let mut rung = c.rung;
     let c = match c.answer {

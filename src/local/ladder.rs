@@ -18,7 +18,6 @@ use crate::{
 
 /// Where an answer came from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Rung {
     /// Plain `f64`, which promises nothing.
     Plain,
@@ -92,7 +91,6 @@ impl Serialize for Answer {
 
 /// An answer and the highest rung it took.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[non_exhaustive]
 pub struct SignDecision {
     /// The answer.
     pub answer: Answer,
@@ -155,7 +153,7 @@ impl Ladder {
     }
 
     /// The precisions of the ball rungs, lowest first.
-    pub(crate) fn precisions(&self) -> impl Iterator<Item = &Precision> {
+    pub fn precisions(&self) -> impl Iterator<Item = &Precision> {
         (0..self.balls.len()).map(|index| self.precision(index))
     }
 

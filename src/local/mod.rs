@@ -15,6 +15,8 @@
 
 #[cfg(test)]
 mod both_ways;
+#[doc(hidden)]
+pub mod condition;
 mod forward;
 mod ladder;
 mod plane;

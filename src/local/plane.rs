@@ -79,7 +79,7 @@ impl Region {
         [Region::One, Region::Two, Region::Three, Region::Four, Region::Five, Region::Line];
 
     /// The one that is written so: `1` to `5`, or `line`.
-    pub(crate) fn named(text: &str) -> Option<Region> {
+    pub fn named(text: &str) -> Option<Region> {
         Region::ALL.into_iter().find(|region| region.to_string() == text)
     }
 
@@ -97,7 +97,7 @@ impl Region {
     }
 
     /// That of (a₁, a₂), taken as they are; after reversing time if a₂ > 1. `None` for a₂ ≤ 0.
-    pub(crate) fn at(mut a1: f64, mut a2: f64) -> Option<Region> {
+    pub fn at(mut a1: f64, mut a2: f64) -> Option<Region> {
         if a2 > 1.0 {
             (a1, a2) = (a1 / a2, 1.0 / a2);
         }
@@ -269,7 +269,7 @@ impl Plane {
     }
 
     /// u_n. Cost: O(log n) operations.
-    pub(crate) fn u<T: Real>(&self, n: u64, context: &T::Context) -> T {
+    pub fn u<T: Real>(&self, n: u64, context: &T::Context) -> T {
         if self.real {
             let real = Eigenvalues::<T>::new(self, context);
             return real.signed(real.at(n).u, n);

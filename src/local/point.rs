@@ -58,7 +58,7 @@ const MOST_GUARD: u64 = 16384;
 
 impl Quantity {
     /// The period n.
-    pub(crate) fn period(self) -> u64 {
+    pub fn period(self) -> u64 {
         match self {
             Quantity::B { n, .. } | Quantity::C { n } => n,
         }

@@ -36,6 +36,7 @@ impl Map {
     /// ```
     pub fn from_toml(text: &str, name: &str) -> Result<Map> {
         let source = Source { text, name };
+        let entries = Entries(&source);
         let document = source.document()?;
         let table = document.as_table();
         for (key, item) in table.iter() {
@@ -53,24 +54,26 @@ impl Map {
         if format.as_str() != Some(FORMAT) {
             return Err(source.at("format", format.span(), &format!("this version reads \"{FORMAT}\"")));
         }
-        let a = source.matrix("A", get("A")?)?;
-        let b = source.vector("B", get("B")?)?;
-        let c = source.vector("C", get("C")?)?;
+        let a = entries.matrix("A", get("A")?)?;
+        let b = entries.vector("B", get("B")?)?;
+        let c = entries.vector("C", get("C")?)?;
         let e = match get("e")?.as_value() {
-            Some(value) => source.entry("e", value)?,
+            Some(value) => entries.entry("e", value)?,
             None => return Err(source.at("e", get("e")?.span(), "is not a number")),
         };
-        let section = table.get("P").map(|item| source.matrix("P", item)).transpose()?;
+        let section = table.get("P").map(|item| entries.matrix("P", item)).transpose()?;
         Map::checked(a, b, c, e, section)
             .map_err(|(Key(key), condition)| source.at(key, table.get(key).and_then(Item::span), &condition))
     }
 }
 
 /// What a map is made of.
-impl Source<'_> {
+struct Entries<'a>(&'a Source<'a>);
+
+impl Entries<'_> {
     fn matrix(&self, key: &str, item: &Item) -> Result<Vec<Vec<Entry>>> {
         let Some(rows) = item.as_array() else {
-            return Err(self.at(key, item.span(), "is not an array of rows [[…], […]]"));
+            return Err(self.0.at(key, item.span(), "is not an array of rows [[…], […]]"));
         };
         let row = |(i, value): (usize, &Value)| self.list(&format!("{key}[{}]", i + 1), value);
         rows.iter().enumerate().map(row).collect()
@@ -79,13 +82,13 @@ impl Source<'_> {
     fn vector(&self, key: &str, item: &Item) -> Result<Vec<Entry>> {
         match item.as_value() {
             Some(value) => self.list(key, value),
-            None => Err(self.at(key, item.span(), "is not an array of numbers")),
+            None => Err(self.0.at(key, item.span(), "is not an array of numbers")),
         }
     }
 
     fn list(&self, key: &str, value: &Value) -> Result<Vec<Entry>> {
         let Some(entries) = value.as_array() else {
-            return Err(self.at(key, value.span(), "is not an array of numbers"));
+            return Err(self.0.at(key, value.span(), "is not an array of numbers"));
         };
         entries.iter().enumerate().map(|(i, value)| self.entry(&format!("{key}[{}]", i + 1), value)).collect()
     }
@@ -94,25 +97,25 @@ impl Source<'_> {
     fn entry(&self, key: &str, value: &Value) -> Result<Entry> {
         let Value::InlineTable(table) = value else { return Ok(self.one(key, value)?.into()) };
         if let Some((other, _)) = table.iter().find(|(key, _)| !["lo", "hi"].contains(key)) {
-            return Err(self.at(key, value.span(), &unknown(other, &["lo", "hi"])));
+            return Err(self.0.at(key, value.span(), &unknown(other, &["lo", "hi"])));
         }
         let bound = |end: &str| match table.get(end) {
             Some(value) => self.one(&format!("{key}.{end}"), value),
-            None => Err(self.at(
+            None => Err(self.0.at(
                 key,
                 value.span(),
                 &format!("an interval needs both lo and hi; {end} is missing"),
             )),
         };
         Entry::between(bound("lo")?, bound("hi")?)
-            .map_err(|error| self.at(key, value.span(), &error.to_string()))
+            .map_err(|error| self.0.at(key, value.span(), &error.to_string()))
     }
 
     fn one(&self, key: &str, value: &Value) -> Result<BigRational> {
         if value.is_array() {
             let message = "is an array, not a number; an interval is { lo = \"…\", hi = \"…\" }";
-            return Err(self.at(key, value.span(), message));
+            return Err(self.0.at(key, value.span(), message));
         }
-        self.exact(key, value)
+        self.0.exact(key, value)
     }
 }

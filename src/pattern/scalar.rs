@@ -92,6 +92,12 @@ pub enum Value {
 }
 
 impl Value {
+    /// The middle of its enclosure.
+    pub fn middle(&self) -> f64 {
+        let interval = self.enclosure();
+        interval.lo() + (interval.hi() - interval.lo()) / 2.0
+    }
+
     /// The interval it lies in.
     pub fn enclosure(&self) -> FloatInterval {
         match self {

@@ -13,15 +13,11 @@
 //! ```
 
 mod apart;
-pub mod chaos;
 mod compare;
 pub mod cover;
 mod entropy;
 pub mod fuzz;
 mod instance;
-pub mod machine;
-pub mod orbit;
-pub mod range;
 mod share;
 mod theorem2;
 mod word;

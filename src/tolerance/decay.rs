@@ -13,9 +13,10 @@
 //! which holds if residuals are independent and of one size: so a record whose residuals are not independent
 //! is refused.
 
-use std::f64::consts::{PI, TAU};
-
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use std::{
+    array,
+    f64::consts::{PI, TAU},
+};
 
 use crate::error::{Error, Result};
 
@@ -124,8 +125,9 @@ impl Decay {
             )));
         }
         let variance = fit.squares / free;
-        let covariance = normal_equations(&points, &fit.at).0.try_inverse().ok_or_else(nothing)? * variance;
-        let deviation = |i: usize| covariance[(i, i)].max(0.0).sqrt();
+        let covariance = Cholesky::new(normal_equations(&points, &fit.at).0).ok_or_else(nothing)?.inverse();
+        let covariance = covariance.map(|row| row.map(|x| x * variance));
+        let deviation = |i: usize| covariance[i][i].max(0.0).sqrt();
         let residuals: Vec<f64> = points.iter().map(|&point| residual(&fit.at, point)).collect();
         let white = Whiteness::of(&residuals);
         if a < -DAMPED * deviation(4) {
@@ -150,7 +152,7 @@ impl Decay {
             [[w / omega, a / omega], [-a * w / omega.powi(3), (1.0 - (a / omega).powi(2)) / omega]];
         let of = |i: usize, j: usize| -> f64 {
             let pairs = (0..2).flat_map(|k| (0..2).map(move |l| (k, l)));
-            pairs.map(|(k, l)| gradients[i][k] * covariance[(3 + k, 3 + l)] * gradients[j][l]).sum()
+            pairs.map(|(k, l)| gradients[i][k] * covariance[3 + k][3 + l] * gradients[j][l]).sum()
         };
         let [by_omega, by_zeta] = [of(0, 0), of(1, 1)].map(|x| x.max(0.0).sqrt());
         let both = by_omega * by_zeta;
@@ -215,9 +217,9 @@ fn structure(points: Points, fit: &Fit, white: &Whiteness) -> String {
     let cut = points.partition_point(|point| point.0 <= end);
     let parts = [&points[..cut], &points[cut..]].map(|part| {
         let fit = (part.len() >= SAMPLES).then(|| refine(part, w, a)).flatten()?;
-        let inverse = normal_equations(part, &fit.at).0.try_inverse()?;
+        let inverse = Cholesky::new(normal_equations(part, &fit.at).0)?.inverse();
         let variance = fit.squares / (part.len() - 5) as f64;
-        Some([fit.at[4], (inverse[(4, 4)].max(0.0) * variance).sqrt()].map(|x| x / w))
+        Some([fit.at[4], (inverse[4][4].max(0.0) * variance).sqrt()].map(|x| x / w))
     });
     if let [Some([early, by]), Some([late, by_late])] = parts
         && (early - late).abs() > APART * by.hypot(by_late)
@@ -270,21 +272,51 @@ impl Sums {
         // Columns of one length.
         let scale = [self.n, self.cc, self.ss].map(|square| 1.0 / square.sqrt());
         let [k, l, m] = scale;
-        let matrix = Matrix3::new(
-            1.0,
-            k * l * self.c,
-            k * m * self.s,
-            k * l * self.c,
-            1.0,
-            l * m * self.cs,
-            k * m * self.s,
-            l * m * self.cs,
-            1.0,
-        );
-        let right = Vector3::new(k * self.x, l * self.cx, m * self.sx);
-        let solved = matrix.cholesky()?.solve(&right);
-        let gain = solved.dot(&right);
+        let matrix = [
+            [1.0, k * l * self.c, k * m * self.s],
+            [k * l * self.c, 1.0, l * m * self.cs],
+            [k * m * self.s, l * m * self.cs, 1.0],
+        ];
+        let right = [k * self.x, l * self.cx, m * self.sx];
+        let solved = Cholesky::new(matrix)?.solve(right);
+        let gain = solved.iter().zip(right).map(|(x, y)| x * y).sum::<f64>();
         gain.is_finite().then(|| ([k * solved[0], l * solved[1], m * solved[2]], gain))
+    }
+}
+
+/// L of a symmetric positive definite matrix L Lᵀ.
+struct Cholesky<const N: usize>([[f64; N]; N]);
+
+impl<const N: usize> Cholesky<N> {
+    /// `None` where the matrix is not positive definite to rounding.
+    fn new(matrix: [[f64; N]; N]) -> Option<Self> {
+        let mut lower = matrix;
+        for i in 0..N {
+            for j in 0..=i {
+                let known: f64 = (0..j).map(|k| lower[i][k] * lower[j][k]).sum();
+                let left = matrix[i][j] - known;
+                lower[i][j] = if i == j { left.sqrt() } else { left / lower[j][j] };
+            }
+            if lower[i][i].is_nan() || lower[i][i] <= 0.0 {
+                return None;
+            }
+        }
+        Some(Cholesky(lower))
+    }
+
+    fn solve(&self, right: [f64; N]) -> [f64; N] {
+        let (lower, mut x) = (&self.0, right);
+        for i in 0..N {
+            x[i] = (x[i] - (0..i).map(|k| lower[i][k] * x[k]).sum::<f64>()) / lower[i][i];
+        }
+        for i in (0..N).rev() {
+            x[i] = (x[i] - (i + 1..N).map(|k| lower[k][i] * x[k]).sum::<f64>()) / lower[i][i];
+        }
+        x
+    }
+
+    fn inverse(&self) -> [[f64; N]; N] {
+        array::from_fn(|i| self.solve(array::from_fn(|j| f64::from(u8::from(i == j)))))
     }
 }
 
@@ -303,7 +335,7 @@ fn evaluate(points: Points, w: f64, a: f64) -> Option<Fit> {
 }
 
 /// JᵀJ and Jᵀe.
-fn normal_equations(points: Points, at: &[f64; 5]) -> (SMatrix<f64, 5, 5>, SVector<f64, 5>) {
+fn normal_equations(points: Points, at: &[f64; 5]) -> ([[f64; 5]; 5], [f64; 5]) {
     let (mut matrix, mut right) = ([[0.0; 5]; 5], [0.0; 5]);
     let &[c, cosine, sine, w, a] = at;
     for &(t, value) in points {
@@ -319,8 +351,7 @@ fn normal_equations(points: Points, at: &[f64; 5]) -> (SMatrix<f64, 5, 5>, SVect
             }
         }
     }
-    let full = SMatrix::from_fn(|i, j| matrix[i.max(j)][i.min(j)]);
-    (full, SVector::from(right))
+    (array::from_fn(|i| array::from_fn(|j| matrix[i.max(j)][i.min(j)])), right)
 }
 
 /// Levenberg's and Marquardt's method, c, A and B being the best at every step.
@@ -332,15 +363,15 @@ fn refine(points: Points, w: f64, a: f64) -> Option<Fit> {
         let (matrix, right) = normal_equations(points, &fit.at);
         let mut damped = matrix;
         for i in 0..5 {
-            damped[(i, i)] += damping * matrix[(i, i)] + f64::MIN_POSITIVE;
+            damped[i][i] += damping * matrix[i][i] + f64::MIN_POSITIVE;
         }
-        let mut step = damped.cholesky()?.solve(&right);
+        let step = Cholesky::new(damped)?.solve(right);
         // By less than a turn over the record, lest it leave the hollow that it is in.
-        step /= (step[3].abs() / length).max(1.0);
-        let [w, a] = [3, 4].map(|i| fit.at[i] - step[i]);
+        let turns = (step[3].abs() / length).max(1.0);
+        let [w, a] = [3, 4].map(|i| fit.at[i] - step[i] / turns);
         match evaluate(points, w.abs(), a).filter(|next| next.squares <= fit.squares) {
             Some(next) => {
-                let small = step[3].abs() < 1e-13 * w.abs() && step[4].abs() < 1e-13 * w.abs();
+                let small = [3, 4].iter().all(|&i| step[i].abs() < 1e-13 * turns * w.abs());
                 fit = next;
                 damping *= 0.1;
                 if small {

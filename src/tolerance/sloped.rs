@@ -21,13 +21,13 @@ pub struct Sloped {
 
 impl Sloped {
     /// The parameter itself, the first (0) or the second (1), with values in an interval.
-    pub(crate) fn parameter(axis: usize, value: F) -> Sloped {
+    pub fn parameter(axis: usize, value: F) -> Sloped {
         let slope = [0, 1].map(|i| F::integer(i32::from(i == axis), &()));
         Sloped { value, slope }
     }
 
     /// What depends on neither.
-    pub(crate) fn constant(value: F) -> Sloped {
+    pub fn constant(value: F) -> Sloped {
         Sloped { value, slope: [F::integer(0, &()); 2] }
     }
 

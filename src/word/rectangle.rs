@@ -86,7 +86,7 @@ impl Rectangle {
     /// A box that holds a point as computed and its rounding, a₁ and a₂ being known to 10⁻¹² of the larger of
     /// |a₁| and 1; for a₂ > 1, or where it may be, the images by reversal of time too. None where a₂ may not
     /// be positive.
-    pub(crate) fn about(trace: f64, determinant: f64) -> Option<Rectangle> {
+    pub fn about(trace: f64, determinant: f64) -> Option<Rectangle> {
         let one = BigRational::one();
         let (t, d) = (BigRational::from_float(trace)?, BigRational::from_float(determinant)?);
         let size = t.abs().max(one.clone());

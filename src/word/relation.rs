@@ -117,7 +117,7 @@ impl Relation {
     }
 
     /// Whether the periods are all that occur.
-    pub(crate) fn is_whole(&self) -> bool {
+    pub fn is_whole(&self) -> bool {
         self.whole
     }
 

@@ -9,11 +9,11 @@ use std::{
     time::Duration,
 };
 
-const PROVED: &str = include_str!("../../checker/tests/data/theorem2.txt");
-const ORBIT: &str = include_str!("../../checker/tests/data/orbit-4.txt");
+const PROVED: &str = include_str!("../../crates/checker/tests/data/theorem2.txt");
+const ORBIT: &str = include_str!("../../crates/checker/tests/data/orbit-4.txt");
 
 fn grazing(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    let mut command = Command::new(crate::PROGRAM);
     command.arg("check").args(arguments);
     command
 }

@@ -7,7 +7,7 @@ use crate::systems;
 use common::damage::{damage, damaged};
 use std::f64::consts::PI;
 
-use grazing::{
+use grazing_scenes::{
     Result,
     certificate::{self, Rejection},
     motion::{Harmonic, Side, System, Wall},

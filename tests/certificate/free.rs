@@ -9,7 +9,7 @@ use crate::{
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     certificate,
     many::orbit::{Itinerary, find},
     motion::{Harmonic, System, Wall},

@@ -10,7 +10,7 @@ use std::{
 };
 
 use common::damage::{damage, damaged};
-use grazing::{
+use grazing_scenes::{
     certificate::{self, Rejection, machine as listed},
     many::{
         Machine,
@@ -63,15 +63,15 @@ pub(crate) fn as_machine(case: &Case) -> (Machine<Bounds>, Vec<Side>) {
             harmonics: wall.harmonics.iter().map(harmonic).collect(),
             restitution: exact(&wall.restitution),
         };
-        stops.push(grazing::many::Stop {
+        stops.push(grazing_scenes::many::Stop {
             name: side.name().into(),
             row: vec![exact(&sign)],
             wall,
-            law: grazing::many::StopLaw::Newton,
+            law: grazing_scenes::many::StopLaw::Newton,
         });
         sides.push(side);
     }
-    let load = |h: &Harmonic<BigRational>| grazing::many::Load {
+    let load = |h: &Harmonic<BigRational>| grazing_scenes::many::Load {
         k: h.k,
         cos: vec![exact(&h.cos)],
         sin: vec![exact(&h.sin)],
@@ -104,12 +104,12 @@ pub(crate) fn plainly(machine: &Machine<Bounds>) -> Simulator {
 /// The orbit of a case in floats, found from what the proof in balls says.
 fn near(case: &Case, machine: &Machine<Bounds>, sides: &[Side], known: &ProvedOrbit) -> Orbit {
     let simulator = plainly(machine);
-    let strike = |impact: &grazing::search::orbit::ExpectedImpact| Strike {
+    let strike = |impact: &grazing_scenes::search::orbit::ExpectedImpact| Strike {
         place: sides.iter().position(|&side| side == impact.side).unwrap(),
         periods: impact.periods,
     };
     let pattern = Itinerary::new(case.impacts.iter().map(strike).collect()).unwrap();
-    let float = |x: &grazing::number::Ball| x.exact_bounds().unwrap().0.to_f64().unwrap();
+    let float = |x: &grazing_scenes::number::Ball| x.exact_bounds().unwrap().0.to_f64().unwrap();
     let start: Vec<f64> =
         known.phases.iter().zip(&known.velocities).flat_map(|(t, v)| [float(t), float(v)]).collect();
     find(&simulator, &pattern, &start).unwrap()
@@ -253,15 +253,16 @@ fn follow(scene: &Scene, text: &str) {
     let speed = place[1] - contact.row.dot(&u);
     let push = simulator.contacts().push(0)
         * ((1.0 + contact.restitution) * speed / simulator.contacts().mobility(0));
-    let after = grazing::many::State::new(phase.rem_euclid(TAU), &numbers[1..1 + n], (&u + push).as_slice());
+    let after =
+        grazing_scenes::many::State::new(phase.rem_euclid(TAU), &numbers[1..1 + n], (&u + push).as_slice());
     let step = 1e-3;
     let soon = simulator.flow().after(&after, step);
-    let begin = grazing::motion::Time::new(0, phase.rem_euclid(TAU) + step);
+    let begin = grazing_scenes::motion::Time::new(0, phase.rem_euclid(TAU) + step);
     let mut run = simulator.start(begin, soon.q(), soon.u()).unwrap();
     let mut impacts = 0;
-    let end = grazing::motion::Time::new(1, phase.rem_euclid(TAU) + step);
+    let end = grazing_scenes::motion::Time::new(1, phase.rem_euclid(TAU) + step);
     run.record(end, |event| {
-        if let grazing::many::simulate::Event::Impact(impact) = event {
+        if let grazing_scenes::many::simulate::Event::Impact(impact) = event {
             assert!((impact.velocity.abs() - speed).abs() < 1e-8 * (1.0 + speed));
             impacts += 1;
         }
@@ -445,7 +446,7 @@ impl Fixed {
     }
 }
 
-const MASSES: &str = include_str!("../../checker/tests/data/machine-masses.txt");
+const MASSES: &str = include_str!("../../crates/checker/tests/data/machine-masses.txt");
 
 /// Thousands of damaged certificates of two masses; those that pass are confirmed true by a Runge–Kutta
 /// method and Newton's.

@@ -1,5 +1,8 @@
 //! Certificates of every kind: what is written passes, what is damaged is rejected unless it is still true.
 
+/// The command that these tests start.
+const PROGRAM: &str = env!("CARGO_BIN_EXE_grazing");
+
 #[path = "../common/mod.rs"]
 mod common;
 #[path = "../systems/mod.rs"]
@@ -8,15 +11,12 @@ mod systems;
 mod chaos;
 #[cfg(unix)]
 mod check;
-mod cover;
 mod event;
 mod free;
 mod machine;
 mod orbit;
-mod overflow;
 mod range;
 mod range_harmonics;
 mod range_motions;
 mod range_random;
-mod theorem2;
 mod validated;

@@ -7,7 +7,7 @@ use crate::systems;
 use std::sync::LazyLock;
 
 use common::damage::{damage, damaged};
-use grazing::{
+use grazing_scenes::{
     certificate::{self, Rejection},
     motion::System,
     number::Precision,

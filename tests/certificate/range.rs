@@ -1,6 +1,6 @@
 //! Ranges from a touch on, found and proved, against what is known of where they end.
 
-use grazing::{
+use grazing_scenes::{
     certificate,
     motion::{Harmonic, Side, System, Wall},
     number::{Real, parse_rational},
@@ -188,7 +188,11 @@ fn other_walls_and_graphs_have_ranges() {
 }
 
 /// README's machine, F being the amplitude of its forcing, with its stop at 1, or at 1 + F² if `bent`.
-fn machine(from: &BigRational, to: &BigRational, bent: bool) -> grazing::Result<System<RationalFunction>> {
+fn machine(
+    from: &BigRational,
+    to: &BigRational,
+    bent: bool,
+) -> grazing_scenes::Result<System<RationalFunction>> {
     let number = |x: &str| RationalFunction::ratio(&parse_rational(x).unwrap(), &());
     let amplitude = RationalFunction::range(from, Some(to));
     let offset = if bent { number("1") + &(amplitude.clone() * &amplitude) } else { number("1") };

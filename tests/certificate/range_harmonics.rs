@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     motion::Side,
     number::parse_rational,
     one::orbit::{Itinerary, Oscillator, Strike, find},

@@ -7,7 +7,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::range_random::{Machine, Random, drawn};
-use grazing::{
+use grazing_scenes::{
     certificate::{self, range::Certificate},
     motion::{Harmonic, Side, System, Time, Wall},
     one::simulate::{Event, Settings, Simulator},

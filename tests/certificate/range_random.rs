@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::search::{
+use grazing_scenes::search::{
     chaos::Term,
     range::{RangeEffort, RangeProblem, SingleProblem, born, prove, prove_single, single_orbits},
 };

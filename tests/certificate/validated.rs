@@ -5,7 +5,7 @@ use crate::systems;
 
 use std::process::Command;
 
-use grazing::{
+use grazing_scenes::{
     Result,
     motion::{Harmonic, Side, System, Wall},
     number::{Ball, Elementary, Precision, Real},
@@ -333,12 +333,12 @@ fn a_pattern_listed_twice_repeats() {
 fn the_example_scene_proves_what_it_says() {
     let folder = tempfile::tempdir().unwrap();
     let grazing = |args: &[&str]| {
-        let output = Command::new(env!("CARGO_BIN_EXE_grazing")).args(args).output().unwrap();
+        let output = Command::new(crate::PROGRAM).args(args).output().unwrap();
         assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
         serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap()
     };
     let path = folder.path().to_str().unwrap();
-    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/scenes/nordmark-2001.toml");
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/scenes/nordmark-2001.toml");
     let report = grazing(&["run", scene, "--only", "proofs", "-o", path, "--format", "json"]);
     let (mut certificates, mut events) = (0, 0);
     for task in report["tasks"].as_array().unwrap() {

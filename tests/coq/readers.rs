@@ -79,7 +79,7 @@ fn the_proved_reader_has_the_verdicts_of_the_checker_on_chaos() {
     let folder = build.join("chaos");
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).unwrap();
-    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let scene = root.join("examples/scenes/nordmark-2001-chaos.toml");
     let output =
         Command::new(env!("CARGO_BIN_EXE_grazing")).arg("run").arg(scene).arg("-o").arg(&folder).output();
@@ -95,7 +95,7 @@ fn the_proved_reader_has_the_verdicts_of_the_checker_on_chaos() {
 
     let mut damaged = Vec::new();
     for name in ["chaos-12.txt", "chaos-123.txt"] {
-        let text = fs::read_to_string(root.join("checker/tests/data").join(name)).unwrap();
+        let text = fs::read_to_string(root.join("crates/checker/tests/data").join(name)).unwrap();
         assert_eq!(read(&build, std::slice::from_ref(&text), &folder), ["proved"], "{name}");
         let lines: Vec<&str> = text.lines().collect();
         let mut change = |at: usize, place: usize, word: String| {

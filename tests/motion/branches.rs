@@ -12,7 +12,7 @@ use std::{
     },
 };
 
-use grazing::{
+use grazing_scenes::{
     Error, Monitor, Result,
     attractor::{
         detection::Detection,
@@ -292,8 +292,9 @@ fn at_the_resonance_both_multipliers_are_tau_r_cubed() {
             }
         }
         // It leaves the bifurcation like √µ: V² / µ tends to a constant.
-        let ratio =
-            |point: &&grazing::one::branch::BranchOrbit| point.orbit.z[1].powi(2) / point.parameters[0];
+        let ratio = |point: &&grazing_scenes::one::branch::BranchOrbit| {
+            point.orbit.z[1].powi(2) / point.parameters[0]
+        };
         let small: Vec<f64> =
             found.points.iter().filter(|p| p.parameters[0] > 1e-6).take(2).map(|p| ratio(&p)).collect();
         assert!((small[0] / small[1] - 1.0).abs() < 0.1, "{small:?}");
@@ -433,7 +434,7 @@ fn branches_that_cross_are_labelled_and_switched() {
         slope.upper.clone_from(&slope.lower);
         Oscillator::with_slope(make(force, true), &slope, 1e-13)
     };
-    use grazing::one::orbit::Strike;
+    use grazing_scenes::one::orbit::Strike;
     let itinerary = Itinerary::new(vec![
         Strike { place: Side::Lower, periods: 0 },
         Strike { place: Side::Upper, periods: 1 },
@@ -561,7 +562,7 @@ fn options_are_checked_and_agree_with_their_keys() {
     let scene = Scene::from_toml(text, "test").unwrap();
     let task = scene.tasks.iter().find(|task| task.name == "flip").unwrap();
     match &task.kind {
-        grazing::scene::Kind::BranchTask(task) => assert_eq!(task.options, Options::default()),
+        grazing_scenes::scene::Kind::BranchTask(task) => assert_eq!(task.options, Options::default()),
         other => panic!("{other:?}"),
     }
 }

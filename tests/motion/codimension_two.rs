@@ -8,7 +8,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use grazing::{
+use grazing_scenes::{
     continuation::{
         Bifurcation, Criticality, CurveEnd, DOUBLE, Degeneracy, Direction, NormalForm, Options, Root, Sense,
     },

@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     Result,
     attractor::{
         detection::{Detection, Fate},

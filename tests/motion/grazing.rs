@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     local::Region,
     motion::Side,
     number::parse_rational,
@@ -13,6 +13,7 @@ use grazing::{
     },
     pattern::{Graph, Pattern, Patterns},
     scene::{Scene, SceneFamily},
+    search::touch::{InTheory, leading_impacts},
 };
 
 fn paper(d: f64, w: f64) -> Scene {
@@ -150,8 +151,8 @@ fn the_true_system_has_the_orbits_of_the_local_theory_and_no_others() {
                 let solve = |distance: f64| {
                     let away = if positive { distance } else { -distance } / e;
                     let parameter = grazing.parameter + away;
-                    let (itinerary, z) =
-                        grazing.start(&family, pattern.periods(), &report, parameter).unwrap();
+                    let impacts = leading_impacts(&report, pattern.periods()).unwrap();
+                    let (itinerary, z) = grazing.start(&family, &impacts, parameter).unwrap();
                     let orbit = find(&family.at(parameter).unwrap(), &itinerary, z.clone())
                         .unwrap_or_else(|error| panic!("{pattern}: {error}"));
                     let error = z.iter().zip(&orbit.z).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);

@@ -403,7 +403,7 @@ fn what_is_not_done_is_said() {
     let keys = format!("parameter = \"mu\"\nrange = [-0.1, 0.01]\nframe = \"lower\"\n{orbit}");
     let file = folder.path().join("scene.toml");
     fs::write(&file, format!("{PAPER_MACHINE}{}", task("a", "branch", &keys))).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_grazing")).arg("run").arg(&file).output().unwrap();
+    let output = Command::new(crate::PROGRAM).arg("run").arg(&file).output().unwrap();
     let error = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(2), "{error}");
     assert!(

@@ -8,7 +8,7 @@ use crate::tasks;
 
 use std::f64::consts::{PI, TAU};
 
-use grazing::{
+use grazing_scenes::{
     Error,
     internals::many::{LinearEquations, LinearFlow, Periodic, Slope},
     many::{
@@ -21,6 +21,7 @@ use grazing::{
     one::{self, orbit as alone},
     pattern::{Analysis, Graph, Numbers, Pattern, Patterns},
     scene::{Scene, SceneFamily},
+    search::touch::{InTheory, leading_impacts},
 };
 
 use tasks::PAPER_MACHINE;
@@ -276,7 +277,7 @@ fn the_paper_s_map_has_its_closed_form_in_either_engine() {
         near(map.acceleration, 1.0);
         near(map.b[1], 8.0_f64.sqrt());
         assert_eq!((map.b[0], &map.c[..]), (0.0, &[1.0, 0.0][..]));
-        assert_eq!(map.region(), Some(grazing::local::Region::Three));
+        assert_eq!(map.region(), Some(grazing_scenes::local::Region::Three));
     }
 }
 
@@ -449,7 +450,8 @@ fn the_orbits_born_are_found_in_the_true_system() {
             for positive in [true, false] {
                 let solve = |distance: f64| {
                     let away = if positive { distance } else { -distance } / grazing.map.e;
-                    let z = grazing.map.start(grazing.at.phase, pattern.periods(), &report, away).unwrap();
+                    let impacts = leading_impacts(&report, pattern.periods()).unwrap();
+                    let z = grazing.map.start(grazing.at.phase, &impacts, away);
                     let machine = family.parts(grazing.parameter + away).machine();
                     let settings = Settings { minimum_depth: 1e-15 * unit, ..Settings::default() };
                     let simulator = Simulator::new(&machine, &settings).unwrap();
@@ -473,9 +475,9 @@ fn the_orbits_born_are_found_in_the_true_system() {
     }
 }
 
-fn told(text: &str) -> Vec<grazing::run::TaskReport> {
+fn told(text: &str) -> Vec<grazing_scenes::run::TaskReport> {
     let scene = Scene::from_toml(text, "test").unwrap();
-    grazing::run::run(&scene, grazing::run::Surroundings::default(), &mut ()).unwrap()
+    grazing_scenes::run::run(&scene, grazing_scenes::run::Surroundings::default(), &mut ()).unwrap()
 }
 
 fn reports(text: &str) -> Vec<serde_json::Value> {
@@ -623,7 +625,8 @@ fn several_stops_grazed_at_once_are_left_open_and_wrong_keys_are_named() {
     assert!(far["status"] == "nothing-found", "{far}");
     let refused = |more: &str, key: &str| {
         let error = Scene::from_toml(&text.replace("reach = 200", more), "test.toml");
-        let error = error.and_then(|scene| grazing::run::run(&scene, Default::default(), &mut ()).map(drop));
+        let error =
+            error.and_then(|scene| grazing_scenes::run::run(&scene, Default::default(), &mut ()).map(drop));
         let message = error.unwrap_err().to_string();
         assert!(message.contains(key), "{message}");
     };
@@ -632,7 +635,8 @@ fn several_stops_grazed_at_once_are_left_open_and_wrong_keys_are_named() {
         text.replace("kind = \"grazing\"\nparameter = \"F\"\nreach = 200", "kind = \"orbit\"\nreach = 200");
     let refused = |orbit: &str, key: &str| {
         let error = Scene::from_toml(&orbits.replace("reach = 200", orbit), "test.toml");
-        let error = error.and_then(|scene| grazing::run::run(&scene, Default::default(), &mut ()).map(drop));
+        let error =
+            error.and_then(|scene| grazing_scenes::run::run(&scene, Default::default(), &mut ()).map(drop));
         let message = error.unwrap_err().to_string();
         assert!(message.contains(key), "{message}");
     };

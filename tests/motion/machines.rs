@@ -8,7 +8,7 @@ use std::{
     process::Command,
 };
 
-use grazing::{
+use grazing_scenes::{
     many::{
         FlowMethod, Load, Machine, State, Stop, StopLaw,
         simulate::{Event, Settings, Simulator},
@@ -589,7 +589,7 @@ fn motions_agree_with_a_second_integrator() {
 
 #[test]
 fn every_example_runs_and_touches_its_stops_if_it_has_any() {
-    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/machines");
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("examples/machines");
     let (mut count, mut closed_ones) = (0, 0);
     for file in fs::read_dir(folder).unwrap() {
         let path = file.unwrap().path();
@@ -597,7 +597,7 @@ fn every_example_runs_and_touches_its_stops_if_it_has_any() {
             continue;
         }
         let out = tempfile::tempdir().unwrap();
-        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let mut command = Command::new(crate::PROGRAM);
         let found =
             command.args(["run", "--format", "json", "-o"]).arg(out.path()).arg(&path).output().unwrap();
         let text = String::from_utf8(found.stdout).unwrap();

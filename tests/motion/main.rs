@@ -1,6 +1,9 @@
 //! Motions, orbits, grazings and branches, of oscillators and of machines: against closed formulas, against
 //! engines that share no code with these, against one another.
 
+/// The command that these tests start.
+const PROGRAM: &str = env!("CARGO_BIN_EXE_grazing");
+
 #[path = "../tasks/mod.rs"]
 mod tasks;
 

@@ -3,7 +3,7 @@
 
 use std::f64::consts::{PI, SQRT_2, TAU};
 
-use grazing::{
+use grazing_scenes::{
     continuation::{Bifurcation, BranchSearch, Options},
     motion::{Contact, Flow, Side, State},
     one::{branch::locate, orbit::*},

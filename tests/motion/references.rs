@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     motion::{Counts, Effect, Harmonic, RunEnd, Side, State, System, Time, Wall},
     one::simulate::{Event, Settings, Simulator},
 };

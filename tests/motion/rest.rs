@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     run::{Findings, Job, Judgement, RestFindings, SimulationFindings, Surroundings, TaskReport, run_task},
     scene::Scene,
 };

@@ -6,7 +6,7 @@ use std::{
     sync::atomic::{AtomicI64, Ordering},
 };
 
-use grazing::{
+use grazing_scenes::{
     Error, Monitor, Result,
     attractor::{
         basins::{BasinCell, BasinGrid, basins},
@@ -540,7 +540,7 @@ fn basins_tell_starts_apart() {
     let file = folder.path().join("basins.json");
     let tall = BasinGrid { rows: 40, ..frame };
     let run = |file: Option<&std::path::Path>, monitor: &dyn Monitor| {
-        grazing::attractor::basins::basins(&simulator, &tall, &detection, "", file, monitor)
+        grazing_scenes::attractor::basins::basins(&simulator, &tall, &detection, "", file, monitor)
     };
     let whole = run(None, &()).unwrap();
     assert!(run(Some(&file), &After(20.into())).unwrap_err().is_interrupted());

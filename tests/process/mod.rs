@@ -13,7 +13,7 @@ use std::{
 
 /// The command with these arguments, split at spaces, run in a folder.
 pub fn grazing(arguments: &str, folder: &Path) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    let mut command = Command::new(crate::PROGRAM);
     command.args(arguments.split_whitespace()).current_dir(folder);
     command
 }

@@ -3,7 +3,7 @@
 
 use std::{fs, path::Path};
 
-use grazing::{
+use grazing_scenes::{
     Result,
     num_rational::BigRational,
     run::{Job, Keeper, SeriesOf, SeriesPoint, StopEvent, Surroundings, run_task},
@@ -13,7 +13,7 @@ use serde_json::Value;
 
 /// All scenes among examples and test data.
 fn files() -> Vec<(String, String)> {
-    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let mut all = Vec::new();
     for folder in ["examples/scenes", "examples/machines", "tests/data"] {
         for file in fs::read_dir(root.join(folder)).unwrap() {

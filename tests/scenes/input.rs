@@ -3,7 +3,7 @@
 
 use std::{fs, path::Path};
 
-use grazing::{
+use grazing_scenes::{
     number::{Plain, parse_rational},
     scene::{Expression, Kind, Scene, reference},
 };
@@ -327,7 +327,7 @@ fn walls_that_meet_are_found_however_briefly() {
 }
 
 fn examples() -> Vec<(String, String)> {
-    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/scenes");
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("examples/scenes");
     let mut all: Vec<(String, String)> = fs::read_dir(folder)
         .unwrap()
         .map(|file| file.unwrap().path())
@@ -458,7 +458,7 @@ fn damaged_scenes_are_errors_and_never_panic() {
 #[test]
 fn the_guide_is_true() {
     let page =
-        fs::read_to_string(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("docs/scenes.md"))
+        fs::read_to_string(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("docs/scenes.md"))
             .unwrap();
     let scene = page.split_once("```toml\n").unwrap().1.split_once("```").unwrap().0;
     read(scene).unwrap();
@@ -473,7 +473,7 @@ fn the_guide_is_true() {
 #[test]
 fn the_reference_is_current() {
     let page =
-        fs::read_to_string(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("docs/scenes.md"))
+        fs::read_to_string(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("docs/scenes.md"))
             .unwrap();
     assert!(page.contains(&reference()), "run `cargo run --example scene_reference`");
 }

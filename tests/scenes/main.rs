@@ -1,5 +1,8 @@
 //! Scenes: what is read, what runs of them report, and every form of a question.
 
+/// The command that these tests start.
+const PROGRAM: &str = env!("CARGO_BIN_EXE_grazing");
+
 #[path = "../common/mod.rs"]
 mod common;
 #[path = "../tasks/mod.rs"]

@@ -53,7 +53,7 @@ fn pieces_are_proved_nearly_to_their_ends() {
         assert!(ends[0] <= proved[0] && proved[0] < ends[0] + part, "{row}");
         assert!(ends[1] - part < proved[1] && proved[1] <= ends[1], "{row}");
         let text = fs::read_to_string(folder.path().join(row["certificate"].as_str().unwrap())).unwrap();
-        assert!(grazing::certificate::check(&mut text.as_bytes()).is_ok());
+        assert!(grazing_scenes::certificate::check(&mut text.as_bytes()).is_ok());
     }
     let points = rows(&folder.path().join("four-points.csv"));
     for point in &points {

@@ -3,7 +3,7 @@
 
 use std::fs;
 
-use grazing::certificate;
+use grazing_scenes::certificate;
 use serde_json::Value;
 
 use crate::tasks::{refused, run, task};

@@ -1,6 +1,6 @@
 //! Proofs in every unit of length, and of a parameter that is one: the same verdicts, and the same ends.
 
-use grazing::certificate;
+use grazing_scenes::certificate;
 use serde_json::Value;
 
 use crate::tasks::{run, task};

@@ -1,7 +1,7 @@
 //! Scenes of format 1 in other units of length: the same orbits, events, labels, grazings and basins. Times
 //! have the forcing's unit, so that lengths and velocities go with one factor.
 
-use grazing::{
+use grazing_scenes::{
     run::{Surroundings, run},
     scene::Scene,
 };

@@ -9,12 +9,8 @@ use std::{
     process::Command,
 };
 
-use grazing::{
+use grazing_scenes::{
     attractor::detection::{Detection, Fate},
-    internals::study::{
-        effects::{PERIODS, effects, machine_effects},
-        flow_accuracy::{long_runs, returning, tolerances},
-    },
     motion::{Effect, Side, Time},
     one::{
         orbit::{Itinerary, Oscillator, SingleImpact, find},
@@ -22,14 +18,18 @@ use grazing::{
     },
     scene::Scene,
 };
+use grazing_study::{
+    effects::{PERIODS, effects, machine_effects},
+    flow_accuracy::{long_runs, returning, tolerances},
+};
 use tempfile::TempDir;
 
-const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/scenes");
+const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/scenes");
 
 /// Exit code, standard output, standard error, and the folder with the files.
 fn grazing(arguments: &[&str]) -> (i32, String, String, TempDir) {
     let folder = tempfile::tempdir().unwrap();
-    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    let mut command = Command::new(crate::PROGRAM);
     let output = command.args(arguments).arg("-o").arg(folder.path()).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     (output.status.code().unwrap(), text(output.stdout), text(output.stderr), folder)
@@ -143,7 +143,7 @@ fn a_zero_and_nothing_give_the_same_output() {
 fn paper(mu: f64) -> Scene {
     let path = Path::new(SCENES).join("nordmark-2001.toml");
     let scene = Scene::from_toml(&fs::read_to_string(path).unwrap(), "paper").unwrap();
-    let mu = grazing::number::parse_rational(&mu.to_string()).unwrap();
+    let mu = grazing_scenes::number::parse_rational(&mu.to_string()).unwrap();
     scene.with(&[("mu".to_string(), mu)]).unwrap()
 }
 
@@ -335,11 +335,8 @@ fn figures_6_and_7_make_their_folder_and_leave_no_checkpoint() {
     for (number, files) in [("6", 8), ("7", 3)] {
         let outside = tempfile::tempdir().unwrap();
         let folder = outside.path().join("new");
-        let output = Command::new(env!("CARGO_BIN_EXE_grazing"))
-            .args(["figure", number, "-o"])
-            .arg(&folder)
-            .output()
-            .unwrap();
+        let output =
+            Command::new(crate::PROGRAM).args(["figure", number, "-o"]).arg(&folder).output().unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let names: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
         assert_eq!(names.len(), files, "{names:?}");

@@ -10,10 +10,10 @@ const PAGE: &str = include_str!("../../docs/branches.md");
 /// The report of a scene's group section-4; with the exit code expected.
 fn report(scene: &str, code: i32) -> Value {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(scene);
-    let output = Command::new(env!("CARGO_BIN_EXE_grazing"))
+    let output = Command::new(crate::PROGRAM)
         .args([
             "run",
-            &format!("{}/../examples/scenes/{scene}.toml", env!("CARGO_MANIFEST_DIR")),
+            &format!("{}/../../examples/scenes/{scene}.toml", env!("CARGO_MANIFEST_DIR")),
             "--only",
             "section-4",
             "--format",
@@ -85,7 +85,7 @@ fn the_page_has_the_digits_of_the_commands_and_of_the_paper() {
     }
     assert_eq!(rows, 22);
     if env::var_os("GRAZING_BLESS").is_some() {
-        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/branches.md"), &page).unwrap();
+        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/branches.md"), &page).unwrap();
     } else {
         assert_eq!(page, PAGE, "write it anew with GRAZING_BLESS=1 cargo test --test scenes section4::");
     }

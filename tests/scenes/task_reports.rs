@@ -3,7 +3,7 @@
 
 use std::{fs, process::Command};
 
-use grazing::{
+use grazing_scenes::{
     Error, Monitor, Result,
     run::{
         Findings, GrazingFindings, GrazingReport, Job, Status, Surroundings, TaskReport, parts, run, run_task,
@@ -85,7 +85,7 @@ fn command(scene: &str, arguments: &[&str]) -> (i32, String, String, TempDir) {
     let path = folder.path().join("s.toml");
     let head = if scene.starts_with("format") { "" } else { HEAD };
     fs::write(&path, format!("{head}{scene}")).unwrap();
-    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    let mut command = Command::new(crate::PROGRAM);
     let output = command.arg("run").arg(&path).args(arguments).arg("-o").arg(folder.path()).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     (output.status.code().unwrap(), text(output.stdout), text(output.stderr), folder)
@@ -435,9 +435,9 @@ fn tasks_that_would_write_one_file_are_refused() {
 fn a_grazing_task_says_whether_chaos_is_born() {
     let report = |scene: &str| {
         let folder = tempfile::tempdir().unwrap();
-        let path = format!("{}/../examples/scenes/{scene}", env!("CARGO_MANIFEST_DIR"));
+        let path = format!("{}/../../examples/scenes/{scene}", env!("CARGO_MANIFEST_DIR"));
         let run = |format: &str| {
-            let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+            let mut command = Command::new(crate::PROGRAM);
             let command = command.args(["run", &path, "--only", "grazing", "--format", format, "-o"]);
             String::from_utf8(command.arg(folder.path()).output().unwrap().stdout).unwrap()
         };
@@ -505,10 +505,10 @@ fn a_force_that_is_too_steep_is_named_with_its_place() {
 /// Of a row of A, as text: 6 digits, 3 if asked for, and with 17 the floats of JSON.
 #[test]
 fn text_has_the_digits_asked_for_and_json_has_all() {
-    let path = format!("{}/../examples/scenes/nordmark-2001.toml", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/../../examples/scenes/nordmark-2001.toml", env!("CARGO_MANIFEST_DIR"));
     let folder = tempfile::tempdir().unwrap();
     let run = |arguments: &[&str]| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let mut command = Command::new(crate::PROGRAM);
         let command = command.args(["run", &path, "--only", "grazing", "-o"]).arg(folder.path());
         String::from_utf8(command.args(arguments).output().unwrap().stdout).unwrap()
     };
@@ -533,7 +533,7 @@ fn text_has_the_digits_asked_for_and_json_has_all() {
         ("-1", "negative"),
         ("1/2", "whole"),
     ] {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let mut command = Command::new(crate::PROGRAM);
         let output = command.args(["run", &path, "--digits", wrong]).output().unwrap();
         let error = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{wrong}: {error}");

@@ -9,7 +9,7 @@ use std::{
 };
 
 fn run(folder: &Path, arguments: &str) -> (i32, String, String) {
-    ended(Command::new(env!("CARGO_BIN_EXE_grazing")).args(arguments.split(' ')).current_dir(folder))
+    ended(Command::new(crate::PROGRAM).args(arguments.split(' ')).current_dir(folder))
 }
 
 fn ended(command: &mut Command) -> (i32, String, String) {
@@ -57,7 +57,7 @@ fn old_names_are_still_understood() {
 #[test]
 fn negative_numbers_are_values() {
     let folder = tempfile::tempdir().unwrap();
-    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/scenes/bouncing-ball.toml");
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/scenes/bouncing-ball.toml");
     let run_scene = format!("run {}", scene.display());
     for command in [
         "verify @",
@@ -144,7 +144,7 @@ fn one_thing_has_one_exit_code() {
 #[test]
 fn what_is_reversed_or_given_twice_is_told() {
     let folder = tempfile::tempdir().unwrap();
-    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/scenes/bouncing-ball.toml");
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/scenes/bouncing-ball.toml");
     let scene = scene.display();
     for (line, told) in [
         ("verify 3..2", "3..2 is reversed: write 2..=3, which includes both ends"),
@@ -234,7 +234,7 @@ fn a_shard_may_come_by_standard_input() {
         assert_eq!(run(folder, &format!("verify 3..=9 --shard {part}/2 --certificate {part}")).0, 0);
     }
     assert_eq!(run(folder, "merge 1 2 -o whole").0, 0);
-    let mut child = Command::new(env!("CARGO_BIN_EXE_grazing"))
+    let mut child = Command::new(crate::PROGRAM)
         .args(["merge", "2", "-", "-o", "piped"])
         .current_dir(folder)
         .stdin(Stdio::piped())
@@ -248,7 +248,7 @@ fn a_shard_may_come_by_standard_input() {
     let damaged = fs::read_to_string(folder.join("1")).unwrap().replacen("item 3", "item 4", 1);
     fs::write(folder.join("damaged"), damaged).unwrap();
     let (code, _, error) = ended(
-        Command::new(env!("CARGO_BIN_EXE_grazing"))
+        Command::new(crate::PROGRAM)
             .args(["merge", "2", "-", "-o", "no"])
             .current_dir(folder)
             .stdin(fs::File::open(folder.join("damaged")).unwrap()),

@@ -10,7 +10,7 @@ use std::{
 };
 
 fn command(arguments: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    let mut command = Command::new(crate::PROGRAM);
     command.args(arguments.split_whitespace());
     command
 }
@@ -189,7 +189,7 @@ fn table_formats_hold_the_same_rows() {
 /// the other, formatted by the standard library, from the Farey tree.
 #[test]
 fn rows_set_in_parallel_are_in_order_and_to_the_byte() {
-    use grazing::existence::{Interval, intervals, tree_intervals};
+    use grazing_scenes::existence::{Interval, intervals, tree_intervals};
     let mut all: Vec<Interval> = tree_intervals(500).unwrap().collect();
     all.sort_by_key(|interval| (interval.n, interval.left));
     let long: Vec<Interval> = intervals(99_991).unwrap().collect();
@@ -198,7 +198,8 @@ fn rows_set_in_parallel_are_in_order_and_to_the_byte() {
         let texts: Vec<[String; 7]> = rows
             .iter()
             .map(|Interval { n, m, case, left, right, deciding }| {
-                let end = |x: &grazing::num_rational::Ratio<u64>| format!("{}/{}", x.numer(), x.denom());
+                let end =
+                    |x: &grazing_scenes::num_rational::Ratio<u64>| format!("{}/{}", x.numer(), x.denom());
                 let signs = [case.sign_emu(), case.sign_gamma()].map(|sign| sign.to_string());
                 let [emu, gamma] = signs;
                 let k = deciding.map_or(String::new(), |k| k.to_string());
@@ -271,7 +272,7 @@ fn checked_in_figure_is_current() {
     for name in ["intervals.svg", "intervals.csv"] {
         let drawn = fs::read_to_string(folder.path().join(name)).unwrap();
         assert_eq!(
-            fs::read_to_string(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs")).join(name))
+            fs::read_to_string(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs")).join(name))
                 .unwrap(),
             drawn,
             "run `grazing figure intervals -o docs`"
@@ -456,7 +457,7 @@ fn evaluate_prints_certain_digits_and_the_rung() {
 }
 
 fn example(name: &str) -> String {
-    format!("{}/../examples/maps/{name}", env!("CARGO_MANIFEST_DIR"))
+    format!("{}/../../examples/maps/{name}", env!("CARGO_MANIFEST_DIR"))
 }
 
 /// The numbers of section 4.2 of the paper: which periods exist on which side, and their large eigenvalues.

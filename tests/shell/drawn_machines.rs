@@ -7,7 +7,9 @@ use std::{
     path::Path,
 };
 
-use grazing::{internals::random::Random, many::elements::Evaluated, number::parse_rational, scene::Scene};
+use grazing_scenes::{
+    internals::random::Random, many::elements::Evaluated, number::parse_rational, scene::Scene,
+};
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -96,7 +98,7 @@ fn drawn(path: &Path, exact: bool) -> (Vec<HashMap<String, String>>, String) {
 /// gyroscopic coupling is red.
 #[test]
 fn every_example_is_drawn_and_its_matrices_come_back() {
-    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     let mut seen = 0;
     for folder in ["machines", "scenes"] {
         for entry in fs::read_dir(examples.join(folder)).unwrap() {
@@ -223,7 +225,7 @@ fn error(arguments: &str) -> String {
 #[test]
 fn a_scene_is_asked_for_and_its_parameters_can_be_set() {
     let folder = tempfile::tempdir().unwrap();
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/machines/two-masses.toml");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/machines/two-masses.toml");
     let out = folder.path().join("a.svg");
     let all = stdout(&format!("figure machine {} --set F0=-7 -o {}", path.display(), out.display()));
     assert!(all.starts_with("wrote ") && fs::read_to_string(&out).unwrap().contains("-7 cos"), "{all}");

@@ -2,7 +2,7 @@
 
 use std::{collections::HashMap, fs, path::Path, process::Command};
 
-use grazing::{
+use grazing_scenes::{
     existence::{Case, by_definition, by_records, intervals},
     local::{Ladder, Point, Polar},
     number::parse_rational,
@@ -12,7 +12,7 @@ use grazing::{
 /// Draws a figure; returns the rows of its CSV by column name, and its SVG.
 pub(super) fn draw(arguments: &str, name: &str) -> (Vec<HashMap<String, String>>, String) {
     let folder = tempfile::tempdir().unwrap();
-    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    let mut command = Command::new(crate::PROGRAM);
     command.arg("figure").args(arguments.split_whitespace()).arg("-o").arg(folder.path());
     let output = command.output().unwrap();
     assert_eq!((output.status.code(), output.stderr), (Some(0), vec![]), "grazing figure {arguments}");
@@ -367,7 +367,7 @@ fn the_design_chart_covers_its_box() {
 /// Of every picture on the pages, those of measured tables among them.
 #[test]
 fn no_text_on_the_pages_covers_another() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs");
     let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let pictures: Vec<_> = files.filter(|file| file.extension().is_some_and(|end| end == "svg")).collect();
     assert!(pictures.len() > 20, "{}", pictures.len());
@@ -392,7 +392,7 @@ fn wrong_numbers_are_named() {
         ("design --r 0.9±1% --s 0.2", "two different ends"),
     ];
     for (arguments, expected) in cases {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let mut command = Command::new(crate::PROGRAM);
         let output = command.arg("figure").args(arguments.split_whitespace()).output().unwrap();
         let message = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{message}");
@@ -405,7 +405,7 @@ fn wrong_numbers_are_named() {
 fn the_output_may_be_a_file() {
     let folder = tempfile::tempdir().unwrap();
     let figure = |arguments: &str| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let mut command = Command::new(crate::PROGRAM);
         let output = command.arg("figure").args(arguments.split(' ')).current_dir(&folder).output().unwrap();
         (output.status.code(), String::from_utf8(output.stderr).unwrap())
     };
@@ -438,7 +438,7 @@ fn the_output_may_be_a_file() {
 fn a_part_of_a_figure_is_shown_and_what_is_written_is_said() {
     let folder = tempfile::tempdir().unwrap();
     let figure = |arguments: &str, output: &str| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let mut command = Command::new(crate::PROGRAM);
         let all = format!("figure {arguments} -o {output}");
         let ran = command.args(all.split(' ')).current_dir(&folder).output().unwrap();
         let text = |bytes| String::from_utf8(bytes).unwrap();
@@ -484,7 +484,7 @@ fn a_part_of_a_figure_is_shown_and_what_is_written_is_said() {
 fn branches_are_marginal_where_a_multiplier_is_on_the_unit_circle() {
     let (rows, svg) = draw("6", "figure6");
     let kept =
-        table(&fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/figure6.csv")).unwrap());
+        table(&fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/figure6.csv")).unwrap());
     assert_eq!(rows.len(), kept.len());
     let mut marginal = Vec::new();
     for (row, kept) in rows.iter().zip(&kept) {
@@ -519,7 +519,7 @@ fn checked_in_figures_are_current() {
         let (rows, svg) = draw(arguments, name);
         let kept = |extension| {
             fs::read_to_string(
-                Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs"))
+                Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs"))
                     .join(format!("{name}.{extension}")),
             )
             .unwrap()
@@ -538,7 +538,7 @@ fn tables_of_accuracy_hold_what_the_page_says() {
     let read = |name: &str| {
         table(
             &fs::read_to_string(
-                Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("docs").join(name),
+                Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("docs").join(name),
             )
             .unwrap(),
         )

@@ -1,5 +1,8 @@
 //! The command as a shell, a reader of its tables and a cluster meet it.
 
+/// The command that these tests start.
+const PROGRAM: &str = env!("CARGO_BIN_EXE_grazing");
+
 #[path = "../process/mod.rs"]
 mod process;
 

@@ -7,7 +7,7 @@
 
 use std::{env, fs, path::Path};
 
-use grazing::{
+use grazing_scenes::{
     Error, Monitor, Result,
     attractor::{
         basins::{BasinGrid, basins},
@@ -139,7 +139,7 @@ fn runs() -> usize {
 }
 
 fn files(folder: &str) -> Vec<String> {
-    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join(folder);
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(folder);
     let mut paths: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     paths.sort();
     paths.iter().map(|path| fs::read_to_string(path).unwrap()).collect()
@@ -198,7 +198,7 @@ fn damaged_numbers_are_read_or_refused() {
 
 #[test]
 fn damaged_certificates_are_proved_or_rejected() {
-    let binary = env!("CARGO_BIN_EXE_grazing");
+    let binary = crate::PROGRAM;
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, arguments: &[&str]| {
         let file = folder.path().join(name);
@@ -208,7 +208,7 @@ fn damaged_certificates_are_proved_or_rejected() {
         fs::read_to_string(file).unwrap()
     };
     let scene =
-        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/scenes/nordmark-2001.toml");
+        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("examples/scenes/nordmark-2001.toml");
     let orbit = ["run", scene.to_str().unwrap(), "--only", "proofs", "-o", folder.path().to_str().unwrap()];
     std::process::Command::new(binary).args(orbit).output().unwrap();
     let mut texts = vec![write("t", &["verify", "1..=9"]), write("c", &["cover", "3..=4"])];
@@ -216,7 +216,7 @@ fn damaged_certificates_are_proved_or_rejected() {
         let path = folder.path().join(format!("{name}.certificate"));
         texts.push(fs::read_to_string(path).unwrap_or_else(|error| panic!("{name}: {error}")));
     }
-    texts.push(include_str!("../../checker/tests/data/machine-masses.txt").into());
+    texts.push(include_str!("../../crates/checker/tests/data/machine-masses.txt").into());
     for kind in [&[][..], &["--by-theorem"]] {
         for point in [
             ["--a1", "-1/4", "--a2", "1/2"],

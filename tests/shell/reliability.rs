@@ -129,7 +129,7 @@ fn what_is_too_much_is_refused_before_it_is_in_memory() {
     let folder = tempdir().unwrap();
     let folder = folder.path();
     let limited = |megabytes: u64, arguments: &str| {
-        let program = env!("CARGO_BIN_EXE_grazing");
+        let program = crate::PROGRAM;
         let line = format!("ulimit -v {}; exec {program} {arguments}", megabytes << 10);
         let mut command = std::process::Command::new("sh");
         let output = command.arg("-c").arg(line).current_dir(folder).output().unwrap();

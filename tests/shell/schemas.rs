@@ -107,7 +107,8 @@ fn every_command_and_every_format_has_a_schema() {
         .unwrap()
         .map(|file| file.unwrap().path().file_stem().unwrap().to_string_lossy().replace(".json", ""))
         .collect();
-    let (mut named, mut folders) = (BTreeSet::new(), vec![root().join("src"), root().join("shell/src")]);
+    let (mut named, mut folders) =
+        (BTreeSet::new(), vec![root().join("src"), root().join("crates/shell/src")]);
     while let Some(folder) = folders.pop() {
         let paths: Vec<PathBuf> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
         for path in paths {

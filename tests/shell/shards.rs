@@ -7,7 +7,7 @@ use std::{
     sync::atomic::{AtomicU64, Ordering},
 };
 
-use grazing::{
+use grazing_scenes::{
     Monitor,
     run::{Job, Surroundings, parts},
     scene::Scene,
@@ -16,11 +16,8 @@ use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 
 fn run(folder: &Path, arguments: &str) -> (i32, String, String) {
-    let Output { status, stdout, stderr } = Command::new(env!("CARGO_BIN_EXE_grazing"))
-        .args(arguments.split_whitespace())
-        .current_dir(folder)
-        .output()
-        .unwrap();
+    let Output { status, stdout, stderr } =
+        Command::new(crate::PROGRAM).args(arguments.split_whitespace()).current_dir(folder).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     (status.code().unwrap(), text(stdout), text(stderr))
 }
@@ -302,9 +299,9 @@ fn scenes_are_told_apart_by_what_they_say() {
 struct After(AtomicU64);
 
 impl Monitor for After {
-    fn advance(&self, units: u64) -> grazing::Result<()> {
+    fn advance(&self, units: u64) -> grazing_scenes::Result<()> {
         let left = self.0.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(units));
-        left.map(drop).map_err(|_| grazing::Error::interrupted("enough"))
+        left.map(drop).map_err(|_| grazing_scenes::Error::interrupted("enough"))
     }
 }
 
@@ -340,7 +337,7 @@ fn two_processes_write_one_shard_and_a_full_disk_none() {
     fs::write(folder.path().join("scene.toml"), SCENE).unwrap();
     let command = "verify 3..=60 --shard 1/2 --certificate part";
     let start = || {
-        Command::new(env!("CARGO_BIN_EXE_grazing"))
+        Command::new(crate::PROGRAM)
             .args(command.split(' '))
             .current_dir(folder.path())
             .output()
@@ -427,7 +424,7 @@ fn shards_name_the_sources_of_their_program() {
     };
     let shell = Path::new(env!("CARGO_MANIFEST_DIR"));
     let lock = vec!["Cargo.lock".to_string()];
-    let library = hashed(&shell.join(".."), lock, &["src", "checker/src", "number/src"]);
+    let library = hashed(&shell.join(".."), lock, &["src", "crates/checker/src", "crates/number/src"]);
     let shell = hashed(shell, Vec::new(), &["src"]);
     let folder = tempdir().unwrap();
     done(folder.path(), "verify 3 --shard 1/1 --certificate 1");
@@ -535,7 +532,7 @@ fn what_is_wrong_with_shards_is_said() {
 fn scripts_send_again_what_is_missing_and_what_is_false() {
     let folder = tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
-    let scripts = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/cluster");
+    let scripts = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("examples/cluster");
     for name in ["campaign.sh", "array.sbatch", "merge.sbatch"] {
         let text = fs::read_to_string(scripts.join(name)).unwrap();
         let small = text.replace("SHARDS=16", "SHARDS=4").replace("3..=500", "3..=20");
@@ -556,7 +553,7 @@ echo 1
     fs::create_dir(path("bin")).unwrap();
     fs::create_dir(path("parts")).unwrap();
     fs::write(path("bin/sbatch"), sbatch).unwrap();
-    std::os::unix::fs::symlink(env!("CARGO_BIN_EXE_grazing"), path("bin/grazing")).unwrap();
+    std::os::unix::fs::symlink(crate::PROGRAM, path("bin/grazing")).unwrap();
     assert!(Command::new("chmod").arg("+x").arg(path("bin/sbatch")).status().unwrap().success());
     for index in [1, 2, 4] {
         done(folder.path(), &format!("verify 3..=20 --shard {index}/4 --certificate parts/part-{index}"));

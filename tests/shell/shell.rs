@@ -14,8 +14,8 @@ use process::{ended, grazing, listening, names, onto_full_disk, run, signal, unr
 use tempfile::tempdir;
 
 /// A map with patterns that stay undecided.
-const SINGULAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/maps/singular.toml");
-const FOCUS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/maps/focus.toml");
+const SINGULAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/maps/singular.toml");
+const FOCUS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/maps/focus.toml");
 
 /// A certificate with a false line.
 fn false_certificate(folder: &Path) {
@@ -274,7 +274,7 @@ fn no_file_is_lost_to_another_of_the_same_command() {
     assert!(code == 2 && said.contains("which is the scene's file stiff.csv"), "{said}");
     // Standard streams are files too.
     let shell = |line: &str| {
-        let line = line.replace("grazing", env!("CARGO_BIN_EXE_grazing"));
+        let line = line.replace("grazing", crate::PROGRAM);
         ended(Command::new("sh").arg("-c").arg(line).current_dir(folder).output().unwrap())
     };
     for line in [
@@ -351,10 +351,8 @@ fn a_pipe_is_opened_once() {
     assert!(Command::new("mkfifo").arg(folder.join("pipe")).status().unwrap().success());
     let wanted = run("intervals 8", folder).1;
     for command in ["intervals 8 -o pipe", "verify 3..=200 --certificate pipe"] {
-        let line = format!(
-            "cat pipe >got & timeout 120 {} {command}; code=$?; wait; exit $code",
-            env!("CARGO_BIN_EXE_grazing")
-        );
+        let line =
+            format!("cat pipe >got & timeout 120 {} {command}; code=$?; wait; exit $code", crate::PROGRAM);
         let (code, _, said) =
             ended(Command::new("sh").arg("-c").arg(line).current_dir(folder).output().unwrap());
         assert_eq!(code, 0, "{command}: {said}");
@@ -377,7 +375,7 @@ fn text_of_others_is_printable_and_no_formula() {
     let name = "a\u{1b}[31m\u{202e}b\nc";
     fs::write(folder.join(name), "no certificate").unwrap();
     let told = |arguments: &[&str]| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let mut command = Command::new(crate::PROGRAM);
         ended(command.args(arguments).current_dir(folder).output().unwrap())
     };
     for arguments in [
@@ -462,7 +460,7 @@ fn files_have_the_users_mode_and_links_are_followed() {
     let folder = tempdir().unwrap();
     let folder = folder.path();
     symlink("new", folder.join("dangling")).unwrap();
-    let binary = env!("CARGO_BIN_EXE_grazing");
+    let binary = crate::PROGRAM;
     let script = format!(
         "umask 027; {binary} intervals 8 -o dangling && {binary} fuzz --n 12 --cases 1 --resume state && {binary} cover 8 --resume journal"
     );

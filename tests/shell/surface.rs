@@ -12,7 +12,7 @@ use std::{
 use process::run;
 
 pub fn root() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
 
 /// What Python says to these arguments, run in a folder.
@@ -275,7 +275,7 @@ fn cells_are_balanced(what: &str, text: &str) {
 /// Runs a line as a shell would in this folder, `grazing` and `grazing-check` being the ones just built; its
 /// exit code and what it printed.
 fn shell(line: &str, folder: &Path) -> (i32, String) {
-    let built = Path::new(env!("CARGO_BIN_EXE_grazing")).parent().unwrap();
+    let built = Path::new(crate::PROGRAM).parent().unwrap();
     let path = format!("{}:{}", built.display(), env::var("PATH").unwrap());
     let output =
         Command::new("sh").args(["-c", line]).current_dir(folder).env("PATH", path).output().unwrap();
@@ -569,7 +569,7 @@ fn wrong_inputs_are_named() {
     let mut tried = 0;
     for (line, values) in HOLES {
         for value in *values {
-            let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+            let mut command = Command::new(crate::PROGRAM);
             command.current_dir(folder.path());
             command.args(line.split(' ').map(|word| if word == "@" { value } else { word }));
             let (code, out, err) = process::ended(command.output().unwrap());

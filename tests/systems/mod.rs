@@ -3,7 +3,7 @@
 // Each test program uses a part of this.
 #![allow(dead_code)]
 
-use grazing::{
+use grazing_scenes::{
     motion::{Harmonic, Side, System, Wall},
     number::{Precision, Real, parse_rational},
     search::orbit::{self, ExpectedImpact, ProvedOrbit, Stability, Verdict},

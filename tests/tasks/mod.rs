@@ -62,7 +62,7 @@ pub fn refused(scene: &str, tasks: &[String], folder: &Path) -> String {
 fn output(scene: &str, tasks: &[String], folder: &Path) -> Output {
     let file = folder.join("scene.toml");
     fs::write(&file, format!("{scene}{}", tasks.concat())).unwrap();
-    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    let mut command = Command::new(crate::PROGRAM);
     command.args(["run", "--format", "json", "-o"]).arg(folder).arg(&file).output().unwrap()
 }
 

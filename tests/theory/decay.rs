@@ -1,7 +1,7 @@
 //! Free decays made with known frequency and damping: what is found in them, and what is refused.
 
-use grazing::internals::random::Random;
 use grazing::tolerance::{Decay, Estimate};
+use grazing_base::random::Random;
 
 /// Numbers that are normal with deviation 1, the same everywhere up to rounding.
 struct Normal(Random);

@@ -1,9 +1,5 @@
 //! The suprema of the entropy: their certificate, damaged copies of it, and words drawn at random.
 
-use crate::process;
-
-use std::fs;
-
 use grazing::certificate::check;
 use grazing::local::{Ladder, Point, Polar};
 use grazing::number::parse_rational;
@@ -11,7 +7,6 @@ use grazing::search::entropy_certificate;
 use grazing::word::{Entropy, Word};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
-use process::run;
 
 /// log of the tribonacci constant, and −log of the root of the equation of the other case.
 const SUPREMA: [f64; 2] = [0.609_377_863_436_006, 0.450_385_084_073_141];
@@ -20,7 +15,7 @@ const SUPREMA: [f64; 2] = [0.609_377_863_436_006, 0.450_385_084_073_141];
 fn the_certificate_passes() {
     let text = entropy_certificate(&()).unwrap();
     // The checker's sample.
-    assert_eq!(text, include_str!("../../checker/tests/data/entropy.txt"));
+    assert_eq!(text, include_str!("../../crates/checker/tests/data/entropy.txt"));
     let checked = check(&mut text.as_bytes()).unwrap();
     assert_eq!((checked.kind, &checked.range), ("entropy", &None));
     let [minus, plus] = &checked.detail[..] else { panic!("{checked}") };
@@ -144,18 +139,4 @@ fn tails_have_the_entropy_of_their_equation() {
         }
         assert!((low.to_f64().unwrap() + below.ln()).abs() < 1e-12, "{k}: {low} {below} {at_least}");
     }
-}
-
-#[test]
-fn the_command_writes_the_certificate() {
-    let folder = tempfile::tempdir().unwrap();
-    let (code, out, err) = run("verify --entropy --certificate e.txt", folder.path());
-    assert!(code == 0 && out.starts_with("proved, entropy\n  case + -: "), "{out}{err}");
-    let (code, out, _) = run("check e.txt", folder.path());
-    assert!(code == 0 && out.starts_with("e.txt: proved, entropy"), "{out}");
-    let text = fs::read_to_string(folder.path().join("e.txt")).unwrap();
-    assert_eq!(text, entropy_certificate(&()).unwrap());
-    let (code, _, err) = run("verify --entropy --format json", folder.path());
-    assert!(code == 2 && err.contains("check --format json"), "{err}");
-    assert_eq!(run("verify 3 --entropy", folder.path()).0, 2);
 }

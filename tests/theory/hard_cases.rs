@@ -2,7 +2,7 @@
 //!
 //! The references come from FLINT and from Python's fractions (tests/data/make_hard_cases.py).
 
-use grazing::internals::study::condition;
+use grazing::local::condition::condition;
 use grazing::local::{Answer, Ladder, Plane, Point, Polar, Quantity, Rung, sign_by};
 use grazing::number::{Ball, FloatInterval, Precision, Sign, parse_rational};
 use num_rational::BigRational;

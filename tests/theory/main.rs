@@ -2,8 +2,6 @@
 
 #[path = "../common/mod.rs"]
 mod common;
-#[path = "../process/mod.rs"]
-mod process;
 #[path = "../reader/mod.rs"]
 mod reader;
 
@@ -19,14 +17,14 @@ mod fuzz;
 mod hard_cases;
 mod map_input;
 mod measure;
-mod measured;
+mod overflow;
 mod patterns;
-mod sequences;
 mod share;
 mod smooth_map;
 mod solvers;
 mod symbols;
 mod theorem2;
+mod theorem2_certificates;
 mod tolerance;
 mod windows;
 mod words;

@@ -21,7 +21,7 @@ after(async () => {
 });
 
 const scene = join(ROOT, "examples/scenes/nordmark-2001.toml");
-const certificate = join(ROOT, "checker/tests/data/range-12.txt");
+const certificate = join(ROOT, "crates/checker/tests/data/range-12.txt");
 
 async function turn(page, drive) {
   await page.locator("#start-drive").evaluate((slider, drive) => {

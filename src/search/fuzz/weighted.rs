@@ -8,7 +8,10 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::Instance;
+use super::{
+    Instance,
+    random::{fraction, tiny},
+};
 use crate::{
     existence::intervals,
     local::{Answer, Ladder, Plane, Point, Polar, Quantity},
@@ -26,7 +29,7 @@ pub(super) fn case(random: &mut Random, ladder: &Ladder, periods: RangeInclusive
     let last = *periods.end();
     let n = random.within(*periods.start(), last);
     match random.within(0, 9) {
-        0 => polar(n, near_one(random), random.fraction() / BigInt::from(2)),
+        0 => polar(n, near_one(random), fraction(random) / BigInt::from(2)),
         1 => {
             let s = near_multiple(random, n, n)?;
             polar(n, modulus(random), s)
@@ -50,9 +53,9 @@ pub(super) fn case(random: &mut Random, ladder: &Ladder, periods: RangeInclusive
         }
         6 => {
             // Near equal eigenvalues: λ², 2λ ± tiny.
-            let size = if random.coin() { near_one(random) } else { random.fraction() };
+            let size = if random.coin() { near_one(random) } else { fraction(random) };
             let lambda = signed(random, size);
-            let shift = if random.within(0, 3) == 0 { BigRational::zero() } else { random.tiny(1, 100) };
+            let shift = if random.within(0, 3) == 0 { BigRational::zero() } else { tiny(random, 1, 100) };
             let a1 = &lambda * BigInt::from(2);
             plane(n, if random.coin() { a1 + shift } else { a1 - shift }, &lambda * &lambda)
         }
@@ -66,7 +69,7 @@ pub(super) fn case(random: &mut Random, ladder: &Ladder, periods: RangeInclusive
         8 => {
             // Anywhere in the plane, regions 1 and 5 included.
             let a2 = modulus(random);
-            let a1 = random.fraction() * BigInt::from(4);
+            let a1 = fraction(random) * BigInt::from(4);
             plane(n, signed(random, a1), a2)
         }
         _ => {
@@ -95,21 +98,21 @@ fn signed(random: &mut Random, x: BigRational) -> BigRational {
 }
 
 fn signed_tiny(random: &mut Random) -> BigRational {
-    let tiny = random.tiny(1, 100);
+    let tiny = tiny(random, 1, 100);
     signed(random, tiny)
 }
 
 fn near_one(random: &mut Random) -> BigRational {
-    BigRational::one() - random.tiny(3, 120)
+    BigRational::one() - tiny(random, 3, 120)
 }
 
 /// r in (0, 1]: anything, near 1, near 0, or 1.
 fn modulus(random: &mut Random) -> BigRational {
     match random.within(0, 7) {
         0 => BigRational::one(),
-        1 => random.tiny(5, 60),
+        1 => tiny(random, 5, 60),
         2..=4 => near_one(random),
-        _ => random.fraction(),
+        _ => fraction(random),
     }
 }
 

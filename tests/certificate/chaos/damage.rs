@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use grazing::{
+use grazing_scenes::{
     certificate::{
         self,
         chaos::{Certificate, Complete, Decimal, Fraction, Harmonic, Letter},

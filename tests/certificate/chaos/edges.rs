@@ -1,6 +1,6 @@
 //! Keys of the task at the ends of their ranges, and beyond.
 
-use grazing::{
+use grazing_scenes::{
     certificate,
     run::{ChaosFindings, Findings, Job, Status, Surroundings, run_task},
     scene::Scene,

@@ -2,7 +2,7 @@
 
 use std::{collections::HashSet, f64::consts::PI};
 
-use grazing::{
+use grazing_scenes::{
     motion::Time,
     one::{
         attractor::lyapunov,

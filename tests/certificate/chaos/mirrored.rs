@@ -6,7 +6,7 @@ use std::{
     f64::consts::{FRAC_PI_2, PI, TAU},
 };
 
-use grazing::{
+use grazing_scenes::{
     certificate,
     motion::{Side, Time},
     one::{

@@ -9,7 +9,7 @@ mod walls;
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     motion::{Side, Time},
     one::{
         orbit::{Itinerary, Oscillator, Strike, find},

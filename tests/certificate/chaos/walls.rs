@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use grazing::{
+use grazing_scenes::{
     motion::{Harmonic, Side, System},
     one::orbit::{Itinerary, Oscillator, Strike, find},
     run::{ChaosFindings, Findings, Job, Surroundings, run_task},
@@ -202,7 +202,7 @@ fn a_forcing_of_several_harmonics_is_a_wall_of_several() {
     let (_, same) = with_walls(&moving(offset), task);
     assert!((found.depth[0] - 0.004 / unit).abs() < 1e-8 && (found.depth[0] - same.depth[0]).abs() < 1e-12);
     for (one, other) in found.letters.iter().zip(&same.letters) {
-        let ends = |row: &grazing::run::LetterRow| [row.after, row.before].concat();
+        let ends = |row: &grazing_scenes::run::LetterRow| [row.after, row.before].concat();
         assert!(ends(one).iter().zip(ends(other)).all(|(a, b)| (a - b).abs() < 1e-6), "{one:?} {other:?}");
     }
     let oscillator = Oscillator::new(scene.plain(&[]).unwrap(), 1e-13).unwrap();

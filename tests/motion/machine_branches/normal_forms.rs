@@ -4,7 +4,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use grazing::{
+use grazing_scenes::{
     continuation::{Bifurcation, Degeneracy, Derivatives, Direction, Options},
     many::{
         branch::{Branch, Events, Plane},
@@ -23,9 +23,9 @@ use super::{ALONE, near, number, run, task};
 pub fn length(row: &Value, periods: u32, multiplier: f64) -> f64 {
     let scene = Scene::from_toml(ALONE, "alone").unwrap();
     let oscillator = SceneFamily::new(&scene, "mu").unwrap();
-    let oscillator = grazing::one::orbit::Family::at(&oscillator, number(&row["parameter"])).unwrap();
+    let oscillator = grazing_scenes::one::orbit::Family::at(&oscillator, number(&row["parameter"])).unwrap();
     let z = [TAU * number(&row["phases"][0]), number(&row["speeds"][0])];
-    let pattern = grazing::one::orbit::Itinerary::at(Side::Lower, &[periods]).unwrap();
+    let pattern = grazing_scenes::one::orbit::Itinerary::at(Side::Lower, &[periods]).unwrap();
     let a = Derivatives::of(&return_map(&oscillator, &pattern, &z).unwrap()).linear();
     let q = [a[0][1], multiplier - a[0][0]];
     q[0].hypot(q[1] / z[1]) / q[0].hypot(q[1])

@@ -1,7 +1,7 @@
 //! Orbits and grazing where forces are formulas: the same machine by modes, differences of the second
 //! integrator's map of a period.
 
-use grazing::{
+use grazing_scenes::{
     continuation::{LocalMap, PatternFamily},
     many::{State, branch::Patterns, orbit::find_from},
     scene::MachineSceneFamily,
@@ -149,7 +149,7 @@ fn multipliers_of_a_coupled_duffing_pair_are_those_of_differences() {
     let period = (1..=8)
         .find(|&period: &i64| {
             run.record(Time::new(500 + period, 0.0), |event| {
-                if let grazing::many::simulate::Event::Impact(hit) = event {
+                if let grazing_scenes::many::simulate::Event::Impact(hit) = event {
                     hits.push((hit.time, -hit.velocity));
                 }
             });
@@ -159,7 +159,7 @@ fn multipliers_of_a_coupled_duffing_pair_are_those_of_differences() {
     assert!(!hits.is_empty());
     let mut again = simulator.start(Time::new(0, 0.0), before.q(), before.u()).unwrap();
     while after.is_none() {
-        if let grazing::many::simulate::Event::Impact(_) = again.next(Time::new(period, 0.0)) {
+        if let grazing_scenes::many::simulate::Event::Impact(_) = again.next(Time::new(period, 0.0)) {
             after = Some(again.state());
         }
     }

@@ -1,12 +1,12 @@
 //! Orbits through contact with stops that give way.
 
-use grazing::{
+use grazing_scenes::{
     continuation::PatternFamily,
     many::{branch::Patterns, orbit::find_from},
 };
 
 use super::{second::Motion, *};
-use grazing::many::{SpeedLaw, State, simulate::Event};
+use grazing_scenes::many::{SpeedLaw, State, simulate::Event};
 
 fn entries(n: usize, rows: &[f64]) -> Vec<(usize, usize, f64)> {
     rows.iter().enumerate().map(|(k, x)| (k / n, k % n, *x)).collect()
@@ -307,7 +307,7 @@ fn the_equations_of_soft_orbits_change_with_a_parameter_as_differences_say() {
 /// are those of contact: at a flip the second integrator's period map has a multiplier −1.
 #[test]
 fn a_branch_passes_the_grazing_of_a_soft_stop_without_a_label() {
-    let file = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+    let file = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
         .join("examples/machines/bilinear.toml");
     let text = std::fs::read_to_string(file).unwrap();
     let head = text.split("[[tasks]]").next().unwrap();

@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     attractor::{
         detection::{Detection, Fate},
         dynamics::Dynamics,
@@ -24,7 +24,7 @@ use grazing::{
 use super::{machine, second, stop};
 
 fn planar(machine: &Machine<f64>) -> PlanarMachine {
-    let simulator = grazing::many::simulate::Simulator::new(machine, &Settings::default()).unwrap();
+    let simulator = grazing_scenes::many::simulate::Simulator::new(machine, &Settings::default()).unwrap();
     PlanarMachine::new(machine, simulator, &[PlaneAxis::Place(0), PlaneAxis::Speed(0)]).unwrap()
 }
 
@@ -101,7 +101,8 @@ fn machines_of_one_coordinate_have_the_attractors_of_oscillators() {
     }
     assert_eq!(x.exponents.len(), 2);
     // Liouville: −2π c, as elastic impacts keep the area.
-    let sum = |all: &[grazing::run::ExponentRow]| all.iter().filter_map(|row| row.per_period).sum::<f64>();
+    let sum =
+        |all: &[grazing_scenes::run::ExponentRow]| all.iter().filter_map(|row| row.per_period).sum::<f64>();
     for all in [&a.exponents, &x.exponents] {
         assert!((sum(all) + TAU * 1.2 / 4.9).abs() < 1e-9, "{}", sum(all));
     }
@@ -114,7 +115,7 @@ fn machines_of_one_coordinate_have_the_attractors_of_oscillators() {
         }
     }
     assert_eq!(a.further_orbits.len(), x.further_orbits.len());
-    let rows = |all: &[grazing::run::WindowRow]| {
+    let rows = |all: &[grazing_scenes::run::WindowRow]| {
         all.iter().map(|row| (row.from, row.to, row.period, row.impacts)).collect::<Vec<_>>()
     };
     assert_eq!(rows(&b.windows), rows(&y.windows));
@@ -124,7 +125,7 @@ fn machines_of_one_coordinate_have_the_attractors_of_oscillators() {
             assert!((a[0] - x[0]).abs() < 1e-6, "{a:?} {x:?}");
         }
     }
-    let ends = |all: &[grazing::run::BasinRow]| {
+    let ends = |all: &[grazing_scenes::run::BasinRow]| {
         all.iter().map(|row| (row.end, row.period, row.impacts, row.starts)).collect::<Vec<_>>()
     };
     assert_eq!(ends(&c.basins), ends(&z.basins));
@@ -174,7 +175,7 @@ fn exponents_of_a_periodic_attractor_are_those_of_its_multipliers() {
     let simulator = planar.simulator();
     let mut run = simulator.start(Time::new(0, here.t), &here.q, &here.u).unwrap();
     run.record(Time::new(cycle.period() as i64, here.t), |event| {
-        if let grazing::many::simulate::Event::Impact(hit) = event {
+        if let grazing_scenes::many::simulate::Event::Impact(hit) = event {
             found.push((hit.time.period, hit.time.phase, -hit.velocity));
         }
     });

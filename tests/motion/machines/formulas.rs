@@ -1,7 +1,7 @@
 //! Forces that are formulas: against the same machine by modes, against the oscillator of one degree of
 //! freedom, against the second integrator, and where they are not smooth.
 
-use grazing::{
+use grazing_scenes::{
     attractor::lyapunov::exponents,
     many::section::{PlanarMachine, PlaneAxis},
 };

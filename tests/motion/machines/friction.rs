@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use grazing::{
+use grazing_scenes::{
     attractor::{
         cycle::Cycle,
         detection::{Detection, Fate},
@@ -337,7 +337,7 @@ fn a_linear_machine_as_formulas_slides_and_sticks_as_by_modes() {
 /// times the path.
 #[test]
 fn the_energy_is_accounted_for() {
-    use grazing::run::{Findings, Surroundings, run};
+    use grazing_scenes::run::{Findings, Surroundings, run};
     let tasks = "[[tasks]]\nname = \"motion\"\nkind = \"simulate\"\nstart = { q = [1, 0], u = [0, 1.5] }\nperiods = 9\n";
     let system = "period = 4\nmass = [[2, 0.3], [0.3, 0.5]]\nstiffness = [[3, -1], [-1, 2]]\n";
     let rough = "[[friction]]\nname = \"ground\"\nrow = [1, 0]\nnormal = 2\ncoefficient = 0.06\n\
@@ -389,7 +389,7 @@ fn growth(matrix: &[Vec<f64>]) -> f64 {
 /// against differences of the second solver's period map. Where it sticks, rank is lost.
 #[test]
 fn exponents_are_those_of_a_second_solver() {
-    use grazing::{
+    use grazing_scenes::{
         attractor::lyapunov::exponents,
         many::section::{PlanarMachine, PlaneAxis},
     };

@@ -1,7 +1,7 @@
 //! Forces with kinks and jumps, powers that are not whole, and stops whose force is a formula: where the
 //! answer is known, against stops and friction that say the same, and against the second integrator.
 
-use grazing::{
+use grazing_scenes::{
     attractor::lyapunov::exponents,
     many::section::{PlanarMachine, PlaneAxis},
 };
@@ -11,7 +11,7 @@ use super::{
     *,
 };
 
-fn read(body: &str) -> grazing::Result<Scene> {
+fn read(body: &str) -> grazing_scenes::Result<Scene> {
     let text = format!("format = \"grazing-scene 3\"\ntitle = \"kinks\"\n{body}");
     Scene::from_toml(&text, "kinks.toml")
 }

@@ -10,7 +10,7 @@ fn folder(name: &str, rows: &str) -> std::path::PathBuf {
     folder
 }
 
-fn scene(folder: &Path, system: &str, rest: &str) -> grazing::Result<Scene> {
+fn scene(folder: &Path, system: &str, rest: &str) -> grazing_scenes::Result<Scene> {
     let text = format!("format = \"grazing-scene 2\"\ntitle = \"recorded\"\n[system]\n{system}\n{rest}");
     Scene::from_toml(&text, folder.join("scene.toml").to_str().unwrap())
 }
@@ -175,9 +175,10 @@ fn a_record_taken_once_is_for_one_run() {
 /// same way moves it by as much.
 #[test]
 fn what_truncation_may_do_to_the_first_impact_is_the_impulse_response_in_closed_form() {
-    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("tests/data/measured.toml");
+    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("tests/data/measured.toml");
     let scene = Scene::read(&path).unwrap();
-    let reports = grazing::run::run(&scene, grazing::run::Surroundings::default(), &mut ()).unwrap();
+    let reports =
+        grazing_scenes::run::run(&scene, grazing_scenes::run::Surroundings::default(), &mut ()).unwrap();
     let report = serde_json::to_value(&reports[0]).unwrap();
     let told = |key: &str| report["measured"][key].as_f64().unwrap();
     let machine = scene.machine(&[]).unwrap();
@@ -215,7 +216,7 @@ fn what_truncation_may_do_to_the_first_impact_is_the_impulse_response_in_closed_
 
 #[test]
 fn exponents_under_a_record_are_those_of_the_same_force() {
-    use grazing::{
+    use grazing_scenes::{
         attractor::lyapunov::exponents,
         many::section::{PlanarMachine, PlaneAxis, Start},
     };

@@ -1,7 +1,7 @@
 //! A second integrator: extrapolated midpoint steps (Gragg, Bulirsch, Stoer), impacts by sign changes and
 //! bisection. It shares no code with `src`.
 
-use grazing::many::{Machine, StopLaw};
+use grazing_scenes::many::{Machine, StopLaw};
 
 /// A force on all coordinates.
 pub type Load = fn(f64, &[f64], &[f64]) -> Vec<f64>;

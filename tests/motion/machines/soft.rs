@@ -1,9 +1,9 @@
 //! Stops that give way: closed forms, energy, the rigid limit, a second integrator, grazing.
 
-use grazing::motion::event::Touch;
+use grazing_scenes::motion::event::Touch;
 
 use super::{second::Motion, *};
-use grazing::many::SpeedLaw;
+use grazing_scenes::many::SpeedLaw;
 
 fn soft(row: &[f64], offset: f64, stiffness: f64, damping: f64) -> Stop<f64> {
     Stop { law: StopLaw::Soft { stiffness, damping }, ..stop(row, offset, 0.0) }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     many::{
         Load, Machine, State, Stop, StopLaw,
         simulate::{Event, Settings, Simulator},

@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     many::simulate::{Event, Simulator},
     motion::{RunEnd, Time},
     run::{Findings, Judgement, RestFindings, RestOrbitRow},

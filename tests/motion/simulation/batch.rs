@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use grazing::{
+use grazing_scenes::{
     attractor::{
         basins::{BasinCell, BasinGrid, Basins, basins},
         cycle::Cycle,

@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     attractor::lyapunov::exponents,
     continuation::{Bifurcation, Criticality, NormalForm, Sense},
     many,
@@ -249,7 +249,7 @@ fn a_cubic_oscillator_moved_aside_has_the_same_motions() {
     for (offset, motion, tau, weight) in
         [(-0.5, vec![], 0.8, 0.0), (-0.3, vec![(1, 0.0, 0.8), (3, 0.0, 0.02)], 0.3, 1.0)]
     {
-        let forcing = vec![grazing::motion::Harmonic { k: 1, cos: 1.2, sin: 0.0 }];
+        let forcing = vec![grazing_scenes::motion::Harmonic { k: 1, cos: 1.2, sin: 0.0 }];
         let here =
             System { force: -weight, forcing, lower: Some(wall(offset, tau, &motion)), ..cubic.clone() };
         let moved = System {
@@ -337,7 +337,7 @@ fn the_derivative_in_a_parameter_is_that_of_the_motion() {
 /// The expansion of the Poincaré map to third order.
 #[test]
 fn the_return_map_of_a_cubic_oscillator_moved_aside_is_the_same() {
-    let forcing = vec![grazing::motion::Harmonic { k: 1, cos: 0.3, sin: 0.0 }];
+    let forcing = vec![grazing_scenes::motion::Harmonic { k: 1, cos: 0.3, sin: 0.0 }];
     let here = Oscillator::new(System { forcing, cubic: 0.7, ..bare(0.2, 0.4) }, 1e-13).unwrap();
     let moved = formula("-0.2*u - 0.4*(q - 1/4) - 0.7*(q - 1/4)^3 + 0.3*cos(t)");
     let moved = Oscillator::new(moved, 1e-13).unwrap();
@@ -372,7 +372,7 @@ fn the_multipliers_of_a_formula_have_the_product_that_areas_shrink_by() {
         let scene = scene(&format!("force = \"{force}\""), if impacts { wall } else { "" });
         let oscillator = Oscillator::new(scene.plain(&[]).unwrap(), 1e-15).unwrap();
         let itinerary = match impacts {
-            true => Itinerary::at(grazing::motion::Side::Lower, &[1]).unwrap(),
+            true => Itinerary::at(grazing_scenes::motion::Side::Lower, &[1]).unwrap(),
             false => Itinerary::free(1).unwrap(),
         };
         let start = if impacts { vec![3.0, 0.5] } else { vec![0.0, 0.0] };

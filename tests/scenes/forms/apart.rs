@@ -3,7 +3,7 @@
 
 use std::sync::atomic::{AtomicI64, Ordering};
 
-use grazing::{
+use grazing_scenes::{
     Monitor,
     run::{Job, Status, Surroundings, TaskReport, parts, run_task},
     scene::{Scene, Task},
@@ -21,10 +21,10 @@ use super::{
 struct Ends(AtomicI64);
 
 impl Monitor for Ends {
-    fn advance(&self, units: u64) -> grazing::Result<()> {
+    fn advance(&self, units: u64) -> grazing_scenes::Result<()> {
         match self.0.fetch_sub(units.try_into().unwrap_or(i64::MAX), Ordering::Relaxed) {
             left if left > 0 => Ok(()),
-            _ => Err(grazing::Error::interrupted("by the test")),
+            _ => Err(grazing_scenes::Error::interrupted("by the test")),
         }
     }
 }

@@ -32,7 +32,7 @@ use std::{
     time::Instant,
 };
 
-use grazing::{internals::threads, run::Surroundings};
+use grazing_scenes::{internals::threads, run::Surroundings};
 use toml::Table;
 
 use compare::{Condition, Count, Difference, sizes};

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use cells::{Reader, axes, skeleton};
 
-use grazing::{
+use grazing_scenes::{
     Result,
     run::{Job, Keeper, SeriesPoint, StopEvent, Surroundings, TaskReport, run_task},
     scene::Scene,

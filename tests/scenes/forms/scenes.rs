@@ -17,7 +17,7 @@ use super::{
 
 /// Folders of examples, and the name under which every scene is read: beside the record of one of them.
 const EXAMPLES: [&str; 2] = ["examples/scenes", "examples/machines"];
-pub const NAME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/machines/scene.toml");
+pub const NAME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/machines/scene.toml");
 
 /// The depth of the least impacts of examples of format 1, whose lengths are about 1, and of those with
 /// friction: 2⁻³⁶. Chatter that goes on below it is rounding's soon.
@@ -45,7 +45,7 @@ impl Question {
     pub fn examples() -> Vec<Question> {
         let mut all = Vec::new();
         for folder in EXAMPLES {
-            let files = fs::read_dir(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join(folder))
+            let files = fs::read_dir(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(folder))
                 .expect("the folder");
             let files = files.map(|file| file.expect("a file").path());
             all.extend(files.filter(|file| file.extension().is_some_and(|end| end == "toml")));

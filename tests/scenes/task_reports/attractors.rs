@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use grazing::{
+use grazing_scenes::{
     run::{Surroundings, run},
     scene::Scene,
 };

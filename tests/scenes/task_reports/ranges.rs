@@ -1,7 +1,7 @@
 //! Proved ranges in the report of a task `grazing`: what is proved of the parameter against what is known of
 //! where motions end, and every reason for which there is none.
 
-use grazing::{
+use grazing_scenes::{
     certificate,
     number::parse_rational,
     run::{Findings, GrazingFindings, GrazingReport, Job, Keeper, StopEvent, Surroundings, run, run_task},
@@ -167,7 +167,7 @@ fn where_nothing_is_born_every_motion_leaves() {
 struct Impacts(Vec<f64>);
 
 impl Keeper for Impacts {
-    fn event(&mut self, event: &StopEvent) -> grazing::Result<()> {
+    fn event(&mut self, event: &StopEvent) -> grazing_scenes::Result<()> {
         if event.event == "impact" {
             self.0.push(event.time.periods());
         }

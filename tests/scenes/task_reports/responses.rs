@@ -6,7 +6,7 @@ use std::{
     path::Path,
 };
 
-use grazing::{
+use grazing_scenes::{
     Result,
     run::{Findings, ResponseFindings, ResponseRow, Surroundings, TaskReport, run},
     scene::Scene,
@@ -537,7 +537,7 @@ fn forcing_beside_a_formula_keeps_its_harmonics() {
 /// tilt as their sum, its answer to its own drive, and its only critical speed.
 #[test]
 fn a_gyroscopic_rotor_whirls_as_its_quadratic_says() {
-    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let text = std::fs::read_to_string(root.join("examples/machines/overhung-rotor.toml")).unwrap();
     let (across, along, stiffness, damping, askew): (f64, f64, f64, f64, f64) =
         (0.02, 0.012, 800.0, 0.4, 0.0005);

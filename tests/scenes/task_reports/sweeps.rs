@@ -7,7 +7,7 @@ use std::{
     sync::atomic::{AtomicU64, Ordering},
 };
 
-use grazing::{
+use grazing_scenes::{
     Error, Monitor, Result,
     certificate::check,
     run::{Findings, GrazingFindings, Judgement, Status, Surroundings, TaskReport, run},

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use grazing::{
+use grazing_scenes::{
     internals::random::Random,
     number::{Ball, Elementary, Precision, Real, parse_rational},
     run::{Findings, GrazingFindings, GrazingReport, Surroundings, ToleranceReport, run},
@@ -43,7 +43,7 @@ fn at(c: &Q, k: &Q) -> Option<([Word; 2], bool)> {
     let (cosine, gamma) = if square > q("0") {
         let turn = pi * &Ball::integer(2, &precision) * &exact(&square).sqrt();
         let (sine, cosine) = turn.sin_cos(&precision);
-        (cosine, sine.sign()? == grazing::number::Sign::Positive)
+        (cosine, sine.sign()? == grazing_scenes::number::Sign::Positive)
     } else {
         let x = (pi * &Ball::integer(2, &precision) * &exact(&-square).sqrt()).exp(&precision);
         ((x.clone() + &(Ball::integer(1, &precision) / &x)) / &Ball::integer(2, &precision), true)
@@ -172,11 +172,11 @@ fn machines_one_by_one_do_not_contradict_what_is_said_of_all() {
 struct Parts;
 
 impl Coefficients for Parts {
-    fn at(&self, point: &[Q]) -> grazing::Result<[Q; 2]> {
+    fn at(&self, point: &[Q]) -> grazing_scenes::Result<[Q; 2]> {
         Ok([&point[2] / &point[0], &point[1] / &point[0]])
     }
 
-    fn over(&self, cell: &[Sloped]) -> grazing::Result<[Sloped; 2]> {
+    fn over(&self, cell: &[Sloped]) -> grazing_scenes::Result<[Sloped; 2]> {
         Ok([cell[2] / &cell[0], cell[1] / &cell[0]])
     }
 }

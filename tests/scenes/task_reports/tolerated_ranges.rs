@@ -1,7 +1,7 @@
 //! Ranges over tolerances: where machines of the box touch and how deep they are against exact numbers, the
 //! orbits that are proved against Newton's method at machines drawn at random, and what is not covered.
 
-use grazing::{
+use grazing_scenes::{
     certificate,
     internals::random::Random,
     number::parse_rational,

@@ -1,7 +1,7 @@
 //! What a task `grazing` tells an engineer: in words, how hard it hits, what changes it. Against closed forms
 //! of a driven mass beside a stop, by both engines.
 
-use grazing::{
+use grazing_scenes::{
     many::elements::Short,
     run::{GrazingReport, InfluenceRow},
 };
@@ -185,6 +185,6 @@ fn sentences_are_in_si_units_where_the_scene_says_its_own() {
     let (without, ..) = grazing_found(&text);
     assert!(!without.in_words.contains("m/s"), "{}", without.in_words);
     let wrong = text.replace("[system]", "[units]\nlength = \"km\"\n[system]");
-    let error = grazing::scene::Scene::from_toml(&wrong, "wrong.toml").unwrap_err().to_string();
+    let error = grazing_scenes::scene::Scene::from_toml(&wrong, "wrong.toml").unwrap_err().to_string();
     assert!(error.contains("units.length") && error.contains("\"mm\""), "{error}");
 }

@@ -2,7 +2,6 @@
 //! (64), in exact fractions written out here.
 
 mod certificate;
-mod command;
 use crate::common;
 mod exhaustive;
 mod forms;

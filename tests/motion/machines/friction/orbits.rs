@@ -1,6 +1,6 @@
 //! Periodic orbits among dry friction: closed forms, long simulations, differences.
 
-use grazing::{
+use grazing_scenes::{
     Error,
     continuation::{FollowedOrbit, PatternFamily},
     many::{

@@ -1,7 +1,7 @@
 //! A second solver for friction under the force of stops: the equations with all forces as unknowns at once,
 //! contacts and modes by brute force. It shares no code with `src`, and nothing with `rough` but elimination.
 
-use grazing::many::{Machine, NormalForce, StopLaw};
+use grazing_scenes::many::{Machine, NormalForce, StopLaw};
 
 use super::super::second::{dot, extrapolated, falls};
 use super::rough::solved;

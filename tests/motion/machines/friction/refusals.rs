@@ -78,8 +78,8 @@ fn orbits_with_friction_on_a_stop_are_refused() {
     let text = format!("format = \"grazing-scene 3\"\ntitle = \"t\"\n{body}");
     let machine = Scene::from_toml(&text, "t.toml").unwrap().machine(&[]).unwrap();
     let simulator = Simulator::new(&machine, &Settings::default()).unwrap();
-    let free = grazing::many::orbit::Itinerary::free(1).unwrap();
-    let error = grazing::many::orbit::find(&simulator, &free, &[]).unwrap_err().to_string();
+    let free = grazing_scenes::many::orbit::Itinerary::free(1).unwrap();
+    let error = grazing_scenes::many::orbit::find(&simulator, &free, &[]).unwrap_err().to_string();
     assert!(error.contains("foot") && error.contains("given normal forces"), "{error}");
 }
 

@@ -1,6 +1,6 @@
 //! A second solver for dry friction. It shares no code with `src`.
 
-use grazing::many::{Friction, Machine, NormalForce};
+use grazing_scenes::many::{Friction, Machine, NormalForce};
 
 use super::super::second::{dot, extrapolated, falls};
 

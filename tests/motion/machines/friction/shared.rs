@@ -1,6 +1,6 @@
 //! Rows with friction that depend on one another: what they hold, they hold together.
 
-use grazing::many::{Friction, Load};
+use grazing_scenes::many::{Friction, Load};
 
 use super::{super::*, friction, told};
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use grazing::many::{Friction, Load, Machine, NormalForce, StopLaw};
+use grazing_scenes::many::{Friction, Load, Machine, NormalForce, StopLaw};
 
 use super::{super::*, friction, numbers, pressed::Pressed, scene};
 
@@ -265,7 +265,7 @@ fn friction_on_stops_in_other_forms_is_the_same() {
 /// floor gives way; a scene says so, and where its keys are wrong.
 #[test]
 fn the_energy_on_stops_is_accounted_for() {
-    use grazing::run::{Findings, Surroundings, run};
+    use grazing_scenes::run::{Findings, Surroundings, run};
     let system = "period = 1\nmass = [[2, 0], [0, 2]]\nforce = [0, -16]\n";
     let rigid = "restitution = 0.5\n";
     let soft = "stiffness = 400\ndamping = 12\n";

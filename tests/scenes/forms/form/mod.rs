@@ -15,7 +15,7 @@ mod units;
 mod upgraded;
 mod words;
 
-use grazing::{number::Plain, scene::Expression};
+use grazing_scenes::{number::Plain, scene::Expression};
 use toml::{Table, Value};
 
 use super::{

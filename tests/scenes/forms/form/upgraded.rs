@@ -1,6 +1,6 @@
 //! The same scene in format 3.
 
-use grazing::scene::Scene;
+use grazing_scenes::scene::Scene;
 use toml::Table;
 
 use super::{Form, Level, form, without};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::run::{Findings, ResponseRow, SectionSet, StopEvent};
+use grazing_scenes::run::{Findings, ResponseRow, SectionSet, StopEvent};
 use serde_json::Value;
 
 use super::{

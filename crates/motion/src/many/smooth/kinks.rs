@@ -1,0 +1,258 @@
+//! Forces with kinks and jumps: abs, sign, max, min, and stops whose force is a formula.
+//!
+//! Each has a switch, a function of the motion, and is one smooth formula where that is positive and another
+//! where it is negative. With the sign of every switch known the forces are smooth: a mode, and a stage of
+//! the machine. The switches that a mode looks at are outputs of its program, after all others; when one of
+//! them changes its sign is found as an impact is (`simulate`). Equal switches are one.
+
+use std::{f64::consts::FRAC_PI_2, sync::Arc};
+
+use num_rational::BigRational;
+use num_traits::Zero;
+
+use super::Smooth;
+use crate::{
+    formula::{Choice, Formula, Function, Operation},
+    many::{Machine, RealVector, State, Stop, StopLaw},
+    motion::SmoothForce,
+};
+
+/// A function whose sign chooses.
+#[derive(Debug, Clone)]
+pub struct Switch {
+    /// Of displacements and velocities of all points and of the time.
+    formula: Formula,
+    /// What it stands in, as it was written.
+    pub text: String,
+    pub(crate) of: SwitchOf,
+}
+
+/// What a switch decides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SwitchOf {
+    /// A kink or jump in a formula.
+    Kink,
+    /// Whether a stop with a law is in contact.
+    Depth(usize),
+    /// Whether it would push.
+    Push(usize),
+}
+
+/// The switches of a machine, those inside others first.
+pub(super) fn switches(formulas: &[(usize, SmoothForce<f64>)]) -> Vec<Switch> {
+    let mut all = Vec::new();
+    formulas.iter().for_each(|(_, force)| collect(&force.formula, &mut all));
+    all
+}
+
+fn collect(formula: &Formula, all: &mut Vec<Switch>) {
+    match formula {
+        Formula::Number(_) | Formula::Variable(_) | Formula::Pi => {}
+        Formula::Negated(inner)
+        | Formula::Power(inner, _)
+        | Formula::Call(_, inner)
+        | Formula::Raised(inner, _) => collect(inner, all),
+        Formula::Binary(_, parts) => parts.iter().for_each(|part| collect(part, all)),
+        Formula::Choice(choice) => {
+            choice.parts().into_iter().for_each(|part| collect(part, all));
+            if all.iter().all(|known| known.formula != choice.switch) {
+                let (formula, text) = (choice.switch.clone(), choice.text.clone());
+                all.push(Switch { formula, text, of: SwitchOf::Kink });
+            }
+        }
+    }
+}
+
+/// A number as a formula.
+fn number(value: f64) -> Formula {
+    Formula::Number(BigRational::from_float(value).unwrap_or_else(BigRational::zero))
+}
+
+fn joined(operation: Operation, x: Formula, y: Formula) -> Formula {
+    Formula::Binary(operation, Box::new([x, y]))
+}
+
+/// Σ of multiples.
+fn sum(terms: impl Iterator<Item = (f64, Formula)>) -> Formula {
+    let part = |(factor, of): (f64, Formula)| joined(Operation::Product, number(factor), of);
+    let all = terms.filter(|term| term.0 != 0.0).map(part);
+    all.reduce(|sum, part| joined(Operation::Sum, sum, part)).unwrap_or_else(|| number(0.0))
+}
+
+/// The same force without coefficients of its own: `variables` come before them.
+pub(super) fn closed(force: &SmoothForce<f64>, variables: usize) -> SmoothForce<f64> {
+    let known = |place: usize| match place.checked_sub(variables) {
+        Some(coefficient) => number(force.coefficients[coefficient]),
+        None => Formula::Variable(place),
+    };
+    SmoothForce {
+        formula: Arc::new(force.formula.substituted(&known)),
+        text: force.text.clone(),
+        coefficients: vec![],
+    }
+}
+
+/// The force of a stop with a law as a formula in the motion: 0 where its depth is negative, or its force.
+fn law(machine: &Machine<f64>, stop: &Stop<f64>, force: &SmoothForce<f64>) -> [Formula; 3] {
+    let (points, rate) = (machine.points(), machine.rate());
+    let (time, row) = (2 * points, &stop.row);
+    let turn = |function, k: u32| {
+        let angle = joined(Operation::Product, number(f64::from(k)), Formula::Variable(time));
+        Formula::Call(function, Box::new(angle))
+    };
+    let place = stop
+        .wall
+        .harmonics
+        .iter()
+        .flat_map(|h| [(h.cos, turn(Function::Cos, h.k)), (h.sin, turn(Function::Sin, h.k))]);
+    let speed = stop.wall.harmonics.iter().flat_map(|h| {
+        let by = rate * f64::from(h.k);
+        [(-by * h.cos, turn(Function::Sin, h.k)), (by * h.sin, turn(Function::Cos, h.k))]
+    });
+    let seen = |from: usize| row.iter().enumerate().map(move |(i, w)| (-w, Formula::Variable(from + i)));
+    let depth = joined(Operation::Sum, number(stop.wall.offset), sum(seen(0).chain(place)));
+    let closing = sum(seen(points).chain(speed));
+    let known =
+        closed(force, 3).formula.substituted(&|at| if at == 0 { depth.clone() } else { closing.clone() });
+    let (zero, name) = (number(0.0), &stop.name);
+    let chosen = |what: &str, switch: &Formula, above: Formula| {
+        let (text, below) = (format!("{what} of {name}"), zero.clone());
+        Formula::Choice(Box::new(Choice { text, switch: switch.clone(), above, below }))
+    };
+    let whole = chosen("depth", &depth, chosen("force", &known, known.clone()));
+    [whole, depth, known]
+}
+
+impl Smooth {
+    /// Adds the forces of stops with laws, and finds all switches.
+    pub(super) fn with_kinks(mut self, machine: &Machine<f64>) -> Smooth {
+        let variables = 2 * machine.points() + 1;
+        for (_, force) in self.formulas.iter_mut().filter(|(_, force)| force.formula.chooses()) {
+            *force = closed(force, variables);
+        }
+        let mut roles = Vec::new();
+        for (place, stop) in machine.stops.iter().enumerate() {
+            let StopLaw::Formula(force) = &stop.law else { continue };
+            let [whole, depth, push] = law(machine, stop, force);
+            let text = force.text.clone();
+            let acting = SmoothForce { formula: Arc::new(whole), text, coefficients: vec![] };
+            let row = RealVector::from_column_slice(&stop.row);
+            self.formulas.push((machine.points() + self.laws.len(), acting));
+            self.laws.push((self.shape.tr_mul(&row), stop.name.clone()));
+            roles.extend([(depth, SwitchOf::Depth(place)), (push, SwitchOf::Push(place))]);
+        }
+        let mut all = switches(&self.formulas);
+        for (formula, of) in roles {
+            all.iter_mut().filter(|known| known.formula == formula).for_each(|known| known.of = of);
+        }
+        self.switches = Arc::new(all);
+        self
+    }
+
+    /// Where forces have kinks.
+    pub fn switches(&self) -> &[Switch] {
+        &self.switches
+    }
+
+    /// The switches that this mode looks at: outputs after all others, in this order.
+    pub fn reached(&self) -> &[usize] {
+        &self.reached
+    }
+
+    /// The value of each switch at a state, and the sum of the moduli of what it was added up from.
+    pub fn switched(&self, state: &State) -> Vec<[f64; 2]> {
+        let (q, u) = (&self.shape * &state.q, &self.shape * &state.u * self.rate);
+        let variables: Vec<f64> = q.iter().chain(u.iter()).copied().chain([state.t]).collect();
+        self.switches.iter().map(|known| known.formula.at(&variables)).collect()
+    }
+
+    /// By how much each switch changes for a displacement, or a velocity per radian, of 1: the most that one
+    /// of `size` changes it by, from rest or from that far away. A switch may be of any unit, which is not
+    /// known.
+    pub fn steepness(&self, size: f64) -> Vec<f64> {
+        let points = self.shape.nrows();
+        let by = |at: usize| if at < points { size } else { size * self.rate };
+        let far: Vec<f64> = (0..2 * points).map(by).collect();
+        let one = |known: &Switch| {
+            let mut most = 0.0f64;
+            let places: Vec<usize> =
+                (0..2 * points).filter(|&at| known.formula.mentions(&|p| p == at)).collect();
+            for t in [0.0, 1.0, 2.0, 3.0].map(|i| i * FRAC_PI_2) {
+                for base in [&vec![0.0; 2 * points], &far] {
+                    let mut variables = [&base[..], &[t]].concat();
+                    let from = known.formula.at(&variables)[0];
+                    for &at in &places {
+                        for step in [far[at], -far[at]] {
+                            variables[at] = base[at] + step;
+                            let changed = (known.formula.at(&variables)[0] - from).abs() / size;
+                            most = if changed.is_finite() { most.max(changed) } else { most };
+                        }
+                        variables[at] = base[at];
+                    }
+                }
+            }
+            most
+        };
+        self.switches.iter().map(one).collect()
+    }
+
+    /// The switches that are negative at rest: stops that are just touched are open.
+    pub(super) fn below_at_rest(&self, size: usize) -> Vec<usize> {
+        let zero = RealVector::zeros(size);
+        let values = self.switched(&State { t: 0.0, q: zero.clone(), u: zero });
+        let open =
+            |k: usize, value: f64| value < 0.0 || value == 0.0 && self.switches[k].of != SwitchOf::Kink;
+        values.iter().enumerate().filter(|(k, value)| open(*k, value[0])).map(|(k, _)| k).collect()
+    }
+
+    /// The machine where the switches of a list are negative and all others positive.
+    pub fn in_mode(&self, below: &[usize]) -> Smooth {
+        let mut reached = Vec::new();
+        let mut resolve = |formula: &Formula| resolved(formula, &self.switches, below, &mut reached);
+        let mut formulas = self.formulas.clone();
+        for (_, force) in &mut formulas {
+            if force.formula.chooses() {
+                force.formula = Arc::new(resolve(&force.formula));
+            }
+        }
+        let mut inner = Vec::new();
+        let sights = reached.iter().map(|&k| {
+            let formula = resolved(&self.switches[k].formula, &self.switches, below, &mut inner);
+            let text = self.switches[k].text.clone();
+            SmoothForce { formula: Arc::new(formula), text, coefficients: vec![] }
+        });
+        let sights = sights.collect();
+        Smooth { formulas, sights, reached, ..self.clone() }
+    }
+}
+
+/// A formula in a mode, the switches that it looks at being added to `reached`.
+fn resolved(formula: &Formula, switches: &[Switch], below: &[usize], reached: &mut Vec<usize>) -> Formula {
+    let mut inside = |inner: &Formula| Box::new(resolved(inner, switches, below, reached));
+    match formula {
+        Formula::Number(_) | Formula::Variable(_) | Formula::Pi => formula.clone(),
+        Formula::Negated(inner) => Formula::Negated(inside(inner)),
+        Formula::Power(inner, exponent) => Formula::Power(inside(inner), *exponent),
+        Formula::Call(function, inner) => Formula::Call(*function, inside(inner)),
+        Formula::Raised(inner, exponent) => Formula::Raised(inside(inner), exponent.clone()),
+        Formula::Binary(operation, parts) => {
+            let parts = parts.each_ref().map(|part| *inside(part));
+            Formula::Binary(*operation, Box::new(parts))
+        }
+        Formula::Choice(choice) => {
+            let switch = *inside(&choice.switch);
+            let above = if switch.mentions(&|_| true) {
+                let place = switches.iter().position(|known| known.formula == choice.switch);
+                let place = place.unwrap_or(usize::MAX);
+                if place < switches.len() && !reached.contains(&place) {
+                    reached.push(place);
+                }
+                !below.contains(&place)
+            } else {
+                // A constant, such as max(q, 0) where q is negative.
+                switch.at(&[])[0] >= 0.0
+            };
+            resolved(if above { &choice.above } else { &choice.below }, switches, below, reached)
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! All orbits of a pattern that Newton's method finds from many starts.
+
+use std::f64::consts::TAU;
+
+use rayon::prelude::*;
+
+use super::{Itinerary, Orbit, Oscillator, find, solution::obstacle};
+use crate::{continuation::Starts, error::Error, motion::State};
+
+/// The orbits reached from `starts` well-spread starts with speeds up to `speed`, admissible or not, with
+/// every speed positive: each once, whichever of its impacts is called the first, those that go round a
+/// shorter pattern left out. Sorted by speeds. Finding none proves nothing. Cost: `starts` Newton solutions,
+/// shared by the threads.
+pub fn search(oscillator: &Oscillator, itinerary: &Itinerary, starts: u32, speed: f64) -> Vec<Orbit> {
+    let m = itinerary.strikes().len();
+    if m == 0 {
+        return find(oscillator, itinerary, vec![0.0; 2]).into_iter().collect();
+    }
+    let begin = begin(oscillator, itinerary, speed);
+    let periods = whole_periods(itinerary);
+    let one = |i: u32| find(oscillator, itinerary, begin.of(&periods, i)).ok();
+    let roots: Vec<Orbit> = (0..starts).into_par_iter().filter_map(one).collect();
+    let mut found: Vec<Orbit> = Vec::new();
+    for orbit in roots {
+        let moving = orbit.z.chunks(2).all(|impact| impact[1] > NEAR * orbit.unit);
+        let primitive = (1..m).all(|shift| !same(&orbit, &orbit, shift));
+        if moving && primitive && found.iter().all(|old| (0..m).all(|shift| !same(old, &orbit, shift))) {
+            found.push(orbit);
+        }
+    }
+    found.sort_by(|a, b| a.z[1].total_cmp(&b.z[1]));
+    found
+}
+
+/// Why a search finds nothing, if the motion of one of its first starts cannot be followed.
+pub fn search_obstacle(
+    oscillator: &Oscillator,
+    itinerary: &Itinerary,
+    starts: u32,
+    speed: f64,
+) -> Option<Error> {
+    match itinerary.strikes().len() {
+        0 => obstacle(oscillator, itinerary, &[0.0; 2]),
+        _ => {
+            let (begin, periods) = (begin(oscillator, itinerary, speed), whole_periods(itinerary));
+            (0..starts.min(LOOKS)).find_map(|i| obstacle(oscillator, itinerary, &begin.of(&periods, i)))
+        }
+    }
+}
+
+fn whole_periods(itinerary: &Itinerary) -> Vec<u32> {
+    itinerary.strikes().iter().map(|strike| strike.periods).collect()
+}
+
+/// Starts that are looked at for a reason.
+const LOOKS: u32 = 16;
+
+/// Where a search begins: told by what pulls a body that rests on the wall of the first impact.
+fn begin(oscillator: &Oscillator, itinerary: &Itinerary, speed: f64) -> Starts {
+    let struck = itinerary.strikes().first().map(|strike| strike.place);
+    let wall = oscillator.walls().iter().find(|wall| Some(wall.side) == struck);
+    Starts::new(speed, |t| {
+        let Some(wall) = wall else { return 0.0 };
+        let [q, u, _] = wall.position.at(t);
+        wall.acceleration(oscillator.flow(), State { t, q, u })
+    })
+}
+
+/// Closer than this, in radians and in the size of the motion, two solutions are one.
+const NEAR: f64 = 1e-7;
+
+/// Whether b is a with impact `shift` called the first.
+fn same(a: &Orbit, b: &Orbit, shift: usize) -> bool {
+    let (strikes, m) = (a.itinerary.strikes(), a.itinerary.strikes().len());
+    (0..m).all(|i| {
+        let (x, y) = (&a.z[2 * i..], &b.z[2 * ((i + shift) % m)..]);
+        let turn = (x[0] - y[0]).rem_euclid(TAU);
+        strikes[i].place == strikes[(i + shift) % m].place
+            && turn.min(TAU - turn) < NEAR
+            && (x[1] - y[1]).abs() < NEAR * a.unit
+    })
+}

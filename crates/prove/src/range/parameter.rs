@@ -1,0 +1,263 @@
+//! The depth ν as a function of a parameter of the machine: proved to run from the touch one way only, and
+//! turned back into the parameter, rounded inwards.
+//!
+//! Seen from the motion without the wall, the wall's mean is C and its top H above that, and σν = 1 + C/H.
+//! Let the parameter scale the wall's motion as a whole: by A, the amplitude if there is one harmonic. For
+//! C < 0 then σν = 1 − √(R/h) with R = C²/A², a rational function of the parameter, and h = H²/A²: 1 for one
+//! harmonic, else a number that may be known by bounds only. R = h is the touch, R < h beyond it and R > h
+//! before, and ν increases away from the touch where R runs one way. All of this is exact; where it cannot be
+//! shown, the range is shorter or there is none.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use crate::{
+    chaos::{RationalFunction, Term, touch::Touch},
+    error::{Error, Result},
+    motion::{Side, System},
+};
+
+/// The system for all values of the parameter above one number, up to another.
+pub type SystemOver<'a> = &'a dyn Fn(&BigRational, &BigRational) -> Result<System<RationalFunction>>;
+
+/// A side of a touch in a parameter p.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ParameterRange {
+    /// Between these the motion without the wall touches it, once; one number, if that is where.
+    pub touch: [BigRational; 2],
+    /// For every p from the touch, not included, to here, included, the depth is above 0 and at most as
+    /// given, and it increases away from the touch.
+    pub end: BigRational,
+}
+
+/// A machine near its touch, over a range of its parameter.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Touching {
+    /// Whether there are two walls, each the other's mirror image as seen from the motion without them.
+    pub mirrored: bool,
+    /// c, k and τ, each the least and the greatest, in a time in which the wall's period is 2π: exactly where
+    /// they do not change with the parameter, else rounded outwards.
+    pub parameters: [[BigRational; 2]; 3],
+    /// R.
+    pub ratio: RationalFunction,
+    /// h is from the first to the second.
+    pub top: [BigRational; 2],
+    /// The harmonics of the wall's motion g, their orders increasing; its top is g(0) = 1.
+    pub harmonics: Vec<Term>,
+}
+
+impl Touching {
+    /// Of a system for a range of the parameter.
+    ///
+    /// # Errors
+    /// An input error that says what is not covered: two walls that are not mirror images, a wall's motion
+    /// whose form changes with the parameter, as seen from the motion without the wall, damping, stiffness or
+    /// restitution that are not between their values at the range's ends.
+    pub fn of(system: &System<RationalFunction>, side: Option<Side>) -> Result<Touching> {
+        let Touch { mirrored, parameters, ratio, top, harmonics } = Touch::of(system, side)?;
+        let [damping, stiffness, restitution] = &parameters;
+        let parameters = [
+            outwards(damping.bounded("the damping")?),
+            outwards(stiffness.bounded("the stiffness")?),
+            outwards(restitution.bounded("the restitution")?),
+        ];
+        Ok(Touching { mirrored, parameters, ratio, top, harmonics })
+    }
+
+    /// Whether damping, stiffness or restitution change with the parameter.
+    #[must_use]
+    pub fn changes(&self) -> bool {
+        self.parameters.iter().any(|[lo, hi]| lo != hi)
+    }
+}
+
+/// Digits of ranges of damping, stiffness and restitution; of decimals a certificate holds so many.
+const DIGITS: f64 = 11.0;
+const PLACES: f64 = 14.0;
+
+/// One number as it is, two with few digits and no less between them.
+pub(super) fn outwards([lo, hi]: [BigRational; 2]) -> [BigRational; 2] {
+    if lo == hi {
+        return [lo, hi];
+    }
+    let size = lo.abs().max(hi.abs()).to_f64().unwrap_or(f64::INFINITY);
+    let places = (DIGITS - 1.0 - size.log10().floor()).clamp(0.0, PLACES);
+    let scale = BigRational::from_integer(BigInt::from(10).pow(places as u32));
+    [(lo * &scale).floor() / &scale, (hi * &scale).ceil() / scale]
+}
+
+fn fail(message: &str) -> Error {
+    Error::input(message)
+}
+
+/// How many times a step is doubled or halved.
+const STEPS: u32 = 60;
+
+/// The parameters from the touch near `start` to a depth, on the side where the wall is passed (`behind`,
+/// where R is below h) or not; `unit` is a small step of the parameter. None if ν is not shown to increase
+/// even on a short range, or there is no touch near `start`.
+///
+/// Cost: about 260 evaluations of R.
+///
+/// # Errors
+/// As [`Touching::of`].
+pub fn parameter_range(
+    system: SystemOver,
+    side: Option<Side>,
+    [start, unit]: [&BigRational; 2],
+    depth: &BigRational,
+    behind: bool,
+) -> Result<Option<ParameterRange>> {
+    let one = BigRational::one();
+    let ratio = |p: &BigRational| -> Result<BigRational> {
+        let ratio = Touching::of(&system(p, p)?, side)?.ratio;
+        ratio.constant().ok_or_else(|| fail("the wall's height is not a number"))
+    };
+    let [least, greatest] = Touching::of(&system(start, start)?, side)?.top;
+    let on_side = |r: &BigRational| if behind { *r < least } else { *r > greatest };
+    let on_other = |r: &BigRational| if behind { *r >= greatest } else { *r <= least };
+    // ν ≤ depth, whatever h is: √R ≥ (1 − depth) √h beyond, √R ≤ (1 + depth) √h before.
+    let limit = if behind { &one - depth } else { &one + depth };
+    let square = if limit.is_positive() { &limit * &limit } else { BigRational::zero() };
+    let square = square * if behind { &greatest } else { &least };
+    let inside = |r: &BigRational| on_side(r) && if behind { *r >= square } else { *r <= square };
+    // Which way, and a point on either side of the touch.
+    let (left, right) = (start - unit, start + unit);
+    let both = [ratio(&left)?, ratio(&right)?];
+    let at_right = on_other(&both[0]) && on_side(&both[1]);
+    let at_left = on_side(&both[0]) && on_other(&both[1]);
+    if at_left == at_right {
+        return Ok(None);
+    }
+    let way = if at_right { BigRational::one() } else { -BigRational::one() };
+    let [outer, first] = if at_right { [left, right] } else { [right, left] };
+    // Between these two it is not known how high the top is.
+    let hi = edge(&|p| Ok(on_side(&ratio(p)?)), &first, &outer)?;
+    let lo = edge(&|p| Ok(on_other(&ratio(p)?)), &outer, &first)?;
+    let touch = if lo < hi { [lo.clone(), hi.clone()] } else { [hi.clone(), lo.clone()] };
+    let short = simplest(&touch[0], &touch[1]);
+    let exactly = least == greatest && ratio(&short)? == least;
+    let touch = if exactly { [short.clone(), short] } else { touch };
+    if !inside(&ratio(&hi)?) {
+        return Ok(None);
+    }
+    let mut end = farthest(&|p| Ok(inside(&ratio(p)?)), &hi, &(&way * unit))?;
+    // R runs one way from the outer point to the end.
+    for _ in 0..STEPS {
+        let (from, to) = if outer < end { (&outer, &end) } else { (&end, &outer) };
+        if Touching::of(&system(from, to)?, side)?.ratio.runs_one_way() {
+            return Ok(Some(ParameterRange { touch, end }));
+        }
+        end = shorter(&hi, &end);
+    }
+    Ok(None)
+}
+
+/// Whether the depth at a parameter is certainly at least this.
+///
+/// # Errors
+/// As [`Touching::of`].
+pub fn is_as_deep(
+    system: SystemOver,
+    side: Option<Side>,
+    parameter: &BigRational,
+    depth: &BigRational,
+    behind: bool,
+) -> Result<bool> {
+    let Touching { ratio, top: [least, greatest], .. } = Touching::of(&system(parameter, parameter)?, side)?;
+    let Some(ratio) = ratio.constant() else { return Ok(false) };
+    let one = BigRational::one();
+    // √R ≤ (1 − depth) √h beyond, √R ≥ (1 + depth) √h before, whatever h is.
+    let limit = if behind { one - depth } else { one + depth };
+    let square = &limit * &limit;
+    Ok(!limit.is_negative() && if behind { ratio <= square * least } else { ratio >= square * greatest })
+}
+
+/// The fraction of the least denominator from lo to hi.
+pub(super) fn simplest(lo: &BigRational, hi: &BigRational) -> BigRational {
+    if hi.is_negative() {
+        return -simplest(&-hi, &-lo);
+    }
+    if !lo.is_positive() {
+        return BigRational::zero();
+    }
+    let whole = lo.floor();
+    match lo.ceil() {
+        above if above <= *hi => above,
+        _ => &whole + simplest(&(hi - &whole).recip(), &(lo - &whole).recip()).recip(),
+    }
+}
+
+/// A number about halfway.
+pub(super) fn shorter(one: &BigRational, other: &BigRational) -> BigRational {
+    (one + other) / BigRational::from_integer(2.into())
+}
+
+/// The farthest p from a start that is inside, by steps that double, then by halving; inside itself.
+pub(super) fn farthest(
+    inside: &dyn Fn(&BigRational) -> Result<bool>,
+    start: &BigRational,
+    step: &BigRational,
+) -> Result<BigRational> {
+    let two = BigRational::from_integer(2.into());
+    let (mut good, mut step) = (start.clone(), step.clone());
+    let mut bad = None;
+    for _ in 0..STEPS {
+        let next = &good + &step;
+        if !inside(&next)? {
+            bad = Some(next);
+            break;
+        }
+        good = next;
+        step *= &two;
+    }
+    match bad {
+        Some(bad) => edge(inside, &good, &bad),
+        None => Ok(good),
+    }
+}
+
+/// About the last p that is inside on the way from one that is to one that is not; inside itself.
+pub(super) fn edge(
+    inside: &dyn Fn(&BigRational) -> Result<bool>,
+    good: &BigRational,
+    bad: &BigRational,
+) -> Result<BigRational> {
+    let (mut good, mut bad) = (good.clone(), bad.clone());
+    for _ in 0..STEPS {
+        let middle = shorter(&good, &bad);
+        if inside(&middle)? { good = middle } else { bad = middle }
+    }
+    Ok(good)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::simplest;
+    use crate::number::parse_rational;
+
+    #[test]
+    fn the_simplest_fraction_is_the_first_by_denominator() {
+        let at = |text: &str| parse_rational(text).unwrap();
+        for (lo, hi) in [
+            ("1/3", "2/5"),
+            ("0.3141", "0.3142"),
+            ("-7/5", "-4/3"),
+            ("-1", "1/7"),
+            ("22/7", "22/7"),
+            ("2.5", "9"),
+        ] {
+            let (lo, hi) = (at(lo), at(hi));
+            let least = (1..).find_map(|q: i64| {
+                let q = num_rational::BigRational::from_integer(q.into());
+                let p = (&lo * &q).ceil();
+                (&p / &q <= hi).then(|| p / q)
+            });
+            let found = simplest(&lo, &hi);
+            assert!(lo <= found && found <= hi);
+            assert_eq!(found.denom(), least.unwrap().denom(), "{lo} {hi}");
+        }
+    }
+}

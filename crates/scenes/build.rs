@@ -1,0 +1,5 @@
+//! The hash of the sources (`grazing-sources`).
+
+fn main() {
+    grazing_sources::tell(&["src"]);
+}

@@ -1,0 +1,603 @@
+//! Coefficients as expressions in named parameters: `"2*d/w"`, `"1/w^2"`, `"(1 + mu)/3"`, `"sqrt(k/m)"`.
+//!
+//! ```text
+//! sum     = product { ("+" | "-") product }
+//! product = signed { ("*" | "/") signed }
+//! signed  = [ "+" | "-" ] power
+//! power   = atom [ "^" exponent ]
+//! exponent = [ "+" | "-" ] digits | decimal | "(" digits "/" digits ")"
+//! atom    = decimal | parameter | "pi" | function "(" sum ")" | kink | "(" sum ")"
+//! function = "sqrt" | "exp" | "sin" | "cos" | "log" | "tanh"
+//! kink    = ("abs" | "sign") "(" sum ")" | ("max" | "min") "(" sum "," sum ")"
+//! ```
+//!
+//! In a force the displacement q, the velocity u and the time t are parameters, too (`force`); log, tanh,
+//! kinks and powers that are not whole have no enclosures and stand only there. Such a power is above 1.
+//!
+//! A parameter called like a function or `pi` is that parameter. Angles are in radians. A value is exact
+//! where it is rational (√ of a square, e⁰); other values there are on rungs that have the functions: floats,
+//! duals, enclosures.
+//!
+//! A decimal is one of the command line's number grammar (`12`, `0.375`, `1e-30`), and exact. Powers bind
+//! tighter than signs: -w^2 is -(w^2).
+
+use std::fmt;
+
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+use serde::{Serialize, Serializer};
+
+use super::dual::Dual;
+use crate::{
+    error::{Error, Result},
+    formula::{Formula, Function, KINKS, Operation, kink},
+    number::{Ball, BoundedFraction, Elementary, FloatInterval, Plain, Real, Sign, parse_rational_within},
+    search::chaos::RationalFunction,
+    source::hint,
+};
+
+/// Above this many factors and terms, powers written out, an expression is refused.
+const LIMIT_SIZE: u64 = 256;
+/// The same where there are kinks, both sides of each written out.
+const LIMIT_KINKS: u64 = 16 * LIMIT_SIZE;
+/// The most bits of a literal's or parameter's numerator and denominator.
+pub(super) const LIMIT_BITS: u32 = 4096;
+/// The most bits of an exact value's numerator and denominator, not in lowest terms, at every step of its
+/// evaluation.
+const LIMIT_VALUE: u32 = 4 * LIMIT_BITS;
+const LIMIT_DEPTH: u32 = 32;
+
+/// An expression in a scene's parameters, which it knows by their places in the scene's list.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expression {
+    pub(super) text: String,
+    pub(super) root: Formula,
+    /// The key whose value it is, empty if none; an error is reported there.
+    pub(super) key: String,
+}
+
+/// A function's value on a rung that has the elementary functions.
+fn call<T: Elementary>(function: Function, x: &T, context: &T::Context) -> Result<T> {
+    if function == Function::Sqrt && x.sign() == Some(Sign::Negative) {
+        return Err(Error::input("takes the root of a negative number"));
+    }
+    Ok(match function {
+        Function::Sqrt => x.sqrt(),
+        Function::Exp => x.exp(context),
+        Function::Sin => x.sin_cos(context).0,
+        Function::Cos => x.sin_cos(context).1,
+        Function::Log | Function::Tanh => {
+            return Err(only_in_forces(&format!("{}(…)", function.name())));
+        }
+    })
+}
+
+impl Expression {
+    /// Reads an expression in the named parameters. Cost: linear in the text and in the size of the numbers.
+    ///
+    /// # Errors
+    /// An input error that says at which character what was expected, or which parameter is unknown and the
+    /// nearest that is known; also for more than 256 factors and terms or 32 levels of parentheses.
+    ///
+    /// ```
+    /// use grazing_scenes::{number::parse_rational, scene::Expression};
+    /// let names = ["d".to_string(), "w".to_string()];
+    /// let values = [parse_rational("0.6")?, parse_rational("4.9")?];
+    /// let damping = Expression::parse("2*d/w", &names)?;
+    /// assert_eq!(damping.evaluate(&values, &())?, parse_rational("12/49")?);
+    /// assert!(Expression::parse("2*d/v", &names).is_err());
+    /// # Ok::<(), grazing_scenes::Error>(())
+    /// ```
+    pub fn parse(text: &str, names: &[String]) -> Result<Expression> {
+        let mut parser = Parser { text, at: 0, names, depth: 0 };
+        let root = parser.sum()?;
+        if parser.peek().is_some() {
+            return Err(parser.expected("an operator or the end"));
+        }
+        let most = if root.chooses() { LIMIT_KINKS } else { LIMIT_SIZE };
+        if root.size() > most {
+            return Err(Error::input(format!(
+                "has {} factors and terms, powers written out; at most {most} are allowed",
+                root.size()
+            )));
+        }
+        Ok(Expression { text: text.to_string(), root, key: String::new() })
+    }
+
+    /// A part of an expression, reported with the whole's text at its key.
+    pub(super) fn of(root: &Formula, text: &str, key: &str) -> Expression {
+        Expression { text: text.to_string(), root: root.clone(), key: key.to_string() }
+    }
+
+    /// −x, reported at the key of x.
+    pub(super) fn negated(&self) -> Expression {
+        Expression::of(&Formula::Negated(Box::new(self.root.clone())), &format!("-({self})"), &self.key)
+    }
+
+    /// x/y, reported at the key of x.
+    pub(super) fn over(&self, other: &Expression) -> Expression {
+        let parts = Box::new([self.root.clone(), other.root.clone()]);
+        let text = format!("({self})/({other})");
+        Expression::of(&Formula::Binary(Operation::Quotient, parts), &text, &self.key)
+    }
+
+    /// Whether it is a zero written out.
+    pub(super) fn is_zero(&self) -> bool {
+        matches!(&self.root, Formula::Number(value) if value.is_zero())
+    }
+
+    /// Its value, `parameters` being the values of the names it was read with, in their order. An enclosure
+    /// if they are. Cost: at most 256 operations, on exact fractions of at most 16384 bits.
+    ///
+    /// # Errors
+    /// An input error for a division by what is certainly zero, and where an exact value, or a step on the
+    /// way to it, would have more than 16384 bits in its numerator or denominator.
+    ///
+    /// # Panics
+    /// If there are fewer values than there were names.
+    pub fn evaluate<T: Coefficient>(&self, parameters: &[T], context: &T::Context) -> Result<T> {
+        T::value(self, parameters, context)
+    }
+
+    /// Whether one of some parameters, told by their places, stands in it.
+    pub(crate) fn mentions(&self, which: &dyn Fn(usize) -> bool) -> bool {
+        self.root.mentions(which)
+    }
+}
+
+/// A rung on which expressions are evaluated.
+pub trait Coefficient: Real {
+    /// [`Expression::evaluate`].
+    ///
+    /// # Errors
+    /// As [`Expression::evaluate`].
+    fn value(expression: &Expression, parameters: &[Self], context: &Self::Context) -> Result<Self> {
+        evaluate(&expression.root, parameters, context)
+    }
+
+    /// π.
+    ///
+    /// # Errors
+    /// An input error on a rung without it.
+    fn pi(_: &Self::Context) -> Result<Self> {
+        Err(irrational("pi"))
+    }
+
+    /// A function's value.
+    ///
+    /// # Errors
+    /// An input error on a rung that does not have the value, and for the root of a negative number.
+    fn call(function: Function, _: &Self, _: &Self::Context) -> Result<Self> {
+        Err(irrational(&format!("{}(…)", function.name())))
+    }
+}
+
+fn irrational(what: &str) -> Error {
+    Error::input(format!("{what} is irrational, where an exact value is needed; write a fraction"))
+}
+
+/// The elementary functions of a rung that has them.
+macro_rules! elementary {
+    ($($type:ty),+) => {
+        $(impl Coefficient for $type {
+            fn pi(context: &Self::Context) -> Result<Self> {
+                Ok(<$type as Elementary>::pi(context))
+            }
+
+            fn call(function: Function, x: &Self, context: &Self::Context) -> Result<Self> {
+                call(function, x, context)
+            }
+        })+
+    };
+}
+elementary! { Plain, Ball, crate::search::orbit::Jet }
+
+impl Coefficient for RationalFunction {}
+impl Coefficient for FloatInterval {}
+
+impl Coefficient for Dual {
+    fn pi((): &()) -> Result<Self> {
+        Ok(Dual::constant(std::f64::consts::PI))
+    }
+
+    fn call(function: Function, x: &Self, (): &()) -> Result<Self> {
+        let value = call(function, &Plain(x.value), &())?.0;
+        let slope = match function {
+            Function::Sqrt => 0.5 / value,
+            Function::Exp => value,
+            Function::Sin => x.value.cos(),
+            Function::Cos => -x.value.sin(),
+            Function::Log => 1.0 / x.value,
+            Function::Tanh => 1.0 - value * value,
+        };
+        // The root of 0 does not vary where its argument does not.
+        let slope = if x.slope == 0.0 { 0.0 } else { slope * x.slope };
+        Ok(Dual { value, slope })
+    }
+}
+
+/// What is too large stays so.
+impl Coefficient for BoundedFraction {
+    fn call(function: Function, x: &Self, limit: &u64) -> Result<Self> {
+        let Some(exact) = x.clone().reduced() else { return Ok(x.clone()) };
+        let value = function.exactly(&exact).ok_or_else(|| irrational(&format!("{}(…)", function.name())))?;
+        Ok(BoundedFraction::ratio(&value, limit))
+    }
+}
+
+/// Without common factors divided out on the way, and no further than the limit on values.
+impl Coefficient for BigRational {
+    fn value(expression: &Expression, parameters: &[Self], (): &()) -> Result<Self> {
+        let limit = u64::from(LIMIT_VALUE);
+        let parameters: Vec<BoundedFraction> =
+            parameters.iter().map(|x| BoundedFraction::ratio(x, &limit)).collect();
+        let value = evaluate(&expression.root, &parameters, &limit)?;
+        value.reduced().ok_or_else(|| {
+            let message = "has a value, or a step on the way to it, of more than";
+            Error::input(format!("{message} {LIMIT_VALUE} bits in numerator or denominator"))
+        })
+    }
+}
+
+/// As its text without spaces.
+impl Serialize for Expression {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        let text: String = self.text.split_whitespace().collect();
+        serializer.serialize_str(&text)
+    }
+}
+
+impl fmt::Display for Expression {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&self.text)
+    }
+}
+
+/// The value of a formula whose variables have these values.
+fn evaluate<T: Coefficient>(formula: &Formula, parameters: &[T], context: &T::Context) -> Result<T> {
+    Ok(match formula {
+        Formula::Pi => T::pi(context)?,
+        Formula::Call(function, inner) => {
+            T::call(*function, &evaluate(inner, parameters, context)?, context)?
+        }
+        Formula::Number(value) => T::ratio(value, context),
+        Formula::Variable(index) => parameters[*index].clone(),
+        Formula::Negated(inner) => -evaluate(inner, parameters, context)?,
+        Formula::Binary(operation, parts) => {
+            let left = evaluate(&parts[0], parameters, context)?;
+            let right = evaluate(&parts[1], parameters, context)?;
+            match operation {
+                Operation::Sum => left + &right,
+                Operation::Difference => left - &right,
+                Operation::Product => left * &right,
+                Operation::Quotient => divide(left, &right)?,
+            }
+        }
+        Formula::Power(base, exponent) => {
+            let base = evaluate(base, parameters, context)?;
+            let one = T::integer(1, context);
+            let power = (0..exponent.unsigned_abs()).fold(one.clone(), |power, _| power * &base);
+            if *exponent < 0 { divide(one, &power)? } else { power }
+        }
+        Formula::Choice(choice) => return Err(only_in_forces(&choice.text)),
+        Formula::Raised(_, exponent) => return Err(only_in_forces(&format!("x^({exponent})"))),
+    })
+}
+
+fn only_in_forces(what: &str) -> Error {
+    Error::input(format!("{what} stands only in a force that depends on q, u or t"))
+}
+
+fn divide<T: Real>(left: T, right: &T) -> Result<T> {
+    if right.sign() == Some(Sign::Zero) {
+        return Err(Error::input("divides by zero"));
+    }
+    Ok(left / right)
+}
+
+struct Parser<'a> {
+    text: &'a str,
+    /// The bytes read.
+    at: usize,
+    names: &'a [String],
+    depth: u32,
+}
+
+impl<'a> Parser<'a> {
+    /// The next character but spaces, which are passed over.
+    fn peek(&mut self) -> Option<char> {
+        let rest = &self.text[self.at..];
+        self.at += rest.len() - rest.trim_start().len();
+        self.text[self.at..].chars().next()
+    }
+
+    fn take(&mut self, wanted: char) -> bool {
+        let found = self.peek() == Some(wanted);
+        if found {
+            self.at += wanted.len_utf8();
+        }
+        found
+    }
+
+    fn position(&self, at: usize) -> usize {
+        self.text[..at].chars().count() + 1
+    }
+
+    fn expected(&mut self, what: &str) -> Error {
+        let found = self.peek().map_or("the end".to_string(), |c| format!("{c:?}"));
+        Error::input(format!("expected {what} at character {}, found {found}", self.position(self.at)))
+    }
+
+    fn sum(&mut self) -> Result<Formula> {
+        self.chain(Self::product, [('+', Operation::Sum), ('-', Operation::Difference)])
+    }
+
+    fn product(&mut self) -> Result<Formula> {
+        self.chain(Self::signed, [('*', Operation::Product), ('/', Operation::Quotient)])
+    }
+
+    fn chain(
+        &mut self,
+        part: fn(&mut Self) -> Result<Formula>,
+        operators: [(char, Operation); 2],
+    ) -> Result<Formula> {
+        let mut left = part(self)?;
+        let mut parts = 1;
+        while let Some((_, operation)) = operators.into_iter().find(|&(sign, _)| self.take(sign)) {
+            parts += 1;
+            // The tree leans left: its depth is the number of parts.
+            if parts > LIMIT_SIZE {
+                return Err(Error::input(format!("has more than {LIMIT_SIZE} factors or terms")));
+            }
+            left = Formula::Binary(operation, Box::new([left, part(self)?]));
+        }
+        Ok(left)
+    }
+
+    fn signed(&mut self) -> Result<Formula> {
+        if self.take('-') {
+            return Ok(Formula::Negated(Box::new(self.power()?)));
+        }
+        self.take('+');
+        self.power()
+    }
+
+    fn power(&mut self) -> Result<Formula> {
+        let base = self.atom()?;
+        if !self.take('^') {
+            return Ok(base);
+        }
+        if let Some(exponent) = self.fraction()? {
+            return Ok(Formula::Raised(Box::new(base), exponent));
+        }
+        let negative = self.take('-') || {
+            self.take('+');
+            false
+        };
+        self.peek();
+        let digits = self.word(|c| c.is_ascii_digit());
+        match digits.parse::<i32>() {
+            Ok(exponent) if exponent as u64 <= LIMIT_SIZE => {
+                Ok(Formula::Power(Box::new(base), if negative { -exponent } else { exponent }))
+            }
+            _ if digits.is_empty() => Err(self.expected("a whole number as exponent")),
+            _ => Err(Error::input(format!("the exponent {digits} is above {LIMIT_SIZE}"))),
+        }
+    }
+
+    /// An exponent that is no whole number; none where another kind stands, which is left unread.
+    fn fraction(&mut self) -> Result<Option<BigRational>> {
+        self.peek();
+        let start = self.at;
+        let is_part = |c: char| c.is_ascii_digit() || c == '.';
+        let read = if self.take('(') {
+            self.peek();
+            let over = self.word(is_part);
+            let under = if self.take('/') {
+                self.peek();
+                self.word(is_part)
+            } else {
+                "1"
+            };
+            let closed = self.take(')');
+            [over, under].iter().all(|part| !part.is_empty()).then_some((over, under)).filter(|_| closed)
+        } else {
+            Some((self.word(is_part), "1")).filter(|known| known.0.contains('.'))
+        };
+        let Some((over, under)) = read else {
+            self.at = start;
+            return Ok(None);
+        };
+        let part = |text: &str| parse_rational_within(text, LIMIT_BITS).map_err(Error::from);
+        let (over, under) = (part(over)?, part(under)?);
+        let place = self.position(start);
+        if under.is_zero() {
+            return Err(Error::input(format!("the exponent at character {place} divides by zero")));
+        }
+        let exponent = over / under;
+        let most = BigRational::from_integer(LIMIT_SIZE.into());
+        if exponent <= BigRational::one() || exponent > most {
+            return Err(Error::input(format!(
+                "the exponent {exponent} at character {place} is not above 1, or above {LIMIT_SIZE}: write x^1.5 as it is, \
+                 x^0.5 as sqrt(x) where x stays positive, x^-1.5 as 1/x^1.5, a whole power without a point"
+            )));
+        }
+        if exponent.is_integer() {
+            return Err(Error::input(format!(
+                "the exponent at character {place} is whole: write it as {exponent}, without a point or parentheses"
+            )));
+        }
+        Ok(Some(exponent))
+    }
+
+    fn atom(&mut self) -> Result<Formula> {
+        match self.peek() {
+            Some('(') => self.parenthesis(),
+            Some(c) if c.is_ascii_digit() || c == '.' => self.decimal(),
+            Some(c) if starts_name(c) => self.parameter(),
+            _ => Err(self.expected("a number, a parameter or \"(\"")),
+        }
+    }
+
+    fn parenthesis(&mut self) -> Result<Formula> {
+        self.depth += 1;
+        if self.depth > LIMIT_DEPTH {
+            return Err(Error::input(format!("has more than {LIMIT_DEPTH} levels of parentheses")));
+        }
+        self.at += 1;
+        let inner = self.sum()?;
+        if !self.take(')') {
+            return Err(self.expected("an operator or \")\""));
+        }
+        self.depth -= 1;
+        Ok(inner)
+    }
+
+    fn decimal(&mut self) -> Result<Formula> {
+        let start = self.at;
+        self.word(|c| c.is_ascii_digit() || c == '.');
+        // An exponent only if a digit follows: in 2*e the e is a parameter.
+        let rest = self.text[self.at..].strip_prefix(['e', 'E']);
+        if let Some(tail) = rest.map(|rest| rest.strip_prefix(['+', '-']).unwrap_or(rest))
+            && tail.starts_with(|c: char| c.is_ascii_digit())
+        {
+            self.at = self.text.len() - tail.len();
+            self.word(|c| c.is_ascii_digit());
+        }
+        let value = parse_rational_within(&self.text[start..self.at], LIMIT_BITS).map_err(|error| {
+            Error::from(error).context(format_args!("at character {}", self.position(start)))
+        })?;
+        Ok(Formula::Number(value))
+    }
+
+    fn parameter(&mut self) -> Result<Formula> {
+        let start = self.at;
+        let name = self.word(continues_name);
+        if let Some(index) = self.names.iter().position(|known| known == name) {
+            return Ok(Formula::Variable(index));
+        }
+        if name == "pi" {
+            return Ok(Formula::Pi);
+        }
+        if let Some((_, function)) = Function::ALL.into_iter().find(|known| known.0 == name) {
+            if self.peek() != Some('(') {
+                return Err(self.expected("\"(\""));
+            }
+            return Ok(Formula::Call(function, Box::new(self.parenthesis()?)));
+        }
+        if let Some((_, count)) = KINKS.into_iter().find(|known| known.0 == name) {
+            return self.kink(start, count);
+        }
+        let hint = hint(name, self.names.iter().map(String::as_str));
+        let is_state = matches!(name.trim_end_matches(|c: char| c.is_ascii_digit()), "q" | "u" | "t");
+        let hint = if is_state { format!("{hint}; q, u and t stand only in `force`") } else { hint };
+        Err(Error::input(format!("unknown parameter {name:?} at character {}; {hint}", self.position(start))))
+    }
+
+    /// A function with kinks of so many arguments, its name, which begins at `start`, being read.
+    fn kink(&mut self, start: usize, count: usize) -> Result<Formula> {
+        let name = &self.text[start..self.at];
+        if !self.take('(') {
+            return Err(self.expected("\"(\""));
+        }
+        self.depth += 1;
+        if self.depth > LIMIT_DEPTH {
+            return Err(Error::input(format!("has more than {LIMIT_DEPTH} levels of parentheses")));
+        }
+        let mut arguments = vec![self.sum()?];
+        while arguments.len() < count {
+            if !self.take(',') {
+                return Err(self.expected(&format!("an operator or \",\", as {name} has {count} arguments,")));
+            }
+            arguments.push(self.sum()?);
+        }
+        if !self.take(')') {
+            return Err(self.expected("an operator or \")\""));
+        }
+        self.depth -= 1;
+        let text = &self.text[start..self.at];
+        let made = kink(name, text, arguments).ok_or_else(|| self.expected("a function"))?;
+        // Each side of a kink has its arguments: what is nested grows threefold on each level.
+        if made.size() > LIMIT_KINKS {
+            return Err(Error::input(format!(
+                "has {} factors and terms in {text}, both sides of all kinks written out; at most {LIMIT_KINKS} are allowed",
+                made.size()
+            )));
+        }
+        Ok(made)
+    }
+
+    fn word(&mut self, belongs: impl Fn(char) -> bool) -> &'a str {
+        let rest = &self.text[self.at..];
+        let end = rest.find(|c| !belongs(c)).unwrap_or(rest.len());
+        self.at += end;
+        &rest[..end]
+    }
+}
+
+fn starts_name(c: char) -> bool {
+    c.is_alphabetic() || c == '_'
+}
+
+fn continues_name(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
+/// Whether an expression can name a parameter so.
+pub(super) fn is_name(text: &str) -> bool {
+    text.starts_with(starts_name) && text.chars().all(continues_name)
+}
+
+/// A number short enough for expressions of it to be short.
+pub(super) fn checked(value: BigRational) -> Result<BigRational> {
+    let bits = value.numer().bits().max(value.denom().bits());
+    if bits > LIMIT_BITS.into() {
+        return Err(Error::input(format!(
+            "has {bits} bits in its numerator or denominator; at most {LIMIT_BITS} are allowed"
+        )));
+    }
+    Ok(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::parse_rational;
+
+    fn value(text: &str, parameters: &[&str]) -> Result<BigRational> {
+        let names = ["a".to_string(), "b".to_string()];
+        let values: Vec<_> = parameters.iter().map(|text| parse_rational(text).unwrap()).collect();
+        Expression::parse(text, &names)?.evaluate(&values, &())
+    }
+
+    /// These had no end, or took minutes.
+    #[test]
+    fn values_that_would_grow_are_refused_at_once() {
+        let long = ["3^2500/7^1400+2^-9", "5^1700/11^1100"];
+        for text in ["a^128*b^-128", "(a/b)^128", "a*a*a*a*a*a*b", "1/a+1/b+1/(a+1)+1/(b+1)+1/(a+b)"] {
+            let error = value(text, &long).unwrap_err().to_string();
+            assert!(error.contains("more than 16384 bits"), "{text}: {error}");
+        }
+        for literal in ["1e-1300", "1e1300", "0.5e2000"] {
+            let error = value(literal, &["0", "0"]).unwrap_err().to_string();
+            assert!(error.contains("at most 4096 bits"), "{error}");
+        }
+    }
+
+    /// Without common factors divided out on the way the values are the same.
+    #[test]
+    fn exact_values_are_in_lowest_terms() {
+        for (text, expected) in [
+            ("(a+b)^2-a^2-2*a*b-b^2", "0"),
+            ("a/b*b/a", "1"),
+            ("a^-3", "8"),
+            ("(a-b)/(a+b)^3", "36/125"),
+            ("-(1/6)-1/3", "-1/2"),
+        ] {
+            assert_eq!(value(text, &["1/2", "1/3"]).unwrap(), parse_rational(expected).unwrap(), "{text}");
+        }
+        assert!(value("1/(a-b)", &["1/2", "1/2"]).unwrap_err().to_string().contains("divides by zero"));
+        let sum = vec!["a"; 250].join("+");
+        assert_eq!(value(&sum, &["1/3^2000", "0"]).unwrap(), parse_rational("250/3^2000").unwrap());
+    }
+}

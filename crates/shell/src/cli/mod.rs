@@ -1,0 +1,98 @@
+//! The commands of scenes and pictures, and the program that has every command.
+
+mod accuracy;
+mod export;
+mod figure;
+mod run;
+mod shell;
+mod view;
+
+use std::{path::Path, process::ExitCode};
+
+use clap::{Parser, Subcommand};
+use grazing_verify::{
+    Commands, Theory,
+    cli::{self, OrbitPicture},
+};
+// What every command has, under the names that it has there.
+use grazing_verify::cli::{
+    Outcome, PrintFormat, ReportFormat, cite, in_pool, place, progress, progress::Interrupt, range, reported,
+    shards,
+};
+
+use crate::{
+    error::Result,
+    figure::{FigurePlace, orbit},
+    output::FileRegistry,
+};
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    #[command(flatten)]
+    Theory(Theory),
+    Figure(Box<figure::Args>),
+    Accuracy(accuracy::Args),
+    Run(run::Args),
+    Export(export::Args),
+    Completions(shell::CompletionsArgs),
+    Man(shell::ManArgs),
+}
+
+/// Parses the process's arguments, runs the command, and says how it ended.
+pub fn main() -> ExitCode {
+    cli::main::<Command>()
+}
+
+impl Commands for Command {
+    const NAME: &'static str = "grazing";
+    const ORBIT: Option<OrbitPicture> = Some(|map, pattern, side, folder: &Path| {
+        orbit(map, pattern, side, &FigurePlace::svg(folder, "orbit"))
+    });
+
+    fn run(self, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
+        match self {
+            Command::Theory(command) => command.run_in::<Command>(files, interrupt),
+            Command::Figure(args) => figure::run(&args, files, interrupt),
+            Command::Accuracy(args) => accuracy::run(&args, files, interrupt),
+            Command::Run(args) => run::run(&args, files, interrupt),
+            Command::Export(args) => export::run(&args, files),
+            Command::Completions(args) => shell::completions(&args, files, cli::command::<Command>()),
+            Command::Man(args) => shell::man(&args, files, cli::command::<Command>()),
+        }
+    }
+
+    fn has_profile(&self) -> bool {
+        match self {
+            Command::Theory(command) => command.has_profile(),
+            command => matches!(command, Command::Run(_)),
+        }
+    }
+
+    fn json(&self) -> Option<&'static str> {
+        match self {
+            Command::Theory(command) => command.json(),
+            Command::Run(args) if args.format.report() == ReportFormat::Json => Some("grazing-run 4"),
+            _ => None,
+        }
+    }
+
+    fn program(words: &[String]) -> String {
+        if words.first().is_some_and(|word| word == "run") {
+            crate::program()
+        } else {
+            Theory::program(words)
+        }
+    }
+
+    fn merge(
+        set: &shards::ShardSet,
+        merged: &shards::Merged,
+        interrupt: &Interrupt,
+    ) -> Result<Option<Outcome>> {
+        if set.words().first().is_none_or(|word| word != "run") {
+            return Ok(None);
+        }
+        let args = run::Args::try_parse_from(set.words()).map_err(|error| set.is_no_task(&error))?;
+        run::merge(&args, set, merged, interrupt).map(Some)
+    }
+}

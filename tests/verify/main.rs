@@ -1,0 +1,20 @@
+//! The commands of the theory: what they write, print and refuse; and certificates of covers, by the command.
+
+/// The command that these tests start.
+const PROGRAM: &str = env!("CARGO_BIN_EXE_grazing-verify");
+
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../process/mod.rs"]
+mod process;
+
+mod boundary;
+mod cover;
+mod cover_certificates;
+mod entropy;
+mod fuzz;
+mod measure;
+mod measured;
+mod sequences;
+mod share;
+mod words;
