@@ -9,7 +9,8 @@ cp -a "$here/." "$work/original"
 total=0 survived=
 chosen=" $* "
 
-# mutant NAME REASON OPTION FILE: the edit is a sed script on stdin, or, after the word "append" or "new", text.
+# mutant NAME REASON OPTION FILE: the edit is a sed script on stdin, or, after the word "append" or "new", text, or,
+# after "sh", a shell script. OPTION --stale: the file seems older than what was compiled.
 mutant() {
   name=$1 reason=$2 option=$3 file=$4
   edit=$(cat)
@@ -22,10 +23,12 @@ mutant() {
   case "$edit" in
     append*) printf '%s\n' "$edit" | sed 1d >>"$file" ;;
     new*) printf '%s\n' "$edit" | sed 1d >"$file" ;;
+    sh*) printf '%s\n' "$edit" | sed 1d | sh ;;
     *) sed -i "$edit" "$file" ;;
   esac
   if [ -e "$work/original/$file" ] && cmp -s "$file" "$work/original/$file"; then echo "mutants.sh: $name changes nothing" >&2; exit 1; fi
-  if sh check.sh $option >"$work/output" 2>&1; then
+  case "$option" in --stale) touch -d '2000-01-01' "$file"; set -- ;; *) set -- --compiled $option ;; esac
+  if sh check.sh "$@" >"$work/output" 2>&1; then
     survived="$survived $name"; echo "$name: ACCEPTED"
   elif ! grep -qE "$reason" "$work/output"; then
     survived="$survived $name"; echo "$name: refused for another reason:"; tail -5 "$work/output"
@@ -71,6 +74,47 @@ E
 mutant another-axiom 'coqchk.txt and what was found differ' '' Reverse.v <<'E'
 append
 From Coq Require ClassicalEpsilon.
+E
+
+# What is extracted. The word list knows strings, which hide no words.
+mutant constant-replaced 'about extraction' --pin RangesCheck.v <<'E'
+append
+From Coq Require ExtrOcamlBasic.
+Extract Constant check_range => "(fun _ -> true)".
+E
+mutant constant-replaced-between-strings 'about extraction' --pin RangesCheck.v <<'E'
+append
+From Coq Require Import String.
+Definition opens := "(*"%string.
+From Coq Require ExtrOcamlBasic.
+Extract Constant check_range => "(fun _ -> true)".
+Definition closes := "*)"%string.
+E
+mutant constant-replaced-after-a-string-in-a-comment 'about extraction' --pin RangesCheck.v <<'E'
+append
+(* "(*" *) From Coq Require ExtrOcamlBasic. Extract Inlined Constant check_range => "(fun _ -> true)". (* "*)" *)
+E
+mutant integers-replaced 'about extraction' --pin PathsCheck.v <<'E'
+append
+From Coq Require ExtrOcamlZInt.
+E
+mutant library-from-elsewhere 'otherwise than From Coq or From Grazing' --pin PathsCheck.v <<'E'
+append
+Require Import Elsewhere.
+E
+mutant namesake-extracted 'extracts RangesExample.check_range, which no theorem is about' --pin Oracle.v <<'E'
+sh
+sed -i 's/Grazing\.RangesCheck\.check_range/Grazing.RangesExample.check_range/; s/ RangesCheck\.$/ RangesExample./' Oracle.v
+echo 'Definition check_range (C : StatementRanges.Range.t) := true.' >>RangesExample.v
+E
+mutant extracted-by-a-short-name 'must require' --pin Oracle.v <<'E'
+s/Grazing\.RangesCheck\.check_range/check_range/; s/^From Grazing Require /&Import /
+E
+mutant replaced-in-the-oracle 'must require' --pin Oracle.v <<'E'
+/^Extraction/i Extract Constant Grazing.RangesCheck.check_range => "(fun _ -> true)".
+E
+mutant extracted-not-as-pinned 'assumptions.txt and what was found differ' '' Oracle.v <<'E'
+s/Grazing\.StatementZ\.uZ //
 E
 
 # What is stated. With --pin the texts are taken as they are: the hand-worked numbers must notice.
@@ -134,6 +178,20 @@ E
 mutant options-for-make 'has no place' '' Makefile.coq.local <<'E'
 new
 COQEXTRAFLAGS = -type-in-type
+E
+mutant options-for-make-at-its-end 'has no place' '' Makefile.coq.local-late <<'E'
+new
+COQEXTRAFLAGS = -type-in-type
+E
+mutant options-in-the-list-of-dependencies 'File "./Reverse.v"' --pin Reverse.v <<'E'
+sh
+echo 'Definition cheat : Set := Type.' >>Reverse.v
+echo 'override COQFLAGS := -q -type-in-type' >>.Makefile.coq.d
+touch -d '+1 hour' .Makefile.coq.d
+E
+mutant compiled-after-a-change 'File "./Farey.v"' --stale Farey.v <<'E'
+append
+Lemma cheat : False. Proof. exact I. Qed.
 E
 mutant universes-off 'assumed, unproved' '' Reverse.v <<'E'
 append
