@@ -562,7 +562,7 @@ fn sources() -> BTreeMap<String, String> {
 
 fn is_source(name: &str) -> bool {
     let extension = Path::new(name).extension().and_then(|e| e.to_str());
-    name == "_CoqProject" || matches!(extension, Some("v" | "sh" | "txt" | "ml" | "mli"))
+    name == "_CoqProject" || matches!(extension, Some("v" | "sh" | "awk" | "txt" | "ml" | "mli"))
 }
 
 /// Makes the files in a build folder these sources and no others: what was compiled there before goes.

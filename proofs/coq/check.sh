@@ -42,7 +42,7 @@ for entry in * .[!.]* ..?*; do
   if [ -L "$entry" ]; then refuse "$entry is a link"; fi
   if [ -d "$entry" ]; then refuse "$entry is a folder"; fi
   case "$entry" in
-    '*' | '.[!.]*' | '..?*' | _CoqProject | *.v | *.sh | *.ml | *.txt) ;;
+    '*' | '.[!.]*' | '..?*' | _CoqProject | *.v | *.sh | *.awk | *.ml | *.txt) ;;
     *.vo | *.vos | *.vok | *.glob | .*.aux | .?ia.cache | .nra.cache) ;;
     Makefile.coq | Makefile.coq.conf | .Makefile.coq.d) ;;
     *) refuse "$entry has no place here" ;;
