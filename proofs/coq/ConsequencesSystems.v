@@ -40,7 +40,7 @@ Lemma period_3_without_bounce : Nordmark_statement -> Single_statement -> Period
   (forall x, t 0%Z < x < t 1%Z -> y 0%Z x > (1 + mu) * cos x - 1) /\
   forall x, derivable_pt_lim (v 0%Z) x (- (1 / 16) * y 0%Z x).
 Proof.
-  intros HN HS HP; destruct (undamped HN) as (gamma & HG & Hg); destruct (HN 0 4 0 ltac:(lra) ltac:(lra)) as [_ E].
+  intros HN HS HP; destruct (undamped HN) as (gamma & HG & Hg); destruct (HN 0 4 0 ltac:(lra) ltac:(lra)) as (_ & _ & _ & E).
   destruct (HS (Oscillates (Nordmark 0 4 0) Plus) 0 1 gamma 3%nat Plus Plus HG) as [B _];
     [lia | numbers | cbn; lra|].
   destruct (B orbit_0_1_3) as (d & Hd & P); destruct (P d ltac:(lra)) as (mu0 & Hm & Q); exists mu0; split; [lra|].
@@ -59,35 +59,104 @@ Proof. replace (1 / 4) with (1 / 2 * (1 / 2)) by field; apply sqrt_square; lra. 
 
 (** There an oscillator has two stops. *)
 Lemma region_4 : Reach_statement -> (forall O m gamma, grazing O m (-6 / 5) (1 / 4) gamma -> m = Minus) /\
-  exists c k g, matrix c k Minus (-6 / 5) (1 / 4) g.
+  exists c k g, matrix c k Minus (-6 / 5) (1 / 4) g /\ g < 0.
 Proof.
   intros (_ & _ & _ & R4 & R5); split.
   - intros O m gamma HG; destruct m; [|reflexivity].
     destruct (R4 _ _ _ _ _ (is_matrix _ _ _ _ _ HG) (is_generic _ _ _ _ _ HG)) as (_ & X & _); rewrite sqrt_quarter in X; lra.
-  - destruct (R5 (-6 / 5) (1 / 4)) as (c & k & g & X & _); [lra | rewrite sqrt_quarter; lra | exists c, k, g; exact X].
+  - destruct (R5 (-6 / 5) (1 / 4)) as (c & k & g & X); [lra | rewrite sqrt_quarter; lra | exists c, k, g; exact X].
 Qed.
 
 (** Both signs of gamma at s = 1/6 on the circle; gamma > 0 at (3, 1/2). *)
 Lemma reached : Reach_statement -> (exists c k gamma, matrix c k Plus (2 * 1 * cos (2 * PI * (1 / 6))) (1 ^ 2) gamma /\ gamma < 0) /\
-  (exists c k gamma, matrix c k Plus 3 (1 / 2) gamma) /\
+  (exists c k gamma, matrix c k Plus 3 (1 / 2) gamma /\ gamma > 0) /\ (forall c k a1 a2 gamma, matrix c k Plus a1 a2 gamma -> gamma <> 0 -> 0 < a2) /\
   (forall c k gamma, matrix c k Plus 3 (1 / 2) gamma -> gamma <> 0 -> gamma > 0) /\
   exists a1 a2 gamma, matrix 7 (-2) Plus a1 a2 gamma.
 Proof.
   pose proof (sqrt_le_1 (1 / 2) 1 ltac:(lra) ltac:(lra) ltac:(lra)) as X; rewrite sqrt_1 in X.
-  intros (R1 & R2 & R3 & R4 & _); split; [|split; [|split]].
+  intros (R1 & R2 & R3 & R4 & _); split; [|split; [|split; [|split]]].
   - destruct (R2 1 (1 / 6) Minus ltac:(lra) ltac:(lra)) as (c & k & gamma & M & G); exists c, k, gamma; split; [exact M | cbn in G; lra].
-  - destruct (R3 3 (1 / 2)) as (c & k & gamma & M & _); [lra | lra | exists c, k, gamma; exact M].
+  - destruct (R3 3 (1 / 2)) as (c & k & gamma & M); [lra | lra | exists c, k, gamma; exact M].
+  - intros c k a1 a2 gamma M G; apply (R4 c k a1 a2 gamma M G).
   - intros c k gamma M G; apply (R4 c k 3 (1 / 2) gamma M G); lra.
   - apply R1.
 Qed.
 
 (** ** A periodic word between two stops, one half turn on: the motion is its own mirror image *)
 Lemma mirrored : Periodic_oscillator_statement -> forall O mu d t y v, touching O -> one_motion O Minus mu d (fun i => i) ->
-  motion O Minus mu d (fun i => i) t y v -> t 1%Z = t 0%Z + PI /\ forall x, y 1%Z (x + PI) = - y 0%Z x.
+  motion O Minus mu d (fun i => i) t y v -> t 1%Z = t 0%Z + PI /\
+  forall x, y 1%Z (x + PI) = - y 0%Z x /\ v 1%Z (x + PI) = - v 0%Z x.
 Proof.
   intros P O mu d t y v HO H1 HM; assert (Q := P O Minus mu d (fun i => i) t y v 1%Z 1%Z HO H1 HM ltac:(intros; reflexivity)).
-  split; [destruct (Q 0%Z 0) as [A _]; cbn in A; lra|]; intros x; destruct (Q 0%Z x) as (_ & A & _); cbn in A.
-  rewrite Rmult_1_r in A; lra.
+  split; [destruct (Q 0%Z 0) as [A _]; cbn in A; lra|]; intros x; destruct (Q 0%Z x) as (_ & A & B); cbn in A, B.
+  rewrite Rmult_1_r in A, B; lra.
+Qed.
+
+(** ** What a motion between two stops is: from the lower one to the upper one, half a turn later, and back at tau times
+    the speed *)
+Lemma bounces O mu d t y v : motion O Minus mu d (fun i => i) t y v ->
+  (forall x, derivable_pt_lim (y 0%Z) x (v 0%Z x) /\
+   derivable_pt_lim (v 0%Z) x (- Oscillator.c O * v 0%Z x - Oscillator.k O * y 0%Z x)) /\
+  - d <= t 0%Z <= d /\ t 0%Z < t 1%Z /\ y 0%Z (t 0%Z) = - mu - Oscillator.G O mu (t 0%Z) /\
+  y 0%Z (t 1%Z) = mu + Oscillator.G O mu (t 1%Z - PI) /\
+  (forall x, t 0%Z < x < t 1%Z -> - mu - Oscillator.G O mu x < y 0%Z x < mu + Oscillator.G O mu (x - PI)) /\
+  let V i := v i (t 1%Z) - Oscillator.G1 O mu (t 1%Z - PI) in V 0%Z > 0 /\ V 1%Z = - Oscillator.tau O * V 0%Z.
+Proof.
+  intros HM; destruct (HM 0%Z 1%Z eq_refl) as (F & D & L & Q0 & Q1 & A & V1 & V2); unfold gap, speed in *; cbn in *.
+  rewrite ?Rmult_0_r, ?Rmult_1_r, ?Rminus_0_r in *; split; [exact F|]; split; [unfold Rabs in D; destruct Rcase_abs; lra|].
+  repeat (split; [lra|]); split; [|lra]; intros x Hx; pose proof (A 0%Z x Hx) as A0; pose proof (A 1%Z x Hx) as A1.
+  cbn in A0, A1; rewrite ?Rmult_0_r, ?Rmult_1_r, ?Rminus_0_r in *; lra.
+Qed.
+Lemma the_motion O m mu d N : one_motion O m mu d N -> exists t y v, motion O m mu d N t y v /\
+  forall t' y' v', motion O m mu d N t' y' v' -> (forall i, t' i = t i) /\ (forall i x, y' i x = y i x /\ v' i x = v i x).
+Proof.
+  intros (t & y & v & M & U); exists t, y, v; split; [exact M|]; intros t' y' v' M'; split; intros i; [|intros x];
+    [destruct (U t' y' v' M' i 0) as (A & _) | destruct (U t' y' v' M' i x) as (_ & A)]; exact A.
+Qed.
+
+(** The matrix by what the motions do that start at 0 with velocity 1, and at 1 with velocity 0. *)
+Lemma matrix_means c k a1 a2 gamma : matrix c k Minus a1 a2 gamma -> forall y v,
+  (forall x, derivable_pt_lim y x (v x) /\ derivable_pt_lim v x (- c * v x - k * y x)) ->
+  (y 0 = 0 -> v 0 = 1 -> y PI = - gamma /\ forall z w, (forall x, derivable_pt_lim z x (w x) /\
+   derivable_pt_lim w x (- c * w x - k * z x)) -> z 0 = 1 -> w 0 = 0 -> a1 = - z PI - v PI /\ a2 = z PI * v PI - y PI * w PI).
+Proof.
+  intros (A11 & A21 & A22 & -> & -> & F) y v Hf Y0 V0; destruct (F y v Hf) as [P Q]; rewrite Y0, V0 in *; cbn in P, Q.
+  split; [lra|]; intros z w Hg Z0 W0; destruct (F z w Hg) as [P' Q']; rewrite Z0, W0 in *; cbn in P', Q'.
+  replace (z PI) with (- A11) by lra; replace (w PI) with (- A21) by lra; replace (v PI) with (- A22) by lra.
+  replace (y PI) with (- gamma) by lra; split; ring.
+Qed.
+Lemma touching_means O : touching O -> (0 < Oscillator.G2 O 0 0 /\ continuity_pt (Oscillator.G2 O 0) 0) /\
+  exists K, forall mu t, - 1 <= mu <= 1 -> Rabs (Oscillator.G2 O mu t - Oscillator.G2 O 0 t) <= K * Rabs mu /\
+  Rabs (Oscillator.G1 O mu t - Oscillator.G1 O 0 t) <= K * Rabs mu /\ Rabs (Oscillator.G O mu t - Oscillator.G O 0 t) <= K * Rabs mu.
+Proof.
+  intros T; destruct (sharp _ T) as [A B]; split; [split; [exact B | exact A]|]; destruct (steady _ T) as (K & H); exists K.
+  intros mu t Hm; destruct (H mu t) as (X & Y & Z); [apply Rabs_le; lra | auto].
+Qed.
+
+(** d = 5/4, w = 1 and d = w = 1, tau = 1/2: (a1, a2) = (2 exp (-5 pi/2) cosh (3 pi/2), exp (-5 pi)), (2 exp (- 2 pi), exp (- 4 pi)). *)
+Lemma overdamped : Nordmark_statement ->
+  (exists gamma, 0 < gamma /\ grazing (Nordmark (5 / 4) 1 (1 / 2)) Plus (2 * exp (- 5 * PI / 2) * cosh (3 * PI / 2)) (exp (- 5 * PI)) gamma) /\
+  exists gamma, 0 < gamma /\ grazing (Nordmark 1 1 (1 / 2)) Plus (2 * exp (- 2 * PI)) (exp (- 4 * PI)) gamma.
+Proof.
+  intros H; destruct (H (5 / 4) 1 (1 / 2) ltac:(lra) ltac:(lra)) as (_ & A & _), (H 1 1 (1 / 2) ltac:(lra) ltac:(lra)) as (_ & _ & B & _).
+  cbv zeta in *; split; [destruct (A ltac:(lra)) as (g & G & P) | destruct (B eq_refl) as (g & G & P)]; exists g; split; try exact P.
+  - replace (sqrt ((5 / 4) ^ 2 - 1)) with (3 / 4) in G by (symmetry; apply sqrt_lem_1; lra).
+    replace (- 2 * PI * (5 / 4) / 1) with (- 5 * PI / 2) in G by field; replace (- 4 * PI * (5 / 4) / 1) with (- 5 * PI) in G by field.
+    replace (2 * PI * (3 / 4) / 1) with (3 * PI / 2) in G by field; exact G.
+  - replace (- 2 * PI * 1 / 1) with (- 2 * PI) in G by field; replace (- 4 * PI * 1 / 1) with (- 4 * PI) in G by field; exact G.
+Qed.
+(** (65)-(67) word for word, and back: a motion is what they say, at mu = 1/8 say, one turn apart. *)
+Lemma the_papers_words : Nordmark_statement -> forall d w tau h t y v, 0 < w -> 0 <= tau ->
+  motion (Nordmark d w tau) Plus (- (1 / 8)) h (fun i => i) t y v -> let wall x := 9 / 8 * cos x - 1 in
+  (forall x, derivable_pt_lim (y 0%Z) x (v 0%Z x) /\ derivable_pt_lim (v 0%Z) x (- (2 * d / w) * v 0%Z x - 1 / w ^ 2 * y 0%Z x)) /\
+  Rabs (t 0%Z) <= h /\ t 0%Z < t 1%Z /\ y 0%Z (t 0%Z) = wall (t 0%Z) /\ y 0%Z (t 1%Z) = wall (t 1%Z) /\
+  (forall x, t 0%Z < x < t 1%Z -> y 0%Z x > wall x) /\ v 0%Z (t 1%Z) + 9 / 8 * sin (t 1%Z) < 0 /\
+  v 1%Z (t 1%Z) = - tau * v 0%Z (t 1%Z) - (1 + tau) * (9 / 8) * sin (t 1%Z).
+Proof.
+  intros H d w tau h t y v Hw Ht M wall; destruct (H d w tau Hw Ht) as (_ & _ & _ & E).
+  destruct (proj1 (E (1 / 8) h (fun i => i) t y v) M 0%Z 1%Z eq_refl) as (F & A & L & Q0 & Q1 & W & V1 & V2); unfold wall.
+  replace (1 + 1 / 8) with (9 / 8) in * by field; rewrite Rmult_0_r, Rminus_0_r in A; split; [exact F|].
+  repeat (split; [lra|]); split; [exact W | split; lra].
 Qed.
 
 (** ** Patterns: (1, 2) on r = 1 at a1 = 1/2, for mu < 0 *)
@@ -158,9 +227,9 @@ Qed.
 
 (** ** A stop with two harmonics, 1 - cos t and (1 - cos 2t)/8: its top is 0, its bend 1 + 4/8 *)
 Lemma Harmonics_numbers : Harmonics_statement -> exists O, touching O /\ Oscillator.c O = 1 / 5 /\
-  Oscillator.G O 0 PI = 2.
+  Oscillator.k O = 7 /\ Oscillator.tau O = 1 / 2 /\ Oscillator.G O 0 PI = 2.
 Proof.
-  intros H; destruct (H (1 / 5) 7 (1 / 2) [(1, 0); (1 / 8, 0)]) as (O & HT & Hc & _ & _ & G).
+  intros H; destruct (H (1 / 5) 7 (1 / 2) [(1, 0); (1 / 8, 0)]) as (O & HT & Hc & Hk & Ht & G).
   - intros t Ht; cbn [harmonics]; replace (INR 1) with 1 by reflexivity; rewrite !Rmult_1_l.
     pose proof (COS_bound (INR 2 * t)).
     assert (cos t < 1).
@@ -171,6 +240,7 @@ Proof.
           rewrite cos_2PI in D; lra. }
     lra.
   - cbn; lra.
-  - exists O; split; [exact HT|]; split; [exact Hc|]; rewrite G; cbn [harmonics].
+  - exists O; split; [exact HT|]; split; [exact Hc|]; split; [exact Hk|]; split; [exact Ht|].
+    rewrite G; cbn [harmonics].
     replace (INR 1 * PI) with PI by (simpl; ring); replace (INR 2 * PI) with (2 * PI) by (simpl; ring); rewrite cos_PI, sin_PI, cos_2PI, sin_2PI; field.
 Qed.

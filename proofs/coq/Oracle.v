@@ -6,7 +6,8 @@
     common divisor are Coq's own; with them oracle.ml and reader.ml read numbers. *)
 
 From Coq Require Extraction ExtrOcamlBasic ZArith.
-From Grazing Require StatementZ StatementCircleZ StatementReaders StatementReaderWords PathsCheck RangesCheck.
+From Grazing Require StatementZ StatementCircleZ StatementReaders StatementReaderWords StatementGrowth PathsCheck
+  RangesCheck.
 
 Extraction "decide.ml"
   Grazing.StatementZ.uZ Grazing.StatementZ.signB Grazing.StatementZ.signC Grazing.StatementZ.signD
@@ -17,5 +18,5 @@ Extraction "decide.ml"
   Grazing.StatementReaders.blockZ
   Grazing.StatementReaderWords.wordZ Grazing.StatementReaderWords.regionZ Grazing.StatementReaderWords.pathZ
   Grazing.StatementReaderWords.belowZ Grazing.StatementReaderWords.lonelyZ Grazing.StatementReaderWords.polarZ
-  Grazing.PathsCheck.check Grazing.RangesCheck.check_range
+  Grazing.StatementGrowth.grows Grazing.PathsCheck.check Grazing.RangesCheck.check_range
   Coq.ZArith.BinInt.Z.add Coq.ZArith.BinInt.Z.mul Coq.ZArith.BinInt.Z.opp Coq.ZArith.BinInt.Z.gcd.

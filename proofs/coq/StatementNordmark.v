@@ -13,11 +13,13 @@ Definition Nordmark (d w tau : R) : Oscillator.t := {|
   Oscillator.G := fun mu t => (1 - mu) * (1 - cos t); Oscillator.G1 := fun mu t => (1 - mu) * sin t;
   Oscillator.G2 := fun mu t => (1 - mu) * cos t |}.
 
-(** (72)-(74) for d < 1, and a motion word for word. *)
+(** (72)-(74) for d < 1, (69)-(71) for d > 1, what is between them, and a motion word for word. *)
 Definition Nordmark_statement : Prop := forall d w tau, 0 < w -> 0 <= tau ->
+  let has a1 gamma := grazing (Nordmark d w tau) Plus a1 (exp (- 4 * PI * d / w)) gamma in
   (forall sigma, d < 1 -> 0 <= d -> sigma = sqrt (1 - d ^ 2) / w -> sin (2 * PI * sigma) <> 0 ->
-   exists gamma, grazing (Nordmark d w tau) Plus (2 * exp (- 2 * PI * d / w) * cos (2 * PI * sigma))
-     (exp (- 4 * PI * d / w)) gamma /\ 0 < gamma * sin (2 * PI * sigma)) /\
+   exists gamma, has (2 * exp (- 2 * PI * d / w) * cos (2 * PI * sigma)) gamma /\ 0 < gamma * sin (2 * PI * sigma)) /\
+  (d > 1 -> exists gamma, has (2 * exp (- 2 * PI * d / w) * cosh (2 * PI * sqrt (d ^ 2 - 1) / w)) gamma /\ 0 < gamma) /\
+  (d = 1 -> exists gamma, has (2 * exp (- 2 * PI * d / w)) gamma /\ 0 < gamma) /\
   forall mu h N t y v, motion (Nordmark d w tau) Plus (- mu) h N t y v <-> forall i j, j = (i + 1)%Z ->
   (forall x, derivable_pt_lim (y i) x (v i x) /\
    derivable_pt_lim (v i) x (- (2 * d / w) * v i x - 1 / w ^ 2 * y i x)) /\
