@@ -136,7 +136,7 @@ Lemma Theorem1_numbers : Instance_statement -> Theorem1_statement -> exists d, d
     forall x', orbit_near example unit once n_1 mu d x' -> forall j i, (i < 2)%nat -> x' j i = x j i) /\
     forall mu x, 0 < mu < mu0 -> ~ orbit_near example unit once n_1 mu d x) /\
   exists mu1, mu1 > 0 /\ forall mu x, 0 < Rabs mu < mu1 -> orbit_near example unit once n_1 mu d x ->
-  Rabs (x tt 0%nat + mu) <= Rabs mu / 10.
+  Rabs (x tt 0%nat + mu) <= Rabs mu / 10 /\ Rabs (sqrt (- height example mu (x tt) 0) + mu) <= Rabs mu / 10.
 Proof.
   intros I T; pose proof (example_planar I) as P.
   destruct (T example (pair_vec 0 0) 1 (is_smooth _ _ _ _ _ _ P)) with (n_max := 1%nat) (K := 2) as (d & Hd & H1 & H2).
@@ -151,8 +151,9 @@ Proof.
     + intros mu x Hmu; destruct (H unit once n_1 _ _ Plus mu N1 inverse_2 solution_1) as [_ E]; [cbn; lra|].
       apply (E tt (- 1)); [left; cbn; ring | lra].
   - destruct (H2 (1 / 10) ltac:(lra)) as (mu1 & Hm & H); exists mu1; split; [exact Hm|]; intros mu x Hmu Hx.
-    destruct (H unit once n_1 _ _ mu x N1 inverse_2 solution_1 Hmu Hx tt) as [A _]; specialize (A 0%nat ltac:(cbn; lia)).
-    cbn in A; replace (x tt 0%nat + mu) with (x tt 0%nat - mu * 0 - 1 * mu * -1) by ring; lra.
+    destruct (H unit once n_1 _ _ mu x N1 inverse_2 solution_1 Hmu Hx tt) as [A B]; specialize (A 0%nat ltac:(cbn; lia)).
+    cbn [n_1 Nat.sub] in B; replace (1 * mu * -1) with (- mu) in B by ring; unfold Rminus in B; rewrite Ropp_involutive in B.
+    split; [cbn in A; replace (x tt 0%nat + mu) with (x tt 0%nat - mu * 0 - 1 * mu * -1) by ring|]; lra.
 Qed.
 
 (** The same by the paper's form of the theorem: det (I - A) = 1, and the linear problem has 0 alone. *)

@@ -196,35 +196,92 @@ Qed.
 Lemma trace_1_6 : trace 1 (1 / 6) = 1.
 Proof. unfold trace; replace (2 * PI * (1 / 6)) with (PI / 3) by field; rewrite cos_PI3; field. Qed.
 
-(** s = 1/6 on r = 1: 2 s < 1/2; 4 s < 1 and b_{4,3} = 2; 14 s = 7/3, and 2 and 14 are not prime. *)
-Lemma S1_S3_numbers : S1_S3_statement -> exactly 1 1 2 Minus Plus /\ exactly 1 1 4 Plus Plus /\ never 1 1 14.
+(** s = 1/6 on r = 1: 2 s < 1/2; 4 s < 1 and b_{4,3} = 2; 14 s = 7/3, and 2 and 14 are not prime. At s = 1/3, r = 1/2,
+    4 s > 1 and b_{4,1} = -7. *)
+Lemma S1_S3_numbers : S1_S3_statement -> exactly 1 1 2 Minus Plus /\ exactly 1 1 4 Plus Plus /\ never 1 1 14 /\
+  never (- 1 / 2) (1 / 4) 4 /\ forall r s (F : Farey 2 5), cell r s 5 2 -> let a1 := trace r s in let b := b a1 (r ^ 2) 5 in
+  (2 < 5 * s -> b (n_plus F) > 0 -> exactly a1 (r ^ 2) 5 Plus Minus) /\ (5 * s < 2 -> b (n_minus F) < 0 -> never a1 (r ^ 2) 5).
 Proof.
   intros S; pose proof (S 1 (1 / 6) 2%nat 0%nat ltac:(lia)) as A; pose proof (S 1 (1 / 6) 4%nat 1%nat ltac:(lia)) as B.
-  pose proof (S 1 (1 / 6) 14%nat 2%nat ltac:(lia)) as C; unfold cell in *; cbv zeta in *; rewrite trace_1_6, pow1 in *.
-  split; [|split].
+  pose proof (S 1 (1 / 6) 14%nat 2%nat ltac:(lia)) as C; pose proof (S (1 / 2) (1 / 3) 4%nat 1%nat ltac:(lia)) as D.
+  assert (T : trace (1 / 2) (1 / 3) = - 1 / 2).
+  { unfold trace; replace (2 * PI * (1 / 3)) with (PI - PI / 3) by field; rewrite Rtrigo_facts.cos_pi_minus, cos_PI3; field. }
+  assert (G : forall m F, F = Build_Farey 1 4 0 1 1 3 m -> n_minus F = 3%nat /\ n_plus F = 1%nat) by (intros m F ->; auto).
+  set (F4 := Build_Farey 1 4 0 1 1 3 ltac:(unfold neighbours; lia)); destruct (G _ F4 eq_refl) as [G1 G2].
+  unfold cell in A, B, C, D; cbv zeta in *; rewrite trace_1_6, pow1 in A, B, C; rewrite T in D.
+  replace ((1 / 2) ^ 2) with (1 / 4) in D by field; split; [|split; [|split; [|split]]].
   - apply A; [|reflexivity]; split; [lra|]; split; [lra|]; split; [numbers|]; apply Rabs_def1; simpl; lra.
   - destruct B as (_ & _ & B); [split; [lra|]; split; [lra|]; split; [numbers|]; apply Rabs_def1; simpl; lra|].
-    destruct (B (le_n 1) (Build_Farey 1 4 0 1 1 3 ltac:(unfold neighbours; lia))) as [B' _].
-    cbn [n_minus] in B'; apply B'; [simpl; lra | numbers].
+    destruct (B (le_n 1) F4) as [B' _]; rewrite G1 in B'; apply B'; [simpl; lra | numbers].
   - apply C; [| lia | discriminate]; split; [lra|]; split; [lra|]; split; [numbers|]; apply Rabs_def1; simpl; lra.
+  - destruct D as (_ & _ & D); [split; [lra|]; split; [lra|]; split; [numbers|]; apply Rabs_def1; simpl; lra|].
+    destruct (D (le_n 1) F4) as [_ D']; rewrite G2 in D'; apply D'; [simpl; lra | numbers].
+  - intros r s F HC; destruct (S r s 5%nat 2%nat ltac:(lia) HC) as (_ & _ & E); destruct (E ltac:(lia) F) as [E1 E2].
+    replace (INR 5) with 5 in * by (simpl; lra); replace (INR 2) with 2 in * by (simpl; lra); split; intros Hs Hb.
+    + apply (E2 ltac:(lra)), Hb.
+    + apply (E1 ltac:(lra)), Hb.
 Qed.
-
-Lemma Summary_systems_numbers : Summary_systems_statement -> forall S gamma, grazes S 3 (1 / 2) gamma -> gamma > 0 ->
-  born S 1 Plus /\ unborn S 1 Minus /\ born S 2 Plus /\ born S 9 Plus.
+(** What is listed, and that with no zeros nothing else is born. *)
+Lemma Summary_systems_numbers : Summary_systems_statement -> forall S a1 a2 gamma, grazes S a1 a2 gamma -> 0 < a2 <= 1 ->
+  (a1 > a2 + 1 -> gamma > 0 -> born S 1 Plus /\ unborn S 1 Minus /\ born S 2 Plus /\ born S 9 Plus) /\
+  (0 < a1 < a2 + 1 -> gamma > 0 -> born S 2 Minus) /\ (- (a2 + 1) < a1 < 0 -> gamma > 0 -> born S 2 Plus) /\
+  (a1 < - (a2 + 1) -> gamma < 0 -> born S 2 Plus /\ born S 9 Plus) /\
+  (2 * sqrt a2 * cos (PI / INR 9) < a1 < a2 + 1 -> gamma > 0 -> born S 9 Minus) /\
+  (forall g, sgn g * gamma > 0 -> area3 a1 a2 9 g -> born S 9 Plus) /\ (area4 a1 a2 9 -> gamma < 0 -> born S 9 Plus) /\
+  forall n e g, (2 <= n)%nat -> sgn g * gamma > 0 -> no_zeros a1 a2 n -> ~ listed a1 a2 n e g -> unborn S n e.
 Proof.
-  intros H S gamma HS Hg; pose proof (fun n e => H S 3 (1 / 2) gamma n e Plus HS ltac:(lra) ltac:(cbn; lra)) as X.
-  destruct (X 1%nat Plus) as (A & _), (X 1%nat Minus) as (_ & B & _), (X 2%nat Plus) as (_ & _ & C & _),
-    (X 9%nat Plus) as (_ & _ & D & _); split; [apply A; cbn; lra|]; split; [apply B; cbn; lra|].
-  split; [apply C; left; split; [reflexivity | left; intuition lra] | apply D; right; split; [lia | left; intuition lra]].
+  intros H S a1 a2 gamma HS H2; pose proof (fun n e g => H S a1 a2 gamma n e g HS H2) as X; clear H.
+  assert (L : forall n e g, sgn g * gamma > 0 -> listed a1 a2 n e g -> born S n e) by (intros n e g Hg; apply (X n e g Hg)).
+  split; [|split; [|split; [|split; [|split; [|split; [|split]]]]]].
+  - intros Ha Hg; destruct (X 1%nat Plus Plus ltac:(cbn; lra)) as (A & _), (X 1%nat Minus Plus ltac:(cbn; lra)) as (_ & B & _).
+    split; [apply A; cbn; lra|]; split; [apply B; cbn; lra|].
+    split; [apply (L 2%nat Plus Plus); [cbn; lra|]; left | apply (L 9%nat Plus Plus); [cbn; lra|]; right; split; [lia|]]; intuition lra.
+  - intros Ha Hg; apply (L 2%nat Minus Plus); [cbn; lra|]; left; tauto.
+  - intros Ha Hg; apply (L 2%nat Plus Plus); [cbn; lra|]; left; tauto.
+  - intros Ha Hg; split; [apply (L 2%nat Plus Minus); [cbn; lra|]; left | apply (L 9%nat Plus Minus); [cbn; lra|]; right; split; [lia|]]; tauto.
+  - intros Ha Hg; apply (L 9%nat Minus Plus); [cbn; lra|]; right; split; [lia|]; tauto.
+  - intros g Hg A; apply (L 9%nat Plus g Hg); right; split; [lia|]; tauto.
+  - intros A Hg; apply (L 9%nat Plus Minus); [cbn; lra|]; right; split; [lia|]; tauto.
+  - intros n e g Hn Hg Hz Hl; apply (X n e g Hg); assumption.
 Qed.
-
-(** On the circle, s = 1/6: f_1 = 1 and f_2 = 1/3, a record low. *)
-Lemma Record_systems_numbers : Record_systems_statement -> exactly 1 1 2 Minus Plus.
+Lemma listed_means a1 a2 n e g : listed a1 a2 n e g -> (n = 2%nat -> ((a2 + 1 < a1 /\ e = Plus \/ 0 < a1 < a2 + 1 /\ e = Minus \/
+   - (a2 + 1) < a1 < 0 /\ e = Plus) /\ g = Plus) \/ a1 < - (a2 + 1) /\ e = Plus /\ g = Minus) /\
+  (n <> 2%nat -> (3 <= n)%nat /\ (((a2 + 1 < a1 /\ e = Plus \/ 2 * sqrt a2 * cos (PI / INR n) < a1 < a2 + 1 /\ e = Minus) /\ g = Plus) \/
+   e = Plus /\ (area3 a1 a2 n g \/ g = Minus /\ (area4 a1 a2 n \/ a1 < - (a2 + 1))))).
+Proof. intros [[-> H]|[Hn H]]; (split; [intros E; try (exfalso; lia) | intros E; try contradiction]); tauto. Qed.
+Lemma no_zeros_means a1 a2 n : no_zeros a1 a2 n -> u a1 a2 n <> 0 /\ c a1 a2 n <> 0 /\
+  forall k, (0 < k < n)%nat -> b a1 a2 n k <> 0.
+Proof. intros (A & B & C); split; [exact A | split; [exact B|]]; intros k Hk; apply C; lia. Qed.
+(** On the circle, s = 1/6: f_1 = 1 and f_2 = 1/3, a record low; records of any n, and none. *)
+Lemma Record_systems_numbers : Record_systems_statement -> exactly 1 1 2 Minus Plus /\
+  forall a1 a2 n, 0 < a2 <= 1 -> - (a2 + 1) < a1 < a2 + 1 -> (2 <= n)%nat ->
+  (f a1 a2 n > 0 -> high a1 a2 n -> exactly a1 a2 n Plus Minus) /\ (f a1 a2 n < 0 -> low a1 a2 n -> exactly a1 a2 n Plus Plus) /\
+  (~ high a1 a2 n /\ ~ low a1 a2 n /\ no_zeros a1 a2 n -> never a1 a2 n).
 Proof.
-  intros H; destruct (H 1 1 2%nat) as (_ & _ & L & _); [lra | apply Rabs_def1; lra | lia |].
-  apply L; unfold low, f, u, v, u; [intros k Hk; replace k with 1%nat by lia|]; simpl; lra.
+  intros H; split; [destruct (H 1 1 2%nat) as (_ & _ & L & _); [lra | apply Rabs_def1; lra | lia |];
+    apply L; unfold low, f, u, v, u; [intros k Hk; replace k with 1%nat by lia|]; simpl; lra|].
+  intros a1 a2 n H2 H1 Hn; destruct (H a1 a2 n H2 ltac:(apply Rabs_def1; lra) Hn) as (A & B & _ & D).
+  split; [intros X Y; exact (A Y X)|]; split; [intros X Y; exact (B Y X) | intros (X & Y & Z); exact (D X Y Z)].
 Qed.
-
+(** Failing strictly, (52) or (53); born and unborn exclude each other; a pattern of which a step fails. *)
+Lemma Single_numbers : Single_statement -> forall S a1 a2 gamma n e g, grazes S a1 a2 gamma -> (1 <= n)%nat ->
+  u a1 a2 n <> 0 -> sgn g * gamma > 0 -> (sgn e * sgn g * c a1 a2 n < 0 -> unborn S n e) /\
+  (forall k, (1 <= k <= n - 1)%nat -> sgn e * b a1 a2 n k < 0 -> unborn S n e) /\ (born S n e -> ~ unborn S n e).
+Proof.
+  intros H S a1 a2 gamma n e g HS Hn Hu Hg; destruct (H S a1 a2 gamma n e g HS Hn Hu Hg) as (_ & A & B).
+  split; [intros Hc; apply A; right; exact Hc|]; split; [intros k Hk Hb; apply A; left; exists k; auto | intros X Y; apply B; auto].
+Qed.
+Lemma fails_means a1 a2 n e g : fails a1 a2 n e g -> sgn e * sgn g * c a1 a2 n >= 0 -> exists k, (0 < k < n)%nat /\ sgn e * b a1 a2 n k < 0.
+Proof. intros [(k & Hk & B)|B] N; [exists k; split; [lia | exact B] | lra]. Qed.
+Lemma no_pattern_1_1 : Patterns_statement -> forall S gamma, grazes S 1 (1 / 4) gamma -> gamma < 0 ->
+  exists d, d > 0 /\ forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\ forall mu, - mu0 < e_mu S mu < 0 ->
+  none S mu d (cyclic_letter [1; 1]%nat).
+Proof.
+  intros P S gamma HG Hg; destruct (P S 1 (1 / 4) gamma HG 1%nat) as (d & Hd & W); exists d; split; [exact Hd|]; intros eps He.
+  destruct (W eps He) as (mu0 & Hm & W'); exists mu0; split; [exact Hm|]; intros mu Hmu.
+  apply (W' [1; 1]%nat Minus Minus mu); [discriminate | repeat constructor; numbers | cbn; lra | cbn; lra|].
+  exists 0%Z; right; cbn; numbers.
+Qed.
 (** ** A stop with two harmonics, 1 - cos t and (1 - cos 2t)/8: its top is 0, its bend 1 + 4/8 *)
 Lemma Harmonics_numbers : Harmonics_statement -> exists O, touching O /\ Oscillator.c O = 1 / 5 /\
   Oscillator.k O = 7 /\ Oscillator.tau O = 1 / 2 /\ Oscillator.G O 0 PI = 2.

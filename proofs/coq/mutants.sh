@@ -303,7 +303,7 @@ E
 
 # The readers of certificates: what they say, and what they decide.
 mutant reader-says-nothing 'File "./ConsequencesReaders' --pin StatementReaders.v <<'E'
-s/forall t, In t L -> there t s -> says n s t)/forall t, In t L -> there t s -> True)/
+s/^    says n s t) \/\\/    True) \/\\/
 E
 mutant reader-of-a-part 'File "./ConsequencesReaders' --pin StatementReaderWords.v <<'E'
 s/  forall n, member a1 a2 Plus n -> In n (map fst (vertices K w))/  forall n, member a1 a2 Plus n -> (n <= j)%nat/
