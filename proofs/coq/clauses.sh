@@ -1,8 +1,9 @@
 #!/bin/sh
-# Weakens what is stated, one clause at a time: some file Consequences*.v must then no longer compile. Each conjunct of the
-# statement files that is no hypothesis (conjuncts.awk) becomes "True or" what it was; what else is lost or narrowed stands below.
-# Run check.sh first. Arguments: statement files, all without, and perhaps "others" for what stands below alone. Only what is compiled from the one that is changed is
-# compiled again, without proofs, and then the consequences with theirs.
+# Weakens what is stated, one clause at a time: some file Consequences*.v must then no longer compile. Each conjunct
+# of the statement files that is no hypothesis (conjuncts.awk) becomes "True or" what it was; what else is lost or
+# narrowed stands below. Run check.sh first. Arguments: statement files, and before them perhaps "others" for what
+# stands below alone; without, those of which every clause is noticed. Only what is compiled from the one that is
+# changed is compiled again, without proofs, and then the consequences with theirs.
 set -eu
 export LC_ALL=C OCAMLRUNPARAM=s=2M,o=400
 here=$(cd "$(dirname "$0")" && pwd)
@@ -13,7 +14,7 @@ cp -a "$here/." "$work/tree"
 cd "$work/tree"
 others=; [ "${1-}" != others ] || { others=yes; shift; }
 chosen=${*:-Headline.v StatementChaos.v StatementNordmark.v StatementOrbits.v StatementOrbitsPeriodic.v
-  StatementOrbitsPlane.v StatementOscillator.v StatementSystems.v}
+  StatementOrbitsPlane.v StatementOscillator.v StatementSystems.v StatementGrowth.v}
 
 # A line for each file: its name and those that it requires, in an order in which they can be compiled.
 coqdep -Q . Grazing *.v 2>/dev/null | sed -nE 's/^([A-Za-z0-9]+)\.vo .*: /\1 /p' | sed -E 's/([A-Za-z0-9]+)\.vo?/\1/g' |

@@ -267,9 +267,6 @@ E
 mutant one-stop-only 'File "./ConsequencesSystems' --pin StatementOscillator.v <<'E'
 s/(forall a1 a2, 0 < a2 -> a1 <= - 2 \* sqrt a2 ->/(forall a1 a2, 0 < a2 -> a1 <= - 2 -> a1 <= - 2 * sqrt a2 ->/
 E
-mutant words-without-2 'File "./ConsequencesSystems' --pin Headline.v <<'E'
-/^Definition Theorem_1_statement/,/^$/ s/(1 <= n i <= n_max)%nat/(n i <= 1)%nat \/\\ &/
-E
 mutant wall-of-another-shape 'File "./ConsequencesSystems' --pin StatementNordmark.v <<'E'
 s/y i (t i) = (1 + mu) \* cos (t i) - 1/y i (t i) = (1 + mu) * cos (t j) - 1/
 E
@@ -287,12 +284,6 @@ mutant no-periods-left-of-the-area 'File "./ConsequencesAreas' --pin StatementPl
 E
 mutant edges-one-way 'File "./ConsequencesWords' --pin StatementWords.v <<'E'
 /^Definition W5_neighbours_statement/,/^$/ s/(p j < q i <-> member/(p j < q i -> member/
-E
-mutant words-that-do-not-end 'File "./ConsequencesWords' --pin Headline.v <<'E'
-s/  (a2 < 1 -> exists w i j, path/  (a2 < 0 -> exists w i j, path/
-E
-mutant none-for-no-word 'File "./ConsequencesSystems' --pin Headline.v <<'E'
-/^Definition Theorem_1_statement/,/^$/ s/((exists i, breaks a1 a2 e g/((forall i, breaks a1 a2 e g/
 E
 mutant any-number-of-orbits 'File "./ConsequencesMaps' --pin StatementOrbits.v <<'E'
 s/    forall x', orbit_near M J next n mu d x' -> forall j i, (i < N M)%nat -> x' j i = x j i) \/\\/    True) \/\\/
