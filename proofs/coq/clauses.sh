@@ -13,7 +13,7 @@ total=0 survived=0
 cp -a "$here/." "$work/tree"
 cd "$work/tree"
 others=; [ "${1-}" != others ] || { others=yes; shift; }
-chosen=${*:-Headline.v StatementChaos.v StatementNordmark.v StatementOrbits.v StatementOrbitsPeriodic.v
+chosen=${*:-Headline.v Statement.v StatementChaos.v StatementNordmark.v StatementOrbits.v StatementOrbitsPeriodic.v
   StatementOrbitsPlane.v StatementOscillator.v StatementSystems.v StatementGrowth.v}
 
 # A line for each file: its name and those that it requires, in an order in which they can be compiled.
