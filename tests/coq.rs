@@ -1,7 +1,8 @@
 //! The Coq development under `proofs/coq` says and rests on what is pinned there (`check.sh`), and what the
 //! built `grazing` prints agrees with functions that Coq has proved: those of `StatementZ.v` and
 //! `StatementCircleZ.v`, extracted to OCaml. So do the checker's verdicts with the readers of certificates of
-//! `StatementReaders.v`, `StatementReaderWords.v`, `StatementPaths.v` and `StatementRanges.v`.
+//! `StatementReaders.v`, `StatementReaderWords.v`, `StatementGrowth.v`, `StatementPaths.v` and
+//! `StatementRanges.v`.
 //!
 //! Without `coqc` (for the second, an OCaml compiler too) on the PATH nothing is checked and stderr says so;
 //! with `GRAZING_REQUIRE_COQ=1` that is a failure.
@@ -28,7 +29,7 @@ fn check_sh_accepts_the_development() {
     let mut hasher = DefaultHasher::new();
     // What was checked with less is checked again.
     (&sources, version, std::env::var_os("GRAZING_COQCHK")).hash(&mut hasher);
-    let (stamp, digest) = (build.join("stamp"), hasher.finish().to_string());
+    let (stamp, digest) = (build.with_extension("stamp"), hasher.finish().to_string());
     if fs::read_to_string(&stamp).ok().as_ref() == Some(&digest) {
         return;
     }
@@ -62,6 +63,8 @@ fn build_oracle() -> Option<PathBuf> {
         "StatementCircleZ.v",
         "StatementReaders.v",
         "StatementReaderWords.v",
+        "StatementGraphs.v",
+        "StatementGrowth.v",
         "StatementOscillator.v",
         "StatementPaths.v",
         "Derivatives.v",
@@ -542,7 +545,7 @@ fn sampled() -> bool {
     env::var("GRAZING_COQCHK").is_ok_and(|v| v == "0")
 }
 
-/// A folder for building, kept from one run to the next.
+/// A folder for building.
 fn folder(name: &str) -> PathBuf {
     let build = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     fs::create_dir_all(&build).unwrap();
@@ -562,24 +565,15 @@ fn sources() -> BTreeMap<String, String> {
 
 fn is_source(name: &str) -> bool {
     let extension = Path::new(name).extension().and_then(|e| e.to_str());
-    name == "_CoqProject" || matches!(extension, Some("v" | "sh" | "txt" | "ml" | "mli"))
+    name == "_CoqProject" || matches!(extension, Some("v" | "sh" | "awk" | "txt" | "ml" | "mli"))
 }
 
-/// Makes the sources in a build folder these and no others. An unchanged file keeps its time, so that make
-/// compiles only what it must; with a source that is gone goes all that was made from it.
+/// Makes the files in a build folder these sources and no others: what was compiled there before goes.
 fn place(build: &Path, sources: &BTreeMap<String, String>) {
-    for entry in fs::read_dir(build).unwrap() {
-        let name = entry.unwrap().file_name().into_string().unwrap();
-        let stem = name.trim_start_matches('.').split('.').next().unwrap();
-        let orphan = !sources.contains_key(&format!("{stem}.v")) && name.contains(".v");
-        if is_source(&name) && !sources.contains_key(&name) || orphan {
-            fs::remove_file(build.join(&name)).unwrap();
-        }
-    }
+    fs::remove_dir_all(build).unwrap();
+    fs::create_dir_all(build).unwrap();
     for (name, text) in sources {
-        if fs::read_to_string(build.join(name)).ok().as_ref() != Some(text) {
-            fs::write(build.join(name), text).unwrap();
-        }
+        fs::write(build.join(name), text).unwrap();
     }
 }
 

@@ -35,10 +35,10 @@ Definition Farey_3_8 : Farey 3 8 := Build_Farey 3 8 1 3 2 5 ltac:(unfold neighbo
 Definition Farey_1_4 : Farey 1 4 := Build_Farey 1 4 0 1 1 3 ltac:(unfold neighbours; lia).
 Definition Farey_1_3 : Farey 1 3 := Build_Farey 1 3 0 1 1 2 ltac:(unfold neighbours; lia).
 
-Lemma Neighbours_numbers : Neighbours_statement -> (exists F : Farey 5 13, (n_plus F + n_minus F = 13)%nat) /\
+Lemma Neighbours_numbers : Neighbours_statement -> (exists F : Farey 5 13, (n_plus F + n_minus F = 13 /\ m_plus F + m_minus F = 5)%nat) /\
   forall F : Farey 3 8, m_plus F = 1%nat /\ n_plus F = 3%nat /\ m_minus F = 2%nat /\ n_minus F = 5%nat.
 Proof.
-  intros H; split; [destruct (H 5%nat 13%nat ltac:(lia) eq_refl) as (F & _ & E & _); exists F; exact E|].
+  intros H; split; [destruct (H 5%nat 13%nat ltac:(lia) eq_refl) as (F & D & E & _); exists F; split; assumption|].
   intros F; destruct (H 3%nat 8%nat ltac:(lia) eq_refl) as (F0 & _ & _ & U).
   destruct (U F) as (-> & -> & -> & ->), (U Farey_3_8) as (<- & <- & <- & <-); repeat split.
 Qed.
@@ -51,6 +51,10 @@ Proof.
 Qed.
 
 (** ** S1, S2, S3 at s = 1/6 and s = 1/3 *)
+Lemma cell_means r s n m : cell r s n m -> 0 < r <= 1 /\ 0 < s < 1 / 2 /\ u (2 * r * cos (2 * PI * s)) (r ^ 2) n <> 0 /\
+  - 1 < 2 * (INR n * s - INR m) < 1.
+Proof. intros (A & B & C & D); repeat (split; [assumption|]); unfold Rabs in D; destruct Rcase_abs; lra. Qed.
+
 Lemma S1_numbers : S1_statement -> orbit 1 1 2 Minus Plus.
 Proof.
   intros H; pose proof (H 1 (1 / 6) 2%nat ltac:(lia)) as X; unfold orbit_at, cell in X.
@@ -153,6 +157,79 @@ Proof.
   destruct (HR s Hs) as (P & _ & HA); exists (1 - 4 / (PI * 27)), s; split; [lra|]; split; [simpl in Hs; lra|].
   apply (HA (1 - 4 / (PI * 27))); lra.
 Qed.
+
+(** ** The definitions, and what the statements on all intervals say of any n *)
+Lemma decides_means a1 a2 n d g : decides a1 a2 n d g -> (0 < d < n)%nat /\ sgn g * c a1 a2 n > 0 /\
+  (0 < b a1 a2 n d -> orbit a1 a2 n Plus g) /\ (0 > b a1 a2 n d -> no_orbit a1 a2 n) /\
+  forall k, (0 < k < n)%nat -> k <> d -> b a1 a2 n d = 0 -> a2 < 1 -> 0 < b a1 a2 n k.
+Proof.
+  intros (A & B & C & D & E); split; [lia|]; split; [exact A|]; split; [exact C|]; split; [exact D|].
+  intros k Hk Hd Hb Ha; apply (E Hb Ha k); [lia | exact Hd].
+Qed.
+Lemma above_means n k g lo hi Rad : above n k g lo hi Rad -> forall r s, lo < s < hi -> 0 < r <= 1 ->
+  (0 <= Rad s /\ Rad s < 1 /\ continuity_pt Rad s) /\ u_at r s n <> 0 /\ (orbit_at r s n Plus g <-> r > Rad s) /\
+  (b_at r s n k = 0 <-> r = Rad s) /\ (b_at r s n k < 0 <-> r < Rad s) /\ (r < Rad s -> no_orbit_at r s n) /\
+  forall j, (0 < j < n)%nat -> j <> k -> r = Rad s -> 0 < b_at r s n j.
+Proof.
+  intros H r s Hs Hr; destruct (H s Hs) as (A & B & P); destruct (P r Hr) as (U & X & Y & Z & W & V).
+  split; [repeat split; try lra; exact B|]; split; [exact U|]; split; [split; intros E; apply X, E|].
+  split; [split; intros E; [symmetry; apply Y, E | apply Y; symmetry; exact E]|]; split; [split; intros E; apply Z, E|].
+  split; [exact W|]; intros j Hj Hk E; apply (V (eq_sym E) j); [lia | exact Hk].
+Qed.
+Lemma count_means : Theorem2_count_statement -> forall n, (3 <= n)%nat -> (forall e g lo hi, interval n e g lo hi ->
+   0 <= lo /\ lo < hi /\ 2 * hi <= 1) /\ (forall e g lo hi e' g' lo' hi', interval n e g lo hi -> interval n e' g' lo' hi' ->
+   lo < lo' -> hi <= lo') /\ exists L, length L = S (phi n) /\ NoDup L /\ forall e g lo hi, interval n e g lo hi <-> In (e, g, lo, hi) L.
+Proof.
+  intros T n Hn; destruct (T n Hn) as (L & E & N & I & A & D); split; [intros e g lo hi HI; destruct (A e g lo hi HI); lra|].
+  split; [|exists L; split; [lia | split; [exact N|]]; intros; symmetry; apply I].
+  intros e g lo hi e' g' lo' hi' H H' L'; destruct (D _ _ _ _ _ _ _ _ H H') as [X|[X|X]]; [injection X; lra | exact X|].
+  destruct (A _ _ _ _ H), (A _ _ _ _ H'); lra.
+Qed.
+Lemma indices_mean : Deciding_indices_statement -> forall n, (3 <= n)%nat -> (forall k, (0 < k < n)%nat -> Nat.gcd k n = 1%nat ->
+   exists g lo hi, side n k g lo hi) /\ (forall k g lo hi, side n k g lo hi -> (0 < k < n)%nat /\ Nat.gcd k n = 1%nat) /\
+  forall k g lo hi k' g' lo' hi', side n k g lo hi -> side n k' g' lo' hi' -> k = k' <-> g = g' /\ lo = lo' /\ hi = hi'.
+Proof.
+  intros D n Hn; destruct (D n Hn) as [A B]; split; [intros k Hk Hg; apply A; split; [lia | exact Hg]|]; split.
+  - intros k g lo hi H; destruct (proj2 (A k)) as [X Y]; [exists g, lo, hi; exact H | split; [lia | exact Y]].
+  - intros k g lo hi k' g' lo' hi' H H'; rewrite (B _ _ _ _ _ _ _ _ H H'); split; [intros E; injection E; auto | intros (-> & -> & ->); reflexivity].
+Qed.
+Lemma S4_means : S4_statement -> S4_ends_statement -> forall n, (3 <= n)%nat ->
+  (forall r s, 0 < r <= 1 -> 0 < s < 1 / (2 * INR n) -> orbit_at r s n Minus Plus) /\
+  forall k g lo hi, side n k g lo hi -> exists Rad, above n k g lo hi Rad /\ (lo <> 1 / (2 * INR n) -> tends_to_1 Rad lo hi lo) /\
+  (hi <> 1 / 2 -> tends_to_1 Rad lo hi hi) /\
+  (lo = 1 / (2 * INR n) -> forall s, lo < s < hi -> s <= 1 / (2 * (INR n - 1)) -> Rad s = 0).
+Proof.
+  intros S E n Hn; destruct (S n Hn) as (A & B & _); split; [exact A|]; intros k g lo hi H; destruct (B _ _ _ _ H) as [Rad HR].
+  exists Rad; split; [exact HR | apply (E n k g lo hi Rad Hn H HR)].
+Qed.
+Lemma tends_means Rad lo hi x0 : tends_to_1 Rad lo hi x0 -> exists d, d > 0 /\ forall s, lo < s < hi -> Rabs (s - x0) < d -> Rad s > 9 / 10.
+Proof. intros H; destruct (H (9 / 10) ltac:(lra)) as (d & Hd & T); exists d; split; [exact Hd | exact T]. Qed.
+Lemma section_means : S4_section_statement -> forall n e g lo hi r, (3 <= n)%nat -> interval n e g lo hi -> 0 < r < 1 ->
+  exists lo' hi', (lo <= lo' /\ hi' <= hi) /\ (lo = 1 / (2 * INR n) -> lo < hi' /\ lo' = lo) /\
+  forall s, lo < s < hi -> lo' < s < hi' <-> orbit_at r s n e g.
+Proof.
+  intros H n e g lo hi r Hn HI Hr; destruct (H n e g lo hi r Hn HI Hr) as (lo' & hi' & A & B & C & D); exists lo', hi'.
+  split; [split; assumption|]; split; [intros E; destruct (C E); split; assumption | intros s Hs; symmetry; apply D, Hs].
+Qed.
+Lemma S5_means : S5_statement -> S5_section_statement -> (forall a1 a2, 0 < a2 < 1 -> - (a2 + 1) < a1 <= - 2 * sqrt a2 ->
+   orbit a1 a2 2 Plus Plus /\ (forall n, (4 <= n)%nat -> Nat.Even n -> no_orbit a1 a2 n) /\
+   forall n, (3 <= n)%nat -> Nat.Odd n -> u a1 a2 n <> 0 /\ decides a1 a2 n (n - 2) Minus) /\
+  forall a2 n, 0 < a2 < 1 -> (3 <= n)%nat -> Nat.Odd n -> let hi := trace (sqrt a2) ((1 - 1 / INR n) / 2) in
+  exists a1s, - (a2 + 1) < a1s < hi /\ forall a1, - (a2 + 1) < a1 < hi -> (u a1 a2 n <> 0 /\ decides a1 a2 n (n - 2) Minus) /\
+  (b a1 a2 n (n - 2) > 0 <-> a1 < a1s) /\ (b a1 a2 n (n - 2) = 0 <-> a1 = a1s).
+Proof.
+  intros H K; split.
+  - intros a1 a2 H2 H1; split; [apply (H a1 a2 2%nat H2 H1); reflexivity|]; split; intros n Hn; apply (H a1 a2 n H2 H1), Hn.
+  - intros a2 n H2 Hn Ho hi; destruct (K a2 n H2 Hn Ho) as (a1s & A & B); exists a1s; split; [exact A|]; intros a1 Ha.
+    destruct (B a1 Ha) as (U & D & L & Z); split; [split; assumption|]; split; split; intros E; first [apply L, E | apply Z, E].
+Qed.
+Lemma Depth_means : Depth_statement -> forall n k g lo hi Rad, (3 <= n)%nat -> side n k g lo hi -> above n k g lo hi Rad ->
+  exists s, lo < s /\ s < hi /\ Rad s + 4 / (PI * INR n ^ 3) < 1.
+Proof. intros D n k g lo hi Rad Hn H A; destruct (D n k g lo hi Rad Hn H A) as (s & Hs & L); exists s; lra. Qed.
+Lemma S3_means : S3_statement -> forall r s n m (F : Farey m n), (2 <= n)%nat -> (1 <= m)%nat -> cell r s n m ->
+  (INR n * s > INR m -> decides (trace r s) (r ^ 2) n (n_plus F) Minus) /\
+  (INR n * s < INR m -> decides (trace r s) (r ^ 2) n (n_minus F) Plus).
+Proof. intros H r s n m F Hn Hm HC; split; apply (H r s n m F Hn Hm HC). Qed.
 
 (** ** The rest of the plane *)
 Lemma Coordinates_numbers : Coordinates_statement ->

@@ -66,13 +66,77 @@ Qed.
 Lemma quantities e x : quantity example unit n_1 (fun _ => pair_vec (-1) (-1)) (fun _ => -1) e tt x -> x = - sgn e.
 Proof. intros [->|(k & Hk & _)]; [ring | unfold n_1 in Hk; lia]. Qed.
 
+(** ** What the definitions say: of any map, at n = 2, and of the example *)
+Lemma smooth_means M : smooth M -> let N := Map.N M in
+  (forall i, (i < N)%nat -> Map.f M zero 0 i = 0 /\ Map.kick M zero 0 0 i = Map.B M i) /\ Map.h M zero 0 = 0 /\
+  (forall i eps, (i < N)%nat -> eps > 0 -> exists d, d > 0 /\ forall x x' mu t, within N d x -> within N d x' ->
+   Rabs mu <= d -> within N t (minus x x') -> 0 <= t ->
+   Rabs (Map.f M x mu i - Map.f M x' mu i - dot N (Map.A M i) (minus x x')) <= eps * t /\
+   Rabs (Map.h M x mu - Map.h M x' mu - dot N (Map.C M) (minus x x')) <= eps * t) /\
+  exists l d, d > 0 /\ forall x y y', within N d x -> 0 <= y <= d -> 0 <= y' <= d -> forall t, Rabs (y - y') <= t ->
+  within N t (minus x x) -> within N (l * t) (minus (Map.kick M x y 0) (Map.kick M x y' 0)).
+Proof.
+  intros (F & [H0 H] & K & l & d & Hd & L) N; split; [|split; [|split]].
+  - intros i Hi; split; [apply (F i Hi) | apply (K i Hi)].
+  - exact H0.
+  - intros i eps Hi He; destruct (F i Hi) as [_ G]; destruct (G eps He) as (d1 & Hd1 & G1), (H eps He) as (d2 & Hd2 & H2).
+    exists (Rmin d1 d2); split; [apply Rmin_glb_lt; assumption|]; intros x x' mu t Hx Hx' Hm Ht Pt.
+    pose proof (Rmin_l d1 d2); pose proof (Rmin_r d1 d2).
+    assert (W : forall e z, Rmin d1 d2 <= e -> within N (Rmin d1 d2) z -> within N e z)
+      by (intros e z He' Hz k Hk; specialize (Hz k Hk); lra).
+    assert (Z : Rabs (mu - mu) <= t) by (rewrite Rminus_diag_eq, Rabs_R0; trivial).
+    pose proof (G1 x x' mu mu t (W _ x (Rmin_l d1 d2) Hx) (W _ x' (Rmin_l d1 d2) Hx') ltac:(lra) ltac:(lra) Ht Z) as A.
+    pose proof (H2 x x' mu mu t (W _ x (Rmin_r d1 d2) Hx) (W _ x' (Rmin_r d1 d2) Hx') ltac:(lra) ltac:(lra) Ht Z) as B.
+    replace (mu - mu) with 0 in A, B by ring; rewrite Rmult_0_l, Rminus_0_r in A, B; split; assumption.
+  - exists l, d; split; [exact Hd|]; intros x y y' Hx Hy Hy' t Ht Hz; pose proof (Rabs_pos (y - y')).
+    apply L; trivial; rewrite ?Rminus_diag_eq, ?Rabs_R0; lra.
+Qed.
+(** Two steps: no impact at the first, one at the second, within d of 0, and the word goes on from there. *)
+Lemma two_steps M mu d x : orbit_near M Z (fun i => i + 1)%Z (fun _ => 2%nat) mu d x -> forall j,
+  (forall i, (i < Map.N M)%nat -> - d <= x j i <= d) /\ Map.h M (Map.f M (x j) mu) mu > 0 /\
+  Map.h M (Map.f M (step M mu (x j)) mu) mu < 0 /\
+  forall i, (i < Map.N M)%nat -> x (j + 1)%Z i = step M mu (step M mu (x j)) i.
+Proof.
+  intros H j; destruct (H j) as (A & B & C & D); split; [|split; [|split]].
+  - intros i Hi; specialize (A i Hi); unfold Rabs in A; destruct Rcase_abs; lra.
+  - exact (B 0%nat ltac:(lia)).
+  - exact (C 1%nat eq_refl).
+  - intros i Hi; symmetry; exact (D i Hi).
+Qed.
+(** (28) and (32) for one impact in one step, in words of coordinates; what "invertible" means; (33) and (34). *)
+Lemma solution_means M X Y : solution M unit once n_1 X Y -> (exists t, Rabs (Y tt) <= t /\ forall i, (i < Map.N M)%nat ->
+  Rabs (X tt i) <= t) /\ dot (Map.N M) (Map.C M) (mult (Map.N M) (Map.A M) (X tt)) = - 1 /\
+  forall i, (i < Map.N M)%nat -> X tt i = mult (Map.N M) (Map.A M) (X tt) i + Y tt * Map.B M i.
+Proof.
+  intros [(t & B) L]; destruct (B tt) as [B1 B2], (L tt) as [L1 L2]; split; [exists t; split; [exact B2 | exact B1]|].
+  split; [exact L1|]; intros i Hi; specialize (L2 i Hi); unfold power, once, n_1, zero in L2; cbn in L2; lra.
+Qed.
+Lemma invertible_means M K : invertible M unit once n_1 K ->
+  (forall t Q r, within (Map.N M) t Q -> Rabs r <= t -> exists X Y, within (Map.N M) (K * t) X /\ Rabs Y <= K * t /\
+   linear M unit once n_1 (fun _ => X) (fun _ => Y) (fun _ => Q) (fun _ => r)) /\
+  forall X Y t, within (Map.N M) t X -> Rabs Y <= t ->
+  linear M unit once n_1 (fun _ => X) (fun _ => Y) (fun _ => zero) (fun _ => 0) -> Y = 0.
+Proof.
+  intros [E U]; split.
+  - intros t Q r HQ Hr; destruct (E t (fun _ => Q) (fun _ => r)) as (X & Y & B & L); [intros []; split; assumption|].
+    exists (X tt), (Y tt); destruct (B tt) as [B1 B2]; split; [exact B1|]; split; [exact B2|]; intros []; apply (L tt).
+  - intros X Y t HX HY L; destruct (U t (fun _ => X) (fun _ => Y) ltac:(intros []; split; assumption) L tt) as [_ B].
+    pose proof (Rabs_pos Y); destruct (Req_dec Y 0) as [Z|Z]; [exact Z | apply Rabs_pos_lt in Z; lra].
+Qed.
+Lemma quantity_means M X Y j x : quantity M unit (fun _ => 3%nat) X Y Minus j x ->
+  x = - Y j \/ exists k, (k = 1 \/ k = 2)%nat /\ x = - (1 + dot (Map.N M) (Map.C M) (power M k (X j))).
+Proof. intros [E|(k & Hk & E)]; [left; rewrite E; cbn; ring | right; exists k; split; [lia | rewrite E; cbn [sgn]; ring]]. Qed.
+Lemma planar_means M a1 a2 gamma rate w : planar M a1 a2 gamma rate w -> (gamma <> 0 /\ rate <> 0) /\
+  gamma = dot 2 (Map.C M) (mult 2 (Map.A M) (Map.B M)) /\ rate = dot 2 (Map.C M) w + Map.eta M.
+Proof. intros P; destruct (is_gamma _ _ _ _ _ _ P), (is_rate _ _ _ _ _ _ P); repeat split; assumption. Qed.
+
 (** One fixed point for small mu < 0, near (-mu, -mu); none for small mu > 0. *)
 Lemma Theorem1_numbers : Instance_statement -> Theorem1_statement -> exists d, d > 0 /\
   (exists mu0, mu0 > 0 /\ (forall mu, - mu0 < mu < 0 -> exists x, orbit_near example unit once n_1 mu d x /\
     forall x', orbit_near example unit once n_1 mu d x' -> forall j i, (i < 2)%nat -> x' j i = x j i) /\
     forall mu x, 0 < mu < mu0 -> ~ orbit_near example unit once n_1 mu d x) /\
   exists mu1, mu1 > 0 /\ forall mu x, 0 < Rabs mu < mu1 -> orbit_near example unit once n_1 mu d x ->
-  Rabs (x tt 0%nat + mu) <= Rabs mu / 10.
+  Rabs (x tt 0%nat + mu) <= Rabs mu / 10 /\ Rabs (sqrt (- height example mu (x tt) 0) + mu) <= Rabs mu / 10.
 Proof.
   intros I T; pose proof (example_planar I) as P.
   destruct (T example (pair_vec 0 0) 1 (is_smooth _ _ _ _ _ _ P)) with (n_max := 1%nat) (K := 2) as (d & Hd & H1 & H2).
@@ -87,13 +151,17 @@ Proof.
     + intros mu x Hmu; destruct (H unit once n_1 _ _ Plus mu N1 inverse_2 solution_1) as [_ E]; [cbn; lra|].
       apply (E tt (- 1)); [left; cbn; ring | lra].
   - destruct (H2 (1 / 10) ltac:(lra)) as (mu1 & Hm & H); exists mu1; split; [exact Hm|]; intros mu x Hmu Hx.
-    destruct (H unit once n_1 _ _ mu x N1 inverse_2 solution_1 Hmu Hx tt) as [A _]; specialize (A 0%nat ltac:(cbn; lia)).
-    cbn in A; replace (x tt 0%nat + mu) with (x tt 0%nat - mu * 0 - 1 * mu * -1) by ring; lra.
+    destruct (H unit once n_1 _ _ mu x N1 inverse_2 solution_1 Hmu Hx tt) as [A B]; specialize (A 0%nat ltac:(cbn; lia)).
+    cbn [n_1 Nat.sub] in B; replace (1 * mu * -1) with (- mu) in B by ring; unfold Rminus in B; rewrite Ropp_involutive in B.
+    split; [cbn in A; replace (x tt 0%nat + mu) with (x tt 0%nat - mu * 0 - 1 * mu * -1) by ring|]; lra.
 Qed.
 
 (** The same by the paper's form of the theorem: det (I - A) = 1, and the linear problem has 0 alone. *)
-Lemma Theorem1_periodic_numbers : Instance_statement -> Theorem1_statement_periodic -> exists d mu0, d > 0 /\ mu0 > 0 /\
-  forall mu, - mu0 < mu < 0 -> exists x, orbit_near example unit once n_1 mu d x.
+Lemma Theorem1_periodic_numbers : Instance_statement -> Theorem1_statement_periodic -> exists d d' mu0, d > 0 /\ d' > 0 /\
+  mu0 > 0 /\ (forall mu, - mu0 < mu < 0 -> exists x, orbit_near example unit once n_1 mu d x /\
+   forall x', orbit_near example unit once n_1 mu d x' -> forall i, (i < 2)%nat -> x' tt i = x tt i) /\
+  (forall eps, eps > 0 -> exists mu1, mu1 > 0 /\ forall mu x, - mu1 < mu < 0 -> orbit_near example unit once n_1 mu d x ->
+   within 2 eps (x tt)) /\ forall mu x, 0 < mu < mu0 -> ~ orbit_near example unit once n_1 mu d' x.
 Proof.
   intros I T; pose proof (example_planar I) as P; destruct (T example (is_smooth _ _ _ _ _ _ P)) as (w & Hw & H).
   { intros x Hx; pose proof (Hx 0%nat ltac:(cbn; lia)) as H0; pose proof (Hx 1%nat ltac:(cbn; lia)) as H1; cbn in H0, H1.
@@ -104,11 +172,23 @@ Proof.
   destruct (H ltac:(rewrite E1; lra) unit once n_1) as (X & Y & HL & Q); [| intros; unfold n_1; lia | |].
   { exists 1%nat, (fun _ => tt), (fun _ => 0%nat); split; [intros []; split; [lia | reflexivity] | intros; lia]. }
   { intros X Y HL []; apply rows in HL; unfold zero in HL; destruct HL as (A & B & C); split; [lra|]; apply (two (fun i => X tt i = 0)); lra. }
-  apply rows in HL; destruct (Q Minus) as [[d [Hd [[mu0 [Hm B]] _]]] _].
-  - intros [] x [->|(k & Hk & _)]; [unfold zero in HL; cbn; lra | unfold n_1 in Hk; lia].
-  - exists d, mu0; split; [exact Hd|]; split; [exact Hm|]; intros mu Hmu; rewrite E1 in B.
-    destruct (B mu ltac:(cbn; lra)) as (x & Hx & _); exists x; exact Hx.
+  apply rows in HL; rewrite E1 in Q; destruct (Q Minus) as [A _], (Q Plus) as [_ B].
+  destruct A as (d & Hd & (mu0 & Hm & A) & Near).
+  { intros [] x [->|(k & Hk & _)]; [unfold zero in HL; cbn; lra | unfold n_1 in Hk; lia]. }
+  destruct (B tt (Y tt)) as (d' & mu1 & Hd' & Hm' & B'); [left; cbn; ring | unfold zero in HL; lra|].
+  exists d, d', (Rmin mu0 mu1); pose proof (Rmin_l mu0 mu1); pose proof (Rmin_r mu0 mu1).
+  split; [exact Hd|]; split; [exact Hd'|]; split; [apply Rmin_glb_lt; assumption|]; split; [|split].
+  - intros mu Hmu; destruct (A mu ltac:(cbn; lra)) as (x & Hx & U); exists x; split; [exact Hx|]; intros x' Hx'; apply U, Hx'.
+  - intros eps He; destruct (Near eps He) as (mu2 & Hm2 & N); exists mu2; split; [exact Hm2|]; intros mu x Hmu Hx.
+    apply (N mu x); [cbn; lra | exact Hx].
+  - intros mu x Hmu; apply B'; cbn; lra.
 Qed.
+(** Its hypotheses: finitely many impacts, and D X = 0 for X = 0 alone. *)
+Lemma finite_means J : finite J -> exists m (f : nat -> J) g, forall j k, (g j < m)%nat /\ f (g j) = j /\ ((k < m)%nat -> g (f k) = k).
+Proof. intros (m & f & g & A & B); exists m, f, g; intros j k; split; [apply A|]; split; [apply A | apply B]. Qed.
+Lemma det_D_means M next n : det_D_not_0 M bool next n -> forall X Y, linear M bool next n X Y (fun _ => zero) (fun _ => 0) ->
+  Y true = 0 /\ forall i, (i < Map.N M)%nat -> X false i = 0.
+Proof. intros H X Y L; split; [apply (H X Y L true) | apply (H X Y L false)]. Qed.
 
 (** The orbit of a word with one letter, one impact on. *)
 Lemma Symmetry_numbers : Symmetry_statement -> forall n mu d x,

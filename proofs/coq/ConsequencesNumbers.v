@@ -162,6 +162,17 @@ Proof.
       split; [exact N | split; [exact F|]]; rewrite <- exp_pow, Rmult_comm with (r1 := INR P) by lra; exact S.
 Qed.
 
+(** The same as [grows] finds it, with the vector (1, 1): slower than (33/20)^P, and faster than (8/5)^P. *)
+From Grazing Require StatementGrowth.
+From Coq Require QArith.
+Definition over_12 : list (positive * list nat) := [(1%positive, [0; 1]%nat); (2%positive, [0; 1]%nat)].
+Lemma words_over_12_read : StatementGrowth.Growth_reader_statement ->
+  at_most (StatementGrowth.graph_of over_12) (ln (33 / 20)) /\ at_least (StatementGrowth.graph_of over_12) (ln (8 / 5)).
+Proof.
+  intros H; set (Q := QArith_base.Qmake); destruct (H over_12 [Q 1%Z 1%positive; Q 1%Z 1%positive] (Q 8%Z 5%positive) (Q 33%Z 20%positive) eq_refl) as [A B].
+  unfold Q2R in A, B; cbn in A, B; split; [exact A | exact B].
+Qed.
+
 (** ** Words of all patterns: slower than t^P, t = 1.839... in (+,-) and 1.568... in (+,+), and somewhere like 1.839^P
     and 1.568^P *)
 

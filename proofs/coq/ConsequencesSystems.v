@@ -40,7 +40,7 @@ Lemma period_3_without_bounce : Nordmark_statement -> Single_statement -> Period
   (forall x, t 0%Z < x < t 1%Z -> y 0%Z x > (1 + mu) * cos x - 1) /\
   forall x, derivable_pt_lim (v 0%Z) x (- (1 / 16) * y 0%Z x).
 Proof.
-  intros HN HS HP; destruct (undamped HN) as (gamma & HG & Hg); destruct (HN 0 4 0 ltac:(lra) ltac:(lra)) as [_ E].
+  intros HN HS HP; destruct (undamped HN) as (gamma & HG & Hg); destruct (HN 0 4 0 ltac:(lra) ltac:(lra)) as (_ & _ & _ & E).
   destruct (HS (Oscillates (Nordmark 0 4 0) Plus) 0 1 gamma 3%nat Plus Plus HG) as [B _];
     [lia | numbers | cbn; lra|].
   destruct (B orbit_0_1_3) as (d & Hd & P); destruct (P d ltac:(lra)) as (mu0 & Hm & Q); exists mu0; split; [lra|].
@@ -54,142 +54,109 @@ Proof.
     (- (2 * 0 / 4) * v 0%Z x - 1 / 4 ^ 2 * y 0%Z x) by field; exact D.
 Qed.
 
-(** ** (a1, a2) = (1, 1/4), region 2: u = 0, 1, 1, 3/4. Every word over {1, 2} in (-,+): b_{2,1} = -1/4, all of (64)
-    are negative: p = 0, -1/4, q = 1/4, 5/16. *)
-Lemma words_in_two_letters : Theorem_1_statement -> forall S gamma, grazes S 1 (1 / 4) gamma -> gamma > 0 ->
-  exists d mu0, d > 0 /\ mu0 > 0 /\ forall (n : Z -> nat) mu, - mu0 < e_mu S mu < 0 ->
-  (forall i, n i = 1 \/ n i = 2)%nat -> one S mu d n.
-Proof.
-  intros H S gamma HG Hg; destruct (H S 1 (1 / 4) gamma HG 2%nat) as (d & Hd & W).
-  destruct (W d ltac:(lra)) as (mu0 & Hm & W'); exists d, mu0; split; [exact Hd|]; split; [exact Hm|].
-  intros n mu Hmu Hn; destruct (W' n Minus Plus mu) as [E _]; [| cbn; lra | cbn; lra|apply E].
-  { intros i; destruct (Hn i) as [-> | ->]; split; try lia; numbers. }
-  intros i; split.
-  - destruct (Hn i) as [-> | ->]; split; try numbers; intros k Hk; [lia|]; replace k with 1%nat by lia.
-    unfold b, u; simpl; lra.
-  - destruct (Hn i) as [-> | ->], (Hn (i + 1)%Z) as [-> | ->]; unfold edge; cbn [sgn]; numbers.
-Qed.
-
-(** Of an oscillator that is one motion and no second. *)
-Lemma one_motion_of_a_word : Theorem_1_statement -> forall O m gamma, grazing O m 1 (1 / 4) gamma -> gamma > 0 ->
-  exists d mu0, d > 0 /\ mu0 > 0 /\ forall N mu, - mu0 < mu < 0 ->
-  (forall i, N (i + 1)%Z = (N i + 1)%Z \/ N (i + 1)%Z = (N i + 2)%Z) ->
-  exists t y v, motion O m mu d N t y v /\ forall t' y' v', motion O m mu d N t' y' v' ->
-  forall i x, t' i = t i /\ y' i x = y i x.
-Proof.
-  intros H O m gamma HG Hg; destruct (words_in_two_letters H (Oscillates O m) gamma HG Hg) as (d & mu0 & Hd & Hm & W).
-  exists d, mu0; split; [exact Hd|]; split; [exact Hm|]; intros N mu Hmu HN.
-  destruct (W (fun i => Z.to_nat (N (i + 1) - N i)%Z) mu Hmu ltac:(intros i; destruct (HN i); lia) N
-    ltac:(intros i; destruct (HN i); lia)) as (t & y & v & HM & U).
-  exists t, y, v; split; [exact HM|]; intros t' y' v' HM' i x; destruct (U t' y' v' HM' i x) as (A & B & _); auto.
-Qed.
-
-(** And for mu of the other sign none: b_{2,1} < 0 there. *)
-Lemma no_words : Theorem_1_statement -> forall S gamma, grazes S 1 (1 / 4) gamma -> gamma > 0 ->
-  exists d mu0, d > 0 /\ mu0 > 0 /\ forall mu, 0 < e_mu S mu < mu0 -> none S mu d (fun _ => 2%nat).
-Proof.
-  intros H S gamma HG Hg; destruct (H S 1 (1 / 4) gamma HG 2%nat) as (d & Hd & W).
-  destruct (W d ltac:(lra)) as (mu0 & Hm & W'); exists d, mu0; split; [exact Hd|]; split; [exact Hm|].
-  intros mu Hmu; apply (W' (fun _ => 2%nat) Plus Plus mu); [intros _; split; [lia | numbers] | cbn; lra | cbn; lra|].
-  exists 0%Z; left; exists 1%nat; split; [lia | cbn [sgn]; numbers].
-Qed.
-
-(** ** Theorem 2 at s = 1/6, n = 4: between 1/8 and 1/4; none between 1/3 and 1/2 *)
-Lemma intervals_4 e g lo hi : interval 4 e g lo hi -> hi <= 1 / 3.
-Proof.
-  assert (A : neighbours 1 4 0 1 1 3) by (unfold neighbours; lia).
-  intros [|k g' lo' hi' [m F Hm|m F Hm]]; [simpl; lra| |]; assert (E : m = 1%nat) by lia; subst m; [simpl; lra|].
-  destruct F as [mp np mm nm HF]; cbn [m_minus n_minus]; apply (neighbours_unique _ _ _ _ _ _ A) in HF.
-  inversion HF; subst; simpl; lra.
-Qed.
-
-Lemma side_4 : side 4 3 Plus (1 / 8) (1 / 4).
-Proof.
-  pose proof (left_side 4 1 (Build_Farey 1 4 0 1 1 3 ltac:(unfold neighbours; lia)) ltac:(lia)) as H.
-  cbn in H; replace (1 / (2 * (1 + 1 + 1 + 1))) with (1 / 8) in H by field; replace (1 + 1 + 1 + 1) with 4 in H by ring.
-  exact H.
-Qed.
-
-Lemma Theorem_2_period_4 : Theorem_2_statement -> exactly (2 * cos (2 * PI * (1 / 6))) 1 4 Plus Plus /\
-  forall s, 1 / 3 < s < 1 / 2 -> u (2 * cos (2 * PI * s)) 1 4 <> 0 -> never (2 * cos (2 * PI * s)) 1 4.
-Proof.
-  intros T; split.
-  - apply (T 4%nat (1 / 6) ltac:(lia) ltac:(lra)) with (lo := 1 / 8) (hi := 1 / 4); [|lra].
-    apply (beside 4 3), side_4.
-  - intros s Hs Hu; apply (T 4%nat s ltac:(lia) ltac:(lra)); [|exact Hu].
-    intros e g lo hi HI; right; pose proof (intervals_4 e g lo hi HI); lra.
-Qed.
-
-(** ** Conjecture 1: n = 5 and n = 8 *)
-Lemma Conjecture_5 : Conjecture_1_statement -> exists R0, 0 <= R0 < 1 /\ forall r, 0 < r <= 1 ->
-  (R0 < r -> exactly (trace r (7 / 20)) (r ^ 2) 5 Plus Plus) /\ (R0 = r <-> b_at r (7 / 20) 5 2 = 0) /\
-  (r < R0 -> never (trace r (7 / 20)) (r ^ 2) 5).
-Proof.
-  intros C; destruct (C 5%nat ltac:(lia)) as (_ & _ & _ & H & _).
-  destruct (H 2%nat (Build_Farey 2 5 1 3 1 2 ltac:(unfold neighbours; lia)) ltac:(lia) ltac:(cbn; lia)) as (Rad & HA & _).
-  cbn [m_plus n_plus Nat.sub] in HA; destruct (HA (7 / 20)) as (Hx & _ & HI); [simpl; lra|].
-  exists (Rad (7 / 20)); split; [assumption|]; intros r Hr; destruct (HI r Hr) as (_ & H1 & H2 & H3 & _); auto.
-Qed.
-
-Lemma Conjecture_8 : Conjecture_1_statement -> extends 8 3 Minus (3 / 8) (2 / 5) /\
-  exactly (trace (1 / 10) (1 / 20)) ((1 / 10) ^ 2) 8 Minus Plus.
-Proof.
-  intros C; destruct (C 8%nat ltac:(lia)) as (H1 & _ & _ & _ & H & _); split.
-  - specialize (H 3%nat (Build_Farey 3 8 1 3 2 5 ltac:(unfold neighbours; lia)) ltac:(lia) ltac:(cbn; lia)).
-    cbn [m_minus n_minus Nat.sub] in H; replace (INR 3) with 3 in H by (simpl; lra).
-    replace (INR 8) with 8 in H by (simpl; lra); replace (INR 2) with 2 in H by (simpl; lra).
-    replace (INR 5) with 5 in H by (simpl; lra); exact H.
-  - apply H1; simpl; lra.
-Qed.
-
 Lemma sqrt_quarter : sqrt (1 / 4) = 1 / 2.
 Proof. replace (1 / 4) with (1 / 2 * (1 / 2)) by field; apply sqrt_square; lra. Qed.
 
-(** Region 4: b_{3,1} = (a1 + 1)(a1 - a2 - 1)/(a1^2 - a2) is 0 at a1 = -1, so the area of period 3 ends there;
-    no period 4. *)
-Lemma Conjecture_region_4 : Conjecture_1_statement -> exactly (-11 / 10) (1 / 4) 3 Plus Minus /\
-  never (-9 / 10) (1 / 4) 3 /\ never (-6 / 5) (1 / 4) 4.
-Proof.
-  intros C; destruct (C 3%nat ltac:(lia)) as (_ & _ & A & _); destruct (C 4%nat ltac:(lia)) as (_ & _ & _ & _ & _ & _ & _ & B).
-  destruct A as [_ A]; [exists 1%nat; reflexivity|]; destruct (A (1 / 4) ltac:(lra)) as (a1s & Hs & H).
-  assert (Et : trace (sqrt (1 / 4)) ((INR 3 - 1) / (2 * INR 3)) = - 1 / 2).
-  { unfold trace; rewrite sqrt_quarter; replace (2 * PI * ((INR 3 - 1) / (2 * INR 3))) with (PI - PI / 3) by (simpl; field).
-    rewrite Rtrigo_facts.cos_pi_minus, cos_PI3; field. }
-  rewrite Et in *; destruct (H (-1) ltac:(lra)) as (_ & _ & _ & Z & _); assert (E : a1s = -1) by (apply Z; numbers); subst.
-  split; [apply H; lra|]; split; [apply H; lra|]; apply B; rewrite ?sqrt_quarter; try lra; exists 2%nat; reflexivity.
-Qed.
-
 (** There an oscillator has two stops. *)
 Lemma region_4 : Reach_statement -> (forall O m gamma, grazing O m (-6 / 5) (1 / 4) gamma -> m = Minus) /\
-  exists c k g, matrix c k Minus (-6 / 5) (1 / 4) g.
+  exists c k g, matrix c k Minus (-6 / 5) (1 / 4) g /\ g < 0.
 Proof.
   intros (_ & _ & _ & R4 & R5); split.
   - intros O m gamma HG; destruct m; [|reflexivity].
     destruct (R4 _ _ _ _ _ (is_matrix _ _ _ _ _ HG) (is_generic _ _ _ _ _ HG)) as (_ & X & _); rewrite sqrt_quarter in X; lra.
-  - destruct (R5 (-6 / 5) (1 / 4)) as (c & k & g & X & _); [lra | rewrite sqrt_quarter; lra | exists c, k, g; exact X].
+  - destruct (R5 (-6 / 5) (1 / 4)) as (c & k & g & X); [lra | rewrite sqrt_quarter; lra | exists c, k, g; exact X].
 Qed.
 
 (** Both signs of gamma at s = 1/6 on the circle; gamma > 0 at (3, 1/2). *)
 Lemma reached : Reach_statement -> (exists c k gamma, matrix c k Plus (2 * 1 * cos (2 * PI * (1 / 6))) (1 ^ 2) gamma /\ gamma < 0) /\
-  (exists c k gamma, matrix c k Plus 3 (1 / 2) gamma) /\
+  (exists c k gamma, matrix c k Plus 3 (1 / 2) gamma /\ gamma > 0) /\ (forall c k a1 a2 gamma, matrix c k Plus a1 a2 gamma -> gamma <> 0 -> 0 < a2) /\
   (forall c k gamma, matrix c k Plus 3 (1 / 2) gamma -> gamma <> 0 -> gamma > 0) /\
   exists a1 a2 gamma, matrix 7 (-2) Plus a1 a2 gamma.
 Proof.
   pose proof (sqrt_le_1 (1 / 2) 1 ltac:(lra) ltac:(lra) ltac:(lra)) as X; rewrite sqrt_1 in X.
-  intros (R1 & R2 & R3 & R4 & _); split; [|split; [|split]].
+  intros (R1 & R2 & R3 & R4 & _); split; [|split; [|split; [|split]]].
   - destruct (R2 1 (1 / 6) Minus ltac:(lra) ltac:(lra)) as (c & k & gamma & M & G); exists c, k, gamma; split; [exact M | cbn in G; lra].
-  - destruct (R3 3 (1 / 2)) as (c & k & gamma & M & _); [lra | lra | exists c, k, gamma; exact M].
+  - destruct (R3 3 (1 / 2)) as (c & k & gamma & M); [lra | lra | exists c, k, gamma; exact M].
+  - intros c k a1 a2 gamma M G; apply (R4 c k a1 a2 gamma M G).
   - intros c k gamma M G; apply (R4 c k 3 (1 / 2) gamma M G); lra.
   - apply R1.
 Qed.
 
 (** ** A periodic word between two stops, one half turn on: the motion is its own mirror image *)
 Lemma mirrored : Periodic_oscillator_statement -> forall O mu d t y v, touching O -> one_motion O Minus mu d (fun i => i) ->
-  motion O Minus mu d (fun i => i) t y v -> t 1%Z = t 0%Z + PI /\ forall x, y 1%Z (x + PI) = - y 0%Z x.
+  motion O Minus mu d (fun i => i) t y v -> t 1%Z = t 0%Z + PI /\
+  forall x, y 1%Z (x + PI) = - y 0%Z x /\ v 1%Z (x + PI) = - v 0%Z x.
 Proof.
   intros P O mu d t y v HO H1 HM; assert (Q := P O Minus mu d (fun i => i) t y v 1%Z 1%Z HO H1 HM ltac:(intros; reflexivity)).
-  split; [destruct (Q 0%Z 0) as [A _]; cbn in A; lra|]; intros x; destruct (Q 0%Z x) as (_ & A & _); cbn in A.
-  rewrite Rmult_1_r in A; lra.
+  split; [destruct (Q 0%Z 0) as [A _]; cbn in A; lra|]; intros x; destruct (Q 0%Z x) as (_ & A & B); cbn in A, B.
+  rewrite Rmult_1_r in A, B; lra.
+Qed.
+
+(** ** What a motion between two stops is: from the lower one to the upper one, half a turn later, and back at tau times
+    the speed *)
+Lemma bounces O mu d t y v : motion O Minus mu d (fun i => i) t y v ->
+  (forall x, derivable_pt_lim (y 0%Z) x (v 0%Z x) /\
+   derivable_pt_lim (v 0%Z) x (- Oscillator.c O * v 0%Z x - Oscillator.k O * y 0%Z x)) /\
+  - d <= t 0%Z <= d /\ t 0%Z < t 1%Z /\ y 0%Z (t 0%Z) = - mu - Oscillator.G O mu (t 0%Z) /\
+  y 0%Z (t 1%Z) = mu + Oscillator.G O mu (t 1%Z - PI) /\
+  (forall x, t 0%Z < x < t 1%Z -> - mu - Oscillator.G O mu x < y 0%Z x < mu + Oscillator.G O mu (x - PI)) /\
+  let V i := v i (t 1%Z) - Oscillator.G1 O mu (t 1%Z - PI) in V 0%Z > 0 /\ V 1%Z = - Oscillator.tau O * V 0%Z.
+Proof.
+  intros HM; destruct (HM 0%Z 1%Z eq_refl) as (F & D & L & Q0 & Q1 & A & V1 & V2); unfold gap, speed in *; cbn in *.
+  rewrite ?Rmult_0_r, ?Rmult_1_r, ?Rminus_0_r in *; split; [exact F|]; split; [unfold Rabs in D; destruct Rcase_abs; lra|].
+  repeat (split; [lra|]); split; [|lra]; intros x Hx; pose proof (A 0%Z x Hx) as A0; pose proof (A 1%Z x Hx) as A1.
+  cbn in A0, A1; rewrite ?Rmult_0_r, ?Rmult_1_r, ?Rminus_0_r in *; lra.
+Qed.
+Lemma the_motion O m mu d N : one_motion O m mu d N -> exists t y v, motion O m mu d N t y v /\
+  forall t' y' v', motion O m mu d N t' y' v' -> (forall i, t' i = t i) /\ (forall i x, y' i x = y i x /\ v' i x = v i x).
+Proof.
+  intros (t & y & v & M & U); exists t, y, v; split; [exact M|]; intros t' y' v' M'; split; intros i; [|intros x];
+    [destruct (U t' y' v' M' i 0) as (A & _) | destruct (U t' y' v' M' i x) as (_ & A)]; exact A.
+Qed.
+
+(** The matrix by what the motions do that start at 0 with velocity 1, and at 1 with velocity 0. *)
+Lemma matrix_means c k a1 a2 gamma : matrix c k Minus a1 a2 gamma -> forall y v,
+  (forall x, derivable_pt_lim y x (v x) /\ derivable_pt_lim v x (- c * v x - k * y x)) ->
+  (y 0 = 0 -> v 0 = 1 -> y PI = - gamma /\ forall z w, (forall x, derivable_pt_lim z x (w x) /\
+   derivable_pt_lim w x (- c * w x - k * z x)) -> z 0 = 1 -> w 0 = 0 -> a1 = - z PI - v PI /\ a2 = z PI * v PI - y PI * w PI).
+Proof.
+  intros (A11 & A21 & A22 & -> & -> & F) y v Hf Y0 V0; destruct (F y v Hf) as [P Q]; rewrite Y0, V0 in *; cbn in P, Q.
+  split; [lra|]; intros z w Hg Z0 W0; destruct (F z w Hg) as [P' Q']; rewrite Z0, W0 in *; cbn in P', Q'.
+  replace (z PI) with (- A11) by lra; replace (w PI) with (- A21) by lra; replace (v PI) with (- A22) by lra.
+  replace (y PI) with (- gamma) by lra; split; ring.
+Qed.
+Lemma touching_means O : touching O -> (0 < Oscillator.G2 O 0 0 /\ continuity_pt (Oscillator.G2 O 0) 0) /\
+  exists K, forall mu t, - 1 <= mu <= 1 -> Rabs (Oscillator.G2 O mu t - Oscillator.G2 O 0 t) <= K * Rabs mu /\
+  Rabs (Oscillator.G1 O mu t - Oscillator.G1 O 0 t) <= K * Rabs mu /\ Rabs (Oscillator.G O mu t - Oscillator.G O 0 t) <= K * Rabs mu.
+Proof.
+  intros T; destruct (sharp _ T) as [A B]; split; [split; [exact B | exact A]|]; destruct (steady _ T) as (K & H); exists K.
+  intros mu t Hm; destruct (H mu t) as (X & Y & Z); [apply Rabs_le; lra | auto].
+Qed.
+
+(** d = 5/4, w = 1 and d = w = 1, tau = 1/2: (a1, a2) = (2 exp (-5 pi/2) cosh (3 pi/2), exp (-5 pi)), (2 exp (- 2 pi), exp (- 4 pi)). *)
+Lemma overdamped : Nordmark_statement ->
+  (exists gamma, 0 < gamma /\ grazing (Nordmark (5 / 4) 1 (1 / 2)) Plus (2 * exp (- 5 * PI / 2) * cosh (3 * PI / 2)) (exp (- 5 * PI)) gamma) /\
+  exists gamma, 0 < gamma /\ grazing (Nordmark 1 1 (1 / 2)) Plus (2 * exp (- 2 * PI)) (exp (- 4 * PI)) gamma.
+Proof.
+  intros H; destruct (H (5 / 4) 1 (1 / 2) ltac:(lra) ltac:(lra)) as (_ & A & _), (H 1 1 (1 / 2) ltac:(lra) ltac:(lra)) as (_ & _ & B & _).
+  cbv zeta in *; split; [destruct (A ltac:(lra)) as (g & G & P) | destruct (B eq_refl) as (g & G & P)]; exists g; split; try exact P.
+  - replace (sqrt ((5 / 4) ^ 2 - 1)) with (3 / 4) in G by (symmetry; apply sqrt_lem_1; lra).
+    replace (- 2 * PI * (5 / 4) / 1) with (- 5 * PI / 2) in G by field; replace (- 4 * PI * (5 / 4) / 1) with (- 5 * PI) in G by field.
+    replace (2 * PI * (3 / 4) / 1) with (3 * PI / 2) in G by field; exact G.
+  - replace (- 2 * PI * 1 / 1) with (- 2 * PI) in G by field; replace (- 4 * PI * 1 / 1) with (- 4 * PI) in G by field; exact G.
+Qed.
+(** (65)-(67) word for word, and back: a motion is what they say, at mu = 1/8 say, one turn apart. *)
+Lemma the_papers_words : Nordmark_statement -> forall d w tau h t y v, 0 < w -> 0 <= tau ->
+  motion (Nordmark d w tau) Plus (- (1 / 8)) h (fun i => i) t y v -> let wall x := 9 / 8 * cos x - 1 in
+  (forall x, derivable_pt_lim (y 0%Z) x (v 0%Z x) /\ derivable_pt_lim (v 0%Z) x (- (2 * d / w) * v 0%Z x - 1 / w ^ 2 * y 0%Z x)) /\
+  Rabs (t 0%Z) <= h /\ t 0%Z < t 1%Z /\ y 0%Z (t 0%Z) = wall (t 0%Z) /\ y 0%Z (t 1%Z) = wall (t 1%Z) /\
+  (forall x, t 0%Z < x < t 1%Z -> y 0%Z x > wall x) /\ v 0%Z (t 1%Z) + 9 / 8 * sin (t 1%Z) < 0 /\
+  v 1%Z (t 1%Z) = - tau * v 0%Z (t 1%Z) - (1 + tau) * (9 / 8) * sin (t 1%Z).
+Proof.
+  intros H d w tau h t y v Hw Ht M wall; destruct (H d w tau Hw Ht) as (_ & _ & _ & E).
+  destruct (proj1 (E (1 / 8) h (fun i => i) t y v) M 0%Z 1%Z eq_refl) as (F & A & L & Q0 & Q1 & W & V1 & V2); unfold wall.
+  replace (1 + 1 / 8) with (9 / 8) in * by field; rewrite Rmult_0_r, Rminus_0_r in A; split; [exact F|].
+  repeat (split; [lra|]); split; [exact W | split; lra].
 Qed.
 
 (** ** Patterns: (1, 2) on r = 1 at a1 = 1/2, for mu < 0 *)
@@ -229,40 +196,97 @@ Qed.
 Lemma trace_1_6 : trace 1 (1 / 6) = 1.
 Proof. unfold trace; replace (2 * PI * (1 / 6)) with (PI / 3) by field; rewrite cos_PI3; field. Qed.
 
-(** s = 1/6 on r = 1: 2 s < 1/2; 4 s < 1 and b_{4,3} = 2; 14 s = 7/3, and 2 and 14 are not prime. *)
-Lemma S1_S3_numbers : S1_S3_statement -> exactly 1 1 2 Minus Plus /\ exactly 1 1 4 Plus Plus /\ never 1 1 14.
+(** s = 1/6 on r = 1: 2 s < 1/2; 4 s < 1 and b_{4,3} = 2; 14 s = 7/3, and 2 and 14 are not prime. At s = 1/3, r = 1/2,
+    4 s > 1 and b_{4,1} = -7. *)
+Lemma S1_S3_numbers : S1_S3_statement -> exactly 1 1 2 Minus Plus /\ exactly 1 1 4 Plus Plus /\ never 1 1 14 /\
+  never (- 1 / 2) (1 / 4) 4 /\ forall r s (F : Farey 2 5), cell r s 5 2 -> let a1 := trace r s in let b := b a1 (r ^ 2) 5 in
+  (2 < 5 * s -> b (n_plus F) > 0 -> exactly a1 (r ^ 2) 5 Plus Minus) /\ (5 * s < 2 -> b (n_minus F) < 0 -> never a1 (r ^ 2) 5).
 Proof.
   intros S; pose proof (S 1 (1 / 6) 2%nat 0%nat ltac:(lia)) as A; pose proof (S 1 (1 / 6) 4%nat 1%nat ltac:(lia)) as B.
-  pose proof (S 1 (1 / 6) 14%nat 2%nat ltac:(lia)) as C; unfold cell in *; cbv zeta in *; rewrite trace_1_6, pow1 in *.
-  split; [|split].
+  pose proof (S 1 (1 / 6) 14%nat 2%nat ltac:(lia)) as C; pose proof (S (1 / 2) (1 / 3) 4%nat 1%nat ltac:(lia)) as D.
+  assert (T : trace (1 / 2) (1 / 3) = - 1 / 2).
+  { unfold trace; replace (2 * PI * (1 / 3)) with (PI - PI / 3) by field; rewrite Rtrigo_facts.cos_pi_minus, cos_PI3; field. }
+  assert (G : forall m F, F = Build_Farey 1 4 0 1 1 3 m -> n_minus F = 3%nat /\ n_plus F = 1%nat) by (intros m F ->; auto).
+  set (F4 := Build_Farey 1 4 0 1 1 3 ltac:(unfold neighbours; lia)); destruct (G _ F4 eq_refl) as [G1 G2].
+  unfold cell in A, B, C, D; cbv zeta in *; rewrite trace_1_6, pow1 in A, B, C; rewrite T in D.
+  replace ((1 / 2) ^ 2) with (1 / 4) in D by field; split; [|split; [|split; [|split]]].
   - apply A; [|reflexivity]; split; [lra|]; split; [lra|]; split; [numbers|]; apply Rabs_def1; simpl; lra.
   - destruct B as (_ & _ & B); [split; [lra|]; split; [lra|]; split; [numbers|]; apply Rabs_def1; simpl; lra|].
-    destruct (B (le_n 1) (Build_Farey 1 4 0 1 1 3 ltac:(unfold neighbours; lia))) as [B' _].
-    cbn [n_minus] in B'; apply B'; [simpl; lra | numbers].
+    destruct (B (le_n 1) F4) as [B' _]; rewrite G1 in B'; apply B'; [simpl; lra | numbers].
   - apply C; [| lia | discriminate]; split; [lra|]; split; [lra|]; split; [numbers|]; apply Rabs_def1; simpl; lra.
+  - destruct D as (_ & _ & D); [split; [lra|]; split; [lra|]; split; [numbers|]; apply Rabs_def1; simpl; lra|].
+    destruct (D (le_n 1) F4) as [_ D']; rewrite G2 in D'; apply D'; [simpl; lra | numbers].
+  - intros r s F HC; destruct (S r s 5%nat 2%nat ltac:(lia) HC) as (_ & _ & E); destruct (E ltac:(lia) F) as [E1 E2].
+    replace (INR 5) with 5 in * by (simpl; lra); replace (INR 2) with 2 in * by (simpl; lra); split; intros Hs Hb.
+    + apply (E2 ltac:(lra)), Hb.
+    + apply (E1 ltac:(lra)), Hb.
 Qed.
-
-Lemma Summary_systems_numbers : Summary_systems_statement -> forall S gamma, grazes S 3 (1 / 2) gamma -> gamma > 0 ->
-  born S 1 Plus /\ unborn S 1 Minus /\ born S 2 Plus /\ born S 9 Plus.
+(** What is listed, and that with no zeros nothing else is born. *)
+Lemma Summary_systems_numbers : Summary_systems_statement -> forall S a1 a2 gamma, grazes S a1 a2 gamma -> 0 < a2 <= 1 ->
+  (a1 > a2 + 1 -> gamma > 0 -> born S 1 Plus /\ unborn S 1 Minus /\ born S 2 Plus /\ born S 9 Plus) /\
+  (0 < a1 < a2 + 1 -> gamma > 0 -> born S 2 Minus) /\ (- (a2 + 1) < a1 < 0 -> gamma > 0 -> born S 2 Plus) /\
+  (a1 < - (a2 + 1) -> gamma < 0 -> born S 2 Plus /\ born S 9 Plus) /\
+  (2 * sqrt a2 * cos (PI / INR 9) < a1 < a2 + 1 -> gamma > 0 -> born S 9 Minus) /\
+  (forall g, sgn g * gamma > 0 -> area3 a1 a2 9 g -> born S 9 Plus) /\ (area4 a1 a2 9 -> gamma < 0 -> born S 9 Plus) /\
+  forall n e g, (2 <= n)%nat -> sgn g * gamma > 0 -> no_zeros a1 a2 n -> ~ listed a1 a2 n e g -> unborn S n e.
 Proof.
-  intros H S gamma HS Hg; pose proof (fun n e => H S 3 (1 / 2) gamma n e Plus HS ltac:(lra) ltac:(cbn; lra)) as X.
-  destruct (X 1%nat Plus) as (A & _), (X 1%nat Minus) as (_ & B & _), (X 2%nat Plus) as (_ & _ & C & _),
-    (X 9%nat Plus) as (_ & _ & D & _); split; [apply A; cbn; lra|]; split; [apply B; cbn; lra|].
-  split; [apply C; left; split; [reflexivity | left; intuition lra] | apply D; right; split; [lia | left; intuition lra]].
+  intros H S a1 a2 gamma HS H2; pose proof (fun n e g => H S a1 a2 gamma n e g HS H2) as X; clear H.
+  assert (L : forall n e g, sgn g * gamma > 0 -> listed a1 a2 n e g -> born S n e) by (intros n e g Hg; apply (X n e g Hg)).
+  split; [|split; [|split; [|split; [|split; [|split; [|split]]]]]].
+  - intros Ha Hg; destruct (X 1%nat Plus Plus ltac:(cbn; lra)) as (A & _), (X 1%nat Minus Plus ltac:(cbn; lra)) as (_ & B & _).
+    split; [apply A; cbn; lra|]; split; [apply B; cbn; lra|].
+    split; [apply (L 2%nat Plus Plus); [cbn; lra|]; left | apply (L 9%nat Plus Plus); [cbn; lra|]; right; split; [lia|]]; intuition lra.
+  - intros Ha Hg; apply (L 2%nat Minus Plus); [cbn; lra|]; left; tauto.
+  - intros Ha Hg; apply (L 2%nat Plus Plus); [cbn; lra|]; left; tauto.
+  - intros Ha Hg; split; [apply (L 2%nat Plus Minus); [cbn; lra|]; left | apply (L 9%nat Plus Minus); [cbn; lra|]; right; split; [lia|]]; tauto.
+  - intros Ha Hg; apply (L 9%nat Minus Plus); [cbn; lra|]; right; split; [lia|]; tauto.
+  - intros g Hg A; apply (L 9%nat Plus g Hg); right; split; [lia|]; tauto.
+  - intros A Hg; apply (L 9%nat Plus Minus); [cbn; lra|]; right; split; [lia|]; tauto.
+  - intros n e g Hn Hg Hz Hl; apply (X n e g Hg); assumption.
 Qed.
-
-(** On the circle, s = 1/6: f_1 = 1 and f_2 = 1/3, a record low. *)
-Lemma Record_systems_numbers : Record_systems_statement -> exactly 1 1 2 Minus Plus.
+Lemma listed_means a1 a2 n e g : listed a1 a2 n e g -> (n = 2%nat -> ((a2 + 1 < a1 /\ e = Plus \/ 0 < a1 < a2 + 1 /\ e = Minus \/
+   - (a2 + 1) < a1 < 0 /\ e = Plus) /\ g = Plus) \/ a1 < - (a2 + 1) /\ e = Plus /\ g = Minus) /\
+  (n <> 2%nat -> (3 <= n)%nat /\ (((a2 + 1 < a1 /\ e = Plus \/ 2 * sqrt a2 * cos (PI / INR n) < a1 < a2 + 1 /\ e = Minus) /\ g = Plus) \/
+   e = Plus /\ (area3 a1 a2 n g \/ g = Minus /\ (area4 a1 a2 n \/ a1 < - (a2 + 1))))).
+Proof. intros [[-> H]|[Hn H]]; (split; [intros E; try (exfalso; lia) | intros E; try contradiction]); tauto. Qed.
+Lemma no_zeros_means a1 a2 n : no_zeros a1 a2 n -> u a1 a2 n <> 0 /\ c a1 a2 n <> 0 /\
+  forall k, (0 < k < n)%nat -> b a1 a2 n k <> 0.
+Proof. intros (A & B & C); split; [exact A | split; [exact B|]]; intros k Hk; apply C; lia. Qed.
+(** On the circle, s = 1/6: f_1 = 1 and f_2 = 1/3, a record low; records of any n, and none. *)
+Lemma Record_systems_numbers : Record_systems_statement -> exactly 1 1 2 Minus Plus /\
+  forall a1 a2 n, 0 < a2 <= 1 -> - (a2 + 1) < a1 < a2 + 1 -> (2 <= n)%nat ->
+  (f a1 a2 n > 0 -> high a1 a2 n -> exactly a1 a2 n Plus Minus) /\ (f a1 a2 n < 0 -> low a1 a2 n -> exactly a1 a2 n Plus Plus) /\
+  (~ high a1 a2 n /\ ~ low a1 a2 n /\ no_zeros a1 a2 n -> never a1 a2 n).
 Proof.
-  intros H; destruct (H 1 1 2%nat) as (_ & _ & L & _); [lra | apply Rabs_def1; lra | lia |].
-  apply L; unfold low, f, u, v, u; [intros k Hk; replace k with 1%nat by lia|]; simpl; lra.
+  intros H; split; [destruct (H 1 1 2%nat) as (_ & _ & L & _); [lra | apply Rabs_def1; lra | lia |];
+    apply L; unfold low, f, u, v, u; [intros k Hk; replace k with 1%nat by lia|]; simpl; lra|].
+  intros a1 a2 n H2 H1 Hn; destruct (H a1 a2 n H2 ltac:(apply Rabs_def1; lra) Hn) as (A & B & _ & D).
+  split; [intros X Y; exact (A Y X)|]; split; [intros X Y; exact (B Y X) | intros (X & Y & Z); exact (D X Y Z)].
 Qed.
-
+(** Failing strictly, (52) or (53); born and unborn exclude each other; a pattern of which a step fails. *)
+Lemma Single_numbers : Single_statement -> forall S a1 a2 gamma n e g, grazes S a1 a2 gamma -> (1 <= n)%nat ->
+  u a1 a2 n <> 0 -> sgn g * gamma > 0 -> (sgn e * sgn g * c a1 a2 n < 0 -> unborn S n e) /\
+  (forall k, (1 <= k <= n - 1)%nat -> sgn e * b a1 a2 n k < 0 -> unborn S n e) /\ (born S n e -> ~ unborn S n e).
+Proof.
+  intros H S a1 a2 gamma n e g HS Hn Hu Hg; destruct (H S a1 a2 gamma n e g HS Hn Hu Hg) as (_ & A & B).
+  split; [intros Hc; apply A; right; exact Hc|]; split; [intros k Hk Hb; apply A; left; exists k; auto | intros X Y; apply B; auto].
+Qed.
+Lemma fails_means a1 a2 n e g : fails a1 a2 n e g -> sgn e * sgn g * c a1 a2 n >= 0 -> exists k, (0 < k < n)%nat /\ sgn e * b a1 a2 n k < 0.
+Proof. intros [(k & Hk & B)|B] N; [exists k; split; [lia | exact B] | lra]. Qed.
+Lemma no_pattern_1_1 : Patterns_statement -> forall S gamma, grazes S 1 (1 / 4) gamma -> gamma < 0 ->
+  exists d, d > 0 /\ forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\ forall mu, - mu0 < e_mu S mu < 0 ->
+  none S mu d (cyclic_letter [1; 1]%nat).
+Proof.
+  intros P S gamma HG Hg; destruct (P S 1 (1 / 4) gamma HG 1%nat) as (d & Hd & W); exists d; split; [exact Hd|]; intros eps He.
+  destruct (W eps He) as (mu0 & Hm & W'); exists mu0; split; [exact Hm|]; intros mu Hmu.
+  apply (W' [1; 1]%nat Minus Minus mu); [discriminate | repeat constructor; numbers | cbn; lra | cbn; lra|].
+  exists 0%Z; right; cbn; numbers.
+Qed.
 (** ** A stop with two harmonics, 1 - cos t and (1 - cos 2t)/8: its top is 0, its bend 1 + 4/8 *)
 Lemma Harmonics_numbers : Harmonics_statement -> exists O, touching O /\ Oscillator.c O = 1 / 5 /\
-  Oscillator.G O 0 PI = 2.
+  Oscillator.k O = 7 /\ Oscillator.tau O = 1 / 2 /\ Oscillator.G O 0 PI = 2.
 Proof.
-  intros H; destruct (H (1 / 5) 7 (1 / 2) [(1, 0); (1 / 8, 0)]) as (O & HT & Hc & _ & _ & G).
+  intros H; destruct (H (1 / 5) 7 (1 / 2) [(1, 0); (1 / 8, 0)]) as (O & HT & Hc & Hk & Ht & G).
   - intros t Ht; cbn [harmonics]; replace (INR 1) with 1 by reflexivity; rewrite !Rmult_1_l.
     pose proof (COS_bound (INR 2 * t)).
     assert (cos t < 1).
@@ -273,6 +297,7 @@ Proof.
           rewrite cos_2PI in D; lra. }
     lra.
   - cbn; lra.
-  - exists O; split; [exact HT|]; split; [exact Hc|]; rewrite G; cbn [harmonics].
+  - exists O; split; [exact HT|]; split; [exact Hc|]; split; [exact Hk|]; split; [exact Ht|].
+    rewrite G; cbn [harmonics].
     replace (INR 1 * PI) with PI by (simpl; ring); replace (INR 2 * PI) with (2 * PI) by (simpl; ring); rewrite cos_PI, sin_PI, cos_2PI, sin_2PI; field.
 Qed.

@@ -3,13 +3,12 @@
     At (1, 1/4), region 2: u = 0, 1, 1, 3/4, 1/2, p_1 = 0, p_2 = -1/4, q_1 = 1/4, q_2 = 5/16. At (-2/3, 8/9), region 3:
     the five periods 1, 2, 3, 4, 7 of [StatementExamples], with the word U, D, D. *)
 
-From Coq Require Import Reals List Arith ZArith FunctionalExtensionality Lra Lia.
+From Coq Require Import Reals List Arith ZArith Lra Lia.
 From Grazing Require Import Defs Statement StatementPlane StatementWords StatementExamples StatementZ StatementWordsZ
-  StatementSystems Headline.
+  StatementSystems Headline ConsequencesHeadline.
 Import ListNotations.
 Open Scope R_scope.
 
-Ltac numbers := unfold c, v, b, p, q, u; simpl; lra.
 Ltac by_hand := unfold edge, p, q, u; cbn [sgn]; simpl; lra.
 
 (** ** (1, 1/4) *)
@@ -103,31 +102,10 @@ Proof.
   - apply P1; rewrite ?E4; lra.
 Qed.
 
-(** ** (-2/3, 8/9) *)
-Lemma first_five : first_upper (-2 / 3) (8 / 9) 2.
-Proof.
-  pose proof (sqrt_pos (8 / 9)); split; [lra|]; split; [lra|]; split; [cbn [on]; numbers|].
-  intros k Hk; assert (k = 0 \/ k = 1)%nat as [-> | ->] by lia; numbers.
-Qed.
-
 Lemma path_3 : path (-2 / 3) (8 / 9) 2 [U] 1 3.
 Proof. apply (path_U _ _ 2 [] 1 2 (path_start _ _ 2)); cbn [on]; numbers. Qed.
-Lemma path_7 : path (-2 / 3) (8 / 9) 2 [U; D; D] 7 3.
-Proof.
-  apply (path_D _ _ 2 [U; D] 4 3); [apply (path_D _ _ 2 [U] 1 3 path_3) |]; cbn [on]; numbers.
-Qed.
-
 Lemma five_members : Five_periods_statement -> forall n, In n five -> member (-2 / 3) (8 / 9) Plus n.
 Proof. intros [F _] n Hn; apply F, Hn. Qed.
-
-Lemma five_vertices : Five_periods_statement ->
-  Forall (fun x => member (-2 / 3) (8 / 9) Plus (fst x)) (vertices 2 [U; D; D]).
-Proof. intros F; repeat constructor; apply (five_members F); cbn; tauto. Qed.
-
-Lemma five_ends : Five_periods_statement -> ends (-2 / 3) (8 / 9) 7 3.
-Proof.
-  intros [F _]; split; [intros H; apply F in H; cbn in H; lia|]; split; unfold p, q, u; simpl; lra.
-Qed.
 
 Lemma W3_numbers : W3_statement -> member (-2 / 3) (8 / 9) Minus 1 /\ ~ member (-2 / 3) (8 / 9) Minus 2 /\
   member (-2 / 3) (8 / 9) Plus 1 /\ member (-2 / 3) (8 / 9) Plus 2.
@@ -231,35 +209,6 @@ Proof.
 Qed.
 
 (** ** Motions and orbits *)
-
-(** The word theorem: 2 and 3 follow each other; 1 does not follow 1 for gamma > 0. *)
-Lemma Words_numbers : Words_statement -> Five_periods_statement -> forall S gamma, grazes S (-2 / 3) (8 / 9) gamma ->
-  gamma > 0 -> exists d mu0, d > 0 /\ mu0 > 0 /\ forall mu, 0 < e_mu S mu < mu0 ->
-  one S mu d (fun i => if Z.even i then 2 else 3)%nat /\ none S mu d (fun _ => 1%nat).
-Proof.
-  intros W F S gamma HS Hg; destruct (W _ _ 2%nat first_five) as [_ H].
-  destruct (H _ _ _ path_7 (five_vertices F) (five_ends F)) as [_ T]; destruct (T S gamma HS) as (d & Hd & T').
-  destruct (T' d ltac:(lra)) as (mu0 & Hm & T2); exists d, mu0; split; [exact Hd|]; split; [exact Hm|].
-  intros mu Hmu; split.
-  - destruct (T2 (fun i => if Z.even i then (2, U) else (3, U))%nat Plus mu) as [E _];
-      [intros i; destruct (Z.even i); cbn; tauto | cbn [sgn]; lra | exact Hmu|].
-    replace (fun i => if Z.even i then 2%nat else 3%nat) with (fun i => fst (if Z.even i then (2%nat, U) else (3%nat, U)))
-      by (apply functional_extensionality; intros i; destruct (Z.even i); reflexivity).
-    apply E; intros i; destruct (Z.even i), (Z.even (i + 1)); reflexivity.
-  - apply (T2 (fun _ => (1, D))%nat Plus mu); [intros i; cbn; tauto | cbn [sgn]; lra | exact Hmu|].
-    exists 0%Z; cbn; discriminate.
-Qed.
-
-(** That this word is the whole of V, and that V's word ends. *)
-Lemma Words_vertices : Words_statement -> Five_periods_statement ->
-  (member (-2 / 3) (8 / 9) Plus 7 /\ ~ member (-2 / 3) (8 / 9) Plus 6) /\
-  exists w i j, path (-2 / 3) (8 / 9) 2 w i j /\ ~ member (-2 / 3) (8 / 9) Plus (i + j).
-Proof.
-  intros W F; destruct (W _ _ 2%nat first_five) as [E H].
-  destruct (H _ _ _ path_7 (five_vertices F) (five_ends F)) as [V _]; split.
-  - split; [apply V; cbn; tauto | intros X; apply V in X; cbn in X; lia].
-  - destruct (E ltac:(lra)) as (w & i & j & P & _ & M); exists w, i, j; split; assumption.
-Qed.
 
 Lemma All_patterns_numbers : All_patterns_statement -> W5_statement -> Five_periods_statement -> forall S gamma,
   grazes S (-2 / 3) (8 / 9) gamma -> gamma > 0 -> exists d mu0, d > 0 /\ mu0 > 0 /\ forall mu, 0 < e_mu S mu < mu0 ->

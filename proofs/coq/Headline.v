@@ -1,17 +1,17 @@
 (** * Headline: Theorem 1 in the plane, Theorem 2, Conjecture 1, the word theorem and chaos
 
     Everything else in this folder is a lemma for one of these, or says more about one. They are about linear
-    oscillators between stops, from the differential equation and the law of impact, and about smooth grazing maps of
-    the plane, in one breath: [system]. Region 3 and a1 >= 2 sqrt a2 have oscillators with one stop; regions 4 and 5
-    have none but those with two, and these with gamma < 0 alone ([Reach_statement]): what else is said there is about
-    maps. Definitions to read first, and no more:
+    oscillators between stops, from the differential equation and the law of impact, and about smooth grazing
+    maps of the plane, in one breath: [system]. Region 3 and a1 >= 2 sqrt a2 have oscillators with one stop;
+    regions 4 and 5 have none but those with two, and these with gamma < 0 alone ([Reach_statement]): what
+    else is said there is about maps. Definitions to read first, and no more:
     - [Defs]: u_n, b_{n,k}, c_n of (59) and (60), and signs;
     - [motion] and [grazing] in [StatementOscillator]: an oscillator and where its impacts are;
-    - [orbit_near] in [StatementOrbits], [planar] and [one_orbit] in [StatementOrbitsPlane]: a map and its orbits;
+    - [orbit_near] in [StatementOrbits], [planar] and [one_orbit] in [StatementOrbitsPlane]: maps, orbits;
     - [trace], [Farey], [interval], [outside] and [tends_to_1] in [Statement]: Theorem 2's intervals of s;
     - [member], [edge], [path], [vertices], [arrow] and [ends] in [StatementWords];
     - [motion] and [in_boxes] in [StatementChaos].
-    The proofs end in [Systems], [SystemsAreas], [Conjecture1], [SystemsWords] and [Chaos], in the theorems' order. *)
+    The proofs end in [Systems], [SystemsAreas], [Conjecture1], [SystemsWords] and [Chaos], in this order. *)
 From Coq Require Import Reals ZArith List Arith.
 From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementWords StatementChaos
   StatementOscillator.
@@ -19,21 +19,27 @@ Import ListNotations.
 Open Scope R_scope.
 
 (** ** Motions of an oscillator with stops m, orbits of a map *)
-Inductive system := Oscillates (oscillator : Oscillator.t) (m : sign) | Steps (map : Map.t) (rate : R) (w : vec).
+Inductive system :=
+| Oscillates (oscillator : Oscillator.t) (m : sign)
+| Steps (map : Map.t) (rate : R) (w : vec).
 
 (** Its linear part has trace a1 and determinant a2; gamma is A_12 or C A B. *)
 Definition grazes (S : system) (a1 a2 gamma : R) : Prop := match S with
   | Oscillates osc m => grazing osc m a1 a2 gamma
   | Steps M rate w => planar M a1 a2 gamma rate w end.
 (** e mu, where e is (26); the stop of an oscillator is measured so that e = 1. *)
-Definition e_mu (S : system) (mu : R) : R := match S with Oscillates _ _ => mu | Steps _ rate _ => rate * mu end.
+Definition e_mu (S : system) (mu : R) : R :=
+  match S with Oscillates _ _ => mu | Steps _ rate _ => rate * mu end.
 
-(** Exactly one motion has its impacts, and no others, n i periods after one another and within d of grazing; none. *)
+(** Exactly one motion has its impacts, and no others, n i periods after one another and within d of grazing;
+    none. Between two stops, m = Minus, n i counts half periods: [motion] has impact i
+    within d of [turn m] (N i). *)
 Definition one (S : system) (mu d : R) (n : Z -> nat) : Prop := match S with
   | Oscillates osc m => forall N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> one_motion osc m mu d N
   | Steps M _ _ => one_orbit M Z (fun i => i + 1)%Z n mu d end.
 Definition none (S : system) (mu d : R) (n : Z -> nat) : Prop := match S with
-  | Oscillates osc m => forall N t y v, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> ~ motion osc m mu d N t y v
+  | Oscillates osc m => forall N t y v, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z ->
+    ~ motion osc m mu d N t y v
   | Steps M _ _ => forall x, ~ orbit_near M Z (fun i => i + 1)%Z n mu d x end.
 
 (** ** Theorem 1 in the plane *)
@@ -42,11 +48,12 @@ Definition none (S : system) (mu d : R) (n : Z -> nat) : Prop := match S with
 Definition breaks (a1 a2 : R) (e g : sign) (i j : nat) : Prop :=
   (exists k, (1 <= k <= i - 1)%nat /\ sgn e * b a1 a2 i k < 0) \/ sgn e * sgn g * (p a1 a2 j - q a1 a2 i) < 0.
 
-(** One d, and for each eps one mu0, for all words over {n <= n_max : u_n <> 0}, periodic or not: the signs decide,
-    and what they say there is lies within eps of grazing. *)
+(** One d, and for each eps one mu0, for all words over {n <= n_max : u_n <> 0}, periodic or not: the signs
+    decide, and what they say there is lies within eps of grazing. *)
 Definition Theorem_1_statement : Prop := forall S a1 a2 gamma, grazes S a1 a2 gamma -> forall n_max,
   exists d, d > 0 /\ forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\ forall (n : Z -> nat) e g mu,
-  (forall i, (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) -> sgn g * gamma > 0 -> 0 < sgn e * e_mu S mu < mu0 ->
+  (forall i, (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) -> sgn g * gamma > 0 ->
+    0 < sgn e * e_mu S mu < mu0 ->
   ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one S mu eps n) /\
   ((exists i, breaks a1 a2 e g (n i) (n (i + 1)%Z)) -> none S mu d n).
 
@@ -59,12 +66,14 @@ Definition exactly (a1 a2 : R) (n : nat) (e g : sign) : Prop := forall S gamma, 
   (sgn g * gamma > 0 -> born S n e) /\ forall e', ~ (e' = e /\ sgn g * gamma > 0) -> unborn S n e'.
 Definition never (a1 a2 : R) (n : nat) : Prop := forall S gamma e, grazes S a1 a2 gamma -> unborn S n e.
 
-(** ** Theorem 2: eigenvalues exp(+- 2 pi i s) *)
+(** ** Theorem 2: eigenvalues exp(+- 2 pi i s). Like Theorem 1 it is silent where u_n = 0, and where a b_{n,k}
+    = 0 and no two of them have opposite signs: at the ends of the intervals. *)
 Definition Theorem_2_statement : Prop := forall n s, (3 <= n)%nat -> 0 < s < 1 / 2 ->
   (forall e g lo hi, interval n e g lo hi -> lo < s < hi -> exactly (2 * cos (2 * PI * s)) 1 n e g) /\
   (outside n s -> u (2 * cos (2 * PI * s)) 1 n <> 0 -> never (2 * cos (2 * PI * s)) 1 n).
 
-(** ** Conjecture 1: eigenvalues r exp(+- 2 pi i s), a1 = trace r s and a2 = r^2, and region 4 *)
+(** ** Conjecture 1: eigenvalues r exp(+- 2 pi i s), a1 = trace r s and a2 = r^2, and region 4. On the
+    boundary of an area, where its b_{n,k} = 0, nothing is said of orbits. *)
 
 (** The area over lo < s < hi is what lies above the graph of Rad, where b_{n,k} = 0 and no other b_{n,j}. *)
 Definition area (n k : nat) (g : sign) (lo hi : R) (Rad : R -> R) : Prop := forall s, lo < s < hi ->
@@ -86,13 +95,15 @@ Definition ends_left (a2 hi : R) (n k : nat) : Prop := exists a1s, - (a2 + 1) < 
 Definition Conjecture_1_statement : Prop := forall n, (3 <= n)%nat -> let N := INR n in
   (** (0, 1/(2n)) extends to a (-,+) area bounded by 0 < s < 1/(2n). *)
   (forall r s, 0 < r <= 1 -> 0 < s < 1 / (2 * N) -> exactly (trace r s) (r ^ 2) n Minus Plus) /\
-  (** (1/(2n), 1/n) extends to a (+,+) area bounded to the left by b_{n,n-1} = 0, to the right by s = 1/(2n). *)
-  (exists Rad, area n (n - 1) Plus (1 / (2 * N)) (1 / N) Rad /\ tends_to_1 Rad (1 / (2 * N)) (1 / N) (1 / N) /\
+  (** (1/(2n), 1/n) extends to a (+,+) area bounded to the left by b_{n,n-1} = 0, to the right by
+      s = 1/(2n). *)
+  (exists Rad, area n (n - 1) Plus (1 / (2 * N)) (1 / N) Rad /\
+    tends_to_1 Rad (1 / (2 * N)) (1 / N) (1 / N) /\
    (forall s, 1 / (2 * N) < s <= 1 / (2 * (N - 1)) -> Rad s = 0) /\
    forall r, 0 < r < 1 -> exists s', 1 / (2 * N) < s' <= 1 / N /\
    forall s, 1 / (2 * N) < s < 1 / N -> (Rad s < r <-> s < s')) /\
-  (** ((n-1)/(2n), 1/2), n odd, extends to a (+,-) area in regions 3 and 4, bounded to the left by -(a2+1) < a1 and
-      to the right by b_{n,n-2} = 0. *)
+  (** ((n-1)/(2n), 1/2), n odd, extends to a (+,-) area in regions 3 and 4, bounded to the left by
+      -(a2+1) < a1 and to the right by b_{n,n-2} = 0. *)
   (Nat.Odd n -> (exists Rad, area n (n - 2) Minus ((N - 1) / (2 * N)) (1 / 2) Rad /\
     tends_to_1 Rad ((N - 1) / (2 * N)) (1 / 2) ((N - 1) / (2 * N))) /\
    forall a2, 0 < a2 < 1 -> ends_left a2 (trace (sqrt a2) ((N - 1) / (2 * N))) n (n - 2)) /\
@@ -102,30 +113,36 @@ Definition Conjecture_1_statement : Prop := forall n, (3 <= n)%nat -> let N := I
   (** (m/n, m-/n-), m-/n- not 1/2, extends to a (+,-) area bounded by b_{n,n-n-} = 0. *)
   (forall m (F : Farey m n), (0 < 2 * m < n)%nat -> (2 * m_minus F <> n_minus F)%nat ->
    extends n (n - n_minus F) Minus (INR m / N) (INR (m_minus F) / INR (n_minus F))) /\
-  (** There are no others: these are all of Theorem 2's intervals, and elsewhere in regions 3 and 4 there is none. *)
+  (** There are no others: these are all of Theorem 2's intervals, and elsewhere in regions 3 and 4 there
+      is none. *)
   (forall e g lo hi, interval n e g lo hi -> (e, g, lo, hi) = (Minus, Plus, 0, 1 / (2 * N)) \/
    (e, g, lo, hi) = (Plus, Plus, 1 / (2 * N), 1 / N) \/
    Nat.Odd n /\ (e, g, lo, hi) = (Plus, Minus, (N - 1) / (2 * N), 1 / 2) \/
    exists m (F : Farey m n), (0 < 2 * m < n)%nat /\
    (m_plus F <> 0%nat /\ (e, g, lo, hi) = (Plus, Plus, INR (m_plus F) / INR (n_plus F), INR m / N) \/
-    (2 * m_minus F <> n_minus F)%nat /\ (e, g, lo, hi) = (Plus, Minus, INR m / N, INR (m_minus F) / INR (n_minus F)))) /\
+    (2 * m_minus F <> n_minus F)%nat /\
+      (e, g, lo, hi) = (Plus, Minus, INR m / N, INR (m_minus F) / INR (n_minus F)))) /\
   (forall r s, 0 < r < 1 -> 0 < s < 1 / 2 -> u_at r s n <> 0 ->
    (forall e g lo hi, interval n e g lo hi -> ~ lo < s < hi) -> never (trace r s) (r ^ 2) n) /\
   (forall a1 a2, 0 < a2 < 1 -> - (a2 + 1) < a1 <= - 2 * sqrt a2 -> Nat.Even n -> never a1 a2 n).
 
-(** ** Words, regions 3 and 4, e mu > 0. K is the first n with u_n < 0, w the way to s in the Stern-Brocot tree as
-    long as the flights on it satisfy (52); with damping it ends. Its vertices are all that do, and its arrows say
-    which may follow which: for gamma < 0, those that are none. *)
+(** ** Words, regions 3 and 4, e mu > 0. K is the first n with u_n < 0, w the way to s in the Stern-Brocot
+    tree as long as the flights on it satisfy (52); with damping it ends. Its vertices are all that do, and
+    its arrows say which may follow which: for gamma < 0, those that are none. *)
 Definition Words_statement : Prop := forall a1 a2 K, first_upper a1 a2 K ->
   (a2 < 1 -> exists w i j, path a1 a2 K w i j /\ Forall (fun x => member a1 a2 Plus (fst x)) (vertices K w) /\
    ~ member a1 a2 Plus (i + j)) /\
-  forall w i j, path a1 a2 K w i j -> Forall (fun x => member a1 a2 Plus (fst x)) (vertices K w) -> ends a1 a2 i j ->
+  forall w i j, path a1 a2 K w i j -> Forall (fun x => member a1 a2 Plus (fst x)) (vertices K w) ->
+    ends a1 a2 i j ->
   (forall n, member a1 a2 Plus n <-> In n (map fst (vertices K w))) /\
-  forall S gamma, grazes S a1 a2 gamma -> exists d, d > 0 /\ forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\
+  forall S gamma, grazes S a1 a2 gamma -> exists d, d > 0 /\ forall eps, 0 < eps <= d ->
+    exists mu0, mu0 > 0 /\
   forall (n : Z -> nat * letter) g mu, (forall l, In (n l) (vertices K w)) ->
   sgn g * gamma > 0 -> 0 < e_mu S mu < mu0 ->
-  ((forall l, (if arrow K w (n l) (n (l + 1)%Z) then Plus else Minus) = g) -> one S mu eps (fun l => fst (n l))) /\
-  ((exists l, (if arrow K w (n l) (n (l + 1)%Z) then Plus else Minus) <> g) -> none S mu d (fun l => fst (n l))).
+  ((forall l, (if arrow K w (n l) (n (l + 1)%Z) then Plus else Minus) = g) ->
+    one S mu eps (fun l => fst (n l))) /\
+  ((exists l, (if arrow K w (n l) (n (l + 1)%Z) then Plus else Minus) <> g) ->
+    none S mu d (fun l => fst (n l))).
 
 (** ** Chaos: for every mu > 0 the paper's oscillator has impacts one or two periods apart in any order *)
 Definition Chaos_statement : Prop := forall mu N, mu > 0 -> one_or_two N ->

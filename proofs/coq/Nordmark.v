@@ -35,31 +35,45 @@ Proof.
     repeat split; apply X; lra.
 Qed.
 
+(** (68): D is 1/w^2 - (d/w)^2. *)
+Lemma Nordmark_grazing d w tau D o x : 0 < w -> 0 <= tau -> undamped D o x -> D = 1 / w ^ 2 - d * d / w ^ 2 ->
+  o (2 * PI) <> 0 -> let E := exp (- 2 * PI * d / w) in
+  grazing (Nordmark d w tau) Plus (2 * E * x (2 * PI)) (exp (- 4 * PI * d / w)) (E * o (2 * PI)).
+Proof.
+  intros Hw Ht HU ED Ho E; pose proof (matrix_damped (2 * d / w) D Plus o x HU) as M; cbv zeta in M; cbn [turn facing] in M.
+  replace (2 * d / w * (2 * d / w) / 4 + D) with (1 / w ^ 2) in M by (rewrite ED; field; lra).
+  replace (- (2 * d / w) / 2 * (2 * PI)) with (- 2 * PI * d / w) in M by (field; lra); fold E in M; rewrite !Rmult_1_l in M.
+  constructor; [apply Nordmark_touching | exact Ht | | apply Rmult_integral_contrapositive_currified; [apply Rgt_not_eq, exp_pos | exact Ho]].
+  replace (exp (- 4 * PI * d / w)) with (E * E) by (unfold E; rewrite <- exp_plus; f_equal; field; lra); exact M.
+Qed.
+
 Theorem Nordmark_oscillator : Nordmark_statement.
 Proof.
-  intros d w tau Hw Ht; split.
-  - intros sigma Hd Hd0 Es Hs; assert (P : 0 < 1 - d ^ 2).
-    { assert (d * d < 1 * 1) by (destruct Hd0 as [Hd0|<-]; [apply Rmult_gt_0_lt_compat|]; lra); lra. }
+  intros d w tau Hw Ht has; pose proof PI_RGT_0 as HP; assert (Hw2 : 0 < w ^ 2) by (apply pow_lt, Hw).
+  pose proof (exp_pos (- 2 * PI * d / w)) as PE; split; [|split; [|split]].
+  - intros sigma Hd Hd0 Es Hs; assert (P : 0 < 1 - d ^ 2) by nra.
     pose proof (sqrt_lt_R0 _ P) as Hq; pose proof (sqrt_sqrt (1 - d ^ 2) ltac:(lra)) as Eq; set (r := sqrt _) in *.
-    assert (Ps : 0 < sigma) by (rewrite Es; apply Rdiv_lt_0_compat; lra).
-    pose proof (matrix_damped (2 * d / w) _ Plus _ _ (undamped_circular sigma ltac:(lra))) as M; cbv zeta in M;
-      cbn [turn facing] in M.
-    replace (2 * d / w * (2 * d / w) / 4 + sigma * sigma) with (1 / w ^ 2) in M.
-    2: { rewrite Es; replace (r / w * (r / w)) with (r * r / w ^ 2) by (field; lra); rewrite Eq; field; lra. }
-    replace (- (2 * d / w) / 2 * (2 * PI)) with (- 2 * PI * d / w) in M by (field; lra).
-    replace (sigma * (2 * PI)) with (2 * PI * sigma) in M by ring; set (E := exp (- 2 * PI * d / w)) in *.
-    assert (PE : 0 < E) by apply exp_pos; set (si := sin (2 * PI * sigma)) in *.
-    exists (E * (1 * (/ sigma * si))); split.
-    + constructor; [apply Nordmark_touching | exact Ht | | ].
-      * cbn [Nordmark Oscillator.c Oscillator.k]; replace (exp (- 4 * PI * d / w)) with (E * E).
-        2: { unfold E; rewrite <- exp_plus; f_equal; field; lra. }
-        rewrite <- (Rmult_1_l (cos _)); exact M.
-      * rewrite Rmult_1_l; repeat apply Rmult_integral_contrapositive_currified; trivial;
-          [lra | apply Rinv_neq_0_compat; lra].
-    + replace (E * (1 * (/ sigma * si)) * si) with (E * / sigma * (si * si)) by ring.
-      apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; [exact PE | apply Rinv_0_lt_compat, Ps]|].
-      destruct (Rtotal_order si 0) as [?|[?|?]]; [replace (si * si) with (- si * - si) by ring | contradiction|];
-        apply Rmult_lt_0_compat; lra.
+    assert (Ps : 0 < sigma) by (rewrite Es; apply Rdiv_lt_0_compat; lra); pose proof (Rinv_0_lt_compat _ Ps).
+    pose proof (Nordmark_grazing d w tau _ _ _ Hw Ht (undamped_circular sigma ltac:(lra))) as M; cbv zeta beta in M.
+    replace (sigma * (2 * PI)) with (2 * PI * sigma) in M by ring; set (si := sin (2 * PI * sigma)) in *.
+    eexists; split; [apply M; [rewrite Es; replace (r / w * (r / w)) with (r * r / w ^ 2) by (field; lra); rewrite Eq; field; lra|]|].
+    + apply Rmult_integral_contrapositive_currified; lra.
+    + replace (_ * (/ sigma * si) * si) with (exp (- 2 * PI * d / w) * / sigma * (si * si)) by ring.
+      apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; lra | nra].
+  - intros Hd; assert (P : 0 < d ^ 2 - 1) by nra.
+    pose proof (sqrt_lt_R0 _ P) as Hq; pose proof (sqrt_sqrt (d ^ 2 - 1) ltac:(lra)) as Eq; set (r := sqrt _) in *.
+    assert (Po : 0 < r / w) by (apply Rdiv_lt_0_compat; lra).
+    pose proof (Nordmark_grazing d w tau _ _ _ Hw Ht (undamped_hyperbolic (r / w) ltac:(lra))) as M; cbv zeta beta in M.
+    assert (X : 0 < r / w * (2 * PI)) by (apply Rmult_lt_0_compat; lra).
+    pose proof (exp_increasing (- (r / w) * (2 * PI)) (r / w * (2 * PI)) ltac:(lra)).
+    assert (Z : 0 < / (2 * (r / w)) * (exp (r / w * (2 * PI)) - exp (- (r / w) * (2 * PI))))
+      by (apply Rmult_lt_0_compat; [apply Rinv_0_lt_compat|]; lra).
+    unfold cosh; replace (2 * PI * r / w) with (r / w * (2 * PI)) by (field; lra).
+    replace (- (r / w * (2 * PI))) with (- (r / w) * (2 * PI)) by ring.
+    rewrite (Rmult_comm (/ 2)) in M; eexists; split; [apply M; [|lra] | apply Rmult_lt_0_compat; assumption].
+    replace (r / w * (r / w)) with (r * r / w ^ 2) by (field; lra); rewrite Eq; field; lra.
+  - intros ->; pose proof (Nordmark_grazing 1 w tau _ _ _ Hw Ht undamped_straight) as M; cbv zeta beta in M.
+    rewrite (Rmult_1_r (2 * _)) in M; eexists; split; [apply M; [field|]; lra | apply Rmult_lt_0_compat; lra].
   - intros mu r N t q v; unfold motion, gap, speed, free;
       cbn [Nordmark Oscillator.c Oscillator.k Oscillator.G Oscillator.G1
       Oscillator.tau turn facing].

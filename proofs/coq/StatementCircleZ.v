@@ -22,11 +22,13 @@ Definition insideZ (x z : Z) (t : piece) : bool := match t with (_, _, (l1, l2),
   (l1 * z <? x * l2) && (x * h2 <? h1 * z) end.
 Definition outsideZ (x z : Z) (t : piece) : bool := match t with (_, _, (l1, l2), (h1, h2)) =>
   (x * l2 <? l1 * z) || (h1 * z <? x * h2) end.
-Definition same_sign (e g : sign) : bool := match e, g with Plus, Plus | Minus, Minus => true | _, _ => false end.
+Definition same_sign (e g : sign) : bool :=
+  match e, g with Plus, Plus | Minus, Minus => true | _, _ => false end.
 
 (** u_n = 0 at s = x/z. *)
 Definition singularZ (n x z : Z) : bool := (2 * n * x) mod z =? 0.
-(** What exists at s = x/z, and whether Theorem 1 says that nothing does; L is Theorem 2's list but for the first. *)
+(** What exists at s = x/z, and whether Theorem 1 says that nothing does; L is Theorem 2's list but for the
+    first. *)
 Definition circleZ (n : Z) (L : list piece) (x z : Z) (e g : sign) : bool := match e with
   | Minus => same_sign g Plus && (2 * n * x <? z)
   | Plus => existsb (fun t => same_sign g (snd (fst (fst t))) && insideZ x z t) L end.

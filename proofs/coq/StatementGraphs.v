@@ -1,7 +1,7 @@
 (** * Statement: how fast the words of a graph grow in number: log 1/z, z the least root of det(I - M(z))
 
-    A word says how many periods lie between one impact and the next: the number of words with at most P periods is that
-    of ways in which impacts can follow one another up to period P. *)
+    A word says how many periods lie between one impact and the next: the number of words with at most P
+    periods is that of ways in which impacts can follow one another up to period P. *)
 
 From Coq Require Import Reals List Arith.
 Import ListNotations. Open Scope R_scope.
@@ -25,11 +25,14 @@ Definition at_least (G : graph) (h : R) : Prop := forall h', h' < h -> exists c,
 Definition finite (N : nat) (p : nat -> nat) (E : nat -> nat -> bool) : graph :=
   {| vertex := fun i => (i < N)%nat; periods_of := p; joined := fun i j => E i j = true |}.
 (** The entry of M(t) at (i, j) is t^(p j) where j may follow i, else 0; v is fixed by M(t), and is not 0. *)
-Definition row (p : nat -> nat) (E : nat -> nat -> bool) (t : R) (i j : nat) : R := if E i j then t ^ p j else 0.
+Definition row (p : nat -> nat) (E : nat -> nat -> bool) (t : R) (i j : nat) : R :=
+  if E i j then t ^ p j else 0.
 Fixpoint sum_to (N : nat) (f : nat -> R) : R := match N with O => 0 | S N => sum_to N f + f N end.
 Definition singular (N : nat) (p : nat -> nat) (E : nat -> nat -> bool) (t : R) : Prop := exists v,
-  (exists i, (i < N)%nat /\ v i <> 0) /\ forall i, (i < N)%nat -> v i = sum_to N (fun j => row p E t i j * v j).
+  (exists i, (i < N)%nat /\ v i <> 0) /\ forall i, (i < N)%nat ->
+    v i = sum_to N (fun j => row p E t i j * v j).
 (** z is the least positive root of det(I - M(z)): where it is 0, and nowhere below, a vector is fixed. *)
-Definition Graph_entropy_statement : Prop := forall N p E z, (forall i, (i < N)%nat -> (1 <= p i)%nat) -> 0 < z <= 1 ->
+Definition Graph_entropy_statement : Prop := forall N p E z, (forall i, (i < N)%nat -> (1 <= p i)%nat) ->
+  0 < z <= 1 ->
   singular N p E z -> (forall t, 0 < t < z -> ~ singular N p E t) ->
   at_most (finite N p E) (- ln z) /\ at_least (finite N p E) (- ln z).

@@ -30,7 +30,8 @@ Definition smooth (M : Map.t) : Prop :=
   (forall i, (i < N M)%nat -> kick M zero 0 0 i = B M i) /\
   exists l d, 0 < d /\ forall x x' y y' mu mu' t, within (N M) d x -> within (N M) d x' ->
   0 <= y <= d -> 0 <= y' <= d -> Rabs mu <= d -> Rabs mu' <= d -> within (N M) t (minus x x') ->
-  Rabs (y - y') <= t -> Rabs (mu - mu') <= t -> within (N M) (l * t) (minus (kick M x y mu) (kick M x' y' mu')).
+  Rabs (y - y') <= t -> Rabs (mu - mu') <= t ->
+    within (N M) (l * t) (minus (kick M x y mu) (kick M x' y' mu')).
 (** One step x -> g(f(x, mu), mu) of the map, (3) and (4); h in the (k+1)-st step from x. *)
 Definition step (M : Map.t) (mu : R) (x : vec) : vec :=
   let z := f M x mu in let y := sqrt (- h M z mu) in
@@ -62,7 +63,8 @@ Definition quantity (X : J -> vec) (Y : J -> R) (e : sign) (j : J) (v : R) : Pro
   v = sgn e * Y j \/ exists k, (1 <= k < n j)%nat /\ v = sgn e * (dot (N M) (C M) (power k (X j)) + 1).
 End Word.
 (** w = (I - A)^-1 phi; rate is the paper's e, (26). d depends on the map, n_max and K, mu0 and mu1
-    also on kappa and eps, none of them on the word. Parts: existence and uniqueness; non-existence; asymptotics. *)
+    also on kappa and eps, none of them on the word. Parts: existence and uniqueness; non-existence;
+    asymptotics. *)
 Definition Theorem1_statement : Prop := forall M w rate, smooth M ->
   (forall i, (i < N M)%nat -> w i = mult (N M) (A M) w i + phi M i) ->
   rate = dot (N M) (C M) w + eta M -> rate <> 0 -> forall n_max K, exists d, d > 0 /\

@@ -1,13 +1,14 @@
 (** * Definitions: a grazing map of the plane, and that it has exactly one orbit near grazing
 
-    Definitions for [Headline], where Theorem 1 in the plane is stated; it needs no hypothesis on the linear problem
-    there. Read [StatementOrbits] first. *)
+    Definitions for [Headline], where Theorem 1 in the plane is stated; it needs no hypothesis on the linear
+    problem there. Read [StatementOrbits] first. *)
 
 From Coq Require Import Reals.
 From Grazing Require Import Defs StatementOrbits.
 Open Scope R_scope.
 
-(** A smooth map of the plane with trace a1, determinant a2, C B = 0 and gamma = C A B; rate is the paper's e, (26). *)
+(** A smooth map of the plane with trace a1, determinant a2, C B = 0 and gamma = C A B; rate is the paper's e,
+    (26). *)
 Record planar (M : Map.t) (a1 a2 gamma rate : R) (w : vec) : Prop := {
   is_smooth : smooth M;
   is_plane : Map.N M = 2%nat;

@@ -1,9 +1,9 @@
 (** * Statement: linear oscillators near grazing, their motions, and which (a1, a2) they have
 
-    y'' = - c y' - k y between impacts, above a stop that moves with period 2 pi, or between two stops of which
-    each is the mirror image of the other, half a period later. Lengths are measured from the motion without
-    stops; for mu = 0 that motion touches. Complete on this page, but for
-    [sign]. That the signs of (52) and (64) decide about the impacts is Theorem 1 of [Headline]. *)
+    y'' = - c y' - k y between impacts, above a stop that moves with period 2 pi, or between two stops of
+    which each is the mirror image of the other, half a period later. Lengths are measured from the motion
+    without stops; for mu = 0 that motion touches. Complete on this page, but for [sign]. That the signs of
+    (52) and (64) decide about the impacts is Theorem 1 of [Headline]. *)
 From Coq Require Import Reals ZArith.
 From Grazing Require Import Defs. (* for sign and sgn only *)
 Open Scope R_scope.
@@ -39,9 +39,11 @@ Definition speed (O : Oscillator.t) (m : sign) (mu : R) (z : Z) (v : R -> R) (t 
 Definition free (c k : R) (y v : R -> R) : Prop := forall t, derivable_pt_lim y t (v t) /\
   derivable_pt_lim v t (- c * v t - k * y t).
 
-(** Between impact i, at the time t i, and the next, the oscillator moves as y i, v i. Impact i is on stop N i,
-    within d of the time of touch; its speed V < 0 becomes - tau V. Strictly between impacts every gap is open. *)
-Definition motion (O : Oscillator.t) (m : sign) (mu d : R) (N : Z -> Z) (t : Z -> R) (y v : Z -> R -> R) : Prop :=
+(** Between impact i, at the time t i, and the next, the oscillator moves as y i, v i. Impact i is on stop
+    N i, within d of the time of touch; its speed V < 0 becomes - tau V. Strictly between impacts every gap is
+    open. *)
+Definition motion (O : Oscillator.t) (m : sign) (mu d : R) (N : Z -> Z) (t : Z -> R)
+  (y v : Z -> R -> R) : Prop :=
   forall i j, j = (i + 1)%Z -> free (Oscillator.c O) (Oscillator.k O) (y i) (v i) /\
   Rabs (t i - turn m * IZR (N i)) <= d /\ t i < t j /\
   gap O m mu (N i) (y i) (t i) = 0 /\ gap O m mu (N j) (y i) (t j) = 0 /\
@@ -52,7 +54,8 @@ Definition one_motion (O : Oscillator.t) (m : sign) (mu d : R) (N : Z -> Z) : Pr
   motion O m mu d N t y v /\ forall t' y' v', motion O m mu d N t' y' v' ->
   forall i x, t' i = t i /\ y' i x = y i x /\ v' i x = v i x.
 
-(** The matrix A of one turn, reflected if there are two stops: its trace, its determinant and gamma = A_12. *)
+(** The matrix A of one turn, reflected if there are two stops: its trace, its determinant and
+    gamma = A_12. *)
 Definition matrix (c k : R) (m : sign) (a1 a2 gamma : R) : Prop := exists A11 A21 A22,
   a1 = A11 + A22 /\ a2 = A11 * A22 - gamma * A21 /\ forall y v, free c k y v ->
   facing m 1 * y (turn m) = A11 * y 0 + gamma * v 0 /\ facing m 1 * v (turn m) = A21 * y 0 + A22 * v 0.
@@ -66,10 +69,11 @@ Record grazing (O : Oscillator.t) (m : sign) (a1 a2 gamma : R) : Prop := {
 Definition Periodic_oscillator_statement : Prop := forall O m mu d N t y v (h P : Z), touching O ->
   one_motion O m mu d N -> motion O m mu d N t y v -> (forall i, N (i + h) = N i + P)%Z ->
   forall i x, t (i + h)%Z = t i + turn m * IZR P /\
-  facing m P * y (i + h)%Z (x + turn m * IZR P) = y i x /\ facing m P * v (i + h)%Z (x + turn m * IZR P) = v i x.
+  facing m P * y (i + h)%Z (x + turn m * IZR P) = y i x /\
+    facing m P * v (i + h)%Z (x + turn m * IZR P) = v i x.
 
-(** Which (a1, a2) occur. One stop: region 3 with either sign of gamma, a1 >= 2 sqrt a2 with gamma > 0, and nothing
-    else: regions 4 and 5 are no one-stop oscillator's. With two stops they are some oscillator's. *)
+(** Which (a1, a2) occur. One stop: region 3 with either sign of gamma, a1 >= 2 sqrt a2 with gamma > 0, and
+    nothing else: regions 4 and 5 are no one-stop oscillator's. With two stops they are some oscillator's. *)
 Definition Reach_statement : Prop :=
   (forall c k, exists a1 a2 gamma, matrix c k Plus a1 a2 gamma) /\
   (forall r s g, 0 < r -> 0 < s < 1 / 2 -> exists c k gamma,
@@ -77,4 +81,5 @@ Definition Reach_statement : Prop :=
   (forall a1 a2, 0 < a2 -> 2 * sqrt a2 <= a1 -> exists c k gamma, matrix c k Plus a1 a2 gamma /\ gamma > 0) /\
   (forall c k a1 a2 gamma, matrix c k Plus a1 a2 gamma -> gamma <> 0 -> 0 < a2 /\ - 2 * sqrt a2 < a1 /\
    (2 * sqrt a2 <= a1 -> gamma > 0)) /\
-  (forall a1 a2, 0 < a2 -> a1 <= - 2 * sqrt a2 -> exists c k gamma, matrix c k Minus a1 a2 gamma /\ gamma < 0).
+  (forall a1 a2, 0 < a2 -> a1 <= - 2 * sqrt a2 -> exists c k gamma, matrix c k Minus a1 a2 gamma /\
+    gamma < 0).

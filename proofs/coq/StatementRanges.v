@@ -1,5 +1,5 @@
-(** * Statement: a checker of certificates, each of which says that from the touch to a distance from it every path
-  of a graph is a motion
+(** * Statement: a checker of certificates, each of which says that from the touch to a distance from it every
+    path of a graph is a motion
 
     Machines and motions are those of [StatementPaths]. The graph is of letters, legs of whole numbers of
       periods; an
@@ -13,8 +13,8 @@ Open Scope R_scope.
 (** Of an edge the range of s; a factor and a weight for the proof. *)
 Module Edge. Record t : Type := { strengths : Q * Q; factor : Q; weight : Q }.
 End Edge.
-(** From which depth nu to which; what is said of each edge, in their order; in how many parts each range is cut, and
-    in how many steps the motions are found to be those of the cell before. *)
+(** From which depth nu to which; what is said of each edge, in their order; in how many parts each range is
+    cut, and in how many steps the motions are found to be those of the cell before. *)
 Module Cell. Record t : Type := { depth : Q * Q; parts : nat; steps : nat; edges : list Edge.t }.
 End Cell.
 (** Ranges of c, k, tau; whether sigma is 1 or - 1; ranges of a and b for each harmonic; impacts are at phases
@@ -45,7 +45,8 @@ Fixpoint edge_at (G : list (nat * nat)) (E : list Edge.t) (u v : nat) : option E
   | (u', v') :: G, e :: E => if (Nat.eqb u u' && Nat.eqb v v')%bool then Some e else edge_at G E u v
   | _, _ => None end.
 (** The strengths of the impacts, at the times t, are in the cell's ranges. *)
-Definition in_ranges (C : Range.t) (K : Cell.t) (M : Machine.t) (l : Z -> nat) (t : Z -> R) : Prop := forall i j,
+Definition in_ranges (C : Range.t) (K : Cell.t) (M : Machine.t) (l : Z -> nat) (t : Z -> R) : Prop :=
+  forall i j,
   j = (i + 1)%Z -> exists e s, edge_at (Range.graph C) (Cell.edges K) (l i) (l j) = Some e /\
   within (Edge.strengths e) s /\ g1 M (t j) = Machine.nu M * s / 2.
 

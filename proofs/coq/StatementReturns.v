@@ -1,4 +1,5 @@
-(** * Statement: the times of first return across a line, for complex eigenvalues of any modulus, are those of (52)
+(** * Statement: the times of first return across a line, for complex eigenvalues of any modulus, are those of
+    (52)
 
     Read [Defs], [trace] in [Statement], [A] in [StatementPlane], [member], [stern] and [vertices] in
     [StatementWords] first. A has the eigenvalues r exp(+- 2 pi i s), and C = (1 0). *)
@@ -16,12 +17,15 @@ Definition return_time (a1 a2 : R) (n : nat) : Prop := (1 <= n)%nat /\
 Definition T (r s : R) (n : nat) : Prop := return_time (trace r s) (r ^ 2) n.
 Definition V (r s : R) (n : nat) : Prop := member (trace r s) (r ^ 2) Plus n.
 
-(** An initial piece of the Stern-Brocot path to s from 0/1 and 1/K: 1 and K, and with a mediant all before it. *)
+(** An initial piece of the Stern-Brocot path to s from 0/1 and 1/K: 1 and K, and with a mediant all before
+    it. *)
 Definition initial_piece (s : R) (K : nat) (S : nat -> Prop) : Prop := S 1%nat /\ S K /\
-  (forall n, S n -> n = 1%nat \/ n = K \/ exists w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 /\ n = (n1 + n2)%nat) /\
+  (forall n, S n -> n = 1%nat \/ n = K \/ exists w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 /\
+    n = (n1 + n2)%nat) /\
   forall w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 -> S (n1 + n2)%nat -> Forall S (map fst (vertices K w)).
 
-(** The tie: the mediant n of n1 and n2 shares its point with the parent on the other side, k is the sum of both. *)
+(** The tie: the mediant n of n1 and n2 shares its point with the parent on the other side, k is the sum of
+    both. *)
 Definition tie (a1 a2 : R) (n1 n2 k : nat) : Prop := let n := (n1 + n2)%nat in
   u a1 a2 n > 0 /\ p a1 a2 n = p a1 a2 n2 /\ k = (n + n2)%nat \/
   u a1 a2 n < 0 /\ p a1 a2 n = p a1 a2 n1 /\ k = (n + n1)%nat.
@@ -31,7 +35,8 @@ Definition Returns_statement : Prop := forall r s K, 0 < r -> 0 < s < 1 / 2 ->
   initial_piece s K (V r s) /\ initial_piece s K (T r s) /\
   (forall n, V r s n <-> V (/ r) s n) /\ (forall n, V r s n -> T r s n) /\
   (r <= 1 -> forall n, T r s n <-> V r s n) /\
-  (r = 1 -> forall w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 -> s * INR (n1 + n2) <> INR (m1 + m2) -> V r s (n1 + n2)) /\
+  (r = 1 -> forall w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 -> s * INR (n1 + n2) <> INR (m1 + m2) ->
+    V r s (n1 + n2)) /\
   (1 < r -> exists w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 /\
    (forall k, V r s k <-> In k (map fst (vertices K w))) /\ ~ V r s (n1 + n2) /\
    forall k, T r s k <-> T (/ r) s k \/ k = (n1 + n2)%nat \/ tie (trace r s) (r ^ 2) n1 n2 k).

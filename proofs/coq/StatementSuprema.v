@@ -1,6 +1,7 @@
 (** * Statement: the suprema of the entropy of words in regions 3 and 4, which no point attains
 
-    Read [member], [edge] and [first_upper] in [StatementWords], [at_most] and [at_least] in [StatementGraphs] first. *)
+    Read [member], [edge] and [first_upper] in [StatementWords], [at_most] and [at_least] in [StatementGraphs]
+    first. *)
 
 From Coq Require Import Reals.
 From Grazing Require Import Defs StatementWords StatementGraphs.
@@ -11,7 +12,8 @@ Definition patterns (a1 a2 : R) (e g : sign) : graph :=
   {| vertex := member a1 a2 e; periods_of := fun n => n; joined := edge a1 a2 e g |}.
 (** (+,-): z + z^2 + z^3 = 1; (+,+): (1 + z^4) (z^3/(1 - z^4) + z^2/(1 - z^3)) = 1. *)
 Definition root_minus (z : R) : Prop := 0 < z < 1 /\ z + z ^ 2 + z ^ 3 = 1.
-Definition root_plus (z : R) : Prop := 0 < z < 1 /\ (1 + z ^ 4) * (z ^ 3 / (1 - z ^ 4) + z ^ 2 / (1 - z ^ 3)) = 1.
+Definition root_plus (z : R) : Prop := 0 < z < 1 /\
+  (1 + z ^ 4) * (z ^ 3 / (1 - z ^ 4) + z ^ 2 / (1 - z ^ 3)) = 1.
 (** The suprema over regions 3 and 4, e mu > 0: no point attains them, and they are approached on r = 1. *)
 Definition below (G : graph) (h : R) : Prop := exists h', h' < h /\ at_most G h'.
 Definition supremum (g : sign) (h : R) : Prop :=

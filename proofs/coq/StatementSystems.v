@@ -1,8 +1,8 @@
-(** * Statements about the motions of oscillators and the orbits of maps: what [orbit] and [no_orbit] of [Defs] mean,
-      S1-S3, the summary by period, the record form, impact patterns
+(** * Statements about the motions of oscillators and the orbits of maps: what [orbit] and [no_orbit] of
+    [Defs] mean, S1-S3, the summary by period, the record form, impact patterns
 
-    Each is a statement about signs, of [Statement], [StatementPlane] and [StatementWords], said of every [system] of
-    [Headline]: read these first. *)
+    Each is a statement about signs, of [Statement], [StatementPlane] and [StatementWords], said of every
+    [system] of [Headline]: read these first. *)
 
 From Coq Require Import Reals ZArith List Arith.
 From Grazing Require Import Defs Statement StatementPlane StatementWords Headline.
@@ -72,13 +72,15 @@ Definition Patterns_statement : Prop := forall S a1 a2 gamma, grazes S a1 a2 gam
   l <> [] -> Forall (fun n => (1 <= n <= n_max)%nat /\ u a1 a2 n <> 0) l ->
   sgn g * gamma > 0 -> 0 < sgn e * e_mu S mu < mu0 ->
   (pattern a1 a2 e g l -> one S mu eps (cyclic_letter l)) /\
-  ((exists i, breaks a1 a2 e g (cyclic_letter l i) (cyclic_letter l (i + 1))) -> none S mu d (cyclic_letter l)).
+  ((exists i, breaks a1 a2 e g (cyclic_letter l i) (cyclic_letter l (i + 1))) ->
+    none S mu d (cyclic_letter l)).
 
-(** Regions 3 and 4 with damping, e mu > 0: one mu0 for all patterns; the caveat that ends the paper's section 2.5
-    falls there. *)
+(** Regions 3 and 4 with damping, e mu > 0: one mu0 for all patterns; the caveat that ends the paper's section
+    2.5 falls there. *)
 Definition All_patterns_statement : Prop := forall S a1 a2 gamma K, grazes S a1 a2 gamma ->
   first_upper a1 a2 K -> a2 < 1 -> exists d, d > 0 /\ forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\
-  forall l g mu, sgn g * gamma > 0 -> 0 < e_mu S mu < mu0 -> pattern a1 a2 Plus g l -> one S mu eps (cyclic_letter l).
+  forall l g mu, sgn g * gamma > 0 -> 0 < e_mu S mu < mu0 -> pattern a1 a2 Plus g l ->
+    one S mu eps (cyclic_letter l).
 
 (** Every region: all sequences of periods up to n_max that are born in one case. *)
 Definition Shift_statement : Prop := forall S a1 a2 gamma, grazes S a1 a2 gamma -> 0 < a2 -> forall n_max,

@@ -36,7 +36,8 @@ Definition no_orbitZ (x y z : Z) (n : nat) : bool :=
   existsb (fun k => signB x y z n k <? 0) (seq 1 (n - 1)) &&
   existsb (fun k => 0 <? signB x y z n k) (seq 1 (n - 1)).
 
-(** The sign of p_j - q_i, by which j may follow i, (64); membership, edges and patterns of [StatementWords]. *)
+(** The sign of p_j - q_i, by which j may follow i, (64); membership, edges and patterns of [StatementWords].
+    *)
 Definition signE (x y z : Z) (i j : nat) : Z := Z.sgn (uZ x y z i) * (Z.sgn (uZ x y z j) *
   Z.sgn (uZ x y z (i + j) - z ^ Z.of_nat j * uZ x y z i - y ^ Z.of_nat i * uZ x y z j)).
 

@@ -9,7 +9,8 @@ cp -a "$here/." "$work/original"
 total=0 survived=
 chosen=" $* "
 
-# mutant NAME REASON OPTION FILE: the edit is a sed script on stdin, or, after the word "append" or "new", text.
+# mutant NAME REASON OPTION FILE: the edit is a sed script on stdin, or, after the word "append" or "new", text, or,
+# after "sh", a shell script. OPTION --stale: the file seems older than what was compiled.
 mutant() {
   name=$1 reason=$2 option=$3 file=$4
   edit=$(cat)
@@ -22,10 +23,12 @@ mutant() {
   case "$edit" in
     append*) printf '%s\n' "$edit" | sed 1d >>"$file" ;;
     new*) printf '%s\n' "$edit" | sed 1d >"$file" ;;
+    sh*) printf '%s\n' "$edit" | sed 1d | sh ;;
     *) sed -i "$edit" "$file" ;;
   esac
   if [ -e "$work/original/$file" ] && cmp -s "$file" "$work/original/$file"; then echo "mutants.sh: $name changes nothing" >&2; exit 1; fi
-  if sh check.sh $option >"$work/output" 2>&1; then
+  case "$option" in --stale) touch -d '2000-01-01' "$file"; set -- ;; *) set -- --compiled $option ;; esac
+  if sh check.sh "$@" >"$work/output" 2>&1; then
     survived="$survived $name"; echo "$name: ACCEPTED"
   elif ! grep -qE "$reason" "$work/output"; then
     survived="$survived $name"; echo "$name: refused for another reason:"; tail -5 "$work/output"
@@ -71,6 +74,47 @@ E
 mutant another-axiom 'coqchk.txt and what was found differ' '' Reverse.v <<'E'
 append
 From Coq Require ClassicalEpsilon.
+E
+
+# What is extracted. The word list knows strings, which hide no words.
+mutant constant-replaced 'about extraction' --pin RangesCheck.v <<'E'
+append
+From Coq Require ExtrOcamlBasic.
+Extract Constant check_range => "(fun _ -> true)".
+E
+mutant constant-replaced-between-strings 'about extraction' --pin RangesCheck.v <<'E'
+append
+From Coq Require Import String.
+Definition opens := "(*"%string.
+From Coq Require ExtrOcamlBasic.
+Extract Constant check_range => "(fun _ -> true)".
+Definition closes := "*)"%string.
+E
+mutant constant-replaced-after-a-string-in-a-comment 'about extraction' --pin RangesCheck.v <<'E'
+append
+(* "(*" *) From Coq Require ExtrOcamlBasic. Extract Inlined Constant check_range => "(fun _ -> true)". (* "*)" *)
+E
+mutant integers-replaced 'about extraction' --pin PathsCheck.v <<'E'
+append
+From Coq Require ExtrOcamlZInt.
+E
+mutant library-from-elsewhere 'otherwise than From Coq or From Grazing' --pin PathsCheck.v <<'E'
+append
+Require Import Elsewhere.
+E
+mutant namesake-extracted 'extracts RangesExample.check_range, which no theorem is about' --pin Oracle.v <<'E'
+sh
+sed -i 's/Grazing\.RangesCheck\.check_range/Grazing.RangesExample.check_range/; s/ RangesCheck\.$/ RangesExample./' Oracle.v
+echo 'Definition check_range (C : StatementRanges.Range.t) := true.' >>RangesExample.v
+E
+mutant extracted-by-a-short-name 'must require' --pin Oracle.v <<'E'
+s/Grazing\.RangesCheck\.check_range/check_range/; s/^From Grazing Require /&Import /
+E
+mutant replaced-in-the-oracle 'must require' --pin Oracle.v <<'E'
+/^Extraction/i Extract Constant Grazing.RangesCheck.check_range => "(fun _ -> true)".
+E
+mutant extracted-not-as-pinned 'assumptions.txt and what was found differ' '' Oracle.v <<'E'
+s/Grazing\.StatementZ\.uZ //
 E
 
 # What is stated. With --pin the texts are taken as they are: the hand-worked numbers must notice.
@@ -134,6 +178,20 @@ E
 mutant options-for-make 'has no place' '' Makefile.coq.local <<'E'
 new
 COQEXTRAFLAGS = -type-in-type
+E
+mutant options-for-make-at-its-end 'has no place' '' Makefile.coq.local-late <<'E'
+new
+COQEXTRAFLAGS = -type-in-type
+E
+mutant options-in-the-list-of-dependencies 'File "./Reverse.v"' --pin Reverse.v <<'E'
+sh
+echo 'Definition cheat : Set := Type.' >>Reverse.v
+echo 'override COQFLAGS := -q -type-in-type' >>.Makefile.coq.d
+touch -d '+1 hour' .Makefile.coq.d
+E
+mutant compiled-after-a-change 'File "./Farey.v"' --stale Farey.v <<'E'
+append
+Lemma cheat : False. Proof. exact I. Qed.
 E
 mutant universes-off 'assumed, unproved' '' Reverse.v <<'E'
 append
@@ -209,9 +267,6 @@ E
 mutant one-stop-only 'File "./ConsequencesSystems' --pin StatementOscillator.v <<'E'
 s/(forall a1 a2, 0 < a2 -> a1 <= - 2 \* sqrt a2 ->/(forall a1 a2, 0 < a2 -> a1 <= - 2 -> a1 <= - 2 * sqrt a2 ->/
 E
-mutant words-without-2 'File "./ConsequencesSystems' --pin Headline.v <<'E'
-/^Definition Theorem_1_statement/,/^$/ s/(1 <= n i <= n_max)%nat/(n i <= 1)%nat \/\\ &/
-E
 mutant wall-of-another-shape 'File "./ConsequencesSystems' --pin StatementNordmark.v <<'E'
 s/y i (t i) = (1 + mu) \* cos (t i) - 1/y i (t i) = (1 + mu) * cos (t j) - 1/
 E
@@ -230,12 +285,6 @@ E
 mutant edges-one-way 'File "./ConsequencesWords' --pin StatementWords.v <<'E'
 /^Definition W5_neighbours_statement/,/^$/ s/(p j < q i <-> member/(p j < q i -> member/
 E
-mutant words-that-do-not-end 'File "./ConsequencesWords' --pin Headline.v <<'E'
-s/  (a2 < 1 -> exists w i j, path/  (a2 < 0 -> exists w i j, path/
-E
-mutant none-for-no-word 'File "./ConsequencesSystems' --pin Headline.v <<'E'
-/^Definition Theorem_1_statement/,/^$/ s/((exists i, breaks a1 a2 e g/((forall i, breaks a1 a2 e g/
-E
 mutant any-number-of-orbits 'File "./ConsequencesMaps' --pin StatementOrbits.v <<'E'
 s/    forall x', orbit_near M J next n mu d x' -> forall j i, (i < N M)%nat -> x' j i = x j i) \/\\/    True) \/\\/
 E
@@ -245,7 +294,7 @@ E
 
 # The readers of certificates: what they say, and what they decide.
 mutant reader-says-nothing 'File "./ConsequencesReaders' --pin StatementReaders.v <<'E'
-s/forall t, In t L -> there t s -> says n s t)/forall t, In t L -> there t s -> True)/
+s/^    says n s t) \/\\/    True) \/\\/
 E
 mutant reader-of-a-part 'File "./ConsequencesReaders' --pin StatementReaderWords.v <<'E'
 s/  forall n, member a1 a2 Plus n -> In n (map fst (vertices K w))/  forall n, member a1 a2 Plus n -> (n <= j)%nat/

@@ -1,10 +1,11 @@
 (* A reader of certificates of kinds theorem2, word, word-by-theorem, chaos 3, range and range 2: one answer per
-   file named on the command line, "proved", "refused: line N: ..." or "not read: ...". Of chaos 3 and of ranges
-   "proved" is said of the motions alone; where a range claims that there are no others, the answer is "proved;
-   others: not read". What a file claims is decided by the proved functions of StatementReaders.v,
-   StatementReaderWords.v, PathsCheck.v and RangesCheck.v; here files are cut into lines and words, numbers are
-   read, and the form is checked, as the heads of mod.rs in checker/src/theorem2, checker/src/word,
-   checker/src/chaos and checker/src/range have it. *)
+   file named on the command line, "proved", "refused: line N: ..." or "not read: ...". Every file is read to its end.
+   Of chaos 3 and of ranges the motions and the growth of the graph are proved, and the answer says what of the
+   statement is not read: "proved; reach, entropy: not read", or with others where the file claims that there are
+   none. What a file claims is decided by the proved functions of StatementReaders.v, StatementReaderWords.v,
+   StatementGrowth.v, PathsCheck.v and RangesCheck.v; here files are cut into lines and words, numbers are read, and
+   the form is checked, as the heads of mod.rs in checker/src/theorem2, checker/src/word, checker/src/chaos and
+   checker/src/range have it. *)
 open Decide
 
 exception Refused of string
@@ -262,7 +263,7 @@ let read_words lines statement read =
     | Some _ -> refuse "expected a line word + or word -, or the end" in
   go []
 
-(* ---- kind chaos 3: the motions, without what the lines reach, growth and complete claim ---- *)
+(* ---- kind chaos 3: the motions and growth, without what the lines reach and complete claim ---- *)
 let chaos =
   "For all c, k, f, tau and nu > 0 in the listed ranges, and for g(t) the sum of the listed harmonics a \
    cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, the oscillator \
@@ -343,6 +344,23 @@ let followers lines number =
   need (next <> [] && increasing next) "the letters that follow increase";
   List.map (fun v -> v - 1) next
 
+(* The line growth: of each letter its periods, its entry in a vector, and the letters that may follow. *)
+let growth lines letters =
+  let lo, hi = decimals (named lines "growth") in
+  need (qle_bool (quotient (whole 1) XH) lo) "a growth rate is at least 1";
+  let all = List.mapi (fun i _ -> i) letters and periods = List.map (fun (n, _, _) -> n) letters in
+  let next = List.map (fun (_, _, next) -> next) letters in
+  let before = List.map (fun v -> List.filter (fun u -> List.mem v (List.nth next u)) all) all in
+  need (List.for_all (fun l -> l <> []) before) "every letter follows some letter";
+  let told = List.for_all (fun l ->
+    let all = List.map (List.nth periods) l in List.length (List.sort_uniq compare all) = List.length all) in
+  need (told next || told before) "paths are not told by their periods";
+  let grows way =
+    grows (List.map2 (fun n l -> (positive n, List.map natural l)) periods way) (List.map (fun (_, gamma, _) -> gamma) letters) lo hi in
+  if not (grows next) then
+    if grows before then raise (Not_read "growth by what precedes") else refuse "the growth is not proved"
+let at_end lines = need (next lines = None) "the file goes on after its last line"
+
 let read_chaos lines =
   expect_statement lines chaos;
   let range = range lines in
@@ -369,18 +387,30 @@ let read_chaos lines =
         if n > 30 then raise (Not_read "a letter of more than 30 periods");
         let after = decimals [ a; a' ] in let before = decimals [ p; p' ] in
         let alpha = above_0 (decimal alpha) in let beta = above_0 (decimal beta) in
-        ignore (decimal gamma); ignore (count "parts" 1 64 parts);
-        (positive n, after, before, (alpha, beta))
+        let gamma = above_0 (decimal gamma) in
+        ignore (count "parts" 1 64 parts);
+        ((n, gamma), (positive n, after, before, (alpha, beta)))
     | _ -> refuse "expected a letter") in
-  let letters = List.map (fun (periods, after, before, weights) ->
-    let next = List.map natural (followers lines number) in
-    { Letter.periods; after; before; weights; next }) letters in
+  let follow = List.map (fun _ -> followers lines number) letters in
+  let graph = List.map2 (fun ((n, gamma), _) next -> (n, gamma, next)) letters follow in
+  let letters = List.map2 (fun (_, (periods, after, before, weights)) next ->
+    { Letter.periods; after; before; weights; next = List.map natural next }) letters follow in
   let contraction = above_0 (one decimal (named lines "contraction")) in
+  ignore (above_0 (one decimal (named lines "reach")));
+  growth lines graph;
+  let others = match named lines "complete" with
+    | [ "no" ] -> ""
+    | [ s; longest; parts; rounds ] ->
+        ignore (above_0 (decimal s)); ignore (count "periods" 1 1000 longest);
+        ignore (count "parts" 1 64 parts); ignore (count "rounds" 1 100 rounds); ", others"
+    | _ -> refuse "expected no, or a strength and three numbers" in
+  at_end lines;
   let certificate = { Certificate.damping; stiffness; restitution; depth; cells; behind; harmonics; window;
     contraction; letters } in
-  need (check certificate) "not proved"
+  need (check certificate) "not proved";
+  Some ("reach, entropy" ^ others ^ ": not read")
 
-(* ---- kinds range and range 2: the motions, without growth, continuity and others ---- *)
+(* ---- kinds range and range 2: the motions and growth, without continuity, entropy and others ---- *)
 let span =
   "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a cos jt + b sin jt, a \
    and b in their ranges, all a together 1 and all j b together 0, and for every nu > 0 up to the last \
@@ -437,19 +467,17 @@ let read_range second lines =
   ignore (one (count "pieces" 1 1000) (named lines "pieces"));
   let number = one (count "letters" 1 400) (named lines "letters") in
   if number > 20 then raise (Not_read "more than 20 letters");
-  let periods = times number (fun () ->
+  let letters = times number (fun () ->
     match named lines "letter" with
     | [ n; gamma ] ->
         let n = count "periods" 1 1000 n in
         if n > 30 then raise (Not_read "a letter of more than 30 periods");
-        ignore (above_0 (decimal gamma)); positive n
+        (n, above_0 (decimal gamma))
     | _ -> refuse "expected the periods and a number") in
-  let graph = List.concat (List.init number (fun u -> u) |> List.map (fun u ->
-    List.map (fun v -> (u, v)) (followers lines number))) in
-  need (List.for_all (fun v -> List.exists (fun (_, v') -> v = v') graph) (List.init number (fun v -> v)))
-    "every letter follows some letter";
-  let lo, _ = decimals (named lines "growth") in
-  need (qle_bool (quotient (whole 1) XH) lo) "a growth rate is at least 1";
+  let letters = List.map (fun (n, gamma) -> (n, gamma, followers lines number)) letters in
+  let graph = List.concat (List.mapi (fun u (_, _, next) -> List.map (fun v -> (u, v)) next) letters) in
+  let periods = List.map (fun (n, _, _) -> positive n) letters in
+  growth lines letters;
   let contraction = above_0 (one decimal (named lines "contraction")) in
   need (below contraction (quotient (whole 1) XH)) "a contraction is below 1";
   if second then begin
@@ -464,13 +492,13 @@ let read_range second lines =
       let (cell, _) as all = read_cell lines second edges (n = cells) from in
       all :: read_cells (n - 1) (snd cell.Cell.depth) in
   let all = read_cells cells nothing in
-  need (next lines = None) "the file goes on after its last line";
+  at_end lines;
   let certificate = { Range.damping; stiffness; restitution; behind; harmonics; window; contraction; periods;
     graph = List.map (fun (u, v) -> (natural u, natural v)) graph; cells = List.map fst all } in
   need (check_range certificate) "not proved";
-  if List.exists snd all then Some "others: not read" else None
+  Some ("continuity, entropy" ^ (if List.exists snd all then ", others" else "") ^ ": not read")
 
-let read_other lines = function
+let read_signs lines = function
   | "kind theorem2" -> read_theorem2 lines
   | "kind word" -> read_words lines word (by_signs lines)
   | "kind word-by-theorem" ->
@@ -478,16 +506,16 @@ let read_other lines = function
         let region = value lines "region" 34 in
         need (regionZ place.box (whole region)) "not all of the set lies in this region";
         by_path lines place bits region)
-  | "kind chaos 3" -> read_chaos lines
   | _ -> raise (Not_read "a kind that is not theorem2, word, word-by-theorem, chaos 3 or range")
 
 (* What is proved; and what of it is not read. *)
 let read lines =
   need (expect lines "the format" = "grazing-certificate 1") "no certificate of this format";
   match expect lines "the kind" with
+  | "kind chaos 3" -> read_chaos lines
   | "kind range" -> read_range false lines
   | "kind range 2" -> read_range true lines
-  | kind -> read_other lines kind; None
+  | kind -> read_signs lines kind; None
 
 let text_of file =
   let channel = open_in_bin file in

@@ -71,8 +71,9 @@ fn the_proved_reader_has_the_verdicts_of_the_checker() {
     assert!(counts[0] >= 20 && counts[1] >= 1000 && 50 * counts[2] <= counts[1], "{counts:?}");
 }
 
-/// Certificates of chaos: what is true of the motions is proved, and where a box, the range of ν or the
-/// contraction is too small for the theorem both readers refuse.
+/// Certificates of chaos: what is true of the motions and the growth is proved, and where a box, the range of
+/// ν or the contraction is too small for the theorem, the growth is another, or the file ends elsewhere, both
+/// readers refuse.
 #[test]
 fn the_proved_reader_has_the_verdicts_of_the_checker_on_chaos() {
     let Some(build) = oracle() else { return };
@@ -91,12 +92,17 @@ fn the_proved_reader_has_the_verdicts_of_the_checker_on_chaos() {
         .iter()
         .map(|name| fs::read_to_string(folder.join(format!("{name}.certificate"))).unwrap())
         .collect();
-    assert_eq!(read(&build, &texts, &folder), vec!["proved"; names.len()]);
+    let (motions, others) = ("proved; reach, entropy: not read", "proved; reach, entropy, others: not read");
+    for (text, verdict) in texts.iter().zip(read(&build, &texts, &folder)) {
+        let claimed = !text.contains("\ncomplete no\n");
+        assert_eq!(verdict, if claimed { others } else { motions }, "{text}");
+    }
 
     let mut damaged = Vec::new();
-    for name in ["chaos-12.txt", "chaos-123.txt"] {
+    for (name, proved) in [("chaos-12.txt", motions), ("chaos-123.txt", others)] {
         let text = fs::read_to_string(root.join("crates/checker/tests/data").join(name)).unwrap();
-        assert_eq!(read(&build, std::slice::from_ref(&text), &folder), ["proved"], "{name}");
+        assert_eq!(read(&build, std::slice::from_ref(&text), &folder), [proved], "{name}");
+        damaged.extend(false_ends(&text));
         let lines: Vec<&str> = text.lines().collect();
         let mut change = |at: usize, place: usize, word: String| {
             let mut words: Vec<&str> = lines[at].split(' ').collect();
@@ -141,13 +147,15 @@ fn the_proved_reader_has_the_verdicts_of_the_checker_on_ranges() {
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).unwrap();
     let data = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../checker/tests/data"));
-    let (others, motions) = ("proved; others: not read", "proved");
+    let others = "proved; continuity, entropy, others: not read";
+    let motions = "proved; continuity, entropy: not read";
     let mut damaged = Vec::new();
     for (name, proved) in
         [("1", motions), ("12", motions), ("13", motions), ("alone", others), ("before", others)]
     {
         let text = fs::read_to_string(data.join(format!("range-{name}.txt"))).unwrap();
         assert_eq!(read(&build, std::slice::from_ref(&text), &folder), [proved], "{name}");
+        damaged.extend(false_ends(&text));
         damaged.extend(damaged_ranges(&text));
     }
     // In how many pieces the checker is to prove the gap is nothing to the proved function, nor is S.
@@ -176,7 +184,7 @@ fn the_proved_reader_follows_a_range_to_its_end() {
     let [three, parts] =
         ["3", "parts"].map(|name| fs::read_to_string(data.join(format!("range-{name}.txt"))).unwrap());
     let all = [three.clone(), parts.clone()];
-    assert_eq!(read(&build, &all, &folder), ["proved"; 2]);
+    assert_eq!(read(&build, &all, &folder), ["proved; continuity, entropy: not read"; 2]);
     assert!(all.iter().all(|text| grazing_check::check(&mut text.as_bytes()).is_ok()));
     let changes = [
         // The gap is not positive for all of these strengths.
@@ -195,6 +203,23 @@ fn the_proved_reader_follows_a_range_to_its_end() {
         let checked = grazing_check::check(&mut text.as_bytes());
         assert!(verdict.starts_with("refused") && checked.is_err(), "{verdict}; {checked:?}\n{text}");
     }
+}
+
+/// Growth that is not, to either side, a file cut short, and one that goes on.
+fn false_ends(text: &str) -> Vec<String> {
+    let (before, line) = text.split_once("\ngrowth ").unwrap();
+    let (rates, after) = line.split_once('\n').unwrap();
+    let (lo, hi) = rates.split_once(' ').unwrap();
+    let rate = |word: &str| word.parse::<f64>().unwrap();
+    let with = |lo: &str, hi: &str| format!("{before}\ngrowth {lo} {hi}\n{after}");
+    let above = format!("{:.6}1", rate(hi) + 0.01);
+    let mut ends = vec![with(hi, &above), with(&format!("{:.6}1", rate(hi) + 0.005), &above)];
+    if rate(lo) > 1.01 {
+        ends.push(with("1", &format!("{:.6}1", rate(lo) - 0.005)));
+    }
+    let shorter = text.trim_end().rsplit_once('\n').unwrap().0;
+    ends.extend([format!("{shorter}\n"), format!("{text}\n"), format!("{text}junk\n")]);
+    ends
 }
 
 /// One word of a certificate of a range made wrong, in many ways.
