@@ -99,11 +99,11 @@ def benches():
              "cargo bench --bench covers")
     point = "a point of a branch"
     pair("a point of the period-4 branch, with multipliers, at short steps", (point, "period 4, steps up to 0.001"),
-         (point, "period 4, steps up to 0.1"), "at long ones", "cargo bench --bench branches")
+         (point, "period 4, steps up to 0.1"), "at long ones", "cargo bench -p grazing-scenes --bench branches")
     many = "many motions"
     for system in ("of one system", "of 256 systems"):
         pair(f"motions together, {system}, per motion and period", (many, f"together, {system}"), (many, f"one by one, {system}"),
-             "one by one", "cargo bench --bench simulation")
+             "one by one", "cargo bench -p grazing-scenes --bench simulation")
 
 
 def patterns():
@@ -167,12 +167,12 @@ def peers():
     if text := step("branch", "benches/peers/branch.sh"):
         row("the period-4 branch by AUTO-07p", "", text.splitlines()[0].removeprefix("AUTO-07p: "), command="benches/peers/branch.sh")
     if not (folder / "machines").exists():
-        return rows.append(("machines", "not measured", "", "", "`cargo bench --bench machines`"))
+        return rows.append(("machines", "not measured", "", "", "`cargo bench -p grazing-scenes --bench machines`"))
     for line in (folder / "machines").read_text().splitlines():
         cells = line.split(",")
         if len(cells) == 8 and cells[0] in ("1", "10", "200") and cells[1] in ("3", "300"):
             row(f"a machine of {cells[0]} modes, the fastest {cells[1]} times the drive: a mode and its quarter period", f"{cells[4]} ns",
-                command="cargo bench --bench machines")
+                command="cargo bench -p grazing-scenes --bench machines")
 
 
 def coq():

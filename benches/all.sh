@@ -15,7 +15,7 @@ find_grazing
 export GRAZING CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-target}"
 names="theorem2 branches covers patterns simulation enclosures farey machines"
 # shellcheck disable=SC2046
-cargo bench --quiet --no-run $(printf ' --bench %s' $names)
+cargo bench --quiet --workspace --no-run $(printf ' --bench %s' $names)
 build=$(mktemp -d)
 trap 'rm -rf "$build"' EXIT
 if ! "${PYTHON:-python3}" -c "import flint, numpy, scipy" 2>/dev/null; then
@@ -86,11 +86,11 @@ benches() {
     # shellcheck disable=SC2086
     cargo bench --quiet --bench theorem2 -- "decide one period/(500|8000)|Farey|inverses" $options
     # shellcheck disable=SC2086
-    cargo bench --quiet --bench branches -- "period 4" $options
+    cargo bench --quiet -p grazing-scenes --bench branches -- "period 4" $options
     # shellcheck disable=SC2086
     cargo bench --quiet --bench covers -- "covers/.*/(64|128)" $options
     # shellcheck disable=SC2086
-    cargo bench --quiet --bench simulation -- "many motions" $options
+    cargo bench --quiet -p grazing-scenes --bench simulation -- "many motions" $options
 }
 
 coq() {
@@ -110,6 +110,6 @@ step operations benches/peers/operations.sh
 step farey benches/peers/farey.sh
 step simulation benches/peers/simulation.sh
 step branch benches/peers/branch.sh
-[ -n "$quick" ] || step machines cargo bench --quiet --bench machines
+[ -n "$quick" ] || step machines cargo bench --quiet -p grazing-scenes --bench machines
 step coq coq
 "$PYTHON" benches/all.py "$build" "$CARGO_TARGET_DIR/criterion" ${quick:+-} "$page"

@@ -3,7 +3,7 @@
 # Sets GRAZING, the program that is measured: by default the release build.
 find_grazing() {
     [ -z "${GRAZING:-}" ] || return 0
-    cargo build --quiet --release
+    cargo build --quiet --release --package grazing-shell
     GRAZING="${CARGO_TARGET_DIR:-target}/release/grazing"
 }
 

@@ -1,10 +1,10 @@
 //! How far ranges are proved of random oscillators, and how far the motions go on in truth.
 //!
-//!     cargo bench --bench ranges -- 500 [SEED] [EFFORT] >ranges.csv
-//!     cargo bench --bench ranges -- 350..500 [SEED] [EFFORT] >>ranges.csv      (without the head)
-//!     cargo bench --bench ranges -- ranges.csv
-//!     cargo bench --bench ranges -- orbits 500 [SEED] [EFFORT] >orbits.csv
-//!     cargo bench --bench ranges -- orbits.csv
+//!     cargo bench -p grazing-scenes --bench ranges -- 500 [SEED] [EFFORT] >ranges.csv
+//!     cargo bench -p grazing-scenes --bench ranges -- 350..500 [SEED] [EFFORT] >>ranges.csv   (no head)
+//!     cargo bench -p grazing-scenes --bench ranges -- ranges.csv
+//!     cargo bench -p grazing-scenes --bench ranges -- orbits 500 [SEED] [EFFORT] >orbits.csv
+//!     cargo bench -p grazing-scenes --bench ranges -- orbits.csv
 //!
 //! The second and the fourth command set the tables of docs/ranges.md from such files. Of each oscillator
 //! (natural over drive frequency from 0.1 to 3 and damping ratio from 0.003 to 0.5, both log-uniform,

@@ -1,4 +1,5 @@
-//! Runs all tasks of a scene and prints what each found: `cargo run --example run_scene -- SCENE.toml`.
+//! Runs all tasks of a scene and prints what each found: `cargo run -p grazing-scenes --example run_scene --
+//! SCENE.toml`.
 
 use grazing_scenes::{Result, run, scene::Scene};
 

@@ -2,8 +2,10 @@
 
 use std::{fs, io};
 
-const MARKS: [&str; 2] =
-    ["<!-- keys: written by `cargo run --example scene_reference` -->\n\n", "<!-- end of keys -->\n"];
+const MARKS: [&str; 2] = [
+    "<!-- keys: written by `cargo run -p grazing-scenes --example scene_reference` -->\n\n",
+    "<!-- end of keys -->\n",
+];
 
 fn main() -> io::Result<()> {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/scenes.md");

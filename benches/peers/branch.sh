@@ -1,6 +1,6 @@
 #!/bin/sh
 # The same branch by AUTO-07p (Debian's packages auto-07p and gfortran; without a compiler it ends with "Killed") and by
-# `cargo bench --bench branches`: the orbits of period 4 with one impact of the paper's example from mu = -0.05 through the
+# `cargo bench -p grazing-scenes --bench branches`: the orbits of period 4 with one impact of the paper's example from mu = -0.05 through the
 # saddle-node to mu = -0.0245. Prints AUTO's saddle-node, its time per point with and without the start of its process, the least
 # of five runs each, and how many digits of it agree with the closed formula.
 set -eu

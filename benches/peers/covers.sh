@@ -19,7 +19,7 @@ limit=${1:-60}
 [ $# -eq 0 ] || shift
 [ $# -gt 0 ] || set -- 3 4 5 6 8 10 12 16
 if [ -z "${GRAZING:-}" ]; then
-    cargo build --release --quiet
+    cargo build --release --quiet --package grazing-shell
     GRAZING=${CARGO_TARGET_DIR:-target}/release/grazing
 fi
 work=$(mktemp -d)

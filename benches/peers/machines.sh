@@ -5,7 +5,7 @@ set -eu
 cd "$(dirname "$0")/../.."
 python=${PYTHON:-python3}
 echo "# grazing"
-cargo bench --quiet --bench machines
+cargo bench --quiet -p grazing-scenes --bench machines
 if "$python" -c 'import scipy, numpy' 2>/dev/null; then
     echo "# SciPy $("$python" -c 'import scipy; print(scipy.__version__)')"
     "$python" benches/peers/machines.py

@@ -13,7 +13,7 @@ if python3 -c 'import scipy' 2>"$build/error"; then
 else
     echo "scipy is not installed" >&2
 fi
-cargo bench --quiet --bench simulation -- "paper" >"$build/bench" 2>"$build/error" || { cat "$build/error" >&2; exit 1; }
+cargo bench --quiet -p grazing-scenes --bench simulation -- "paper" >"$build/bench" 2>"$build/error" || { cat "$build/error" >&2; exit 1; }
 python3 - "${CARGO_TARGET_DIR:-target}" "$build/bench" <<'PY'
 import json, re, sys
 path = sys.argv[1] + "/criterion/paper's scene/10⁶ periods/new/estimates.json"

@@ -10,7 +10,7 @@ set -eu
 cd "$(dirname "$0")/../.."
 limit=${1:-60}
 if [ -z "${GRAZING:-}" ]; then
-    cargo build --release --quiet
+    cargo build --release --quiet --package grazing-shell
     GRAZING=${CARGO_TARGET_DIR:-target}/release/grazing
 fi
 work=$(mktemp -d)

@@ -14,7 +14,7 @@ folder=${1:-${CARGO_TARGET_DIR:-target}/article}
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 grazing=${GRAZING:-${CARGO_TARGET_DIR:-$root/target}/debug/grazing}
-[ -x "$grazing" ] || cargo build --quiet --bin grazing
+[ -x "$grazing" ] || cargo build --quiet --package grazing-shell
 source=$root/docs/article/article.tex
 fail() { echo "docs/article: $*" >&2; exit 1; }
 

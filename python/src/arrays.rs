@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use grazing::{
+use grazing_scenes::{
     Result,
     one::attractor::map::{MapCell, MapEnd},
     run::{

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     Error, Monitor, Result,
     motion::{RunEnd, State, Time},
     one::simulate::{Settings, Simulator, batch::Batch},

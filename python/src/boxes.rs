@@ -1,6 +1,6 @@
 //! What holds at all points of a box of parameters: words, and shares of the box.
 
-use grazing::{
+use grazing_scenes::{
     Error, Monitor, Result,
     local::Region,
     num_rational::BigRational,

@@ -1,6 +1,6 @@
 //! Single orbits at one point and at many.
 
-use grazing::{
+use grazing_scenes::{
     Error, Monitor, Result,
     existence::{Case, Existence, large_eigenvalue_sign, up_to},
     local::{Forward, Ladder},

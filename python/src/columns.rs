@@ -1,6 +1,6 @@
 //! The numbers of many points, as arrays and lists from Python, each as the exact number that it stands for.
 
-use grazing::{Error, Result, num_rational::BigRational, number::parse_rational};
+use grazing_scenes::{Error, Result, num_rational::BigRational, number::parse_rational};
 use numpy::PyReadonlyArray1;
 use pyo3::{exceptions::PyValueError, prelude::*};
 

@@ -1,6 +1,6 @@
 //! Frequency and damping ratio from a free decay.
 
-use grazing::tolerance::{Decay, Estimate};
+use grazing_scenes::tolerance::{Decay, Estimate};
 use numpy::PyReadonlyArray1;
 use pyo3::{prelude::*, types::PyModule, wrap_pyfunction};
 use serde_json::json;

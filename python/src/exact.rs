@@ -3,9 +3,9 @@
 //! A float is refused: 0.2 is not 1/5, and on a boundary the difference decides the answer. The error says
 //! how to write either.
 
-use grazing::num_bigint::BigInt;
-use grazing::num_rational::BigRational;
-use grazing::number::{LIMIT_BITS, parse_rational};
+use grazing_scenes::num_bigint::BigInt;
+use grazing_scenes::num_rational::BigRational;
+use grazing_scenes::number::{LIMIT_BITS, parse_rational};
 use pyo3::{
     exceptions::{PyTypeError, PyZeroDivisionError},
     prelude::*,

@@ -1,6 +1,6 @@
 //! The library's errors as Python's exceptions, which are declared in `grazing/_errors.py`.
 
-use grazing::Error;
+use grazing_scenes::Error;
 use pyo3::prelude::*;
 
 /// The exception that says what an error says.

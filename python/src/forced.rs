@@ -2,7 +2,7 @@
 //! an undecided sign. For tests, which see what users would be shown then. What is made up is the library's
 //! finding; from there it goes the way of every finding.
 
-use grazing::{certificate::Rejection, existence::decide, search::Proof};
+use grazing_scenes::{certificate::Rejection, existence::decide, search::Proof};
 use pyo3::{exceptions::PyValueError, prelude::*, types::PyModule, wrap_pyfunction};
 
 use crate::{
@@ -39,7 +39,7 @@ fn proof<'py>(py: Python<'py>, what: &str) -> PyResult<Bound<'py, PyAny>> {
         "refuted" => {
             let mut decision = decide(5).map_err(|error| raise(py, &error))?;
             decision.disagreement =
-                Some((grazing::existence::intervals(5).ok().and_then(|mut all| all.next()), None));
+                Some((grazing_scenes::existence::intervals(5).ok().and_then(|mut all| all.next()), None));
             proof.refuted = Some(decision);
         }
         "contradiction" => proof.contradiction = Some(5),

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     Error, Monitor, Result,
     many::{Machine, State, simulate::Simulator},
     motion::{RunEnd, Time},

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use grazing::{
+use grazing_scenes::{
     Error, Monitor, Result,
     local::{Answer, Forward, Ladder, Plane, Point, Polar, Quantity},
     num_rational::BigRational,

@@ -6,7 +6,7 @@ use std::{
     path::PathBuf,
 };
 
-use grazing::{
+use grazing_scenes::{
     Error, Monitor, Result,
     certificate::{Checked, Hashed, Rejection, check_until},
     existence::{Boundary, Enclosure, Interval, Lowest, intervals as list},
@@ -86,7 +86,7 @@ fn check_text(py: Python<'_>, text: &[u8]) -> PyResult<Verdict> {
 /// Breaks off, if the checker was built to notice overflows, as it must be: for tests of a wheel.
 #[pyfunction]
 fn overflow(py: Python<'_>) -> PyResult<u64> {
-    watched(py, None, |_| Ok(grazing::certificate::overflow()))
+    watched(py, None, |_| Ok(grazing_scenes::certificate::overflow()))
 }
 
 /// The largest period that is proved, as on the command line: deciding it takes minutes.

@@ -2,7 +2,7 @@
 
 use std::{path::PathBuf, sync::Arc};
 
-use grazing::{
+use grazing_scenes::{
     Error, Result,
     num_rational::BigRational,
     run::{Job, Surroundings, TaskReport, run_task},
@@ -173,7 +173,7 @@ fn answer<'py>(py: Python<'py>, report: &TaskReport, mut data: Data) -> PyResult
     let text = text.map_err(|error| raise(py, &std::io::Error::other(error).into()))?;
     let (rows, certificates) = (data.rows.take(), std::mem::take(&mut data.certificates));
     let failed = match &report.status {
-        grazing::run::Status::Failed { reason, at, io } => Some((reason.clone(), at.line, *io)),
+        grazing_scenes::run::Status::Failed { reason, at, io } => Some((reason.clone(), at.line, *io)),
         _ => None,
     };
     Ok((text, report.to_string(), data.into_dict(py)?, rows, certificates, failed))

@@ -1,6 +1,6 @@
 //! Theorem 1 for a map of any dimension, and the search for counterexamples of Conjecture 1.
 
-use grazing::{
+use grazing_scenes::{
     Error, Monitor, Result,
     pattern::{
         Analysis, Graph, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, PatternExistence, Patterns, Report, Value,

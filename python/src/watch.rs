@@ -15,7 +15,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use grazing::{Error, Monitor, Result};
+use grazing_scenes::{Error, Monitor, Result};
 use pyo3::{
     exceptions::{PyRuntimeError, PyValueError},
     prelude::*,
@@ -173,7 +173,8 @@ fn pool(py: Python<'_>) -> PyResult<Arc<ThreadPool>> {
     if let Some(pool) = &*pool {
         return Ok(pool.clone());
     }
-    let count = grazing::internals::threads(0).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let count =
+        grazing_scenes::internals::threads(0).map_err(|error| PyValueError::new_err(error.to_string()))?;
     let made = ThreadPoolBuilder::new()
         .num_threads(count)
         .stack_size(STACK)

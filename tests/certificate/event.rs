@@ -2,6 +2,7 @@
 //! it is still true.
 
 use crate::common;
+use crate::samples::samples;
 use crate::systems;
 
 use common::damage::{damage, damaged};
@@ -435,7 +436,7 @@ fn damage_is_detected() {
         assert!(is_true(text));
         let body = text.lines().position(|line| line.starts_with("parameter")).unwrap();
         let (mut rejected, mut unchanged, mut still_true) = (0, 0, 0);
-        for round in 0..common::rounds(rounds) {
+        for round in 0..samples::<u64>(rounds as u64) {
             let damage = strategy.new_tree(&mut runner).unwrap().current();
             // Half of the time past the header, which the digest and the statement guard.
             let changed = damaged(text, if round % 2 == 0 { 0 } else { body }, &damage);

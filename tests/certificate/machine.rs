@@ -2,6 +2,7 @@
 //! up to three against the simulator; damage is rejected unless what is said is still true.
 
 use crate::common;
+use crate::samples::samples;
 use crate::systems;
 
 use std::{
@@ -467,7 +468,7 @@ fn damage_is_detected() {
     assert!(is_true(MASSES, MASSES, &solution, &fixed, 0.66));
     let body = MASSES.lines().position(|line| line.starts_with("orbit")).unwrap();
     let (mut rejected, mut unchanged, mut still_true) = (0, 0, 0);
-    for round in 0..common::rounds(600) {
+    for round in 0..samples::<u64>(600) {
         let damage = strategy.new_tree(&mut runner).unwrap().current();
         let changed = damaged(MASSES, if round % 2 == 0 { 0 } else { body }, &damage);
         if changed == MASSES {

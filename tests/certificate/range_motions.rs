@@ -2,8 +2,9 @@
 //! impacts in the boxes, as Newton's method and the simulator find them, and where there are said to be no
 //! others, neither other words nor motions that begin at random show one.
 //!
-//! A sample for `cargo test`; as many oscillators as one likes with GRAZING_TRIALS.
+//! A sample for `cargo test`; as many oscillators as one likes with GRAZING_SAMPLES.
 
+use crate::samples::samples;
 use std::f64::consts::{PI, TAU};
 
 use super::range_random::{Machine, Random, drawn};
@@ -342,7 +343,7 @@ fn claims(mirrored: bool, exact: &[BigRational; 3], effort: u64) -> Vec<Claim> {
 
 /// So many random oscillators with one wall, or two.
 fn motions_are_those_of_ranges(mirrored: bool, trials: u32, seed: u64) {
-    let trials = std::env::var("GRAZING_TRIALS").ok().and_then(|n| n.parse().ok()).unwrap_or(trials);
+    let trials: u32 = samples(trials.into());
     let mut random = Random(seed);
     let [mut ranges, mut words, mut alone, mut others, mut starts, mut judged] = [0; 6];
     for _ in 0..trials {

@@ -2,6 +2,7 @@
 //! A sample for `cargo test`; `benches/ranges.rs` does it for as many as one likes, against words of several
 //! impacts.
 
+use crate::samples::samples;
 use std::f64::consts::TAU;
 
 use grazing_scenes::search::{
@@ -189,7 +190,7 @@ fn row(machine: &Machine, exact: [&BigRational; 3], effort: u64) -> Option<Row> 
 
 #[test]
 fn ranges_of_random_oscillators_end_before_their_orbits_do() {
-    let trials = std::env::var("GRAZING_TRIALS").ok().and_then(|n| n.parse().ok()).unwrap_or(4);
+    let trials: u32 = samples(4);
     let mut random = Random(35);
     let (mut rows, mut nothing) = (Vec::new(), 0);
     for _ in 0..trials {

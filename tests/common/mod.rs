@@ -8,14 +8,12 @@ pub mod damage;
 use num_integer::Integer;
 use proptest::test_runner::{Config, FileFailurePersistence};
 
+use crate::samples::samples;
+
 /// Property tests keep the inputs that failed beside their source, and try them first from then on.
 pub fn config() -> Config {
-    Config::with_failure_persistence(FileFailurePersistence::WithSource("regressions"))
-}
-
-/// How many damaged certificates a test makes: `modest`, or GRAZING_DAMAGE of them, for a long run by hand.
-pub fn rounds(modest: usize) -> usize {
-    std::env::var("GRAZING_DAMAGE").map_or(modest, |many| many.parse().expect("GRAZING_DAMAGE is a number"))
+    let failure_persistence = Some(Box::new(FileFailurePersistence::WithSource("regressions")) as _);
+    Config { cases: samples(48), failure_persistence, ..Config::default() }
 }
 
 /// A fraction, any sign, any terms.

@@ -1,6 +1,7 @@
 //! Machines against 50-digit values, against the one-degree engine, against a second integrator that shares
 //! no code with `src`, and where the answer is known.
 
+use crate::samples::samples;
 use std::{
     f64::consts::{PI, TAU},
     fs,
@@ -405,10 +406,10 @@ fn elastic_chain() -> Machine<f64> {
     chain
 }
 
-/// Over 3000 impacts, or GRAZING_IMPACTS of them; docs/machines.md has the figure for 10⁶.
+/// Over 3000 impacts; docs/machines.md has the figure for 10⁶.
 #[test]
 fn energy_is_kept_by_elastic_impacts() {
-    let wanted: u64 = std::env::var("GRAZING_IMPACTS").map_or(3_000, |text| text.parse().unwrap());
+    let wanted: u64 = samples(3_000);
     let chain = elastic_chain();
     let simulator = simulator(&chain);
     let equations = simulator.equations();

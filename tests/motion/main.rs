@@ -4,6 +4,8 @@
 /// The command that these tests start.
 const PROGRAM: &str = env!("CARGO_BIN_EXE_grazing");
 
+#[path = "../samples/mod.rs"]
+mod samples;
 #[path = "../tasks/mod.rs"]
 mod tasks;
 

@@ -475,7 +475,7 @@ fn the_reference_is_current() {
     let page =
         fs::read_to_string(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("docs/scenes.md"))
             .unwrap();
-    assert!(page.contains(&reference()), "run `cargo run --example scene_reference`");
+    assert!(page.contains(&reference()), "run `cargo run -p grazing-scenes --example scene_reference`");
 }
 
 /// A random expression: text, exact value and float, none where it divides by zero.

@@ -5,6 +5,8 @@ const PROGRAM: &str = env!("CARGO_BIN_EXE_grazing");
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../samples/mod.rs"]
+mod samples;
 #[path = "../tasks/mod.rs"]
 mod tasks;
 

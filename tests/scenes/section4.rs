@@ -87,6 +87,9 @@ fn the_page_has_the_digits_of_the_commands_and_of_the_paper() {
     if env::var_os("GRAZING_BLESS").is_some() {
         std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/branches.md"), &page).unwrap();
     } else {
-        assert_eq!(page, PAGE, "write it anew with GRAZING_BLESS=1 cargo test --test scenes section4::");
+        assert_eq!(
+            page, PAGE,
+            "write it anew with GRAZING_BLESS=1 cargo test -p grazing-shell --test scenes section4::"
+        );
     }
 }

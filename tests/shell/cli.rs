@@ -36,6 +36,11 @@ fn error(arguments: &str) -> String {
 }
 
 #[test]
+fn a_figure_to_a_device_needs_a_name() {
+    assert!(error("figure returns -o /dev/null").contains("give its name"));
+}
+
+#[test]
 fn verify_and_check() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("c.txt");

@@ -5,6 +5,8 @@ const PROGRAM: &str = env!("CARGO_BIN_EXE_grazing");
 
 #[path = "../process/mod.rs"]
 mod process;
+#[path = "../samples/mod.rs"]
+mod samples;
 
 mod arguments;
 mod cli;

@@ -2,9 +2,10 @@
 //! comes in, what comes out is a value or an error in words: no panic, no wrapped arithmetic (tests are built
 //! with overflow checks), no work without a bound.
 //!
-//! `GRAZING_DAMAGED=50000 cargo test --test shell parsers:: -- --nocapture` runs as
+//! `GRAZING_SAMPLES=125 cargo test -p grazing-shell --test shell parsers:: -- --nocapture` runs as
 //! many of each kind as it says and prints how each went.
 
+use crate::samples::samples;
 use std::{env, fs, path::Path};
 
 use grazing_scenes::{
@@ -135,7 +136,7 @@ fn damaged(text: &str, random: &mut Random) -> String {
 }
 
 fn runs() -> usize {
-    env::var("GRAZING_DAMAGED").ok().map_or(400, |text| text.parse().expect("GRAZING_DAMAGED is a number"))
+    samples(400)
 }
 
 fn files(folder: &str) -> Vec<String> {

@@ -1,9 +1,10 @@
 //! Kills and damage: whatever ends a run, and whatever becomes of its saved state, the result is that of the
-//! undisturbed run, or an error. With GRAZING_TRIALS=N each kind of job is killed N times and its states are
-//! damaged 2 N times; by default a few times.
+//! undisturbed run, or an error. With GRAZING_SAMPLES=N each kind of job is killed 4N times and its states
+//! are damaged 2 N times; by default a few times.
 //!
-//!     GRAZING_TRIALS=350 cargo test --test shell reliability:: -- --nocapture
+//!     GRAZING_SAMPLES=88 cargo test -p grazing-shell --test shell reliability:: -- --nocapture
 use crate::process;
+use crate::samples::samples;
 
 use std::{
     collections::BTreeMap,
@@ -105,7 +106,7 @@ impl Numbers {
 }
 
 fn trials() -> usize {
-    std::env::var("GRAZING_TRIALS").map_or(4, |text| text.parse().expect("GRAZING_TRIALS is a number"))
+    samples(4)
 }
 
 /// The state file of a job, if there is one.

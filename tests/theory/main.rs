@@ -4,6 +4,8 @@
 mod common;
 #[path = "../reader/mod.rs"]
 mod reader;
+#[path = "../samples/mod.rs"]
+mod samples;
 
 mod appendix_b;
 mod boundary;

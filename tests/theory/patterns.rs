@@ -230,7 +230,7 @@ fn a_vanishing_response_of_a_pattern_without_orbits_is_no_sign() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, ..common::config() })]
+    #![proptest_config(ProptestConfig { cases: crate::samples::samples(6), ..common::config() })]
 
     /// Existence impacts against the definition in the (a₁, a₂) plane, which knows nothing of matrices:
     /// verdict, case, and the sign of the large eigenvalue by region (3.6).

@@ -70,7 +70,7 @@ fn boxes() -> [ParameterBox; 3] {
 fn two_searches_bound_one_share() {
     let mut narrow = 0;
     for of in boxes() {
-        let partition = Partition::new(&of, 1_500, &()).unwrap();
+        let partition = Partition::new(&of, 900, &()).unwrap();
         let free = if of.has_gamma() { "" } else { " -" };
         let gamma = (!of.has_gamma()).then_some(false);
         let all = [
@@ -81,7 +81,7 @@ fn two_searches_bound_one_share() {
         ];
         for (text, statement) in all {
             let other = partition.share(statement);
-            let found = certified(&of, &text, 1_500);
+            let found = certified(&of, &text, 900);
             let [lower, upper] = shares(&found);
             assert!(lower <= other.upper && other.lower <= upper, "{text} {of:?}: {lower} {upper} {other:?}");
             narrow += usize::from(&upper - &lower < q("0.05"));

@@ -67,18 +67,17 @@ fn half_cells(n: usize) -> impl Iterator<Item = Area> {
 
 #[test]
 fn installed_solvers_prove_our_sentences() {
+    // Past the test harness, which keeps what a passing test prints.
+    if env::var("GRAZING_REQUIRE_SOLVER").as_deref() != Ok("1") {
+        let message = "not asked for by GRAZING_REQUIRE_SOLVER=1: no sentence was put to a solver";
+        writeln!(stderr(), "{message}").expect("stderr");
+        return;
+    }
     let trivial = |solver: &&Solver| {
         solver.run(if solver.format == Format::Smtlib { "(check-sat)\n" } else { "finish\n" }).is_some()
     };
     let installed: Vec<_> = SOLVERS.iter().filter(trivial).collect();
-    if installed.is_empty() {
-        let message =
-            "NO SOLVER INSTALLED: none of qepcad, z3, cvc5 was found, so no sentence was put to a tool";
-        assert!(env::var("GRAZING_REQUIRE_SOLVER").as_deref() != Ok("1"), "{message}");
-        // Past the test harness, which keeps what a passing test prints.
-        writeln!(stderr(), "{message}").expect("stderr");
-        return;
-    }
+    assert!(!installed.is_empty(), "none of qepcad, z3, cvc5 was found");
     for solver in installed {
         let name = solver.command[0];
         for n in 3..=solver.region4.max(solver.half_cells) {

@@ -92,7 +92,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, ..common::config() })]
+    #![proptest_config(ProptestConfig { cases: crate::samples::samples(16), ..common::config() })]
 
     /// A sentence says the same in every format, its hypotheses describe its half-cell, and it is true where
     /// it is tried.

@@ -1,6 +1,7 @@
 //! Certificates: what is written passes, what is damaged is rejected unless it is still true.
 
 use crate::common;
+use crate::samples::samples;
 
 use std::{collections::BTreeMap, fs};
 
@@ -343,7 +344,7 @@ fn damage_is_detected() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
     let (mut rejected, mut unchanged, mut still_true) = (0, 0, 0);
     let strategy = damage();
-    for _ in 0..common::rounds(20_000) {
+    for _ in 0..samples::<u64>(8_000) {
         let damage = strategy.new_tree(&mut runner).unwrap().current();
         let changed = damaged(&text, &damage);
         if changed == text {

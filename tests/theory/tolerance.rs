@@ -1,6 +1,7 @@
 //! Boxes of parameters against points in them: what is said of all points is true at each, by other routes.
 
 use crate::common;
+use crate::samples::samples;
 
 use common::config;
 use grazing::existence::{Case, by_definition};
@@ -149,10 +150,9 @@ fn along(bounds: &[[Q; 2]; 2], by: [i64; 2]) -> [Q; 2] {
     [0, 1].map(|i| &bounds[i][0] + (&bounds[i][1] - &bounds[i][0]) * q(by[i], 1009))
 }
 
-/// How many points are drawn in each of the three coordinates: a sample, or GRAZING_POINTS of them by hand.
+/// How many points are drawn in each of the three coordinates.
 fn points(sample: u32) -> u32 {
-    let many = std::env::var("GRAZING_POINTS").ok().map(|many| many.parse().expect("a number of points"));
-    many.unwrap_or(sample)
+    samples(sample.into())
 }
 
 /// Of the boxes with one point each there are fewer.
@@ -161,7 +161,7 @@ fn boxes(sample: u32) -> ProptestConfig {
 }
 
 proptest! {
-    #![proptest_config(boxes(60))]
+    #![proptest_config(boxes(9))]
 
     #[test]
     fn machines_are_what_their_box_says(

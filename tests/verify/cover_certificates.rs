@@ -2,6 +2,7 @@
 //! is rejected.
 
 use crate::common;
+use crate::samples::samples;
 
 use std::{fs, path::Path, process::Command, sync::LazyLock};
 
@@ -469,7 +470,7 @@ fn damage_is_detected() {
     let mut runner = TestRunner::deterministic();
     let (mut rejected, mut unchanged, mut still_true, mut open) = (0, 0, 0, 0);
     let strategy = damage();
-    for _ in 0..common::rounds(6_000) {
+    for _ in 0..samples::<u64>(3_000) {
         let damage = strategy.new_tree(&mut runner).unwrap().current();
         let changed = damaged(&text, &damage);
         match check(&changed) {

@@ -7,10 +7,13 @@ const PROGRAM: &str = env!("CARGO_BIN_EXE_grazing-verify");
 mod common;
 #[path = "../process/mod.rs"]
 mod process;
+#[path = "../samples/mod.rs"]
+mod samples;
 
 mod boundary;
 mod cover;
 mod cover_certificates;
+mod elsewhere;
 mod entropy;
 mod fuzz;
 mod measure;

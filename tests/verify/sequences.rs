@@ -156,7 +156,6 @@ fn what_is_wrong_is_said() {
         ("word --returns --r 1/2 --s 1/2", "s = 1/2 is outside 0 < s < 1/2"),
         ("word --returns --a1 2 --a2 1", "complex eigenvalues"),
         ("word --returns --a1 0.1..=0.2 --a2 1", "--returns is asked at one point"),
-        ("figure returns -o /dev/null", "give its name"),
     ] {
         let (code, out, err) = run(arguments, Path::new("."));
         assert!(code == 2 && out.is_empty() && err.contains(says), "{arguments}: {code}, {err}");

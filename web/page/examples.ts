@@ -1,16 +1,16 @@
 // The certificates that the page brings along: the checker's own samples, and one of them damaged.
 
-import branch from "../../checker/tests/data/branch.txt";
-import chaos from "../../checker/tests/data/chaos-12.txt";
-import cover from "../../checker/tests/data/cover.txt";
-import event from "../../checker/tests/data/event-gr3.txt";
-import machine from "../../checker/tests/data/machine-masses.txt";
-import orbit from "../../checker/tests/data/orbit-4.txt";
-import range from "../../checker/tests/data/range-12.txt";
-import share from "../../checker/tests/data/share.txt";
-import theorem2 from "../../checker/tests/data/theorem2.txt";
-import wordByTheorem from "../../checker/tests/data/word-by-theorem.txt";
-import word from "../../checker/tests/data/word.txt";
+import branch from "../../crates/checker/tests/data/branch.txt";
+import chaos from "../../crates/checker/tests/data/chaos-12.txt";
+import cover from "../../crates/checker/tests/data/cover.txt";
+import event from "../../crates/checker/tests/data/event-gr3.txt";
+import machine from "../../crates/checker/tests/data/machine-masses.txt";
+import orbit from "../../crates/checker/tests/data/orbit-4.txt";
+import range from "../../crates/checker/tests/data/range-12.txt";
+import share from "../../crates/checker/tests/data/share.txt";
+import theorem2 from "../../crates/checker/tests/data/theorem2.txt";
+import wordByTheorem from "../../crates/checker/tests/data/word-by-theorem.txt";
+import word from "../../crates/checker/tests/data/word.txt";
 
 /** A certificate with its name in links and in the list. */
 export interface Example {

@@ -2,7 +2,7 @@
 // touches; its mass moves beside its stop; its point in the plane, and sentences that say what is seen, what is born
 // and what is proved. And one field for what a reader brings along. The animation stands in start-picture.ts.
 
-import proof from "../../checker/tests/data/range-12.txt";
+import proof from "../../crates/checker/tests/data/range-12.txt";
 import { Exact } from "./exact";
 import { guess, KINDS } from "./guess";
 import type { BornAnswer, SectionAnswer, SeriesAnswer } from "./motion-pictures";

@@ -29,8 +29,8 @@ impl Fault {
     }
 }
 
-impl From<grazing::Error> for Fault {
-    fn from(error: grazing::Error) -> Fault {
+impl From<grazing_scenes::Error> for Fault {
+    fn from(error: grazing_scenes::Error) -> Fault {
         Fault::new(error.to_string())
     }
 }

@@ -4,7 +4,7 @@
 //! texts, and what a view needs besides. The page adds tasks to the scene and runs them, so that the command
 //! line gives the same numbers for the text that [`motion_scene`] gives. Answers are JSON objects;
 //! what went wrong is `{"error": {"message", "line", "key"}}`. No file is read or written, no clock is asked.
-//! Not here: the tasks themselves (`grazing::run`), drawing (`page/motion.ts`).
+//! Not here: the tasks themselves (`grazing_scenes::run`), drawing (`page/motion.ts`).
 
 mod attractor;
 mod born;
@@ -22,7 +22,7 @@ mod theory;
 
 use std::fmt::Write;
 
-use grazing::{Error, Result, scene::Scene};
+use grazing_scenes::{Error, Result, scene::Scene};
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -23,7 +23,7 @@ use serde_json::Value as Json;
 
 use crate::answer::requested;
 
-fn answer(request: &str, give: fn(&Json) -> grazing::Result<Json>) -> String {
+fn answer(request: &str, give: fn(&Json) -> grazing_scenes::Result<Json>) -> String {
     requested(request, |request| Ok(give(&request)?))
 }
 

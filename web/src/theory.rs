@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use grazing::{
+use grazing_scenes::{
     certificate::cover::check_block,
     existence::{Existence, large_eigenvalue_sign, up_to},
     local::{Answer as SignAnswer, Forward, Ladder, Plane, Point, Polar, Quantity, Region},
@@ -160,7 +160,7 @@ fn patterns(a1: &str, a2: &str, gamma_positive: bool, max_period: u64) -> Answer
         None,
     )?;
     let graph = Graph::new(&map, max_period, false)?;
-    let row = |pattern: grazing::pattern::Pattern| {
+    let row = |pattern: grazing_scenes::pattern::Pattern| {
         let report = graph.judge(pattern.periods());
         let verdict = match (report.plus, report.minus) {
             (PatternExistence::Orbit, _) => "emu>0",
@@ -239,7 +239,7 @@ fn proved(first: u64, last: u64) -> Answer {
 
 /// An exact number, the argument `key`.
 fn exact(key: &str, text: &str) -> Answer<BigRational> {
-    parse_rational(text.trim()).map_err(|error| Fault::from(grazing::Error::from(error)).of(key))
+    parse_rational(text.trim()).map_err(|error| Fault::from(grazing_scenes::Error::from(error)).of(key))
 }
 
 /// The names of a place's numbers.

@@ -6,7 +6,7 @@ import { after, before, test } from "node:test";
 import { browser, heap, open } from "./page.mjs";
 import { LONG, REFUSED } from "./pictures.mjs";
 
-const data = new URL("../../checker/tests/data/", import.meta.url);
+const data = new URL("../../crates/checker/tests/data/", import.meta.url);
 const read = (name) => readFileSync(new URL(name, data), "utf8");
 let chromium;
 before(async () => {

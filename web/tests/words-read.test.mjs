@@ -9,7 +9,7 @@ import { after, before, test } from "node:test";
 import { browser, open } from "./page.mjs";
 import { channels, READ, REFUSED, said, same } from "./pictures.mjs";
 
-const data = new URL("../../checker/tests/data/", import.meta.url);
+const data = new URL("../../crates/checker/tests/data/", import.meta.url);
 const folder = mkdtempSync(join(tmpdir(), "grazing-read-"));
 let chromium;
 before(async () => {

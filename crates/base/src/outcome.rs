@@ -10,7 +10,7 @@ use crate::error::Error;
 /// of `check`) ends as the worst of them does.
 ///
 /// ```
-/// use grazing::Outcome;
+/// use grazing_base::outcome::Outcome;
 /// let files = [Outcome::Done, Outcome::Failed, Outcome::Refuted, Outcome::Undecided];
 /// assert_eq!(files.into_iter().collect::<Outcome>(), Outcome::Refuted);
 /// assert_eq!(files.map(Outcome::code), [0, 2, 1, 3]);

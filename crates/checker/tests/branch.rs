@@ -2,12 +2,12 @@
 //! also of the damaged ones, are as they say: in floats, from the differential equation and the law of impact
 //! alone.
 
+use crate::samples::samples;
 use std::f64::consts::TAU;
 
 use crate::common::{
     BRANCH, BRANCH_2, BRANCH_FREQUENCY, BRANCH_SPLICED, Random, answer, are_refused, damage,
-    damaged_are_true, eliminate, first_cells, float, flow, nth, rejected, resealed, second_reader, trials,
-    with,
+    damaged_are_true, eliminate, first_cells, float, flow, nth, rejected, resealed, second_reader, with,
 };
 use grazing_check::branch::STATEMENT;
 
@@ -452,7 +452,7 @@ fn a_second_reader_gives_the_same_verdicts() {
 #[test]
 fn a_second_reader_accepts_no_damage_that_is_false() {
     let (text, mut random) = (first_cells(BRANCH, 1), Random(74));
-    let damaged: Vec<String> = (0..trials(60)).map(|_| damage(&mut random, &text)).collect();
+    let damaged: Vec<String> = (0..samples::<usize>(60)).map(|_| damage(&mut random, &text)).collect();
     let Some(verdicts) = second_reader("branch.py", &damaged) else { return };
     let (mut accepted, mut apart) = (0, 0);
     for (text, line) in damaged.iter().zip(&verdicts) {
@@ -472,8 +472,8 @@ fn a_second_reader_accepts_no_damage_that_is_false() {
 
 #[test]
 fn damaged_certificates_of_branches_are_true_or_rejected() {
-    damaged_are_true(71, trials(1000), &first_cells(BRANCH, 4), lie);
-    damaged_are_true(72, trials(300), &first_cells(BRANCH_2, 2), lie);
+    damaged_are_true(71, samples::<usize>(150), &first_cells(BRANCH, 4), lie);
+    damaged_are_true(72, samples::<usize>(50), &first_cells(BRANCH_2, 2), lie);
 }
 
 /// The same of other oscillators, with the digests that belong to them.
@@ -482,7 +482,7 @@ fn branches_of_damaged_oscillators_are_true_or_rejected() {
     let (mut random, mut still) = (Random(73), 0);
     let text = first_cells(BRANCH, 2);
     let lines: Vec<usize> = (4..11).collect();
-    for _ in 0..trials(400) {
+    for _ in 0..samples::<usize>(150) {
         let mut all: Vec<String> = text.lines().map(String::from).collect();
         let at = lines[random.below(lines.len())];
         // A digit of the oscillator's.

@@ -3,6 +3,8 @@
 //! tried of a release build too, are two more.
 
 mod common;
+#[path = "../../../tests/samples/mod.rs"]
+mod samples;
 
 mod branch;
 mod chaos;

@@ -1,11 +1,12 @@
 //! Damaged certificates of kind range: whatever is still accepted is held against floats, in which the orbits
 //! of short words are found by Newton's method, from their equations alone, and paths are counted.
 
+use crate::samples::samples;
 use std::f64::consts::PI;
 
 use crate::common::{
     RANGE_1, RANGE_12, RANGE_13, RANGE_ALONE, RANGE_BEFORE, RANGE_MIRRORED, RANGE_MIRRORED_BEFORE,
-    RANGE_MIRRORED_BEYOND, Touching, damaged_are_true, eliminate, float, flow, trials,
+    RANGE_MIRRORED_BEYOND, Touching, damaged_are_true, eliminate, float, flow,
 };
 
 /// A certificate's numbers, its harmonics being cosines of one order.
@@ -303,7 +304,7 @@ fn stranger(text: &str) -> Option<String> {
     None
 }
 
-/// GRAZING_TRIALS of each certificate, fewer where others are looked for among long words.
+/// GRAZING_SAMPLES times as many of each certificate, fewer where others are looked for among long words.
 #[test]
 fn what_is_accepted_of_damaged_certificates_is_true() {
     let all = [
@@ -318,7 +319,9 @@ fn what_is_accepted_of_damaged_certificates_is_true() {
     ];
     for (seed, text, share) in all {
         // The longer its legs may be, the longer others are looked for.
-        damaged_are_true(seed, trials(600) / share, text, |text| lie(text).or_else(|| stranger(text)));
+        damaged_are_true(seed, samples::<usize>(300) / share, text, |text| {
+            lie(text).or_else(|| stranger(text))
+        });
     }
 }
 

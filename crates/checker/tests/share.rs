@@ -2,11 +2,12 @@
 //! so at random points in them, also of the damaged ones that pass: in floats, by the definitions of
 //! periods alone.
 
+use crate::samples::samples;
 use std::f64::consts::TAU;
 
 use crate::common::{
     Random, SHARE, SHARE_PLANE, SHARE_POLAR, answer, are_refused, damaged_so_are_true, float, flow, rejected,
-    second_reader, trials, with,
+    second_reader, with,
 };
 use grazing_check::{Checked, share::STATEMENT};
 
@@ -592,7 +593,7 @@ fn damage(random: &mut Random, text: &str) -> String {
 #[test]
 fn what_damage_leaves_is_true() {
     for (seed, text) in [(1, SHARE), (2, SHARE_POLAR), (3, SHARE_PLANE)] {
-        let all = trials(600);
+        let all = samples::<usize>(150);
         damaged_so_are_true((seed, all, all / 20), text, damage, lie);
     }
 }

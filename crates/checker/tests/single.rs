@@ -1,11 +1,12 @@
 //! Certificates of kind single: what passes, what must be refused, and whether the orbits of those that pass,
 //! also of the damaged ones, are as they say: in floats, from the differential equation alone.
 
+use crate::samples::samples;
 use std::f64::consts::{PI, TAU};
 
 use crate::common::{
     Random, SINGLE_1, SINGLE_2, SINGLE_3, SINGLE_MIRRORED_2, SINGLE_MIRRORED_3, answer, are_refused, damage,
-    damaged_are_true, float, flow, nth, second_reader, trials, with,
+    damaged_are_true, float, flow, nth, second_reader, with,
 };
 use grazing_check::single::STATEMENT;
 
@@ -392,12 +393,12 @@ fn lie(text: &str) -> Option<String> {
     None
 }
 
-/// GRAZING_TRIALS of each certificate.
+/// GRAZING_SAMPLES times as many of each certificate.
 #[test]
 fn what_is_accepted_of_damaged_certificates_is_true() {
     let mirrored = [(4, SINGLE_MIRRORED_2), (5, SINGLE_MIRRORED_3)];
     for (seed, text) in [(1, SINGLE_1), (2, SINGLE_2), (3, SINGLE_3)].into_iter().chain(mirrored) {
-        damaged_are_true(seed, trials(400), text, lie);
+        damaged_are_true(seed, samples::<usize>(400), text, lie);
     }
 }
 

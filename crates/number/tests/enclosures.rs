@@ -1,5 +1,8 @@
 //! Enclosures against exact fractions, and sines against FLINT (tests/data/sines.csv).
 
+#[path = "../../../tests/samples/mod.rs"]
+mod samples;
+
 use grazing_number::{Angle, Ball, Circular, FloatInterval, Precision, Real, parse_rational};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -70,7 +73,7 @@ fn operations<T: Real>(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4000))]
+    #![proptest_config(ProptestConfig::with_cases(samples::samples(900)))]
 
     #[test]
     fn field_operations_enclose_tightly(

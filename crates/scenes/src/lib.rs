@@ -1,4 +1,4 @@
-//! Impact oscillators and machines as [scenes](scene), their tasks [run](run); and every chapter of grazing
+//! Impact oscillators and machines as scenes, their tasks run; and every chapter of grazing
 //! under its name, for who wants all of it as one library.
 //!
 //! | module | holds |

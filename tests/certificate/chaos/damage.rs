@@ -1,5 +1,6 @@
 //! Damaged certificates, against an oracle in floats.
 
+use crate::samples::samples;
 use std::collections::HashMap;
 
 use grazing_scenes::{
@@ -13,10 +14,7 @@ use proptest::strategy::{Strategy, ValueTree};
 
 use super::{
     ALWAYS, FIGURE_10,
-    common::{
-        self,
-        damage::{damage, damaged},
-    },
+    common::damage::{damage, damaged},
     mirrored, proved,
 };
 
@@ -83,8 +81,8 @@ fn read(text: &str) -> Option<Certificate> {
     })
 }
 
-/// Damaged certificates, GRAZING_DAMAGE of each; those that pass hold in floats too, by code that shares
-/// nothing with the checker.
+/// Damaged certificates, GRAZING_SAMPLES times as many of each; those that pass hold in floats too, by code
+/// that shares nothing with the checker.
 #[test]
 fn damage_is_detected() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
@@ -96,7 +94,7 @@ fn damage_is_detected() {
         assert_eq!(holds(&read(&text).unwrap()), Ok(()));
         let head = text.lines().position(|line| line.starts_with("damping")).unwrap();
         let (mut rejected, mut unchanged, mut still_true) = (0, 0, 0);
-        for round in 0..common::rounds(250) {
+        for round in 0..samples::<u64>(250) {
             let damage = strategy.new_tree(&mut runner).unwrap().current();
             let changed = damaged(&text, if round % 8 == 0 { 0 } else { head }, &damage);
             if changed == text {

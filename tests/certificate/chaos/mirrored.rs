@@ -1,6 +1,7 @@
 //! Two walls that are each other's mirror images, both met: against Newton's method, the simulator, counted
 //! words, and what must be refused.
 
+use crate::samples::samples;
 use std::{
     collections::HashSet,
     f64::consts::{FRAC_PI_2, PI, TAU},
@@ -149,12 +150,12 @@ fn newton_finds_all_short_words_at_both_walls() {
     assert_eq!(count, 32);
 }
 
-/// Random words of 50 letters; GRAZING_TRIALS of them. The simulator, begun after each impact, meets the next
-/// at the wall and time where Newton's method has it, and none of both walls before.
+/// Random words of 50 letters; GRAZING_SAMPLES times as many. The simulator, begun after each impact, meets
+/// the next at the wall and time where Newton's method has it, and none of both walls before.
 #[test]
 fn the_simulator_confirms_random_words_with_their_walls() {
     let found = proved(STOPS, "touched");
-    let trials: u64 = std::env::var("GRAZING_TRIALS").map_or(3, |many| many.parse().unwrap());
+    let trials: u64 = samples(3);
     let mut state = 11u64;
     let mut letter = || {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

@@ -1,6 +1,7 @@
 //! Chaos proved: against Newton's method, the simulator, the word theorem, and damaged certificates.
 
 use crate::common;
+use crate::samples::samples;
 mod damage;
 mod edges;
 mod entropy;
@@ -157,12 +158,12 @@ fn newton_finds_no_orbit_of_another_period_near() {
     assert!(solved > 20, "{solved} solved, {far} of them admissible and far");
 }
 
-/// Random words of 50 letters; GRAZING_TRIALS of them. The simulator, begun after each impact, meets the next
-/// where Newton's method has it.
+/// Random words of 50 letters; GRAZING_SAMPLES times as many. The simulator, begun after each impact, meets
+/// the next where Newton's method has it.
 #[test]
 fn the_simulator_confirms_every_leg_of_random_words() {
     let found = proved(FIGURE_10);
-    let trials: u64 = std::env::var("GRAZING_TRIALS").map_or(3, |many| many.parse().unwrap());
+    let trials: u64 = samples(3);
     let mut state = 7u64;
     let mut letter = || {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

@@ -1,5 +1,6 @@
 //! Dry friction: closed forms, energy, impacts among it, a second integrator, the limit of steep formulas.
 
+use crate::samples::samples;
 use std::collections::BTreeMap;
 
 use grazing_scenes::{
@@ -129,7 +130,7 @@ fn stick_and_slip_on_a_belt_is_closed() {
 /// stops against the second solver: every event, every time, the state at the end.
 #[test]
 fn random_machines_with_friction_agree_with_a_second_solver() {
-    let trials = std::env::var("GRAZING_TRIALS").map_or(30, |many| many.parse().expect("a number"));
+    let trials: u32 = samples(30);
     let mut random = numbers(88_172_645_463_325_252);
     let mut words: BTreeMap<&str, u32> = BTreeMap::new();
     let mut worst = 0.0f64;

@@ -1,6 +1,7 @@
 //! Several coordinates: orbits with rests against those of one coordinate, and against a second solver of
 //! flight, chatter and rest, which shares no code with `src`.
 
+use crate::samples::samples;
 use std::f64::consts::TAU;
 
 use grazing_scenes::{
@@ -215,11 +216,6 @@ impl Flow {
 
 const SEARCHED: &str = "kind = \"rest\"\nperiods = 60\nstarts = 8\nlongest = 3";
 
-/// How many machines are drawn: GRAZING_TRIALS, or so many.
-fn trials(sample: u64) -> u64 {
-    std::env::var("GRAZING_TRIALS").map_or(sample, |many| many.parse().unwrap())
-}
-
 fn size(x: &[f64]) -> f64 {
     x.iter().fold(1.0, |most: f64, x| most.max(x.abs()))
 }
@@ -238,7 +234,7 @@ fn orbits_of_several_coordinates_are_those_of_a_second_solver() {
     let mut random = Random(41);
     let (mut orbits, mut worst, mut apart, mut unstable, mut several, mut open) =
         (0, 0.0f64, 0.0f64, 0, 0, 0);
-    for draw in 0..trials(60) {
+    for draw in 0..samples(60) {
         let machine = Table::drawn(&mut random, 2 + draw as usize % 2, draw % 4 > 1);
         let found: RestFindings = match run(&machine.text(SEARCHED)).findings {
             Some(Findings::Rest(found)) => *found,
@@ -491,7 +487,7 @@ fn a_search_that_finds_nothing_says_how_far_it_looked() {
 fn orbits_that_rest_and_rub_have_the_multipliers_of_differences() {
     let mut random = Random(43);
     let (mut orbits, mut sticks, mut low, mut apart) = (0, 0, 0, 0.0f64);
-    for draw in 0..trials(60) {
+    for draw in 0..samples(60) {
         let machine = Table::drawn(&mut random, 2, false);
         let mut between = |lo: f64, hi: f64| lo + (hi - lo) * random.uniform();
         let row = [between(-1.0, 1.0), between(0.3, 1.0)];

@@ -1,5 +1,6 @@
 //! A batch tells every event of every motion as the scalar engine does, bit for bit.
 
+use crate::samples::samples;
 use std::sync::Arc;
 
 use grazing_scenes::{
@@ -166,12 +167,12 @@ fn every_event_is_the_scalar_engines() {
     assert!(events > 300, "{events} events were compared");
 }
 
-/// On all cores. tests/README.md has the figure for millions of them: `GRAZING_MOTIONS=2000000 cargo test
+/// On all cores. tests/README.md has the figure for millions of them: `GRAZING_SAMPLES=200 cargo test
 /// --release --test motion simulation:: -- --ignored every_event_of --nocapture`.
 #[test]
-#[ignore = "minutes; scaled by GRAZING_MOTIONS"]
+#[ignore = "minutes; scaled by GRAZING_SAMPLES"]
 fn every_event_of_very_many_motions_is_the_scalar_engines() {
-    let motions: u64 = std::env::var("GRAZING_MOTIONS").map_or(10_000, |text| text.parse().unwrap());
+    let motions: u64 = samples(10_000);
     let rounds = motions.div_ceil(500);
     let round = |seed: u64| some(seed, [1, 5, 200][seed as usize % 3], 500, 12);
     let events: u64 = (1000..1000 + rounds).into_par_iter().map(round).sum();

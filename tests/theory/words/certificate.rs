@@ -1,10 +1,11 @@
 //! Certificates of words: what is written passes, and a damaged one that passes is confirmed from the
 //! definition, in exact fractions written out here.
 //!
-//! `GRAZING_DAMAGE=100000 cargo test --test theory words::certificate::damage -- --nocapture` damages as many
+//! `GRAZING_SAMPLES=100 cargo test --test theory words::certificate::damage -- --nocapture` damages as many
 //! as it says and prints how each went.
 
-use std::{collections::BTreeMap, env};
+use crate::samples::samples;
+use std::collections::BTreeMap;
 
 use grazing::certificate;
 use grazing::local::{Answer, Ladder, Plane, Point, Polar, Quantity};
@@ -316,8 +317,7 @@ fn damaged(text: &str, random: &mut Random) -> String {
 #[test]
 fn no_damaged_certificate_that_is_false_passes() {
     let texts = certificates();
-    let runs: u64 =
-        env::var("GRAZING_DAMAGE").map_or(3000, |text| text.parse().expect("GRAZING_DAMAGE is a number"));
+    let runs: u64 = samples(1000);
     let (mut rejected, mut unchanged, mut still_true) = (0, 0, 0);
     for run in 0..runs {
         let mut random = Random(run);

@@ -1,10 +1,10 @@
 //! The word against the general solver of Theorem 1, pattern by pattern: the solver knows nothing of two
 //! dimensions, of p and q, or of words.
 //!
-//! `GRAZING_PATTERNS=1000000 cargo test --release --test theory words::exhaustive -- --nocapture` judges as
+//! `GRAZING_SAMPLES=84 cargo test --release --test theory words::exhaustive -- --nocapture` judges as
 //! many and prints the counts.
 
-use std::env;
+use crate::samples::samples;
 
 use grazing::local::{Ladder, Plane, Point};
 use grazing::pattern::{Analysis, Map, Numbers, Pattern, Patterns};
@@ -29,7 +29,7 @@ pub fn map(a1: &BigRational, a2: &BigRational, gamma: bool) -> Map {
 
 #[test]
 fn words_agree_with_the_solver_of_every_pattern() {
-    let wanted: usize = env::var("GRAZING_PATTERNS").map_or(12_000, |text| text.parse().expect("a number"));
+    let wanted: usize = samples(12_000);
     let patterns: Vec<Pattern> = (1..=PERIOD).flat_map(Patterns::of_period).collect();
     let ladder = Ladder::default();
     let (mut judged, mut born, mut open, mut seed) = (0, 0, 0, 0u64);

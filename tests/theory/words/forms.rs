@@ -5,6 +5,7 @@
 //! Points are drawn, from the seed that is printed, and hard: on the lines between regions, where they meet,
 //! at r = 1 and s = 1/n.
 
+use crate::samples::samples;
 use std::collections::BTreeSet;
 
 use grazing::existence::{Case, Existence, by_definition, intervals};
@@ -174,7 +175,7 @@ fn compare_box(a1: [Q; 2], a2: [Q; 2], inner: &[[Q; 2]]) {
 #[test]
 fn boxes_across_lines_say_what_their_points_have_in_common() {
     let mut drawn = Drawn::new("boxes across lines");
-    for round in 0..120 {
+    for round in 0..samples::<usize>(30) {
         let line = LINES[round % 4];
         let t = q(1, 20) + q(drawn.below(9_400), 10_000);
         let [a1, a2] = line.at(&t);
@@ -383,7 +384,7 @@ fn modulus_and_angle_are_trace_and_determinant() {
         }
     }
     let mut letters = 0;
-    for round in 0..60 {
+    for round in 0..samples(60) {
         let r = if round % 3 == 0 {
             q(999_000 + drawn.below(999), 1_000_000)
         } else {

@@ -1,6 +1,6 @@
 //! What motions tend to over a parameter.
 
-use grazing::{
+use grazing_scenes::{
     Error, Result,
     attractor::diagram::Slice,
     num_rational::BigRational,

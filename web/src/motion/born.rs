@@ -1,6 +1,6 @@
 //! The orbits born at a grazing bifurcation, and what the theory predicts of their impact speeds.
 
-use grazing::{Result, run::run_task, scene::Scene};
+use grazing_scenes::{Result, run::run_task, scene::Scene};
 use serde_json::{Value, json};
 
 use super::{

@@ -1,6 +1,6 @@
 //! The branch of an orbit that is born at a grazing, and how far the prediction holds along it.
 
-use grazing::{
+use grazing_scenes::{
     Error, Result,
     run::{Findings, run_task},
     scene::Scene,

@@ -3,7 +3,7 @@
 
 use std::{collections::BTreeSet, f64::consts::TAU};
 
-use grazing::{
+use grazing_scenes::{
     Error, Result,
     num_rational::BigRational,
     number::parse_rational,
@@ -377,7 +377,7 @@ fn range(scene: &Scene, name: &str, value: &BigRational) -> [f64; 2] {
 /// Whether a parameter is a wall's restitution and nothing else.
 fn is_restitution(scene: &Scene, name: &str) -> bool {
     let Body::Oscillator(system) = &scene.body else { return false };
-    let own = |wall: &grazing::motion::Wall<grazing::scene::Expression>| {
+    let own = |wall: &grazing_scenes::motion::Wall<grazing_scenes::scene::Expression>| {
         wall.restitution.to_string().trim() == name
     };
     system.lower.iter().chain(&system.upper).any(own)

@@ -1,6 +1,6 @@
 //! What a scene is that was opened: its sliders and tasks, and what its own tasks look at.
 
-use grazing::{
+use grazing_scenes::{
     Result,
     motion::Contact,
     scene::{Body, Kind, Scene},

@@ -1,6 +1,6 @@
 //! One motion over time, and the speeds of its impacts.
 
-use grazing::{
+use grazing_scenes::{
     Error, Result,
     scene::{Body, Scene},
 };

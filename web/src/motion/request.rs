@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use grazing::{Error, Result, num_rational::BigRational, number::parse_rational};
+use grazing_scenes::{Error, Result, num_rational::BigRational, number::parse_rational};
 use serde_json::Value;
 
 use super::document::{Changeable, Values, quoted};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     Error, Result,
     motion::Contact,
     number::parse_rational,

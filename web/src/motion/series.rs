@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     Result,
     motion::Time,
     run::{Keeper, SeriesOf, SeriesPoint, SeriesStop, StopEvent},

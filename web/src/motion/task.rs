@@ -1,6 +1,6 @@
 //! Runs a task of a scene: one that a view made, or one of the scene's own.
 
-use grazing::{
+use grazing_scenes::{
     Error, Result,
     num_rational::BigRational,
     run::{Findings, Job, Keeper, RunReport, Surroundings, TaskReport, run_task},

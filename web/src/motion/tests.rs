@@ -2,7 +2,7 @@
 
 use std::{fs, path::PathBuf, process::Command};
 
-use grazing::{
+use grazing_scenes::{
     run::{Job, RunReport, Surroundings, run_task},
     scene::Scene,
 };

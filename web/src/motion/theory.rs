@@ -1,7 +1,7 @@
 //! What the local theory predicts of impact speeds, from the numbers of a grazing's report; and what it says,
 //! in words.
 
-use grazing::{
+use grazing_scenes::{
     local::{Ladder, Plane, Point},
     number::parse_rational,
     word::{Extent, Word},

@@ -1,14 +1,14 @@
 //! What a view shows: areas, from the outermost in, each over the ones that it lies in.
 //!
 //! For eµ > 0 and complex eigenvalues the areas are those of Conjecture 1, nested like the Stern–Brocot tree:
-//! a point's word (`grazing::word`) is the path down to the innermost area that it lies in. So the areas of
-//! all n ≤ N, painted in the order of n, colour every point by its word as far as its periods are ≤ N; and
-//! where the next area down has n > N, it is painted as "more": there, and only there, the word goes on. What
-//! is neither an area nor "more" is decided. Areas smaller than a pixel are left out and counted.
+//! a point's word (`grazing_scenes::word`) is the path down to the innermost area that it lies in. So the
+//! areas of all n ≤ N, painted in the order of n, colour every point by its word as far as its periods are ≤
+//! N; and where the next area down has n > N, it is painted as "more": there, and only there, the word goes
+//! on. What is neither an area nor "more" is decided. Areas smaller than a pixel are left out and counted.
 
 use std::{cmp::Reverse, collections::BinaryHeap};
 
-use grazing::{
+use grazing_scenes::{
     Error, Result,
     existence::{Boundary, Case, MAX_PERIOD, intervals},
     local::{Ladder, Plane, Point, Polar},

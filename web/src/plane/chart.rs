@@ -5,7 +5,7 @@
 //! relative to the centre: the difference is enclosed by balls of as many bits as the view is deep, and only
 //! then rounded to an `f64`, so that a pixel of 10⁻¹⁵ or 10⁻⁶⁰ is as sharp as one of 10⁻³.
 
-use grazing::{
+use grazing_scenes::{
     Error, Result,
     local::Forward,
     num_bigint::BigInt,

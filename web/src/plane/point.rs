@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing::{
+use grazing_scenes::{
     Error, Result, certificate,
     existence::{Case, Existence, large_eigenvalue_sign, up_to},
     local::{Forward, Ladder, Point, Region},
@@ -242,7 +242,7 @@ pub fn certificate(request: &Json) -> Result<Json> {
 /// # Errors
 /// An input error for a point that is none, or has no place in the chart.
 pub fn place(request: &Json) -> Result<Json> {
-    use grazing::number::{Angle, Ball, Circular, Precision, Real};
+    use grazing_scenes::number::{Angle, Ball, Circular, Precision, Real};
     let given = given(request)?;
     let bits = request["bits"].as_u64().unwrap_or(300).clamp(64, 20_000) as u32;
     let text = |key: &str| parse_rational(request[key].as_str().unwrap_or_default());

@@ -5,7 +5,7 @@
 //! certified middle lies more than a third of a pixel from it. Nothing is said about a curve between two
 //! vertices but that.
 
-use grazing::{
+use grazing_scenes::{
     Result,
     existence::{Boundary, Case, Interval},
     local::{Answer, Ladder, Plane, Point, Quantity},

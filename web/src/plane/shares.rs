@@ -1,7 +1,7 @@
 //! What is true of all points of a box of a₁ and a₂, or of r and s; and in which share of it, where that
 //! differs. The numbers are those of `grazing word --shares`.
 
-use grazing::{
+use grazing_scenes::{
     Error, Result,
     internals::output::{decimal_above, decimal_below, decimal_or_fraction},
     num_rational::BigRational,

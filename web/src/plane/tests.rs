@@ -2,7 +2,7 @@
 //! depth the innermost shape around the point is compared with the word, or the orbits, found at the exact
 //! point.
 
-use grazing::{
+use grazing_scenes::{
     existence::{Existence, by_definition},
     local::{Forward, Ladder},
     num_bigint::BigInt,
@@ -83,7 +83,7 @@ fn seen(chart: &str, [x, y]: [&str; 2], [width, height]: [f64; 2], more: Json) -
 impl Seen {
     /// A random place that is a pixel and more from every edge, its exact point, and the innermost shape
     /// there.
-    fn try_one(&self, random: &mut Random) -> Option<(grazing::local::Point, Option<&Json>)> {
+    fn try_one(&self, random: &mut Random) -> Option<(grazing_scenes::local::Point, Option<&Json>)> {
         let View { chart, x, y, width, height, pixel, .. } = &self.view;
         let offset = [random.next() * width, random.next() * height];
         let exact = offset.map(|x| BigRational::from_float(x).unwrap());
@@ -331,8 +331,8 @@ fn shares_of_a_box_are_those_of_its_points() {
                 let mut holds = vec![format!("word {sign} {} {:?}", word.letters(), periods(&word))];
                 holds.extend(word.vertices().iter().map(|v| format!("period {sign} {}", v.period)));
                 for gamma in [1, -1] {
-                    let (entropy, _) = grazing::word::Entropy::of(&word, gamma > 0, 20).unwrap();
-                    if matches!(entropy, grazing::word::Entropy::Positive { .. }) {
+                    let (entropy, _) = grazing_scenes::word::Entropy::of(&word, gamma > 0, 20).unwrap();
+                    if matches!(entropy, grazing_scenes::word::Entropy::Positive { .. }) {
                         holds.push(format!("chaos {sign} {gamma}"));
                     }
                 }

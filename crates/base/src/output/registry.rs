@@ -176,7 +176,7 @@ impl FileRegistry {
     /// Names a file that is to be written whole, and tries it.
     ///
     /// # Errors
-    /// An input error if it is named already; those of [`OutputFile::new`].
+    /// An input error if it is named already; those of `OutputFile::new`.
     pub fn write(&self, option: &str, path: &Path) -> Result<OutputFile> {
         if path == Path::new("-") {
             return Err(Error::input(format!(
@@ -218,7 +218,7 @@ impl FileRegistry {
     /// A file that was named to be written before; it is tried now.
     ///
     /// # Errors
-    /// An input error if it was not; those of [`OutputFile::new`].
+    /// An input error if it was not; those of `OutputFile::new`.
     pub fn named(&self, path: &Path) -> Result<OutputFile> {
         if !self.is_written(path) {
             return Err(Error::input(format!("{} was not named before it was written", path.display())));

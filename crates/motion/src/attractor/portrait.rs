@@ -51,7 +51,7 @@ pub struct OnAttractor<S> {
 }
 
 impl Portrait {
-    /// How differently two attractors go: see [`Range::apart`].
+    /// How differently two attractors go: see `Range::apart`.
     pub fn apart(&self, other: &Portrait) -> f64 {
         self.range.apart(&other.range)
     }

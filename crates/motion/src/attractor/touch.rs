@@ -96,11 +96,11 @@ fn observation(look: &Look) -> Observation {
     Observation { phase, transient, longest, points, round: Some(1), every: 1 }
 }
 
-/// What is seen just before a touch and just beyond it. Cost: up to four times [`settle`], each for longer
+/// What is seen just before a touch and just beyond it. Cost: up to four times `settle`, each for longer
 /// than `look` says where damping is weak.
 ///
 /// # Errors
-/// Those of the system and of [`settle`].
+/// Those of the system and of `settle`.
 pub fn beside<D: Attraction>(
     touch: &Touch<D::Start>,
     look: &Look,
@@ -131,7 +131,7 @@ pub fn beside<D: Attraction>(
 }
 
 /// What is seen at a touch, and where the way back ends. Cost: that of [`beside`], and of a jump up to 80
-/// times [`settle`] more.
+/// times `settle` more.
 ///
 /// # Errors
 /// As [`beside`].

@@ -22,7 +22,7 @@ impl<T> SpeedLaw<T> {
     ///
     /// # Errors
     /// The first error of `convert`.
-    pub(crate) fn try_map<U, E>(
+    pub fn try_map<U, E>(
         &self,
         convert: &mut impl FnMut(&T) -> std::result::Result<U, E>,
     ) -> std::result::Result<SpeedLaw<U>, E> {
@@ -33,7 +33,7 @@ impl<T> SpeedLaw<T> {
 
 impl SpeedLaw<f64> {
     /// τ and dτ/dv.
-    pub(crate) fn at(&self, v: f64) -> [f64; 2] {
+    pub fn at(&self, v: f64) -> [f64; 2] {
         let ([n, n1], [d, d1]) = (value(&self.over, v), value(&self.under, v));
         let tau = n / d;
         [tau, (n1 - tau * d1) / d]

@@ -8,7 +8,7 @@ use crate::formula::Formula;
 
 /// A force a(t, q, u), smooth but for poles, roots of negative numbers and the like, 2π-periodic in t: a
 /// formula with coefficients of any kind. Of an oscillator it is an acceleration; of a machine with n
-/// coordinates a(t, q₁, …, q_n, u₁, …, u_n). Made by [`Scene`](crate::scene::Scene) from `force`.
+/// coordinates a(t, q₁, …, q_n, u₁, …, u_n). Made by a scene from `force`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SmoothForce<T> {
     /// Variables: [`Q`], [`U`], [`T`](TIME), of n coordinates q₁ to q_n, u₁ to u_n and the time; then the

@@ -29,10 +29,10 @@ use crate::{
 #[derive(Debug, Subcommand)]
 enum Command {
     #[command(flatten)]
-    Theory(Theory),
+    Theory(Box<Theory>),
     Figure(Box<figure::Args>),
     Accuracy(accuracy::Args),
-    Run(run::Args),
+    Run(Box<run::Args>),
     Export(export::Args),
     Completions(shell::CompletionsArgs),
     Man(shell::ManArgs),

@@ -260,7 +260,7 @@ mod tests {
 
     #[test]
     fn the_checked_in_picture_shows_the_checked_in_tables() {
-        let folder = Path::new("../docs");
+        let folder = Path::new("../../docs");
         let [signs, digits, motions] = tables(folder).unwrap();
         let canvas = draw(&signs, &digits, &motions);
         if std::env::var_os("GRAZING_REDRAW").is_some() {
@@ -272,7 +272,7 @@ mod tests {
     /// Wrong answers are marked, and only these; a line ends where its method does.
     #[test]
     fn what_is_wrong_is_a_cross() {
-        let [signs, _, motions] = tables(Path::new("../docs")).unwrap();
+        let [signs, _, motions] = tables(Path::new("../../docs")).unwrap();
         let of = |panel: &Panel, name: &str| -> Vec<bool> {
             let method = panel.methods.iter().find(|method| method.name == name).unwrap();
             method.marks.iter().map(|mark| mark.wrong).collect()

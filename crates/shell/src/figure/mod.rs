@@ -118,7 +118,7 @@ impl PictureFormat {
             return Ok(());
         }
         Err(Error::input(format!(
-            "this grazing writes .svg, no .{}: build it with `cargo install --path shell --features print` for that",
+            "this grazing writes .svg, no .{}: build it with `cargo install --path crates/shell --features print` for that",
             self.ending()
         )))
     }
@@ -197,7 +197,7 @@ fn assert_shows_its_table<T>(
     row: impl Fn(&csv::StringRecord) -> T,
     draw: impl Fn(&[T]) -> Canvas,
 ) {
-    let place = FigurePlace::svg(Path::new("../docs"), name);
+    let place = FigurePlace::svg(Path::new("../../docs"), name);
     let rows: Vec<T> =
         csv::Reader::from_path(place.data()).unwrap().records().map(|one| row(&one.unwrap())).collect();
     let canvas = draw(&rows);
@@ -210,7 +210,7 @@ fn assert_shows_its_table<T>(
 /// The same of a table NAME.csv and, if it is there, NAME-peers.csv.
 #[cfg(test)]
 fn assert_shows_its_tables(name: &str, draw: impl Fn(&[panels::PanelRow]) -> Canvas) {
-    let place = FigurePlace::svg(Path::new("../docs"), name);
+    let place = FigurePlace::svg(Path::new("../../docs"), name);
     let [table, beside] = ["", "-peers"].map(|end| format!("{name}{end}.csv"));
     let canvas = draw(&panels::rows(place.folder, &table, &beside).unwrap());
     if std::env::var_os("GRAZING_REDRAW").is_some() {

@@ -18,7 +18,8 @@ use crate::{
 
 /// Prove certificates again, without search, by the trusted checker.
 ///
-/// Every file gets a verdict. The command grazing-check (cargo install --path checker) is this checker alone.
+/// Every file gets a verdict. The command grazing-check (cargo install --path crates/checker) is this checker
+/// alone.
 ///
 /// Exit code 0: every file is proved; 1: some file is malformed or false; else 2: some file cannot be read;
 /// else 3: some cover leaves boxes open, or the work was interrupted.

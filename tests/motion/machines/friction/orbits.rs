@@ -1,5 +1,6 @@
 //! Periodic orbits among dry friction: closed forms, long simulations, differences.
 
+use crate::samples::samples;
 use grazing_scenes::{
     Error,
     continuation::{FollowedOrbit, PatternFamily},
@@ -302,7 +303,7 @@ fn traces(a: &[Vec<f64>]) -> [f64; 2] {
 /// the unknowns and with a parameter, in every coefficient at once, as differences say.
 #[test]
 fn random_orbits_agree_with_simulations_and_their_derivatives_with_differences() {
-    let trials = std::env::var("GRAZING_TRIALS").map_or(48, |many| many.parse().expect("a number"));
+    let trials: u64 = samples(48);
     let (mut orbits, mut struck, mut sticking, mut checked, mut worst) = (0, 0, 0, 0, [0.0f64; 4]);
     for trial in 0..trials {
         let (family, q, u) = random_rough(trial);

@@ -58,7 +58,7 @@ const LEFT: f64 = 0.5;
 const CHANCE: f64 = 2.0;
 
 /// The steps of a sweep over the values of a plan, in its order, from its first start. Cost: that of
-/// [`settle`] for each value.
+/// `settle` for each value.
 ///
 /// # Errors
 /// Those of the system and the simulator; an unusable checkpoint; an interruption, after a last checkpoint.
@@ -103,10 +103,10 @@ pub fn swept<D: Attraction<Start: Serialize + DeserializeOwned>>(
 /// Where a sweep jumps. A change between neighbours is one if it stays as the interval between them is
 /// halved, the motion going on from the nearer one: what grows by and by, as by the root of the distance from
 /// a flip or a grazing, does not; nor does what chance makes of a motion that is not periodic. Cost: up to
-/// fourteen times [`settle`] for each unusual change.
+/// fourteen times `settle` for each unusual change.
 ///
 /// # Errors
-/// Those of [`settle`].
+/// Those of `settle`.
 pub fn jumps<D: Attraction>(
     steps: &[SweepStep<D::Start>],
     observation: &Observation,

@@ -2,7 +2,7 @@
 //!
 //! (q, q′) = S (y + p(t)) with p a particular solution and y homogeneous. In pairs of coordinates y moves by
 //! one exponential each; p is the sum of the pairs' responses, of which those near resonance start from rest
-//! in every period, so that they stay moderate: y gains [`step`](LinearFlow::step) when a period ends. A
+//! in every period, so that they stay moderate: y gains `step` when a period ends. A
 //! system that does not fall apart is one block; its p starts from rest in every period, and both move by
 //! Taylor series of the exponential on steps in which the matrix is at most 1/2 (`block`). `response` has the
 //! pairs' responses but those of real modes, which are oscillators with one degree of freedom.

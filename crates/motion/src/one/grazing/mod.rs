@@ -7,6 +7,7 @@
 //!
 //! ```
 //! use grazing_scenes::one::grazing::locate;
+//! use grazing_scenes::search::touch::InTheory;
 //! use grazing_scenes::one::orbit::{Family, Itinerary, find};
 //! use grazing_scenes::scene::{Scene, SceneFamily};
 //! // The motion at rest grazes the paper's moving stop at µ = 0, with eigenvalues in region 3.

@@ -59,7 +59,7 @@ mod tests {
     }
 
     fn two_masses() -> String {
-        fs::read_to_string("../examples/machines/two-masses.toml").unwrap()
+        fs::read_to_string("../../examples/machines/two-masses.toml").unwrap()
     }
 
     fn said(rows: &[Vec<String>]) -> String {
@@ -126,7 +126,7 @@ mod tests {
     #[test]
     fn the_checked_in_picture_is_that_of_the_example() {
         let (canvas, _) = drawn(&picture(&two_masses()));
-        let place = FigurePlace::svg(Path::new("../docs"), "machine");
+        let place = FigurePlace::svg(Path::new("../../docs"), "machine");
         if std::env::var_os("GRAZING_REDRAW").is_some() {
             machine(&picture(&two_masses()), &place).unwrap();
         }
