@@ -3,7 +3,7 @@
 
     tests/budget.py [CARGO TEST ARGUMENTS]        such as --workspace; without any, the default members
 
-Each test runs in a process of its own, at the sample of 1 (GRAZING_SAMPLES is not set); what it starts counts.
+Each test runs in a process of its own, at the sample of 1 and asked for nothing beside cargo; what it starts counts.
 Exit code 1 names those that take longer, and the names in LONGER that no longer do, or are not.
 """
 import json
@@ -64,7 +64,8 @@ def seconds(folder, program, test):
 
 
 def main():
-    os.environ.pop("GRAZING_SAMPLES", None)
+    for name in [name for name in os.environ if name.startswith(("GRAZING_SAMPLES", "GRAZING_REQUIRE_"))]:
+        del os.environ[name]
     found, failed = [], []
     for folder, name, program in programs(sys.argv[1:]):
         listed = subprocess.run([program, "--list", "--format", "terse"], cwd=folder, stdout=subprocess.PIPE, text=True)

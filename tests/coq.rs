@@ -19,11 +19,13 @@ use std::{env, fs, thread};
 mod circle;
 #[path = "coq/readers.rs"]
 mod readers;
+#[path = "samples/mod.rs"]
+mod samples;
 
 /// First by its name: it takes longest, and two processors from the start.
 #[test]
 fn check_sh_accepts_the_development() {
-    let Some(version) = version("coqc", "COQ PROOFS NOT CHECKED", "coq") else { return };
+    let Some(version) = version("coqc", "the Coq development checked", "coq") else { return };
     let build = folder("coq");
     let sources = sources();
     let mut hasher = DefaultHasher::new();
@@ -46,7 +48,7 @@ fn oracle() -> Option<PathBuf> {
 }
 
 fn build_oracle() -> Option<PathBuf> {
-    let notice = "GRAZING NOT COMPARED WITH THE PROVED FUNCTIONS";
+    let notice = "grazing compared with the proved functions";
     version("coqc", notice, "coq")?;
     let found = ["ocamlopt", "ocamlc"].into_iter().find(|compiler| runs(compiler));
     let Some(compiler) = found else { missing("ocamlopt or ocamlc", notice, "ocaml-nox") };
@@ -592,10 +594,7 @@ fn runs(program: &str) -> bool {
 
 /// The version a program prints, where it is asked for: not there it is a failure then.
 fn version(program: &str, notice: &str, package: &str) -> Option<Vec<u8>> {
-    if env::var("GRAZING_REQUIRE_COQ").as_deref() != Ok("1") {
-        // Not eprintln!, which the test harness would swallow.
-        let text = format!("\n*** {notice}: not asked for by GRAZING_REQUIRE_COQ=1 ***\n");
-        std::io::stderr().write_all(text.as_bytes()).unwrap();
+    if !samples::asked("GRAZING_REQUIRE_COQ", notice) {
         return None;
     }
     let found = Command::new(program).arg("--version").output().ok().map(|output| output.stdout);

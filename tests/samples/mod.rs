@@ -1,4 +1,9 @@
-//! How much the tests do.
+//! How much the tests do, and what beside cargo they are asked to use.
+
+// Each test program uses a part of this.
+#![allow(dead_code)]
+
+use std::io::Write;
 
 /// `sample` times `GRAZING_SAMPLES`, a whole number from 1: 1 where it is not set, as in `cargo test`.
 pub fn samples<T: TryFrom<u64>>(sample: u64) -> T {
@@ -12,4 +17,15 @@ pub fn samples<T: TryFrom<u64>>(sample: u64) -> T {
     };
     let all = sample.checked_mul(times).and_then(|all| T::try_from(all).ok());
     all.unwrap_or_else(|| panic!("GRAZING_SAMPLES={times}: too much of {sample}"))
+}
+
+/// Whether something beside cargo is asked for, by this variable being 1; it must be there then.
+/// What is not asked for is said past the test harness, which keeps what a passing test prints.
+pub fn asked(variable: &str, what: &str) -> bool {
+    let asked = std::env::var_os(variable).is_some_and(|value| value == "1");
+    if !asked {
+        let said = writeln!(std::io::stderr(), "NOT RUN, as {variable}=1 does not ask for it: {what}");
+        said.expect("standard error can be written");
+    }
+    asked
 }

@@ -8,7 +8,7 @@ use crate::{
 
 use std::{
     collections::BTreeSet,
-    env, fs,
+    fs,
     path::{Path, PathBuf},
 };
 
@@ -195,8 +195,7 @@ fn json_is_as_its_schemas_say() {
     let read = |file: &String| fs::read_to_string(folder.path().join(file)).unwrap();
     let values: Vec<Value> = files.iter().map(|file| serde_json::from_str(&read(file)).unwrap()).collect();
     every_task_is_there(&kinds(folder.path()), &values);
-    if env::var("GRAZING_REQUIRE_PYTHON").as_deref() != Ok("1") {
-        println!("not asked for by GRAZING_REQUIRE_PYTHON=1: the JSON was not held against docs/schemas");
+    if !crate::samples::asked("GRAZING_REQUIRE_PYTHON", "the JSON held against docs/schemas") {
         return;
     }
     let [script, schemas] =

@@ -1,6 +1,8 @@
 //! The command `grazing-check`: verdicts and exit codes.
 
 mod common;
+#[path = "../../../tests/samples/mod.rs"]
+mod samples;
 
 use std::{
     fs,

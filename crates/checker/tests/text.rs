@@ -1,6 +1,8 @@
 //! What holds for the text of every kind: ends of lines, limits, the wish to end.
 
 mod common;
+#[path = "../../../tests/samples/mod.rs"]
+mod samples;
 
 use std::io::{self, BufRead, BufReader, Read};
 

@@ -14,6 +14,7 @@ pub mod cli;
 use grazing::{certificate, existence, farey, local, number, pattern, rows, search, symbol, tolerance, word};
 use grazing_base::{error, monitor, outcome, output, printable, processor, profile};
 
+#[doc(hidden)]
 pub use cli::{Commands, Theory, main};
 
 /// The hash of this chapter's sources.

@@ -64,8 +64,7 @@ pub fn with(text: &str, start: &str, lines: &str) -> String {
 
 /// What a second reader in Python, of this name, says of each text; none but with `GRAZING_REQUIRE_PYTHON=1`.
 pub fn second_reader(script: &str, texts: impl IntoIterator<Item = impl AsRef<[u8]>>) -> Option<Vec<String>> {
-    if std::env::var_os("GRAZING_REQUIRE_PYTHON").is_none_or(|asked| asked != "1") {
-        println!("not asked for by GRAZING_REQUIRE_PYTHON=1: reference/{script}");
+    if !crate::samples::asked("GRAZING_REQUIRE_PYTHON", &format!("the second reader {script}")) {
         return None;
     }
     // Tests of one file run side by side.

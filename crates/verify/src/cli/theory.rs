@@ -14,7 +14,6 @@ use crate::{
 
 /// A command of the theory.
 #[derive(Debug, Subcommand)]
-#[allow(missing_docs)]
 pub enum Theory {
     Verify(verify::Args),
     Check(check::Args),
