@@ -33,6 +33,7 @@ LONGER = {
     "theory farey::the_largest_walk_stays_exact",
     "theory fuzz::words::false_statements_are_refuted",
     "theory measure::the_distribution_approaches_the_landau_law",
+    "theory patterns::block_solver_against_dense",
     "theory share::two_searches_bound_one_share",
     "theory tolerance::random_points_contradict_no_verdict_and_lie_within_the_shares",
     "theory words::forms::a_point_is_a_tiny_box",
