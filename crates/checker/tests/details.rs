@@ -458,7 +458,7 @@ fn what_is_printed_of_periods_is_checked() {
 
 #[test]
 fn what_is_printed_of_an_orbit_is_checked() {
-    printed_is_checked(&samples()[1], 11);
+    printed_is_checked(&samples()[1], 17);
 }
 
 #[test]
