@@ -161,7 +161,7 @@ fn boxes(sample: u32) -> ProptestConfig {
 }
 
 proptest! {
-    #![proptest_config(boxes(9))]
+    #![proptest_config(boxes(6))]
 
     #[test]
     fn machines_are_what_their_box_says(
