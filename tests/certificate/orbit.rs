@@ -312,7 +312,7 @@ fn damage_is_detected() {
         assert!(is_true(&text, case));
         let body = text.lines().position(|line| line.starts_with("orbit")).unwrap();
         let (mut rejected, mut unchanged, mut still_true) = (0, 0, 0);
-        for round in 0..samples::<u64>(1_700) {
+        for round in 0..samples::<u64>(300) {
             let damage = strategy.new_tree(&mut runner).unwrap().current();
             // Half of the time past the header, which the digest and the statement guard.
             let changed = damaged(&text, if round % 2 == 0 { 0 } else { body }, &damage);
@@ -326,7 +326,7 @@ fn damage_is_detected() {
             }
         }
         println!("{rejected} rejected, {still_true} still true, {unchanged} unchanged");
-        assert!(rejected > 4 * still_true && still_true > 40);
+        assert!(rejected > 4 * still_true && still_true > 5);
     }
 }
 

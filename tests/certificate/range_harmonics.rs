@@ -2,6 +2,7 @@
 //! it: the orbits that Newton's method finds in the machine's own equations have the phases and the strengths
 //! of the certificate, at both ends of its range and between. The wall's top is found by other formulas.
 
+use crate::samples::samples;
 use std::f64::consts::TAU;
 
 use grazing_scenes::{
@@ -307,8 +308,8 @@ fn orbits_beside_walls_of_several_harmonics_are_in_their_ranges() {
 /// certificate's.
 #[test]
 fn machines_that_change_with_the_parameter_have_ranges() {
-    for (force, damping, stiffness, varied, least) in [(1.4, 0.1, 0.28, "k", 200), (1.0, 0.3, 0.55, "c", 40)]
-    {
+    let all = [(1.0, 0.3, 0.55, "c", 40), (1.4, 0.1, 0.28, "k", 200)];
+    for (force, damping, stiffness, varied, least) in all.into_iter().take(samples(1)) {
         let waves = vec![(1.0, force, 0.0)];
         let machine = Machine { damping, stiffness, restitution: 0.8, waves, varied };
         let found = machine.found("reach = 3\nrange = { effort = 30000 }");

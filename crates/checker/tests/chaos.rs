@@ -3,6 +3,7 @@
 use crate::common::{
     CHAOS_12, CHAOS_123, CHAOS_MIRRORED, CHAOS_MIRRORED_BEFORE, answer, rejected, second_reader, with,
 };
+use crate::samples::one_in;
 use grazing_check::chaos::{STATEMENT_3, STATEMENT_4};
 
 #[test]
@@ -528,7 +529,7 @@ fn two_readers_agree() {
     ]);
     let changed = changes.map(|(text, (start, line, right))| (line.clone(), with(text, start, &line), right));
     let forged = forgeries().into_iter().map(|(what, text, _)| (what.to_string(), text, false));
-    let all: Vec<_> = changed.chain(forged).collect();
+    let all: Vec<_> = changed.chain(forged.step_by(one_in(4))).collect();
     let Some(verdicts) = second_reader("chaos.py", all.iter().map(|(_, text, _)| text)) else { return };
     for ((what, text, right), line) in all.iter().zip(&verdicts) {
         let (ours, theirs) = (answer(text), line.contains(": proved, "));

@@ -4,6 +4,7 @@
 use grazing_check::Rejection;
 
 use crate::common::{FREE, FREE_MACHINE, ORBIT_4, answer, rejected, resealed, second_reader, with};
+use crate::samples::one_in;
 
 #[test]
 fn what_is_written_passes_and_is_named() {
@@ -225,6 +226,7 @@ fn a_second_reader_agrees() {
     let mut texts: Vec<String> = [FREE, FREE_MACHINE, &unstable, &open].map(damaged).concat();
     texts.sort();
     texts.dedup();
+    let texts: Vec<String> = texts.into_iter().step_by(one_in(4)).collect();
     let Some(verdicts) = second_reader("free.py", &texts) else { return };
     let (mut accepted, mut rejected, mut narrower) = (0, 0, 0);
     for (text, line) in texts.iter().zip(&verdicts) {
@@ -237,5 +239,9 @@ fn a_second_reader_agrees() {
         *(if ours.is_ok() { &mut accepted } else { &mut rejected }) += 1;
     }
     println!("{accepted} accepted, {rejected} rejected, {narrower} of them by the checker alone");
-    assert!(accepted > 100 && rejected > 1000 && narrower < 40, "{accepted} {rejected} {narrower}");
+    let tenth = texts.len() / 10;
+    assert!(
+        accepted > tenth / 2 && rejected > 5 * tenth && narrower < tenth / 4,
+        "{accepted} {rejected} {narrower}"
+    );
 }

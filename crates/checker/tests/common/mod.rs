@@ -63,10 +63,13 @@ pub fn with(text: &str, start: &str, lines: &str) -> String {
 }
 
 /// What a second reader in Python, of this name, says of each text; none but with `GRAZING_REQUIRE_PYTHON=1`.
+/// The test is named after readers: `.ci/run` asks for those by that word.
 pub fn second_reader(script: &str, texts: impl IntoIterator<Item = impl AsRef<[u8]>>) -> Option<Vec<String>> {
     if !crate::samples::asked("GRAZING_REQUIRE_PYTHON", &format!("the second reader {script}")) {
         return None;
     }
+    let test = std::thread::current().name().map(String::from).expect("a test has a name");
+    assert!(test.contains("reader"), "{test}: the name does not say that a second reader is asked");
     // Tests of one file run side by side.
     let own = format!("{script}-{}-{:?}", std::process::id(), std::thread::current().id());
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(own);
