@@ -9,7 +9,11 @@
 //! - the map is linear on the way: |P^d(x) − x* − A e| ≤ (1 − ρ)|e|/4, so that near x* no round adds as much
 //!   as it takes away;
 //! - and x is near x*, or follows A^k e to within ‖A^k‖|e|/2 for the rounds in which ‖A^k‖ falls to 10⁻⁵:
-//!   what is farther away may meet a stop that x* and the first round do not.
+//!   what is farther away may meet a stop that x* and the first round do not;
+//!
+//! or, however far it is, if the motions from x* + e, x* + e/2, … down to where x is near all come nearer
+//! ([`shrinks`]): friction alone damps so slowly, and light damping, that no motion would be seen to the end.
+//! Where Newton's method finds no orbit that attracts from x, it is asked once more from the mean of the points.
 //!
 //! Period, impacts, points and multipliers are then those of the orbit: no number depends on where the motion
 //! was. Numerical evidence, not proof: that is `validate`. What the tolerances are relative to: the extent of
@@ -37,6 +41,16 @@ const SAME: f64 = 1e-7;
 const SAME_ROUNDING: f64 = 1e-11;
 /// Smaller numbers are 0: the simulators end motions that small.
 const NOTHING: f64 = 1e-140;
+/// Rounds in which a motion is seen to come nearer to an orbit.
+const LAP: u64 = 32;
+/// In a lap the farthest comes nearer by this part at least: turning, points miss their farthest by less.
+const NEARER: f64 = 1e-3;
+/// 2 to this is how many points a form is the mean over.
+const DOUBLINGS: u32 = 24;
+/// Halvings of the distance from which motions are seen to come nearer.
+const LEVELS: u32 = 24;
+/// A spectral radius of rounds without impacts this near 1 is 1.
+const SMOOTH_NEUTRAL: f64 = 1e-11;
 /// A spectral radius this near 1 is 1: what is on such an orbit stays, what is beside it is not attracted.
 pub const NEUTRAL: f64 = 1e-7;
 /// Steps of Newton's method: to an orbit at rest in 0, which has no size, each takes 16 digits off, until
@@ -108,6 +122,7 @@ struct Round {
     end: Vec<f64>,
     /// ∂end/∂x, by rows.
     slope: Vec<Vec<f64>>,
+    impacts: u64,
 }
 
 /// A fixed point of the map round some periods.
@@ -118,7 +133,8 @@ struct Fixed {
 }
 
 /// What a motion at these coordinates of the section at `phase` tends to, if it recurs after `period`: the
-/// orbit of the least period that divides it. Cost: some four rounds with vectors for each divisor.
+/// orbit of the least period that divides it. The mean is of its points one period apart, if it is known. Cost:
+/// some four rounds with vectors for each divisor, and that of [`shrinks`].
 ///
 /// # Errors
 /// Those of [`Motion::pass`].
@@ -127,11 +143,12 @@ pub(super) fn tendency<D: Dynamics>(
     x: &[f64],
     phase: f64,
     period: usize,
+    mean: Option<&[f64]>,
     size: &Size,
 ) -> Result<Tendency<D::Point>> {
     let (mut found, mut shorter) = (Tendency::Other, Vec::<Fixed>::new());
     for divisor in (1..=period).filter(|divisor| period.is_multiple_of(*divisor)) {
-        let (tends, fixed) = of_period(dynamics, x, phase, divisor, size)?;
+        let (tends, fixed) = of_period(dynamics, x, phase, divisor, mean, size)?;
         let Some(fixed) = fixed else { continue };
         match tends {
             Tends::Settled => {
@@ -153,25 +170,10 @@ pub(super) fn tendency<D: Dynamics>(
 
 /// Whether a motion tends to a fixed point.
 #[derive(PartialEq)]
-pub(super) enum Tends {
+enum Tends {
     Settled,
     NotYet,
     Elsewhere,
-}
-
-/// Whether the map round a period has a fixed point near a motion to which it tends: of which the motion need
-/// not know by recurrence. Cost: some four rounds with vectors.
-///
-/// # Errors
-/// Those of [`Motion::pass`].
-pub(super) fn tends<D: Dynamics>(
-    dynamics: &D,
-    from: &[f64],
-    phase: f64,
-    period: usize,
-    size: &Size,
-) -> Result<Tends> {
-    Ok(of_period(dynamics, from, phase, period, size)?.0)
 }
 
 /// The fixed point of the map round a period that Newton's method finds from these coordinates, with the
@@ -188,7 +190,7 @@ pub fn fixed_point<D: Dynamics>(
     let Some(first) = round(dynamics, from, phase, period)? else { return Ok(None) };
     let size = Size::of(dynamics, from, phase)?;
     let found = newton(dynamics, from, first, phase, period, &size)?;
-    let Some((x, slope)) = found else { return Ok(None) };
+    let Some((x, Round { slope, .. })) = found else { return Ok(None) };
     let same = Size::of(dynamics, &x, phase)?.same();
     Ok(Some(FixedPoint { x, slope, same }))
 }
@@ -208,29 +210,42 @@ fn of_period<D: Dynamics>(
     from: &[f64],
     phase: f64,
     period: usize,
+    mean: Option<&[f64]>,
     size: &Size,
 ) -> Result<(Tends, Option<Fixed>)> {
     let nothing = (Tends::Elsewhere, None);
     let rounds = period as u64;
     let Some(first) = round(dynamics, from, phase, rounds)? else { return Ok(nothing) };
     let after = first.end.clone();
-    let found = newton(dynamics, from, first, phase, rounds, size)?;
-    let Some((mut x, slope)) = found else { return Ok(nothing) };
+    let radius = |at: &Round| {
+        let all = D::multipliers(&at.slope, None)?;
+        Some(all.iter().fold(0.0, |most: f64, (re, im)| most.max(re.hypot(*im))))
+    };
+    let mut found = newton(dynamics, from, first, phase, rounds, size)?;
+    if let Some(mean) = mean
+        && found.as_ref().and_then(|(_, at)| radius(at)).is_none_or(|radius| radius > 1.0)
+        && let Some(first) = round(dynamics, mean, phase, rounds)?
+    {
+        found = newton(dynamics, mean, first, phase, rounds, size)?.or(found);
+    }
+    let Some((mut x, at)) = found else { return Ok(nothing) };
     if length(&x) <= NOTHING {
         x.fill(0.0);
     }
-    let Some(multipliers) = D::multipliers(&slope, None) else { return Ok(nothing) };
-    let radius = multipliers.iter().fold(0.0, |most: f64, (re, im)| most.max(re.hypot(*im)));
+    let Some(radius) = radius(&at) else { return Ok(nothing) };
     let off: Vec<f64> = minus(from, &x);
     let distance = length(&off);
     let on_it = distance <= size.part(0.0);
-    let attracts = radius < if on_it { 1.0 + NEUTRAL } else { 1.0 - NEUTRAL };
-    let bent = length(&minus(&minus(&after, &x), &times(&slope, &off)));
+    let neutral = if at.impacts == 0 { SMOOTH_NEUTRAL } else { NEUTRAL };
+    let attracts = radius < if on_it { 1.0 + NEUTRAL } else { 1.0 - neutral };
+    let bent = length(&minus(&minus(&after, &x), &times(&at.slope, &off)));
     let linear = bent <= (1.0 - radius) / 4.0 * distance;
     let near = distance <= size.part(NEAR);
     let tends = if !attracts {
         Tends::Elsewhere
-    } else if on_it || linear && (near || follows(dynamics, from, phase, rounds, (&x, &slope, radius, &off))?)
+    } else if on_it
+        || linear && (near || follows(dynamics, from, phase, rounds, (&x, &at.slope, radius, &off))?)
+        || shrinks(dynamics, (&x, &at, radius), phase, rounds, &off, size)?
     {
         Tends::Settled
     } else if linear || distance <= size.part(FAR) {
@@ -238,11 +253,91 @@ fn of_period<D: Dynamics>(
     } else {
         Tends::Elsewhere
     };
-    Ok((tends, Some(Fixed { period, x, slope })))
+    Ok((tends, Some(Fixed { period, x, slope: at.slope })))
 }
 
-/// A point and the derivative of a map there.
-type Linearised = (Vec<f64>, Vec<Vec<f64>>);
+/// Whether motions from x* + e, x* + e/2, … come nearer to x*, and meet nothing that its orbit does not. They
+/// come nearer if no round takes a quadratic form of e up ([`least_form`]), or if in a
+/// second lap the farthest is nearer than in the first, by what the points of a lap can miss.
+/// Cost: two laps of 32 rounds for each of up to 24 halvings.
+///
+/// # Errors
+/// Those of [`Motion::pass`].
+fn shrinks<D: Dynamics>(
+    dynamics: &D,
+    (x, at, radius): (&[f64], &Round, f64),
+    phase: f64,
+    period: u64,
+    off: &[f64],
+    size: &Size,
+) -> Result<bool> {
+    let form = least_form(&at.slope, radius);
+    let mut scale = 1.0;
+    for _ in 0..LEVELS {
+        let start: Vec<f64> = x.iter().zip(off).map(|(x, e)| x + scale * e).collect();
+        let Ok(mut run) = dynamics.begin(&dynamics.at(&start, phase)) else { return Ok(false) };
+        let (mut farthest, mut last, mut always) = ([0.0f64; 2], f64::INFINITY, true);
+        for i in 0..2 * LAP {
+            let e = minus(run.point().coordinates(), x);
+            let value = quadratic(&form, &e);
+            always &= value < last;
+            last = value;
+            let lap = &mut farthest[(i / LAP) as usize];
+            *lap = lap.max(length(&e));
+            if run.pass(Time::new(((i + 1) * period) as i64, phase))? != RunEnd::Reached {
+                return Ok(false);
+            }
+        }
+        if run.impacts() != 2 * LAP * at.impacts {
+            return Ok(false);
+        }
+        if !always && farthest[1] > (1.0 - NEARER) * farthest[0] {
+            return Ok(false);
+        }
+        if scale * length(off) <= size.part(NEAR) {
+            return Ok(true);
+        }
+        scale /= 2.0;
+    }
+    Ok(false)
+}
+
+/// eᵀSe.
+fn quadratic(form: &[Vec<f64>], e: &[f64]) -> f64 {
+    times(form, e).iter().zip(e).map(|(a, b)| a * b).sum()
+}
+
+/// A quadratic form that the map takes down in every round, if that is not by far less than 10⁻⁷: of two
+/// multipliers that are a pair the one that it multiplies by their modulus squared, else the mean of those of
+/// the points that follow.
+fn least_form(slope: &[Vec<f64>], radius: f64) -> Vec<Vec<f64>> {
+    if let [row, next] = slope
+        && let ([a, b], [c, d]) = (&row[..], &next[..])
+    {
+        // A − tr A/2 is a turn, and leaves it as it is.
+        let half = (a - d) / 2.0;
+        if half * half + b * c < 0.0 {
+            let sign = c.signum();
+            return vec![vec![sign * c, -sign * half], vec![-sign * half, -sign * b]];
+        }
+    }
+    let mut power: Vec<Vec<f64>> = slope.iter().map(|row| row.iter().map(|x| x / radius).collect()).collect();
+    let size = slope.len();
+    let mut form: Vec<Vec<f64>> =
+        (0..size).map(|i| (0..size).map(|j| f64::from(u8::from(i == j))).collect()).collect();
+    for _ in 0..DOUBLINGS {
+        let turned: Vec<Vec<f64>> = (0..size).map(|j| power.iter().map(|row| row[j]).collect()).collect();
+        let more = product(&turned, &product(&form, &power));
+        for (row, more) in form.iter_mut().zip(more) {
+            row.iter_mut().zip(more).for_each(|(a, b)| *a = (*a + b) / 2.0);
+        }
+        power = product(&power, &power);
+    }
+    form
+}
+
+/// A point and the map there.
+type Mapped = (Vec<f64>, Round);
 
 /// A root of P^d(x) = x and the derivative there, from the map at the first point.
 fn newton<D: Dynamics>(
@@ -252,7 +347,7 @@ fn newton<D: Dynamics>(
     phase: f64,
     period: u64,
     size: &Size,
-) -> Result<Option<Linearised>> {
+) -> Result<Option<Mapped>> {
     let (mut x, mut here, mut last) = (from.to_vec(), first, f64::INFINITY);
     for _ in 0..STEPS {
         let matrix = here.slope.iter().enumerate().map(|(i, row)| {
@@ -263,16 +358,16 @@ fn newton<D: Dynamics>(
         let rounding = size.part(0.0);
         // Where steps no longer fall they are rounding, or lead nowhere.
         if long > SHORTER * last {
-            return Ok((last <= rounding.max(size.part(SAME))).then_some((x, here.slope)));
+            return Ok((last <= rounding.max(size.part(SAME))).then_some((x, here)));
         }
         x.iter_mut().zip(&step).for_each(|(x, step)| *x += step);
         let Some(next) = round(dynamics, &x, phase, period)? else { return Ok(None) };
         (here, last) = (next, long);
         if long <= f64::EPSILON * length(&x) {
-            return Ok(Some((x, here.slope)));
+            return Ok(Some((x, here)));
         }
     }
-    Ok((last <= size.part(0.0)).then_some((x, here.slope)))
+    Ok((last <= size.part(0.0)).then_some((x, here)))
 }
 
 /// Whether the motion comes near as the derivative says: a stop may be met on the way, however far it is.
@@ -347,7 +442,7 @@ fn round<D: Dynamics>(dynamics: &D, x: &[f64], phase: f64, period: u64) -> Resul
     }
     let (end, columns) = (carried.coordinates(), carried.vectors());
     let slope = (0..x.len()).map(|i| columns.iter().map(|column| column[i]).collect()).collect();
-    Ok(Some(Round { end, slope }))
+    Ok(Some(Round { end, slope, impacts: carried.impacts() }))
 }
 
 fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {

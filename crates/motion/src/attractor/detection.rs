@@ -5,10 +5,11 @@
 use serde::Serialize;
 
 use super::{
-    confirm::{PATIENCE, Size, Tendency, Tends, tendency, tends},
+    confirm::{PATIENCE, Size, Tendency, tendency},
     cycle::{Cycle, ordered},
     dynamics::{Dynamics, Motion, SectionState},
     section::{section, stops},
+    wander::wanders,
 };
 use crate::{
     error::{Error, Result},
@@ -51,7 +52,8 @@ impl Default for Detection {
 pub enum Fate<P = [f64; 2]> {
     /// A periodic orbit, confirmed: by Newton's method, or as the points recur to rounding.
     Periodic(Cycle<P>),
-    /// No recurrence up to the longest period: chaos, or a long period.
+    /// No orbit up to the longest period is found, and the motion wanders: neighbours part, or it goes
+    /// equally far for as long as it is looked at.
     Irregular,
     /// Not decided: a transient is not over, or points recur and no orbit is found.
     Unsettled,
@@ -140,7 +142,7 @@ impl Detection {
         if let Some(error) = failed {
             return Err(error);
         }
-        Ok(if end == RunEnd::Reached { seen.fate() } else { Fate::Ended(end) })
+        if end == RunEnd::Reached { seen.fate() } else { Ok(Fate::Ended(end)) }
     }
 }
 
@@ -156,8 +158,8 @@ pub(crate) struct Recurrence<'d, D: Dynamics> {
     /// When Newton's method is tried again: there is an orbit that attracts.
     again: Option<usize>,
     settled: Option<Cycle<D::Point>>,
-    /// Whether the window of points is over.
-    over: bool,
+    /// Once the window of points is over and no orbit is found, whether the motion wanders.
+    wanders: Option<bool>,
 }
 
 impl<'d, D: Dynamics> Recurrence<'d, D> {
@@ -176,7 +178,7 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
             candidate: None,
             again: None,
             settled: None,
-            over: false,
+            wanders: None,
         })
     }
 
@@ -206,7 +208,7 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
                 }
             }
             // A chance encounter: on with the search.
-            Some(_) => (self.candidate, self.again, self.over) = (None, None, false),
+            Some(_) => (self.candidate, self.again) = (None, None),
             None if here <= longest && self.recurs(here, tolerance) => {
                 self.candidate = Some((here, here));
                 self.attempt(here)?;
@@ -220,9 +222,11 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
                 None => self.guess()?,
             }
         }
-        if self.settled.is_none() && here >= longest && self.candidate.is_none() && !self.over {
-            self.over = true;
+        if self.settled.is_none() && here >= longest && self.candidate.is_none() && self.wanders.is_none() {
             self.guess()?;
+            if self.settled.is_none() {
+                self.decide()?;
+            }
         }
         let most = longest * (1 + confirm) + PATIENCE as usize;
         let pending = self.again.is_some() || self.candidate.is_some() || here < longest;
@@ -258,16 +262,24 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
     /// Looks for the orbit of a period at which points recur.
     fn attempt(&mut self, n: usize) -> Result<()> {
         let here = self.points.len() - 1;
-        let at = self.points[here].0.coordinates();
-        let found = tendency(self.dynamics, at, self.detection.phase, n, &self.size)?;
+        let (at, mean) = (self.points[here].0.coordinates(), self.mean(n));
+        let found = tendency(self.dynamics, at, self.detection.phase, n, mean.as_deref(), &self.size)?;
         self.keep(found, here, n);
         Ok(())
+    }
+
+    /// The mean of every n-th point back from the last, of some.
+    fn mean(&self, n: usize) -> Option<Vec<f64>> {
+        let some: Vec<&[f64]> =
+            self.points.iter().rev().step_by(n).take(AVERAGED).map(|point| point.0.coordinates()).collect();
+        let sum = |i: usize| some.iter().map(|point| point[i]).sum::<f64>() / some.len() as f64;
+        (some.len() >= FEW).then(|| (0..some[0].len()).map(sum).collect())
     }
 
     /// Looks for an orbit of period 1, or of the period at which the last point is nearest to one before: a
     /// transient may last, and not recur.
     fn guess(&mut self) -> Result<()> {
-        let (here, phase) = (self.points.len() - 1, self.detection.phase);
+        let here = self.points.len() - 1;
         let (last, before) = self.points.split_last().expect("never empty");
         let apart = |n: usize| {
             let other = before[here - n].0.coordinates();
@@ -276,17 +288,21 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
         let longest = self.detection.longest.min(GUESSED).min(here);
         let nearest = (1..=longest).min_by(|&a, &b| apart(a).total_cmp(&apart(b))).unwrap_or(1);
         let likely = apart(nearest) <= LIKELY * self.size.extent;
-        let at = last.0.coordinates().to_vec();
-        for n in [1, nearest] {
-            let found = match tends(self.dynamics, &at, phase, n, &self.size)? {
-                Tends::Settled => tendency(self.dynamics, &at, phase, n, &self.size)?,
-                Tends::NotYet => Tendency::NotYet,
-                Tends::Elsewhere => Tendency::Other,
-            };
-            self.keep(found, here, n);
-            if self.settled.is_some() || nearest == 1 || !likely {
-                break;
-            }
+        self.attempt(1)?;
+        if self.settled.is_none() && nearest > 1 && likely {
+            self.attempt(nearest)?;
+        }
+        Ok(())
+    }
+
+    /// Whether the motion wanders, once no orbit is found; if not, it is looked at again.
+    fn decide(&mut self) -> Result<()> {
+        let here = self.points.len() - 1;
+        let at = self.points[here].0.coordinates();
+        let wanders = self.again.is_none() && wanders(self.dynamics, at, self.detection.phase)?;
+        self.wanders = Some(wanders);
+        if !wanders && self.again.is_none() {
+            self.again = Some(here + here / 2);
         }
         Ok(())
     }
@@ -296,19 +312,28 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
             Tendency::Settled(cycle) => self.settled = Some(cycle),
             // Ever more rarely.
             Tendency::NotYet => self.again = Some(here + n.max(here / 2)),
+            Tendency::Other if self.wanders == Some(false) => self.again = Some(here + n.max(here / 2)),
             Tendency::Other => {}
         }
     }
 
     /// What the points amount to once no other is asked for.
-    pub fn fate(&mut self) -> Fate<D::Point> {
-        match self.settled.take() {
-            Some(cycle) => Fate::Periodic(cycle),
-            None if self.again.is_some() || self.candidate.is_some() => Fate::Unsettled,
-            None => Fate::Irregular,
+    ///
+    /// # Errors
+    /// Those of [`Motion::pass`].
+    pub fn fate(&mut self) -> Result<Fate<D::Point>> {
+        if let Some(cycle) = self.settled.take() {
+            return Ok(Fate::Periodic(cycle));
         }
+        if self.wanders.is_none() && self.again.is_none() && self.candidate.is_none() {
+            self.decide()?;
+        }
+        Ok(if self.wanders == Some(true) { Fate::Irregular } else { Fate::Unsettled })
     }
 }
 
+/// Points of which the mean is taken, at the most and at the least.
+const AVERAGED: usize = 256;
+const FEW: usize = 8;
 /// The longest period that is guessed where points do not recur.
 const GUESSED: usize = 16;

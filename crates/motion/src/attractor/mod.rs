@@ -35,6 +35,7 @@ pub mod rest;
 pub mod section;
 pub mod swing;
 pub mod touch;
+mod wander;
 
 pub use checkpoint::Keep;
 pub use confirm::{FixedPoint, NEUTRAL, fixed_point};

@@ -6,7 +6,7 @@
 //! (`pattern`).
 
 use super::{
-    diagram::{Jump, Look, SweepStep, jump},
+    diagram::{Jump, Look, SweepStep, arrive, jump},
     observe::{Attraction, Observation},
     portrait::{OnAttractor, Portrait, range, settle},
 };
@@ -153,8 +153,8 @@ pub fn seen<D: Attraction>(
     for i in 1..=STEPS {
         monitor.advance(0)?;
         let value = touch.at(f64::from(i) * STEP);
-        let Some(from) = last.settled.as_ref().map(|settled| &settled.start) else { break };
-        let settled = settle(&dynamics(value)?, from, &observation, monitor)?;
+        let Some(from) = last.settled.as_ref() else { break };
+        let settled = arrive(from, [last.value, value], &observation, &dynamics, monitor)?;
         let next = SweepStep { value, settled, anew: false };
         seen.back_to = Some((value, next.settled.clone()));
         let pair = [last, next];

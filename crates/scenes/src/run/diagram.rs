@@ -114,11 +114,10 @@ impl AlsoRow {
 /// What there is at a value, each once; nothing but what is lost counts as something.
 fn kinds(slice: &Slice) -> Vec<Kind> {
     let mut all: Vec<Kind> = Vec::new();
-    for motion in &slice.motions {
+    for motion in slice.motions.iter().filter(|motion| !motion.undecided) {
         let periodic = motion.period.map(|period| (period, motion.impacts));
         let what = match periodic {
             Some(_) => None,
-            None if motion.undecided => Some("not settled"),
             None => Some("not periodic"),
         };
         let before = all.iter().filter(|kind| (kind.0, kind.1) == (what, periodic)).count();
@@ -126,7 +125,7 @@ fn kinds(slice: &Slice) -> Vec<Kind> {
             all.push((what, periodic, before));
         }
     }
-    if all.is_empty() {
+    if slice.motions.is_empty() {
         all.push((Some("all lost"), None, 0));
     }
     all
@@ -427,7 +426,7 @@ fn gather(task: &DiagramTask, job: &Job, slices: Vec<Slice>) -> DiagramFindings 
         if motions.is_empty() {
             coexisting.push(CoexistingRow { value, period: None, impacts: None, lost });
         }
-        coexisting.extend(motions.iter().map(|motion| CoexistingRow {
+        coexisting.extend(motions.iter().filter(|motion| !motion.undecided).map(|motion| CoexistingRow {
             value,
             period: motion.period,
             impacts: Some(motion.impacts),

@@ -315,7 +315,7 @@ fn followed<E: Engine>(
         if portrait.undecided || grows {
             not_settled.push(step.value);
         }
-        if grows {
+        if portrait.undecided || grows {
             continue;
         }
         let (change, round) = ((task.parameter.as_str(), step.value), [portrait.looked, task.harmonic]);

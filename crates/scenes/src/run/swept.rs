@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::{Lines, row};
 use crate::{
     attractor::{
-        diagram::{Jump, SweepStep},
+        diagram::{Ends, Jump, SweepStep},
         portrait::{OnAttractor, Portrait},
     },
     scene::branches::SweepWay,
@@ -34,9 +34,13 @@ row! {
     pub struct JumpRow {
         /// Which way the parameter goes.
         pub sweep: String,
+        /// What ends the orbit that it was on, which is followed to there: "saddle-node", "flip",
+        /// "neimark-sacker", "grazing" or, if it is none of these as far as is seen, "lost"; of a motion that
+        /// is not periodic "seen", as it is followed from value to value.
+        pub ends: &'static str,
         /// The last value known at which the motion stays.
         pub stays: f64,
-        /// The first value known at which it has left.
+        /// The first value known at which it has left; of an orbit they differ by rounding.
         pub left: f64,
         /// What it was on.
         pub before: String,
@@ -117,10 +121,11 @@ impl<S> Leg<'_, S> {
     }
 
     fn jumps(&self) -> impl Iterator<Item = JumpRow> {
-        self.jumps.iter().map(|Jump { stays, left, before, after }| {
+        self.jumps.iter().map(|Jump { stays, left, ends, before, after }| {
             let (before, after) = (&before.portrait, &after.portrait);
             JumpRow {
                 sweep: self.way(),
+                ends: ends.map_or("seen", Ends::name),
                 stays: *stays,
                 left: *left,
                 before: before.words(),
@@ -170,7 +175,7 @@ fn hysteresis<S>(up: &[SweepStep<S>], down: &[SweepStep<S>]) -> Vec<HysteresisRo
     let mut rows: Vec<HysteresisRow> = Vec::new();
     let mut open = false;
     for (up, down) in up.iter().zip(down.iter().rev()) {
-        let seen = |step: &SweepStep<S>| step.settled.as_ref().map(|settled| settled.portrait.clone());
+        let seen = |step: &SweepStep<S>| step.decided().map(|settled| settled.portrait.clone());
         let pair = seen(up).zip(seen(down)).filter(|(up, down)| differ(up, down));
         match (pair, rows.last_mut().filter(|_| open)) {
             (Some(_), Some(last)) => (last.to, last.values) = (up.value, last.values + 1),

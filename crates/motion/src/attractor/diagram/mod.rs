@@ -6,9 +6,12 @@
 //! sweep (`swept`). So values are independent of each other, run in parallel, those of an oscillator many at
 //! once, and what is done is kept in a checkpoint; a resumed diagram is bit for bit the uninterrupted one.
 
+mod along;
 mod swept;
 mod windows;
 
+pub use along::Ends;
+pub(crate) use along::arrive;
 pub(crate) use swept::jump;
 pub use swept::{Jump, SweepStep, jumps, swept};
 pub use windows::{Window, coexisting, windows};

@@ -6,7 +6,10 @@
 
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 
-use super::DiagramPlan;
+use super::{
+    DiagramPlan,
+    along::{Along, Ends, along, arrive},
+};
 use crate::{
     attractor::{
         checkpoint::{Checkpoint, Keep},
@@ -28,6 +31,13 @@ pub struct SweepStep<S> {
     pub anew: bool,
 }
 
+impl<S> SweepStep<S> {
+    /// What the motion is on, unless that is not decided.
+    pub fn decided(&self) -> Option<&OnAttractor<S>> {
+        self.settled.as_ref().filter(|settled| !settled.portrait.undecided)
+    }
+}
+
 /// A place where a sweep leaves an attractor for another.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Jump<S> {
@@ -35,6 +45,9 @@ pub struct Jump<S> {
     pub stays: f64,
     /// The first value known at which it has left.
     pub left: f64,
+    /// How the orbit ends that it was on, if it was one: then it is followed to there, and `stays` and `left`
+    /// differ by rounding.
+    pub ends: Option<Ends>,
     /// What it was on, as it last settled.
     pub before: OnAttractor<S>,
     /// What it comes to.
@@ -50,6 +63,12 @@ const UNUSUAL: f64 = 4.0;
 
 /// Halvings of the interval of a jump: a change that goes with the root of the distance falls to a 64th.
 const HALVINGS: u32 = 12;
+
+/// An orbit is looked at this part of the way back from its end.
+const INSIDE: f64 = 1e-6;
+
+/// How often a motion that seems to stay is followed on, each time for as long as all before.
+const DOUBLINGS: u32 = 2;
 
 /// What is left of the change, after the halvings, that is a jump.
 const LEFT: f64 = 0.5;
@@ -80,15 +99,19 @@ pub fn swept<D: Attraction<Start: Serialize + DeserializeOwned>>(
     }
     monitor.advance(done.len() as u64)?;
     for &value in plan.values.get(done.len()..).unwrap_or_default() {
-        let last = done.last().and_then(|step| step.settled.as_ref()).map(|settled| &settled.start);
-        let step = dynamics(value).and_then(|system| {
-            let from = last.unwrap_or(&plan.starts[0]);
-            Ok(SweepStep {
-                value,
-                settled: settle(&system, from, &plan.observation(), monitor)?,
-                anew: last.is_none(),
-            })
-        });
+        // From where it last settled: one that grows beside a resonance does not come back for long.
+        let begun = done.iter().rposition(|step| step.settled.is_none()).map_or(0, |lost| lost + 1);
+        let settled = |step: &&SweepStep<D::Start>| step.decided().is_some();
+        let last = done[begun..].iter().rfind(settled).or(done[begun..].last());
+        let last = last.and_then(|step| Some((step.value, step.settled.as_ref()?)));
+        let observation = plan.observation();
+        let settled = match last {
+            Some((before, on)) => arrive(on, [before, value], &observation, &dynamics, monitor),
+            None => {
+                dynamics(value).and_then(|system| settle(&system, &plan.starts[0], &observation, monitor))
+            }
+        };
+        let step = settled.map(|settled| SweepStep { value, settled, anew: last.is_none() });
         match step.and_then(|step| monitor.advance(1).map(|()| step)) {
             Ok(step) => {
                 checkpoint.append(std::slice::from_ref(&step))?;
@@ -100,10 +123,10 @@ pub fn swept<D: Attraction<Start: Serialize + DeserializeOwned>>(
     Ok(done)
 }
 
-/// Where a sweep jumps. A change between neighbours is one if it stays as the interval between them is
-/// halved, the motion going on from the nearer one: what grows by and by, as by the root of the distance from
-/// a flip or a grazing, does not; nor does what chance makes of a motion that is not periodic. Cost: up to
-/// fourteen times `settle` for each unusual change.
+/// Where a sweep jumps. An orbit is followed to where it ends. Of a motion that is not periodic, a change
+/// between neighbours is a jump if it stays as the interval between them is halved, the motion going on from
+/// the nearer one: what grows by and by, as by the root of the distance from a grazing, does not; nor does
+/// what chance makes of it. Cost: up to some thirty times `settle` for each unusual change.
 ///
 /// # Errors
 /// Those of `settle`.
@@ -114,10 +137,8 @@ pub fn jumps<D: Attraction>(
     monitor: &dyn Monitor,
 ) -> Result<Vec<Jump<D::Start>>> {
     let change = |pair: &[SweepStep<D::Start>]| {
-        let [SweepStep { settled: Some(a), .. }, SweepStep { settled: Some(b), .. }] = pair else {
-            return None;
-        };
-        Some(a.portrait.apart(&b.portrait))
+        let [a, b] = pair else { return None };
+        Some(a.decided()?.portrait.apart(&b.decided()?.portrait))
     };
     let mut changes: Vec<f64> = steps.windows(2).filter_map(change).collect();
     changes.sort_by(f64::total_cmp);
@@ -143,27 +164,25 @@ pub(crate) fn jump<D: Attraction>(
     else {
         return Ok(None);
     };
-    let (whole, mut stays, mut left) = (first.portrait.apart(&last.portrait), *value, *end);
-    let (mut before, mut after) = (first.clone(), last.clone());
-    // Close to where an attractor ends, motions do not settle: it looks as it did where they last did.
-    let mut settled = first.clone();
-    for _ in 0..HALVINGS {
-        let middle = stays + (left - stays) / 2.0;
-        if middle == stays || middle == left {
-            break;
+    let whole = first.portrait.apart(&last.portrait);
+    let at = |value: f64, from: &OnAttractor<D::Start>, transient: u64| {
+        settle(&dynamics(value)?, &from.start, &Observation { transient, ..observation.clone() }, monitor)
+    };
+    let waits = observation.transient;
+    let found = match along(first, [*value, *end], observation.phase, dynamics, monitor)? {
+        Some(Along { left: None, .. }) => return Ok(None),
+        Some(Along { stays, start, left: Some((left, ends)) }) => {
+            let on = OnAttractor { start, ..first.clone() };
+            // A simulator tells a touch from none up to a distance: at the end itself a motion may leave. What
+            // is beyond is what the sweep came to: near the end a motion may creep for long.
+            at(stays + INSIDE * (value - stays), &on, waits)?
+                .zip(at(left, last, waits)?)
+                .map(|(before, after)| Jump { stays, left, ends: Some(ends), before, after })
         }
-        match settle(&dynamics(middle)?, &before.start, observation, monitor)? {
-            Some(here) if here.portrait.apart(&before.portrait) < here.portrait.apart(&after.portrait) => {
-                (stays, before) = (middle, here);
-                if before.portrait.period.is_some() || settled.portrait.period.is_none() {
-                    settled = before.clone();
-                }
-            }
-            Some(here) => (left, after) = (middle, here),
-            None => return Ok(None),
-        }
-    }
-    let change = before.portrait.apart(&after.portrait);
+        None => leaves([(*value, first), (*end, last)], waits, &at)?,
+    };
+    let Some(found) = found else { return Ok(None) };
+    let change = found.before.portrait.apart(&found.after.portrait);
     if change <= LIKELY || change <= LEFT * whole {
         return Ok(None);
     }
@@ -174,7 +193,42 @@ pub(crate) fn jump<D: Attraction>(
             return Ok(None);
         }
     }
-    Ok(Some(Jump { stays, left, before: settled, after }))
+    Ok(Some(found))
+}
+
+/// Where a motion that is not periodic leaves what it is on for the other, followed for twice as long until
+/// that changes nothing; none where it is lost.
+fn leaves<S: Clone>(
+    [(value, first), (end, last)]: [(f64, &OnAttractor<S>); 2],
+    waits: u64,
+    at: &impl Fn(f64, &OnAttractor<S>, u64) -> Result<Option<OnAttractor<S>>>,
+) -> Result<Option<Jump<S>>> {
+    let (mut stays, mut left) = (value, end);
+    let (mut before, mut after) = (first.clone(), last.clone());
+    let stayed = |here: &OnAttractor<S>, before: &OnAttractor<S>, after: &OnAttractor<S>| {
+        here.portrait.apart(&before.portrait) < here.portrait.apart(&after.portrait)
+    };
+    for _ in 0..HALVINGS {
+        let middle = stays + (left - stays) / 2.0;
+        if middle == stays || middle == left {
+            break;
+        }
+        // It leaves in the end, or is taken to stay.
+        let mut waits = waits;
+        let mut here = at(middle, &before, waits)?;
+        for _ in 0..DOUBLINGS {
+            let Some(on) = here.as_ref().filter(|here| stayed(here, &before, &after)) else { break };
+            let again = at(middle, on, waits)?;
+            waits *= 2;
+            here = again;
+        }
+        match here {
+            Some(here) if stayed(&here, &before, &after) => (stays, before) = (middle, here),
+            Some(here) => (left, after) = (middle, here),
+            None => return Ok(None),
+        }
+    }
+    Ok(Some(Jump { stays, left, ends: None, before, after }))
 }
 
 /// How differently a motion that is not periodic goes when it is looked at again, later.

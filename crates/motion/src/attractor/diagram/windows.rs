@@ -49,7 +49,9 @@ pub fn windows(slices: &[Slice]) -> Vec<Window> {
     closed
 }
 
-/// The slices with more than one attractor, or with starts whose motion is lost.
+/// The slices with more than one attractor, or with starts whose motion is lost; a motion of which it is not
+/// decided what it is on is none.
 pub fn coexisting(slices: &[Slice]) -> impl Iterator<Item = &Slice> {
-    slices.iter().filter(|slice| slice.motions.len() > 1 || slice.lost > 0)
+    let decided = |slice: &Slice| slice.motions.iter().filter(|motion| !motion.undecided).count();
+    slices.iter().filter(move |slice| decided(slice) > 1 || slice.lost > 0)
 }

@@ -148,8 +148,14 @@ impl<'a> Carried<'a> {
         let frame = [[0.6, 0.8], [-0.8, 0.6]][..count.min(2)].to_vec();
         let (state, now) = (run.state(), run.time());
         let most = if count < 2 { 600.0 } else { 20.0 };
-        let rate = simulator.flow().equation().constant_divergence();
-        let longest = rate.map_or(f64::INFINITY, |rate| most / rate.abs());
+        let equation = simulator.flow().equation();
+        let linear = equation.constant_divergence().filter(|_| equation.is_linear());
+        let longest = match (linear, equation.smooth.is_some()) {
+            (Some(rate), _) => most / rate.abs(),
+            // Neighbours of a motion that is not linear part at a rate of their own.
+            (None, false) => 1.0,
+            (None, true) => f64::INFINITY,
+        };
         Carried { simulator, run, frame, state, now, longest }
     }
 

@@ -206,7 +206,7 @@ fn cells_of(simulators: &[Simulator], plan: &MapPlan, monitor: &dyn Monitor) -> 
         }
         cell.exponent = Some(seen.growth.whole() / f64::from(points)).filter(|exponent| exponent.is_finite());
         let passed = batch.impacts(motion) - seen.first;
-        (cell.end, cell.impacts) = match seen.recurrence.fate() {
+        (cell.end, cell.impacts) = match seen.recurrence.fate()? {
             Fate::Periodic(cycle) => {
                 // Of a periodic motion the exponent is that of its multipliers.
                 if let Some(first) = cycle.exponents().first() {

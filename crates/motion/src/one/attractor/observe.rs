@@ -127,7 +127,7 @@ impl Stage<'_> {
                     *before = impacts;
                     return Ok(None);
                 }
-                let (cycle, undecided) = match recurrence.fate() {
+                let (cycle, undecided) = match recurrence.fate()? {
                     Fate::Periodic(cycle) => (Some(cycle), false),
                     fate => (None, fate == Fate::Unsettled),
                 };

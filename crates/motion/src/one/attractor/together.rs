@@ -124,7 +124,13 @@ fn recurring(
                 RunEnd::Reached => {
                     let impacts = batch.impacts(*motion);
                     match recurrence.see(batch.point(*motion), impacts - *before) {
-                        Ok(false) => recurrence.fate(),
+                        Ok(false) => match recurrence.fate() {
+                            Ok(fate) => fate,
+                            Err(error) => {
+                                failed = Some(error);
+                                return true;
+                            }
+                        },
                         more => {
                             failed = more.err();
                             *before = impacts;

@@ -1,0 +1,109 @@
+//! Motions that come nearer too slowly to be seen to the end, that grow, or that never settle: what is said of
+//! them, held against closed forms.
+
+use std::f64::consts::PI;
+
+use grazing_scenes::{
+    run::{Surroundings, run},
+    scene::Scene,
+};
+use serde_json::Value;
+
+use crate::tasks::{near, number};
+
+fn reports(scene: &str) -> Vec<Value> {
+    let text = format!("format = \"grazing-scene 3\"\ntitle = \"t\"\n{scene}");
+    let scene = Scene::from_toml(&text, "scene.toml").unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let reports = run(&scene, Surroundings::default(), &mut ()).unwrap();
+    reports.iter().map(|report| serde_json::to_value(report).unwrap()).collect()
+}
+
+/// A mass on a spring, with dry friction of 0.3 and a force cos wt.
+const RUBBED: &str = "[system]\nperiod = \"2*pi/w\"\nstiffness = 1\nforcing = [{ cos = 1 }]\n\
+                      [[friction]]\nnormal = 1\ncoefficient = 0.3\n";
+
+/// The amplitude of its motion that never rests: Den Hartog, Trans. ASME 53 (1931).
+fn den_hartog(w: f64) -> f64 {
+    let (beyond, turn) = (1.0 / (1.0 - w * w), PI / w);
+    let loss = 0.3 * turn.sin() / (w * (1.0 + turn.cos()));
+    (beyond * beyond - loss * loss).sqrt()
+}
+
+/// Friction takes the same from each swing, so of 340 widths little in a hundred periods: the motion is known
+/// to come nearer all the same, from everywhere.
+#[test]
+fn dry_friction_has_one_motion_from_everywhere() {
+    let tasks = "[[tasks]]\nname = \"s\"\nkind = \"section\"\nstarts = [{ q = 340 }]\ntransient = 100\npoints = 200\n\
+                 [[tasks]]\nname = \"b\"\nkind = \"basins\"\nq = { from = -400, to = 400, count = 9 }\n\
+                 u = { from = -1, to = 1, count = 2 }\n\
+                 [[tasks]]\nname = \"r\"\nkind = \"response\"\nparameter = \"w\"\nrange = [1.1, 1.3]\ncount = 3\n";
+    let all = reports(&format!("[parameters]\nw = 1.1\n{RUBBED}{tasks}"));
+    assert_eq!(all[0]["attractors"][0]["period"], 1, "{}", all[0]);
+    let basins = all[1]["basins"].as_array().unwrap();
+    assert_eq!(
+        (basins.len(), &basins[0]["period"], &basins[0]["starts"]),
+        (1, &1.into(), &18.into()),
+        "{}",
+        all[1]
+    );
+    near(number(&all[2]["highest"][0]["swing"]), den_hartog(1.1), 1e-8);
+}
+
+/// At the resonance, which nothing but friction bounds, the motion grows: it is not settled, and in no maximum,
+/// hysteresis or jump; beyond it the sweep goes on from where it last was.
+#[test]
+fn what_grows_at_a_resonance_is_in_no_maximum() {
+    let task = "[[tasks]]\nname = \"r\"\nkind = \"response\"\nparameter = \"w\"\nrange = [0.8, 1.2]\ncount = 5\n\
+                transient = 400\n";
+    let found = reports(&format!("[parameters]\nw = 0.8\n{RUBBED}{task}")).remove(0);
+    assert_eq!(found["status"]["word"].as_str().or(found["status"].as_str()), Some("undecided"), "{found}");
+    assert_eq!(found["not_settled"], serde_json::json!([1.0, 1.0]), "{found}");
+    for row in found["highest"].as_array().unwrap() {
+        near(number(&row["swing"]), den_hartog(0.9).max(den_hartog(1.1)), 1e-8);
+    }
+    assert_eq!(found["sweep"]["hysteresis"], serde_json::json!([]), "{found}");
+    assert_eq!(found["sweep"]["jumps"], serde_json::json!([]), "{found}");
+}
+
+/// A stop that is never met, and damping that takes 10⁻⁹ of the swing in a third of a period: the motion without
+/// impacts attracts all starts before the stop, in closed form.
+#[test]
+fn damping_however_light_is_damping() {
+    let tasks = "[[tasks]]\nname = \"b\"\nkind = \"basins\"\nq = { from = -4, to = 4, count = 9 }\n\
+                 u = { from = -1, to = 1, count = 2 }\n";
+    for engine in ["one", "many"] {
+        let system = format!(
+            "engine = \"{engine}\"\n[system]\ndamping = 1e-9\nstiffness = \"0.37\"\nforcing = [{{ cos = 1 }}]\n\
+             [[stops]]\nside = \"lower\"\noffset = -20\nrestitution = 0.8\n{tasks}"
+        );
+        let found = reports(&system).remove(0);
+        let basins = found["basins"].as_array().unwrap();
+        assert_eq!((basins.len(), &basins[0]["starts"]), (1, &18.into()), "{found}");
+        near(number(&basins[0]["q"]), 1.0 / (0.37 - 1.0), 1e-8);
+    }
+}
+
+/// Without damping motions neither come nearer nor part: none is on an orbit.
+#[test]
+fn without_damping_a_motion_wanders() {
+    let task = "[[tasks]]\nname = \"s\"\nkind = \"section\"\nstarts = [{ q = 0.3 }]\n";
+    let found =
+        reports(&format!("[system]\nstiffness = \"0.37\"\nforcing = [{{ cos = 1 }}]\n{task}")).remove(0);
+    assert_eq!(found["attractors"][0]["periodic"], false, "{found}");
+}
+
+/// Ueda's oscillator: the exponents of a period add up to −2π times the damping, in either engine.
+#[test]
+fn the_exponents_add_up_to_the_damping() {
+    for engine in ["one", "many"] {
+        let scene = format!(
+            "engine = \"{engine}\"\n[system]\ndamping = 0.05\nstiffness = 0\ncubic = 1\nforcing = [{{ cos = 7.5 }}]\n\
+             [[tasks]]\nname = \"s\"\nkind = \"section\"\nstarts = [{{ q = 2.5 }}]\npoints = 200\nexponents = 2\n"
+        );
+        let found = reports(&scene).remove(0);
+        let rows = found["exponents"].as_array().unwrap();
+        let [first, second] = [0, 1].map(|i| number(&rows[i]["per_period"]));
+        assert!(first > 0.3, "{found}");
+        near(first + second, -0.05 * 2.0 * PI, 1e-3);
+    }
+}
