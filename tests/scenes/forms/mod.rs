@@ -12,6 +12,7 @@
 
 mod apart;
 mod compare;
+mod cut;
 mod draw;
 mod form;
 mod report;

@@ -163,16 +163,8 @@ impl Run<'_> {
                 stage.flow.advance(&mut y, after);
                 stage.join(self.begin() + after, &y)
             };
-            for (other, contact) in simulator.contacts.all().iter().enumerate() {
-                let rigid = contact.soft.is_none();
-                if rigid
-                    && other != stop
-                    && !stage.holds.resting.contains(&other)
-                    && contact.gap(&state)[0] <= depth
-                {
-                    touched.push(other);
-                }
-            }
+            let others = simulator.touched(&state).into_iter();
+            touched.extend(others.filter(|other| *other != stop && !stage.holds.resting.contains(other)));
             known = Some(state);
         }
         let free = stage.smooth.is_none() && stage.holds.is_free();

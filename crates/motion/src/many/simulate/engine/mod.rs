@@ -81,9 +81,8 @@ impl<'a> Run<'a> {
             .collect();
         let holds = Holds { soft, grips, ..Holds::default() };
         let stage = simulator.stage(&simulator.decided(holds, None, time, &state)?)?;
-        let gaps: Vec<[f64; 2]> =
-            simulator.contacts.all().iter().map(|contact| contact.gap(&state)).collect();
         let depth = simulator.settings.minimum_depth;
+        let open = simulator.contacts.all().iter().map(|stop| stop.gap(&state)[0] > depth).collect();
         let mut run = Run {
             simulator,
             stage: stage.clone(),
@@ -93,7 +92,7 @@ impl<'a> Run<'a> {
             leap: None,
             from: -1.0,
             level: 0,
-            open: gaps.iter().map(|[gap, _]| *gap > depth).collect(),
+            open,
             events: Vec::new(),
             impacts: 0,
             ended: None,
@@ -105,10 +104,9 @@ impl<'a> Run<'a> {
             counts: simulator.tally.as_ref().map(Share::of),
         };
         run.enter(stage, time, &state);
-        let rigid = |j: &usize| !simulator.through && simulator.contacts.all()[*j].soft.is_none();
-        let touched: Vec<usize> = (0..gaps.len()).filter(rigid).filter(|&j| gaps[j][0] <= depth).collect();
-        if touched.iter().any(|&j| gaps[j][1] < 0.0) {
-            let rates: Vec<f64> = touched.iter().map(|&j| gaps[j][1]).collect();
+        let touched = simulator.touched(&state);
+        let rates: Vec<f64> = touched.iter().map(|&j| simulator.arrival(j, &state)).collect();
+        if rates.iter().any(|rate| *rate < 0.0) {
             run.strike(time, state, &touched, &rates, 0.0)?;
         } else if touched.is_empty() || !run.settle(time, state.clone(), &touched, &[])? {
             run.regrip(time, &state, &[])?;
