@@ -8,7 +8,7 @@ use crate::{
     many::{
         Blow, Grip, RealVector, State,
         simulate::{
-            Event, SoftStops, Stage, What,
+            Event, STILL, SoftStops, Stage, What,
             holds::{Holds, SoftPlace},
         },
     },
@@ -231,21 +231,28 @@ impl Run<'_> {
         // What rounding leaves of velocities before would look like sliding beside those after.
         let rubbing = simulator.contacts.rubbing(&all).into_iter();
         self.still = rubbing.filter(|&j| law.grips[j] == Grip::Stuck).collect();
+        let energy = |i: usize| {
+            let after = rates[i] + simulator.contacts.held_row(all[i]).0.dot(&law.change);
+            -0.5 * law.impulses[i] * (rates[i] + after) + law.rubbed[i]
+        };
+        // Where no impulse acts there is no impact: the stop is only touched, or another, which may be the
+        // same stop once more, has turned the motion already. Nor is one where the gap opened before, or was
+        // closed already: what such a stop takes, as others drive the motion into it, the first of them does.
+        let still = STILL * rates.iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));
+        let hit = |i: usize| i < touched.len() && rates[i] <= still && law.impulses[i] > 0.0;
+        let mut beside: f64 = (0..all.len()).filter(|&i| !hit(i)).map(energy).sum();
         for (i, &stop) in touched.iter().enumerate() {
-            // Where no impulse acts there is no impact: the stop is only touched, or another, which may be
-            // the same stop once more, has turned the motion already.
-            if rates[i] < 0.0 {
+            if rates[i] < 0.0 || law.impulses[i] > 0.0 {
                 self.open[stop] = false;
             }
-            if law.impulses[i] > 0.0 {
-                let after = rates[i] + simulator.contacts.held_row(stop).0.dot(&law.change);
+            if hit(i) {
                 let shock = Shock {
                     impulse: law.impulses[i],
-                    energy: -0.5 * law.impulses[i] * (rates[i] + after) + law.rubbed[i],
+                    energy: energy(i) + std::mem::take(&mut beside),
                     together: all.len(),
                     order_matters: law.order_matters,
                 };
-                self.told(time, stop, rates[i], radius, shock);
+                self.told(time, stop, rates[i].min(0.0), radius, shock);
             }
         }
         let soft = self.soft_after(time, &state);
