@@ -68,6 +68,7 @@ impl Run<'_> {
         let row = contacts.rub_row(rub);
         let left = contacts.rubs()[rub].rate(&state);
         state.u.axpy(-left / contacts.mobility(row), contacts.push(row), 1.0);
+        self.begun.clear();
         self.regrip(time, &state, &[(rub, Grip::Stuck)])
     }
 
@@ -91,8 +92,13 @@ impl Run<'_> {
         if self.stage.holds.grips.is_empty() {
             return Ok(());
         }
-        let stage = self.stage.clone();
-        let Decided { pressing, grips, .. } = self.decide(&stage, time, state, sure)?;
+        let (stage, rates) = (self.stage.clone(), self.sliding(state));
+        // What begins to slide has no velocity at first, and is not asked again at that instant.
+        let ways = stage.holds.grips.iter().enumerate().filter(|(j, way)| {
+            way.slides() && self.begun.contains(j) && rates[*j] == 0.0 && sure.iter().all(|one| one.0 != *j)
+        });
+        let known: Vec<_> = sure.iter().copied().chain(ways.map(|(j, way)| (j, *way))).collect();
+        let Decided { pressing, grips, .. } = self.decide(&stage, time, state, &known)?;
         if grips == stage.holds.grips && pressing == stage.holds.resting {
             if !sure.is_empty() {
                 // Nothing changes: on, and surely not to the same place.
@@ -131,6 +137,12 @@ impl Run<'_> {
             }
         };
         let told: Vec<Event> = before.iter().zip(now).enumerate().filter_map(changed).collect();
+        let rates = self.sliding(&self.state());
+        let begins = |&j: &usize| {
+            let kept = before[j] == Grip::Stuck || self.begun.contains(&j) && rates[j] == 0.0;
+            kept && self.stage.grips()[j].slides()
+        };
+        self.begun = (0..before.len()).filter(begins).collect();
         let rests = self.events.iter().position(|event| matches!(event, Event::Stick(_)));
         let at = rests.unwrap_or(self.events.len());
         self.events.splice(at..at, told);

@@ -56,6 +56,8 @@ pub struct Run<'a> {
     rubbed: Option<What>,
     /// The friction known to have no velocity at the instant of the last hit, whatever rounding says.
     still: Vec<usize>,
+    /// The friction that has just begun to slide, and has no velocity yet.
+    begun: Vec<usize>,
     /// The period, and how many zeros of switches it had so far.
     pub(super) kinks: (i64, u32),
     counts: Option<Share>,
@@ -100,6 +102,7 @@ impl<'a> Run<'a> {
             failure: None,
             rubbed: None,
             still: Vec::new(),
+            begun: Vec::new(),
             kinks: (time.period, 0),
             counts: simulator.tally.as_ref().map(Share::of),
         };
