@@ -15,6 +15,7 @@ mod compare;
 mod cut;
 mod draw;
 mod form;
+mod range;
 mod report;
 mod scene;
 mod scenes;
