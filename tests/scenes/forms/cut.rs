@@ -206,6 +206,25 @@ fn compared(all: impl Iterator<Item = (String, Table)>) {
     assert!(tried[1] > tried[0], "{tried:?}: there is nothing to add up");
 }
 
+/// A mass of 1 on a spring of 100, which it is in at the end or at the beginning: without damping nothing is
+/// lost, and with it what mass and spring have less.
+#[test]
+fn what_a_stop_stores_is_not_lost() {
+    let place = |q: f64, u: f64| Place { phase: 0.0, state: [q, u].map(|x| serde_json::json!([x])) };
+    let (comes, leaves) = ((place(0.1, -1.0), 0.1 + 0.05 * std::f64::consts::PI), (place(-0.1, 0.0), 1.0));
+    for (damping, lost) in [(0, [0.0, 0.0]), (4, [0.214_503_383_574, 0.214_129_986_208])] {
+        let scene = read(&format!(
+            "format = \"grazing-scene 3\"\ntitle = \"a spring\"\n[system]\nperiod = 1\nmass = 1\n\
+             [[stops]]\nside = \"lower\"\noffset = 0\nstiffness = 100\ndamping = {damping}\nwear = 2\n"
+        ));
+        for ((from, duration), lost) in [&comes, &leaves].into_iter().zip(lost) {
+            let part = run(&scene, from, *duration, Some((1.0, 1e-12))).unwrap();
+            let [taken, worn] = ["stops 0 dissipated", "wear 0 volume"].map(|name| part.sums[name]);
+            assert!((taken - lost).abs() <= 1e-11 * lost && worn == 2.0 * taken, "{taken} {worn} {lost}");
+        }
+    }
+}
+
 fn read(text: &str) -> Table {
     toml::from_str(text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }

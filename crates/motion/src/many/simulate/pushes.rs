@@ -67,7 +67,7 @@ impl Pushes {
 
     /// The contact with a stop that has just ended, or begins; from here on another one.
     pub fn ended(&mut self, stop: usize, contact: &StopContact) -> Contact {
-        let kept = contact.stored(contact.gap(&self.state)[0]);
+        let kept = contact.kept(contact.gap(&self.state)[0]);
         let next = Contact { energy: -kept, ..Contact::default() };
         let ended = std::mem::replace(&mut self.now[stop], next);
         Contact { energy: ended.energy + kept, ..ended }
@@ -78,11 +78,11 @@ impl Pushes {
     pub fn flown(&mut self, run: &Run) {
         let (duration, state) = (run.time().since(self.from), State { t: run.time().phase, ..run.state() });
         for (stop, contact) in soft(run) {
-            let stored = |state: &State| contact.stored(contact.gap(state)[0]);
+            let kept = |state: &State| contact.kept(contact.gap(state)[0]);
             let flight = match self.stage.pushing.contains(&stop) {
                 true if duration > 0.0 => self.flight(contact, duration),
                 true => continue,
-                false => Contact { energy: stored(&self.state) - stored(&state), ..Contact::default() },
+                false => Contact { energy: kept(&self.state) - kept(&state), ..Contact::default() },
             };
             let (now, all) = (&mut self.now[stop], &mut self.all[stop]);
             for one in [&mut *now, &mut *all] {
