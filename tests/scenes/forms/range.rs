@@ -31,7 +31,8 @@ fn events(
         return Err(reports[0].status.to_string());
     };
     let rows: Vec<_> = found.rows.iter().filter(|row| row.branch == 1).collect();
-    let begin = rows.iter().position(|row| row.parameters[0] == at).ok_or("the start is no point")?;
+    let begin =
+        rows.iter().position(|row| (row.parameters[0] - at).abs() < 1e-12).ok_or("the start is no point")?;
     let inside = |row: &&&_| (within[0]..=within[1]).contains(&parameter(row));
     let back = rows[..begin].iter().rev().take_while(inside).collect::<Vec<_>>();
     let all = back.into_iter().rev().chain(rows[begin..].iter().take_while(inside));

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::{
     Finding, Job, Keeper, Lines, SeriesOf, SeriesPoint, Status, StopEvent, Tabular,
     engine::{Engine, by_engine},
+    follow::EVEN,
     row, small_motion,
 };
 use crate::{
@@ -394,8 +395,7 @@ impl SimulationFindings {
         }
     }
 
-    /// Takes an event into account; false of a rest on a stop in which the motion begins, which is nothing
-    /// that happens.
+    /// Takes an event into account; false of a rest in which the motion begins: nothing happens there.
     pub(super) fn happened(&mut self, event: &StopEvent) -> bool {
         if let Some([q, _]) = event.place {
             self.widen(q);
@@ -414,8 +414,9 @@ impl SimulationFindings {
             return true;
         };
         let moved = &mut self.moved;
-        let since = (event.time.periods() - self.begin) * moved.period;
-        if event.rest.is_some_and(|rest| row.impacts == 0 && since <= rest) {
+        let since = |rest: f64| event.time.periods() - self.begin - rest / moved.period;
+        let late = EVEN * event.time.periods();
+        if event.rest.is_some_and(|rest| row.impacts == 0 && since(rest) <= late) {
             return false;
         }
         if let Some(velocity) = event.velocity {

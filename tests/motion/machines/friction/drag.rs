@@ -66,7 +66,7 @@ fn random_machines_with_drag_stick_as_often_as_a_second_solver_says() {
         let expected = other.follow(until);
         let names =
             |all: &[(&'static str, usize, f64)]| all.iter().map(|one| (one.0, one.1)).collect::<Vec<_>>();
-        assert_eq!(names(&found), names(&expected), "{trial}: {found:?}\n{expected:?}");
+        assert_eq!(names(&found), names(&expected), "{trial}: {all:?}\n{expected:?}\n{system}{rubs}");
         for (one, known) in found.iter().zip(&expected) {
             // The other solver steps over kinks of the coordinate that nothing rubs on.
             assert!((one.2 - known.2).abs() < 1e-6, "{trial}: {one:?} {known:?}");

@@ -511,13 +511,6 @@ impl Simulator {
         all.map(|(place, _)| place).collect()
     }
 
-    /// The rate of a stop's gap; where it is rounding's, 0.
-    fn arrival(&self, stop: usize, state: &State) -> f64 {
-        let contact = &self.contacts.all()[stop];
-        let size = contact.row.abs().dot(&state.u.abs()) + contact.position.at(state.t)[1].abs();
-        Some(contact.gap(state)[1]).filter(|rate| rate.abs() > STILL * size).unwrap_or(0.0)
-    }
-
     /// The machine in contact so.
     fn stage(&self, holds: &Holds) -> Result<Arc<Stage>> {
         if holds.is_free() {

@@ -355,14 +355,16 @@ impl Run<'_> {
 
     /// Those of the stops rested on that are not left by the velocities of `state`.
     fn held(&self, time: Time, state: &State, resting: &[usize]) -> Result<Vec<usize>> {
-        let simulator = self.simulator;
-        let depth = simulator.settings.minimum_depth;
-        let stays = |&&j: &&usize| {
-            let contact = &simulator.contacts.all()[j];
-            let (v, a) = (contact.gap(state)[1], self.stage.bend(&simulator.contacts, j, time, state));
-            v <= 0.0 || v * v < 2.0 * a.abs() * depth
-        };
+        let rate = |j: usize| self.simulator.contacts.all()[j].gap(state)[1];
+        let stays = |&&j: &&usize| rate(j) <= 0.0 || self.is_slow(j, time, state);
         Ok(resting.iter().filter(stays).copied().collect())
+    }
+
+    /// Whether with its rate a gap changes by less than the minimum depth until the acceleration turns it.
+    pub(super) fn is_slow(&self, stop: usize, time: Time, state: &State) -> bool {
+        let (contacts, depth) = (&self.simulator.contacts, self.simulator.settings.minimum_depth);
+        let (v, a) = (contacts.all()[stop].gap(state)[1], self.stage.bend(contacts, stop, time, state));
+        v * v < 2.0 * a.abs() * depth
     }
 
     /// Goes on resting on those of the stops that still press, after others were hit.

@@ -56,8 +56,8 @@ pub struct Run<'a> {
     rubbed: Option<What>,
     /// The friction known to have no velocity at the instant of the last hit, whatever rounding says.
     still: Vec<usize>,
-    /// The friction that has just begun to slide, and has no velocity yet.
-    begun: Vec<usize>,
+    /// When friction began to slide last, and which: it has no velocity then.
+    begun: (Time, Vec<usize>),
     /// The period, and how many zeros of switches it had so far.
     pub(super) kinks: (i64, u32),
     counts: Option<Share>,
@@ -102,14 +102,15 @@ impl<'a> Run<'a> {
             failure: None,
             rubbed: None,
             still: Vec::new(),
-            begun: Vec::new(),
+            begun: (time, Vec::new()),
             kinks: (time.period, 0),
             counts: simulator.tally.as_ref().map(Share::of),
         };
         run.enter(stage, time, &state);
         let touched = simulator.touched(&state);
-        let rates: Vec<f64> = touched.iter().map(|&j| simulator.arrival(j, &state)).collect();
-        if rates.iter().any(|rate| *rate < 0.0) {
+        let rates: Vec<f64> = touched.iter().map(|&j| simulator.contacts.all()[j].gap(&state)[1]).collect();
+        let arrives = |(&j, rate): (&usize, &f64)| *rate < 0.0 && !run.is_slow(j, time, &state);
+        if touched.iter().zip(&rates).any(arrives) {
             run.strike(time, state, &touched, &rates, 0.0)?;
         } else if touched.is_empty() || !run.settle(time, state.clone(), &touched, &[])? {
             run.regrip(time, &state, &[])?;
