@@ -20,6 +20,7 @@ use grazing_scenes::{
 };
 
 mod attractors;
+mod chatter;
 mod formulas;
 mod friction;
 mod kinks;

@@ -15,6 +15,7 @@ use grazing_scenes::{
 use super::{second::numbers, *};
 
 mod branches;
+mod drag;
 mod forms;
 mod orbits;
 mod pressed;

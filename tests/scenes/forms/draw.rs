@@ -35,6 +35,11 @@ impl Random {
         if self.next().is_multiple_of(2) { part } else { -part }
     }
 
+    /// From 0 to 1.
+    pub fn part(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
     fn below(&mut self, n: u64) -> u64 {
         self.next() % n
     }

@@ -12,8 +12,10 @@
 
 mod apart;
 mod compare;
+mod cut;
 mod draw;
 mod form;
+mod range;
 mod report;
 mod scene;
 mod scenes;

@@ -14,7 +14,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::{
     error::Result,
-    motion::{GAUSS, RunEnd, Time},
+    motion::{RunEnd, Time, flow::GAUSS},
 };
 
 /// A motion whose displacements are looked at.
@@ -84,18 +84,16 @@ pub fn swings<M: Swinging>(
     let mut before = Seen { at: 0.0, places: first, is_event: true };
     let mut from = 0.0;
     for (to, is_event) in ends {
-        let (middle, half) = ((from + to) / 2.0, (to - from) / 2.0);
-        let nodes = GAUSS.iter().rev().map(|[x, w]| [-x, *w]).chain(GAUSS);
-        for [x, weight] in nodes.filter(|_| half > 0.0) {
-            let at = middle + half * x;
+        for (x, weight) in GAUSS.into_iter().filter(|_| to > from) {
+            let (at, part) = (from + (to - from) * x, weight * (to - from));
             if !reach(&mut run, start.after(at))? {
                 return Ok(None);
             }
             let here = Seen { at, places: run.places(), is_event: false };
             let (sin, cos) = (f64::from(k) * (start.phase + at)).sin_cos();
             for (sum, place) in sums.iter_mut().zip(&here.places) {
-                sum[0] += weight * half * place[0] * cos;
-                sum[1] += weight * half * place[0] * sin;
+                sum[0] += part * place[0] * cos;
+                sum[1] += part * place[0] * sin;
             }
             widen(&mut extents, &before, &here);
             before = here;

@@ -6,7 +6,7 @@ use std::{
 };
 
 use super::{
-    Options,
+    Bifurcation, Options,
     between::{cubic, root},
     curve::{Corrector, Curve, CurvePoint, difference, dot, norm},
 };
@@ -275,7 +275,9 @@ impl<C: Followed> Walk<'_, C> {
         if turned > self.options.turn && !(corner && turned < 0.5 * PI) {
             return Err(Error::input(format!("the curve turns by {turned:.2} within the shortest step")));
         }
-        if self.curve.leaps(&here.view, &view) && h / 2.0 >= self.options.least_step {
+        // Beside a crossing Newton's method may end on the other curve, of orbits that repeat sooner.
+        let hops = self.curve.repeats(&place, [&here.place; 2]);
+        if (hops || self.curve.leaps(&here.view, &view)) && h / 2.0 >= self.options.least_step {
             return Err(Error::input("events may lie closer together than the shortest step"));
         }
         let zeros = self.events(here, &place, &view, reach)?.into_iter();
@@ -444,7 +446,14 @@ impl<C: Followed> Walk<'_, C> {
                 let before = below.as_ref().map_or(before, |(_, seen)| seen);
                 self.curve.changed(before, above.as_ref().map_or(view, |(_, seen)| seen))
             };
-            events.push((high, Told::Change(event), to));
+            // What changes at several places of an orbit at once is one event, by the name that says more.
+            let one = |known: usize| known.max(event) == Bifurcation::FrictionChange as usize;
+            match events.last_mut() {
+                Some((at, Told::Change(known), _)) if high - *at <= BESIDE * reach && one(*known) => {
+                    *known = event.min(*known);
+                }
+                _ => events.push((high, Told::Change(event), to)),
+            }
             let Some((_, seen)) = above else { return Ok(()) };
             (begin, first) = (high, Some(seen));
         }

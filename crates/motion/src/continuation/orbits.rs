@@ -192,7 +192,7 @@ impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
     /// vanishes is lost. It is linear there: points on both sides, so far away that the tangents are certain,
     /// tell. A place is known to rounding of its unknowns, a tangent at the distance h from the crossing to
     /// that over h, the zero to that over h², and to how far the curve is from a parabola, which grows with
-    /// h: a turn is beside the crossing if near points and far ones say so.
+    /// h: a turn is beside the crossing if the nearest points and the farthest say so.
     fn turns_at(&self, crossing: &CurvePoint, turn: &CurvePoint) -> bool {
         let size = 1.0 + largest(&crossing.u);
         let off = dot(&difference(&turn.u, &crossing.u), &crossing.tangent).abs();
@@ -205,7 +205,7 @@ impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
             let zero = aside * size * (ahead + behind) / (behind - ahead);
             zero.abs() > off / 2.0
         };
-        off <= SAME * size || ![APART, 10.0 * APART].into_iter().all(beside)
+        off <= SAME * size || ![0.1 * APART, APART, 10.0 * APART].into_iter().all(beside)
     }
 
     /// What is left of the equations of half the pattern, of the first half of the impacts, as a part of what
@@ -221,8 +221,8 @@ impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
     }
 }
 
-/// So far from a crossing, along the curve, and ten times as far, tangents are looked at, as parts of the
-/// size of the unknowns.
+/// So far from a crossing, along the curve, a tenth of that and ten times that, tangents are looked at, as
+/// parts of the size of the unknowns.
 const APART: f64 = 1e-4;
 
 /// Points of a curve that are closer than this part of the size of the unknowns are one: Newton's method

@@ -17,7 +17,7 @@
 use super::{Grip, LinearEquations, RealMatrix, RealVector, Rub, SpeedLaw, State, push::StopForce};
 use crate::{
     error::{Error, Result},
-    motion::Series,
+    motion::{Series, flow::GAUSS},
 };
 
 /// A stop seen from the machine: the gap z = row·q − position(t) is positive away from it.
@@ -75,6 +75,15 @@ impl StopContact {
             (None, Some(soft)) => soft.force(gap),
             (None, None) => 0.0,
         }
+    }
+
+    /// What a stop that gives way keeps at z where it is let go of: its work at rest on the way there. One
+    /// without damping is open then; a formula's power that is not whole is made smoother by s².
+    pub(crate) fn kept(&self, gap: f64) -> f64 {
+        let closed = gap < 0.0 && (self.force.is_some() || self.soft.is_some_and(|soft| soft.damping > 0.0));
+        let at = |s: f64| 2.0 * s * gap * self.push_at([s * s * gap, 0.0]).max(0.0);
+        let parts = (0..4).flat_map(|i| GAUSS.map(|(x, weight)| weight * at((f64::from(i) + x) / 4.0)));
+        if closed { -parts.sum::<f64>() / 4.0 } else { 0.0 }
     }
 
     /// τ at an impact of speed V; for V < 0 that at 0.

@@ -12,7 +12,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::GAUSS;
+use super::flow::GAUSS;
 
 /// One coordinate without damping, drive and friction; time is in radians of the drive.
 #[derive(Debug, Clone, PartialEq)]
@@ -117,16 +117,15 @@ impl Conservative {
         cuts.sort_by(f64::total_cmp);
         let mut sum = 0.0;
         for pair in cuts.windows(2).filter(|pair| pair[0] < pair[1]) {
-            let half = (pair[1] - pair[0]) / f64::from(2 * PANELS);
+            let width = (pair[1] - pair[0]) / f64::from(PANELS);
             for i in 0..PANELS {
-                let middle = pair[0] + half * f64::from(2 * i + 1);
-                for [x, weight] in GAUSS.iter().flat_map(|&[x, weight]| [[x, weight], [-x, weight]]) {
-                    let phi = middle + half * x;
+                for (x, weight) in GAUSS {
+                    let phi = pair[0] + width * (f64::from(i) + x);
                     let over = reach / self.slope(b, from + reach * phi.cos());
                     if over.is_nan() || over <= 0.0 {
                         return None;
                     }
-                    sum += weight * half * (self.mass * over).sqrt() * (phi / 2.0).cos();
+                    sum += weight * width * (self.mass * over).sqrt() * (phi / 2.0).cos();
                 }
             }
         }

@@ -5,11 +5,12 @@ use serde::{Deserialize, Serialize};
 use crate::motion::flow::Obstacle;
 
 /// Why there is no other event.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum RunEnd {
     /// The time asked for is reached; the run can go on.
+    #[default]
     Reached,
     /// The limit of impacts is reached; the run stays where it is.
     ImpactLimit,

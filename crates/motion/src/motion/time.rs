@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 /// 2π·`period` + `phase`, 0 ≤ phase < 2π; ordered.
-#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, PartialOrd)]
 pub struct Time {
     /// Whole forcing periods.
     pub period: i64,

@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// An end so near a sample's time, relative to the whole, is there.
-const EVEN: f64 = 4.0 * f64::EPSILON;
+pub(super) const EVEN: f64 = 4.0 * f64::EPSILON;
 
 /// A motion whose points and events are kept.
 pub(super) trait SampledMotion {

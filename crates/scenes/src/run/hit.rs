@@ -20,6 +20,7 @@ use crate::{
 
 row! {
     /// How a stop is hit by what is seen beside a touch.
+    #[derive(Default)]
     pub struct HitRow {
         /// Where it is seen: `before` the touch, `beyond` it, or swept `back`.
         pub place: String,
@@ -61,18 +62,7 @@ pub(super) fn hits<E: Engine>(
     for (place, value, _, settled) in seen::sights(seen) {
         let Some(on) = settled.filter(|on| on.portrait.impacts > 0) else { continue };
         let periods = on.portrait.looked;
-        let row = HitRow {
-            place: place.into(),
-            value,
-            periods,
-            stop: None,
-            impacts: None,
-            fastest: None,
-            strongest: None,
-            peak_force: None,
-            dissipated: None,
-            reason: None,
-        };
+        let row = HitRow { place: place.into(), value, periods, ..HitRow::default() };
         let exact = BigRational::from_float(value);
         let there = exact.ok_or_else(|| Error::input("the parameter is not finite"));
         let there = there.and_then(|exact| job.with(&[(task.parameter.clone(), exact)]));

@@ -54,7 +54,7 @@ pub struct SeriesPoint<'a> {
 }
 
 /// What happened at a stop, or where there is dry friction.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StopEvent {
     /// "impact", "tangency", "touch", "stick" or "release"; with friction "stick", "release" or "reversal";
     /// of a force with kinks "kink".
@@ -93,22 +93,6 @@ pub struct StopEvent {
 impl StopEvent {
     /// Nothing but what happened, when and where.
     pub(super) fn new(event: &'static str, time: Time, stop: usize) -> StopEvent {
-        StopEvent {
-            event,
-            time,
-            stop,
-            velocity: None,
-            leaving: None,
-            impulse: None,
-            radius: None,
-            gap: None,
-            rest: None,
-            together: None,
-            order_matters: None,
-            duration: None,
-            force: None,
-            energy: None,
-            place: None,
-        }
+        StopEvent { event, time, stop, ..StopEvent::default() }
     }
 }

@@ -3,8 +3,9 @@
 use serde::Serialize;
 
 use super::{
-    Finding, Job, Keeper, Lines, SeriesOf, SeriesPoint, Status, StopEvent,
+    Finding, Job, Keeper, Lines, SeriesOf, SeriesPoint, Status, StopEvent, Tabular,
     engine::{Engine, by_engine},
+    follow::EVEN,
     row, small_motion,
 };
 use crate::{
@@ -15,6 +16,7 @@ use crate::{
 
 row! {
     /// What happened at a stop.
+    #[derive(Default)]
     pub struct StopRow {
         /// Its name.
         pub stop: String,
@@ -34,8 +36,8 @@ row! {
         /// How long the longest contact with a stop that gives way pushed; absent for a rigid one.
         pub longest: Option<f64>,
         /// The energy that impacts and contacts took: of a rigid stop ½ m (1 − τ²) v² each, m being the mass
-        /// felt there, and what friction on it takes of an impact; of one that gives way what its damper
-        /// takes, and what its spring keeps where it lets go.
+        /// felt there, and what friction on it takes of an impact; of one that gives way all that does not
+        /// stay stored in it: what its damper takes.
         pub dissipated: f64,
         /// The least gap at points of the series.
         pub least_gap: f64,
@@ -46,6 +48,7 @@ row! {
 
 row! {
     /// What happened where there is dry friction.
+    #[derive(Default)]
     pub struct FrictionRow {
         /// Its name.
         pub friction: String,
@@ -101,6 +104,7 @@ row! {
 
 row! {
     /// One motion, in numbers.
+    #[derive(Default)]
     pub struct Moved {
         /// Forcing periods asked for after the transient; a part of one counts as one.
         pub periods: u32,
@@ -249,22 +253,19 @@ impl Finding for SimulationFindings {
             _ => !cell.is_empty(),
         };
         lines.fields(moved, short);
-        if !self.modes.is_empty() {
-            lines.table("modes", &self.modes);
-        }
-        if !self.stops.is_empty() {
-            lines.table("stops", &self.stops);
-        }
-        if !self.friction.is_empty() {
-            lines.table("friction", &self.friction);
-        }
-        if !self.kinks.is_empty() {
-            lines.table("kinks", &self.kinks);
-        }
-        if !self.wear.is_empty() {
-            lines.table("wear", &self.wear);
-        }
+        listed(lines, "modes", &self.modes);
+        listed(lines, "stops", &self.stops);
+        listed(lines, "friction", &self.friction);
+        listed(lines, "kinks", &self.kinks);
+        listed(lines, "wear", &self.wear);
         self.measured.iter().for_each(|measured| measured.lines(lines));
+    }
+}
+
+/// A table that has rows.
+fn listed(lines: &mut Lines, name: &str, table: &impl Tabular) {
+    if !table.cells(None).is_empty() {
+        lines.table(name, table);
     }
 }
 
@@ -312,31 +313,19 @@ impl StopRow {
     fn new(name: &str, compliant: bool) -> StopRow {
         StopRow {
             stop: name.into(),
-            impacts: 0,
-            tangencies: 0,
-            rests: 0,
-            fastest: 0.0,
             strongest: (!compliant).then_some(0.0),
             peak_force: compliant.then_some(0.0),
             longest: compliant.then_some(0.0),
-            dissipated: 0.0,
             least_gap: f64::INFINITY,
             largest_gap: f64::NEG_INFINITY,
+            ..StopRow::default()
         }
     }
 }
 
 impl FrictionRow {
     fn new(name: &str) -> FrictionRow {
-        FrictionRow {
-            friction: name.into(),
-            sticks: 0,
-            reversals: 0,
-            stuck: 0.0,
-            path: 0.0,
-            dissipated: 0.0,
-            at_end: "slides",
-        }
+        FrictionRow { friction: name.into(), at_end: "slides", ..FrictionRow::default() }
     }
 }
 
@@ -353,19 +342,9 @@ impl SimulationFindings {
             periods: span.ceil() as u32,
             period: of.period,
             method,
-            condition: None,
-            oscillating: None,
-            impacts: 0,
-            tangencies: 0,
-            rests: 0,
-            order_matters: 0,
-            first_impact: None,
-            end: RunEnd::Reached,
-            ended_at: 0.0,
-            q: Vec::new(),
-            u: Vec::new(),
             extent: (of.points == 1).then(|| vec![f64::INFINITY, f64::NEG_INFINITY]),
             minimum_depth,
+            ..Moved::default()
         };
         let stops = of.stops.iter().zip(compliant);
         SimulationFindings {
@@ -416,8 +395,8 @@ impl SimulationFindings {
         }
     }
 
-    /// Takes an event into account.
-    pub(super) fn happened(&mut self, event: &StopEvent) {
+    /// Takes an event into account; false of a rest in which the motion begins: nothing happens there.
+    pub(super) fn happened(&mut self, event: &StopEvent) -> bool {
         if let Some([q, _]) = event.place {
             self.widen(q);
         }
@@ -425,16 +404,21 @@ impl SimulationFindings {
             let place = event.stop - self.stops.len();
             let Some(row) = self.friction.get_mut(place) else {
                 self.kinks[place - self.friction.len()].crossings += 1;
-                return;
+                return true;
             };
             match event.event {
                 "stick" => row.sticks += 1,
                 "reversal" => row.reversals += 1,
                 _ => {}
             }
-            return;
+            return true;
         };
         let moved = &mut self.moved;
+        let since = |rest: f64| event.time.periods() - self.begin - rest / moved.period;
+        let late = EVEN * event.time.periods();
+        if event.rest.is_some_and(|rest| row.impacts == 0 && since(rest) <= late) {
+            return false;
+        }
         if let Some(velocity) = event.velocity {
             moved.first_impact.get_or_insert(event.time.periods());
             (moved.impacts, row.impacts) = (moved.impacts + 1, row.impacts + 1);
@@ -460,5 +444,6 @@ impl SimulationFindings {
             "stick" => (moved.rests, row.rests) = (moved.rests + 1, row.rests + 1),
             _ => {}
         }
+        true
     }
 }

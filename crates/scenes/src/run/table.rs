@@ -137,7 +137,7 @@ pub(crate) trait Row {
 /// Declares a row: a struct with `Serialize` whose fields are the columns, in this order. `with { … }` has
 /// those of another row in its place.
 macro_rules! row {
-    ($(#[doc = $about:literal])+ pub struct $name:ident {
+    ($(#[doc = $about:literal])+ $(#[derive($more:ident)])? pub struct $name:ident {
         $($(#[doc = $doc:literal])+ pub $field:ident: $type:ty,)*
         $(with {
             $(#[doc = $part_doc:literal])+ pub $part:ident: $of:ty
@@ -146,6 +146,7 @@ macro_rules! row {
     }) => {
         $(#[doc = $about])+
         #[derive(Debug, Clone, PartialEq, serde::Serialize)]
+        $(#[derive($more)])?
         pub struct $name {
             $($(#[doc = $doc])+ pub $field: $type,)*
             $($(#[doc = $part_doc])+ #[serde(flatten)] pub $part: $of,

@@ -30,6 +30,8 @@ pub struct Pressed<'a> {
     pub x: Vec<f64>,
     /// What dampers, impacts and friction took.
     pub lost: f64,
+    /// How often rest on a stop began.
+    pub rests: usize,
 }
 
 type Told = (&'static str, usize, f64);
@@ -43,7 +45,7 @@ impl<'a> Pressed<'a> {
         }
         let x = q.iter().chain(u).copied().collect();
         let (modes, stops) = (vec![OPEN; machine.friction.len()], vec![At::Open; machine.stops.len()]);
-        Pressed { machine, mass, modes, stops, time: 0.0, x, lost: 0.0 }
+        Pressed { machine, mass, modes, stops, time: 0.0, x, lost: 0.0, rests: 0 }
     }
 
     fn soft(&self, stop: usize) -> Option<(f64, f64)> {
@@ -322,6 +324,7 @@ impl<'a> Pressed<'a> {
                         self.bounce(stop);
                         if self.rests(stop) {
                             self.stops[stop] = At::Pressing;
+                            self.rests += 1;
                         }
                     }
                     (At::Pressing, soft) => {

@@ -13,6 +13,9 @@ pub struct Rough<'a> {
     time: f64,
     pub x: Vec<f64>,
     pub load: fn(&[f64], &[f64]) -> Vec<f64>,
+    /// How often each velocity changed its sign, and the sign that it had last.
+    pub turns: Vec<usize>,
+    signs: Vec<f64>,
 }
 
 /// x of a x = b, by elimination with pivots.
@@ -53,7 +56,16 @@ impl<'a> Rough<'a> {
         }
         let x = q.iter().chain(u).copied().collect();
         let modes = vec![1; machine.friction.len()];
-        let mut all = Rough { machine, mass, modes, time: 0.0, x, load: |q, _| vec![0.0; q.len()] };
+        let mut all = Rough {
+            machine,
+            mass,
+            modes,
+            time: 0.0,
+            x,
+            load: |q, _| vec![0.0; q.len()],
+            turns: vec![0; n],
+            signs: u.to_vec(),
+        };
         all.decide(None);
         all
     }
@@ -167,6 +179,14 @@ impl<'a> Rough<'a> {
         self.modes = all.iter().find(|modes| fits(modes)).expect("some modes fit").clone();
     }
 
+    /// Looks at the signs of velocities.
+    fn turned(&mut self) {
+        for (i, u) in self.x[self.machine.size..].iter().enumerate().filter(|(_, u)| u.abs() > 1e-9) {
+            self.turns[i] += usize::from(u.signum() != self.signs[i].signum());
+            self.signs[i] = *u;
+        }
+    }
+
     /// On to a time: what happened.
     pub fn follow(&mut self, until: f64) -> Vec<(&'static str, usize, f64)> {
         let (n, stops, mut all) = (self.machine.size, self.machine.stops.len(), Vec::new());
@@ -175,6 +195,7 @@ impl<'a> Rough<'a> {
             let watched = |h: f64| self.watched(self.time + h, &self.after(h));
             let Some((which, high)) = falls(h, watched) else {
                 (self.x, self.time) = (self.after(h), self.time + h);
+                self.turned();
                 continue;
             };
             let forces = self.solve(&self.modes, self.time + high, &self.after(high)).1;

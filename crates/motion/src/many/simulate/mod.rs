@@ -100,7 +100,7 @@ pub use tangent::Carried;
 
 use super::{
     LinearEquations, Machine, RealVector, Rub, State,
-    contact::Contacts,
+    contact::{Contacts, StopContact},
     friction::refused_kinks,
     smooth::{Smooth, SwitchOf},
 };
@@ -501,6 +501,14 @@ impl Simulator {
             [rub.rate(state), size]
         };
         self.contacts.rubs().iter().enumerate().map(one).collect()
+    }
+
+    /// The rigid stops whose gaps are within the minimum depth of 0, or below.
+    fn touched(&self, state: &State) -> Vec<usize> {
+        let depth = self.settings.minimum_depth;
+        let near = |stop: &StopContact| stop.soft.is_none() && stop.gap(state)[0] <= depth;
+        let all = self.contacts.all().iter().enumerate().filter(|(_, stop)| !self.through && near(stop));
+        all.map(|(place, _)| place).collect()
     }
 
     /// The machine in contact so.

@@ -1,17 +1,22 @@
-//! What soft stops do along a run: their largest forces, and of every contact the impulse and the energy.
+//! What soft stops do along a run: their largest forces, the impulses, and the energy that they take.
 //!
-//! Between two events the force of a stop in contact, −kz − cz′, is a smooth function of time. Each flight is
-//! cut into pieces, and the force is looked at where Gauss's rule with 8 points does in each, and at both
-//! ends. Impulse and energy are the integrals, of the force and of the force times the gap's rate, by that
-//! rule; about the largest force the maximum is found by golden section and a parabola. What lies between two
-//! looks and rises above both more than a parabola does can be missed, and what moves faster than the looks:
-//! these are numbers found, not bounds.
+//! A stop at depth d = −z pushes with F(d, v), v = −z′ being how fast d grows. At rest there it would push
+//! with F(d, 0), and what that does on the way, ∫ F(s, 0) ds from 0 to d, is stored: it is given back. The
+//! rest is lost, at the rate (F(d, v) − F(d, 0)) v as long as d > 0: c v² of a damper, 0 without one. Where a
+//! stop was let go of before it is open F is 0, and its spring gives what it has stored to its damper. So the
+//! losses of the parts of a run add up to that of the whole, wherever it is cut, and they never fall.
+//!
+//! Between two events all of this is smooth in time. Each flight is cut into pieces, and looked at where
+//! Gauss's rule with 8 points does in each, and at both ends. Impulse and loss are integrals by that rule;
+//! about the largest force the maximum is found by golden section and a parabola. What lies between two looks
+//! and rises above both more than a parabola does can be missed, and what moves faster than the looks: these
+//! are numbers found, not bounds.
 
 use std::{cell::RefCell, sync::Arc};
 
 use super::Stage;
 use crate::{
-    many::{State, simulate::engine::Run},
+    many::{State, contact::StopContact, simulate::engine::Run},
     motion::{Time, flow::GAUSS},
 };
 
@@ -34,8 +39,8 @@ pub struct Contact {
     pub peak: f64,
     /// The integral of the force over the time, a radian of the forcing being its unit.
     pub impulse: f64,
-    /// The energy that the contact takes from the motion: that of its damper, and what the spring keeps where
-    /// it lets go before it is open.
+    /// The energy that is lost: what does not stay stored in the stop. Of a contact, with what the spring
+    /// keeps where it lets go before it is open, and without what it had kept where the contact begins so.
     pub energy: f64,
 }
 
@@ -61,73 +66,88 @@ impl Pushes {
     }
 
     /// The contact with a stop that has just ended, or begins; from here on another one.
-    pub fn ended(&mut self, stop: usize) -> Contact {
-        std::mem::take(&mut self.now[stop])
+    pub fn ended(&mut self, stop: usize, contact: &StopContact) -> Contact {
+        let kept = contact.kept(contact.gap(&self.state)[0]);
+        let next = Contact { energy: -kept, ..Contact::default() };
+        let ended = std::mem::replace(&mut self.now[stop], next);
+        Contact { energy: ended.energy + kept, ..ended }
     }
 
     /// The run has come to its next event, or to where it was asked to stop. Cost: at most 242 looks, and for
     /// short contacts some 35, where a soft stop is in contact; else none.
     pub fn flown(&mut self, run: &Run) {
-        let duration = run.time().since(self.from);
-        if duration > 0.0 {
-            for stop in self.stage.pushing.clone() {
-                let flight = self.flight(run, stop, duration);
-                let (now, all) = (&mut self.now[stop], &mut self.all[stop]);
-                for one in [&mut *now, &mut *all] {
-                    one.peak = one.peak.max(flight.peak);
-                    one.impulse += flight.impulse;
-                    one.energy += flight.energy;
-                }
-                now.duration += duration;
-                all.duration = all.duration.max(now.duration);
+        let (duration, state) = (run.time().since(self.from), State { t: run.time().phase, ..run.state() });
+        for (stop, contact) in soft(run) {
+            let kept = |state: &State| contact.kept(contact.gap(state)[0]);
+            let flight = match self.stage.pushing.contains(&stop) {
+                true if duration > 0.0 => self.flight(contact, duration),
+                true => continue,
+                false => Contact { energy: kept(&self.state) - kept(&state), ..Contact::default() },
+            };
+            let (now, all) = (&mut self.now[stop], &mut self.all[stop]);
+            for one in [&mut *now, &mut *all] {
+                one.peak = one.peak.max(flight.peak);
+                one.impulse += flight.impulse;
+                one.energy += flight.energy;
             }
+            now.duration += flight.duration;
+            all.duration = all.duration.max(now.duration);
         }
-        (self.stage, self.from, self.state) = (run.stage(), run.time(), run.state());
-        self.state.t = self.from.phase;
+        (self.stage, self.from, self.state) = (run.stage(), run.time(), state);
     }
 
     /// Contact with a stop on the flight of that duration.
-    fn flight(&self, run: &Run, stop: usize, duration: f64) -> Contact {
-        let contact = &run.simulator().contacts().all()[stop];
+    fn flight(&self, contact: &StopContact, duration: f64) -> Contact {
         let mut found = Contact { duration, ..Contact::default() };
         // By a law's steps the way from the beginning is long: looks go on from the one before.
         let last = RefCell::new(contact.force.as_ref().map(|_| (0.0, self.state.clone())));
+        // The force, and the rate of the loss.
+        let seen = |gap: [f64; 2]| {
+            let [force, at_rest] = [gap, [gap[0], 0.0]].map(|gap| contact.push_at(gap));
+            [force, (at_rest.max(0.0) - force) * gap[1]]
+        };
         let look = |after: f64| {
             if contact.force.is_none() {
-                let gap = contact.gap(&self.stage.after(self.from, &self.state, after));
-                return [contact.push_at(gap), gap[1]];
+                return seen(contact.gap(&self.stage.after(self.from, &self.state, after)));
             }
             let known = last.borrow_mut().take().filter(|(known, _)| *known <= after);
             let (known, state) = known.unwrap_or_else(|| (0.0, self.state.clone()));
             let state = self.stage.after(self.from.after(known), &state, after - known);
             let gap = contact.gap(&state);
             *last.borrow_mut() = Some((after, state));
-            [contact.push_at(gap), gap[1]]
+            seen(gap)
         };
-        let fastest = self.stage.flow.rates().into_iter().fold(1.0, f64::max);
-        let pieces = (fastest * duration / PIECE).clamp(PIECES[0], PIECES[1]).ceil();
-        let piece = duration / pieces;
         let mut looks = vec![(0.0, look(0.0)[0])];
-        // A formula's force may begin and end as a power that is not whole: s ↦ s²(3 − 2s) makes it smooth.
-        let (pieces, bent) = if contact.force.is_some() { (BENT, true) } else { (pieces, false) };
-        for i in 0..pieces as u32 {
-            for (x, weight) in GAUSS {
-                let s = (f64::from(i) + x) / pieces;
-                let (after, part) = if bent {
-                    (duration * s * s * (3.0 - 2.0 * s), weight * duration / pieces * 6.0 * s * (1.0 - s))
-                } else {
-                    ((f64::from(i) + x) * piece, weight * piece)
-                };
-                let [force, rate] = look(after);
-                let part = part * force;
-                (found.impulse, found.energy) = (found.impulse + part, found.energy - part * rate);
-                looks.push((after, force));
-            }
+        for (after, part) in places(&self.stage, duration, contact.force.is_some()) {
+            let [force, loss] = look(after);
+            (found.impulse, found.energy) = (found.impulse + part * force, found.energy + part * loss);
+            looks.push((after, force));
         }
         looks.push((duration, look(duration)[0]));
         found.peak = largest(&looks, |after| look(after)[0]);
         found
     }
+}
+
+/// Where Gauss's rule looks on a flight in a stage, and the weights. A formula's force may begin and end as a
+/// power that is not whole, and is bent: s ↦ s²(3 − 2s) makes it smooth.
+pub(super) fn places(stage: &Stage, duration: f64, bent: bool) -> impl Iterator<Item = (f64, f64)> {
+    let fastest = stage.flow.rates().into_iter().fold(1.0, f64::max);
+    let pieces = (fastest * duration / PIECE).clamp(PIECES[0], PIECES[1]).ceil();
+    let pieces = if bent { BENT } else { pieces };
+    let places = (0..pieces as u32).flat_map(move |i| {
+        GAUSS.map(|(x, weight)| ((f64::from(i) + x) / pieces, weight * duration / pieces))
+    });
+    places.map(move |(s, part)| match bent {
+        true => (duration * s * s * (3.0 - 2.0 * s), part * 6.0 * s * (1.0 - s)),
+        false => (duration * s, part),
+    })
+}
+
+/// The soft stops with their places.
+fn soft<'a>(run: &Run<'a>) -> impl Iterator<Item = (usize, &'a StopContact)> {
+    let all = run.simulator().contacts().all().iter().enumerate();
+    all.filter(|(_, contact)| contact.soft.is_some())
 }
 
 /// The largest value of a smooth function that is known at these places, ascending, about the largest of

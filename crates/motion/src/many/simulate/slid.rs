@@ -6,15 +6,11 @@
 
 use std::sync::Arc;
 
-use super::Stage;
+use super::{Stage, pushes};
 use crate::{
     many::{Grip, State, simulate::engine::Run},
-    motion::{RunEnd, Time, flow::GAUSS},
+    motion::{RunEnd, Time},
 };
-
-/// Radians of the fastest motion in a piece, and the least and most pieces of a flight.
-const PIECE: f64 = 3.0;
-const PIECES: [f64; 2] = [2.0, 28.0];
 
 /// A motion repeats itself where its states a period apart differ by no more than this of their size.
 const SAME: f64 = 1e-9;
@@ -70,16 +66,12 @@ impl Slid {
     fn work(&self, run: &Run, (rub, stop): (usize, usize), duration: f64) -> f64 {
         let Some(from) = &self.state else { return 0.0 };
         let contacts = run.simulator().contacts();
-        let fastest = self.stage.flow.rates().into_iter().fold(1.0, f64::max);
-        let pieces = (fastest * duration / PIECE).clamp(PIECES[0], PIECES[1]).ceil();
-        let piece = duration / pieces;
         let look = |after: f64| {
             let state = self.stage.after(self.from, from, after);
             let force = self.stage.pressing(contacts, stop, self.from.after(after), &state);
             force * contacts.rubs()[rub].rate(&state).abs()
         };
-        let pieces = (0..pieces as u32).map(f64::from);
-        pieces.flat_map(|i| GAUSS.map(|(x, weight)| weight * piece * look((i + x) * piece))).sum()
+        pushes::places(&self.stage, duration, false).map(|(after, part)| part * look(after)).sum()
     }
 
     /// For each row with friction the part of the time in which it sticks, how far it slid under a normal

@@ -151,8 +151,12 @@ impl<'a> Carried<'a> {
     fn saltation(&mut self, hits: &[Impact<usize>], before: &[usize]) -> Result<()> {
         let contacts = self.simulator.contacts();
         let (arrival, after, stage) = (self.state.clone(), self.run.state(), self.run.stage());
-        let all: Vec<usize> = hits.iter().map(|hit| hit.place).chain(before.iter().copied()).collect();
-        let rates: Vec<f64> = hits.iter().map(|hit| hit.velocity).chain(before.iter().map(|_| 0.0)).collect();
+        // A stop that is touched as its gap opens takes part, and is not told of.
+        let told = |stop: &usize| before.contains(stop) || hits.iter().any(|hit| hit.place == *stop);
+        let opening = self.simulator.touched(&arrival).into_iter().filter(|stop| !told(stop));
+        let opening = opening.map(|stop| (stop, contacts.all()[stop].gap(&arrival)[1]));
+        let hit = hits.iter().map(|hit| (hit.place, hit.velocity)).chain(opening);
+        let (all, rates): (Vec<usize>, Vec<f64>) = hit.chain(before.iter().map(|&j| (j, 0.0))).unzip();
         let sliding = self.simulator.sliding(&arrival);
         let blow = Blow { stops: &all, rates: &rates, sliding: &sliding, grips: &self.stage.holds.grips };
         let law = contacts.struck(&blow)?;

@@ -326,6 +326,14 @@ mod tests {
     const START: State = State { t: 0.9, q: 0.4, u: -0.8 };
 
     #[test]
+    fn gauss_s_rule_is_exact_up_to_degree_fifteen() {
+        for degree in 0..16 {
+            let sum: f64 = GAUSS.iter().map(|(x, weight)| weight * x.powi(degree)).sum();
+            assert!((sum - 1.0 / f64::from(degree + 1)).abs() < 1e-15, "{degree}: {sum}");
+        }
+    }
+
+    #[test]
     fn the_closed_form_agrees_with_the_integrator() {
         for system in systems() {
             let (linear, taylor) = (Linear::new(&system).unwrap(), Taylor::new(&system, 1e-15).unwrap());

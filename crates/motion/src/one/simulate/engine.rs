@@ -106,10 +106,9 @@ impl<'a, P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool>
         };
         if let Some((wall, velocity)) = contact {
             let x = run.pieces.from(&run.cursor);
-            if velocity < 0.0 {
+            run.settle(wall, x, velocity.abs());
+            if velocity < 0.0 && run.rest.is_none() {
                 run.first = Some(run.strike(wall, x, velocity, 0.0));
-            } else {
-                run.settle(wall, x, velocity);
             }
         }
         Ok(run)

@@ -8,7 +8,7 @@ use crate::{
     many::{
         Blow, Grip, RealVector, State,
         simulate::{
-            Event, SoftStops, Stage, What,
+            Event, STILL, SoftStops, Stage, What,
             holds::{Holds, SoftPlace},
         },
     },
@@ -163,16 +163,8 @@ impl Run<'_> {
                 stage.flow.advance(&mut y, after);
                 stage.join(self.begin() + after, &y)
             };
-            for (other, contact) in simulator.contacts.all().iter().enumerate() {
-                let rigid = contact.soft.is_none();
-                if rigid
-                    && other != stop
-                    && !stage.holds.resting.contains(&other)
-                    && contact.gap(&state)[0] <= depth
-                {
-                    touched.push(other);
-                }
-            }
+            let others = simulator.touched(&state).into_iter();
+            touched.extend(others.filter(|other| *other != stop && !stage.holds.resting.contains(other)));
             known = Some(state);
         }
         let free = stage.smooth.is_none() && stage.holds.is_free();
@@ -239,21 +231,28 @@ impl Run<'_> {
         // What rounding leaves of velocities before would look like sliding beside those after.
         let rubbing = simulator.contacts.rubbing(&all).into_iter();
         self.still = rubbing.filter(|&j| law.grips[j] == Grip::Stuck).collect();
+        let energy = |i: usize| {
+            let after = rates[i] + simulator.contacts.held_row(all[i]).0.dot(&law.change);
+            -0.5 * law.impulses[i] * (rates[i] + after) + law.rubbed[i]
+        };
+        // Where no impulse acts there is no impact: the stop is only touched, or another, which may be the
+        // same stop once more, has turned the motion already. Nor is one where the gap opened before, or was
+        // closed already: what such a stop takes, as others drive the motion into it, the first of them does.
+        let still = STILL * rates.iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));
+        let hit = |i: usize| i < touched.len() && rates[i] <= still && law.impulses[i] > 0.0;
+        let mut beside: f64 = (0..all.len()).filter(|&i| !hit(i)).map(energy).sum();
         for (i, &stop) in touched.iter().enumerate() {
-            // Where no impulse acts there is no impact: the stop is only touched, or another, which may be
-            // the same stop once more, has turned the motion already.
-            if rates[i] < 0.0 {
+            if rates[i] < 0.0 || law.impulses[i] > 0.0 {
                 self.open[stop] = false;
             }
-            if law.impulses[i] > 0.0 {
-                let after = rates[i] + simulator.contacts.held_row(stop).0.dot(&law.change);
+            if hit(i) {
                 let shock = Shock {
                     impulse: law.impulses[i],
-                    energy: -0.5 * law.impulses[i] * (rates[i] + after) + law.rubbed[i],
+                    energy: energy(i) + std::mem::take(&mut beside),
                     together: all.len(),
                     order_matters: law.order_matters,
                 };
-                self.told(time, stop, rates[i], radius, shock);
+                self.told(time, stop, rates[i].min(0.0), radius, shock);
             }
         }
         let soft = self.soft_after(time, &state);
@@ -356,14 +355,16 @@ impl Run<'_> {
 
     /// Those of the stops rested on that are not left by the velocities of `state`.
     fn held(&self, time: Time, state: &State, resting: &[usize]) -> Result<Vec<usize>> {
-        let simulator = self.simulator;
-        let depth = simulator.settings.minimum_depth;
-        let stays = |&&j: &&usize| {
-            let contact = &simulator.contacts.all()[j];
-            let (v, a) = (contact.gap(state)[1], self.stage.bend(&simulator.contacts, j, time, state));
-            v <= 0.0 || v * v < 2.0 * a.abs() * depth
-        };
+        let rate = |j: usize| self.simulator.contacts.all()[j].gap(state)[1];
+        let stays = |&&j: &&usize| rate(j) <= 0.0 || self.is_slow(j, time, state);
         Ok(resting.iter().filter(stays).copied().collect())
+    }
+
+    /// Whether with its rate a gap changes by less than the minimum depth until the acceleration turns it.
+    pub(super) fn is_slow(&self, stop: usize, time: Time, state: &State) -> bool {
+        let (contacts, depth) = (&self.simulator.contacts, self.simulator.settings.minimum_depth);
+        let (v, a) = (contacts.all()[stop].gap(state)[1], self.stage.bend(contacts, stop, time, state));
+        v * v < 2.0 * a.abs() * depth
     }
 
     /// Goes on resting on those of the stops that still press, after others were hit.

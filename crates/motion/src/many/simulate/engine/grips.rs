@@ -13,7 +13,7 @@
 //! is rested on a part of what is decided (`many::lean`). Then there may be no answer, or one for which the
 //! stop's force would have to pull (Painlevé's paradox): the run ends and says so.
 
-use super::Run;
+use super::{NUDGE, Run};
 use crate::{
     error::Result,
     many::{
@@ -68,6 +68,7 @@ impl Run<'_> {
         let row = contacts.rub_row(rub);
         let left = contacts.rubs()[rub].rate(&state);
         state.u.axpy(-left / contacts.mobility(row), contacts.push(row), 1.0);
+        self.begun.1.clear();
         self.regrip(time, &state, &[(rub, Grip::Stuck)])
     }
 
@@ -91,8 +92,13 @@ impl Run<'_> {
         if self.stage.holds.grips.is_empty() {
             return Ok(());
         }
-        let stage = self.stage.clone();
-        let Decided { pressing, grips, .. } = self.decide(&stage, time, state, sure)?;
+        let (stage, rates) = (self.stage.clone(), self.sliding(state));
+        // What begins to slide has no velocity at first, and is not asked again at that instant.
+        let begins = |j: usize| sure.iter().all(|one| one.0 != j) && self.is_begun(j, time, &rates);
+        let ways =
+            stage.holds.grips.iter().copied().enumerate().filter(|(j, way)| way.slides() && begins(*j));
+        let known: Vec<_> = sure.iter().copied().chain(ways).collect();
+        let Decided { pressing, grips, .. } = self.decide(&stage, time, state, &known)?;
         if grips == stage.holds.grips && pressing == stage.holds.resting {
             if !sure.is_empty() {
                 // Nothing changes: on, and surely not to the same place.
@@ -131,9 +137,18 @@ impl Run<'_> {
             }
         };
         let told: Vec<Event> = before.iter().zip(now).enumerate().filter_map(changed).collect();
+        let (rates, now) = (self.sliding(&self.state()), self.stage.grips());
+        let begins = |&j: &usize| now[j].slides() && (now[j] != before[j] || self.is_begun(j, time, &rates));
+        self.begun = (time, (0..before.len()).filter(begins).collect());
         let rests = self.events.iter().position(|event| matches!(event, Event::Stick(_)));
         let at = rests.unwrap_or(self.events.len());
         self.events.splice(at..at, told);
+    }
+
+    /// Whether friction has just begun to slide.
+    fn is_begun(&self, rub: usize, time: Time, rates: &[f64]) -> bool {
+        let (from, rubs) = &self.begun;
+        rubs.contains(&rub) && (rates[rub] == 0.0 || time.since(*from) <= NUDGE)
     }
 
     /// The grips in contact with these stops: where nothing presses it is open, and where something begins

@@ -56,6 +56,8 @@ pub struct Run<'a> {
     rubbed: Option<What>,
     /// The friction known to have no velocity at the instant of the last hit, whatever rounding says.
     still: Vec<usize>,
+    /// When friction began to slide last, and which: it has no velocity then.
+    begun: (Time, Vec<usize>),
     /// The period, and how many zeros of switches it had so far.
     pub(super) kinks: (i64, u32),
     counts: Option<Share>,
@@ -81,9 +83,8 @@ impl<'a> Run<'a> {
             .collect();
         let holds = Holds { soft, grips, ..Holds::default() };
         let stage = simulator.stage(&simulator.decided(holds, None, time, &state)?)?;
-        let gaps: Vec<[f64; 2]> =
-            simulator.contacts.all().iter().map(|contact| contact.gap(&state)).collect();
         let depth = simulator.settings.minimum_depth;
+        let open = simulator.contacts.all().iter().map(|stop| stop.gap(&state)[0] > depth).collect();
         let mut run = Run {
             simulator,
             stage: stage.clone(),
@@ -93,7 +94,7 @@ impl<'a> Run<'a> {
             leap: None,
             from: -1.0,
             level: 0,
-            open: gaps.iter().map(|[gap, _]| *gap > depth).collect(),
+            open,
             events: Vec::new(),
             impacts: 0,
             ended: None,
@@ -101,14 +102,15 @@ impl<'a> Run<'a> {
             failure: None,
             rubbed: None,
             still: Vec::new(),
+            begun: (time, Vec::new()),
             kinks: (time.period, 0),
             counts: simulator.tally.as_ref().map(Share::of),
         };
         run.enter(stage, time, &state);
-        let rigid = |j: &usize| !simulator.through && simulator.contacts.all()[*j].soft.is_none();
-        let touched: Vec<usize> = (0..gaps.len()).filter(rigid).filter(|&j| gaps[j][0] <= depth).collect();
-        if touched.iter().any(|&j| gaps[j][1] < 0.0) {
-            let rates: Vec<f64> = touched.iter().map(|&j| gaps[j][1]).collect();
+        let touched = simulator.touched(&state);
+        let rates: Vec<f64> = touched.iter().map(|&j| simulator.contacts.all()[j].gap(&state)[1]).collect();
+        let arrives = |(&j, rate): (&usize, &f64)| *rate < 0.0 && !run.is_slow(j, time, &state);
+        if touched.iter().zip(&rates).any(arrives) {
             run.strike(time, state, &touched, &rates, 0.0)?;
         } else if touched.is_empty() || !run.settle(time, state.clone(), &touched, &[])? {
             run.regrip(time, &state, &[])?;

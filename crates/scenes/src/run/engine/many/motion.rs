@@ -63,12 +63,10 @@ pub(super) fn simulate(
         return Err(error);
     }
     let pushes = pushes.unwrap_or_else(|| Pushes::new(&run));
-    for (row, all) in found.stops.iter_mut().zip(pushes.all()) {
-        if row.peak_force.is_some() {
-            row.peak_force = Some(all.peak);
-            row.longest = Some(all.duration / simulator.rate());
-            row.dissipated = all.energy;
-        }
+    let soft = found.stops.iter_mut().zip(pushes.all()).filter(|(row, _)| row.peak_force.is_some());
+    for (row, all) in soft {
+        (row.peak_force, row.longest) = (Some(all.peak), Some(all.duration / simulator.rate()));
+        row.dissipated = all.energy;
     }
     let (state, rate) = (run.state(), simulator.rate());
     let list = |of: &RealVector, unit: f64| machine.seen(of).iter().map(|x| x * unit).collect();
@@ -166,7 +164,7 @@ impl SampledMotion for Motion<'_> {
             pushes.flown(&self.run);
             let contact = match &event {
                 Event::Touch(Touch { place, .. }) | Event::Release(Release { place, .. }) => {
-                    self.simulator.contacts().all().get(*place).map(|_| pushes.ended(*place))
+                    self.simulator.contacts().all().get(*place).map(|stop| pushes.ended(*place, stop))
                 }
                 _ => None,
             };
@@ -178,8 +176,7 @@ impl SampledMotion for Motion<'_> {
                 self.first.get_or_insert((impact.place, impact.time, impact.velocity));
             }
             let Some(event) = self.told(&event, contact) else { continue };
-            self.found.happened(&event);
-            if failed.is_none() {
+            if self.found.happened(&event) && failed.is_none() {
                 failed = self.keeper.event(&event).err();
             }
         }

@@ -74,8 +74,7 @@ impl SampledMotion for Motion<'_> {
         let mut failed = None;
         let end = run.record(until, |event| {
             let Some(event) = told(&event, stops, *mass) else { return };
-            found.happened(&event);
-            if failed.is_none() {
+            if found.happened(&event) && failed.is_none() {
                 failed = keeper.event(&event).err();
             }
         });
