@@ -113,6 +113,8 @@ pub(super) enum Tendency<P> {
     Settled(Cycle<P>),
     /// There is an orbit that attracts, and the motion is not yet where it could be told to tend there.
     NotYet,
+    /// There is an orbit that attracts, and nothing tells that the motion goes there.
+    Elsewhere,
     /// There is none.
     Other,
 }
@@ -161,7 +163,8 @@ pub(super) fn tendency<D: Dynamics>(
                 return Ok(cycle(dynamics, least, phase)?.map_or(Tendency::Other, Tendency::Settled));
             }
             Tends::NotYet => found = Tendency::NotYet,
-            Tends::Elsewhere => {}
+            Tends::Elsewhere if found == Tendency::Other => found = Tendency::Elsewhere,
+            Tends::Elsewhere | Tends::Not => {}
         }
         shorter.push(fixed);
     }
@@ -174,6 +177,8 @@ enum Tends {
     Settled,
     NotYet,
     Elsewhere,
+    /// It does not attract, or there is none.
+    Not,
 }
 
 /// The fixed point of the map round a period that Newton's method finds from these coordinates, with the
@@ -213,7 +218,7 @@ fn of_period<D: Dynamics>(
     mean: Option<&[f64]>,
     size: &Size,
 ) -> Result<(Tends, Option<Fixed>)> {
-    let nothing = (Tends::Elsewhere, None);
+    let nothing = (Tends::Not, None);
     let rounds = period as u64;
     let Some(first) = round(dynamics, from, phase, rounds)? else { return Ok(nothing) };
     let after = first.end.clone();
@@ -242,7 +247,7 @@ fn of_period<D: Dynamics>(
     let linear = bent <= (1.0 - radius) / 4.0 * distance;
     let near = distance <= size.part(NEAR);
     let tends = if !attracts {
-        Tends::Elsewhere
+        Tends::Not
     } else if on_it
         || linear && (near || follows(dynamics, from, phase, rounds, (&x, &at.slope, radius, &off))?)
         || shrinks(dynamics, (&x, &at, radius), phase, rounds, &off, size)?

@@ -158,6 +158,8 @@ pub(crate) struct Recurrence<'d, D: Dynamics> {
     /// When Newton's method is tried again: there is an orbit that attracts.
     again: Option<usize>,
     settled: Option<Cycle<D::Point>>,
+    /// Whether Newton's method found an orbit that attracts.
+    found: bool,
     /// Once the window of points is over and no orbit is found, whether the motion wanders.
     wanders: Option<bool>,
 }
@@ -178,6 +180,7 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
             candidate: None,
             again: None,
             settled: None,
+            found: false,
             wanders: None,
         })
     }
@@ -299,21 +302,20 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
     fn decide(&mut self) -> Result<()> {
         let here = self.points.len() - 1;
         let at = self.points[here].0.coordinates();
-        let wanders = self.again.is_none() && wanders(self.dynamics, at, self.detection.phase)?;
+        let wanders = wanders(self.dynamics, at, self.detection.phase, self.found)?;
         self.wanders = Some(wanders);
-        if !wanders && self.again.is_none() {
-            self.again = Some(here + here / 2);
-        }
+        self.again = if wanders { None } else { self.again.or(Some(here + here / 2)) };
         Ok(())
     }
 
     fn keep(&mut self, found: Tendency<D::Point>, here: usize, n: usize) {
+        self.found |= matches!(found, Tendency::NotYet | Tendency::Elsewhere);
         match found {
             Tendency::Settled(cycle) => self.settled = Some(cycle),
             // Ever more rarely.
             Tendency::NotYet => self.again = Some(here + n.max(here / 2)),
-            Tendency::Other if self.wanders == Some(false) => self.again = Some(here + n.max(here / 2)),
-            Tendency::Other => {}
+            _ if self.wanders == Some(false) => self.again = Some(here + n.max(here / 2)),
+            _ => {}
         }
     }
 

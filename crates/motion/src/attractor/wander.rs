@@ -13,29 +13,31 @@ use crate::{
 };
 
 /// Forcing periods in which the growth of a vector is looked at: for longer where that leaves it open.
-const LOOKS: [u64; 3] = [128, 512, 2048];
+const LOOKS: [u64; 4] = [128, 512, 2048, 8192];
 /// A mean this many times its standard error is not 0.
 const SURE: f64 = 3.0;
 /// Blocks of time, and the forcing periods of each: longer ones where the shorter are not equal, as of what turns
 /// slowly.
 const BLOCKS: usize = 4;
 const LENGTHS: [i64; 2] = [256, 1024];
-/// A motion that goes ever farther, and in the last block so many times as far as in the first, grows.
+/// A motion that goes so many times as far in all blocks as in any of them is on its way.
 const GROWS: f64 = 2.0;
 /// Blocks in which a motion goes as far are equal up to this part.
 const EQUAL: f64 = 0.1;
 /// A change between the first block and the last, in one sense throughout, by more than this part is a trend.
 const TREND: f64 = 1e-3;
 
-/// Whether the motion from these coordinates of the section at `phase` wanders. Cost: 1,024 forcing periods and
-/// 128 with a vector; where that leaves it open 4,096 more and 2,560 with a vector.
+/// Whether the motion from these coordinates of the section at `phase` wanders; where an orbit is `found` that
+/// attracts, only as neighbours part. Cost: 1,024 forcing periods and 128 with a vector; where that leaves it
+/// open 4,096 more and 10,752 with a vector.
 ///
 /// # Errors
 /// Those of [`Motion::pass`].
-pub(super) fn wanders<D: Dynamics>(dynamics: &D, x: &[f64], phase: f64) -> Result<bool> {
+pub(super) fn wanders<D: Dynamics>(dynamics: &D, x: &[f64], phase: f64, found: bool) -> Result<bool> {
     let start = dynamics.at(x, phase);
     let Some(all) = sizes(dynamics, &start, LENGTHS[0])? else { return Ok(false) };
-    if all.windows(2).all(|pair| pair[1] > pair[0]) && all[BLOCKS - 1] > GROWS * all[0] {
+    // The last is of all blocks together.
+    if all[BLOCKS] > GROWS * all[..BLOCKS].iter().copied().fold(0.0, f64::max) {
         return Ok(false);
     }
     for periods in LOOKS {
@@ -55,29 +57,29 @@ pub(super) fn wanders<D: Dynamics>(dynamics: &D, x: &[f64], phase: f64) -> Resul
             return Ok(false);
         }
     }
-    if are_equal(&all) {
-        return Ok(true);
+    if found || are_equal(&all) {
+        return Ok(!found);
     }
     Ok(sizes(dynamics, &start, LENGTHS[1])?.is_some_and(|all| are_equal(&all)))
 }
 
-/// Whether blocks extend equally far, without a trend.
-fn are_equal(sizes: &[f64]) -> bool {
-    let (first, last) = (sizes[0], sizes[sizes.len() - 1]);
+/// Whether blocks extend equally far, without a trend, and all of them together no farther: the last is that.
+fn are_equal(all: &[f64]) -> bool {
+    let (whole, sizes) = (all[BLOCKS], &all[..BLOCKS]);
+    let (first, last) = (sizes[0], sizes[BLOCKS - 1]);
     let rises = sizes.windows(2).all(|pair| pair[1] > pair[0]);
     let falls = sizes.windows(2).all(|pair| pair[1] < pair[0]);
     let trend = (rises || falls) && (last - first).abs() > TREND * first;
-    let most = sizes.iter().copied().fold(0.0, f64::max);
     let least = sizes.iter().copied().fold(f64::INFINITY, f64::min);
-    !trend && most - least <= EQUAL * most
+    !trend && whole - least <= EQUAL * whole
 }
 
-/// How far the points of the section extend in each block, in the coordinate in which they extend most in all;
-/// none where the motion ends.
+/// How far the points of the section extend in each block, and then in all together, in the coordinate in which
+/// they extend most; none where the motion ends.
 fn sizes<D: Dynamics>(dynamics: &D, start: &D::Start, length: i64) -> Result<Option<Vec<f64>>> {
     let Ok(mut run) = dynamics.begin(start) else { return Ok(None) };
     let begun = run.time();
-    let mut sizes = Vec::new();
+    let mut ends: Vec<[Vec<f64>; 2]> = Vec::new();
     for block in 0..BLOCKS as i64 {
         let first = run.point().coordinates().to_vec();
         let (mut low, mut high) = (first.clone(), first);
@@ -90,9 +92,14 @@ fn sizes<D: Dynamics>(dynamics: &D, start: &D::Start, length: i64) -> Result<Opt
                 (low[j], high[j]) = (low[j].min(*x), high[j].max(*x));
             }
         }
-        sizes.push(low.iter().zip(&high).map(|(low, high)| high - low).collect::<Vec<f64>>());
+        ends.push([low, high]);
     }
-    let whole = |j: usize| sizes.iter().map(|block| block[j]).fold(0.0, f64::max);
-    let widest = (0..sizes[0].len()).max_by(|&a, &b| whole(a).total_cmp(&whole(b))).unwrap_or(0);
-    Ok(Some(sizes.into_iter().map(|block| block[widest]).collect()))
+    let size = |j: usize, blocks: &[[Vec<f64>; 2]]| {
+        let low = blocks.iter().map(|[low, _]| low[j]).fold(f64::INFINITY, f64::min);
+        blocks.iter().map(|[_, high]| high[j]).fold(f64::NEG_INFINITY, f64::max) - low
+    };
+    let widest =
+        (0..ends[0][0].len()).max_by(|&a, &b| size(a, &ends).total_cmp(&size(b, &ends))).unwrap_or(0);
+    let each = ends.chunks(1).map(|block| size(widest, block));
+    Ok(Some(each.chain([size(widest, &ends)]).collect()))
 }
