@@ -106,7 +106,9 @@ Proof.
   intros mu N N' t q v t' q' v' K Hmu HN HN' HM HB HM' HB' HE.
   pose proof (chain_12 mu N Hmu HN) as HC; pose proof (chain_12 mu N' Hmu HN') as HC'.
   destruct (letters_path N HN) as [_ HT], (letters_path N' HN') as [_ HT'].
-  apply motion_scaled in HM, HM'; try exact Hmu; apply boxes_scaled in HB, HB'; try assumption.
+  pose proof (conj HM (inside_window _ _ _ _ _ Hmu HM (small_12 _ _ _ _ Hmu HN HB))) as J; clear HM.
+  pose proof (conj HM' (inside_window _ _ _ _ _ Hmu HM' (small_12 _ _ _ _ Hmu HN' HB'))) as J'; clear HM'.
+  apply motion_scaled in J as HM, J' as HM'; try exact Hmu; apply boxes_scaled in HB, HB'; try assumption.
   set (M := machine mu) in *; set (l := letters_of N) in *; set (l' := letters_of N') in *.
   pose proof (sums_inside M (6 / 5) (7 / 8) 2 l HC t (scaled mu v) HB) as Hs.
   pose proof (sums_inside M (6 / 5) (7 / 8) 2 l' HC' t' (scaled mu v') HB') as Hs'.

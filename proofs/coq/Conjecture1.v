@@ -129,9 +129,9 @@ Qed.
 
 Theorem Conjecture_1 : Conjecture_1_statement.
 Proof.
-  intros n Hn N; pose proof (N_at_least_3 n Hn) as HN; fold N in HN; assert (Hn2 : (2 <= n)%nat) by lia.
+  intros n Hn; set (N := INR n); pose proof (N_at_least_3 n Hn) as HN; fold N in HN; assert (Hn2 : (2 <= n)%nat) by lia.
   destruct (S4_stated n Hn) as (Hfirst & Habove & Hnone).
-  split; [|split; [|split; [|split; [|split; [|split; [|split]]]]]].
+  constructor.
   - intros r s Hr Hs; apply (born_exactly _ _ _ _ _ Hn2), Hfirst; assumption.
   - pose proof (first_side n Hn) as HS; fold N in HS.
     destruct (Habove _ _ _ _ HS) as (Rad & HR); exists Rad; split; [apply (above_area n Hn), HR|].

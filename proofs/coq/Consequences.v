@@ -255,22 +255,22 @@ Qed.
 
 (** ** The paper's oscillator: impacts one period apart for ever, slow ones, and two apart, fast ones *)
 
-From Grazing Require Import StatementChaos.
+From Grazing Require Import StatementOscillator StatementNordmark StatementChaos.
 From Grazing Require Headline.
 
 Lemma one_apart_and_two : Headline.Chaos_statement -> Chaos_periodic_statement -> forall mu, mu > 0 ->
-  (exists t q v, motion mu (fun i => i) t q v /\ t 1%Z = t 0%Z + 2 * PI /\ v 0%Z (t 0%Z) <= 1 / 4 * mu /\
+  (exists t q v, chaos_motion mu (fun i => i) t q v /\ t 1%Z = t 0%Z + 2 * PI /\ v 0%Z (t 0%Z) <= 1 / 4 * mu /\
    q 0%Z (t 0%Z) = (1 + mu) * cos (t 0%Z) - 1 /\ forall x, q 1%Z (x + 2 * PI) = q 0%Z x /\ v 1%Z (x + 2 * PI) = v 0%Z x) /\
-  exists t q v, motion mu (fun i => 2 * i)%Z t q v /\ t 1%Z = t 0%Z + 4 * PI /\ v 0%Z (t 0%Z) >= 3 / 5 * mu.
+  exists t q v, chaos_motion mu (fun i => 2 * i)%Z t q v /\ t 1%Z = t 0%Z + 4 * PI /\ v 0%Z (t 0%Z) >= 3 / 5 * mu.
 Proof.
   intros H HP mu Hmu; split.
   - assert (HN : one_or_two (fun i => i)) by (intros i; lia).
     destruct (H mu _ Hmu HN) as (t & q & v & HM & HB & _).
     destruct (HP mu _ t q v 1%Z 1%Z Hmu HN HM HB ltac:(intros; cbn beta; lia) 0%Z 0) as (T & _).
     destruct (HB 0%Z 1%Z eq_refl) as [B _]; destruct (B eq_refl) as [A _].
-    destruct (HM 0%Z 1%Z eq_refl) as (_ & _ & _ & Q & _).
+    pose proof (swing_from _ _ _ _ _ _ _ _ _ _ (HM 0%Z 1%Z eq_refl)) as Q; unfold gap in Q; cbn in Q; rewrite Rmult_0_r, Rminus_0_r in Q.
     exists t, q, v; split; [exact HM|]; change (0 + 1)%Z with 1%Z in T; split; [lra|]; split; [lra|].
-    split; [exact Q|]; intros x; destruct (HP mu _ t q v 1%Z 1%Z Hmu HN HM HB ltac:(intros; cbn beta; lia) 0%Z x) as (_ & P).
+    split; [lra|]; intros x; destruct (HP mu _ t q v 1%Z 1%Z Hmu HN HM HB ltac:(intros; cbn beta; lia) 0%Z x) as (_ & P).
     rewrite Rmult_1_r in P; exact P.
   - assert (HN : one_or_two (fun i => 2 * i)%Z) by (intros i; lia).
     destruct (H mu _ Hmu HN) as (t & q & v & HM & HB & _).
@@ -280,19 +280,21 @@ Proof.
 Qed.
 
 (** What a motion is, and what its boxes say, at the first leg. *)
-Lemma a_leg mu N t y v : motion mu N t y v -> N 0%Z = 0%Z -> let w x := (1 + mu) * cos x - 1 in
-  let V i := v i (t 1%Z) + (1 + mu) * sin (t 1%Z) in
+Lemma a_leg : Nordmark_statement -> forall mu N t y v, chaos_motion mu N t y v -> N 0%Z = 0%Z ->
+  let w x := (1 + mu) * cos x - 1 in let V i := v i (t 1%Z) + (1 + mu) * sin (t 1%Z) in
   (forall x, derivable_pt_lim (y 0%Z) x (v 0%Z x) /\ derivable_pt_lim (v 0%Z) x (- (12 / 49) * v 0%Z x - 100 / 2401 * y 0%Z x)) /\
-  Rabs (t 0%Z) < 6 / 5 /\ t 0%Z < t 1%Z /\ y 0%Z (t 0%Z) = w (t 0%Z) /\ y 0%Z (t 1%Z) = w (t 1%Z) /\
+  - 6 / 5 <= t 0%Z <= 6 / 5 /\ t 0%Z < t 1%Z /\ y 0%Z (t 0%Z) = w (t 0%Z) /\ y 0%Z (t 1%Z) = w (t 1%Z) /\
   (forall x, t 0%Z < x < t 1%Z -> w x < y 0%Z x) /\ V 0%Z < 0 /\ V 1%Z = - V 0%Z.
 Proof.
-  intros HM N0; destruct (HM 0%Z 1%Z eq_refl) as (F & D & L & Q0 & Q1 & A & V1 & V2).
-  unfold wall, wall_velocity in *; rewrite N0, Rmult_0_r, Rminus_0_r in D; cbv zeta.
-  split; [exact F|]; repeat (split; [assumption|]); lra.
+  intros H mu N t y v HM N0; destruct (H (3 / 5) (49 / 10) 1 ltac:(lra) ltac:(lra)) as (_ & _ & _ & E).
+  replace (2 * (3 / 5) / (49 / 10)) with (12 / 49) in E by field; replace (1 / (49 / 10) ^ 2) with (100 / 2401) in E by field.
+  destruct (proj1 (E mu _ N t y v) HM 0%Z 1%Z eq_refl) as (F & D & L & Q0 & Q1 & A & V1 & V2).
+  rewrite N0, Rmult_0_r, Rminus_0_r in D; cbv zeta; split; [exact F|]; unfold Rabs in D; destruct Rcase_abs;
+    repeat (split; [lra|]); split; try exact A; lra.
 Qed.
-Lemma its_boxes t v : (in_boxes 1 (fun i => i) t v -> 89 <= 1000 * v 0%Z (t 0%Z) <= 244 /\
+Lemma its_boxes t v : (in_two_boxes 1 (fun i => i) t v -> 89 <= 1000 * v 0%Z (t 0%Z) <= 244 /\
    - 1582 <= 10000 * v 0%Z (t 1%Z) <= - 612) /\
-  (in_boxes 1 (fun i => 2 * i)%Z t v -> 615 <= 1000 * v 0%Z (t 0%Z) <= 1036 /\ - 367 <= 1000 * v 0%Z (t 1%Z) <= - 140) /\
+  (in_two_boxes 1 (fun i => 2 * i)%Z t v -> 615 <= 1000 * v 0%Z (t 0%Z) <= 1036 /\ - 367 <= 1000 * v 0%Z (t 1%Z) <= - 140) /\
   (in_three_boxes 1 (fun i => i) t v -> 28 <= 1000 * v 0%Z (t 0%Z) <= 196 /\ - 1137 <= 10000 * v 0%Z (t 1%Z) <= - 1010) /\
   (in_three_boxes 1 (fun i => 2 * i)%Z t v -> 481 <= 1000 * v 0%Z (t 0%Z) <= 829 /\ - 2509 <= 10000 * v 0%Z (t 1%Z) <= - 1638) /\
   (in_three_boxes 1 (fun i => 3 * i)%Z t v -> 169 <= 10 * v 0%Z (t 0%Z) <= 323 /\ - 334 <= 100 * v 0%Z (t 1%Z) <= - 175).
@@ -302,8 +304,8 @@ Proof.
   - destruct B as [B _]; destruct (B eq_refl); lra.
   - destruct B as [_ B]; destruct (B eq_refl); lra.
 Qed.
-Lemma one_of_three : Chaos_three_statement -> forall N t y v t' y' v', one_to_three N -> motion (1 / 1000) N t y v ->
-  motion (1 / 1000) N t' y' v' -> in_three_boxes (1 / 1000) N t v -> in_three_boxes (1 / 1000) N t' v' ->
+Lemma one_of_three : Chaos_three_statement -> forall N t y v t' y' v', one_to_three N -> chaos_motion (1 / 1000) N t y v ->
+  chaos_motion (1 / 1000) N t' y' v' -> in_three_boxes (1 / 1000) N t v -> in_three_boxes (1 / 1000) N t' v' ->
   forall i x, t i = t' i /\ y i x = y' i x /\ v i x = v' i x.
 Proof.
   intros H N t y v t' y' v' HN M M' B B' i x; destruct (H (1 / 1000) N ltac:(lra) HN) as (t0 & y0 & v0 & _ & _ & U).
@@ -311,13 +313,13 @@ Proof.
 Qed.
 
 (** No motion is one apart and two apart; those that agree up to 12 impacts around one are within 3 (7/8)^10 there. *)
-Lemma apart : Chaos_distinct_statement -> forall mu t y v y' v', motion mu (fun i => i) t y v ->
-  ~ motion mu (fun i => 2 * i)%Z t y' v'.
+Lemma apart : Chaos_distinct_statement -> forall mu t y v y' v', chaos_motion mu (fun i => i) t y v ->
+  ~ chaos_motion mu (fun i => 2 * i)%Z t y' v'.
 Proof. intros D mu t y v y' v' M M'; specialize (D mu _ _ t y v y' v' M M' 1%Z); discriminate D. Qed.
 
 Lemma close_by : Chaos_continuous_statement -> forall mu N t y v t' y' v', mu > 0 -> one_or_two N ->
-  (forall i, (-12 <= i <= 12)%Z -> N i = i) -> motion mu (fun i => i) t y v -> in_boxes mu (fun i => i) t v ->
-  motion mu N t' y' v' -> in_boxes mu N t' v' -> Rabs (t 0%Z - t' 0%Z) <= 3 * (7 / 8) ^ 10 /\
+  (forall i, (-12 <= i <= 12)%Z -> N i = i) -> chaos_motion mu (fun i => i) t y v -> in_two_boxes mu (fun i => i) t v ->
+  chaos_motion mu N t' y' v' -> in_two_boxes mu N t' v' -> Rabs (t 0%Z - t' 0%Z) <= 3 * (7 / 8) ^ 10 /\
   Rabs (v 0%Z (t 0%Z) - v' 0%Z (t' 0%Z)) <= 2 * mu * (7 / 8) ^ 10.
 Proof.
   intros C mu N t y v t' y' v' Hmu HN E M B M' B'; apply (C mu (fun i => i) N t y v t' y' v' 10%nat); trivial.
@@ -326,12 +328,12 @@ Proof.
 Qed.
 
 (** At mu = 0.003 impacts three periods apart for ever, each leg leaving at 16.9 mu or faster. *)
-Lemma three_apart : Chaos_three_statement -> exists t q v, motion (3 / 1000) (fun i => 3 * i)%Z t q v /\
-  507 / 10000 <= v 0%Z (t 0%Z) /\ Rabs (t 1%Z - 6 * PI) < 6 / 5.
+Lemma three_apart : Chaos_three_statement -> exists t q v, chaos_motion (3 / 1000) (fun i => 3 * i)%Z t q v /\
+  507 / 10000 <= v 0%Z (t 0%Z) /\ Rabs (t 1%Z - 6 * PI) <= 6 / 5.
 Proof.
   intros H; destruct (H (3 / 1000) (fun i => 3 * i)%Z ltac:(lra)) as (t & q & v & HM & HB & _).
   { intros i; right; right; lia. }
   destruct (HB 0%Z 1%Z eq_refl) as (_ & _ & B); destruct (B eq_refl) as [A _].
-  destruct (HM 1%Z 2%Z eq_refl) as (_ & T & _); change (3 * 1)%Z with 3%Z in T.
+  pose proof (swing_near _ _ _ _ _ _ _ _ _ _ (HM 1%Z 2%Z eq_refl)) as T; cbn [turn] in T; change (3 * 1)%Z with 3%Z in T.
   exists t, q, v; split; [exact HM|]; split; [lra|]; replace (6 * PI) with (2 * PI * 3) by ring; exact T.
 Qed.

@@ -2,7 +2,7 @@
 From Coq Require Import Reals ZArith List FunctionalExtensionality Lra Lia.
 From Grazing Require Import Defs Statement StatementWords StatementExamples StatementOrbits StatementOrbitsPlane
   StatementOscillator Headline Farey.
-From Grazing Require StatementChaos.
+From Grazing Require Import StatementChaos.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -80,7 +80,7 @@ Qed.
 Lemma half_periods O mu d N t y v : motion O Minus mu d N t y v -> apart N 1 ->
   Rabs (t 1%Z - t 0%Z - PI) <= 2 * d.
 Proof.
-  intros HM HN; destruct (HM 0%Z 1%Z eq_refl) as (_ & A & _), (HM 1%Z 2%Z eq_refl) as (_ & B & _).
+  intros HM HN; destruct (HM 0%Z 1%Z eq_refl) as [_ A _ _ _ _ _ _], (HM 1%Z 2%Z eq_refl) as [_ B _ _ _ _ _ _].
   pose proof (HN 0%Z) as E; cbn in E; rewrite E, plus_IZR in B; cbn [turn Z.of_nat] in *.
   unfold Rabs in *; repeat destruct Rcase_abs; lra.
 Qed.
@@ -152,12 +152,12 @@ Qed.
 (** First bullet, every n. Second, n = 4: over (1/8, 1/4), where b_{4,3} = 0; the graph is 0 up to 1/6. *)
 Lemma bullet_1 : Conjecture_1_statement -> forall n r s, (3 <= n)%nat -> 0 < r <= 1 -> 0 < s < 1 / (2 * INR n) ->
   exactly (2 * r * cos (2 * PI * s)) (r ^ 2) n Minus Plus.
-Proof. intros C n r s Hn Hr Hs; apply (C n Hn); assumption. Qed.
+Proof. intros C n r s Hn Hr Hs; apply (first_area _ _ (C n Hn)); assumption. Qed.
 Lemma bullet_2 : Conjecture_1_statement -> exists Rad, above_graph 4 3 Plus (1 / 8) (1 / 4) Rad /\
   tends_up Rad (1 / 8) (1 / 4) (1 / 4) /\ (forall s, 1 / 8 < s <= 1 / 6 -> Rad s = 0) /\
   forall r, 0 < r < 1 -> exists s', 1 / 8 < s' <= 1 / 4 /\ forall s, 1 / 8 < s < 1 / 4 -> (s < s' <-> Rad s < r).
 Proof.
-  intros C; destruct (C 4%nat ltac:(lia)) as (_ & (Rad & A & T & Z & S) & _); cbn [Nat.sub] in A; exists Rad.
+  intros C; destruct (second_area _ _ (C 4%nat ltac:(lia))) as (Rad & A & T & Z & S); cbn [Nat.sub] in A; exists Rad.
   replace (1 / (2 * INR 4)) with (1 / 8) in * by (simpl; field); replace (1 / INR 4) with (1 / 4) in * by (simpl; field).
   replace (1 / (2 * (INR 4 - 1))) with (1 / 6) in * by (simpl; field).
   split; [apply area_above, A|]; split; [apply tends_1, T|]; split; [exact Z|]; intros r Hr.
@@ -167,7 +167,7 @@ Qed.
 Lemma bullet_3 : Conjecture_1_statement -> exists Rad, above_graph 3 1 Minus (1 / 3) (1 / 2) Rad /\
   tends_up Rad (1 / 3) (1 / 2) (1 / 3).
 Proof.
-  intros C; destruct (C 3%nat ltac:(lia)) as (_ & _ & H & _); destruct H as ((Rad & A & T) & _);
+  intros C; destruct (leftmost_area _ _ (C 3%nat ltac:(lia))) as ((Rad & A & T) & _);
     [exists 1%nat; reflexivity|]; cbn [Nat.sub] in A; exists Rad.
   replace ((INR 3 - 1) / (2 * INR 3)) with (1 / 3) in * by (simpl; field); split; [apply area_above, A | apply tends_1, T].
 Qed.
@@ -177,7 +177,7 @@ Proof. reflexivity. Qed.
 Lemma bullet_3_left : Conjecture_1_statement -> forall a1 a2, 0 < a2 < 1 ->
   (- (a2 + 1) < a1 < - 1 -> exactly a1 a2 3 Plus Minus) /\ (- 1 < a1 < - sqrt a2 -> never a1 a2 3).
 Proof.
-  intros C a1 a2 H2; destruct (C 3%nat ltac:(lia)) as (_ & _ & A & _); destruct A as [_ A]; [exists 1%nat; reflexivity|].
+  intros C a1 a2 H2; destruct (leftmost_area _ _ (C 3%nat ltac:(lia))) as [_ A]; [exists 1%nat; reflexivity|].
   destruct (A a2 H2) as (a1s & Hs & H); rewrite (trace_sqrt a2 3 _ eq_refl) in *.
   replace (2 * PI * ((INR 3 - 1) / (2 * INR 3))) with (PI - PI / 3) in * by (simpl; field).
   rewrite Rtrigo_facts.cos_pi_minus, cos_PI3 in *; assert (L : sqrt a2 < 1) by (rewrite <- sqrt_1; apply sqrt_lt_1; lra).
@@ -191,7 +191,7 @@ Lemma bullet_3_boundary : Conjecture_1_statement -> forall a2, 0 < a2 < 1 ->
   b a1 a2 5 1 > 0 /\ b a1 a2 5 2 > 0 /\ b a1 a2 5 4 > 0 /\
   forall a1', - (a2 + 1) < a1' < hi -> b a1' a2 5 3 = 0 -> a1' = a1.
 Proof.
-  intros C a2 H2 hi; destruct (C 5%nat ltac:(lia)) as (_ & _ & A & _); destruct A as [_ A]; [exists 2%nat; reflexivity|].
+  intros C a2 H2 hi; destruct (leftmost_area _ _ (C 5%nat ltac:(lia))) as [_ A]; [exists 2%nat; reflexivity|].
   destruct (A a2 H2) as (a1 & Hs & H); rewrite (trace_sqrt a2 5 _ eq_refl) in *; fold hi in Hs, H; cbn [Nat.sub] in H.
   split; [intros a1' Ha; apply (H a1' Ha)|]; exists a1; split; [exact Hs|].
   destruct (H a1 Hs) as (_ & _ & _ & Z & W); split; [apply Z; reflexivity|].
@@ -202,7 +202,8 @@ Qed.
 Lemma bullets_4_5 : Conjecture_1_statement -> extends 8 5 Plus (1 / 3) (3 / 8) /\ extends 8 3 Minus (3 / 8) (2 / 5) /\
   extends 4 1 Minus (1 / 4) (1 / 3).
 Proof.
-  intros C; destruct (C 8%nat ltac:(lia)) as (_ & _ & _ & H4 & H5 & _), (C 4%nat ltac:(lia)) as (_ & _ & _ & _ & H & _).
+  intros C; pose proof (left_areas _ _ (C 8%nat ltac:(lia))) as H4; pose proof (right_areas _ _ (C 8%nat ltac:(lia))) as H5.
+  pose proof (right_areas _ _ (C 4%nat ltac:(lia))) as H.
   set (F := Build_Farey 3 8 1 3 2 5 ltac:(unfold neighbours; lia)); set (G := Build_Farey 1 4 0 1 1 3 ltac:(unfold neighbours; lia)).
   specialize (H4 3%nat F ltac:(lia) ltac:(cbn; lia)); specialize (H5 3%nat F ltac:(lia) ltac:(cbn; lia)).
   specialize (H 1%nat G ltac:(lia) ltac:(cbn; lia)); cbn [F G m_plus n_plus m_minus n_minus Nat.sub] in *.
@@ -211,7 +212,7 @@ Proof.
   replace (INR 4) with 4 in * by (simpl; lra); replace (INR 1) with 1 in * by reflexivity; auto.
 Qed.
 (** No others: all intervals of periods 4 and 5; none elsewhere, in region 3 or, for even n, in region 4. *)
-Lemma no_others : Conjecture_1_statement ->
+Lemma no_other : Conjecture_1_statement ->
   (forall e g lo hi, interval 4 e g lo hi -> (e, g, lo, hi) = (Minus, Plus, 0, 1 / 8) \/
    (e, g, lo, hi) = (Plus, Plus, 1 / 8, 1 / 4) \/ (e, g, lo, hi) = (Plus, Minus, 1 / 4, 1 / 3)) /\
   (forall e g lo hi, interval 5 e g lo hi -> (e, g, lo, hi) = (Minus, Plus, 0, 1 / 10) \/
@@ -224,12 +225,12 @@ Proof.
     by (intros e e' g g' x x' y y' E; injection E; auto).
   assert (Y : forall (e g : sign) (x x' y y' : R), x = x' -> y = y' -> (e, g, x, y) = (e, g, x', y')) by congruence.
   intros C; split; [|split; [|split]].
-  - intros e g lo hi HI; destruct (C 4%nat ltac:(lia)) as (_ & _ & _ & _ & _ & H & _).
+  - intros e g lo hi HI; pose proof (no_others _ _ (C 4%nat ltac:(lia))) as H.
     destruct (H e g lo hi HI) as [E|[E|[[[k O] _]|(m & F & Hm & [[Hp E]|[Hq E]])]]]; [left | right; left | lia | | right; right];
       [| |assert (m = 1%nat) as -> by lia; destruct (of_4 F) as (Z & _); lia|assert (m = 1%nat) as -> by lia;
           destruct (of_4 F) as (_ & _ & Em & En); rewrite Em, En in E];
       apply X in E; destruct E as (-> & -> & -> & ->); apply Y; simpl; field.
-  - intros e g lo hi HI; destruct (C 5%nat ltac:(lia)) as (_ & _ & _ & _ & _ & H & _).
+  - intros e g lo hi HI; pose proof (no_others _ _ (C 5%nat ltac:(lia))) as H.
     assert (F5 : forall m, (0 < 2 * m < 5)%nat -> forall F : Farey m 5, m = 1%nat /\ m_plus F = 0%nat /\ m_minus F = 1%nat /\
       n_minus F = 4%nat \/ m = 2%nat /\ m_plus F = 1%nat /\ n_plus F = 3%nat /\ m_minus F = 1%nat /\ n_minus F = 2%nat).
     { intros m Hm [mp np mm nm HF]; unfold neighbours in HF; cbn [m_plus n_plus m_minus n_minus].
@@ -239,10 +240,8 @@ Proof.
       try (destruct (F5 m Hm F) as [(-> & E1 & E2 & E3)|(-> & E1 & E2 & E3 & E4)]; [try lia | try lia]);
       try rewrite E1, E2 in E; try rewrite E2, E3 in E;
       apply X in E; destruct E as (-> & -> & -> & ->); apply Y; simpl; field.
-  - intros r s Hr Hs Hu; destruct (C 4%nat ltac:(lia)) as (_ & _ & _ & _ & _ & _ & H & _).
-    apply (H r s Hr ltac:(lra) Hu); intros e g lo hi HI L; pose proof (interval_4 e g lo hi HI); lra.
-  - intros n a1 a2 Hn H2 H1; destruct (C (2 * n)%nat ltac:(lia)) as (_ & _ & _ & _ & _ & _ & _ & H).
-    apply H; trivial; exists n; reflexivity.
+  - intros r s Hr Hs Hu; apply (none_in_3 _ _ (C 4%nat ltac:(lia)) r s Hr ltac:(lra) Hu); intros e g lo hi HI L; pose proof (interval_4 e g lo hi HI); lra.
+  - intros n a1 a2 Hn H2 H1; apply (none_in_4 _ _ (C (2 * n)%nat ltac:(lia))); trivial; exists n; reflexivity.
 Qed.
 
 (** ** The word theorem at (-2/3, 8/9): 1, 2, 3, 4, 7, with the word U, D, D *)
@@ -298,10 +297,10 @@ Proof.
 Qed.
 
 (** ** Chaos: for every mu > 0 and every word over {1, 2} a motion, and no second one *)
-Lemma Chaos_numbers : Headline.Chaos_statement -> forall mu N, mu > 0 -> StatementChaos.one_or_two N ->
-  (exists t y v, StatementChaos.motion mu N t y v /\ StatementChaos.in_boxes mu N t v) /\
-  forall t y v t' y' v', StatementChaos.motion mu N t y v -> StatementChaos.motion mu N t' y' v' ->
-  StatementChaos.in_boxes mu N t v -> StatementChaos.in_boxes mu N t' v' ->
+Lemma Chaos_numbers : Headline.Chaos_statement -> forall mu N, mu > 0 -> one_or_two N ->
+  (exists t y v, chaos_motion mu N t y v /\ in_two_boxes mu N t v) /\
+  forall t y v t' y' v', chaos_motion mu N t y v -> chaos_motion mu N t' y' v' ->
+  in_two_boxes mu N t v -> in_two_boxes mu N t' v' ->
   forall i x, t i = t' i /\ y i x = y' i x /\ v i x = v' i x.
 Proof.
   intros H mu N Hmu HN; destruct (H mu N Hmu HN) as (t0 & y0 & v0 & M & B & U); split; [exists t0, y0, v0; auto|].

@@ -23,23 +23,22 @@ Definition readme : Machine.t := {| Machine.c := 1 / 10; Machine.k := 3 / 10; Ma
   Machine.sigma := -1; Machine.nu := 1 / 100; Machine.harmonics := [(1%positive, (1, 0))] |}.
 
 Lemma readme_wall t : g readme t = cos t /\ g1 readme t = - sin t.
-Proof. unfold g, g1; cbn [readme Machine.harmonics total]; rewrite !(Rmult_1_l t); split; ring. Qed.
-Lemma readme_covered : covers born readme.
+Proof. unfold g, g1; cbn [readme Machine.harmonics over_harmonics]; rewrite !(Rmult_1_l t); split; ring. Qed.
+Lemma readme_covered : covers_range born readme.
 Proof.
   assert (G : g readme 0 = 1 /\ g1 readme 0 = 0) by (destruct (readme_wall 0) as [-> ->]; rewrite cos_0, sin_0;
     lra).
-  unfold covers, within; do 5 (split; [cbn; unfold Q2R; cbn; try lra|]).
-  split; [exists near; split; [left; reflexivity | cbn; unfold Q2R; cbn; lra]|]; split; [|exact G].
-  constructor; [|constructor]; cbn; unfold Q2R; cbn; repeat split; lra.
+  constructor; try apply G; try (unfold in_interval, Q2R; cbn; lra); [exists near; split; [left; reflexivity | cbn; unfold Q2R; cbn; lra]|].
+  constructor; [|constructor]; unfold in_interval, Q2R; cbn; repeat split; lra.
 Qed.
 Lemma impact_at s t : g1 readme t = Machine.nu readme * s / 2 -> s = - 200 * sin t.
 Proof. rewrite (proj2 (readme_wall t)); cbn [readme Machine.nu]; lra. Qed.
 
 Lemma a_motion check : Ranges_statement check -> check born = true -> exists t y v,
-  motion readme (6 / 5) (fun i => i) t y v /\
+  machine_motion readme (6 / 5) (fun i => i) t y v /\
   21 / 2000 <= - sin (t 1%Z) <= 24 / 2000 /\ Rabs (t 1%Z - 2 * PI) < 6 / 5 /\
   v 1%Z (t 1%Z) + sin (t 1%Z) = - (4 / 5) * (v 0%Z (t 1%Z) + sin (t 1%Z)) /\
-  forall t' y' v', motion readme (6 / 5) (fun i => i) t' y' v' ->
+  forall t' y' v', machine_motion readme (6 / 5) (fun i => i) t' y' v' ->
   (forall i, 2 / 200 <= - sin (t' i) <= 5 / 400) -> forall i, t' i = t i.
 Proof.
   intros H HX; destruct (H born readme (fun _ => 0%nat) (fun i => i) HX readme_covered) as (_ & t & y & v & HM &
@@ -48,20 +47,20 @@ Proof.
   - intros i; exists 1%positive; split; reflexivity.
   - replace (Q2R (Range.window born)) with (6 / 5) in HM, HK by (cbn; unfold Q2R; cbn; lra).
     assert (C : forall K, K = near \/ K = farther ->
-      In K (Range.cells born) /\ within (Cell.depth K) (Machine.nu readme)).
-    { intros K [-> | ->]; (split; [cbn; tauto|]); unfold within; cbn; unfold Q2R; cbn; lra. }
+      In K (Range.cells born) /\ in_interval (Cell.depth K) (Machine.nu readme)).
+    { intros K [-> | ->]; (split; [cbn; tauto|]); unfold in_interval; cbn; unfold Q2R; cbn; lra. }
     exists t, y, v; split; [exact HM|]; split; [|split; [|split]].
     + destruct (HK farther (C _ (or_intror eq_refl))) as [R _]; destruct (R 0%Z 1%Z eq_refl) as (e & s & E & Hs
       & Es).
-      injection E as <-; apply impact_at in Es; unfold within in Hs; cbn in Hs; unfold Q2R in Hs; cbn in Hs; lra.
-    + destruct (HM 1%Z 2%Z eq_refl) as (_ & T & _).
+      injection E as <-; apply impact_at in Es; unfold in_interval in Hs; cbn in Hs; unfold Q2R in Hs; cbn in Hs; lra.
+    + destruct (HM 1%Z 2%Z eq_refl) as [_ T _ _ _ _ _ _].
       replace (t 1%Z - 2 * PI) with (t 1%Z - 2 * PI * 1) by ring; exact T.
-    + destruct (HM 0%Z 1%Z eq_refl) as (_ & _ & _ & _ & _ & _ & _ & V).
+    + destruct (HM 0%Z 1%Z eq_refl) as [_ _ _ _ _ _ _ V].
       rewrite (proj2 (readme_wall _)) in V; cbn [readme Machine.tau] in V; lra.
     + intros t' y' v' HM' B i; destruct (HK near (C _ (or_introl eq_refl))) as [_ U].
       apply (U t' y' v' HM'); [|exact 0]; intros k j ->; exists (edge_from 2 (5 # 2)), (- 200 * sin (t' (k +
         1)%Z)).
       specialize (B (k + 1)%Z); split; [reflexivity|]; split.
-      * unfold within; cbn; unfold Q2R; cbn; lra.
+      * unfold in_interval; cbn; unfold Q2R; cbn; lra.
       * rewrite (proj2 (readme_wall _)); cbn [readme Machine.nu]; lra.
 Qed.

@@ -112,18 +112,18 @@ Proof.
     1;
     Machine.nu := 1 / 2; Machine.harmonics := [(1%positive, (1, 0))] |}).
   assert (W : forall t, g M t = cos t /\ g1 M t = - sin t).
-  { intros t; unfold g, g1; cbn [M Machine.harmonics total]; rewrite !(Rmult_1_l t); split; ring. }
+  { intros t; unfold g, g1; cbn [M Machine.harmonics over_harmonics]; rewrite !(Rmult_1_l t); split; ring. }
   destruct (H slow M (fun _ => nth 0 (Certificate.letters slow) {| Letter.periods := 1; Letter.after := (0,
     0)%Q;
     Letter.before := (0, 0)%Q; Letter.weights := (0, 0)%Q; Letter.next :=
       [] |}) (fun i => i) HX) as (t & y & v & HM & HB & _).
   - assert (G : g M 0 = 1 /\ g1 M 0 = 0) by (destruct (W 0) as [-> ->]; rewrite cos_0, sin_0; lra).
-    unfold covers, within; do 7 (split; [cbn; unfold Q2R; cbn; try lra|]); [|exact G].
-    constructor; [|constructor]; cbn; unfold Q2R; cbn; repeat split; lra.
+    constructor; try apply G; try (unfold in_interval, Q2R; cbn; lra).
+    constructor; [|constructor]; unfold in_interval, Q2R; cbn; repeat split; lra.
   - intros i; split; [left; reflexivity | exists 0%nat; split; [left; reflexivity | reflexivity]].
   - intros i; reflexivity.
   - exists t, v; destruct (HB 0%Z 1%Z eq_refl) as [[A A'] _]; unfold Q2R in A, A'; cbn in A, A'.
-    destruct (HM 0%Z 1%Z eq_refl) as (_ & _ & _ & _ & _ & _ & _ & V), (HM 1%Z 2%Z eq_refl) as (_ & T & _).
+    destruct (HM 0%Z 1%Z eq_refl) as [_ _ _ _ _ _ _ V], (HM 1%Z 2%Z eq_refl) as [_ T _ _ _ _ _ _].
     rewrite (proj2 (W _)) in V; cbn [M Machine.tau] in V; unfold Q2R in T; cbn in T.
     split; [split; lra|]; split; [|lra]; replace (t 1%Z - 2 * PI) with (t 1%Z - 2 * PI * 1) by ring; lra.
 Qed.

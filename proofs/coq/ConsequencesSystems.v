@@ -61,7 +61,7 @@ Proof. replace (1 / 4) with (1 / 2 * (1 / 2)) by field; apply sqrt_square; lra. 
 Lemma region_4 : Reach_statement -> (forall O m gamma, grazing O m (-6 / 5) (1 / 4) gamma -> m = Minus) /\
   exists c k g, matrix c k Minus (-6 / 5) (1 / 4) g /\ g < 0.
 Proof.
-  intros (_ & _ & _ & R4 & R5); split.
+  intros [_ _ _ R4 R5]; split.
   - intros O m gamma HG; destruct m; [|reflexivity].
     destruct (R4 _ _ _ _ _ (is_matrix _ _ _ _ _ HG) (is_generic _ _ _ _ _ HG)) as (_ & X & _); rewrite sqrt_quarter in X; lra.
   - destruct (R5 (-6 / 5) (1 / 4)) as (c & k & g & X); [lra | rewrite sqrt_quarter; lra | exists c, k, g; exact X].
@@ -74,7 +74,7 @@ Lemma reached : Reach_statement -> (exists c k gamma, matrix c k Plus (2 * 1 * c
   exists a1 a2 gamma, matrix 7 (-2) Plus a1 a2 gamma.
 Proof.
   pose proof (sqrt_le_1 (1 / 2) 1 ltac:(lra) ltac:(lra) ltac:(lra)) as X; rewrite sqrt_1 in X.
-  intros (R1 & R2 & R3 & R4 & _); split; [|split; [|split; [|split]]].
+  intros [R1 R2 R3 R4 _]; split; [|split; [|split; [|split]]].
   - destruct (R2 1 (1 / 6) Minus ltac:(lra) ltac:(lra)) as (c & k & gamma & M & G); exists c, k, gamma; split; [exact M | cbn in G; lra].
   - destruct (R3 3 (1 / 2)) as (c & k & gamma & M); [lra | lra | exists c, k, gamma; exact M].
   - intros c k a1 a2 gamma M G; apply (R4 c k a1 a2 gamma M G).
@@ -102,7 +102,7 @@ Lemma bounces O mu d t y v : motion O Minus mu d (fun i => i) t y v ->
   (forall x, t 0%Z < x < t 1%Z -> - mu - Oscillator.G O mu x < y 0%Z x < mu + Oscillator.G O mu (x - PI)) /\
   let V i := v i (t 1%Z) - Oscillator.G1 O mu (t 1%Z - PI) in V 0%Z > 0 /\ V 1%Z = - Oscillator.tau O * V 0%Z.
 Proof.
-  intros HM; destruct (HM 0%Z 1%Z eq_refl) as (F & D & L & Q0 & Q1 & A & V1 & V2); unfold gap, speed in *; cbn in *.
+  intros HM; destruct (HM 0%Z 1%Z eq_refl) as [F D L Q0 Q1 A V1 V2]; unfold gap, speed in *; cbn in *.
   rewrite ?Rmult_0_r, ?Rmult_1_r, ?Rminus_0_r in *; split; [exact F|]; split; [unfold Rabs in D; destruct Rcase_abs; lra|].
   repeat (split; [lra|]); split; [|lra]; intros x Hx; pose proof (A 0%Z x Hx) as A0; pose proof (A 1%Z x Hx) as A1.
   cbn in A0, A1; rewrite ?Rmult_0_r, ?Rmult_1_r, ?Rminus_0_r in *; lra.

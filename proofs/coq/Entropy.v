@@ -10,7 +10,7 @@ Import ListNotations. Open Scope R_scope.
 (** ** Close and far *)
 
 Definition with_N (mu : R) (N : Z -> Z) (z : nat -> R * R) : Prop := one_or_two N /\ exists t y v,
-  motion mu N t y v /\ in_boxes mu N t v /\ forall k i, (N i <= Z.of_nat k < N (i + 1))%Z -> z k = (t i - 2 * PI * INR k, v i (t i)).
+  chaos_motion mu N t y v /\ in_two_boxes mu N t v /\ forall k i, (N i <= Z.of_nat k < N (i + 1))%Z -> z k = (t i - 2 * PI * INR k, v i (t i)).
 
 Lemma orbit_with_N mu z : orbit_of mu z <-> exists N, with_N mu N z.
 Proof.
@@ -28,10 +28,10 @@ Proof.
   assert (E : N i = N' i' /\ (Z.of_nat k - 1 <= N i)%Z).
   { destruct (last_in N S _ i Hi) as [P Q], (last_in N' S' _ i' Hi') as [P' Q']; specialize (Hh (Z.of_nat k) ltac:(lia)).
     destruct (classic (hit N (Z.of_nat k))) as [X|X]; [rewrite (P X), (P' (proj1 Hh X)) | rewrite (Q X), Q' by tauto]; lia. }
-  assert (Mv : forall mu N t y v i, motion mu N t y v ->
-    motion mu (fun j => N (i + j)%Z) (fun j => t (i + j)%Z) (fun j => y (i + j)%Z) (fun j => v (i + j)%Z)).
-  { intros ? ? ? ? ? l HM a b ->; apply HM; lia. }
-  assert (Bv : forall mu N t v i, in_boxes mu N t v -> in_boxes mu (fun j => N (i + j)%Z) (fun j => t (i + j)%Z) (fun j => v (i + j)%Z)).
+  assert (Mv : forall mu N t y v i, chaos_motion mu N t y v ->
+    chaos_motion mu (fun j => N (i + j)%Z) (fun j => t (i + j)%Z) (fun j => y (i + j)%Z) (fun j => v (i + j)%Z)).
+  { intros ? ? ? ? ? l HM a b ->; destruct (HM (l + a)%Z (l + (a + 1))%Z ltac:(lia)); constructor; assumption. }
+  assert (Bv : forall mu N t v i, in_two_boxes mu N t v -> in_two_boxes mu (fun j => N (i + j)%Z) (fun j => t (i + j)%Z) (fun j => v (i + j)%Z)).
   { intros ? ? ? ? l HB a b ->; apply HB; lia. }
   assert (Sv : forall N i, one_or_two N -> one_or_two (fun j => N (i + j)%Z)).
   { intros N0 l HN a; replace (l + (a + 1))%Z with (l + a + 1)%Z by lia; apply HN. }
@@ -51,8 +51,8 @@ Proof.
   intros (S & t & y & v & M & B & H) (S' & t' & y' & v' & M' & B' & H') Hk Hh Hh'.
   destruct (last_exists N S (Z.of_nat k)) as (i & Hi), (last_exists N' S' (Z.of_nat k)) as (i' & Hi').
   pose proof (proj1 (last_in N S _ i Hi) Hh) as E; pose proof (proj2 (last_in N' S' _ i' Hi') Hh') as E'.
-  destruct (M i _ eq_refl) as (_ & T & _), (M' i' _ eq_refl) as (_ & T' & _).
-  rewrite E, <- INR_IZR_INZ in T; rewrite E', minus_IZR, <- INR_IZR_INZ in T'; apply Rabs_def2 in T, T'.
+  pose proof (chaos_near _ _ _ _ _ i M) as T; pose proof (chaos_near _ _ _ _ _ i' M') as T'.
+  rewrite E, <- INR_IZR_INZ in T; rewrite E', minus_IZR, <- INR_IZR_INZ in T'.
   assert (HPI : 3 < PI) by (pose proof PI2_3_2; unfold PI2 in *; lra).
   assert (F : fst (z k) - fst (z' k) > 1) by (rewrite (H k i Hi), (H' k i' Hi'); cbn [fst]; lra).
   split; exists k; (split; [assumption | left]); [rewrite Rabs_right | rewrite Rabs_left]; lra.
@@ -234,10 +234,10 @@ Qed.
 Lemma hit_seen mu N z k : with_N mu N z -> hit N (Z.of_nat k) <-> fst (z k) > -3.
 Proof.
   intros (S & t & y & v & M & B & H); destruct (last_exists N S (Z.of_nat k)) as (i & Hi); rewrite (H k i Hi); cbn [fst].
-  destruct (last_in N S _ i Hi) as [P Q]; destruct (M i _ eq_refl) as (_ & T & _).
+  destruct (last_in N S _ i Hi) as [P Q]; pose proof (chaos_near _ _ _ _ _ i M) as T.
   assert (HPI : 3 < PI) by (pose proof PI2_3_2; unfold PI2 in *; lra).
   destruct (classic (hit N (Z.of_nat k))) as [X|X]; [rewrite (P X) in T | rewrite (Q X), minus_IZR in T];
-    rewrite <- INR_IZR_INZ in T; apply Rabs_def2 in T; split; intros; try tauto; lra.
+    rewrite <- INR_IZR_INZ in T; split; intros; try tauto; lra.
 Qed.
 
 Lemma tends_0 c x : (forall K, Rabs x <= c * (7 / 8) ^ K) -> x = 0.
@@ -315,13 +315,13 @@ Proof.
   destruct (last_exists N S 0) as (i & Hi), (last_exists N' S' 0) as (i' & Hi').
   assert (HPI : 3 < PI) by (pose proof PI2_3_2; unfold PI2 in *; lra).
   assert (Same : forall i i', t i = t' i' -> N i = N' i').
-  { clear - M M' HPI; intros i i' Et; destruct (M i _ eq_refl) as (_ & T & _), (M' i' _ eq_refl) as (_ & T' & _).
-    rewrite Et in T; apply Rabs_def2 in T, T'; destruct (Ztrichotomy (N i) (N' i')) as [L|[L|L]]; [exfalso | assumption | exfalso].
+  { clear - M M' HPI; intros i i' Et; pose proof (chaos_near _ _ _ _ _ i M) as T; pose proof (chaos_near _ _ _ _ _ i' M') as T'.
+    rewrite Et in T; destruct (Ztrichotomy (N i) (N' i')) as [L|[L|L]]; [exfalso | assumption | exfalso].
     - assert (IZR (N i) + 1 <= IZR (N' i')) by (rewrite <- plus_IZR; apply IZR_le; lia); nra.
     - assert (IZR (N' i') + 1 <= IZR (N i)) by (rewrite <- plus_IZR; apply IZR_le; lia); nra. }
   assert (Next : forall i i', t i = t' i' -> v i (t i) = v' i' (t' i') ->
     t (i + 1)%Z = t' (i' + 1)%Z /\ v (i + 1)%Z (t (i + 1)%Z) = v' (i' + 1)%Z (t' (i' + 1)%Z)).
-  { clear - M M'; intros i i' Et Ev; destruct (M i _ eq_refl) as (F & _ & Lt & Y & Yn & Above & _ & V).
+  { clear - M M'; rewrite chaos_words in M, M'; intros i i' Et Ev; destruct (M i _ eq_refl) as (F & _ & Lt & Y & Yn & Above & _ & V).
     destruct (M' i' _ eq_refl) as (F' & _ & Lt' & Y' & Yn' & Above' & _ & V').
     assert (Eq : forall x, y i x = y' i' x /\ v i x = v' i' x).
     { intros x; destruct (paper_moved _ _ (t i) x F) as [A A'], (paper_moved _ _ (t' i') x F') as [C C'].

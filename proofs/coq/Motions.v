@@ -80,7 +80,7 @@ Proof.
   set (h := s i / 2) in *; clearbody h; split; [exact Hp|]; split; nra.
 Qed.
 
-Theorem is_motion : motion M w N at_ leg_q leg_v.
+Theorem is_motion : machine_motion M w N at_ leg_q leg_v.
 Proof.
   intros i j ->; destruct (leg_starts i) as [Q0 V0]; destruct (leg_ends i) as [Q1 V1].
   destruct (wall_at i) as [W0 U0]; destruct (wall_at (i + 1)) as [W1 U1];
@@ -88,7 +88,7 @@ Proof.
   destruct (speeds (i + 1)) as (S1 & S2 & S3); rewrite (proj1 (previous i)) in S1, S3.
   destruct (lands_at s Hs i) as [L _], (lands_at s Hs (i + 1)%Z) as [L' _]; apply Rabs_def2 in L as B, L' as B'.
   pose proof PI_RGT_0.
-  split; [apply moved_free, Hf|]; split; [|split; [|split; [|split; [|split; [|split]]]]].
+  constructor; [apply moved_free, Hf|..].
   - unfold at_; replace (2 * PI * IZR (N i) + ph (s i) - 2 * PI * IZR (N i)) with (ph (s i)) by ring; exact L.
   - apply Rminus_gt_0_lt; rewrite at_next; unfold time.
     assert (1 <= IZR (Z.pos (n i))) by (apply IZR_le; lia); nra.
@@ -116,7 +116,7 @@ End Motion.
 
 Section Only.
 Variables (t : Z -> R) (q v : Z -> R -> R).
-Hypothesis HM : motion M w N t q v.
+Hypothesis HM : machine_motion M w N t q v.
 Let phi (i : Z) : R := t i - 2 * PI * IZR (N i).
 Let a (i : Z) : R := v i (t i) / nu.
 Let p (i : Z) : R := v i (t (i + 1)%Z) / nu.
@@ -128,14 +128,14 @@ Proof. unfold phi; ring. Qed.
 (** By the law of impact. *)
 Lemma strength_of i : g1 M (t i) = nu * sums_of i * (1 / 2).
 Proof.
-  destruct (HM (i - 1)%Z i ltac:(lia)) as (_ & _ & _ & _ & _ & _ & _ & V).
+  pose proof (machine_back _ _ _ _ _ _ _ _ (HM (i - 1)%Z i ltac:(lia))) as V.
   unfold sums_of, sum_of, a, p; rewrite (proj2 (previous i)).
   apply (Rmult_eq_reg_r (1 + tau)); [|lra].
   match goal with |- _ = ?r => replace r with (v i (t i) + tau * v (i - 1)%Z (t i)) by (field; lra) end; lra.
 Qed.
 Lemma phases i : ph (sums_of i) = phi i /\ lands M w (sums_of i).
 Proof.
-  destruct (HM i _ eq_refl) as (_ & P & _); fold (phi i) in P.
+  pose proof (machine_near _ _ _ _ _ _ _ _ (HM i _ eq_refl)) as P; fold (phi i) in P.
   apply (lands_is M w (good_b _ _ HG)); [exact P|].
   pose proof (strength_of i) as V; rewrite (t_phi i), (proj2 (wall_place _ _)) in V; exact V.
 Qed.
@@ -145,7 +145,7 @@ Hypothesis HE : forall i, E12 M (time (n i) (ph (sums_of i)) (ph (sums_of (i + 1
 Lemma motion_leg i : q i (t i) = nu * place M (phi i) /\ v i (t i) = nu * a i /\
   a i = after M (n i) (phi i) (phi (i + 1)%Z) /\ p i = before M (n i) (phi i) (phi (i + 1)%Z).
 Proof.
-  destruct (HM i _ eq_refl) as (Hfr & _ & _ & Q0 & Q1 & _).
+  destruct (HM i _ eq_refl) as [Hfr _ _ Q0 Q1 _ _ _].
   destruct (free_moved M Hf _ _ (t i) (t (i + 1)%Z) Hfr) as [E V].
   assert (Ea : v i (t i) = nu * a i) by (unfold a; field; lra).
   assert (Ep : v i (t (i + 1)%Z) = nu * p i) by (unfold p; field; lra).
@@ -180,7 +180,7 @@ Proof.
   intros E i x.
   assert (Ephi : forall i, ph (s i) = phi i) by (intros j; rewrite <- E; apply phases).
   assert (Et : t i = at_ s i) by (unfold at_; rewrite Ephi; apply t_phi).
-  destruct (motion_leg i) as (Q & V & A & _); destruct (HM i _ eq_refl) as (Hfr & _).
+  destruct (motion_leg i) as (Q & V & A & _); pose proof (machine_free _ _ _ _ _ _ _ _ (HM i _ eq_refl)) as Hfr.
   destruct (free_moved M Hf _ _ (t i) x Hfr) as [E1 E2].
   unfold leg_q, leg_v, afters; rewrite !Ephi, <- A, <- Et, <- Q, <- V; auto.
 Qed.

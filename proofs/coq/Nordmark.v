@@ -74,19 +74,17 @@ Proof.
     replace (r / w * (r / w)) with (r * r / w ^ 2) by (field; lra); rewrite Eq; field; lra.
   - intros ->; pose proof (Nordmark_grazing 1 w tau _ _ _ Hw Ht undamped_straight) as M; cbv zeta beta in M.
     rewrite (Rmult_1_r (2 * _)) in M; eexists; split; [apply M; [field|]; lra | apply Rmult_lt_0_compat; lra].
-  - intros mu r N t q v; unfold motion, gap, speed, free;
-      cbn [Nordmark Oscillator.c Oscillator.k Oscillator.G Oscillator.G1
-      Oscillator.tau turn facing].
-    assert (E : forall z x f, 1 * f + - mu + (1 - - mu) * (1 - cos (x - 2 * PI * IZR z)) = f - ((1 + mu) * cos x - 1))
-      by (intros; rewrite (proj1 (periods_back _ _)); ring).
-    assert (F : forall z x f, 1 * f + (1 - - mu) * sin (x - 2 * PI * IZR z) = f + (1 + mu) * sin x)
-      by (intros; rewrite (proj2 (periods_back _ _)); ring).
-    split; intros H i j Hj; destruct (H i j Hj) as (H1 & H2 & H3 & H4 & H5 & H6 & H7 & H8).
-    + rewrite E in H4, H5; rewrite F in H7; rewrite !F in H8; split; [exact H1|]; split; [exact H2|]; split;
-        [exact H3|].
-      split; [lra|]; split; [lra|]; split; [intros x Hx; specialize (H6 0%Z x Hx); rewrite E in H6; lra | split; lra].
-    + repeat (split; [assumption|]); rewrite !E, !F; split; [lra|]; split; [lra|].
-      split; [intros z x Hx; rewrite E; specialize (H6 x Hx); lra | split; lra].
+  - intros mu r N t q v;     assert (E : forall z x f, gap (Nordmark d w tau) Plus (- mu) z f x = f x - ((1 + mu) * cos x - 1))
+      by (intros; unfold gap; cbn; rewrite (proj1 (periods_back _ _)); ring).
+    assert (F : forall z x f, speed (Nordmark d w tau) Plus (- mu) z f x = f x + (1 + mu) * sin x)
+      by (intros; unfold speed; cbn; rewrite (proj2 (periods_back _ _)); ring).
+    split; intros H i j Hj.
+    + destruct (H i j Hj) as [H1 H2 H3 H4 H5 H6 H7 H8]; rewrite E in H4, H5; rewrite F in H7; rewrite !F in H8; cbn in H8.
+      split; [exact H1|]; split; [exact H2|]; split; [exact H3|]; split; [lra|]; split; [lra|].
+      split; [intros x Hx; specialize (H6 0%Z x Hx); rewrite E in H6; lra | split; lra].
+    + destruct (H i j Hj) as (H1 & H2 & H3 & H4 & H5 & H6 & H7 & H8); constructor; rewrite ?E, ?F; trivial; try lra.
+      * intros z x Hx; rewrite E; specialize (H6 x Hx); lra.
+      * cbn; lra.
 Qed.
 
 Fixpoint harmonics1 (j : nat) (l : list (R * R)) (t : R) : R := match l with [] => 0

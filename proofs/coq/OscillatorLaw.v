@@ -239,7 +239,7 @@ Lemma motion_leg i : Rabs (x i) <= d /\ q i (t i) = facing m (N i) * place mu (x
   v i (t i) = facing m (N i) * a i /\ facing m (N (i + 1)%Z) * v i (t (i + 1)%Z) = b i.
 Proof.
   assert (Ph : forall j, Rabs (x j) <= d) by (intros j; apply (HM j _ eq_refl)).
-  destruct (HM i _ eq_refl) as (Hf & _ & _ & Q0 & Q1 & _), (HN i) as (E & Hn & HSn); split; [apply Ph|].
+  destruct (HM i _ eq_refl) as [Hf _ _ Q0 Q1 _ _ _], (HN i) as (E & Hn & HSn); split; [apply Ph|].
   destruct (free_moved c k S V HS _ _ (t i) (t (i + 1)%Z) Hf) as [A B]; unfold moved, moving in A, B.
   unfold gap in Q0, Q1; fold (phase N t i) (phase N t (i + 1)%Z) in Q0, Q1; fold x in Q0, Q1.
   assert (ET : t (i + 1)%Z - t i = T * INR (n i) + (x (i + 1)%Z - x i)).
@@ -268,7 +268,7 @@ Lemma motion_law : law n mu x /\ forall i, b i < a (i + 1)%Z.
 Proof.
   assert (Imp : forall i, b i + G1 mu (x (i + 1)%Z) < 0 /\
     a (i + 1)%Z + G1 mu (x (i + 1)%Z) = - tau * (b i + G1 mu (x (i + 1)%Z))).
-  { intros i; destruct (HM i _ eq_refl) as (_ & _ & _ & _ & _ & _ & V1 & V2); unfold speed in V1, V2.
+  { intros i; destruct (HM i _ eq_refl) as [_ _ _ _ _ _ V1 V2]; unfold speed in V1, V2.
     destruct (motion_leg i) as (_ & _ & _ & B), (motion_leg (i + 1)) as (_ & _ & A & _).
     rewrite A, <- Rmult_assoc, side_square, Rmult_1_l, B in V2; rewrite B in V1; auto. }
   split; intros i.

@@ -22,27 +22,29 @@ Proof.
 Qed.
 End Later.
 
+Lemma motion_later O m mu d N t q v r P : motion O m mu d N t q v -> (forall i, N (i + r) = N i + P)%Z ->
+  motion O m mu d N (fun i => t (i + r)%Z - turn m * IZR P) (fun i => later m P (q (i + r)%Z))
+    (fun i => later m P (v (i + r)%Z)).
+Proof.
+  intros HM HN l j ->; set (T := turn m * IZR P); destruct (HM (l + r)%Z (l + 1 + r)%Z ltac:(lia)) as [F D L Q0 Q1 A V1 V2].
+  rewrite !HN in *; assert (back : forall y, y - T + turn m * IZR P = y) by (intros; unfold T; ring); constructor.
+  - intros y; destruct (F (y + T)) as [F1 F2]; split; [apply D_later, F1|].
+    eapply D_value; [apply (D_later m P (v (l + r)%Z)
+      (fun y => - Oscillator.c O * v (l + r)%Z y - Oscillator.k O * q (l + r)%Z y)), F2|]; unfold later; ring.
+  - eapply Rle_trans; [|exact D]; right; f_equal; unfold T; rewrite plus_IZR; ring.
+  - lra.
+  - rewrite (proj1 (gap_later _ _ _ _ _ _ _)), back; exact Q0.
+  - rewrite (proj1 (gap_later _ _ _ _ _ _ _)), back; exact Q1.
+  - intros z y Hy; rewrite (proj1 (gap_later _ _ _ _ _ _ _)); apply A; fold T; lra.
+  - rewrite (proj2 (gap_later _ _ _ _ _ _ _)), back; exact V1.
+  - rewrite !(proj2 (gap_later _ _ _ _ _ _ _)), back; exact V2.
+Qed.
+
 Theorem Periodic_oscillator : Periodic_oscillator_statement.
 Proof.
-  intros O m mu d N t q v r P _ (t0 & q0 & v0 & _ & Only) HM HN i x; set (T := turn m * IZR P).
-  assert (HM' : motion O m mu d N (fun i => t (i + r)%Z - T) (fun i => later m P (q (i + r)%Z))
-    (fun i => later m P (v (i + r)%Z))).
-  { intros l j ->; destruct (HM (l + r)%Z (l + 1 + r)%Z ltac:(lia)) as (F & D & L & Q0 & Q1 & A & V1 & V2).
-    rewrite !HN in *; assert (back : forall y, y - T + turn m * IZR P = y) by (intros; unfold T; ring).
-    split; [|split; [|split; [|split; [|split; [|split; [|split]]]]]].
-    - intros y; destruct (F (y + T)) as [F1 F2]; split; [apply D_later, F1|].
-      eapply D_value; [apply (D_later m P (v (l + r)%Z)
-        (fun y => - Oscillator.c O * v (l + r)%Z y - Oscillator.k O * q (l + r)%Z y)), F2|].
-      unfold later; ring.
-    - eapply Rle_trans; [|exact D]; right; f_equal; unfold T; rewrite plus_IZR; ring.
-    - lra.
-    - rewrite (proj1 (gap_later _ _ _ _ _ _ _)), back; exact Q0.
-    - rewrite (proj1 (gap_later _ _ _ _ _ _ _)), back; exact Q1.
-    - intros z y Hy; rewrite (proj1 (gap_later _ _ _ _ _ _ _)); apply A; fold T; lra.
-    - rewrite (proj2 (gap_later _ _ _ _ _ _ _)), back; exact V1.
-    - rewrite !(proj2 (gap_later _ _ _ _ _ _ _)), back; exact V2. }
+  intros O m mu d N t q v r P _ (t0 & q0 & v0 & _ & Only) HM HN i x; pose proof (motion_later _ _ _ _ _ _ _ _ _ _ HM HN) as HM'.
   destruct (Only _ _ _ HM i x) as (E1 & E2 & E3), (Only _ _ _ HM' i x) as (F1 & F2 & F3); cbv beta in F1.
-  unfold later in F2, F3; fold T in F2, F3; rewrite F2, F3, E2, E3; split; [lra | auto].
+  unfold later in F2, F3; rewrite F2, F3, E2, E3; split; [lra | auto].
 Qed.
 
 (** ** The matrix in terms of the undamped solution *)
@@ -112,7 +114,7 @@ Qed.
 
 Theorem Reach : Reach_statement.
 Proof.
-  pose proof PI_RGT_0 as HP; split; [|split; [|split; [|split]]].
+  pose proof PI_RGT_0 as HP; constructor.
   - intros c k; destruct (undamped_exists (k - c * c / 4)) as (o & w & H & _).
     pose proof (matrix_damped c _ Plus o w H) as M; cbv zeta in M;
       replace (c * c / 4 + (k - c * c / 4)) with k in M by ring; eauto.

@@ -160,7 +160,7 @@ Proof.
   assert (Speed0 : forall l, speed O m mu 0 (heres (l + 1)) (x (l + 1)%Z) = tau * z l).
   { intros l; unfold speed; rewrite side_0, Rmult_0_r, Rminus_0_r, Rmult_1_l, (proj2 (here_start (l + 1))); apply I. }
   assert (Ea : at_ i = T * IZR (N i) + x i) by reflexivity; pose proof (at_next i) as Eb; fold s in Eb.
-  split; [apply leg_free|]; split; [|split; [|split; [|split; [|split; [|split]]]]].
+  constructor; [apply leg_free|..].
   - rewrite Ea; replace (_ - _) with (x i) by ring; apply Rabs_le; lra.
   - rewrite Ea, Eb; unfold s; lra.
   - rewrite Ea, <- (Z.add_0_r (N i)) at 1; rewrite (proj1 (gap_here i 0 _)); exact Gap0.
@@ -191,7 +191,7 @@ Lemma motion_is t q v : motion O m mu d N t q v -> forall i,
 Proof.
   intros HM i; pose proof (phases t q v HM) as Ex; assert (Et : t i = at_ i) by (unfold at_; rewrite <- (Ex i);
     unfold phase; ring).
-  split; [exact Et|]; intros s; destruct (HM i _ eq_refl) as (F & _).
+  split; [exact Et|]; intros s; pose proof (swing_free _ _ _ _ _ _ _ _ _ _ (HM i _ eq_refl)) as F.
   destruct (motion_leg O m S V HS n_max K HK mu d N n t q v HM (proj2 Hd) HN i) as (_ & Eq & Ev & _).
   rewrite Ex in Eq; rewrite (Ex i), (Ex (i + 1)%Z) in Ev; fold (a i) in Ev;
     destruct (free_moved c k S V HS _ _ (t i) s F) as [-> ->].
@@ -241,9 +241,9 @@ Lemma word_fails i : (exists j, (1 <= j <= n i - 1)%nat /\ sgn e * b a1 a2 (n i)
 Proof.
   intros Hs t q v HM; destruct Hs as [(j & Hj & Hs)|Hs].
   - destruct (motion_is t q v HM i) as [_ E], (mid_sign i j Hj) as [_ Q]; specialize (Q Hs).
-    destruct (HM i _ eq_refl) as (_ & _ & _ & _ & _ & Op & _); pose proof (turn_large m) as HT3.
+    pose proof (swing_clear _ _ _ _ _ _ _ _ _ _ (HM i _ eq_refl)) as Op; pose proof (turn_large m) as HT3.
     assert (At : forall l, - 1 <= t l - T * IZR (N l) <= 1).
-    { intros l; destruct (HM l _ eq_refl) as (_ & D & _); apply le_abs in D; lra. }
+    { intros l; pose proof (swing_near _ _ _ _ _ _ _ _ _ _ (HM l _ eq_refl)) as D; apply le_abs in D; lra. }
     assert (1 <= INR j <= INR (n i) - 1).
     { split; [apply (le_INR 1); lia|]; pose proof (le_INR (1 + j) (n i) ltac:(lia)) as P; rewrite plus_INR in P;
         cbn in P; lra. }

@@ -30,7 +30,7 @@ Record chain (M : Machine.t) (w kappa spread : R) (l : Z -> Letter.t) : Prop := 
 Definition open_gaps (M : Machine.t) (w : R) (l : Z -> Letter.t) : Prop := forall i s s' a, let tau :=
   Machine.tau M in
   s_lo tau (l (i - 1)%Z) (l i) <= s <= s_hi tau (l (i - 1)%Z) (l i) ->
-  s_lo tau (l i) (l (i + 1)%Z) <= s' <= s_hi tau (l i) (l (i + 1)%Z) -> within (Letter.after (l i)) a ->
+  s_lo tau (l i) (l (i + 1)%Z) <= s' <= s_hi tau (l i) (l (i + 1)%Z) -> in_interval (Letter.after (l i)) a ->
   let phi := phase M w s in let x := place M phi in let end_ := 2 * PI * IZR (Z.pos (Letter.periods (l i))) +
     phase M w s' in
   s / 2 <= a -> moved M phi x a end_ = place M (phase M w s') -> moving M phi x a end_ <= s' / 2 ->
@@ -67,7 +67,7 @@ Proof.
     apply Rmult_le_compat_r; nra.
 Qed.
 
-Lemma sum_inside i a p : within (Letter.after (l i)) a -> within (Letter.before (l (i - 1)%Z)) p ->
+Lemma sum_inside i a p : in_interval (Letter.after (l i)) a -> in_interval (Letter.before (l (i - 1)%Z)) p ->
   lo i <= sum_of tau a p <= hi i.
 Proof. intros; apply sum_bounds; trivial. Qed.
 
@@ -77,8 +77,8 @@ Proof.
   intros H; apply (chain_legs _ _ _ _ _ HC); [exact (H i)|]; specialize (H (i + 1)%Z); unfold lo, hi in H.
   rewrite (proj1 (previous i)) in H; exact H.
 Qed.
-Lemma boxes s i : inside lo hi s -> within (Letter.after (l i)) (afters M w n s i) /\
-  within (Letter.before (l i)) (befores M w n s i).
+Lemma boxes s i : inside lo hi s -> in_interval (Letter.after (l i)) (afters M w n s i) /\
+  in_interval (Letter.before (l i)) (befores M w n s i).
 Proof. intros H; destruct (leg_at s i H) as (_ & _ & _ & A & B & _); split; assumption. Qed.
 Lemma landing s i : inside lo hi s -> lands M w (s i).
 Proof. intros H; apply (leg_at s i H). Qed.
@@ -131,7 +131,7 @@ Proof. intros Hs HF; constructor; [intros i; apply landing, Hs | intros i; apply
 
 (** H3, and H4. *)
 Lemma moves s : open_gaps M w l -> inside lo hi s -> (forall i, sums M w n s i = s i) ->
-  motion M w N (at_ M w N s) (leg_q M w n N s) (leg_v M w n N s).
+  machine_motion M w N (at_ M w N s) (leg_q M w n N s) (leg_v M w n N s).
 Proof.
   intros HO Hs HF; apply is_motion; auto using solves; try apply HC.
   - intros i; pose proof (chain_order _ _ _ _ _ HC i) as O; destruct (boxes s i Hs) as [[A _] _],
@@ -155,7 +155,7 @@ Qed.
 
 Section Only.
 Variables (t : Z -> R) (q v : Z -> R -> R).
-Hypothesis HM : motion M w N t q v.
+Hypothesis HM : machine_motion M w N t q v.
 Hypothesis HB : in_boxes M l t v.
 
 Lemma sums_inside : inside lo hi (sums_of M t v).
@@ -169,9 +169,9 @@ Lemma sums_fixed i : sums M w n (sums_of M t v) i = sums_of M t v i.
 Proof. apply (is_solution M w n N HG Htau HN t q v HM sums_leg). Qed.
 End Only.
 
-Theorem one_motion : open_gaps M w l -> exists t q v, motion M w N t q v /\ in_boxes M l t v /\
+Theorem one_motion : open_gaps M w l -> exists t q v, machine_motion M w N t q v /\ in_boxes M l t v /\
   forall t' q' v',
-  motion M w N t' q' v' -> in_boxes M l t' v' -> forall i x, t' i = t i /\ q' i x = q i x /\ v' i x = v i x.
+  machine_motion M w N t' q' v' -> in_boxes M l t' v' -> forall i x, t' i = t i /\ q' i x = q i x /\ v' i x = v i x.
 Proof.
   intros HO; destruct one_solution as (s & Hs & HF & H1).
   exists (at_ M w N s), (leg_q M w n N s), (leg_v M w n N s); split; [exact (moves s HO Hs HF)|]; split;

@@ -81,10 +81,10 @@ Proof.
 Qed.
 End Cell.
 
-Lemma checked_path X M l : check X = true -> covers X M -> path X l -> let W := Q2R (Certificate.window X) in
+Lemma checked_path X M l : check X = true -> covers X M -> leg_path X l -> let W := Q2R (Certificate.window X) in
   (exists spread, chain M W (Q2R (Certificate.contraction X)) spread l) /\ open_gaps M W l.
 Proof.
-  intros HX (HC & HK & HT & HV & HSg & Hnu & HH & Hg) HP W; unfold check in HX.
+  intros HX [HC HK HT HV HSg Hnu HH Hg Hg1] HP W; unfold check in HX.
   destruct (Certificate.cells X) as [[[nc nk] nt] nn]; set (L := Certificate.letters X) in *.
   rewrite !andb_true_iff in HX; destruct HX as [[[K0 K1] KL] HX].
   destruct (cut_one _ _ _ _ HX (mem_ranging _ _ HC)) as (IC & HX1 & MC).
@@ -95,7 +95,7 @@ Proof.
   match type of HX4 with cell_ok ?D _ _ = _ => set (D0 := D) in *; assert (HD : in_cell D0 M W kappa) end.
   { constructor; unfold D0; cbn; trivial; [rewrite HSg; apply side_mem | apply mem_fraction | apply mem_fraction |
       apply rangings_mem, HH]. }
-  clearbody D0; destruct (cell_facts D0 L IN M W kappa HD Hnu Hg HX4) as (HG & Htau & HW & HF).
+  clearbody D0; destruct (cell_facts D0 L IN M W kappa HD Hnu (conj Hg Hg1) HX4) as (HG & Htau & HW & HF).
   assert (LO : forall m, In m L -> letter_ok L m = true) by (apply forallb_forall, KL).
   assert (LF : forall m, In m L -> Q2R (fst (Letter.after m)) <= Q2R (snd (Letter.after m)) /\
     Q2R (fst (Letter.before m)) <= Q2R (snd (Letter.before m)) /\ 0 < alpha m /\ 0 < beta m /\
@@ -126,7 +126,7 @@ Proof.
       repeat split; trivial; nra.
     - intros i; apply (LF _ (HI (i - 1)%Z)), HJ'.
     - intros i s s' tau Hs Hs'; destruct (HV' i) as (v & V1 & V2).
-      apply (leg_checked D0 L IN M W kappa HD MN Hnu Hg HX4 _ v); trivial. }
+      apply (leg_checked D0 L IN M W kappa HD MN Hnu (conj Hg Hg1) HX4 _ v); trivial. }
   split; [exists (B1 + B2); exact HCh|]; intros i s s' a tau Hs Hs' Ha phi x last Hv Hx Hv'.
   pose proof (chain_legs _ _ _ _ _ HCh i s s' Hs Hs') as (L1 & L2 & _).
   destruct (HV' i) as (v & V1 & V2); destruct (HF v _ V2) as [G _].

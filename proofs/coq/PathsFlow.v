@@ -17,27 +17,27 @@ Notation g1 := (g1 M).
 
 (** ** The wall: its bend g'', with the other sign; periods *)
 
-Definition bend (t : R) : R := total (fun '(j, (a, b)) => IZR (Z.pos j * Z.pos j) *
+Definition bend (t : R) : R := over_harmonics (fun '(j, (a, b)) => IZR (Z.pos j * Z.pos j) *
   (a * cos (IZR (Z.pos j) * t) + b * sin (IZR (Z.pos j) * t))) (Machine.harmonics M).
 
-Lemma total_ext f f' H : (forall h, f h = f' h) -> total f H = total f' H.
-Proof. intros E; induction H as [|h H IH]; cbn [total]; congruence. Qed.
+Lemma total_ext f f' H : (forall h, f h = f' h) -> over_harmonics f H = over_harmonics f' H.
+Proof. intros E; induction H as [|h H IH]; cbn [over_harmonics]; congruence. Qed.
 
-Ltac by_harmonic := induction (Machine.harmonics _) as [|(j & a & b) H IH]; cbn [total];
+Ltac by_harmonic := induction (Machine.harmonics _) as [|(j & a & b) H IH]; cbn [over_harmonics];
   [apply D_const | apply D_plus; [rewrite ?mult_IZR; derive_by fail; rewrite ?mult_IZR; ring | exact IH]].
 Lemma D_g t : derivable_pt_lim g t (g1 t).
 Proof. unfold StatementPaths.g, StatementPaths.g1; by_harmonic. Qed.
 Lemma D_g1 t : derivable_pt_lim g1 t (- bend t).
 Proof.
-  apply (D_value _ _ (total (fun '(j, (a, b)) => - (IZR (Z.pos j * Z.pos j) *
+  apply (D_value _ _ (over_harmonics (fun '(j, (a, b)) => - (IZR (Z.pos j * Z.pos j) *
     (a * cos (IZR (Z.pos j) * t) + b * sin (IZR (Z.pos j) * t)))) (Machine.harmonics M))).
   - unfold StatementPaths.g1; by_harmonic.
-  - unfold bend; induction (Machine.harmonics M) as [|(j & a & b) H IH]; cbn [total]; [ring | rewrite IH;
+  - unfold bend; induction (Machine.harmonics M) as [|(j & a & b) H IH]; cbn [over_harmonics]; [ring | rewrite IH;
       ring].
 Qed.
 Lemma bend_continuous t : continuity_pt bend t.
 Proof.
-  apply (D_continuous _ (total (fun '(j, (a, b)) => IZR (Z.pos j * Z.pos j) * IZR (Z.pos j) *
+  apply (D_continuous _ (over_harmonics (fun '(j, (a, b)) => IZR (Z.pos j * Z.pos j) * IZR (Z.pos j) *
     (b * cos (IZR (Z.pos j) * t) - a * sin (IZR (Z.pos j) * t))) (Machine.harmonics M))); unfold bend;
       by_harmonic.
 Qed.

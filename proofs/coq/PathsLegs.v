@@ -6,7 +6,7 @@ Open Scope R_scope.
 
 Lemma mem_fraction q : mem (fraction q) (Q2R q).
 Proof. exact (mem_constant _ _). Qed.
-Lemma mem_ranging X x : within X x -> mem (ranging X) x.
+Lemma mem_ranging X x : in_interval X x -> mem (ranging X) x.
 Proof. intros H; exact (mem_join _ _ _ _ _ (mem_fraction _) (mem_fraction _) H). Qed.
 Lemma mem_integer z : mem (constant z 1) (IZR z).
 Proof. pose proof (mem_constant z 1) as H; unfold Rdiv in H; rewrite Rinv_1, Rmult_1_r in H; exact H. Qed.
@@ -114,7 +114,7 @@ Definition leg_holds (M : Machine.t) w kappa (m n k : Letter.t) s s' : Prop :=
   let nu := Machine.nu M in let tau := Machine.tau M in
   let t := phase M w s in let t' := phase M w s' in let j := Letter.periods n in
   lands M w s /\ lands M w s' /\ E12 M (time j t t') <> 0 /\
-  within (Letter.after n) (after M j t t') /\ within (Letter.before n) (before M j t t') /\
+  in_interval (Letter.after n) (after M j t t') /\ in_interval (Letter.before n) (before M j t t') /\
   exists x x' y y',
   (forall l l', let r := - (nu / 2) / bend M t * l in let r' := - (nu / 2) / bend M t' * l' in
     after_slope M j t t' r r' = - (x * l + x' * l') /\ before_slope M j t t' r r' = - (y * l + y' * l')) /\
@@ -154,10 +154,10 @@ Proof. destruct z as [|z|z]; [intros _; rewrite Rmult_0_r; apply mem_zero | intr
 (** ** The wall *)
 
 Lemma mem_total fI f : (forall i A B a b, mem A a -> mem B b -> mem (fI (i, (A, B))) (f (i, (a, b)))) ->
-  mem (totalI fI (H D)) (total f (Machine.harmonics M)).
+  mem (totalI fI (H D)) (over_harmonics f (Machine.harmonics M)).
 Proof.
   intros F; pose proof (in_H _ _ _ _ HD) as L.
-  induction L as [|(i & A & B) (j & a & b) HI HR (<- & HA & HB) _ IH]; cbn [totalI total]; [encl|].
+  induction L as [|(i & A & B) (j & a & b) HI HR (<- & HA & HB) _ IH]; cbn [totalI over_harmonics]; [encl|].
   apply mem_plus; [apply F; assumption | exact IH].
 Qed.
 Lemma mem_times_of f f' A X a x : (forall Y y, mem Y y -> mem (f Y) (f' y)) -> mem A a -> mem X x ->
@@ -264,7 +264,7 @@ Proof. intros HN HS H; apply (mem_phase N S s HN HS H). Qed.
 
 (** ** Legs *)
 
-Lemma inside_within X A a : inside X A = true -> mem A a -> within X a.
+Lemma inside_within X A a : inside X A = true -> mem A a -> in_interval X a.
 Proof.
   intros H HA; apply andb_prop in H; destruct H as [B B'].
   split; [exact (below_le _ _ _ _ B (mem_fraction _) HA) | exact (below_le _ _ _ _ B' HA (mem_fraction _))].
@@ -413,7 +413,7 @@ End Cell.
 
 (** ** What is asked of a cell as a whole *)
 
-Lemma rangings_mem R H : Forall2 (fun '(i, (A, B)) '(j, (a, b)) => i = j /\ within A a /\ within B b) R H ->
+Lemma rangings_mem R H : Forall2 (fun '(i, (A, B)) '(j, (a, b)) => i = j /\ in_interval A a /\ in_interval B b) R H ->
   Forall2 (fun '(i, (A, B)) '(j, (a, b)) => i = j /\ mem A a /\ mem B b) (rangings R) H.
 Proof.
   intros HH; induction HH as [|(i & A & B) (j & a & b) H1 H2 (E & Ha & Hb) _ IH]; cbn; constructor; trivial.

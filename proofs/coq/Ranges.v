@@ -97,7 +97,7 @@ Variable N : Z -> Z.
 Hypothesis HN : forall i, (N (i + 1) = N i + Z.pos (n i))%Z.
 
 Lemma moves s : inside lo hi s -> solution M w n s ->
-  motion M w N (at_ M w N s) (leg_q M w n N s) (leg_v M w n N s).
+  machine_motion M w N (at_ M w N s) (leg_q M w n N s) (leg_v M w n N s).
 Proof.
   intros H S; apply is_motion; try apply HC; trivial.
   - intros i; apply (c_speed _ _ _ _ _ _ _ _ _ HC); [exact H | apply (sums_at _ _ _ _ S)].
@@ -105,7 +105,7 @@ Proof.
 Qed.
 
 (** A motion whose strengths are in the ranges is a solution. *)
-Lemma motion_solves t q v : motion M w N t q v ->
+Lemma motion_solves t q v : machine_motion M w N t q v ->
   (forall i, exists s, lo i <= s <= hi i /\ g1 M (t i) = Machine.nu M * s / 2) ->
   inside lo hi (sums_of M t v) /\ solution M w n (sums_of M t v).
 Proof.

@@ -69,7 +69,7 @@ Hypothesis HG : good M w.
 Hypothesis Htau : 0 < Machine.tau M.
 Hypothesis Hw : w <= PI.
 Hypothesis Hkappa : 0 <= kappa < 1.
-Hypothesis HP : path X l.
+Hypothesis HP : edge_path X l.
 Hypothesis Hn : forall i, nth_error (Range.periods X) (l i) = Some (n i).
 Notation nu := (Machine.nu M).
 
@@ -116,7 +116,7 @@ End Stations.
 Section Cell.
 Variables (K : Cell.t).
 Hypothesis HK : cell_holds X D K = true.
-Hypothesis Hnu : within (Cell.depth K) nu.
+Hypothesis Hnu : in_interval (Cell.depth K) nu.
 
 Definition none : Edge.t := {| Edge.strengths := (0, 0)%Q; Edge.factor := 0; Edge.weight := 0 |}.
 Definition edge_of (i : Z) : Edge.t :=

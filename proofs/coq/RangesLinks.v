@@ -14,7 +14,7 @@ Hypothesis HG : good M w.
 Hypothesis Htau : 0 < Machine.tau M.
 Hypothesis Hw : w <= PI.
 Hypothesis Hkappa : 0 <= kappa < 1.
-Hypothesis HP : path X l.
+Hypothesis HP : edge_path X l.
 Hypothesis Hn : forall i, nth_error (Range.periods X) (l i) = Some (n i).
 Notation nu := (Machine.nu M).
 Notation ranged K := (inside (lo X l K) (hi X l K)).
@@ -62,7 +62,7 @@ Proof.
   - apply mem_meet; [apply HB|]; apply (image_holds (map fst B) S); [|exact Hfl]; intros c; destruct (HB c) as [I HM].
     split; [exact (in_map fst _ _ I) | exact HM].
 Qed.
-Lemma linked_inside m B : linked m X D k N B = true -> inside_sets B -> forall i, within (Edge.strengths (e' i)) (s i).
+Lemma linked_inside m B : linked m X D k N B = true -> inside_sets B -> forall i, in_interval (Edge.strengths (e' i)) (s i).
 Proof.
   revert B; induction m as [|m IH]; intros B H HB i; cbn [linked] in H;
     (destruct (forallb _ B) eqn:A; [destruct HB as [S HB]; destruct (HB i) as [I HM];
@@ -72,7 +72,7 @@ Qed.
 End Link.
 
 Lemma links_same K K' s : cell_holds X D K = true -> cell_holds X D K' = true -> links X D K K' = true ->
-  nu = Q2R (snd (Cell.depth K)) -> within (Cell.depth K) nu -> within (Cell.depth K') nu ->
+  nu = Q2R (snd (Cell.depth K)) -> in_interval (Cell.depth K) nu -> in_interval (Cell.depth K') nu ->
   ranged K s -> solution M w n s -> ranged K' s.
 Proof.
   intros HK HK' HL E H H' R S i; unfold lo, hi.
@@ -98,7 +98,7 @@ Proof.
     lra.
 Qed.
 Lemma some_cell q L : cells_hold X D q L = true -> Q2R q <= nu ->
-  (exists K, In K L /\ nu <= Q2R (snd (Cell.depth K))) -> exists K, In K L /\ within (Cell.depth K) nu.
+  (exists K, In K L /\ nu <= Q2R (snd (Cell.depth K))) -> exists K, In K L /\ in_interval (Cell.depth K) nu.
 Proof.
   revert q; induction L as [|K L IH]; intros q H Hq (K' & I & U); [destruct I|]; cbn [cells_hold] in H.
   destruct (_ && _)%bool eqn:A; [|discriminate]; apply andb_prop in A; destruct A as [A _].
@@ -109,14 +109,14 @@ Proof.
   - destruct I as [<-|I]; [lra|]; destruct (IH _ H ltac:(lra)) as (K1 & I1 & W1); [eauto|].
     exists K1; split; [right; exact I1 | exact W1].
 Qed.
-Lemma cell_solution K : cell_holds X D K = true -> within (Cell.depth K) nu ->
+Lemma cell_solution K : cell_holds X D K = true -> in_interval (Cell.depth K) nu ->
   exists s, ranged K s /\ solution M w n s /\ forall s', ranged K s' -> solution M w n s' -> forall i, s' i = s i.
 Proof.
   intros HK H; destruct (contracting_cell X D M w kappa l n HD HG Htau Hw Hkappa HP Hn K HK H) as [spread HC].
   exact (one_solution _ _ _ _ _ _ _ _ _ HC).
 Qed.
 Lemma common_solution q L : cells_hold X D q L = true ->
-  exists s, forall K, In K L -> within (Cell.depth K) nu -> ranged K s /\ solution M w n s.
+  exists s, forall K, In K L -> in_interval (Cell.depth K) nu -> ranged K s /\ solution M w n s.
 Proof.
   revert q; induction L as [|K L IH]; intros q H; [exists (fun _ => 0); intros K []|].
   pose proof (cells_from q _ H) as HF; destruct (HF K (or_introl eq_refl)) as (F1 & F2 & F3).
@@ -142,13 +142,13 @@ End Path.
 
 Theorem Ranges : Ranges_statement check_range.
 Proof.
-  intros X M l N HX (HC & HK & HT & HSg & Hnu & HV & HH & Hg) HP HN W; unfold check_range in HX.
+  intros X M l N HX [HC HK HT HSg Hnu HV HH Hg Hg1] HP HN W; unfold check_range in HX.
   destruct (_ && _)%bool eqn:A; [|discriminate]; rewrite !andb_true_iff in A; destruct A as [[K0 K1] AW].
   set (D := cell_of X) in *; set (kappa := Q2R (Range.contraction X)).
   assert (HD : in_cell D M W kappa).
   { constructor; unfold D; cbn; try apply mem_ranging; trivial; [rewrite HSg; apply side_mem | apply mem_fraction |
       apply mem_fraction | apply rangings_mem, HH]. }
-  destruct (wall_facts D M W kappa HD Hnu Hg AW) as (HG & Htau & Hw).
+  destruct (wall_facts D M W kappa HD Hnu (conj Hg Hg1) AW) as (HG & Htau & Hw).
   assert (Hkappa : 0 <= kappa < 1).
   { apply Qle_bool_iff, Qle_Rle in K0; apply less_lt in K1; rewrite Q2R_0 in K0; rewrite Q2R_1 in K1; split;
     assumption. }

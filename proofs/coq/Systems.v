@@ -9,7 +9,7 @@ Open Scope R_scope.
 
 (** ** Theorem 1 *)
 Lemma closer_motion O m mu d d' N t y v : d <= d' -> motion O m mu d N t y v -> motion O m mu d' N t y v.
-Proof. intros Hd H i j Hj; destruct (H i j Hj) as (A & B & C); split; [exact A|]; split; [lra | exact C]. Qed.
+Proof. intros Hd H i j Hj; destruct (H i j Hj); constructor; trivial; lra. Qed.
 
 Lemma closer_orbit M mu d d' n x : d <= d' -> orbit_near M Z (fun i => i + 1)%Z n mu d x ->
   orbit_near M Z (fun i => i + 1)%Z n mu d' x.
@@ -46,7 +46,7 @@ Proof.
     + intros Hall N HN; destruct (W' N HN) as (E & _ & B).
       destruct (E (fun i => conj (proj2 (proj1 (Hall i))) (proj2 (Hall i)))) as (t & y & v & HM & Only).
       exists t, y, v; split.
-      * intros i j Hj; destruct (HM i j Hj) as (A & _ & C); split; [exact A|]; split; [|exact C].
+      * intros i j Hj; destruct (HM i j Hj); constructor; trivial.
         eapply Rle_trans; [apply (B t y v HM i) | exact Small].
       * intros t' y' v' HM'; apply Only; exact (closer_motion _ _ _ _ _ _ _ _ _ (proj2 Heps) HM').
     + intros [i Hi] N t y v HN; destruct (W' N HN) as (_ & F & _); exact (F i Hi t y v).
