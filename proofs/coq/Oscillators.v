@@ -1,5 +1,5 @@
-(** * A solution of the law of impact is a motion, the only one near the touch, if (52) and (64) hold; and none is if
-      one fails strictly *)
+(** * A solution of the law of impact is a motion, the only one near the touch, if (52) and (64) hold; and
+      none is if one fails strictly *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs StatementOrbitsPlane StatementOscillator Derivatives Flow PlaneLinear OscillatorTurns
   OscillatorStop OscillatorGap OscillatorLaw.
@@ -58,8 +58,7 @@ Definition at_ (i : Z) : R := T * IZR (N i) + x i.
 Definition leg_q (i : Z) (t : R) : R := facing m (N i) * here i (t - T * IZR (N i)).
 Definition leg_v (i : Z) (t : R) : R := facing m (N i) * heres i (t - T * IZR (N i)).
 
-Lemma here_free i : free c k (here i) (heres i).
-Proof. apply (moved_free c k S V HS). Qed.
+Lemma here_free i : free c k (here i) (heres i). Proof. apply (moved_free c k S V HS). Qed.
 Lemma leg_free i : free c k (leg_q i) (leg_v i).
 Proof.
   intros t; destruct (here_free i (t - T * IZR (N i))) as [A B]; unfold leg_q, leg_v.
@@ -76,7 +75,6 @@ Qed.
 
 Lemma at_next i : at_ (i + 1) = T * IZR (N i) + (T * INR (n i) + x (i + 1)%Z).
 Proof. unfold at_; rewrite (proj1 (HN i)), plus_IZR, <- INR_IZR_INZ; ring. Qed.
-
 Lemma here_start i : here i (x i) = place (x i) /\ heres i (x i) = a i.
 Proof. apply (moved_start c k S V HS). Qed.
 
@@ -110,8 +108,8 @@ Proof.
     assert (0 <= T * INR (n i) <= T * INR n_max) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_l]; lra).
     apply Rabs_le; lra. }
   destruct HK as (K1 & F & _); set (z := (K * 2 + K * (2 * (6 * K ^ 5))) * Rabs mu).
-  assert (both : forall e f, entry c k S V e -> entry c k S V f ->
-    Rabs (e (t - x i) * place (x i) + f (t - x i) * a i) <= z).
+  assert (both : forall e f, entry c k S V e -> entry c k S V f -> Rabs (e (t - x i) * place (x i) + f (t - x i) * a i)
+    <= z).
   { intros e f He Hf; destruct (F e He _ _ In In) as [Fe _], (F f Hf _ _ In In) as [Ff _].
     pose proof (product _ _ _ _ Fe P); pose proof (product _ _ _ _ Ff A); eapply Rle_trans; [apply Rabs_triang|].
     unfold z, a; lra. }
@@ -138,17 +136,15 @@ Hypothesis Open : opens O m h ((1 + Rabs c + Rabs k) * (K * 2 + K * (2 * (6 * K 
 Hypothesis Only : forall x', (forall i, Rabs (x' i) <= d) -> law O m S V n mu x' -> forall i, x' i = x i.
 Let Hgam : gamma <> 0 := is_generic _ _ _ _ _ HO.
 
-Lemma solution_motion : (forall i, p i < a (i + 1)%Z) ->
-  (forall i j, (1 <= j <= n i - 1)%nat -> eps * Rabs mu <= facing m (Z.of_nat j) * here i (T * INR j) + mu) ->
-  motion O m mu d N at_ leg_q leg_v.
+Lemma solution_motion : (forall i, p i < a (i + 1)%Z) -> (forall i j, (1 <= j <= n i - 1)%nat -> eps * Rabs mu <= facing
+  m (Z.of_nat j) * here i (T * INR j) + mu) -> motion O m mu d N at_ leg_q leg_v.
 Proof.
   intros Hv Mid i j ->; destruct (HN i) as [NN [Hn _]]; pose proof (turn_large m) as HT.
   assert (Tn : T <= T * INR (n i)) by (rewrite <- (Rmult_1_r T) at 1; apply Rmult_le_compat_l;
     [lra | apply (le_INR 1); lia]).
   assert (Sm : forall i, - (h * Rabs mu) <= x i <= h * Rabs mu) by (intros l; apply le_abs, Hx).
   pose proof (Sm i); pose proof (Sm (i + 1)%Z); destruct (here_start i) as [E0 F0], (here_end i) as [E1 F1].
-  pose proof (fun l => impact l) as I; cbv zeta in I, E1, F1;
-    set (z := fun l => (a (l + 1)%Z - p l) / (1 + tau)) in *.
+  pose proof (fun l => impact l) as I; cbv zeta in I, E1, F1; set (z := fun l => (a (l + 1)%Z - p l) / (1 + tau)) in *.
   assert (Pos : forall l, 0 < z l) by (intros l; apply Rdiv_lt_0_compat; [specialize (Hv l)|]; lra).
   set (s := T * INR (n i) + x (i + 1)%Z) in *.
   assert (Es : s - T * IZR (Z.of_nat (n i)) = x (i + 1)%Z) by (unfold s; rewrite <- INR_IZR_INZ; ring).
@@ -201,15 +197,12 @@ Qed.
 Lemma jump_sign i : let f := sgn e * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) in
   (f > 0 -> p i < a (i + 1)%Z) /\ (f < 0 -> a (i + 1)%Z <= p i).
 Proof.
-  intros f;
-  pose proof (limit_follows c k m S V HS a1 a2 gamma HA (n i) (n (i + 1)%Z) Hgam (Hu i) (Hu (i + 1)%Z)
+  intros f; pose proof (limit_follows c k m S V HS a1 a2 gamma HA (n i) (n (i + 1)%Z) Hgam (Hu i) (Hu (i + 1)%Z)
     (proj1 (proj1 (proj2 (HN i))))) as E.
-  destruct (sign_near e mu (a (i + 1)%Z - p i) (follows a1 a2 (n i) (n (i + 1)%Z) / gamma) (2 * eps) Hmu) as [P
-    Q].
-  { rewrite <- E; replace (_ - _) with ((a (i + 1)%Z - mu * aft0 c m S V (n (i + 1)%Z)) -
-      (p i - mu * bef0 c k m S V (n i))) by ring.
-    pose proof (near_aft _ _ _ _ _ _ _ _ _ _ _ (Near (i + 1)%Z));
-      pose proof (near_bef _ _ _ _ _ _ _ _ _ _ _ (Near i)).
+  destruct (sign_near e mu (a (i + 1)%Z - p i) (follows a1 a2 (n i) (n (i + 1)%Z) / gamma) (2 * eps) Hmu) as [P Q].
+  { rewrite <- E; replace (_ - _) with ((a (i + 1)%Z - mu * aft0 c m S V (n (i + 1)%Z)) - (p i - mu * bef0 c k m S V
+      (n i))) by ring.
+    pose proof (near_aft _ _ _ _ _ _ _ _ _ _ _ (Near (i + 1)%Z)); pose proof (near_bef _ _ _ _ _ _ _ _ _ _ _ (Near i)).
     eapply Rle_trans; [apply apart|]; unfold a, p; lra. }
   { intros H'; specialize (Mf i (i + 1)%Z H'); lra. }
   destruct (sign_over e g gamma (follows a1 a2 (n i) (n (i + 1)%Z)) Hg) as [P' Q'].
@@ -218,14 +211,12 @@ Proof.
   split; intros Hf; [specialize (P (P' Hf)) | specialize (Q (Q' Hf))]; lra.
 Qed.
 
-Lemma mid_sign i j : (1 <= j <= n i - 1)%nat ->
-  let y := facing m (Z.of_nat j) * here i (T * INR j) + mu in
-  (sgn e * b a1 a2 (n i) j > 0 -> eps * Rabs mu <= y) /\ (sgn e * b a1 a2 (n i) j < 0 -> y <= 0).
+Lemma mid_sign i j : (1 <= j <= n i - 1)%nat -> let y := facing m (Z.of_nat j) * here i (T * INR j) + mu
+  in (sgn e * b a1 a2 (n i) j > 0 -> eps * Rabs mu <= y) /\ (sgn e * b a1 a2 (n i) j < 0 -> y <= 0).
 Proof.
-  intros Hj y; destruct (HN i) as (_ & Hn & _).
-  pose proof (near_mid _ _ _ _ _ _ _ _ _ _ _ (Near i) j ltac:(lia)) as Hm.
-  pose proof (limit_b c k m S V HS a1 a2 gamma HA (n i) j Hgam (Hu i) ltac:(lia)) as E;
-    fold (mid0 O m S V (n i) j) in E.
+  intros Hj y; destruct (HN i) as (_ & Hn & _). pose proof (near_mid _ _ _ _ _ _ _ _ _ _ _ (Near i) j ltac:(lia)) as Hm.
+  pose proof (limit_b c k m S V HS a1 a2 gamma HA (n i) j Hgam (Hu i) ltac:(lia)) as E; fold (mid0 O m S V (n i) j)
+    in E.
   destruct (sign_near e mu y (b a1 a2 (n i) j) eps Hmu) as [P Q].
   { rewrite <- E; replace (y - _) with (mid O m S V (n i) j mu (x i) (x (i + 1)%Z) - mu * mid0 O m S V (n i) j);
       [exact Hm|]; unfold y, here, moved, a, mid, turned.
@@ -272,15 +263,12 @@ Qed.
 End Words.
 
 (** Theorem 1 for oscillators: one d, one mu0 and one K for all words over {n <= n_max : u_n <> 0}. *)
-Theorem Word_oscillator : forall O m a1 a2 gamma, grazing O m a1 a2 gamma ->
-  forall n_max, exists d mu0 K, d > 0 /\ mu0 > 0 /\ forall (N : Z -> Z) (n : Z -> nat) s g mu,
-  (forall i, N (i + 1)%Z = (N i + Z.of_nat (n i))%Z /\ (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) ->
-  sgn g * gamma > 0 -> 0 < sgn s * mu < mu0 ->
-  ((forall i, (forall j, (1 <= j <= n i - 1)%nat -> sgn s * b a1 a2 (n i) j > 0) /\
-              sgn s * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) > 0) -> one_motion O m mu d N) /\
-  (forall i, (exists j, (1 <= j <= n i - 1)%nat /\ sgn s * b a1 a2 (n i) j < 0) \/
-             sgn s * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) < 0 ->
-   forall t q v, ~ motion O m mu d N t q v) /\
+Theorem Word_oscillator : forall O m a1 a2 gamma, grazing O m a1 a2 gamma -> forall n_max, exists d mu0 K, d > 0 /\
+  mu0 > 0 /\ forall (N : Z -> Z) (n : Z -> nat) s g mu, (forall i, N (i + 1)%Z = (N i + Z.of_nat (n i))%Z /\
+  (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) -> sgn g * gamma > 0 -> 0 < sgn s * mu < mu0 ->
+  ((forall i, (forall j, (1 <= j <= n i - 1)%nat -> sgn s * b a1 a2 (n i) j > 0) /\ sgn s * sgn g * follows a1 a2 (n i)
+  (n (i + 1)%Z) > 0) -> one_motion O m mu d N) /\ (forall i, (exists j, (1 <= j <= n i - 1)%nat /\ sgn s * b a1 a2 (n i)
+  j < 0) \/ sgn s * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) < 0 -> forall t q v, ~ motion O m mu d N t q v) /\
   forall t q v, motion O m mu d N t q v -> forall i, Rabs (t i - turn m * IZR (N i)) <= K * Rabs mu.
 Proof.
   intros O m a1 a2 gamma HO n_max; destruct (flow_exists (Oscillator.c O) (Oscillator.k O)) as (S & V & HS).
@@ -307,8 +295,7 @@ Proof.
   { intros i; destruct (Hw i) as (_ & H & Hu); split; [exact H|].
     rewrite (turned_S _ _ m S V HS a1 a2 gamma (is_matrix _ _ _ _ _ HO)); apply Rmult_integral_contrapositive.
     split; [apply HO | exact Hu]. }
-  pose proof (fun i => conj (proj1 (Hw i)) (Reg i)) as HN; destruct (One n mu Reg ltac:(lra)) as (x & Hx & Law &
-    Only).
+  pose proof (fun i => conj (proj1 (Hw i)) (Reg i)) as HN; destruct (One n mu Reg ltac:(lra)) as (x & Hx & Law & Only).
   assert (Near : forall i, leg_near O m S V n_max K (n i) eps mu (x i) (x (i + 1)%Z)) by (intros i; apply Leg; auto;
     lra).
   assert (Mb' : forall i j, (j <= n_max)%nat -> b a1 a2 (n i) j <> 0 -> 2 * eps <= Rabs (b a1 a2 (n i) j)).
@@ -318,8 +305,8 @@ Proof.
       fold f in P; lra. }
   pose proof (fun i => proj2 (proj2 (Hw i))) as Hu; assert (Op : opens O m C X eps mu) by (apply Open; lra).
   assert (Hd' : C * Rabs mu <= d <= 1 /\ 2 * d <= / K) by lra.
-  destruct (decided O m a1 a2 gamma S V HO HS n_max K mu C eps N n x HK HN Law Hx Near d s g Hu (proj1 Hmu) Hg He
-    Mb' Mf' Hd' Op Only) as [One' Small]; split; [exact One' | split; [|exact Small]].
+  destruct (decided O m a1 a2 gamma S V HO HS n_max K mu C eps N n x HK HN Law Hx Near d s g Hu (proj1 Hmu) Hg He Mb'
+    Mf' Hd' Op Only) as [One' Small]; split; [exact One' | split; [|exact Small]].
   apply (word_fails O m a1 a2 gamma S V HO HS n_max K mu C eps N n x HK HN Near d s g Hu (proj1 Hmu) Hg He Mb' Mf' Hd'
     Only).
 Qed.

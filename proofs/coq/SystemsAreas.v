@@ -46,11 +46,8 @@ Proof.
   intros Ho; destruct e, g; tauto.
 Qed.
 
-Lemma u_one a1 a2 : u a1 a2 1 <> 0.
-Proof. cbn; lra. Qed.
-
-Lemma c_one a1 a2 : c a1 a2 1 = a1 - (a2 + 1).
-Proof. unfold c, v, u; cbn; field. Qed.
+Lemma u_one a1 a2 : u a1 a2 1 <> 0. Proof. cbn; lra. Qed.
+Lemma c_one a1 a2 : c a1 a2 1 = a1 - (a2 + 1). Proof. unfold c, v, u; cbn; field. Qed.
 
 Theorem Summary_systems : Summary_systems_statement.
 Proof.

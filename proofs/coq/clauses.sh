@@ -1,20 +1,19 @@
 #!/bin/sh
 # Weakens what is stated, one clause at a time: some file Consequences*.v must then no longer compile. Each conjunct
-# of the statement files that is no hypothesis (conjuncts.awk) becomes "True or" what it was; what else is lost or
-# narrowed stands below. Run check.sh first. Arguments: statement files, and before them perhaps "others" for what
-# stands below alone; without, those of which every clause is noticed. Only what is compiled from the one that is
-# changed is compiled again, without proofs, and then the consequences with theirs.
+# of the statement files that is no hypothesis and each field of a record (conjuncts.awk) becomes "True or" what it
+# was; what else is lost or narrowed stands below. Run check.sh first. Arguments: statement files, and before them
+# perhaps "others" for what stands below alone; without, all of them. Only what is compiled from the one that is
+# changed is compiled again, without proofs, and then the consequences with theirs, first the one that noticed last.
 set -eu
 export LC_ALL=C OCAMLRUNPARAM=s=2M,o=400
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-total=0 survived=0
+total=0 survived=0 last=
 cp -a "$here/." "$work/tree"
 cd "$work/tree"
 others=; [ "${1-}" != others ] || { others=yes; shift; }
-chosen=${*:-Headline.v Statement.v StatementChaos.v StatementNordmark.v StatementOrbits.v StatementOrbitsPeriodic.v
-  StatementOrbitsPlane.v StatementOscillator.v StatementSystems.v StatementGrowth.v}
+chosen=${*:-Defs.v Headline.v $(echo Statement*.v)}
 
 # A line for each file: its name and those that it requires, in an order in which they can be compiled.
 coqdep -Q . Grazing *.v 2>/dev/null | sed -nE 's/^([A-Za-z0-9]+)\.vo .*: /\1 /p' | sed -E 's/([A-Za-z0-9]+)\.vo?/\1/g' |
@@ -52,7 +51,8 @@ mentioned() {
       for (word_ in hit) print word_
     }' "$work/sentences" >"$work/names"
   awk -v from="$1" '{ for (i = 2; i <= NF; i++) if ($i == from || $i in after) after[$1] } END { for (f in after) if (f ~ /^Consequences/) print f ".v" }' "$work/needs" |
-    xargs grep -lwFf "$work/names" | sed 's/\.v$//' | sort
+    xargs grep -lwFf "$work/names" | sed 's/\.v$//' | sort |
+    awk -v last="$last" '$0 == last { print; next } { rest = rest $0 "\n" } END { printf "%s", rest }'
 }
 
 # The statement file $1 has been changed, in the definition $2, as $3 says: some consequence must fail.
@@ -71,7 +71,7 @@ try() {
       [ ! "$noticed" ] || break
       if ! coqc -q -w none -vok -Q . Grazing "$consequence.v" >"$work/output" 2>&1; then
         grep -q "^File \"./$consequence.v\"" "$work/output" || { cat "$work/output"; exit 1; }
-        noticed=yes; break
+        noticed=yes last=$consequence; break
       fi
     done
   fi
