@@ -11,12 +11,10 @@ Lemma snd_pair a1 a2 k : snd (pair a1 a2 k) = u a1 a2 (S k).
 Proof. unfold u; cbn; destruct (pair a1 a2 k); reflexivity. Qed.
 Lemma u_0 a1 a2 : u a1 a2 0 = 0. Proof. reflexivity. Qed.
 Lemma u_1 a1 a2 : u a1 a2 1 = 1. Proof. reflexivity. Qed.
-
 Lemma u_SS a1 a2 k : u a1 a2 (S (S k)) = a1 * u a1 a2 (S k) - a2 * u a1 a2 k.
 Proof.
   rewrite <- (snd_pair a1 a2 (S k)), <- (snd_pair a1 a2 k); unfold u; cbn. destruct (pair a1 a2 k); reflexivity.
 Qed.
-
 Lemma u_2 a1 a2 : u a1 a2 2 = a1. Proof. rewrite u_SS, u_1, u_0; ring. Qed.
 
 (** A property of k that follows from the two before it. *)
@@ -36,7 +34,6 @@ Proof.
   - rewrite Nat.add_0_r, u_0, u_1; cbn; ring.
   - rewrite Nat.add_succ_r, !u_SS; cbn [pow]. rewrite Rmult_assoc, IH; ring.
 Qed.
-
 Lemma u_Cassini k : u (S k) ^ 2 - a1 * u (S k) * u k + a2 * u k ^ 2 = a2 ^ k.
 Proof. pose proof (u_addition 1 k) as H; cbn [Nat.add] in H. rewrite u_SS, u_1 in H; lra. Qed.
 Lemma v_0 : v 0 = 2. Proof. unfold Defs.v; rewrite u_0, u_1; ring. Qed.
@@ -57,7 +54,6 @@ Lemma u_mirror a1 a2 k : u (- a1) a2 k = - (-1) ^ k * u a1 a2 k.
 Proof.
   induction k using two_step; [rewrite !u_0; ring | rewrite !u_1; cbn; ring |]. rewrite !u_SS, IHk, IHk0; cbn; ring.
 Qed.
-
 Lemma v_mirror a1 a2 k : v (- a1) a2 k = (-1) ^ k * v a1 a2 k.
 Proof. unfold v; rewrite !u_mirror; cbn; ring. Qed.
 
@@ -67,7 +63,6 @@ Proof.
   induction k as [|k IH]; [rewrite u_1, u_0; cbn; ring |]. rewrite u_SS; cbn [pow].
   replace (q ^ k) with (u (p + q) (p * q) (S k) - p * u (p + q) (p * q) k) by lra. ring.
 Qed.
-
 Lemma v_eigenvalues p q k : v (p + q) (p * q) k = p ^ k + q ^ k.
 Proof.
   induction k using two_step; [rewrite v_0; cbn; ring | rewrite v_1; cbn; ring |]. rewrite v_SS, IHk, IHk0; cbn; ring.
@@ -79,7 +74,6 @@ Definition detIA (a1 a2 : R) (n : nat) : R := 1 - v a1 a2 n + a2 ^ n.
 
 Lemma detIA_eigenvalues p q n : detIA (p + q) (p * q) n = (1 - p ^ n) * (1 - q ^ n).
 Proof. unfold detIA; rewrite v_eigenvalues, Rpow_mult_distr; ring. Qed.
-
 Lemma eigenvalues_exist a1 a2 : 4 * a2 <= a1 ^ 2 -> exists p q, a1 = p + q /\ a2 = p * q /\ q <= p.
 Proof.
   intros H; set (d := sqrt (a1 ^ 2 - 4 * a2)). assert (Hd : d * d = a1 ^ 2 - 4 * a2) by (apply sqrt_sqrt; lra).
@@ -97,7 +91,6 @@ Lemma x_n a1 a2 n : u a1 a2 n <> 0 -> orbit_x a1 a2 n n = -1.
 Proof. intros; unfold orbit_x; field; assumption. Qed.
 Lemma x_SS a1 a2 n k : orbit_x a1 a2 n (S (S k)) = a1 * orbit_x a1 a2 n (S k) - a2 * orbit_x a1 a2 n k.
 Proof. unfold orbit_x; rewrite !u_SS; ring. Qed.
-
 Lemma b_is_1_plus_x a1 a2 n k : (k <= n)%nat -> u a1 a2 n <> 0 -> b a1 a2 n k = 1 + orbit_x a1 a2 n k.
 Proof.
   intros Hk Hn; unfold b, orbit_x. pose proof (u_addition a1 a2 (n - k) k) as H.

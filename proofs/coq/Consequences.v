@@ -71,7 +71,6 @@ Proof.
     destruct e, g; [destruct Hs as [Hs|Hs]; [by_interval I1 | by_interval I3] | destruct Hs as [Hs|Hs];
       [by_interval I2 | by_interval I4] | by_interval (first 5) | destruct Hs].
 Qed.
-
 Lemma Theorem2_3_4_5 : Theorem2_statement -> forall n s e g, (3 <= n <= 5)%nat -> 0 < s < 1 / 2 ->
   (orbit_at 1 s n e g <-> table n e g s).
 Proof.
@@ -79,7 +78,6 @@ Proof.
   - intros (lo & hi & HI & H); exact (intervals_table n e g lo hi Hn HI s H).
   - now apply table_intervals.
 Qed.
-
 Lemma Theorem2_8 : Theorem2_statement -> Period_8_statement. Proof. exact period_8_from_Theorem2. Qed.
 
 (** Between 1/3 and 1/2 there is no period 4, and Theorem 1 says so. *)
@@ -89,7 +87,6 @@ Proof.
   apply view in HI; inversion HI as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst; [simpl; lra| |];
     assert (m = 1)%nat as -> by lia; [simpl; lra|]; listed HF around_1_4; simpl; lra.
 Qed.
-
 Lemma count_8 : Theorem2_count_statement -> exists L : list (sign * sign * R * R), length L = 5%nat /\
   forall e g lo hi, In (e, g, lo, hi) L <-> interval 8 e g lo hi.
 Proof. intros T; destruct (T 8%nat ltac:(lia)) as (L & E & _ & H & _); exists L; auto. Qed.
@@ -116,7 +113,6 @@ Qed.
 Lemma Period1_numbers : Period1_statement ->
   orbit 3 1 1 Plus Plus /\ orbit 3 1 1 Minus Minus /\ orbit (-5) 4 1 Plus Minus /\ orbit 1 9 1 Minus Plus.
 Proof. intros P; each ltac:(apply P; simpl; lra). Qed.
-
 Lemma Period2_numbers : Period2_statement ->
   orbit 6 4 2 Plus Plus /\ orbit 4 4 2 Minus Plus /\ orbit (-4) 4 2 Plus Plus /\ orbit (-6) 4 2 Plus Minus /\
   orbit 2 (1 / 2) 2 Plus Plus /\ orbit (-1) (1 / 2) 2 Plus Plus /\ ~ orbit 2 9 2 Plus Plus.
@@ -124,7 +120,6 @@ Proof.
   intros P; each ltac:(try (apply P; [lra | intuition lra])).
   intros H; apply P in H; [intuition (lra || discriminate) | lra].
 Qed.
-
 Lemma sqrt_quarter : sqrt (1 / 4) = 1 / 2.
 Proof. replace (1 / 4) with ((1 / 2) * (1 / 2)) by field; apply sqrt_square; lra. Qed.
 Lemma Region1_numbers : Region1_statement -> orbit 3 (1 / 2) 7 Plus Plus /\ orbit 6 4 3 Plus Plus.
@@ -133,7 +128,6 @@ Lemma Region2_numbers : Region2_statement -> orbit 1 (1 / 4) 5 Minus Plus.
 Proof. intros H; apply H; rewrite ?sqrt_quarter; lra || lia. Qed.
 Lemma Region5_numbers : Region5_statement -> orbit (-3) (1 / 2) 4 Plus Minus /\ orbit (-3 / 2) (1 / 2) 3 Plus Minus.
 Proof. intros H; each ltac:(apply H; try lra; try lia); right; split; [lra | exists 1%nat; reflexivity]. Qed.
-
 Lemma Lines_numbers : Lines_statement -> u (-3 / 2) (1 / 2) 4 <> 0 /\ b (-3 / 2) (1 / 2) 4 2 = 0.
 Proof.
   intros H; destruct (H (1 / 2) 4%nat ltac:(lra) ltac:(lia)) as (_ & Hu & _ & _ & He).
@@ -157,13 +151,11 @@ Proof.
   - apply H4; [lia | exists 2%nat; reflexivity].
   - exact (H2 eq_refl).
 Qed.
-
 Lemma Reversal_numbers : Reversal_statement -> Region1_statement -> orbit 6 2 7 Plus Plus.
 Proof.
   intros R H; replace 6 with (3 / (1 / 2)) by field; replace 2 with (/ (1 / 2)) by field.
   apply R; [lra | apply H; lra || lia].
 Qed.
-
 Lemma Large_numbers : Large_statement -> large 1 1 1 3 (1 / 2) 2 * 1 < 0 /\ large 1 1 1 1 (1 / 2) 2 * 1 > 0 /\
   large 1 1 (-1) (-3 / 2) (1 / 2) 3 * -1 > 0.
 Proof.
@@ -303,7 +295,6 @@ Qed.
 Lemma apart : Chaos_distinct_statement -> forall mu t y v y' v', chaos_motion mu (fun i => i) t y v ->
   ~ chaos_motion mu (fun i => 2 * i)%Z t y' v'.
 Proof. intros D mu t y v y' v' M M'; specialize (D mu _ _ t y v y' v' M M' 1%Z); discriminate D. Qed.
-
 Lemma close_by : Chaos_continuous_statement -> forall mu N t y v t' y' v', mu > 0 -> one_or_two N ->
   (forall i, (-12 <= i <= 12)%Z -> N i = i) -> chaos_motion mu (fun i => i) t y v -> in_two_boxes mu (fun i => i) t v ->
   chaos_motion mu N t' y' v' -> in_two_boxes mu N t' v' -> Rabs (t 0%Z - t' 0%Z) <= 3 * (7 / 8) ^ 10 /\

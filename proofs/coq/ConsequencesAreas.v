@@ -13,19 +13,16 @@ Ltac numbers := unfold c, v, b, u; simpl; lra.
 
 Lemma trace_1_6 : trace 1 (1 / 6) = 1.
 Proof. unfold trace; replace (2 * PI * (1 / 6)) with (PI / 3) by field; rewrite cos_PI3; field. Qed.
-
 Lemma trace_1_3 r : trace r (1 / 3) = - r.
 Proof.
   unfold trace; replace (2 * PI * (1 / 3)) with (PI - PI / 3) by field.
   rewrite Rtrigo_facts.cos_pi_minus, cos_PI3; field.
 Qed.
-
 Lemma point : orbit 3 (1 / 2) 3 Plus Plus.
 Proof.
   replace 3 with (IZR 6 / IZR 2) by field; replace (1 / 2) with (IZR 1 / IZR 2) by field.
   apply orbitZ_orbit; reflexivity.
 Qed.
-
 Lemma One_case_numbers : One_case_statement ->
   ~ no_orbit 3 (1 / 2) 3 /\ ~ orbit 3 (1 / 2) 3 Minus Plus /\ ~ orbit 3 (1 / 2) 3 Plus Minus.
 Proof.
@@ -46,7 +43,6 @@ Proof.
   intros F; destruct (H 3%nat 8%nat ltac:(lia) eq_refl) as (F0 & _ & _ & U).
   destruct (U F) as (-> & -> & -> & ->), (U Farey_3_8) as (<- & <- & <- & <-); repeat split.
 Qed.
-
 Lemma tree_numbers : Theorem2_tree_statement -> adjacent 1 3 2 5 /\ neighbours 3 8 1 3 2 5.
 Proof.
   intros T; assert (A : adjacent 1 3 2 5).
@@ -58,7 +54,6 @@ Qed.
 Lemma cell_means r s n m : cell r s n m -> 0 < r <= 1 /\ 0 < s < 1 / 2 /\ u (2 * r * cos (2 * PI * s)) (r ^ 2) n <> 0 /\
   - 1 < 2 * (INR n * s - INR m) < 1.
 Proof. intros (A & B & C & D); repeat (split; [assumption|]); unfold Rabs in D; destruct Rcase_abs; lra. Qed.
-
 Lemma S1_numbers : S1_statement -> orbit 1 1 2 Minus Plus.
 Proof.
   intros H; pose proof (H 1 (1 / 6) 2%nat ltac:(lia)) as X; unfold orbit_at, cell in X.
@@ -90,7 +85,6 @@ Qed.
 (** ** S4: the area of period 4 over (1/8, 1/4), where b_{4,3} decides *)
 Lemma side_4 : side 4 3 Plus (1 / (2 * INR 4)) (INR 1 / INR 4).
 Proof. exact (left_side 4 1 Farey_1_4 ltac:(lia)). Qed.
-
 Lemma S4_ends_numbers : S4_statement -> S4_ends_statement -> (forall r, 0 < r <= 1 -> orbit_at r (1 / 6) 4 Plus Plus) /\
   exists s, 1 / 8 < s < 1 / 4 /\ no_orbit_at (9 / 10) s 4.
 Proof.
@@ -121,7 +115,6 @@ Proof.
   replace (1 / 4) with (1 / 2 * (1 / 2)) by field; rewrite sqrt_square by lra.
   replace ((1 - 1 / INR 3) / 2) with (1 / 3) by (simpl; field); rewrite trace_1_3; field.
 Qed.
-
 Lemma S5_section_numbers : S5_section_statement -> orbit (-11 / 10) (1 / 4) 3 Plus Minus /\
   no_orbit (-9 / 10) (1 / 4) 3.
 Proof.
@@ -132,7 +125,6 @@ Proof.
   - destruct (H (-9 / 10) ltac:(lra)) as (_ & (_ & _ & _ & D & _) & L & Z); apply D.
     destruct (Rtotal_order (b (-9 / 10) (1 / 4) 3 1) 0) as [B|[B|B]]; [exact B | apply Z in B; lra | apply L in B; lra].
 Qed.
-
 Lemma Joined_numbers : Joined_statement -> orbit (-3) (1 / 4) 3 Plus Minus /\ orbit (-5 / 4) (1 / 4) 3 Plus Minus /\
   ~ orbit (-9 / 10) (1 / 4) 3 Plus Minus.
 Proof.
@@ -250,7 +242,6 @@ Proof.
     destruct (U 1 (1 / 6)) as [<- <-]; [lra | lra | symmetry; apply trace_1_6 | ring | split; reflexivity].
   - destruct (C (- 1 / 3) (1 / 7) ltac:(lra)) as (r & s & Hr & Hs & E1 & E2 & _); exists r, s; auto.
 Qed.
-
 Lemma Summary_numbers : Summary_statement -> orbit 3 (1 / 2) 9 Plus Plus /\ ~ orbit 3 (1 / 2) 9 Minus Plus /\
   orbit (3 / 4) (1 / 4) 3 Minus Plus /\ orbit (-11 / 10) (1 / 4) 3 Plus Minus /\ orbit (-3) (1 / 2) 4 Plus Minus.
 Proof.
@@ -265,11 +256,9 @@ Proof.
   apply S; [lra | lia|]; right; right; right; left; split; [|split; reflexivity].
   split; [exists 1%nat; reflexivity|]; split; [rewrite E; lra | cbn [Nat.sub]; numbers].
 Qed.
-
 Lemma Record_identity_numbers : Record_identity_statement ->
   u 3 (1 / 2) 3 * (2 - v 3 (1 / 2) 1) - u 3 (1 / 2) 1 * (2 - v 3 (1 / 2) 3) = 12.
 Proof. intros R; rewrite <- (R 3 (1 / 2) 3%nat 1%nat ltac:(lia)); numbers. Qed.
-
 Lemma Matrix_numbers : Matrix_statement -> mpow (A 3 (1 / 2)) 3 = Mat 24 (17 / 2) (- 17 / 4) (- 3 / 2) /\
   exists X, single_impact 3 (1 / 2) 3 X /\ X = (-1, 46 / 17) /\ 1 + fst (apply (A 3 (1 / 2)) X) = 12 / 17.
 Proof.
@@ -279,7 +268,6 @@ Proof.
   - exists X; destruct (U X HX) as (EX & B & _); split; [exact HX|]; split; [rewrite EX; f_equal; numbers|].
     pose proof (B 1%nat ltac:(lia)) as B1; rewrite EX in *; revert B1; unfold b, u; cbn; intros; lra.
 Qed.
-
 Lemma Trace_numbers : Trace_statement -> m11 (mpow (A 3 (1 / 2)) 3) + m22 (mpow (A 3 (1 / 2)) 3) = 45 / 2 /\
   1 - v 3 (1 / 2) 3 + (1 / 2) ^ 3 = - 171 / 8.
 Proof. intros T; destruct (T 3 (1 / 2) 3%nat) as [-> <-]; split; [numbers | cbn; lra]. Qed.
@@ -290,13 +278,11 @@ Proof.
   replace (5 * PI * (1 / 3)) with (- (PI / 3) + 2 * PI) by field.
   rewrite cos_plus, cos_2PI, sin_2PI, cos_neg, cos_PI3; field.
 Qed.
-
 Lemma B_formulas_numbers : B_formulas_statement -> B 4 2 (1 / 6) = 3.
 Proof.
   intros F; destruct (F (1 / 6) 4%nat 2%nat ltac:(lra) ltac:(lia)) as [<- _]; unfold b_at; rewrite trace_1_6, pow1;
     numbers.
 Qed.
-
 Lemma B_zeros_numbers : B_zeros_statement -> B 5 2 (1 / 3) = 0 /\ B 5 1 (1 / 3) <> 0.
 Proof.
   intros Z; assert (C : cos (INR 5 * PI * (1 / 3)) <> 0).
@@ -315,7 +301,6 @@ Proof.
   - apply H; [simpl; lra|]; replace (INR 2 * PI * (1 / 3)) with (PI - PI / 3) by (simpl; field).
     rewrite Rtrigo_facts.sin_pi_minus; apply Rgt_not_eq, sin_gt_0; pose proof PI_RGT_0; lra.
 Qed.
-
 Lemma B_at_multiples_numbers : B_at_multiples_statement -> B 6 1 (1 / 6) = 1 / 2.
 Proof.
   intros H; pose proof (H 6%nat 1%nat 1%Z ltac:(lia) ltac:(lia)) as X; replace (INR 6) with 6 in X by (simpl; ring).
@@ -351,13 +336,11 @@ Qed.
 Lemma Single_impact_numbers : Single_impact_statement -> forall X Y,
   impacts (fun j : unit => j) (fun _ => 3%nat) 3 (1 / 2) 2 (fun _ => X) (fun _ => Y) -> Y = 171 / 136.
 Proof. intros S X Y H; apply S in H; [rewrite H | | lra]; numbers. Qed.
-
 Lemma Large_formula_numbers : Large_formula_statement -> forall X Y, impacts (fun j : unit => j) (fun _ => 1%nat) 3
   (1 / 2) (1 * 1) (fun _ => X) (fun _ => Y) -> - (m12 (mpow (A 3 (1 / 2)) 1) * (1 * 1)) / (2 * (1 * Y)) = - 1 / 3.
 Proof.
   intros L X Y H; rewrite (L 1 1 1 3 (1 / 2) 1%nat X Y); try lra; [unfold large | numbers | numbers | exact H]; numbers.
 Qed.
-
 Lemma Det_D_numbers : Det_D_statement -> let M := mpow (A 3 (1 / 2)) 2 in
   det3 (1 - m11 M) (- m12 M) 0 (- m21 M) (1 - m22 M) (- 5) (m11 M) (m12 M) 0 = 15.
 Proof. intros D M; transitivity (u 3 (1 / 2) 2 * 5); [exact (D 3 (1 / 2) 5 2%nat) | numbers]. Qed.

@@ -262,7 +262,8 @@ Proof. intros [F _]; repeat constructor; apply F; cbn; tauto. Qed.
 Lemma five_ends : Five_periods_statement -> ends (-2 / 3) (8 / 9) 7 3.
 Proof. intros [F _]; split; [intros H; apply F in H; cbn in H; lia|]; split; unfold p, q, u; simpl; lra. Qed.
 
-(** 2 and 3 follow each other for gamma > 0, where 1 does not follow 1; for gamma < 0 it does, and 2 does not follow 2. *)
+(** 2 and 3 follow each other for gamma > 0, where 1 does not follow 1; for gamma < 0 it does, and 2 does not
+    follow 2. *)
 Lemma Words_numbers : Words_statement -> Five_periods_statement -> forall S gamma, grazes S (-2 / 3) (8 / 9) gamma ->
   exists d, d > 0 /\ forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\ forall mu, 0 < e_mu S mu < mu0 ->
   (gamma > 0 -> one S mu eps (fun i => if Z.even i then 2 else 3)%nat /\ none S mu d (fun _ => 1%nat)) /\

@@ -24,7 +24,6 @@ Proof.
   replace (1 + 0) with 1 in H by ring; replace (1 * 0 - 1 * (- 1 / 4)) with (1 / 4) in H by field.
   rewrite Rmult_1_l in H; replace (0 + 1) with 1 in H by ring; exact H.
 Qed.
-
 Definition once (j : unit) : unit := j.
 Definition n_1 (j : unit) : nat := 1%nat.
 
@@ -39,12 +38,10 @@ Proof.
   - intros (E1 & E2 & E3) []; unfold power, once, n_1; cbn; split; [lra|].
     intros i Hi; destruct i as [|[|i]]; [cbn; lra | cbn; lra | lia].
 Qed.
-
 Lemma two (P : nat -> Prop) : P 0%nat -> P 1%nat -> forall i, (i < 2)%nat -> P i.
 Proof. intros H0 H1 [|[|i]] Hi; [assumption | assumption | lia]. Qed.
 Lemma within_two t x : Rabs (x 0%nat) <= t -> Rabs (x 1%nat) <= t -> within (Map.N example) t x.
 Proof. exact (two (fun i => Rabs (x i) <= t)). Qed.
-
 Lemma inverse_2 : invertible example unit once n_1 2.
 Proof.
   split.
@@ -59,13 +56,11 @@ Proof.
   - intros t X Y _ H []; apply rows in H; destruct H as (E1 & E2 & E3); unfold zero in *.
     split; [apply within_two|]; rewrite ?E3, ?E2, ?E1, ?Rplus_0_r, ?Rminus_0_r, Rabs_R0; lra.
 Qed.
-
 Lemma solution_1 : solution example unit once n_1 (fun _ => pair_vec (-1) (-1)) (fun _ => -1).
 Proof.
   split; [|apply rows; unfold zero; cbn; lra]; exists 1; intros []; split; [apply within_two; cbn [pair_vec]|];
     rewrite Rabs_left; lra.
 Qed.
-
 Lemma quantities e x : quantity example unit n_1 (fun _ => pair_vec (-1) (-1)) (fun _ => -1) e tt x -> x = - sgn e.
 Proof. intros [->|(k & Hk & _)]; [ring | unfold n_1 in Hk; lia]. Qed.
 
@@ -202,4 +197,6 @@ Proof. intros H X Y L; split; [apply (H X Y L true) | apply (H X Y L false)]. Qe
 (** The orbit of a word with one letter, one impact on. *)
 Lemma Symmetry_numbers : Symmetry_statement -> forall n mu d x, orbit_near example Z (fun j => j + 1)%Z (fun _ => n) mu
   d x -> orbit_near example Z (fun j => j + 1)%Z (fun _ => n) mu d (fun j => x (j + 1)%Z).
-Proof. intros S n mu d x; apply (S example Z (fun j => j + 1)%Z (fun _ => n) mu d x (fun j => j + 1)%Z); reflexivity. Qed.
+Proof.
+  intros S n mu d x; apply (S example Z (fun j => j + 1)%Z (fun _ => n) mu d x (fun j => j + 1)%Z); reflexivity.
+Qed.

@@ -15,7 +15,6 @@ Proof.
   intros M C; destruct (C 5%nat ltac:(lia)) as (L & E & HN & H & _); exists L; split; [exact E | split; [exact H|]].
   rewrite (M 5%nat L ltac:(lia) HN H); unfold coprime_to, sum_over; simpl; lra.
 Qed.
-
 Lemma length_8 : Measure_statement -> forall L, NoDup L ->
   (forall e g lo hi, In (e, g, lo, hi) L <-> interval 8 e g lo hi) -> sum_over length_of L = 22 / 105.
 Proof. intros M L HN H; rewrite (M 8%nat L ltac:(lia) HN H); unfold coprime_to, sum_over; simpl; lra. Qed.
@@ -37,10 +36,8 @@ Proof.
     rewrite in_app_iff; tauto).
   all: destruct (IH H5') as (-> & -> & ->); cbn [app periods vertices map fst In] in H5; cbn in H5; tauto.
 Qed.
-
 Lemma trace_6 r : trace r (1 / 6) = r.
 Proof. unfold trace; replace (2 * PI * (1 / 6)) with (PI / 3) by field; rewrite cos_PI3; field. Qed.
-
 Lemma returns_6 : Returns_statement -> forall n, return_time 2 4 n <-> n = 1%nat \/ n = 4%nat \/ n = 5%nat.
 Proof.
   intros H n; destruct (H 2 (1 / 6) 4%nat) as (_ & _ & Hr & _ & _ & _ & HB); [lra | lra | simpl; lra|].
@@ -73,10 +70,8 @@ Proof.
   assert (E : sqrt 5 * sqrt 5 = 5) by (apply sqrt_sqrt; lra); pose proof (sqrt_pos 5).
   assert (11 / 5 < sqrt 5 < 23 / 10) by (split; apply Rnot_le_lt; intros ?; nra); unfold golden; lra.
 Qed.
-
 Lemma exp_pow x n : 0 < x -> exp (INR n * ln x) = x ^ n.
 Proof. intros Hx; rewrite <- ln_pow, exp_ln by ((apply pow_lt; lra) || lra); reflexivity. Qed.
-
 Lemma entropy_between : Entropy_statement -> forall mu, mu = 1 / 1000 \/ mu = 20 -> (exists eps n0, eps > 0 /\ forall n,
   (n0 <= n)%nat -> exists L, separated (orbit_of mu) n eps L /\ (8 / 5) ^ n <= INR (length L)) /\ exists n0, forall n L,
   (n0 <= n)%nat -> separated (orbit_of mu) n (1 / 10) L -> INR (length L) <= (33 / 20) ^ n.
@@ -111,7 +106,6 @@ Proof.
     clear - HD'; induction HD' as [|z l Hz _ IH]; constructor; [|assumption].
     revert Hz; apply Forall_impl; intros z' Hz; exists 2%nat; assumption.
 Qed.
-
 Lemma next_state : Period_map_statement -> forall mu z z', mu = 1 / 1000 \/ mu = 20 -> orbit_of mu z ->
   orbit_of mu z' -> z 0%nat = z' 0%nat -> fst (z 5%nat) = fst (z' 5%nat).
 Proof. intros H mu z z' Hmu HO HO' E; f_equal; apply (H mu z z'); trivial; lra. Qed.

@@ -33,7 +33,6 @@ Proof.
 Qed.
 Lemma impact_at s t : g1 readme t = Machine.nu readme * s / 2 -> s = - 200 * sin t.
 Proof. rewrite (proj2 (readme_wall t)); cbn [readme Machine.nu]; lra. Qed.
-
 Lemma a_motion check : Ranges_statement check -> check born = true -> exists t y v, machine_motion readme (6 / 5)
   (fun i => i) t y v /\ 21 / 2000 <= - sin (t 1%Z) <= 24 / 2000 /\ Rabs (t 1%Z - 2 * PI) < 6 / 5 /\
   v 1%Z (t 1%Z) + sin (t 1%Z) = - (4 / 5) * (v 0%Z (t 1%Z) + sin (t 1%Z)) /\ forall t' y' v', machine_motion readme

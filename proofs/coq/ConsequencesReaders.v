@@ -43,7 +43,6 @@ Definition here : box := ((-1, 4), (-1, 4), (1, 2), (1, 2))%Z.
 Definition rows_here := [[Some Minus; Some Plus; Some Plus]; [Some Plus; Some Plus; Some Plus];
   [Some Minus; Some Plus; Some Plus]].
 Lemma in_here : in_box here (- 1 / 4) (1 / 2). Proof. unfold in_box, here, fraction; cbn [fst snd]; lra. Qed.
-
 Lemma by_signs : Word_reader_statement -> member (- 1 / 4) (1 / 2) Plus 3 /\ lettered (- 1 / 4) (1 / 2) 3 U /\
   b (- 1 / 4) (1 / 2) 4 1 < 0 /\ p (- 1 / 4) (1 / 2) 3 - q (- 1 / 4) (1 / 2) 1 > 0 /\ p (- 1 / 4) (1 / 2) 1 - q
   (- 1 / 4) (1 / 2) 3 < 0.
@@ -58,7 +57,6 @@ Proof.
   inversion_clear R1 as [|? ? ? ? _ R5]; inversion_clear R5 as [|? ? ? ? _ R6]; inversion_clear R6 as [|? ? ? ? Y _].
   inversion_clear R4 as [|? ? ? ? Z1 _]; cbn [marked fst snd sgn] in *; split; lra.
 Qed.
-
 Lemma by_theorem : Path_reader_statement -> forall n, member (- 1 / 4) (1 / 2) Plus n <-> n = 1%nat \/ n = 2%nat \/
   n = 3%nat.
 Proof.

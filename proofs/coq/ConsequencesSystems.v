@@ -53,7 +53,6 @@ Proof.
   intros x; destruct (F x) as [_ D]; replace (- (1 / 16) * y 0%Z x) with (- (2 * 0 / 4) * v 0%Z x - 1 / 4 ^ 2 * y 0%Z x)
     by field; exact D.
 Qed.
-
 Lemma sqrt_quarter : sqrt (1 / 4) = 1 / 2.
 Proof. replace (1 / 4) with (1 / 2 * (1 / 2)) by field; apply sqrt_square; lra. Qed.
 
@@ -139,7 +138,8 @@ Proof.
   intros mu t Hm; destruct (H mu t) as (X & Y & Z); [apply Rabs_le; lra | auto].
 Qed.
 
-(** d = 5/4, w = 1 and d = w = 1, tau = 1/2: (a1, a2) = (2 exp (-5 pi/2) cosh (3 pi/2), exp (-5 pi)), (2 exp (- 2 pi), exp (- 4 pi)). *)
+(** d = 5/4, w = 1 and d = w = 1, tau = 1/2: (a1, a2) = (2 exp (-5 pi/2) cosh (3 pi/2), exp (-5 pi)), (2 exp
+    (- 2 pi), exp (- 4 pi)). *)
 Lemma overdamped : Nordmark_statement -> (exists gamma, 0 < gamma /\ grazing (Nordmark (5 / 4) 1 (1 / 2)) Plus
   (2 * exp (- 5 * PI / 2) * cosh (3 * PI / 2)) (exp (- 5 * PI)) gamma) /\ exists gamma, 0 < gamma /\
   grazing (Nordmark 1 1 (1 / 2)) Plus (2 * exp (- 2 * PI)) (exp (- 4 * PI)) gamma.
@@ -182,7 +182,8 @@ Proof.
   specialize (E ltac:(apply HP; intuition lra)).
   assert (L : forall i, cyclic_letter [1; 2]%nat i = if Z.even i then 1%nat else 2%nat).
   { intros i; unfold cyclic_letter; cbn [length]; change (Z.of_nat 2) with 2%Z; rewrite Zeven_mod.
-    pose proof (Z.mod_pos_bound i 2 ltac:(lia)); assert (i mod 2 = 0 \/ i mod 2 = 1)%Z as [-> | ->] by lia; reflexivity. }
+    pose proof (Z.mod_pos_bound i 2 ltac:(lia)); assert (i mod 2 = 0 \/ i mod 2 = 1)%Z as [-> | ->] by lia;
+      reflexivity. }
   destruct S as [osc m|M rate w]; cbn [one] in *.
   - intros N HN; apply E; intros i; rewrite L; apply HN.
   - destruct E as (x & Hx & U); exists x; split.
@@ -196,13 +197,11 @@ Proof.
   replace 3 with (IZR 6 / IZR 2) by field; replace (1 / 2) with (IZR 1 / IZR 2) by field.
   apply orbitZ_orbit; reflexivity.
 Qed.
-
 Lemma Meaning_numbers : Meaning_statement -> exactly 3 (1 / 2) 3 Plus Plus /\
   never (IZR (-24) / IZR 20) (IZR 5 / IZR 20) 4.
 Proof.
   intros M; split; [apply M; [lia | apply orbit_3_half_3]|]. apply M; [lia | apply no_orbitZ_no_orbit; reflexivity].
 Qed.
-
 Lemma trace_1_6 : trace 1 (1 / 6) = 1.
 Proof. unfold trace; replace (2 * PI * (1 / 6)) with (PI / 3) by field; rewrite cos_PI3; field. Qed.
 

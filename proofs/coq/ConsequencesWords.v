@@ -17,14 +17,12 @@ Proof.
   split; (split; [numbers | split; [intros k Hk | cbn [sgn]; numbers]]); [lia | replace k with 1%nat by lia].
   cbn [sgn]; numbers.
 Qed.
-
 Lemma Flight_numbers : Flight_statement -> (forall X, single_impact 1 (1 / 4) 2 X -> snd X = - 1 / 4 /\
   snd (apply (mpow (A 1 (1 / 4)) 2) X) = 5 / 16) /\ pattern 1 (1 / 4) Minus Plus [2%nat].
 Proof.
   intros F; destruct (F 1 (1 / 4) 2%nat ltac:(numbers)) as [H1 H2]; split; [|apply H2, orbits_1_4].
   intros X HX; destruct (H1 X HX) as [-> ->]; split; numbers.
 Qed.
-
 Lemma Identities_numbers : Identities_statement -> c 1 (1 / 4) 2 = - 9 / 16 /\ p 1 (1 / 4) 1 - q 1 (1 / 4) 2 = - 5 / 16
   /\ b 1 (1 / 4) 2 1 = - 1 / 4 /\ p 1 (1 / 4) 2 + q 1 (1 / 4) 2 - 1 = - 15 / 16.
 Proof.
@@ -41,21 +39,18 @@ Proof.
   destruct (R 1 (1 / 4) 2%nat 2%nat ltac:(lra) ltac:(numbers) ltac:(numbers)) as (_ & _ & M).
   split; [numbers | apply M].
 Qed.
-
 Lemma W1_numbers : W1_statement -> pattern 1 (1 / 4) Minus Plus [1; 2; 2; 1]%nat /\ p 1 (1 / 4) 2 < p 1 (1 / 4) 1.
 Proof.
   intros W; destruct orbits_1_4 as [O1 O2]; destruct (W 1 (1 / 4) Minus ltac:(lra)) as [H1 H2]; split.
   - apply H2; [discriminate | repeat (apply Forall_cons; [assumption|]); apply Forall_nil].
   - apply (H1 1%nat 2%nat ltac:(lia)); [split; apply O2 | cbn [sgn]; numbers].
 Qed.
-
 Lemma W6_numbers : W6_statement ->
   two_cycles (fun i j => member 1 (1 / 4) Minus i /\ member 1 (1 / 4) Minus j /\ edge 1 (1 / 4) Minus Plus i j).
 Proof.
   intros W; apply W; [lra | rewrite Rabs_pos_eq; lra|]; destruct orbits_1_4 as [O1 O2].
   exists 1%nat, 2%nat; split; [discriminate | split; assumption].
 Qed.
-
 Lemma Regions_numbers : Regions_statement -> pattern 3 (1 / 2) Plus Plus [1; 2; 3]%nat /\ ~ pattern 3 (1 / 2) Plus Minus
   [1; 2; 3]%nat /\ pattern (-3) (1 / 2) Plus Minus [4; 7]%nat /\ pattern 1 (1 / 4) Minus Plus [5]%nat.
 Proof.
@@ -95,19 +90,16 @@ Proof.
   - intros H; apply (P3 1 (1 / 6) 3%nat) in H; simpl in H; lra.
   - apply P1; rewrite ?E4; lra.
 Qed.
-
 Lemma path_3 : path (-2 / 3) (8 / 9) 2 [U] 1 3.
 Proof. apply (path_U _ _ 2 [] 1 2 (path_start _ _ 2)); cbn [on]; numbers. Qed.
 Lemma five_members : Five_periods_statement -> forall n, In n five -> member (-2 / 3) (8 / 9) Plus n.
 Proof. intros [F _] n Hn; apply F, Hn. Qed.
-
 Lemma W3_numbers : W3_statement -> member (-2 / 3) (8 / 9) Minus 1 /\ ~ member (-2 / 3) (8 / 9) Minus 2 /\
   member (-2 / 3) (8 / 9) Plus 1 /\ member (-2 / 3) (8 / 9) Plus 2.
 Proof.
   intros W; destruct (W _ _ 2%nat first_five) as (H1 & H2 & H3 & _); split; [apply H1; split; [lia | numbers]|].
   split; [intros H; apply H1 in H; lia | split; assumption].
 Qed.
-
 Lemma W5_neighbours_numbers : W5_neighbours_statement -> Five_periods_statement -> p (-2 / 3) (8 / 9) 1 > q (-2 / 3)
   (8 / 9) 2 /\ ~ p (-2 / 3) (8 / 9) 2 < q (-2 / 3) (8 / 9) 1 /\ p (-2 / 3) (8 / 9) 3 < q (-2 / 3) (8 / 9) 1.
 Proof.
@@ -117,7 +109,6 @@ Proof.
   split; [intros H; apply H2 in H; destruct H as [_ H]; cbn [on] in H; revert H; numbers|].
   apply H3; split; [apply (five_members F); cbn; tauto | cbn [on]; numbers].
 Qed.
-
 Lemma W5_numbers : W5_statement -> Five_periods_statement -> edge (-2 / 3) (8 / 9) Plus Plus 2 3 /\
   edge (-2 / 3) (8 / 9) Plus Minus 1 4 /\ pattern (-2 / 3) (8 / 9) Plus Plus [2; 3]%nat.
 Proof.
@@ -140,7 +131,6 @@ Proof.
         inversion H' as [|x' l' [H'' _] _]; lia.
     + split; [reflexivity|]; split; [discriminate | repeat constructor; trivial; lia].
 Qed.
-
 Lemma V_finite_numbers : V_finite_statement -> exists L, ~ member (-2 / 3) (8 / 9) Plus (S L).
 Proof.
   intros V; destruct (V _ _ 2%nat first_five ltac:(lra)) as [L HL]; exists L; intros H; specialize (HL _ H); lia.
@@ -175,7 +165,6 @@ Proof.
   split; [intros H; apply M in H; discriminate H|]; split; [|apply P; reflexivity].
   apply E; [| | reflexivity]; unfold u; simpl; lra.
 Qed.
-
 Lemma Oracle_numbers : Oracle_statement -> orbit (IZR 6 / IZR 2) (IZR 1 / IZR 2) 3 Plus Plus /\
   no_orbit (IZR (-24) / IZR 20) (IZR 5 / IZR 20) 4 /\ b (IZR 4 / IZR 4) (IZR 1 / IZR 4) 4 1 < 0.
 Proof.
@@ -208,7 +197,6 @@ Proof.
   destruct (T d ltac:(lra)) as (mu0 & Hm & T'); exists d, mu0; split; [exact Hd|]; split; [exact Hm|].
   intros mu Hmu; apply (T' [2; 3]%nat Plus mu); [cbn [sgn]; lra | exact Hmu | apply (W5_numbers W F)].
 Qed.
-
 Lemma Shift_numbers : Shift_statement -> forall S gamma, grazes S 1 (1 / 4) gamma -> gamma > 0 -> exists d mu0, d > 0 /\
   mu0 > 0 /\ forall (n : Z -> nat) mu, - mu0 < e_mu S mu < 0 -> (forall i, n i = 1 \/ n i = 2)%nat -> one S mu d n.
 Proof.
@@ -255,11 +243,11 @@ Proof.
   destruct (I a1 a2 n k Hn Hk) as (_ & A & _); apply A, L.
 Qed.
 Lemma W1_means : W1_statement -> forall a1 a2 e i j, 0 < a2 -> (i < j)%nat -> member a1 a2 e j ->
-  (sgn e * u a1 a2 i > 0 -> q a1 a2 j < q a1 a2 i) /\
+  (sgn e * u a1 a2 i > 0 -> q a1 a2 j < q a1 a2 i /\ p a1 a2 i < p a1 a2 j) /\
   (sgn e * u a1 a2 i < 0 -> q a1 a2 i < q a1 a2 j /\ p a1 a2 j < p a1 a2 i).
 Proof.
   intros W a1 a2 e i j H2 L M; destruct (W a1 a2 e H2) as [H _]; destruct (H i j L M) as [A B].
-  split; [apply A | intros X; destruct (B X); split; assumption].
+  split; intros X; [destruct (A X) | destruct (B X)]; split; assumption.
 Qed.
 Lemma W2_means : W2_statement -> p 0 (1 / 2) 3 < q 0 (1 / 2) 1 -> p 0 (1 / 2) 1 < q 0 (1 / 2) 3.
 Proof.

@@ -15,17 +15,14 @@ Proof.
   - destruct Hy; exists x; auto.
   - destruct Hx; exists y; auto.
 Qed.
-
 Lemma chosen_exists (P : R -> Prop) : exists x, chosen P x.
 Proof.
   destruct (classic (exists y, P y /\ forall z, P z -> z = y)) as [(x & Px & Hx)|H].
   - exists x; left; auto.
   - exists 0; right; auto.
 Qed.
-
 Lemma chosen_bound (P : R -> Prop) : bound (chosen P).
 Proof. destruct (chosen_exists P) as [x Hx]; exists x; intros y Hy. right; apply (chosen_unique P); assumption. Qed.
-
 Definition the (P : R -> Prop) : R := proj1_sig (completeness _ (chosen_bound P) (chosen_exists P)).
 
 Lemma the_spec (P : R -> Prop) x : P x -> (forall y, P y -> y = x) -> the P = x.
@@ -33,10 +30,8 @@ Proof.
   intros Px Hx; unfold the; destruct completeness as (m & Hub & Hleast); cbn. assert (Cx : chosen P x) by (left; auto).
   apply Rle_antisym; [apply Hleast | apply Hub, Cx]. intros y Hy; right; apply (chosen_unique P); assumption.
 Qed.
-
 Lemma div_1 x : x / 1 = x. Proof. field. Qed.
 Lemma Rabs_zero x : Rabs x <= 0 -> x = 0. Proof. unfold Rabs; destruct Rcase_abs; lra. Qed.
-
 Lemma powers_small k c e : 0 <= k < 1 -> 0 < e -> exists m, c * k ^ m < e.
 Proof.
   intros Hk He; pose proof (Rabs_pos c); pose proof (Rle_abs c).
@@ -78,7 +73,6 @@ Proof.
   intros H H' i Hi; replace (s i - s'' i) with ((s i - s' i) + (s' i - s'' i)) by ring; rewrite Rmult_plus_distr_l.
   eapply Rle_trans; [apply Rabs_triang | apply Rplus_le_compat; auto].
 Qed.
-
 Lemma x_boxed m : boxed (x m). Proof. induction m; cbn; auto. Qed.
 Lemma part m : 0 <= k ^ m * D. Proof. apply Rmult_le_pos; [apply pow_le, Hk | apply HD]. Qed.
 Lemma x_close m n : close (k ^ m * D) (x (m + n)) (x m).
@@ -86,7 +80,6 @@ Proof.
   induction m as [|m IH]; [cbn [pow]; rewrite Rmult_1_l; apply boxed_close; apply x_boxed|].
   cbn [pow]; rewrite Rmult_assoc; apply HT; auto using x_boxed, part.
 Qed.
-
 Definition fixed_point (i : I) : R := the (Un_cv (fun m => x m i)).
 Lemma fixed_close m : close (k ^ m * D) fixed_point (x m).
 Proof.

@@ -44,7 +44,6 @@ Proof.
   - destruct (MVT_cor2 f (fun _ => 0) a b L) as (c & E & _); [auto|lra].
   - destruct (MVT_cor2 f (fun _ => 0) b a L) as (c & E & _); [auto|lra].
 Qed.
-
 Lemma le_abs a b : Rabs a <= b -> - b <= a <= b. Proof. unfold Rabs; destruct (Rcase_abs a); lra. Qed.
 Lemma apart a b : Rabs (a - b) <= Rabs a + Rabs b.
 Proof. unfold Rminus; rewrite <- (Rabs_Ropp b); apply Rabs_triang. Qed.
@@ -54,7 +53,6 @@ Lemma from a b e : Rabs (a - b) <= e -> Rabs a <= Rabs b + e.
 Proof. intros H; replace a with (b + (a - b)) by ring; eapply Rle_trans; [apply Rabs_triang | lra]. Qed.
 Lemma D_continuous f l x : derivable_pt_lim f x l -> continuity_pt f x.
 Proof. intros H; exact (derivable_continuous_pt f x (exist _ l H)). Qed.
-
 Lemma mvt f f' a b B : (forall x, derivable_pt_lim f x (f' x)) ->
   (forall x, Rmin a b <= x <= Rmax a b -> Rabs (f' x) <= B) -> Rabs (f a - f b) <= B * Rabs (a - b).
 Proof.
@@ -74,7 +72,6 @@ Proof.
   intros D H Ha Hb; apply (mvt f f' a b B D); intros x Hx; apply H; apply Rabs_le; apply le_abs in Ha, Hb.
   revert Hx; unfold Rmin, Rmax; destruct (Rle_dec a b); lra.
 Qed.
-
 Lemma continuous_near f x eps : continuity_pt f x -> 0 < eps -> exists d, 0 < d /\
   forall y, Rabs (y - x) <= d -> Rabs (f y - f x) <= eps.
 Proof.
@@ -82,7 +79,6 @@ Proof.
   destruct (Req_dec y x) as [->|H0]; [rewrite Rminus_eq_0, Rabs_R0; lra|].
   left; apply K; split; [split; [exact I | auto]|]; cbn; unfold R_dist; lra.
 Qed.
-
 Lemma continuous_bounded f r : 0 < r -> (forall x, continuity_pt f x) -> exists B, 0 <= B /\
   forall x, Rabs x <= r -> Rabs (f x) <= B.
 Proof.

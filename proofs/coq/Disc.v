@@ -179,7 +179,8 @@ Lemma forced_decides d g : (1 <= d <= n - 1)%nat -> forced d -> sgn g * c_at r s
 Proof.
   intros Hd HFd Hc.
   assert (Hiff : all_b (fun x => x > 0) r s n <-> b_at r s n d > 0).
-  { split; [intros Hall; now apply Hall|]; intros Hpos k Hk. apply Rnot_le_gt; intros Hle; destruct (HFd k Hk Hle); lra. }
+  { split; [intros Hall; now apply Hall|]; intros Hpos k Hk. apply Rnot_le_gt; intros Hle;
+      destruct (HFd k Hk Hle); lra. }
   pose proof (some_b_pos r s n m Hn H Hm) as Hsome. assert (Hu : u (trace r s) (r ^ 2) n <> 0) by apply H.
   split; [assumption|split; [|split]].
   - now apply exists_iff_Plus.

@@ -22,7 +22,6 @@ Qed.
 Lemma stern_nil s K m1 n1 m2 n2 : stern s K [] m1 n1 m2 n2 -> (m1 = 0 /\ n1 = 1 /\ m2 = 1 /\ n2 = K)%nat.
 Proof. intros H; remember [] as w eqn:E; destruct H as [|w|w]; [auto | destruct w; discriminate | destruct w;
     discriminate]. Qed.
-
 Lemma stern_D_run s a : forall m1 n1 m2 n2, stern s 2 (repeat D a) m1 n1 m2 n2 ->
   (m1 = a /\ n1 = 2 * a + 1 /\ m2 = 1 /\ n2 = 2)%nat /\ (a <> 0%nat -> INR a < s * (2 * INR a + 1)).
 Proof.
@@ -79,7 +78,6 @@ Proof.
     <- E2 in F, P; apply (proj1 F) in first as S2.
   exists s; split; [simpl in S2; lra|]; intros a; apply (P first), HW.
 Qed.
-
 Theorem no_D_without_end : ~ forall a, in_word (repeat D a) (2 * a + 1) 2.
 Proof.
   intros H; destruct (endless (repeat D) (fun a => 2 * a + 1)%nat (fun _ => 2%nat) D H (repeat_snoc D) ltac:(intros;

@@ -25,7 +25,6 @@ Lemma D_back f l t y : derivable_pt_lim f (t - y) l -> derivable_pt_lim (fun y =
 Proof.
   intros H; apply (D_value _ _ (l * -1)); [apply (D_of (fun y => t - y) f); [|exact H] | ring]. derive_by fail; ring.
 Qed.
-
 Lemma moved_free t0 x w : free c k (moved t0 x w) (moving t0 x w).
 Proof.
   intros t; unfold moved, moving; split.
@@ -48,7 +47,6 @@ Proof.
   unfold moved, moving; rewrite Rminus_eq_0 in A, B; unfold e11 at 2 in A; unfold e21 at 2 in B.
   rewrite (flow_S _ _ _ _ HS), (flow_V _ _ _ _ HS) in A, B; lra.
 Qed.
-
 Lemma flow_plus t t' : S (t + t') = e11 t * S t' + S t * V t' /\ V (t + t') = e21 t * S t' + V t * V t'.
 Proof.
   destruct (free_moved S V t' (t + t') (flow_free _ _ _ _ HS)) as [E F]; unfold moved, moving in E, F.
@@ -71,14 +69,12 @@ Proof.
   - rewrite E1; ring.
   - rewrite Rmult_0_r, exp_0, E1, E2; ring.
 Qed.
-
 Lemma undamped_energy D o w t : undamped D o w -> w t * w t + D * (o t * o t) = 1.
 Proof.
   intros [Ho Hw [E1 E2]]; transitivity (w 0 * w 0 + D * (o 0 * o 0)); [|rewrite E1, E2; ring].
   apply (constant_function (fun t => w t * w t + D * (o t * o t))); intros y.
   derive_by ltac:(first [apply Ho | apply Hw]); ring.
 Qed.
-
 Lemma undamped_circular o : o <> 0 -> undamped (o * o) (fun t => / o * sin (o * t)) (fun t => cos (o * t)).
 Proof.
   intros Ho; constructor.
@@ -115,7 +111,6 @@ Proof.
   - pose proof (sqrt_lt_R0 D H) as Hr; pose proof (undamped_circular (sqrt D) ltac:(lra)) as U.
     rewrite sqrt_sqrt in U by lra; eexists _, _; split; [exact U | lra].
 Qed.
-
 Lemma flow_exists c k : exists S V, flow c k S V.
 Proof.
   destruct (undamped_exists (k - c * c / 4)) as (o & w & H & _).

@@ -5,7 +5,9 @@ From Grazing Require Import StatementOrbits OrbitVectors OrbitRemainder SquareSy
 Import ListNotations. Open Scope R_scope.
 
 Lemma sum_to_le N f g : (forall i, (i < N)%nat -> f i <= g i) -> sum_to N f <= sum_to N g.
-Proof. induction N as [|N IH]; cbn; intros H; [lra|]; apply Rplus_le_compat; [apply IH; intros; apply H|apply H]; lia. Qed.
+Proof.
+  induction N as [|N IH]; cbn; intros H; [lra|]; apply Rplus_le_compat; [apply IH; intros; apply H|apply H]; lia.
+Qed.
 Lemma sum_to_ext N f g : (forall i, (i < N)%nat -> f i = g i) -> sum_to N f = sum_to N g.
 Proof. intros H; apply Rle_antisym; apply sum_to_le; intros i Hi; rewrite H by assumption; lra. Qed.
 Lemma sum_to_linear N a c f g : sum_to N (fun i => a * f i + c * g i) = a * sum_to N f + c * sum_to N g.
@@ -30,7 +32,6 @@ Proof.
     + destruct (Nat.eq_dec j N) as [->|]; [exact L | apply Hm; lia].
     + destruct (Nat.eq_dec j N) as [->|]; [lra | specialize (Hm j ltac:(lia)); lra].
 Qed.
-
 Lemma pow_apart k s t : 0 <= s <= 1 -> 0 <= t <= 1 -> Rabs (s ^ k - t ^ k) <= INR k * Rabs (s - t).
 Proof.
   intros Hs Ht; induction k as [|k IH]; [cbn; rewrite Rminus_eq_0, Rabs_R0; lra|]; rewrite S_INR; cbn [pow].
@@ -98,7 +99,6 @@ Proof.
       apply Ker; [|exact Hi]; intros k Hk; rewrite Mv_linear; specialize (Ey k Hk); unfold comb; lra.
     + destruct (H (fun _ => 1) 1) as (x & _ & Ex); [intros i _; rewrite Rabs_R1; lra | lra | exists x; exact Ex].
 Qed.
-
 Lemma Mv_apart pb s t x b i : (forall j, (j < N)%nat -> (p j <= pb)%nat) -> 0 <= s <= 1 -> 0 <= t <= 1 -> 0 <= b ->
   (forall j, (j < N)%nat -> Rabs (x j) <= b) -> Rabs (Mv s x i - Mv t x i) <= INR N * (INR pb * Rabs (s - t) * b).
 Proof.
@@ -112,13 +112,11 @@ Proof.
   unfold row; pose proof (pos_INR pb); destruct (E i j); [|rewrite Rminus_eq_0, Rabs_R0; nra].
   apply Rle_trans with (1 := pow_apart (p j) s t Hs Ht); apply Rmult_le_compat_r; [assumption | apply le_INR, Hpb, Hj].
 Qed.
-
 Lemma periods_bounded : exists pb, forall j, (j < N)%nat -> (p j <= pb)%nat.
 Proof.
   clear; induction N as [|n [pb H]]; [exists 0%nat; intros; lia|]; exists (pb + p n)%nat; intros j Hj.
   destruct (Nat.eq_dec j n) as [->|]; [lia | specialize (H j ltac:(lia)); lia].
 Qed.
-
 Lemma above_less s t v : 0 <= s <= t -> above t v -> above s v.
 Proof.
   intros H Hv i Hi; destruct (Hv i Hi) as [V1 V2]; split; [exact V1|]; pose proof (Mv_less s t v i H) as Q.
@@ -195,7 +193,6 @@ Proof.
   assert (0 <= Mv s'' x i) by (unfold Mv; apply Rle_trans with (sum_to N (fun _ => 0)); [clear; induction N; cbn; lra|];
     apply sum_to_le; intros j Hj; apply Rmult_le_pos; [apply row_pos; lra | apply Px, Hj]); lra.
 Qed.
-
 Lemma finite_above : at_most (finite N p E) (- ln z).
 Proof.
   intros h' Hh; set (t := z * exp (- ((h' - - ln z) / 2))); assert (Et : 0 < exp (- ((h' - - ln z) / 2)) < 1).
@@ -216,7 +213,6 @@ Proof.
   - intros X HX Hj; apply sum_incl; [exact HX | intros j Ij; apply in_seq; specialize (Hj j Ij); cbn in Hj; lia |
       exact Pv].
 Qed.
-
 Lemma finite_below : singular N p E z -> at_least (finite N p E) (- ln z).
 Proof.
   intros (v & (i & Hi & Vi) & Ev); destruct periods_bounded as [pb Hpb]; set (w := fun i => Rabs (v i)).

@@ -51,7 +51,6 @@ Proof.
   rewrite <- (exp_ln (z ^ k)) by apply pow_z; rewrite ln_pow by lra; rewrite <- exp_plus.
   replace (- ln z * INR k + INR k * ln z) with 0 by ring; apply exp_0.
 Qed.
-
 Lemma weight_cons x t : weight (x :: t) = z ^ p x * weight t.
 Proof. unfold weight; cbn [total fold_right]; fold (total G t); apply pow_add. Qed.
 
@@ -146,11 +145,9 @@ Proof.
     apply Rle_trans with (val / lo + INR (S m) / lo * val); [|rewrite (S_INR (S m)); right; field; lra].
     pose proof (Rmult_le_compat_l _ _ _ H S2); lra.
 Qed.
-
 Lemma total_length i l : vertex G i -> follows G i l -> (length l <= total G l)%nat.
 Proof. revert i; induction l as [|j l IH]; intros i Hi F; cbn in *; [lia|]; destruct F as (Vj & _ & F);
     specialize (IH j Vj F); specialize (Hp j Vj); unfold total in IH; lia. Qed.
-
 Theorem from_above T : (forall X, NoDup X -> (forall j, In j X -> vertex G j) -> sum_of X (fun j => z ^ p j * v j) <= T)
   -> at_most G (- ln z).
 Proof.
@@ -234,7 +231,6 @@ Proof.
     + intros l (j' & t & E & I & X1); exists j', t; cbn; tauto.
   - cbn [sum_of]; lra.
 Qed.
-
 Theorem from_below i : A i -> vertex G i -> 0 < w i -> at_least G (- ln z).
 Proof.
   intros Ai Vi Wi h' Hh; set (c0 := (pm + p i)%nat); exists (w i / top * z ^ c0); assert (Q : 0 < w i / top)

@@ -20,7 +20,6 @@ Proof.
   rewrite Q2R_inv by (intros E; rewrite E in H; unfold Qle in H; cbn in H; lia); rewrite ln_Rinv by lra; split; [|ring].
   split; [apply Rinv_0_lt_compat; lra | rewrite <- Rinv_1; apply Rinv_le_contravar; lra].
 Qed.
-
 Theorem Growth_reader : Growth_reader_statement.
 Proof.
   intros L V lo hi H; unfold grows in H; rewrite !andb_true_iff, negb_true_iff, Nat.eqb_neq, forallb_forall in H.
@@ -34,7 +33,8 @@ Proof.
     unfold v; replace 0 with (Q2R 0) by (unfold Q2R; cbn; field); apply Qlt_Rlt, Qnot_le_lt; intros E.
     apply Qle_bool_iff in E; congruence. }
   assert (Pos : forall z l, 0 < z <= 1 -> incl l (seq 0 N) -> forall j, In j l -> 0 <= z ^ lasts L j * v j).
-  { intros z l Hz Hl j Hj; apply Hl, in_seq in Hj; destruct (HV j ltac:(lia)); apply Rmult_le_pos; [apply pow_le|]; lra. }
+  { intros z l Hz Hl j Hj; apply Hl, in_seq in Hj; destruct (HV j ltac:(lia)); apply Rmult_le_pos;
+      [apply pow_le|]; lra. }
   split.
   - destruct (least N v ltac:(lia)) as (k & Hk & Hm).
     apply (from_above (graph_of L) _ Zhi (fun i _ => Hp i) v (v k) (proj1 (HV k Hk)) Hm)

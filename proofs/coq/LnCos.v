@@ -14,7 +14,6 @@ Lemma window_cos w : window w -> 0 < cos w. Proof. intros [? ?]; now apply cos_g
 Lemma window_opp w : window w -> window (- w). Proof. unfold window; lra. Qed.
 Lemma window_between v w z : window v -> window z -> v <= w <= z -> window w. Proof. unfold window; lra. Qed.
 Lemma lncos_opp w : lncos (- w) = lncos w. Proof. unfold lncos; now rewrite cos_neg. Qed.
-
 Lemma lncos_derivative w : window w -> derivable_pt_lim lncos w (- tan w).
 Proof.
   intros Hw; pose proof (window_cos w Hw) as Hc. replace (- tan w) with (/ cos w * - sin w) by (unfold tan; field; lra).
@@ -22,7 +21,6 @@ Proof.
   - apply derivable_pt_lim_cos.
   - now apply derivable_pt_lim_ln.
 Qed.
-
 Lemma lncos_tangent_strict w0 w : window w0 -> window w -> w <> w0 -> lncos w < lncos w0 - tan w0 * (w - w0).
 Proof.
   intros H0 H Hne; unfold window in *. destruct (Rlt_or_le w0 w) as [Hlt|Hle].
@@ -34,10 +32,8 @@ Proof.
     { intros z Hz; apply lncos_derivative; unfold window; lra. }
     assert (tan z < tan w0) by (apply tan_increasing; lra). cbv beta in E; nra.
 Qed.
-
 Lemma lncos_tangent w0 w : window w0 -> window w -> lncos w <= lncos w0 - tan w0 * (w - w0).
 Proof. intros H0 H; destruct (Req_dec w w0) as [->|Hne]; [lra|]. now apply Rlt_le, lncos_tangent_strict. Qed.
-
 Lemma lncos_inj_le v w : window v -> window w -> lncos v <= lncos w -> Rabs w <= Rabs v.
 Proof.
   intros Hv Hw Hle; apply Rnot_lt_le; intros Hlt; revert Hle.

@@ -52,7 +52,6 @@ Hypothesis HO : forall i, let end_ := 2 * PI * IZR (Z.pos (n i)) + ph (s (i + 1)
 
 Lemma at_next i : at_ (i + 1) - at_ i = time (n i) (ph (s i)) (ph (s (i + 1)%Z)).
 Proof. unfold at_, time; rewrite HN, plus_IZR; ring. Qed.
-
 Lemma leg_end i : let T := time (n i) (ph (s i)) (ph (s (i + 1)%Z)) in
   E11 M T * x i + E12 M T * a i = x (i + 1)%Z /\ E21 M T * x i + E22 M T * a i = p i.
 Proof. intros T; split; [apply leg_hits, (legs_at s Hs) | reflexivity]. Qed.
@@ -68,14 +67,12 @@ Proof.
   unfold at_; destruct (wall_place (N i) (ph (s i))) as [-> ->]; split; [reflexivity|].
   rewrite (proj2 (lands_at s Hs i)); field.
 Qed.
-
 Lemma speeds i : p (i - 1)%Z < s i / 2 /\ s i / 2 <= a i /\ a i - s i / 2 = - tau * (p (i - 1)%Z - s i / 2).
 Proof.
   pose proof (sums_at s Hs i) as E; unfold sums, sum_of in E; fold (a i) (p (i - 1)%Z) in E; specialize (Hp i).
   assert (E' : s i / 2 * (1 + tau) = a i + tau * p (i - 1)%Z) by (rewrite <- E; field; lra).
   set (h := s i / 2) in *; clearbody h; split; [exact Hp|]; split; nra.
 Qed.
-
 Theorem is_motion : machine_motion M w N at_ leg_q leg_v.
 Proof.
   intros i j ->; destruct (leg_starts i) as [Q0 V0]; destruct (leg_ends i) as [Q1 V1].
@@ -150,7 +147,6 @@ Proof.
   { unfold after; rewrite E; unfold E11; field; exact P. }
   repeat split; trivial. unfold before; rewrite <- A; exact V.
 Qed.
-
 Theorem is_solution : solution sums_of.
 Proof.
   constructor; [apply phases | exact HE|]; intros i.

@@ -13,7 +13,6 @@ Proof.
   intros; eapply Rle_trans; [apply Rabs_triang|]; apply Rplus_le_compat; [|assumption].
   eapply Rle_trans; [apply Rabs_triang|]; apply Rplus_le_compat; assumption.
 Qed.
-
 Lemma triangle2 x y a c : Rabs x <= a -> Rabs y <= c -> Rabs (x + y) <= a + c.
 Proof. intros; eapply Rle_trans; [apply Rabs_triang|]; apply Rplus_le_compat; assumption. Qed.
 Lemma Rabs_mult_le x y a c : Rabs x <= a -> Rabs y <= c -> Rabs (x * y) <= a * c.
@@ -33,13 +32,11 @@ Definition nearly (F : vec -> R -> R) (L : vec -> R) (p eps d : R) : Prop :=
 
 Lemma nearly_down F L p eps d d' : nearly F L p eps d -> d' <= d -> nearly F L p eps d'.
 Proof. intros H Hd x x' mu mu' t Hx Hx' Hm Hm'. apply H; try lra; eapply within_le; eassumption. Qed.
-
 Lemma nearly_up F L p eps eps' d : nearly F L p eps d -> eps <= eps' -> nearly F L p eps' d.
 Proof.
   intros H He x x' mu mu' t Hx Hx' Hm Hm' Ht Hmt; eapply Rle_trans; [apply H; eassumption|].
   apply Rmult_le_compat_r; [exact (Rabs_nonneg _ _ Hmt) | exact He].
 Qed.
-
 Lemma strict_nearly F L p eps : strict N F L p -> 0 < eps -> exists d, 0 < d /\ nearly F L p eps d.
 Proof. intros [_ H] He; exact (H eps He). Qed.
 
@@ -76,7 +73,6 @@ Proof.
         -- intros e v He0 Hv; apply HL; assumption.
       * apply Rmult_le_compat_r; [exact Ht0|]; specialize (Hq i Hi); lra.
 Qed.
-
 Lemma strict_compose G c p F (L : vec -> vec) q m : strict N G (dot c) p -> (forall i, (i < N)%nat ->
   strict N (fun x mu => F x mu i) (fun x => L x i) (q i)) -> 0 <= m -> (forall e x, 0 <= e -> within e x ->
   within (m * e) (L x)) -> strict N (fun x mu => G (F x mu) mu) (fun x => dot c (L x)) (dot c q + p).
@@ -107,7 +103,8 @@ Proof.
     { assert (0 < dG / l) by (apply Rdiv_lt_0_compat; lra); unfold d.
       split; [apply Rmin_glb_lt; lra | split; [apply Rmin_l|]].
       apply (Rmult_le_reg_l (/ l)); [apply Rinv_0_lt_compat; lra|].
-      replace (/ l * (l * Rmin dF (dG / l))) with (Rmin dF (dG / l)) by (field; lra). rewrite Rmult_comm; apply Rmin_r. }
+      replace (/ l * (l * Rmin dF (dG / l))) with (Rmin dF (dG / l)) by (field; lra). rewrite Rmult_comm;
+        apply Rmin_r. }
     assert (HdG' : d <= dG).
     { apply Rle_trans with (l * d); [|apply Hd]; rewrite <- (Rmult_1_l d) at 1. apply Rmult_le_compat_r; lra. }
     assert (Hin : forall x mu, within d x -> Rabs mu <= d -> within dG (F x mu)).
@@ -164,7 +161,6 @@ Proof.
     + apply H; [lra|]; intros e0 x; apply Hpow; lia.
     + rewrite dot_minus, (Hw i Hi); unfold mult. change (power (S k) w i) with (dot (A M i) (power k w)); ring.
 Qed.
-
 Lemma strict_height k : strict N (fun x mu => h M (fly mu k x) mu) (fun x => dot (C M) (power k x))
   (e - dot (C M) (power k w)).
 Proof.
@@ -210,11 +206,9 @@ Proof.
   - exists d; split; [exact Hd|]; intros k x x' mu mu' t Hk Hx Hx' Hmu Hmu' Ht Hmt.
     destruct (H k ltac:(lia)) as [H1 H2]; split; [intros i Hi; apply (H1 i Hi) | apply H2]; trivial.
 Qed.
-
 Lemma fly_zero k i : (i < N)%nat -> fly 0 k zero i = 0.
 Proof. intros Hi; exact (proj1 (strict_fly k i Hi)). Qed.
 Lemma height_zero k : h M (fly 0 k zero) 0 = 0. Proof. exact (proj1 (strict_height k)). Qed.
-
 Lemma Lipschitz_fly n : exists l d, 1 <= l /\ 0 < d /\ forall k x x' mu mu' t, (k <= n)%nat -> within d x ->
   within d x' -> Rabs mu <= d -> Rabs mu' <= d -> within t (minus x x') -> Rabs (mu - mu') <= t ->
   within (l * t) (minus (fly mu k x) (fly mu' k x')) /\ Rabs (h M (fly mu k x) mu - h M (fly mu' k x') mu') <= l * t.
@@ -319,7 +313,6 @@ Proof.
   intros H Hd k x x' y y' mu mu' t Hk Hx Hx' Hy Hy' Hmu Hmu'.
   apply H; trivial; try lra; apply within_le with d'; assumption.
 Qed.
-
 Lemma remainder_exists n eps : 0 < eps -> exists d, 0 < d /\ remainder n eps d.
 Proof.
   intros Heps; destruct (close_fly_exists n (eps / 2)) as (d1 & Hd1 & H1); [lra|].

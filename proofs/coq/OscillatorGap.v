@@ -28,13 +28,11 @@ Proof.
   - intros mu x; rewrite <- (whole_periods (G mu) i (x - _) (period _ HO mu)); f_equal; ring.
   - replace (t - (T * IZR z + 2 * PI * IZR i)) with (t - T * IZR z - 2 * PI * IZR i) by ring; exact Hi.
 Qed.
-
 Lemma D_gap mu z q v t : derivable_pt_lim q t (v t) -> derivable_pt_lim (gap O m mu z q) t (speed O m mu z v t).
 Proof. intros H; unfold gap, speed; derive_by ltac:(first [exact H | apply D_at, (slope _ HO)]); ring. Qed.
 Lemma D_speed mu z v w t : derivable_pt_lim v t (w t) ->
   derivable_pt_lim (speed O m mu z v) t (facing m z * w t + G2 mu (t - T * IZR z)).
 Proof. intros H; unfold speed; derive_by ltac:(first [exact H | apply D_at, (bend _ HO)]); ring. Qed.
-
 Lemma side_bounds z x B : Rabs x <= B -> - B <= facing m z * x <= B.
 Proof. intros H; apply le_abs; rewrite Rabs_mult, side_abs; lra. Qed.
 

@@ -105,7 +105,8 @@ Proof.
   { assert (0 <= z * Rabs mu) as Pz by (apply Rmult_le_pos; lra); assert (P6 := Rmult_le_compat_r _ _ _ Pz HL).
     assert (Q * (z * Rabs mu) <= eps * Rabs mu) as PQ by (rewrite <- Rmult_assoc; apply Rmult_le_compat_r; lra).
     assert (1 * (L * (z * Rabs mu)) <= K * (L * (z * Rabs mu))) by (apply Rmult_le_compat_r; lra).
-    assert (K * (6 * (z * Rabs mu)) <= K * (L * (z * Rabs mu))) by (apply Rmult_le_compat_l; lra). unfold Q in PQ; lra. }
+    assert (K * (6 * (z * Rabs mu)) <= K * (L * (z * Rabs mu))) by (apply Rmult_le_compat_l; lra). unfold Q in PQ;
+      lra. }
   constructor.
   - exact N.
   - destruct A as (_ & _ & A); eapply Rle_trans; [exact A | lra].
@@ -113,7 +114,8 @@ Proof.
   - apply Bx.
   - eapply Rle_trans; [apply A | lra].
   - intros j Hj; assert (E : forall f, entry c k S V f -> beside K (K * z) (turned f j (- x)) (turned f j 0)).
-    { intros f Hf; apply (turned_beside c k m S V n_max K HK); trivial; rewrite ?Rminus_0_r, ?Rabs_Ropp, ?Rabs_R0; lra. }
+    { intros f Hf; apply (turned_beside c k m S V n_max K HK); trivial; rewrite ?Rminus_0_r, ?Rabs_Ropp, ?Rabs_R0;
+        lra. }
     pose proof (beside_plus _ _ _ _ _ _ _ _ (beside_times _ _ _ _ _ _ _ _ (E e11 ltac:(left; reflexivity)) Bx)
       (beside_times _ _ _ _ _ _ _ _ (E S ltac:(right; left; reflexivity)) A)) as (_ & _ & M).
     unfold mid, mid0; fold (aft n mu x y) in M.
@@ -138,7 +140,6 @@ Proof.
       (x i))) * / ((1 + tau) * g) = 0) by lra.
     apply Rmult_integral in Z; pose proof (Rinv_0_lt_compat _ N); lra.
 Qed.
-
 Lemma weigh a b A : Rabs a <= A -> Rabs b <= A -> Rabs ((a + tau * b) / ((1 + tau) * g)) <= A / g.
 Proof.
   intros Ha Hb; pose proof (g_pos O HO) as P; assert (N : 0 < (1 + tau) * g) by (apply Rmult_lt_0_compat; lra).
@@ -255,7 +256,6 @@ Proof.
   split; [exact E0|]; split; [rewrite <- Ea, <- Rmult_assoc, Sq; ring|]; unfold b, bef, bef_leg, bef_of; fold s.
   change (aft_of _ _ _ _) with (a i); rewrite <- Ea, B, out; reflexivity.
 Qed.
-
 Lemma motion_law : law n mu x /\ forall i, b i < a (i + 1)%Z.
 Proof.
   assert (Imp : forall i, b i + G1 mu (x (i + 1)%Z) < 0 /\ a (i + 1)%Z + G1 mu (x (i + 1)%Z) = - tau

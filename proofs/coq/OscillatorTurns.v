@@ -93,10 +93,8 @@ Proof.
   split; [replace (c * (gamma * u n)) with (c * gamma * u n) by ring; rewrite F1; ring|].
   replace (- k * (gamma * u n)) with (- k * gamma * u n) by ring; rewrite F2; ring.
 Qed.
-
 Lemma turned_S n : turned S n 0 = gamma * u n.
 Proof. destruct powers as (A11 & A21 & A22 & _ & _ & H); apply H. Qed.
-
 Lemma limit_b n j : gamma <> 0 -> u n <> 0 -> (j <= n)%nat ->
   turned e11 j 0 * -1 + turned S j 0 * aft0 n + 1 = b a1 a2 n j.
 Proof.
@@ -105,7 +103,6 @@ Proof.
   pose proof (u_addition a1 a2 (n - j) j) as P; replace (n - j + j)%nat with n in P by lia; rewrite P.
   cbn [Nat.add]; field; auto.
 Qed.
-
 Lemma limit_follows i j : gamma <> 0 -> u i <> 0 -> u j <> 0 -> (1 <= i)%nat ->
   aft0 j - bef0 i = follows a1 a2 i j / gamma.
 Proof.
@@ -134,10 +131,8 @@ Proof.
   assert (0 <= T * INR n <= T * INR n_max) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_l]; lra).
   apply Rabs_le; lra.
 Qed.
-
 Lemma turned_abs f n t : Rabs (turned f n t) = Rabs (f (T * INR n + t)).
 Proof. unfold turned; rewrite Rabs_mult, side_abs; ring. Qed.
-
 Lemma bounded n_max : exists K, bounds n_max K.
 Proof.
   set (X := T * INR n_max + 2); assert (HX : 2 <= X).
@@ -191,7 +186,6 @@ Hypothesis HK : bounds n_max K.
 
 Lemma inverse_K : 0 < / K <= 1.
 Proof. destruct HK; split; [apply Rinv_0_lt_compat; lra | rewrite <- Rinv_1; apply Rinv_le_contravar; lra]. Qed.
-
 Lemma turned_beside f n t t' e : entry f -> (n <= n_max)%nat -> Rabs t <= 2 -> Rabs t' <= 2 -> Rabs (t - t') <= e ->
   beside K (K * e) (turned f n t) (turned f n t').
 Proof.

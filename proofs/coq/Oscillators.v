@@ -64,7 +64,6 @@ Proof.
   intros t; destruct (here_free i (t - T * IZR (N i))) as [A B]; unfold leg_q, leg_v.
   split; [apply D_scale, D_at, A|]; eapply D_value; [apply D_scale, D_at, B | ring].
 Qed.
-
 Lemma gap_here i z s : gap O m mu (N i + z) (leg_q i) (T * IZR (N i) + s) = gap O m mu z (here i) s /\
   speed O m mu (N i + z) (leg_v i) (T * IZR (N i) + s) = speed O m mu z (heres i) s.
 Proof.
@@ -72,12 +71,10 @@ Proof.
   replace (T * IZR (N i) + s - T * IZR (N i)) with s by ring.
   replace (T * IZR (N i) + s - T * (IZR (N i) + IZR z)) with (s - T * IZR z) by ring; split; reflexivity.
 Qed.
-
 Lemma at_next i : at_ (i + 1) = T * IZR (N i) + (T * INR (n i) + x (i + 1)%Z).
 Proof. unfold at_; rewrite (proj1 (HN i)), plus_IZR, <- INR_IZR_INZ; ring. Qed.
 Lemma here_start i : here i (x i) = place (x i) /\ heres i (x i) = a i.
 Proof. apply (moved_start c k S V HS). Qed.
-
 Lemma here_end i : let s := T * INR (n i) + x (i + 1)%Z in
   facing m (Z.of_nat (n i)) * here i s = place (x (i + 1)%Z) /\ facing m (Z.of_nat (n i)) * heres i s = p i.
 Proof.
@@ -210,7 +207,6 @@ Proof.
     lra]).
   split; intros Hf; [specialize (P (P' Hf)) | specialize (Q (Q' Hf))]; lra.
 Qed.
-
 Lemma mid_sign i j : (1 <= j <= n i - 1)%nat -> let y := facing m (Z.of_nat j) * here i (T * INR j) + mu
   in (sgn e * b a1 a2 (n i) j > 0 -> eps * Rabs mu <= y) /\ (sgn e * b a1 a2 (n i) j < 0 -> y <= 0).
 Proof.
@@ -249,7 +245,6 @@ Proof.
     specialize (J i); rewrite !(phases t q v HM) in J; destruct (jump_sign i) as [_ Q]; specialize (Q Hs);
       unfold a, p in Q; lra.
 Qed.
-
 Lemma decided : ((forall i, (forall j, (1 <= j <= n i - 1)%nat -> sgn e * b a1 a2 (n i) j > 0) /\
   sgn e * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) > 0) -> one_motion O m mu d N) /\
   forall t q v, motion O m mu d N t q v -> forall i, Rabs (t i - T * IZR (N i)) <= h * Rabs mu.

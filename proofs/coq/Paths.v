@@ -52,7 +52,6 @@ Definition lo (i : Z) : R := s_lo tau (l (i - 1)%Z) (l i).
 Definition hi (i : Z) : R := s_hi tau (l (i - 1)%Z) (l i).
 Definition wt (i : Z) : R := weight tau (l (i - 1)%Z) (l i).
 Lemma inv_pos : 0 < / (1 + tau). Proof. apply Rinv_0_lt_compat; lra. Qed.
-
 Lemma wt_pos i : 0 < wt i /\ lo i <= hi i /\ hi i - lo i <= wt i * spread.
 Proof.
   destruct (chain_sizes _ _ _ _ _ HC i) as (A & _ & B & _ & C & _), (chain_sizes _ _ _ _ _ HC (i - 1)%Z)
@@ -64,11 +63,9 @@ Proof.
       with (2 * (alpha (l i) * spread + tau * (beta (l (i - 1)%Z) * spread)) * / (1 + tau)) by ring.
     apply Rmult_le_compat_r; nra.
 Qed.
-
 Lemma sum_inside i a p : in_interval (Letter.after (l i)) a -> in_interval (Letter.before (l (i - 1)%Z)) p ->
   lo i <= sum_of tau a p <= hi i.
 Proof. intros; apply sum_bounds; trivial. Qed.
-
 Lemma leg_at s i : inside lo hi s -> leg_holds M w kappa (l (i - 1)%Z) (l i) (l (i + 1)%Z) (s i) (s (i + 1)%Z).
 Proof.
   intros H; apply (chain_legs _ _ _ _ _ HC); [exact (H i)|]; specialize (H (i + 1)%Z); unfold lo, hi in H.
@@ -101,7 +98,6 @@ Proof.
   apply (Rle_trans _ _ _ (Rabs_triang _ _)), Rplus_le_compat; [exact A|].
   rewrite Rabs_mult, (Rabs_pos_eq tau) by lra; apply Rmult_le_compat_l; lra.
 Qed.
-
 Lemma one_solution : exists s, inside lo hi s /\ (forall i, sums M w n s i = s i) /\
   forall s', inside lo hi s' -> (forall i, sums M w n s' i = s' i) -> forall i, s' i = s i.
 Proof.
@@ -116,7 +112,6 @@ Proof.
     + unfold befores; rewrite (proj2 (previous i)); apply (leg_close _ _ _ _ (i - 1) d); auto;
         rewrite (proj2 (previous i)); auto.
 Qed.
-
 Lemma solves s : inside lo hi s -> (forall i, sums M w n s i = s i) -> solution M w n s.
 Proof. intros Hs HF; constructor; [intros i; apply landing, Hs | intros i; apply (leg_at s i Hs) | exact HF]. Qed.
 
@@ -132,7 +127,6 @@ Proof.
   - intros i end_ H1 H2 H3; pose proof (Hs (i + 1)%Z) as I; unfold lo, hi in I; rewrite (proj1 (previous i)) in I.
     apply (HO i (s i) (s (i + 1)%Z)); trivial; [exact (Hs i) | apply (boxes s i Hs)].
 Qed.
-
 Lemma is_in_boxes s : inside lo hi s -> (forall i, sums M w n s i = s i) ->
   in_boxes M l (at_ M w N s) (leg_v M w n N s).
 Proof.

@@ -25,7 +25,6 @@ Proof.
     replace (a m * (Rabs (f m) / a m)) with (Rabs (f m)) by (field; lra); apply Rle_abs.
   - apply (Rle_trans _ _ _ (F x Hx)), Rmult_le_compat_l; [left; apply H; right; exact Hx | apply Rmax_l].
 Qed.
-
 Lemma followers_in X l l' : follows X l l' -> In l' (followers (Certificate.letters X) l).
 Proof. intros (v & Hv & E); apply in_flat_map; exists v; split; [exact Hv|]; rewrite E; left; reflexivity. Qed.
 
@@ -59,7 +58,6 @@ Proof.
   intros Hm Hv; apply filter_In; split; [exact Hm|]; apply existsb_exists; exists v; split;
     [exact Hv | apply Nat.eqb_refl].
 Qed.
-
 Lemma leg_checked m v n k s s' : In m L -> In v (Letter.next m) -> nth_error L v = Some n -> In k (followers L n) ->
   s_lo (Machine.tau M) m n <= s <= s_hi (Machine.tau M) m n -> s_lo (Machine.tau M) n k <= s' <= s_hi (Machine.tau M) n
   k -> leg_holds M w kappa m n k s s'.
@@ -130,7 +128,6 @@ Proof.
   - split; [exact HW' | lra].
   - split; [exact HW' | lra].
 Qed.
-
 Theorem Paths : Paths_statement check.
 Proof.
   intros X M l N HX HM HP HN W; destruct (checked_path X M l HX HM HP) as [[spread HC] HO].

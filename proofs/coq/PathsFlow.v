@@ -40,7 +40,6 @@ Proof.
   apply (D_continuous _ (over_harmonics (fun '(j, (a, b)) => IZR (Z.pos j * Z.pos j) * IZR (Z.pos j)
     * (b * cos (IZR (Z.pos j) * t) - a * sin (IZR (Z.pos j) * t))) (Machine.harmonics M))); unfold bend; by_harmonic.
 Qed.
-
 Lemma turned z x : cos (2 * PI * IZR z + x) = cos x /\ sin (2 * PI * IZR z + x) = sin x.
 Proof. rewrite Rplus_comm, cos_periods, sin_periods; auto. Qed.
 Lemma g_turned z x : g (2 * PI * IZR z + x) = g x /\ g1 (2 * PI * IZR z + x) = g1 x.
@@ -69,7 +68,6 @@ Proof.
 Qed.
 Lemma g1_order t t' : - w <= t <= w -> - w <= t' <= w -> g1 t' <= g1 t -> t <= t'.
 Proof. intros Ht Ht' H; apply Rnot_lt_le; intros L; pose proof (g1_decreases t' t Ht' Ht L); lra. Qed.
-
 Lemma phase_is s t : lies w s t -> phase w s = t.
 Proof.
   intros H; apply the_spec; [exact H|]; intros y [Hy E]; destruct H as [Ht E'].
@@ -84,7 +82,6 @@ Proof.
     apply D_minus; [apply D_const | apply D_g1]. }
   assert (P : lies w s t) by (split; lra). rewrite (phase_is s t P); auto.
 Qed.
-
 Lemma lands_lies s : lands w s -> lies w s (phase w s).
 Proof. intros [H E]; apply Rabs_def2 in H; split; lra. Qed.
 Lemma lands_is s t : Rabs t < w -> g1 t = nu * s * (1 / 2) -> phase w s = t /\ lands w s.
@@ -92,7 +89,6 @@ Proof.
   intros H E; assert (P : phase w s = t) by (apply phase_is; apply Rabs_def2 in H; split; lra).
   unfold lands; rewrite P; auto.
 Qed.
-
 Lemma phase_near s e : 0 < nu -> 0 < e -> lands w s -> exists d, 0 < d /\ forall s', Rabs (s' - s) < d ->
   lands w s' /\ Rabs (phase w s' - phase w s) < e.
 Proof.
@@ -107,7 +103,6 @@ Proof.
   destruct (phase_between s' (t - r) (t + r)) as [[_ E'] F]; [lra | lra | split; nra | lra | lra|].
   split; [split; [apply Rabs_def1; lra | exact E'] | apply Rabs_def1; lra].
 Qed.
-
 Lemma D_phase_at s : 0 < nu -> lands w s -> derivable_pt_lim (phase w) s (- (nu / 2) / bend (phase w s)).
 Proof.
   intros Hnu L; set (t := phase w s); pose proof (lands_lies s L) as [Ht E]; fold t in Ht, E.
@@ -132,7 +127,6 @@ Proof.
   apply (Rmult_eq_reg_r (bend x * h)); [|apply Rmult_integral_contrapositive_currified; lra].
   replace (- (nu / 2) / bend x * (bend x * h)) with (- (nu * h * (1 / 2))) by (field; lra); rewrite Eh; field; exact Hh.
 Qed.
-
 Lemma D_phase f x l : 0 < nu -> lands w (f x) -> derivable_pt_lim f x l ->
   derivable_pt_lim (fun y => phase w (f y)) x (- (nu / 2) / bend (phase w (f x)) * l).
 Proof. intros Hnu L D; exact (D_of f (phase w) _ _ _ D (D_phase_at _ Hnu L)). Qed.
@@ -213,14 +207,12 @@ Proof. unfold moved, moving, Flow.moved, Flow.moving; replace (t - (T + t0)) wit
 Hypothesis Hf : 0 < k - c * c * (1 / 4).
 
 Lemma frequency_pos : 0 < frequency. Proof. apply sqrt_lt_R0, Hf. Qed.
-
 Lemma E_flow : Flow.flow c k E12 E22.
 Proof.
   pose proof frequency_pos as H; pose proof (sqrt_sqrt _ (Rlt_le _ _ Hf) : frequency * frequency = _) as E.
   pose proof (Flow.damped c _ _ _ (Flow.undamped_circular frequency ltac:(lra))) as F.
   replace (c * c / 4 + frequency * frequency) with k in F by lra; exact F.
 Qed.
-
 Lemma moved_free t0 x u : free c k (moved t0 x u) (moving t0 x u).
 Proof. apply (Flow.moved_free _ _ _ _ E_flow). Qed.
 Lemma moved_start t0 x u : moved t0 x u t0 = x /\ moving t0 x u t0 = u.
@@ -239,11 +231,9 @@ Lemma D_place f m : derivable_pt_lim f x m -> derivable_pt_lim (fun y => place (
 Proof. intros Hm; unfold place, Rdiv; derive_by ltac:(exact (D_of _ g _ _ _ Hm (D_g M _))); field; exact Hnu. Qed.
 Lemma D_time : derivable_pt_lim (fun y => time n (t y) (t' y)) x (l' - l).
 Proof. unfold time; derive_by ltac:(first [exact Ht | exact Ht']); ring. Qed.
-
 Lemma D_flow f m : (forall T, derivable_pt_lim f T (m T)) ->
   derivable_pt_lim (fun y => f (time n (t y) (t' y))) x (m (time n (t x) (t' x)) * (l' - l)).
 Proof. intros H; apply (D_of _ f _ _ _ D_time (H _)). Qed.
-
 Lemma D_after : derivable_pt_lim (fun y => after n (t y) (t' y)) x (after_slope n (t x) (t' x) l l').
 Proof.
   unfold after; eapply D_ext.
@@ -254,7 +244,6 @@ Proof.
   - reflexivity.
   - unfold after_slope, before, after, E21; cbn beta. set (T := time _ _ _) in *; field; split; assumption.
 Qed.
-
 Lemma D_before : derivable_pt_lim (fun y => before n (t y) (t' y)) x (before_slope n (t x) (t' x) l l').
 Proof.
   unfold before; eapply D_ext.

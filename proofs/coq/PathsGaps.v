@@ -8,7 +8,6 @@ Open Scope R_scope.
 
 Lemma between x a b c d : c <= a <= d -> c <= b <= d -> 0 <= x <= 1 -> c <= b + x * (a - b) <= d.
 Proof. intros; split; nra. Qed.
-
 Lemma sum_bound x x' l l' w w' d B : Rabs l <= w * d -> Rabs l' <= w' * d -> 0 <= d ->
   Rabs x * w + Rabs x' * w' <= B -> Rabs (- (x * l + x' * l')) <= B * d.
 Proof.
@@ -80,7 +79,6 @@ Proof.
   - eapply D_value; [apply D_plus; [eapply (D_ext (fun y => -1 * g1 M y)); [apply D_scale, D_g1 | intros; ring |
       reflexivity] | apply D_scale, H2]|]; unfold gap_bend; ring.
 Qed.
-
 Lemma windows_all f n z : windows f n z = true -> forall i, (z <= i < z + Z.of_nat n)%Z -> f i = true.
 Proof.
   revert z; induction n as [|n IH]; intros z H i Hi; [lia|]; cbn [windows] in H; apply andb_prop in H;
@@ -160,7 +158,6 @@ Proof.
   rewrite <- (proj1 (g_turned M z _)) in G; replace (2 * PI * IZR z + (t - 2 * PI * IZR z)) with t in G by ring.
   pose proof (good_nu _ _ HG); unfold gap; nra.
 Qed.
-
 Lemma near_ends t : phi < t < last -> t <= t1 \/ 2 * PI * IZR (Z.pos j) - t2 <= t -> 0 < gap M phi x a t.
 Proof.
   intros Ht E; pose proof (good_f _ _ HG) as Hf; pose proof (good_nu _ _ HG) as Hnu.
@@ -200,10 +197,10 @@ Proof.
   pose proof (mem_turns i ltac:(lia)); pose proof (mem_turns (i + 1) ltac:(lia)).
   assert (HJ : mem (join (if (i =? 0)%Z then T1 else plus (turns_on i) (W D)) (minus (turns_on (i + 1))
     (if (i + 1 =? Z.pos j)%Z then T2 else W D))) t).
-  { apply (mem_join _ _ _ _ _) with (3 := conj L U); [destruct (i =? 0)%Z; encl | destruct (i + 1 =? Z.pos j)%Z; encl]. }
+  { apply (mem_join _ _ _ _ _) with (3 := conj L U); [destruct (i =? 0)%Z; encl | destruct (i + 1 =? Z.pos j)%Z;
+      encl]. }
   destruct (cover_one _ _ _ t C HJ) as (J & B' & HJ'); exact (open_at t J HJ' B').
 Qed.
-
 Lemma gap_positive : forall t, phi < t < last -> 0 < gap M phi x a t.
 Proof.
   intros t Ht; destruct HT1 as [M1 L1], HT2 as [M2 L2]; pose proof PI_RGT_0 as HPI.

@@ -31,7 +31,6 @@ Proof.
   apply (Rmult_le_compat_r (IZR one)) in X1, X2, Y1, Y2; try lra; rewrite E in X1, X2, Y1, Y2.
   cbn [mem]; revert Hz'; unfold Rmin, Rmax; destruct Rle_dec; lra.
 Qed.
-
 Lemma mem_meet X Y x : mem X x -> mem Y x -> mem (meet X Y) x.
 Proof.
   destruct X as [[a b]|], Y as [[c d]|]; cbn [meet mem]; trivial; intros H H'.
@@ -40,7 +39,6 @@ Qed.
 Lemma mem_nothing x : mem None x. Proof. exact I. Qed.
 Lemma nothing_positive X : positive (minus X (size None)) = false.
 Proof. destruct X as [[]|]; reflexivity. Qed.
-
 Lemma mem_hull_left X Y x : mem X x -> mem (hull X Y) x.
 Proof.
   destruct X as [[a b]|], Y as [[c d]|]; cbn [hull mem]; trivial; intros H.
@@ -53,7 +51,6 @@ Proof.
   assert (IZR (Z.min a c) <= IZR c) by (apply IZR_le; lia); assert (IZR d <= IZR (Z.max b d)) by (apply IZR_le; lia);
     lra.
 Qed.
-
 Lemma mem_hull_all L X x : In X L -> mem X x -> mem (hull_all L) x.
 Proof.
   destruct L as [|Y L]; [intros []|]; cbn [hull_all]; induction L as [|Z L IH]; cbn [fold_right In]; intros HX Hx.
@@ -184,7 +181,6 @@ Proof.
   pose proof (below_le _ _ _ _ B4 HY (mem_g1I _ _ (mem_at_point a'))) as A4.
   pose proof (below_le _ _ _ _ B5 (mem_g1I _ _ (mem_at_point b')) HY) as A5. apply (phase_between M w Hb); lra.
 Qed.
-
 Lemma mem_y N S s : mem N nu -> mem S s -> mem (times (times N S) half) (nu * s * (1 / 2)).
 Proof. intros; encl. Qed.
 
@@ -214,10 +210,8 @@ Proof.
   assert (0 < w - Rabs (phase M w s)); [|split; [lra | apply L]].
   pose proof (in_W _ _ _ _ HD); apply (positive_lt _ _ P); encl.
 Qed.
-
 Lemma mem_rateI N F t : mem N nu -> mem F t -> mem (rateI D N F) (nu * (1 / 2) * / bend M t).
 Proof. intros HN HF; pose proof (mem_bendI _ _ HF); unfold rateI; encl. Qed.
-
 Lemma mem_placeI N S F s : mem N nu -> mem S s -> mem F (phase M w s) -> lands M w s ->
   mem (placeI D N S F) (place M (phase M w s)).
 Proof.
@@ -293,7 +287,6 @@ Proof.
   - pose proof (sin2_cos2 (om * T)) as E; unfold Rsqr in E; rewrite <- E; unfold si, co; field; lra.
   - unfold E11, Flow.e11; rewrite A, B; unfold h; field.
 Qed.
-
 Lemma mem_frequency : mem (frequencyI D) (frequency M).
 Proof. pose proof (in_C _ _ _ _ HD); pose proof (in_K _ _ _ _ HD); unfold frequencyI, frequency; encl. Qed.
 
@@ -309,7 +302,6 @@ Definition leg_known (x : leg) (j : BinNums.positive) (s s' : R) : Prop :=
 
 Lemma leg_windows j I I' : lawful (leg_between D j I I') = true -> in_window D I = true /\ in_window D I' = true.
 Proof. intros H; apply andb_prop in H; destruct H as [H _]; apply andb_prop in H; exact H. Qed.
-
 Lemma leg_between_known j I I' s s' : hits I s -> hits I' s' -> lawful (leg_between D j I I') = true ->
   leg_known (leg_between D j I I') j s s'.
 Proof.
@@ -366,7 +358,6 @@ Proof.
   split; [encl|]; split; [encl|]; split; [encl|]; split; [encl|].
   intros l l'; unfold r, r'; split; field; repeat split; trivial; lra.
 Qed.
-
 Lemma leg_box_holds ms m n k s s' N S S' : In m ms -> mem N nu -> mem S s -> mem S' s' ->
   leg_box D ms n k N S S' = true -> leg_holds M w kappa m n k s s'.
 Proof.

@@ -19,7 +19,6 @@ Proof.
   induction 1 as [|x L Hx HN IH]; intros H; cbn; constructor; [|apply IH; intros; apply H; cbn; auto].
   intros Hin; apply in_map_iff in Hin; destruct Hin as (y & E & Hy); apply Hx; rewrite (H x y); cbn; auto.
 Qed.
-
 Lemma sum_seq q n : 0 < q < 1 -> sum_of (seq 0 n) (fun k => q ^ k) = (1 - q ^ n) / (1 - q).
 Proof. intros Hq; induction n as [|n IH]; [cbn; field; lra|]; rewrite seq_S, sum_app, IH; cbn; field; lra. Qed.
 Lemma sum_powers q X : 0 < q < 1 -> NoDup X -> sum_of X (fun k => q ^ k) <= 1 / (1 - q).
@@ -123,7 +122,6 @@ Proof.
   pose proof (full_shift a1 a2 Plus (proj1 (a2_in a1 a2 K first)) _ x y Bx By) as F.
   apply (edge_either a1 a2 Plus g (case_of (side x)) x y He F).
 Qed.
-
 Definition in_word (w : list letter) (i j : nat) : Prop := path w i j /\ Forall (fun x => member (fst x))
   (vertices K w).
 
@@ -137,7 +135,6 @@ Proof.
     [constructor; assumption|]); rewrite (vertices_snoc a1 a2 K w i j _ Hp), Forall_app;
     (split; [exact HV | constructor; [exact M | constructor]]).
 Qed.
-
 Lemma vertex_side w i j v : in_word w i j -> In v (vertices K w) -> side (fst v) = snd v.
 Proof. intros [Hp _] Hv; destruct v as [n x]; apply on_side, (vertices_on a1 a2 K first w i j Hp n x Hv). Qed.
 
@@ -151,7 +148,6 @@ Proof.
   destruct (path_prefix a1 a2 K first w x t i' j' Hp') as (i0 & j0 & Hp0 & _ & _ & L1 & L2).
   destruct (path_unique a1 a2 K w i j i0 j0 Hp Hp0) as [<- <-]; destruct x; cbn [final fst snd] in *; lia.
 Qed.
-
 Lemma member_cases w i j n : path w i j -> member n -> In n (map fst (vertices K w)) \/ later w n.
 Proof.
   intros Hp Hn; destruct (W3 a1 a2 K first) as (_ & _ & _ & On & _);
@@ -162,10 +158,8 @@ Proof.
   - left; apply in_map_iff; exists ((i' + j')%nat, x); split; [auto|]; rewrite Et;
       apply (vertex_K_or_later a1 a2 K w' i' j' Hp').
 Qed.
-
 Lemma later_from w i j n : path w i j -> later w n -> (i + j <= n)%nat.
 Proof. intros Hp (_ & t & i' & j' & Hp' & ->); pose proof (path_grows w i j t i' j' Hp Hp'); lia. Qed.
-
 Lemma later_apart w i j n n' : path w i j -> later w n -> later w n' -> (n < n')%nat -> (n + Nat.min i j <= n')%nat.
 Proof.
   intros Hp (_ & t & i1 & j1 & P1 & ->) (_ & t' & i2 & j2 & P2 & ->) L; pose proof (path_grows w i j t i1 j1 Hp P1)
@@ -177,7 +171,6 @@ Proof.
     destruct (path_unique a1 a2 K _ i1 j1 i0 j0 P1 P0) as [<- <-]; destruct x; cbn [final fst snd] in *; lia.
   - rewrite E in P1; pose proof (path_grows _ i2 j2 (x :: s) i1 j1 P2 P1); lia.
 Qed.
-
 Lemma later_sum z w i j X : 0 < z < 1 -> path w i j -> NoDup X -> (forall n, In n X -> later w n) ->
   sum_of X (fun k => z ^ k) <= z ^ (i + j) / (1 - z ^ Nat.min i j).
 Proof.

@@ -140,7 +140,8 @@ Proof.
     - unfold Rminus; apply triangle2; [|rewrite Rabs_Ropp]; apply Rabs_mult_le; trivial; lra.
     - pose proof (Rabs_pos p); pose proof (Rabs_pos q).
       apply Rle_trans with ((Rabs p + Rabs q) * (a + c)); [|apply Rmult_le_compat_r; lra].
-      assert (0 <= Rabs p * c) by (apply Rmult_le_pos; lra). assert (0 <= Rabs q * a) by (apply Rmult_le_pos; lra); lra. }
+      assert (0 <= Rabs p * c) by (apply Rmult_le_pos; lra). assert (0 <= Rabs q * a) by (apply Rmult_le_pos;
+        lra); lra. }
   intros [|i] _; unfold vector; [apply H'; lra|].
   replace (C 0%nat * zeta - rA 0 * xi) with (xi * - rA 0 - zeta * - C 0%nat) by ring. apply H'; rewrite !Rabs_Ropp; lra.
 Qed.
@@ -179,7 +180,8 @@ Proof.
   assert (H0 : forall j, row 0 (X j) = 0).
   { intros j; destruct (Hr (prev j)) as (H1 & H2 & _); rewrite (proj2 (Hnext j)), Hz in H2; lra. }
   assert (H1 : forall j, row 1 (X j) = 0).
-  { intros j; destruct (Hr j) as (H1 & _); rewrite row_u, H0 in H1. apply (Rmult_eq_reg_l (u (n j))); [lra | apply Hn]. }
+  { intros j; destruct (Hr j) as (H1 & _); rewrite row_u, H0 in H1. apply (Rmult_eq_reg_l (u (n j)));
+      [lra | apply Hn]. }
   intros j; split.
   - rewrite (is_plane _ _ _ _ _ _ HP); intros i Hi.
     rewrite (coordinates (X j) zero) by (rewrite ?Hz; auto); unfold zero; rewrite Rabs_R0; lra.

@@ -18,7 +18,6 @@ Proof.
   intros H; replace (sgn s * sgn g * (gamma * y)) with ((sgn g * gamma) * (sgn s * y)) by ring.
   set (p := sgn g * gamma) in *; set (q := sgn s * y); split; split; intros; nra.
 Qed.
-
 Lemma small_mu e s mu t : e <> 0 -> 0 < sgn s * (e * mu) < Rabs e * t -> 0 < Rabs mu < t.
 Proof.
   intros He [H1 H2]; assert (Hae : 0 < Rabs e) by (apply Rabs_pos_lt, He); split.
@@ -27,7 +26,6 @@ Proof.
     replace (Rabs (e * mu)) with (sgn s * (e * mu)); [exact H2|].
     destruct s; cbn [sgn] in *; [rewrite Rabs_pos_eq | rewrite Rabs_left]; lra.
 Qed.
-
 Theorem Theorem1_plane : forall M a1 a2 gamma e w,
   planar M a1 a2 gamma e w -> forall n_max, exists d mu0, d > 0 /\ mu0 > 0 /\
   (forall (J : Type) (next prev : J -> J) n s g mu,

@@ -189,7 +189,6 @@ Proof. exact (edge_stands N L edge_of part HN part_in some_part fl_holds i). Qed
 Lemma holds_at i : holds (x i) = true. Proof. exact (flight_holds N L edge_of part part_in fl_holds i). Qed.
 Lemma before_at i : holds (flight_of D (n (i - 1)%Z) (station_at (i - 1)) (station_at i)) = true.
 Proof. exact (holds_before N L edge_of part part_in fl_holds i). Qed.
-
 Lemma steps_at i : let y := flight_of D (n (i - 1)%Z) (station_at (i - 1)) (station_at i) in PathsCheck.inside
   (Edge.strengths (edge_of i)) (image D y (x i)) = true /\ contracts D y (x i) = true /\ leaves y (x i) = true.
 Proof.
@@ -206,7 +205,6 @@ Proof.
   rewrite Em in H; clear Em.
   rewrite !andb_true_iff in H; cbn [y flight_at flight_of from edge at_edge station_of snd fst] in H; tauto.
 Qed.
-
 Lemma lands_at i : lands M w (s i).
 Proof. exact (hit_lands _ _ _ _ (stands_over _ _ _ _ (stands_at i) _ (in_part i))). Qed.
 Lemma leg_there i : E12 M (time (n i) (phase M w (s i)) (phase M w (s (i + 1)%Z))) <> 0.
@@ -297,7 +295,6 @@ Proof.
   unfold f in Ey; rewrite !E1, !E0, Rminus_0_r, Rmult_1_r in Ey; rewrite Ey.
   apply (rate_at (c y) (Hc y ltac:(lra)) N HN HX); trivial.
 Qed.
-
 Lemma contracting_cell : exists spread, contracting M w kappa spread n lo hi factor wt.
 Proof.
   destruct spread_of as (B & HB & F); destruct cell_parts as (_ & _ & (N & HN & HX) & (N' & HN' & HX')).

@@ -106,7 +106,6 @@ Let z2 t := gap_bend M phi x a t.
 
 Lemma D_z t : derivable_pt_lim z t (z1 t). Proof. apply (D_gap _ _ _ _ _ (good_f _ _ HG)). Qed.
 Lemma D_z1 t : derivable_pt_lim z1 t (z2 t). Proof. apply (D_gap _ _ _ _ _ (good_f _ _ HG)). Qed.
-
 Lemma mem_flown_ T t : mem T t -> mem (fst (flown D Q A F T)) (moved M phi x a t) /\
   mem (snd (flown D Q A F T)) (moving M phi x a t).
 Proof.
@@ -161,7 +160,6 @@ Proof.
   rewrite <- (proj1 (g_turned M i _)) in G. replace (2 * PI * IZR i + (t - 2 * PI * IZR i)) with t in G by ring.
   pose proof (good_nu _ _ HG); unfold z, gap; nra.
 Qed.
-
 Lemma carries_says sign k b T b' : carries D N Q A F sign k b T = Some b' -> (b = true /\ b' = true /\ forall t,
   mem T t -> 0 < z2 t) \/ (b' = true /\ exists S, positive (sign S) = true /\ forall t, mem T t -> mem S (z1 t)) \/
   (b' = false /\ forall t, mem T t -> 0 < z t).
@@ -200,7 +198,6 @@ Lemma piece l h t : IZR l / IZR one <= t <= IZR h / IZR one -> mem (Some (l, h))
 Proof. intros H; exact (mem_join _ _ _ _ _ (mem_at_point l) (mem_at_point h) H). Qed.
 Lemma order l h : (l <= h)%Z -> IZR l / IZR one <= IZR h / IZR one.
 Proof. intros H; apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, one_pos | apply IZR_le, H]. Qed.
-
 Lemma start : z phi = 0 /\ 0 <= z1 phi.
 Proof.
   pose proof (good_nu _ _ HG); destruct (hit_lands _ _ _ _ HI) as [_ E]; fold phi in E.
@@ -245,7 +242,6 @@ Proof.
     apply (positive_lt _ _ PS), mem_opp, C, P; assumption.
   - apply (away_open y y1 (- last) b _ _ Aw); intros; apply C, P; assumption.
 Qed.
-
 Lemma gap_open_positive : forall t, phi < t < last -> 0 < gap M phi x a t.
 Proof.
   intros t Ht; change (0 < z t); pose proof (hit_phase _ _ _ _ HI) as HP; fold phi in HP.

@@ -120,7 +120,6 @@ Proof.
   destruct (leg_between_known D M w kappa HD HG j _ _ _ _ (stands_centre _ _ Hx) (stands_centre _ _ Hy) (proj2 laws))
     as (_ & A & P & _); auto.
 Qed.
-
 Definition knows (ap : itv * itv) : Prop := forall s s', both s s' -> mem (fst ap) (a s s') /\ mem (snd ap) (p s
   s').
 Lemma narrow_knows ap : knows ap -> knows (narrow all mid x y ap).

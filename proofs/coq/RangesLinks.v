@@ -147,7 +147,8 @@ Proof.
       apply mem_fraction | apply rangings_mem, HH]. }
   destruct (wall_facts D M W kappa HD Hnu (conj Hg Hg1) AW) as (HG & Htau & Hw).
   assert (Hkappa : 0 <= kappa < 1).
-  { apply Qle_bool_iff, Qle_Rle in K0; apply less_lt in K1; rewrite Q2R_0 in K0; rewrite Q2R_1 in K1; split; assumption. }
+  { apply Qle_bool_iff, Qle_Rle in K0; apply less_lt in K1; rewrite Q2R_0 in K0; rewrite Q2R_1 in K1; split;
+      assumption. }
   set (n := fun i => match nth_error (Range.periods X) (l i) with Some n => n | None => xH end).
   assert (Hn : forall i, nth_error (Range.periods X) (l i) = Some (n i)).
   { intros i; destruct (HN i) as (m & E & _); unfold n; rewrite E; reflexivity. }

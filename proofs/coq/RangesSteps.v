@@ -57,7 +57,6 @@ Proof.
     - (p * (u - u') + p' * (s - s'))) by lra.
   unfold sum_of; field; lra.
 Qed.
-
 Lemma step_image u s v : within_ d u -> within_ e s -> within_ f v -> mem (image D x y) (F u s v).
 Proof.
   intros Hu Hs Hv; destruct (step_difference u s v cd ce cf Hu Hs Hv (stands_in _ _ _ _ Hd) (stands_in _ _ _ _ He)

@@ -10,7 +10,6 @@ Lemma odd_false m : Z.odd m = false -> exists l, m = (2 * l)%Z.
 Proof. rewrite <- Z.negb_even; intros H; apply negb_false_iff, Zeven_bool_iff, Zeven_ex in H; exact H. Qed.
 Lemma sin_whole m : sin (PI * IZR m) = 0.
 Proof. rewrite Rmult_comm; apply sin_eq_0_1; exists m; reflexivity. Qed.
-
 Definition signed (negative : bool) (x : R) : Prop := if negative then x < 0 else 0 < x.
 Lemma signed_product a b x y : signed a x -> signed b y -> signed (xorb a b) (x * y).
 Proof. destruct a, b; cbn [signed xorb]; intros; nra. Qed.
@@ -18,7 +17,6 @@ Lemma signed_scale a x y t : 0 < t -> y * t = x -> signed a x -> signed a y.
 Proof. destruct a; cbn [signed]; intros; nra. Qed.
 Lemma signed_opp a x : signed a x -> signed (negb a) (- x). Proof. destruct a; cbn [signed negb]; lra. Qed.
 Lemma signed_nonzero a x : signed a x -> x <> 0. Proof. destruct a; cbn [signed]; lra. Qed.
-
 Lemma sin_floor m x : IZR m < x < IZR m + 1 -> signed (Z.odd m) (sin (PI * x)).
 Proof.
   intros H; pose proof PI_RGT_0; destruct (Z.odd m) eqn:E; cbn [signed].
@@ -44,7 +42,6 @@ Proof.
   destruct B as [B1 B2]; apply IZR_le in B1; apply IZR_lt in B2, Hh; rewrite Z.eqb_eq, ER; split; [lra|].
   split; [intros ->; lra | intros F; apply eq_IZR; lra].
 Qed.
-
 Lemma steady_inside h h' j s : (0 < snd h)%Z -> (0 < snd h')%Z -> (0 < j)%Z -> clearZ h h' j = true ->
   fraction h < s < fraction h' -> steady h s j.
 Proof.
@@ -61,7 +58,6 @@ Proof.
   - apply Rle_lt_trans with (1 := B); rewrite Rmult_assoc; apply Rmult_lt_compat_l; lra.
   - apply Rlt_le_trans with (2 := H); rewrite Rmult_assoc; apply Rmult_lt_compat_l; lra.
 Qed.
-
 Lemma at_fraction j h : (0 < snd h)%Z -> IZR j * fraction h * IZR (snd h) = IZR j * IZR (fst h).
 Proof. intros Hh; apply IZR_lt in Hh; unfold fraction; field; lra. Qed.
 Lemma steady_at h j : (0 < snd h)%Z -> wholeZ j h = false -> steady h (fraction h) j.
@@ -84,13 +80,11 @@ Let N := Z.of_nat n.
 Notation at_ := (steady h s).
 
 Lemma theta_pos : 0 < sin (2 * PI * s). Proof. pose proof PI_RGT_0; apply sin_gt_0; nra. Qed.
-
 Lemma u_half : u_at 1 s n * sin (2 * PI * s) = 2 * sin (PI * (IZR N * s)) * cos (PI * (IZR N * s)).
 Proof.
   pose proof theta_pos as HT; pose proof (u_polar 1 (2 * PI * s) n) as E; rewrite !pow1 in E; rewrite !Rmult_1_l in E.
   unfold u_at, trace; rewrite pow1, E, <- sin_2a; f_equal; unfold N; rewrite <- INR_IZR_INZ; ring.
 Qed.
-
 Lemma b_half k : (1 <= k <= n - 1)%nat -> u_at 1 s n <> 0 ->
   b_at 1 s n k * cos (PI * (IZR N * s)) = - 2 * sin (PI * (INR k * s)) * sin (PI * (INR (n - k) * s)).
 Proof.
@@ -116,7 +110,6 @@ Proof.
     by ring.
   replace (cb * cb - 1) with (- (sb * sb)) by lra; replace (ca * ca - 1) with (- (sa * sa)) by lra; ring.
 Qed.
-
 Lemma c_half : u_at 1 s n <> 0 -> c_at 1 s n * cos (PI * (IZR N * s)) = - 2 * sin (2 * PI * s) * sin (PI * (IZR N * s)).
 Proof.
   intros Hu; pose proof theta_pos as HT; pose proof (c_polar 1 (2 * PI * s) ltac:(lra) HT n Hu) as E;
@@ -148,14 +141,12 @@ Proof.
     C2.
   rewrite mult_IZR in C1; rewrite plus_IZR, mult_IZR in C2; lra.
 Qed.
-
 Lemma u_steady : u_at 1 s n <> 0.
 Proof.
   intros E; pose proof u_half as UH; rewrite E in UH; pose proof (signed_nonzero _ _ cosine);
     pose proof (signed_nonzero _ _ sine).
   assert (sin (PI * (IZR N * s)) * cos (PI * (IZR N * s)) <> 0) by (apply Rmult_integral_contrapositive; tauto); lra.
 Qed.
-
 Lemma negative k : (1 <= k <= n - 1)%nat -> at_ (Z.of_nat k) -> at_ (N - Z.of_nat k) ->
   signed (negativeZ N h (Z.of_nat k)) (b_at 1 s n k).
 Proof.
@@ -168,7 +159,6 @@ Proof.
   set (x := cos _) in *; replace (b_at 1 s n k * (x ^ 2 / 2)) with (b_at 1 s n k * x * (x / 2)) by field; rewrite E;
     field.
 Qed.
-
 Lemma c_steady : signed (negb (xorb (Z.odd (floorZ (2 * N) h / 2)) (cosineZ N h))) (c_at 1 s n).
 Proof.
   pose proof (c_half u_steady) as E; pose proof cosine as C; pose proof (signed_product _ _ _ _ sine C) as P;
@@ -190,7 +180,6 @@ Definition ends_positive (t : claim) : Prop := match t with
 Lemma forall_range n f : (1 <= n)%nat -> forallb f (rangeZ (Z.of_nat n)) = true -> forall k, (1 <= k <= n - 1)%nat ->
   f (Z.of_nat k) = true.
 Proof. intros Hn H k Hk; rewrite forallb_forall in H; apply H, in_range; exists k; split; [reflexivity | lia]. Qed.
-
 Lemma opposite_true n h s k k' : (1 <= n)%nat -> 0 < s < 1 / 2 -> steady h s (2 * Z.of_nat n) ->
   (indexZ (Z.of_nat n) k = true -> steady h s k /\ steady h s (Z.of_nat n - k)) -> (indexZ (Z.of_nat n) k' = true ->
   steady h s k' /\ steady h s (Z.of_nat n - k')) -> oppositeZ (Z.of_nat n) h k k' = true -> opposite n s k k'.
@@ -204,7 +193,6 @@ Proof.
     pose proof (negative n h s Hn Hs H2 (Z.to_nat k') ltac:(lia)) as B.
   rewrite Z2Nat.id in A, B by lia; rewrite Neg in A; rewrite Neg' in B; split; [exact (A S1 S2) | exact (B S3 S4)].
 Qed.
-
 Lemma claim_true n t s : (1 <= n)%nat -> 0 < s < 1 / 2 -> ends_positive t -> claimZ (Z.of_nat n) t = true ->
   there t s -> says n s t.
 Proof.
@@ -267,7 +255,6 @@ Lemma same_true h h' : sameZ h h' = true -> h = h'.
 Proof. unfold sameZ; rewrite andb_true_iff, !Z.eqb_eq; destruct h, h'; cbn; intros [-> ->]; reflexivity. Qed.
 Lemma fraction_less h h' : (0 < snd h)%Z -> (0 < snd h')%Z -> lessZ h h' = true <-> fraction h < fraction h'.
 Proof. intros Hh Hh'; unfold lessZ; rewrite Z.ltb_lt; destruct h' as [a b]; exact (between a b h Hh' Hh). Qed.
-
 Lemma tiled L : forall reached point, (0 < snd reached)%Z -> tileZ reached point L = true -> Forall ends_positive L /\
   forall s, (if point then fraction reached <= s else fraction reached < s) -> s < 1 / 2 -> exists t, In t L /\
   there t s.
@@ -306,14 +293,12 @@ Qed.
 
 Lemma plus_same e e' : Bool.eqb (plusZ e) (plusZ e') = true -> e = e'.
 Proof. destruct e, e'; cbn; congruence. Qed.
-
 Lemma is_true h h' e g t : isZ h h' e g t = true <-> t = Orbit h h' e g.
 Proof.
   unfold isZ; split; [|intros ->; destruct h, h', e, g; unfold sameZ; cbn; rewrite !Z.eqb_refl; reflexivity].
   destruct t; try discriminate; rewrite !andb_true_iff; intros [[[A B] C] D].
   apply same_true in A, B; apply plus_same in C, D; subst; reflexivity.
 Qed.
-
 Lemma listed_intervals n L : (3 <= n)%nat -> listedZ (Z.of_nat n) L = true -> forall e g lo hi, interval n e g lo hi <->
   exists h h', In (Orbit h h' e g) L /\ lo = fraction h /\ hi = fraction h'.
 Proof.
@@ -340,7 +325,6 @@ Proof.
       apply pair_equal_spec in E; destruct E as [E ->]; apply pair_equal_spec in E; destruct E as [-> ->].
       rewrite F0, F1; constructor.
 Qed.
-
 Theorem Circle_reader : Circle_reader_statement.
 Proof.
   intros n L Hn H; unfold blockZ in H; destruct (Z.eqb_spec (Z.of_nat n) 1) as [E|E].

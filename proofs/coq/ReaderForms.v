@@ -34,7 +34,6 @@ Definition holds (f : form) (t : R) : Prop := match f with (v, d, d', e) =>
   Rabs (unit * t - (IZR v + IZR d * x + IZR d' * y)) <= IZR e end.
 
 Lemma unit_pos : 0 < unit. Proof. unfold unit; apply IZR_lt, Z.pow_pos_nonneg; lia. Qed.
-
 Lemma shift_bound a : 0 <= IZR a / unit - IZR (Z.shiftr a W) < 1.
 Proof.
   rewrite Z.shiftr_div_pow2 by assumption; pose proof unit_pos as P; unfold unit in *; set (s := (2 ^ W)%Z) in *.
@@ -46,13 +45,11 @@ Proof.
   split; [apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra]|].
   apply (Rmult_lt_reg_r (IZR s)); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra.
 Qed.
-
 Lemma linear_bound d d' : Rabs (IZR d * x + IZR d' * y) <= IZR (Z.abs d + Z.abs d').
 Proof.
   rewrite plus_IZR, !abs_IZR; apply Rle_trans with (1 := Rabs_triang _ _); rewrite !Rabs_mult.
   pose proof (Rabs_pos (IZR d)); pose proof (Rabs_pos (IZR d')); nra.
 Qed.
-
 Lemma size_bound f t : holds f t -> Rabs (unit * t) <= IZR (sizeF f).
 Proof.
   destruct f as [[[v d] d'] e]; cbn [holds sizeF]; intros H; rewrite !plus_IZR, !abs_IZR.
@@ -61,7 +58,6 @@ Proof.
   pose proof (Rabs_triang (unit * t - (IZR v + IZR d * x + IZR d' * y) + IZR v) (IZR d * x + IZR d' * y)).
   pose proof (Rabs_triang (unit * t - (IZR v + IZR d * x + IZR d' * y)) (IZR v)); lra.
 Qed.
-
 Lemma sub_holds f g t t' : holds f t -> holds g t' -> holds (subF f g) (t - t').
 Proof.
   destruct f as [[[v d] d'] e], g as [[[w h] h'] l]; cbn [holds subF]; intros H H'; rewrite !minus_IZR, plus_IZR.
@@ -71,7 +67,6 @@ Proof.
     (- (unit * t' - (IZR w + IZR h * x + IZR h' * y)))).
   rewrite Rabs_Ropp in *; lra.
 Qed.
-
 Lemma mul_holds f g t t' : holds f t -> holds g t' -> holds (mulF W f g) (t * t').
 Proof.
   intros Hf Hg; pose proof (size_bound g t' Hg) as Sg; destruct f as [[[v d] d'] e], g as [[[w h] h'] l];
@@ -112,7 +107,6 @@ Proof.
     pose proof (Rabs_triang r1 r2).
   rewrite (Rabs_right r1) in * by lra; lra.
 Qed.
-
 Lemma sign_told f t : holds f t -> told (signF f) t.
 Proof.
   destruct f as [[[v d] d'] e]; cbn [holds signF]; intros H z E; pose proof (linear_bound d d') as L;
@@ -128,7 +122,6 @@ Proof.
   - destruct (Z.ltb_spec v (- (Z.abs d + Z.abs d' + e))) as [Q|_]; [|discriminate].
     injection E as <-; right; split; [reflexivity|]; apply IZR_lt in Q; rewrite opp_IZR, plus_IZR in Q; nra.
 Qed.
-
 Lemma one_holds : holds (oneF W) 1.
 Proof. cbn [holds oneF]; fold unit; rewrite !Rmult_0_l, Rabs_right; lra. Qed.
 Lemma zero_holds : holds zeroF 0.
@@ -141,7 +134,6 @@ Lemma u_length n : length (uF W B n) = S n.
 Proof. induction n as [|n IH]; cbn; [reflexivity | rewrite IH; reflexivity]. Qed.
 Lemma pow_length n : length (powF W B n) = S n.
 Proof. induction n as [|n IH]; cbn; [reflexivity | rewrite IH; reflexivity]. Qed.
-
 Lemma u_holds n : forall k, (k <= n)%nat -> holds (nth (n - k) (uF W B n) zeroF) (u a1 a2 k).
 Proof.
   induction n as [|n IH]; intros k Hk; [assert (k = 0%nat) as -> by lia; rewrite u_0; exact zero_holds|].
@@ -162,14 +154,12 @@ Proof.
   pose proof (pow_length n) as Len; destruct (powF W B n) as [|f ps]; try discriminate; cbn [nth] in Hf; cbn [pow];
     apply mul_holds; assumption.
 Qed.
-
 Lemma u_row n k : (k <= n)%nat -> holds (nth k (rev (uF W B n)) zeroF) (u a1 a2 k).
 Proof. intros Hk; rewrite rev_nth by (rewrite u_length; lia); rewrite u_length; replace (S n - S k)%nat with (n - k)%nat
     by lia; apply u_holds, Hk. Qed.
 Lemma pow_row n k : (k <= n)%nat -> holds (nth k (rev (powF W B n)) zeroF) (a2 ^ k).
 Proof. intros Hk; rewrite rev_nth by (rewrite pow_length; lia); rewrite pow_length; replace (S n - S k)%nat
     with (n - k)%nat by lia; apply pow_holds, Hk. Qed.
-
 Lemma u_told n k : told (on_u (signsZ W B n) k) (u a1 a2 k).
 Proof.
   cbn [signsZ on_u]; unfold signU; destruct (le_lt_dec k n) as [L|L]; [apply sign_told, u_row, L|].
@@ -199,7 +189,6 @@ Proof.
   rewrite E; split; [apply Div|]; pose proof (Div (- (fst h * 2 ^ W))%Z) as D; rewrite opp_IZR in D |- *.
   unfold Rdiv in *; rewrite Ropp_mult_distr_l_reverse in D; lra.
 Qed.
-
 Lemma middle_holds W h h' a : (0 <= W)%Z -> (0 < snd h)%Z -> (0 < snd h')%Z -> fraction h <= a <= fraction h' ->
   exists x, Rabs x <= 1 /\ IZR (2 ^ W) * a = IZR (fst (middleF W h h')) + IZR (snd (middleF W h h')) * x.
 Proof.
@@ -218,7 +207,6 @@ Proof.
     apply (Rmult_le_reg_r (IZR d)); [assumption|]; rewrite Rmult_assoc, Rinv_l, Rmult_1_l, Rmult_1_r by lra;
       apply Rabs_le; lra.
 Qed.
-
 Definition positive_box (B : box) : Prop := match B with (h, h', l, l') => (0 < snd h /\ 0 < snd h' /\ 0 < snd l /\
   0 < snd l')%Z end.
 
@@ -232,7 +220,6 @@ Proof.
       cbn [fst snd]; field).
     rewrite <- One in Q; apply (fraction_less (1, 1)%Z l') in Q; [congruence | reflexivity | exact D].
 Qed.
-
 Lemma forms_exist W B a1 a2 : (0 <= W)%Z -> positive_box B -> in_box B a1 a2 -> exists x y, Rabs x <= 1 /\
   Rabs y <= 1 /\ holds W x y (a1F W B) a1 /\ holds W x y (a2F W B) a2.
 Proof.
@@ -242,7 +229,6 @@ Proof.
     (middleF W l l') as [w e]; cbn [fst snd holds] in *.
   rewrite Ex, Ey; split; (rewrite Rabs_right; lra).
 Qed.
-
 Lemma signs_told W B n a1 a2 : (0 <= W)%Z -> boxZ B = true -> in_box B a1 a2 ->
   (forall k, told (on_u (signsZ W B n) k) (u a1 a2 k)) /\ (forall l k, told (on_N (signsZ W B n) l k) (N a1 a2 l k)) /\
   forall k, on_zero (signsZ W B n) k = true -> u a1 a2 k = 0.

@@ -25,7 +25,6 @@ Proof.
 Qed.
 Lemma phi_range : 0 < phi < PI. Proof. apply acos_bound_lt, c_range. Qed.
 Lemma cos_phi : 2 * cos phi = c. Proof. unfold phi; rewrite cos_acos by (pose proof c_range; lra); field. Qed.
-
 Lemma u_sign k : sign_of (Z.sgn (uZ x z z k)) (sin (INR k * phi)).
 Proof.
   pose proof (sign_u x z z Hz k) as S; fold c in S; replace (IZR z / IZR z) with 1 in S by (field; apply IZR_lt in Hz;
@@ -37,7 +36,6 @@ Proof.
   split; [split; intros; nra|]; split; [|split; intros; nra]; split; intros H;
     [rewrite H; ring | apply Rmult_integral in H; destruct H; [assumption | lra]].
 Qed.
-
 Lemma turns_floor k : forall t, snd (turnsZ x z k) = Some t -> IZR t < INR (S k) * phi / PI < IZR t + 1.
 Proof.
   pose proof PI_RGT_0 as HP; pose proof phi_range as [P1 P2]; induction k as [|k IH]; intros t H.

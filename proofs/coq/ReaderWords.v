@@ -28,7 +28,6 @@ Proof.
   rewrite <- (b_N a1 a2 n k Hu) in S; pose proof (Rsqr_pos_lt _ Hu) as Q; unfold Rsqr in Q.
   assert (0 < sgn e * b a1 a2 n k * (u a1 a2 n * u a1 a2 n)) by lra; nra.
 Qed.
-
 Lemma letter_told n x : u a1 a2 n <> 0 -> isS (case_of x) (on_N T (2 * n) n) = true -> lettered a1 a2 n x.
 Proof.
   intros Hu H; pose proof (told_is _ _ _ (HN (2 * n) n) H) as S; unfold lettered; replace (2 * n)%nat with (n + n)%nat
@@ -36,7 +35,6 @@ Proof.
   rewrite <- (I4_product a1 a2 n n Hu Hu) in S; pose proof (Rsqr_pos_lt _ Hu) as Q; unfold Rsqr in Q.
   assert (0 < sgn (case_of x) * (p a1 a2 n - q a1 a2 n) * (u a1 a2 n * u a1 a2 n)) by lra; nra.
 Qed.
-
 Lemma period_told e n t : periodZ T e n t = true -> period_says a1 a2 e n t.
 Proof.
   destruct t as [x|k|]; cbn [periodZ period_says]; rewrite ?andb_true_iff.
@@ -47,7 +45,6 @@ Proof.
     split; [exact Hu|]; split; [lia|]; destruct e; cbn [flip sgn] in *; lra.
   - apply HZ.
 Qed.
-
 Lemma mark_told i j m : u a1 a2 (fst i) <> 0 -> u a1 a2 (fst j) <> 0 -> markZ T i j m = true -> marked a1 a2 i j m.
 Proof.
   intros Hi Hj; destruct m as [g|]; cbn [markZ marked]; [|trivial]; intros H.
@@ -58,7 +55,6 @@ Proof.
   pose proof (Rmult_lt_0_compat _ _ Qi Qj) as Q; set (x := p a1 a2 (fst j) - q a1 a2 (fst i)) in *.
   assert (0 < sgn g * x * (ui * ui * (uj * uj))) by lra; nra.
 Qed.
-
 Lemma occurring_true e L : forall m, Forall2 (period_says a1 a2 e) (seq m (length L)) L -> forall v,
   In v (occurring m L) -> u a1 a2 (fst v) <> 0.
 Proof.
@@ -100,7 +96,6 @@ Proof.
 Qed.
 Lemma not_less h h' : (0 < snd h)%Z -> (0 < snd h')%Z -> lessZ h h' = false -> fraction h' <= fraction h.
 Proof. intros H H' E; apply Rnot_lt_le; intros Q; apply (fraction_less h h' H H') in Q; congruence. Qed.
-
 Theorem Region_reader : Region_reader_statement.
 Proof.
   intros B k a1 a2 H Hin; destruct B as [[[h h'] l] l'] eqn:EB; cbn [regionZ] in H; rewrite <- EB in H;
@@ -137,7 +132,6 @@ Proof.
   apply (fraction_less (square h') (four l) D' C) in Q; rewrite fraction_square, fraction_four in Q by assumption.
   apply Rnot_le_lt; intros X; nra.
 Qed.
-
 Lemma region_between B k a1 a2 : (k = 3 \/ k = 4 \/ k = 34)%Z -> regionZ B k = true -> in_box B a1 a2 ->
   0 < a2 <= 1 /\ - (a2 + 1) < a1 < 2 * sqrt a2.
 Proof.
@@ -169,7 +163,6 @@ Let dec := decided_everywhere a1 a2 K first.
 
 Lemma times_sign x t y : 0 < t -> x * t = - y -> (y < 0 -> 0 < x) /\ (0 < y -> x < 0).
 Proof. clear; intros Ht E; split; intros H; apply Rnot_le_lt; intros L; nra. Qed.
-
 Lemma mediant i j w : path a1 a2 K w i j -> let n := (i + j)%nat in (u a1 a2 n < 0 -> N a1 a2 n j < 0 ->
   member a1 a2 Plus n) /\ (u a1 a2 n > 0 -> N a1 a2 n i > 0 -> member a1 a2 Plus n) /\
   (u a1 a2 n < 0 -> N a1 a2 n j > 0 -> ends a1 a2 i j) /\ (u a1 a2 n > 0 -> N a1 a2 n i < 0 -> ends a1 a2 i j) /\
@@ -193,7 +186,6 @@ Proof.
       intros L.
     split; [exact NM|]; split; intros F; [apply C in F | apply D in F]; lra.
 Qed.
-
 Lemma steps_told w : forall w0 i j i' j', path a1 a2 K w0 i j -> stepsZ T i j w = Some (i', j') ->
   path a1 a2 K (w0 ++ w) i' j' /\ Forall (fun x => member a1 a2 Plus (fst x)) (periods i j w).
 Proof.
@@ -215,7 +207,6 @@ Proof.
         [exact P|].
       constructor; [apply MU; lra | exact F].
 Qed.
-
 Lemma end_told w i j z : path a1 a2 K w i j -> endZ T i j z = true -> match z with Open => True
   | Ends_zero => ~ member a1 a2 Plus (i + j) /\ (a2 < 1 -> ends a1 a2 i j) | Ends _ => ends a1 a2 i j end.
 Proof.
@@ -227,7 +218,6 @@ Proof.
       apply EU; lra.
   - apply EZ, HZ, H.
 Qed.
-
 Lemma vertex_letter w i j v : path a1 a2 K w i j -> In v (vertices K w) -> on a1 a2 (fst v) (snd v) /\
   lettered a1 a2 (fst v) (snd v).
 Proof.
@@ -266,7 +256,6 @@ End Path.
 
 Lemma same_mark_true m m' : same_mark m m' = true -> m = m'.
 Proof. destruct m as [[]|], m' as [[]|]; cbn; congruence. Qed.
-
 Theorem Path_reader : Path_reader_statement.
 Proof.
   intros W B k K last w z rows a1 a2 H Hin; unfold pathZ in H; cbv zeta in H; rewrite !andb_true_iff, !orb_true_iff,
@@ -308,7 +297,6 @@ Proof.
         destruct x; cbn [final fst snd] in *; lia.
     + left; exists ((i' + j')%nat, x); split; [reflexivity | apply (vertex_K_or_later a1 a2 K w' i' j' Hp')].
 Qed.
-
 Theorem Below_reader : Below_reader_statement.
 Proof.
   intros W B k n a1 a2 H Hin l; unfold belowZ in H; cbv zeta in H; rewrite !andb_true_iff, !orb_true_iff, Z.leb_le,
@@ -338,7 +326,6 @@ Proof.
   split; [exact M|]; intros Hl; specialize (Pos l Hl); unfold lettered; cbn [case_of sgn].
   destruct (lower_pq a1 a2 H2 (a1_in a1 a2 K first) l Pos); lra.
 Qed.
-
 Lemma lonely_told a1 a2 e g e' (all : bool) x : (forall n, (1 <= n)%nat -> orbit a1 a2 n e g) -> sgn (case_of x) = sgn e
   * sgn g -> (if all then e' = e else e' <> e) -> forall n, (member a1 a2 e' n <-> n = 1%nat \/ all = true /\
   (1 <= n)%nat) /\ (member a1 a2 e' n -> lettered a1 a2 n x).
@@ -352,7 +339,6 @@ Proof.
   split; [exact M|]; intros Hm; pose proof (u_nonzero_pos a1 a2 n (proj1 Hm)) as Hn; destruct (H n Hn) as (Hu & _ & Hc).
   unfold lettered; rewrite Hx, <- (I1 a1 a2 n Hu); exact Hc.
 Qed.
-
 Theorem Lonely_reader : Lonely_reader_statement.
 Proof.
   intros B k e all x a1 a2 H Hin; unfold lonelyZ in H; destruct (regionZ B k) eqn:HR; [|discriminate]; cbn [negb] in H.

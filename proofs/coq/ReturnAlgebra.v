@@ -56,7 +56,6 @@ Qed.
 (** p_k is where g_k = 1, and k steps lead from there to q_k. *)
 Lemma g_p y k : u k <> 0 -> g y k = 1 + u k * (p k - y).
 Proof. intros; unfold g, StatementWords.p; field; assumption. Qed.
-
 Lemma g_shift k i : u i <> 0 -> g (p i) (k + i) = g (q i) k.
 Proof.
   intros Hi; rewrite q_next by assumption; unfold g, StatementWords.p. replace (S (k + i)) with (S k + i)%nat by lia.
@@ -98,7 +97,6 @@ Proof.
   unfold return_time, time; split; intros [Hn (y & Hy & Hk)]; (split; [assumption|]); exists y; rewrite beyond_g in *;
     (split; [assumption|]); intros k Hk'; specialize (Hk k ltac:(lia)); rewrite beyond_g in *; lra.
 Qed.
-
 Lemma least y k : (1 <= k)%nat -> g y k > 1 -> exists l, (1 <= l <= k)%nat /\ time l /\ g y l > 1.
 Proof.
   induction k as [k IH] using lt_wf_ind; intros Hk Hg.
@@ -107,13 +105,11 @@ Proof.
   - exists k; repeat split; try lia; try assumption; exists y; split; [assumption|]; intros l Hl.
     apply Rnot_lt_le; intros ?; apply Hno; exists l; split; [assumption | lra].
 Qed.
-
 Lemma member_g n : member a1 a2 Plus n <-> u n <> 0 /\ forall k, (1 <= k < n)%nat -> g (p n) k < 1.
 Proof.
   unfold member; cbn [sgn]; split; intros [Hu H]; (split; [assumption|]); intros k Hk; specialize (H k ltac:(lia));
     rewrite (b_is_1_plus_x a1 a2 n k ltac:(lia) Hu) in *; unfold orbit_x in *; unfold g, StatementWords.p in *; lra.
 Qed.
-
 Lemma nearby y n : (forall k, (1 <= k < n)%nat -> g y k < 1) ->
   exists e, 0 < e /\ forall y' k, Rabs (y' - y) < e -> (1 <= k < n)%nat -> g y' k < 1.
 Proof.
@@ -129,7 +125,6 @@ Proof.
   pose proof (Rle_abs (- ((y' - y) * u n))) as B; rewrite Rabs_Ropp, Rabs_mult in B.
   assert (Rabs (y' - y) * Rabs (u n) <= d * Rabs (u n)) by (apply Rmult_le_compat_r; lra); lra.
 Qed.
-
 Lemma member_time n : member a1 a2 Plus n -> time n.
 Proof.
   intros HV; apply member_g in HV; destruct HV as [Hu H]; destruct (nearby (p n) n H) as (e & He & HN).

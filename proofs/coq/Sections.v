@@ -175,7 +175,8 @@ Lemma area_section n g lo hi j d r : (3 <= n)%nat -> lo < hi -> 0 < r < 1 -> are
 Proof.
   intros Hn Hlh Hr HA; pose proof (h_continuous_s n g lo hi j d HA r) as Hcont.
   assert (Hspec : forall s, lo < s < hi -> (orbit_at r s n Plus g <-> h n j (d s) r > 0)).
-  { intros s Hs; destruct (proj2 HA s Hs) as (_ & _ & Ho). specialize (Ho r ltac:(lra) Plus g); unfold orbit_at; tauto. }
+  { intros s Hs; destruct (proj2 HA s Hs) as (_ & _ & Ho). specialize (Ho r ltac:(lra) Plus g); unfold orbit_at;
+      tauto. }
   destruct (convex_interval (fun s => h n j (d s) r > 0) lo hi Hlh) as (lo' & hi' & H1 & H2 & H3 & H4).
   - intros x y z Px Pz Hx Hz Hy; destruct HA as ((p & q & E) & Ha).
     destruct (Ha x ltac:(lra)) as (Ix & Jx & _), (Ha y ltac:(lra)) as (Iy & Jy & _), (Ha z ltac:(lra)) as (Iz & Jz & _).

@@ -9,7 +9,6 @@ Open Scope R_scope.
 Lemma dot_one_less n c x : dot (S n) c x = dot n c x + c n * x n. Proof. reflexivity. Qed.
 Lemma dot_comb_l n c c' a a' x : dot n (comb a a' c c') x = a * dot n c x + a' * dot n c' x.
 Proof. induction n as [|n IH]; cbn; [ring|]; rewrite IH; unfold comb; ring. Qed.
-
 Lemma underdetermined n : forall a : nat -> vec, exists x : vec,
   (exists i, (i <= n)%nat /\ x i <> 0) /\ forall k, (k < n)%nat -> dot (S n) (a k) x = 0.
 Proof.
@@ -59,7 +58,6 @@ Proof.
     apply Hker; [|lia]; intros k Hkn; rewrite E, H0 by exact Hkn; ring.
   - exists (comb (/ x n) 0 x x); intros k Hkn; rewrite dot_comb, E by exact Hkn; field; exact Hne.
 Qed.
-
 Lemma solvable_bounded : exists K, 0 <= K /\ forall r t, within n t r -> 0 <= t ->
   exists x, within n (K * t) x /\ forall k, (k < n)%nat -> dot n (a k) x = r k.
 Proof.

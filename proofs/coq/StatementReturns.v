@@ -31,8 +31,7 @@ Definition tie (a1 a2 : R) (n1 n2 k : nat) : Prop := let n := (n1 + n2)%nat in
   u a1 a2 n < 0 /\ p a1 a2 n = p a1 a2 n1 /\ k = (n + n1)%nat.
 
 Definition Returns_statement : Prop := forall r s K, 0 < r -> 0 < s < 1 / 2 ->
-  2 * (INR K - 1) * s <= 1 < 2 * INR K * s ->
-  initial_piece s K (V r s) /\ initial_piece s K (T r s) /\
+  2 * (INR K - 1) * s <= 1 < 2 * INR K * s -> initial_piece s K (V r s) /\ initial_piece s K (T r s) /\
   (forall n, V r s n <-> V (/ r) s n) /\ (forall n, V r s n -> T r s n) /\
   (r <= 1 -> forall n, T r s n <-> V r s n) /\
   (r = 1 -> forall w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 -> s * INR (n1 + n2) <> INR (m1 + m2) ->

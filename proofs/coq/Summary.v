@@ -24,7 +24,6 @@ Lemma below_1 a2 : 0 < a2 <= 1 -> 2 * sqrt a2 < a2 + 1 -> a2 < 1.
 Proof. intros H Hs; destruct (Req_dec a2 1) as [->|]; [rewrite sqrt_1 in Hs|]; lra. Qed.
 Lemma region3_between a1 a2 : 0 < a2 -> a1 ^ 2 < 4 * a2 -> - (2 * sqrt a2) < a1 < 2 * sqrt a2.
 Proof. intros H H1; destruct (sqrt_square a2 H); split; nra. Qed.
-
 Lemma zones a1 a2 : 0 < a2 <= 1 -> zone a1 a2.
 Proof.
   intros H2; pose proof (two_sqrt_at_most a2 ltac:(lra)). destruct (sqrt_square a2 ltac:(lra)) as [Hs Es].
@@ -36,7 +35,6 @@ Proof.
   { apply zone4; [apply below_1 |]; lra. }
   apply zone3; nra.
 Qed.
-
 Lemma trace_above r s n : 0 < r -> 0 < s < 1 / 2 -> (1 <= n)%nat ->
   2 * r * cos (PI / INR n) < trace r s <-> s < 1 / (2 * INR n).
 Proof.
@@ -50,7 +48,6 @@ Proof.
   - apply Rmult_lt_reg_l in H1; [|lra]. apply cos_decreasing_0 in H1; [|lra..]. apply Rmult_lt_reg_l in H1; lra.
   - apply Rmult_lt_compat_l; [lra|]; apply cos_decreasing_1; [lra..|]. apply Rmult_lt_compat_l; lra.
 Qed.
-
 Lemma cos_below_1 n : (1 <= n)%nat -> cos (PI / INR n) < 1.
 Proof.
   intros Hn; pose proof PI_RGT_0. assert (1 <= INR n) by (change 1 with (INR 1); apply le_INR; assumption).
@@ -72,14 +69,12 @@ Proof.
   assert (cos (2 * PI * s) < 1) by (rewrite <- cos_0; apply cos_decreasing_1; lra).
   assert (cos (2 * PI * s) ^ 2 < 1) by nra. unfold trace in H; nra.
 Qed.
-
 Lemma area3_orbit g : area3 a1 a2 n g -> orbit a1 a2 n Plus g.
 Proof.
   intros (r & s & k & lo & hi & Hr & Hs & E1 & E2 & HS & Hsi & Hb).
   assert (r <= 1) by (apply Rnot_lt_le; intros ?; nra). destruct (side_decided n k g lo hi n_in HS) as (j & d & _ & HD).
   destruct (HD r s Hsi ltac:(lra)) as (_ & (_ & _ & Hp & _) & _); rewrite E1, E2 in *; auto.
 Qed.
-
 Lemma region3_orbit e g : a1 ^ 2 < 4 * a2 -> orbit a1 a2 n e g <-> 2 * sqrt a2 * cos (PI / INR n) < a1 /\ e = Minus /\
   g = Plus \/ area3 a1 a2 n g /\ e = Plus.
 Proof.
@@ -95,7 +90,6 @@ Proof.
   - intros [(Hlt & -> & ->) | [Ha ->]]; [|apply area3_orbit; assumption].
     rewrite E1, E2; apply (first_orbits n r s n_in ltac:(lra) ltac:(lra)); tauto.
 Qed.
-
 Lemma region4_orbit e g : a2 < 1 -> - (a2 + 1) < a1 <= - 2 * sqrt a2 ->
   orbit a1 a2 n e g <-> area4 a1 a2 n /\ e = Plus /\ g = Minus.
 Proof.
@@ -106,7 +100,6 @@ Proof.
     apply Hb in Hk, Hk'; destruct e; cbn [sgn] in *; lra.
   - destruct (Ho n_in Hn) as (_ & Hex & _); rewrite (Hex e g). intuition lra.
 Qed.
-
 Lemma line_left_orbit e g : a1 = - (a2 + 1) -> orbit a1 a2 n e g <-> area4 a1 a2 n /\ e = Plus /\ g = Minus.
 Proof.
   intros E; pose proof (two_sqrt_at_most a2 ltac:(lra)); unfold area4. destruct (Nat.Even_or_Odd n) as [Hn|Hn].

@@ -51,7 +51,6 @@ Proof.
     exists n; intros k Hk; left.
   specialize (Hn k Hk); rewrite Rabs_right in Hn by (apply Rle_ge, pow_le; lra); lra.
 Qed.
-
 Lemma cross p q r t : 0 < q -> 0 < t -> p * t <= r * q -> p / q <= r / t.
 Proof.
   intros Hq Ht H; apply (Rmult_le_reg_r (q * t)); [apply Rmult_lt_0_compat; assumption|].
@@ -68,7 +67,6 @@ Notation member := (member a1 (1 ^ 2) Plus).
 Notation on := (on a1 (1 ^ 2)).
 
 Lemma circle_first : first_upper a1 (1 ^ 2) 2. Proof. apply (proj2 (proj2 Path) 1 s 2%nat); simpl; lra. Qed.
-
 Lemma on_interval n g lo hi : (3 <= n)%nat -> interval n Plus g lo hi -> lo < s < hi -> member n /\ forall x,
   g = case_of x -> on n x.
 Proof.
@@ -79,7 +77,6 @@ Proof.
   destruct (Rdichotomy _ _ Hu) as [L|L]; [specialize (C2 L) | specialize (C1 L)]; destruct x;
     cbn [case_of sgn StatementWords.on] in *; lra.
 Qed.
-
 Lemma word_edge w i j v v' g : in_word a1 (1 ^ 2) 2 w i j -> In v (vertices 2 w) -> In v' (vertices 2 w) ->
   mark_of 2 w false v v' = Some g -> edge a1 (1 ^ 2) Plus g (fst v) (fst v').
 Proof.
@@ -110,7 +107,6 @@ Proof.
   destruct (on_interval s Hs (2 * k + 1) Minus _ _ ltac:(lia) S) as [M O]; [simpl (INR 2); simpl (INR 1); lra|]; split;
     [exact M | apply O; reflexivity].
 Qed.
-
 Lemma odd_word k : (k <= a)%nat -> in_word (repeat D k) (2 * k + 1) 2.
 Proof.
   pose proof (circle_first s Hs) as first; induction k as [|k IH]; intros Hk; [apply word_start, first|];
@@ -134,7 +130,6 @@ Proof.
     replace (i + (S k + 1) * 2)%nat with (i + 2 + (k + 1) * 2)%nat by lia; apply IH; lia. }
   specialize (Q a 1%nat ltac:(lia)); replace (2 * S k + 1)%nat with (1 + (k + 1) * 2)%nat by lia; exact Q.
 Qed.
-
 Lemma minus_at_least z : 0 < z < 1 -> (1 <= a)%nat -> 1 <= (z - z ^ (2 * a + 1)) / (1 - z ^ 2) * (1 + z ^ 2) ->
   at_least (patterns a1 (1 ^ 2) Plus Minus) (- ln z).
 Proof.
@@ -257,7 +252,6 @@ Proof.
   destruct (on_interval s Hh 4 Minus _ _ ltac:(lia) S) as [M O]; [change (INR 1) with 1; replace (INR 3) with 3
     by (simpl; ring); replace (INR 4) with 4 by (simpl; ring); lra|]; split; [exact M | apply O; reflexivity].
 Qed.
-
 Lemma step_word k : (k <= a)%nat -> in_word (wa k) 4 (4 * k + 3).
 Proof.
   pose proof (circle_first s ltac:(lra)) as first; destruct four_interval as [M4 O4];
@@ -293,7 +287,6 @@ Proof.
   specialize (Q a 3%nat ltac:(lia)); match goal with |- In (?n, _) _ => replace n with (3 + (k + 1) * 4)%nat by lia end;
     exact Q.
 Qed.
-
 Lemma plus_at_least z : 0 < z < 1 -> 1 <= (1 + z ^ 4) * ((z ^ 3 - z ^ (3 + 4 * a)) / (1 - z ^ 4) + z ^ 2 / (1 - z ^ 3))
   -> at_least (patterns a1 (1 ^ 2) Plus Plus) (- ln z).
 Proof.

@@ -24,7 +24,6 @@ Proof.
     replace (z ^ 19) with (z ^ 16 * z ^ 3) by ring; nra.
   - split; apply (Rmult_lt_reg_r (1 - z ^ 4)); try lra; rewrite Rinv_l; lra.
 Qed.
-
 Lemma periods_U i a : forall j v, In v (periods i j (repeat U a)) -> exists k, (1 <= k <= a)%nat /\
   v = ((j + k * i)%nat, U).
 Proof.
@@ -94,11 +93,9 @@ Proof.
     apply in_map_iff in I; destruct I as (v & <- & Hv); rewrite (vertex_side a1 a2 K first w i j v HW Hv) in Sn;
       destruct (HV v Hv) as [->|E]; [reflexivity | contradiction].
 Qed.
-
 Lemma u_first : u a1 a2 2 = a1 /\ u a1 a2 3 = a1 * a1 - a2 /\ u a1 a2 4 = a1 * (a1 * a1 - 2 * a2) /\
   u a1 a2 6 = a1 * (a1 * a1 - a2) * (a1 * a1 - 3 * a2).
 Proof. repeat split; unfold u; cbn; ring. Qed.
-
 Lemma plus_3 : first_upper a1 a2 3 -> small.
 Proof.
   intros first; destruct (numbers_plus z Hroot Hnum) as (B2 & B3 & B4 & _); assert (B5 : z ^ 5 <= 0.1053)
@@ -191,7 +188,8 @@ Proof.
   assert (I2 : forall n, In n X2 -> n = 2%nat) by (intros n H; apply filter_In in H; destruct H as [_ E];
     apply Nat.eqb_eq in E; auto).
   assert (J2 : forall n, In n Y2 -> In n X /\ n <> 1%nat /\ n <> 2%nat).
-  { intros n H; apply filter_In in H; destruct H as [H E]; apply J1 in H; apply negb_true_iff, Nat.eqb_neq in E; tauto. }
+  { intros n H; apply filter_In in H; destruct H as [H E]; apply J1 in H; apply negb_true_iff, Nat.eqb_neq in E;
+      tauto. }
   assert (I3 : forall n, In n X3 -> In n X /\ n <> 1%nat /\ n <> 2%nat /\ side n = D).
   { intros n H; apply filter_In in H; destruct H as [H E]; apply J2 in H; unfold pd in E; destruct (side n);
       [tauto | discriminate]. }
@@ -233,7 +231,6 @@ Proof.
   split; [split; [apply Rmult_le_pos; lra | apply Rmult_le_compat_l; lra]|]; intros No; rewrite None; [ring|];
     intros n H'; destruct (I4 n H') as (G1 & _ & E2 & G4); destruct (No n G1); congruence.
 Qed.
-
 Lemma family : small.
 Proof.
   destruct (numbers_plus z Hroot Hnum) as (B2 & B3 & _ & _ & _ & C3 & _); assert (V2 : v2 * (1 - z ^ 3) = k)

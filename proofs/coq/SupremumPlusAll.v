@@ -119,7 +119,6 @@ Proof.
         rewrite (on_side a1 a2 1 D (on_one a1 a2)) in Sx; discriminate. }
     replace (3 + 4 * (a + 1))%nat with (4 * a + 7)%nat in Q by lia; fold e in Q; unfold Rdiv in Q; fold c in Q; lra.
 Qed.
-
 Lemma plus_short a : (a < 4)%nat -> in_word (wa a ++ [D]) (4 * a + 7) (4 * a + 3) -> small.
 Proof.
   intros Ha HW; assert (Hz : 0 < z < IZR 6374 / IZR 10000) by lra; destruct a as [|[|[|[|a]]]]; [| | | |lia];
@@ -161,7 +160,6 @@ Proof.
     apply sum_incl; [exact HN | | intros; apply Pos]; intros y Hy; destruct (HX y Hy) as [My Ey]; destruct (Three y My)
       as [<-|H]; [contradiction | exact H].
 Qed.
-
 Lemma plus_2 : small.
 Proof.
   destruct (numbers_plus z Hroot Hnum) as (B2 & B3 & B4 & _); assert (Hz : 0 < z < IZR 6374 / IZR 10000) by lra.

@@ -14,7 +14,6 @@ Lemma not_on_line : 0 < a2 <= 1 /\ Rabs a1 <> a2 + 1.
 Proof. pose proof (a1_in a1 a2 K first); split; [apply first | lra]. Qed.
 Lemma cycles_two_orbits e g : cycles a1 a2 e g <-> exists i j, i <> j /\ orbit a1 a2 i e g /\ orbit a1 a2 j e g.
 Proof. destruct not_on_line; apply W6; assumption. Qed.
-
 Lemma cycles_Minus : (cycles a1 a2 Minus Plus <-> 0 < a1) /\ ~ cycles a1 a2 Minus Minus.
 Proof.
   pose proof (K_ge_2 a1 a2 K first) as HK2; pose proof (proj2 (proj2 (proj2 first))) as Hk.
@@ -65,7 +64,8 @@ Proof.
       apply (path_stern r s r_in s_in K half) in H as (m1 & m2 & H).
       destruct (stern_facts s s_in K half w m1 1 m2 j H) as (E & _ & _ & _ & L1 & L2).
       assert (m1 = 0)%nat as ->.
-      { destruct m1 as [|m1]; [reflexivity|exfalso]; rewrite S_INR in L1; cbn [INR] in L1. pose proof (pos_INR m1); lra. }
+      { destruct m1 as [|m1]; [reflexivity|exfalso]; rewrite S_INR in L1; cbn [INR] in L1.
+        pose proof (pos_INR m1); lra. }
       assert (m2 = 1)%nat as -> by lia. apply (stern_on r s r_in s_in K half w _ _ _ _ H) in Hon.
       exists (1 + j)%nat; split; [lia | split; [apply in_app_iff; right; left; reflexivity|]].
       replace (1 + j - 1)%nat with j by lia; change (INR (0 + 1)) with 1 in Hon; change (INR 1) with 1 in L2; lra.
@@ -73,7 +73,6 @@ Proof.
   - rewrite (vertices_snoc a1 a2 K w i j U H); destruct IH as [-> | (n & Hn & Hin & H1)]; [tauto | right].
     exists n; split; [assumption | split; [apply in_app_iff; left|]; tauto].
 Qed.
-
 Lemma cycles_Plus_Minus : cycles a1 a2 Plus Minus <->
   exists n, (3 <= n)%nat /\ 1 < INR n * s /\ INR (n - 1) * s < 1 /\ b_at r s n 1 > 0.
 Proof.
@@ -99,7 +98,6 @@ Proof.
     destruct (S3_stated r s n 1%nat (Build_Farey _ _ _ _ _ _ (unit_neighbours n Hn)) ltac:(lia) ltac:(lia) Hcell)
       as [_ HS]; cbn [INR] in HS; destruct (HS ltac:(lra)) as (_ & _ & Ho & _); apply Ho, Hb.
 Qed.
-
 Lemma cycles_Plus_Plus : s < 1 / 4 -> (cycles a1 a2 Plus Plus <-> b_at r s (K + 1) K > 0).
 Proof.
   intros Hs; pose proof (K_ge_2 a1 a2 K first) as HK2.

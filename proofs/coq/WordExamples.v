@@ -24,7 +24,6 @@ Proof.
   intros Hy; assert (0 < y * y) by nra; assert (E : x * y = x / y * (y * y)) by (field; assumption).
   set (z := x / y) in *; clearbody z; rewrite E; split; split; intros; nra.
 Qed.
-
 Lemma pattern_1_2 a1 e g : -2 < a1 < 2 -> (pattern a1 1 e g [1; 2]%nat <-> 0 < a1 /\ e = Minus /\ g = Plus \/
   -1 < a1 < 0 /\ e = Plus /\ g = Plus \/ a1 < -1 /\ e = Plus /\ g = Minus).
 Proof.
@@ -51,14 +50,12 @@ Proof.
   - assert (Hz : z < 0) by (apply Hn; nra); assert (z * (a1 + 1) < 0) by nra.
     destruct e, g; cbn [sgn]; split; intros H0; try lra; intuition (congruence || lra).
 Qed.
-
 Lemma trace_fifth : 0 < trace 1 (1 / 5) < 1.
 Proof.
   unfold trace; pose proof PI_RGT_0; split.
   - assert (0 < cos (2 * PI * (1 / 5))) by (apply cos_gt_0; lra); lra.
   - assert (cos (2 * PI * (1 / 5)) < cos (PI / 3)) by (apply cos_decreasing_1; lra). rewrite cos_PI3 in *; lra.
 Qed.
-
 Theorem Pattern_1_2 : Pattern_1_2_statement.
 Proof.
   split; [intros; apply pattern_1_2; assumption|]; intros e g; pose proof trace_fifth as Ht.
@@ -81,7 +78,6 @@ Qed.
 (** The periods below K where eµ < 0. *)
 Lemma K_is_4 s : 3 * s <= 1 / 2 < 4 * s -> 2 * (INR 4 - 1) * s <= 1 < 2 * INR 4 * s.
 Proof. cbn [INR]; lra. Qed.
-
 Theorem Resonance : Resonance_statement.
 Proof.
   intros r Hr; assert (Hs : 0 < 1 / 6 < 1 / 2) by lra.
@@ -102,7 +98,6 @@ Proof.
     split; [intros (x & Hx & -> & _); destruct x; [cbn [on] in Hx; lra | reflexivity]|].
     intros ->; exists U; repeat split; trivial; apply V4.
 Qed.
-
 Theorem Oscillator : Oscillator_statement.
 Proof.
   intros r l Hr; assert (Hs : 0 < 8 / 49 < 1 / 2) by lra.
@@ -129,7 +124,6 @@ Notation u := (u a1 a2).
 
 Lemma next k x y z : u k = x -> u (S k) = y -> z = a1 * y - a2 * x -> u (S (S k)) = z.
 Proof. intros <- <- ->; apply u_SS. Qed.
-
 Lemma u_values : u 2 = -2 / 3 /\ u 3 = -4 / 9 /\ u 4 = 8 / 9 /\ u 5 = -16 / 81 /\
   u 6 = -160 / 243 /\ u 7 = 448 / 729 /\ u 8 = 128 / 729.
 Proof.
@@ -141,7 +135,6 @@ Proof.
   assert (E7 : u 7 = 448 / 729) by (apply (next 5 _ _ _ E5 E6); field).
   assert (E8 : u 8 = 128 / 729) by (apply (next 6 _ _ _ E6 E7); field). tauto.
 Qed.
-
 Definition side_of (n : nat) : letter := match n with 2%nat | 3%nat => U | _ => D end.
 
 Lemma five_word : first_upper a1 a2 2 /\ path a1 a2 2 [U; D; D] 7 3 /\
@@ -172,7 +165,6 @@ Proof.
     + specialize (HU (conj H10 Hs)); lra.
     + specialize (HD (conj H10 Hs)); lra.
 Qed.
-
 Theorem Five_periods : Five_periods_statement.
 Proof.
   destruct five_word as (HK & HP & HV & He); destruct (W5 a1 a2 2%nat _ _ _ HK HP HV) as [HE _].

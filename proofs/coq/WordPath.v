@@ -23,12 +23,10 @@ Proof.
   induction w as [|y w IH]; intros i j; [destruct x; reflexivity|].
   destruct y; cbn [app periods final]; rewrite IH; reflexivity.
 Qed.
-
 Lemma final_snoc w x : forall i j, final i j (w ++ [x]) =
   let (i', j') := final i j w in
   match x with D => ((i' + j')%nat, j') | U => (i', (i' + j')%nat) end.
 Proof. induction w as [|y w IH]; intros i j; [destruct x; reflexivity|]. destruct y; cbn [app final]; apply IH. Qed.
-
 Lemma renewed_snoc i j w x : forall i' j', renewed i j i' j' (w ++ [x]) =
   match renewed i j i' j' w with
   | Some y => Some y
@@ -38,7 +36,6 @@ Proof.
   induction w as [|y w IH]; intros i' j'; [reflexivity|].
   destruct y; cbn [app renewed final]; destruct Nat.eqb; trivial; apply IH.
 Qed.
-
 Lemma app_inj_last {T} (w w' : list T) x x' : w ++ [x] = w' ++ [x'] -> w = w' /\ x = x'.
 Proof. apply app_inj_tail. Qed.
 
@@ -69,13 +66,11 @@ Notation edge := (edge a1 a2).
 Notation path := (path a1 a2 K).
 
 Lemma a2_in : 0 < a2 <= 1. Proof. apply first. Qed.
-
 Lemma a1_in : Rabs a1 < a2 + 1.
 Proof.
   destruct first as (H2 & H1 & _); pose proof (sqrt_sqrt a2 ltac:(lra)).
   pose proof (pow2_ge_0 (1 - sqrt a2)); apply Rabs_def1; lra.
 Qed.
-
 Lemma K_upper : u K < 0. Proof. apply first. Qed.
 Lemma K_ge_2 : (2 <= K)%nat.
 Proof. pose proof K_upper; destruct K as [|[|k]]; [rewrite u_0 in *; lra | rewrite u_1 in *; lra | lia]. Qed.
@@ -90,20 +85,16 @@ Proof.
   intros k Hk'; cbn [sgn]; rewrite Rmult_1_l. pose proof (Hk k ltac:(lia)); pose proof (Hk (K - k)%nat ltac:(lia)).
   pose proof (pow_lt a2 k ltac:(lra)); pose proof (b_N a1 a2 K k ltac:(lra)) as E. unfold N in E; nra.
 Qed.
-
 Lemma path_final w i j : path w i j -> final 1 K w = (i, j).
 Proof. induction 1 as [|w i j H IH Hon|w i j H IH Hon]; [reflexivity|..]; rewrite final_snoc, IH; reflexivity. Qed.
 Lemma vertices_snoc w i j x : path w i j -> vertices K (w ++ [x]) = vertices K w ++ [((i + j)%nat, x)].
 Proof. intros H; unfold vertices; rewrite periods_snoc, (path_final _ _ _ H); reflexivity. Qed.
-
 Lemma path_sides w i j : path w i j -> 0 < u i /\ u j < 0.
 Proof.
   induction 1 as [|w i j H IH Hon|w i j H IH Hon]; cbn [StatementWords.on] in *; [|tauto..].
   split; [apply on_one | apply K_upper].
 Qed.
-
 Lemma path_pos w i j : path w i j -> (1 <= i)%nat /\ (K <= j)%nat. Proof. induction 1; lia. Qed.
-
 Lemma path_prefix w x t : forall i j, path (w ++ x :: t) i j ->
   exists i' j', path w i' j' /\ on (i' + j') x /\ path (w ++ [x]) (fst (final i' j' [x])) (snd (final i' j' [x])) /\
   (fst (final i' j' [x]) <= i)%nat /\ (snd (final i' j' [x]) <= j)%nat.
@@ -122,7 +113,6 @@ Proof.
     + apply app_inj_last in E as [-> <-]; destruct (IH _ _ H') as (i0 & j0 & H0 & H1 & H2 & H3).
       exists i0, j0; repeat split; trivial; lia.
 Qed.
-
 Lemma path_unique w i j i' j' : path w i j -> path w i' j' -> i = i' /\ j = j'.
 Proof. intros H H'; apply path_final in H, H'; rewrite H in H'; inversion H'; auto. Qed.
 
@@ -134,7 +124,6 @@ Proof.
   apply path_prefix in H as (i0 & j0 & H0 & Hx & _), H' as (i1 & j1 & H1 & Hy & _).
   destruct (path_unique _ _ _ _ _ H0 H1) as [<- <-]. destruct x, y; cbn [StatementWords.on] in *; congruence || lra.
 Qed.
-
 Lemma vertices_on w i j : path w i j -> forall k x, In (k, x) (vertices K w) -> on k x.
 Proof.
   induction 1 as [|w i j H IH Hon|w i j H IH Hon]; intros k x Hk.
@@ -152,14 +141,12 @@ Proof.
   intros Hi Hj; destruct (W2 a1 a2 a2_in a1_in) as [_ H].
   destruct (H i j Hi Hj) as (? & ? & ?); repeat split; trivial; lra.
 Qed.
-
 Lemma orbit_on x n : on n x -> (orbit a1 a2 n Plus (case_of x) <-> member Plus n).
 Proof.
   intros Hx; destruct (sign_c a1 a2 a2_in a1_in n (on_nonzero _ _ Hx)) as [H1 H2].
   unfold orbit, StatementWords.member; destruct x; cbn [StatementWords.on sgn case_of] in *; specialize (H1 Hx) ||
     specialize (H2 Hx); split; intros; repeat split; try tauto; lra.
 Qed.
-
 Lemma orbit_case n g : orbit a1 a2 n Plus g <-> exists x, on n x /\ g = case_of x /\ member Plus n.
 Proof.
   split; [|intros (x & Hx & -> & H); apply orbit_on; assumption].

@@ -264,7 +264,8 @@ Proof.
   destruct (Nat.eq_dec K j) as [<-|Hne]; [|exists K; tauto].
   assert (Hnext : forall w, path w i K -> exists j', j' <> K /\ member Plus j' /\ on j' U).
   { intros w Hw; pose proof (path_pos a1 a2 K w i K Hw).
-    destruct (back_edge a1 a2 K first decides w i K Hw) as [[Hn _] _]. exists (i + K)%nat; split; [lia | apply Hn, Hlt]. }
+    destruct (back_edge a1 a2 K first decides w i K Hw) as [[Hn _] _]. exists (i + K)%nat; split; [lia | apply Hn,
+      Hlt]. }
   destruct (proj2 (proj2 (proj2 decides)) i Hi) as [->|[->|(w & i' & j' & Hw & ->)]].
   - apply (Hnext []), path_start.
   - cbn [StatementWords.on] in *; lra.
