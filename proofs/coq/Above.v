@@ -66,11 +66,13 @@ Lemma radius_above n k g lo hi Rad : (3 <= n)%nat -> side n k g lo hi ->
 Proof.
   intros Hn HS HR s Hs; destruct (side_decided n k g lo hi Hn HS) as (j & d & HA & HD).
   split; [apply (HR s Hs)|split; [apply (radius_continuous n g lo hi j d Rad HA HR s Hs)|]]; intros r Hr.
-  destruct (HD r s Hs Hr) as (Hu & (_ & _ & Hp & Hneg & Hz) & S1 & S2 & S3).
+  destruct (HD r s Hs Hr) as (Hu & [_ _ Hp Hneg Hz] & S1 & S2 & S3).
   destruct (sign_of_h n g lo hi j d Rad HA HR s r Hs Hr) as (T1 & T2 & T3).
-  destruct (HR s Hs) as [Hx HI]; specialize (HI r Hr Plus g). split; [assumption|split; [unfold orbit_at; tauto|]].
-  unfold b_at in *; split; [rewrite S2, <- T2; split; intros; lra|].
-  split; [rewrite S3, <- T3; split; intros; lra|split].
+  destruct (HR s Hs) as [Hx HI]; specialize (HI r Hr Plus g); unfold b_at in *; constructor.
+  - assumption.
+  - unfold orbit_at; tauto.
+  - unfold b_at; rewrite S2, <- T2; split; intros; lra.
+  - unfold b_at; rewrite S3, <- T3; split; intros; lra.
   - intros H; apply Hneg, S3, T3; lra.
   - intros <-; apply Hz; [apply S2, T2; lra|]. apply Rnot_le_lt; intros ?; nra.
 Qed.
@@ -80,11 +82,11 @@ Lemma above_radius n k g lo hi Rad : (3 <= n)%nat -> side n k g lo hi ->
   above n k g lo hi Rad -> radius n Plus g lo hi Rad.
 Proof.
   intros Hn HS HR s Hs; destruct (HR s Hs) as (Hx & _ & HI); split; [assumption|].
-  intros r Hr e' g'; destruct (HI r Hr) as (_ & H1 & H2 & H3 & H4 & _); split.
+  intros r Hr e' g'; destruct (HI r Hr) as [_ H1 H2 H3 H4 _]; split.
   - intros Ho; destruct (Rtotal_order (Rad s) r) as [Hl|[He|Hg]].
     + destruct (proj2 (One_case _ _ n Plus g ltac:(lia) (proj1 H1 Hl)) e' g' Ho); tauto.
     + exfalso; apply H2 in He; destruct (side_decided n k g lo hi Hn HS) as (j & d & _ & HD).
-      destruct (HD r s Hs Hr) as (_ & (_ & Hk & _) & _); destruct Ho as (_ & Hb & _).
+      destruct (HD r s Hs Hr) as (_ & [_ Hk _ _ _] & _); destruct Ho as (_ & Hb & _).
       specialize (Hb k Hk); unfold b_at in He; rewrite He in Hb; lra.
     + destruct (proj1 (One_case _ _ n e' g' ltac:(lia) Ho) (H4 Hg)).
   - intros (-> & -> & Hl); apply H1, Hl.

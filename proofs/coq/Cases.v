@@ -35,7 +35,7 @@ Proof. intros H; rewrite c_detIA; apply quotient_pos; lra. Qed.
 (** [decides] and [exists_iff]. *)
 Lemma decides_iff a1 a2 n d g : decides a1 a2 n d g -> exists_iff a1 a2 n Plus g (b a1 a2 n d > 0).
 Proof.
-  intros (_ & Hd & Hp & Hneg & _) e' g'; split; [|intros (-> & -> & H); apply Hp, H].
+  intros [_ Hd Hp Hneg _] e' g'; split; [|intros (-> & -> & H); apply Hp, H].
   intros Ho; destruct (Rtotal_order (b a1 a2 n d) 0) as [H|[H|H]].
   - destruct (proj1 (One_case a1 a2 n e' g' ltac:(lia) Ho) (Hneg H)).
   - exfalso; destruct Ho as (_ & Hb & _); specialize (Hb d Hd); rewrite H in Hb; lra.

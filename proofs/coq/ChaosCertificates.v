@@ -1,7 +1,7 @@
 (** * Two certificates of the paper's oscillator pass the check: {1, 2} for every mu > 0, {1, 2,
   3} for mu <= 0.003
 
-    The boxes and weights are those of checker/tests/data/chaos-12.txt and chaos-123.txt. *)
+    The boxes and weights are those of crates/checker/tests/data/chaos-12.txt and chaos-123.txt. *)
 
 From Coq Require Import QArith List.
 From Grazing Require Import StatementPaths PathsCheck.

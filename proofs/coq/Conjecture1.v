@@ -16,7 +16,7 @@ Lemma N_at_least_3 : 3 <= N. Proof. apply le_INR in Hn; simpl in Hn; lra. Qed.
 Lemma above_area k g lo hi Rad : above n k g lo hi Rad -> Headline.area n k g lo hi Rad.
 Proof.
   intros H s Hs; destruct (H s Hs) as (Hx & Hc & Hall); split; [exact Hx | split; [exact Hc|]]; intros r Hr.
-  destruct (Hall r Hr) as (Hu & Habove & Hzero & _ & Hbelow & Hothers); unfold orbit_at, no_orbit_at in *.
+  destruct (Hall r Hr) as [Hu Habove Hzero _ Hbelow Hothers]; unfold orbit_at, no_orbit_at in *.
   split; [exact Hu|]; split; [intros L; apply born_exactly; [lia | apply Habove, L]|].
   split; [intros L; apply no_orbit_never; [lia | exact (Hbelow L)] | split; [exact Hzero | exact Hothers]].
 Qed.
@@ -106,7 +106,7 @@ Lemma leftmost n a2 : (3 <= n)%nat -> Nat.Odd n -> 0 < a2 < 1 ->
   ends_left a2 (trace (sqrt a2) ((1 - 1 / INR n) / 2)) n (n - 2).
 Proof.
   intros Hn Ho H2; destruct (S5_section a2 n H2 Hn Ho) as (a1s & Hs & H); exists a1s; split; [exact Hs|].
-  intros a1 Ha1; destruct (H a1 Ha1) as (Hu & (_ & _ & Hpos & Hneg & Hzero) & Hlt & Heq); split; [exact Hu|].
+  intros a1 Ha1; destruct (H a1 Ha1) as (Hu & [_ _ Hpos Hneg Hzero] & Hlt & Heq); split; [exact Hu|].
   split; [|split; [|split]].
   - intros L; apply born_exactly; [lia | apply Hpos, Hlt, L].
   - intros L; apply no_orbit_never; [lia|]; apply Hneg.

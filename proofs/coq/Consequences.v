@@ -141,9 +141,9 @@ Lemma S5_numbers : S5_statement -> orbit (-6 / 5) (1 / 4) 3 Plus Minus /\
 Proof.
   intros H; assert (Ho : Nat.Odd 3) by (exists 1%nat; reflexivity).
   destruct (H (-6 / 5) (1 / 4) 3%nat) as (_ & _ & D); rewrite ?sqrt_quarter; try lra.
-  destruct (D ltac:(lia) Ho) as (_ & _ & _ & Hp & _).
+  destruct (D ltac:(lia) Ho) as (_ & [_ _ Hp _ _]).
   destruct (H (-1) (1 / 4) 3%nat) as (_ & _ & D'); rewrite ?sqrt_quarter; try lra.
-  destruct (D' ltac:(lia) Ho) as (_ & _ & _ & _ & _ & Hz).
+  destruct (D' ltac:(lia) Ho) as (_ & [_ _ _ _ Hz]).
   destruct (H (-1) (1 / 4) 4%nat) as (_ & H4 & _); rewrite ?sqrt_quarter; try lra.
   destruct (H (-1) (1 / 4) 2%nat) as (H2 & _ & _); rewrite ?sqrt_quarter; try lra. split; [|split; [|split]].
   - apply Hp; unfold b, u; simpl; lra.

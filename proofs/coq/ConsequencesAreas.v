@@ -77,9 +77,9 @@ Proof.
   rewrite trace_1_6, pow1 in X; rewrite trace_1_3 in Y; replace (- (1 / 2)) with (-1 / 2) in Y by field.
   replace ((1 / 2) ^ 2) with (1 / 4) in Y by field; cbn [n_minus n_plus Farey_1_4] in X, Y; split.
   - destruct X as [X _]; [split; [lra|]; split; [lra|]; split; [numbers|]; apply Rabs_def1; simpl; lra|].
-    destruct X as (_ & _ & X & _); [simpl; lra|]; apply X; numbers.
+    destruct X as [_ _ X _ _]; [simpl; lra|]; apply X; numbers.
   - destruct Y as [_ Y]; [split; [lra|]; split; [lra|]; split; [numbers|]; apply Rabs_def1; simpl; lra|].
-    destruct Y as (_ & _ & _ & Y & _); [simpl; lra|]; apply Y; numbers.
+    destruct Y as [_ _ _ Y _]; [simpl; lra|]; apply Y; numbers.
 Qed.
 
 (** ** S4: the area of period 4 over (1/8, 1/4), where b_{4,3} decides *)
@@ -121,8 +121,8 @@ Proof.
   intros S; destruct (S (1 / 4) 3%nat ltac:(lra) ltac:(lia) ltac:(exists 1%nat; reflexivity)) as (a1s & H1 & H).
   rewrite trace_half in *; cbn [Nat.sub] in H.
   assert (E : -1 = a1s) by (apply (H (-1) ltac:(lra)); numbers); subst a1s; split.
-  - destruct (H (-11 / 10) ltac:(lra)) as (_ & (_ & _ & D & _) & L & _); apply D, L; lra.
-  - destruct (H (-9 / 10) ltac:(lra)) as (_ & (_ & _ & _ & D & _) & L & Z); apply D.
+  - destruct (H (-11 / 10) ltac:(lra)) as (_ & [_ _ D _ _] & L & _); apply D, L; lra.
+  - destruct (H (-9 / 10) ltac:(lra)) as (_ & [_ _ _ D _] & L & Z); apply D.
     destruct (Rtotal_order (b (-9 / 10) (1 / 4) 3 1) 0) as [B|[B|B]]; [exact B | apply Z in B; lra | apply L in B; lra].
 Qed.
 Lemma Joined_numbers : Joined_statement -> orbit (-3) (1 / 4) 3 Plus Minus /\ orbit (-5 / 4) (1 / 4) 3 Plus Minus /\
@@ -155,7 +155,7 @@ Lemma decides_means a1 a2 n d g : decides a1 a2 n d g -> (0 < d < n)%nat /\ sgn 
   (0 < b a1 a2 n d -> orbit a1 a2 n Plus g) /\ (0 > b a1 a2 n d -> no_orbit a1 a2 n) /\
   forall k, (0 < k < n)%nat -> k <> d -> b a1 a2 n d = 0 -> a2 < 1 -> 0 < b a1 a2 n k.
 Proof.
-  intros (A & B & C & D & E); split; [lia|]; split; [exact A|]; split; [exact C|]; split; [exact D|].
+  intros [A B C D E]; split; [lia|]; split; [exact A|]; split; [exact C|]; split; [exact D|].
   intros k Hk Hd Hb Ha; apply (E Hb Ha k); [lia | exact Hd].
 Qed.
 Lemma above_means n k g lo hi Rad : above n k g lo hi Rad -> forall r s, lo < s < hi -> 0 < r <= 1 ->
@@ -163,7 +163,7 @@ Lemma above_means n k g lo hi Rad : above n k g lo hi Rad -> forall r s, lo < s 
   (b_at r s n k = 0 <-> r = Rad s) /\ (b_at r s n k < 0 <-> r < Rad s) /\ (r < Rad s -> no_orbit_at r s n) /\
   forall j, (0 < j < n)%nat -> j <> k -> r = Rad s -> 0 < b_at r s n j.
 Proof.
-  intros H r s Hs Hr; destruct (H s Hs) as (A & B & P); destruct (P r Hr) as (U & X & Y & Z & W & V).
+  intros H r s Hs Hr; destruct (H s Hs) as (A & B & P); destruct (P r Hr) as [U X Y Z W V].
   split; [repeat split; try lra; exact B|]; split; [exact U|]; split; [split; intros E; apply X, E|].
   split; [split; intros E; [symmetry; apply Y, E | apply Y; symmetry; exact E]|]; split; [split; intros E; apply Z, E|].
   split; [exact W|]; intros j Hj Hk E; apply (V (eq_sym E) j); [lia | exact Hk].

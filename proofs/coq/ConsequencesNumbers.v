@@ -40,13 +40,13 @@ Lemma trace_6 r : trace r (1 / 6) = r.
 Proof. unfold trace; replace (2 * PI * (1 / 6)) with (PI / 3) by field; rewrite cos_PI3; field. Qed.
 Lemma returns_6 : Returns_statement -> forall n, return_time 2 4 n <-> n = 1%nat \/ n = 4%nat \/ n = 5%nat.
 Proof.
-  intros H n; destruct (H 2 (1 / 6) 4%nat) as (_ & _ & Hr & _ & _ & _ & HB); [lra | lra | simpl; lra|].
+  intros H n; destruct (H 2 (1 / 6) 4%nat) as [_ _ Hr _ _ _ HB]; [lra | lra | simpl; lra|].
   destruct (HB ltac:(lra)) as (w & m1 & n1 & m2 & n2 & HS & HV & HN & HT).
   assert (H5 : ~ V 2 (1 / 6) 5).
   { unfold V; rewrite trace_6; intros [Hu Hb]; specialize (Hb 1%nat ltac:(lia)); unfold b, u in Hb; simpl in Hb; lra. }
   destruct (no_step w m1 n1 m2 n2 HS) as (-> & -> & ->); [rewrite <- HV; assumption|].
   specialize (HT n); unfold T at 1 in HT; rewrite trace_6 in HT; replace (2 ^ 2) with 4 in HT by ring; rewrite HT.
-  destruct (H (/ 2) (1 / 6) 4%nat) as (_ & _ & _ & _ & HW & _); [lra | lra | simpl; lra|].
+  destruct (H (/ 2) (1 / 6) 4%nat) as [_ _ _ _ HW _ _]; [lra | lra | simpl; lra|].
   rewrite (HW ltac:(lra)), <- Hr, HV; cbn [vertices periods map fst In Nat.add]; split.
   - intros [[<-|[<-|[]]]|[->|[(_ & E & _)|(_ & E & _)]]]; try tauto; unfold p, u in E; simpl in E; lra.
   - intros [->|[->| ->]]; tauto.
@@ -55,8 +55,8 @@ Qed.
 (** Past 1 and 3 at r = 1 and s = 13/36 < 2/5: 3 is lower, then 5 is upper, and in V. *)
 Lemma V_whole : Returns_statement -> V 1 (13 / 36) 2 /\ V 1 (13 / 36) 5 /\ T (1 / 2) (13 / 36) 2.
 Proof.
-  intros H; destruct (H 1 (13 / 36) 2%nat) as ((_ & H2 & _) & _ & _ & _ & _ & HW & _); [lra | lra | simpl; lra|].
-  destruct (H (1 / 2) (13 / 36) 2%nat) as (_ & (_ & HT & _) & _); [lra | lra | simpl; lra|].
+  intros H; destruct (H 1 (13 / 36) 2%nat) as [(_ & H2 & _) _ _ _ _ HW _]; [lra | lra | simpl; lra|].
+  destruct (H (1 / 2) (13 / 36) 2%nat) as [_ (_ & HT & _) _ _ _ _ _]; [lra | lra | simpl; lra|].
   split; [exact H2 | split; [|exact HT]]; apply (HW eq_refl ([] ++ [D]) 1%nat 3%nat 1%nat 2%nat); [|simpl; lra].
   apply (stern_D (13 / 36) 2 [] 0 1 1 2); [constructor | simpl; lra].
 Qed.
@@ -287,6 +287,6 @@ Lemma Returns_mean : Returns_statement -> forall r s K, 0 < r -> 0 < s < 1 / 2 -
   * s -> (initial_piece s K (T r s) /\ initial_piece s K (V r s)) /\ (forall n, V (/ r) s n -> V r s n) /\
   (forall n, V r s n -> T r s n) /\ (r <= 1 -> forall n, T r s n -> V r s n).
 Proof.
-  intros H r s K Hr Hs HK; destruct (H r s K Hr Hs HK) as (A & B & C & D & E & _); split; [split; assumption|].
+  intros H r s K Hr Hs HK; destruct (H r s K Hr Hs HK) as [A B C D E _ _]; split; [split; assumption|].
   split; [intros n; apply C|]; split; [exact D | intros L n; apply (E L)].
 Qed.

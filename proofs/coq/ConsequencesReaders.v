@@ -43,6 +43,8 @@ Definition here : box := ((-1, 4), (-1, 4), (1, 2), (1, 2))%Z.
 Definition rows_here := [[Some Minus; Some Plus; Some Plus]; [Some Plus; Some Plus; Some Plus];
   [Some Minus; Some Plus; Some Plus]].
 Lemma in_here : in_box here (- 1 / 4) (1 / 2). Proof. unfold in_box, here, fraction; cbn [fst snd]; lra. Qed.
+Lemma in_here_means a1 a2 : in_box here a1 a2 -> a2 = 1 / 2 /\ a1 = - 1 / 4.
+Proof. unfold in_box, here, fraction; cbn [fst snd]; intros [A B]; lra. Qed.
 Lemma by_signs : Word_reader_statement -> member (- 1 / 4) (1 / 2) Plus 3 /\ lettered (- 1 / 4) (1 / 2) 3 U /\
   b (- 1 / 4) (1 / 2) 4 1 < 0 /\ p (- 1 / 4) (1 / 2) 3 - q (- 1 / 4) (1 / 2) 1 > 0 /\ p (- 1 / 4) (1 / 2) 1 - q
   (- 1 / 4) (1 / 2) 3 < 0.

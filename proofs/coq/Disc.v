@@ -208,7 +208,7 @@ Qed.
 Lemma decides_at_decides r s n d g : 0 < r -> (1 <= d <= n - 1)%nat ->
   sgn g * c_at r s n > 0 -> decides_at r s n d g -> decides (trace r s) (r ^ 2) n d g.
 Proof.
-  intros Hr Hd Hc (_ & Hex & Hneg & Hz); split; [assumption|split; [assumption|split; [|split]]].
+  intros Hr Hd Hc (_ & Hex & Hneg & Hz); constructor; [assumption..| | |].
   - intros H; apply Hex; tauto.
   - assumption.
   - intros H H2; apply Hz; [assumption|]; apply Rnot_le_lt; intros ?; nra.

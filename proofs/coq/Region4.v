@@ -125,5 +125,5 @@ Proof.
   intros a1 a2 n H2 H1; destruct (region4_signs a1 a2 n H2 H1) as (HA & HB & HC).
   split; [intros En; apply (HA En); tauto|split; [assumption|]]; intros Hn Ho.
   destruct (HC Hn Ho) as (Hu & Hex & Hc & Hneg & Hz); split; [assumption|].
-  split; [cbn [sgn]; lra|split; [lia|split; [|split]]]; [|assumption|auto]. intros Hb; apply Hex; tauto.
+  constructor; [cbn [sgn]; lra | lia | intros Hb; apply Hex; tauto | assumption | auto].
 Qed.

@@ -637,9 +637,7 @@ Proof.
   assert (Within : forall r, 0 < r -> r <= 1 -> forall n, T r s n <-> V r s n).
   { intros r' Hr' H1 n; split; [|intros HV; apply time_return, member_time, HV].
     intros HT; apply (time_member_within r' s Hr' Hs K HK H1), time_return, HT. }
-  split;
-    [|split; [|split; [intros; apply V_reversed; assumption | split;
-    [assumption | split; [apply Within; assumption | split]]]]].
+  constructor; [| | intros; apply V_reversed; assumption | assumption | apply Within; assumption | |].
   - split; [apply member_1 | split; [apply (member_first r s); assumption | split]].
     + intros n HV; apply HP, member_time, HV.
     + intros w m1 n1 m2 n2 H HV; destruct (trichotomy r s Hr Hs K HK w m1 n1 m2 n2 H)

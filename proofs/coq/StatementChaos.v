@@ -1,5 +1,5 @@
-(** * Statement: the paper's oscillator has exactly one motion for every word over {1, 2} and every mu > 0, and
-    for every word over {1, 2, 3} and every 0 < mu <= 0.003
+(** * Statement: the paper's oscillator has exactly one motion for every word over {1, 2} and every mu > 0,
+    and for every word over {1, 2, 3} and every 0 < mu <= 0.003
 
     Section 4's oscillator (65)-(67) with d = 0.6, w = 4.9 and restitution 1. Its impacts can be one or two
     periods apart in any order, for all time: exactly one motion in the boxes below does it, above the wall

@@ -22,8 +22,8 @@ Definition g1 (M : Machine.t) (t : R) : R := over_harmonics (fun '(j, (a, b)) =>
 Definition wall (M : Machine.t) (t : R) : R := Machine.sigma M * Machine.nu M - 1 + g M t.
 
 (** A leg lasts that many periods; ranges of the velocities, divided by nu, just after its first and just
-    before its last impact, and the weights of the two in the norm in which legs contract; the numbers of those
-    that may follow. *)
+    before its last impact, and the weights of the two in the norm in which legs contract; the numbers of
+    those that may follow. *)
 Module Letter. Record t : Type := {
   periods : positive; after : Q * Q; before : Q * Q; weights : Q * Q; next : list nat }.
 End Letter.

@@ -73,7 +73,7 @@ Lemma area3_orbit g : area3 a1 a2 n g -> orbit a1 a2 n Plus g.
 Proof.
   intros (r & s & k & lo & hi & Hr & Hs & E1 & E2 & HS & Hsi & Hb).
   assert (r <= 1) by (apply Rnot_lt_le; intros ?; nra). destruct (side_decided n k g lo hi n_in HS) as (j & d & _ & HD).
-  destruct (HD r s Hsi ltac:(lra)) as (_ & (_ & _ & Hp & _) & _); rewrite E1, E2 in *; auto.
+  destruct (HD r s Hsi ltac:(lra)) as (_ & [_ _ Hp _ _] & _); rewrite E1, E2 in *; auto.
 Qed.
 Lemma region3_orbit e g : a1 ^ 2 < 4 * a2 -> orbit a1 a2 n e g <-> 2 * sqrt a2 * cos (PI / INR n) < a1 /\ e = Minus /\
   g = Plus \/ area3 a1 a2 n g /\ e = Plus.

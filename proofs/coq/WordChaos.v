@@ -96,7 +96,7 @@ Proof.
     rewrite minus_INR in H2 by lia; cbn [INR] in H2.
     assert (Hcell : cell r s n 1) by (apply unit_cell; [assumption | apply Rabs_def1; lra | lra]).
     destruct (S3_stated r s n 1%nat (Build_Farey _ _ _ _ _ _ (unit_neighbours n Hn)) ltac:(lia) ltac:(lia) Hcell)
-      as [_ HS]; cbn [INR] in HS; destruct (HS ltac:(lra)) as (_ & _ & Ho & _); apply Ho, Hb.
+      as [_ HS]; cbn [INR] in HS; destruct (HS ltac:(lra)) as [_ _ Ho _ _]; apply Ho, Hb.
 Qed.
 Lemma cycles_Plus_Plus : s < 1 / 4 -> (cycles a1 a2 Plus Plus <-> b_at r s (K + 1) K > 0).
 Proof.
@@ -119,7 +119,7 @@ Proof.
     assert (Hcell : cell r s (K + 1) 1).
     { apply unit_cell; [assumption | |]; rewrite plus_INR; cbn [INR]; [apply Rabs_def1|]; lra. }
     destruct (S3_stated r s (K + 1)%nat 1%nat (Build_Farey _ _ _ _ _ _ (unit_neighbours _ HK3)) ltac:(lia) ltac:(lia)
-      Hcell) as [HS _]; rewrite plus_INR in HS; cbn [INR] in HS; destruct (HS ltac:(lra)) as (_ & _ & Ho & _).
+      Hcell) as [HS _]; rewrite plus_INR in HS; cbn [INR] in HS; destruct (HS ltac:(lra)) as [_ _ Ho _ _].
     apply Ho; cbn [n_minus]; replace (K + 1 - 1)%nat with K by lia; exact Hb.
 Qed.
 End Region3.

@@ -56,7 +56,7 @@ Proof.
   - apply (on_nonzero a1 a2 (i + j) D); assumption.
   - destruct (path_odd w i j H) as [Hi ->]; pose proof (path_pos a1 a2 2 w i 2 H).
     destruct (S5 a1 a2 (i + 2)%nat a2_in a1_in) as (_ & _ & HO).
-    destruct (HO ltac:(lia) (odd_plus_2 i Hi)) as (_ & _ & _ & Ho & _).
+    destruct (HO ltac:(lia) (odd_plus_2 i Hi)) as (_ & [_ _ Ho _ _]).
     replace (i + 2 - 2)%nat with i in Ho by lia; apply Ho; assumption.
   - intros n [Hu Hb]; pose proof (u_nonzero_pos a1 a2 n Hu). destruct (Nat.Even_or_Odd n) as [He|[h Hh]].
     + destruct (Nat.eq_dec n 2) as [|Hn2]; [tauto|exfalso]. destruct (S5 a1 a2 n a2_in a1_in) as (_ & HE & _).

@@ -250,14 +250,14 @@ Proof.
     pose proof (stern_cell _ _ _ _ _ Hw (on_nonzero a1 a2 _ U Hon)) as Hcell.
     destruct (S3_stated r s _ _ (Build_Farey _ _ _ _ _ _ (stern_neighbours _ _ _ _ _ Hw)) ltac:(lia) ltac:(lia) Hcell)
       as [HS _].
-    apply (stern_on w _ _ _ _ Hw) in Hon; destruct (HS ltac:(lra)) as (_ & _ & Ho & _).
+    apply (stern_on w _ _ _ _ Hw) in Hon; destruct (HS ltac:(lra)) as [_ _ Ho _ _].
     apply (proj1 (orbit_member_edge a1 a2 Plus Plus _)), Ho, Hb.
   - intros w i j Hp Hon Hb; apply path_stern in Hp as (m1 & m2 & Hw).
     destruct (stern_facts _ _ _ _ _ Hw) as (_ & ? & ? & ? & _).
     pose proof (stern_cell _ _ _ _ _ Hw (on_nonzero a1 a2 _ D Hon)) as Hcell.
     destruct (S3_stated r s _ _ (Build_Farey _ _ _ _ _ _ (stern_neighbours _ _ _ _ _ Hw)) ltac:(lia) ltac:(lia) Hcell)
       as [_ HS].
-    apply (stern_on w _ _ _ _ Hw) in Hon; destruct (HS ltac:(lra)) as (_ & _ & Ho & _).
+    apply (stern_on w _ _ _ _ Hw) in Hon; destruct (HS ltac:(lra)) as [_ _ Ho _ _].
     apply (proj1 (orbit_member_edge a1 a2 Plus Minus _)), Ho, Hb.
 Qed.
 End Path.

@@ -208,13 +208,19 @@ other Headline.v Conjecture_1_statement 'fifth not at 1\/n' <<'E'
 s/(2 \* m_minus F <> n_minus F)%nat ->/(m <> 1)%nat -> &/
 E
 other Headline.v Conjecture_1_statement 'none elsewhere for r > 1/2' <<'E'
-s/(forall r s, 0 < r < 1 -> 0 < s < 1 \/ 2 -> u_at/(forall r s, 1 \/ 2 < r < 1 -> 0 < s < 1 \/ 2 -> u_at/
+/none_in_3/ s/0 < r < 1/1 \/ 2 < r < 1/
 E
 other Headline.v Conjecture_1_statement 'none in region 4 for a2 > 1/5' <<'E'
-s/(forall a1 a2, 0 < a2 < 1 -> - (a2 + 1)/(forall a1 a2, 1 \/ 5 < a2 < 1 -> - (a2 + 1)/
+/none_in_4/ s/0 < a2 < 1/1 \/ 5 < a2 < 1/
 E
 other Headline.v Conjecture_1_statement 'none in region 4 but next to it' <<'E'
 s/< a1 <= - 2 \* sqrt a2 -> Nat.Even n/< a1 < - 2 * sqrt a2 -> Nat.Even n/
+E
+other StatementChaos.v chaos_motion 'a wider window' <<'E'
+s/(- mu) (6 \/ 5)/(- mu) (7 \/ 5)/
+E
+other StatementChaos.v chaos_motion 'another restitution' <<'E'
+s/(49 \/ 10) 1)/(49 \/ 10) (1 \/ 2))/
 E
 other Headline.v Words_statement 'only with damping' <<'E'
 /^Definition Words_statement/,/^$/ s/first_upper a1 a2 K ->/a2 < 1 \/ 2 -> &/
