@@ -147,9 +147,9 @@ Fixpoint turnsZ (x z : Z) (k : nat) : (Z * Z) * option Z := match k with O => ((
 Definition short (c : Z * Z) : bool := (0 <? snd c) && (fst c <? 2 * snd c) && (- (2 * snd c) <? fst c).
 Definition timesF (h l : Z * Z) : Z * Z := (fst h * fst l, snd h * snd l).
 Definition polarZ (r s c c' : Z * Z) : option box :=
-  let turns (c : Z * Z) := snd (turnsZ (fst c) (snd c) (Z.to_nat (snd s) - 1)) in
+  let changes (c : Z * Z) := snd (turnsZ (fst c) (snd c) (Z.to_nat (snd s) - 1)) in
   if (0 <? fst r) && (0 <? snd r) && (0 <? fst s) && (2 * fst s <? snd s) && short c && short c' &&
-    match turns c, turns c' with Some t, Some t' => (2 * fst s <=? t) &&
+    match changes c, changes c' with Some t, Some t' => (2 * fst s <=? t) &&
       (t' + 1 <=? 2 * fst s) | _, _ => false end
   then Some (timesF r c, timesF r c', timesF r r, timesF r r) else None.
 
