@@ -127,6 +127,10 @@ Proof. intros [E|(k & Hk & E)]; [left; rewrite E; cbn; ring | right; exists k; s
 Lemma planar_means M a1 a2 gamma rate w : planar M a1 a2 gamma rate w -> (gamma <> 0 /\ rate <> 0) /\
   gamma = dot 2 (Map.C M) (mult 2 (Map.A M) (Map.B M)) /\ rate = dot 2 (Map.C M) w + Map.eta M.
 Proof. intros P; destruct (is_gamma _ _ _ _ _ _ P), (is_rate _ _ _ _ _ _ P); repeat split; assumption. Qed.
+Lemma linear_part M a1 a2 gamma rate w : planar M a1 a2 gamma rate w -> let A := Map.A M in
+  (smooth M /\ Map.N M = 2%nat) /\ a1 = A 0%nat 0%nat + A 1%nat 1%nat /\
+  a2 = A 0%nat 0%nat * A 1%nat 1%nat - A 0%nat 1%nat * A 1%nat 0%nat /\ dot 2 (Map.C M) (Map.B M) = 0.
+Proof. intros [S N T D C _ _ _]; split; [exact (conj S N) | exact (conj T (conj D C))]. Qed.
 
 (** One fixed point for small mu < 0, near (-mu, -mu); none for small mu > 0. *)
 Lemma Theorem1_numbers : Instance_statement -> Theorem1_statement -> exists d, d > 0 /\

@@ -128,6 +128,13 @@ Proof.
   replace (z PI) with (- A11) by lra; replace (w PI) with (- A21) by lra; replace (v PI) with (- A22) by lra.
   replace (y PI) with (- gamma) by lra; split; ring.
 Qed.
+Lemma touching_fields O : touching O -> forall mu t, let G := Oscillator.G O in let G1 := Oscillator.G1 O in
+  (derivable_pt_lim (G mu) t (G1 mu t) /\ derivable_pt_lim (G1 mu) t (Oscillator.G2 O mu t)) /\
+  G mu (t + 2 * PI) = G mu t /\ G mu 0 = 0 /\ (0 < t -> t < 2 * PI -> G 0 t > 0).
+Proof.
+  intros [P S B T L _ _] mu t; split; [split; [exact (S mu t) | exact (B mu t)]|]; split; [exact (P mu t)|].
+  split; [exact (T mu) | intros H H'; exact (L t (conj H H'))].
+Qed.
 Lemma touching_means O : touching O -> (0 < Oscillator.G2 O 0 0 /\ continuity_pt (Oscillator.G2 O 0) 0) /\ exists K,
   forall mu t, - 1 <= mu <= 1 -> Rabs (Oscillator.G2 O mu t - Oscillator.G2 O 0 t) <= K * Rabs mu /\
   Rabs (Oscillator.G1 O mu t - Oscillator.G1 O 0 t) <= K * Rabs mu /\ Rabs (Oscillator.G O mu t - Oscillator.G O 0 t)

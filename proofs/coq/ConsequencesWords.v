@@ -314,3 +314,5 @@ Proof.
   - decompose [and] B2; repeat (split; [assumption|]); assumption.
   - decompose [and] B3; repeat (split; [assumption|]); assumption.
 Qed.
+Lemma five_not_followed : Five_periods_statement -> edge (-2 / 3) (8 / 9) Plus Minus 1 4.
+Proof. intros [_ H]; apply (H 1%nat 4%nat); cbn; intuition discriminate. Qed.

@@ -92,7 +92,7 @@ for said in $chosen; do
   [ ! "$others" ] || break
   awk -f conjuncts.awk "$said" >"$work/conjuncts"
   while read -r at length name text; do
-    { head -c $((at - 1)) "$here/$said"; printf '(True \\/ '; tail -c +"$at" "$here/$said" | head -c "$length"; printf ')'
+    { head -c $((at - 1)) "$here/$said"; printf '(True \\/ ('; tail -c +"$at" "$here/$said" | head -c "$length"; printf '))'
       tail -c +$((at + length)) "$here/$said"; } >"$said"
     try "$said" "$name" "$text" </dev/null
   done <"$work/conjuncts"
