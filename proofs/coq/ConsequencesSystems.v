@@ -128,6 +128,7 @@ Proof.
   replace (z PI) with (- A11) by lra; replace (w PI) with (- A21) by lra; replace (v PI) with (- A22) by lra.
   replace (y PI) with (- gamma) by lra; split; ring.
 Qed.
+Lemma restitution O m a1 a2 gamma : grazing O m a1 a2 gamma -> Oscillator.tau O >= 0. Proof. intros [_ T _ _]; lra. Qed.
 Lemma touching_fields O : touching O -> forall mu t, let G := Oscillator.G O in let G1 := Oscillator.G1 O in
   (derivable_pt_lim (G mu) t (G1 mu t) /\ derivable_pt_lim (G1 mu) t (Oscillator.G2 O mu t)) /\
   G mu (t + 2 * PI) = G mu t /\ G mu 0 = 0 /\ (0 < t -> t < 2 * PI -> G 0 t > 0).
