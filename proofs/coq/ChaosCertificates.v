@@ -1,7 +1,7 @@
 (** * Two certificates of the paper's oscillator pass the check: {1, 2} for every mu > 0, {1, 2,
   3} for mu <= 0.003
 
-    The boxes and weights are those of checker/tests/data/chaos-12.txt and chaos-123.txt. *)
+    The boxes and weights are those of crates/checker/tests/data/chaos-12.txt and chaos-123.txt. *)
 
 From Coq Require Import QArith List.
 From Grazing Require Import StatementPaths PathsCheck.
@@ -38,7 +38,5 @@ Definition three' : Letter.t := {| Letter.periods := 3; Letter.after := (169 # 1
   Letter.next := [0; 1; 2]%nat |}.
 Definition chaos_123 : Certificate.t := paper (0, 3 # 1003) 1 (928 # 1000) [one'; two'; three'].
 
-Lemma checked_12 : check chaos_12 = true.
-Proof. vm_cast_no_check (eq_refl true). Qed.
-Lemma checked_123 : check chaos_123 = true.
-Proof. vm_cast_no_check (eq_refl true). Qed.
+Lemma checked_12 : check chaos_12 = true. Proof. vm_cast_no_check (eq_refl true). Qed.
+Lemma checked_123 : check chaos_123 = true. Proof. vm_cast_no_check (eq_refl true). Qed.

@@ -22,11 +22,9 @@ Definition agree (m : nat) : Prop := forall i, (- K + Z.of_nat m < i < K - Z.of_
 
 Lemma boxed i : (- K < i < K)%Z -> lo M l i <= s i <= hi M l i /\ lo M l i <= s' i <= hi M l i.
 Proof.
-  intros H; split; [exact (Hs i)|]; pose proof (Hs' i) as I; unfold lo, hi in I; rewrite !HE in I by lia;
-    exact I.
+  intros H; split; [exact (Hs i)|]; pose proof (Hs' i) as I; unfold lo, hi in I; rewrite !HE in I by lia; exact I.
 Qed.
-Lemma kappa_pow m : 0 <= spread * kappa ^ m.
-Proof. apply Rmult_le_pos; [apply HC | apply pow_le, HC]. Qed.
+Lemma kappa_pow m : 0 <= spread * kappa ^ m. Proof. apply Rmult_le_pos; [apply HC | apply pow_le, HC]. Qed.
 
 Lemma leg_agrees m i : agree m -> (- K + Z.of_nat m < i)%Z -> (i + 1 < K - Z.of_nat m)%Z ->
   Rabs (afters M w (legs l) s i - afters M w (legs l') s' i) <= kappa * alpha (l i) * (spread * kappa ^ m) /\
@@ -56,8 +54,7 @@ Lemma phase_lipschitz mu s s' : mu > 0 -> let M := machine mu in good M (6 / 5) 
   Rabs (phase M (6 / 5) s - phase M (6 / 5) s') <= Rabs (s - s').
 Proof.
   intros Hmu M HG HL; pose proof (nu_range mu Hmu) as Hn; pose proof PI2_3_2 as HPI.
-  assert (B : forall x, Rmin s s' <= x <= Rmax s s' -> Rabs (- (Machine.nu M / 2) / bend M (phase M (6 / 5)
-    x)) <= 1).
+  assert (B : forall x, Rmin s s' <= x <= Rmax s s' -> Rabs (- (Machine.nu M / 2) / bend M (phase M (6 / 5) x)) <= 1).
   { intros x Hx; destruct (HL x Hx) as [[L E] Hx1]; set (t := phase M (6 / 5) x) in *.
     destruct (machine_wall mu t) as (_ & E1 & E2); fold M in E1, E2; rewrite E1 in E; rewrite E2.
     apply Rabs_def2 in L; assert (C : 0 < cos t) by (apply cos_gt_0; lra).
@@ -66,18 +63,16 @@ Proof.
     assert (Hy : -1 / 2 < y < 1 / 2) by (split; nra); assert (Hk : nu / 2 <= k) by nra.
     unfold Rdiv at 1; rewrite Rabs_mult, Rabs_Ropp, Rabs_inv, (Rabs_pos_eq (nu / 2)), (Rabs_pos_eq k) by lra.
     apply (Rmult_le_reg_r k); [exact C|]; rewrite Rmult_assoc, Rinv_l; lra. }
-  assert (D : forall x, Rmin s s' <= x <= Rmax s s' ->
-    derivable_pt_lim (phase M (6 / 5)) x (- (Machine.nu M / 2) / bend M (phase M (6 / 5) x))).
+  assert (D : forall x, Rmin s s' <= x <= Rmax s s' -> derivable_pt_lim (phase M (6 / 5)) x (- (Machine.nu M / 2) / bend
+    M (phase M (6 / 5) x))).
   { intros x Hx; apply (D_phase_at M (6 / 5) (good_b _ _ HG)); [apply HG | apply HL, Hx]. }
   assert (X : forall a b, a < b -> (forall x, a <= x <= b -> Rmin s s' <= x <= Rmax s s') ->
     Rabs (phase M (6 / 5) b - phase M (6 / 5) a) <= Rabs (b - a)).
-  { intros a b Hab I; destruct (MVT_cor2 (phase M (6 / 5)) (fun x => - (Machine.nu M / 2) / bend M (phase M
-    (6 / 5) x)) a b Hab)
-      as (x & E & Hx); [intros; apply D, I; assumption|]; rewrite E, Rabs_mult.
+  { intros a b Hab I; destruct (MVT_cor2 (phase M (6 / 5)) (fun x => - (Machine.nu M / 2) / bend M (phase M (6 / 5) x))
+      a b Hab) as (x & E & Hx); [intros; apply D, I; assumption|]; rewrite E, Rabs_mult.
     pose proof (B x (I x ltac:(lra))); pose proof (Rabs_pos (b - a)); nra. }
   destruct (Rtotal_order s s') as [L|[->|L]].
-  - rewrite Rabs_minus_sym, (Rabs_minus_sym s); apply X; [exact L|]; rewrite Rmin_left, Rmax_right by lra;
-      auto.
+  - rewrite Rabs_minus_sym, (Rabs_minus_sym s); apply X; [exact L|]; rewrite Rmin_left, Rmax_right by lra; auto.
   - rewrite !Rminus_eq_0; lra.
   - apply X; [exact L|]; rewrite Rmin_right, Rmax_left by lra; auto.
 Qed.
@@ -85,12 +80,11 @@ Qed.
 Lemma chain_12 mu N : mu > 0 -> one_or_two N -> chain (machine mu) (6 / 5) (7 / 8) 2 (letters_of N).
 Proof.
   intros Hmu HN; destruct (letters_path N HN) as [HP _].
-  destruct (checked_path chaos_12 (machine mu) (letters_of N) checked_12 (machine_covered mu Hmu) HP) as [[B
-    HC] _].
+  destruct (checked_path chaos_12 (machine mu) (letters_of N) checked_12 (machine_covered mu Hmu) HP) as [[B HC] _].
   replace (Q2R (Certificate.window chaos_12)) with (6 / 5) in HC by (unfold Q2R; cbn; lra).
   replace (Q2R (Certificate.contraction chaos_12)) with (7 / 8) in HC by (unfold Q2R; cbn; lra).
-  destruct HC; constructor; trivial; [lra|]; intros i; unfold letters_of, letter_of; destruct (_ =? 1)%Z;
-    unfold alpha, beta, Q2R; cbn; repeat split; lra.
+  destruct HC; constructor; trivial; [lra|]; intros i; unfold letters_of, letter_of; destruct (_ =? 1)%Z; unfold alpha,
+    beta, Q2R; cbn; repeat split; lra.
 Qed.
 
 (** The numbers of the boxes. *)
@@ -106,7 +100,9 @@ Proof.
   intros mu N N' t q v t' q' v' K Hmu HN HN' HM HB HM' HB' HE.
   pose proof (chain_12 mu N Hmu HN) as HC; pose proof (chain_12 mu N' Hmu HN') as HC'.
   destruct (letters_path N HN) as [_ HT], (letters_path N' HN') as [_ HT'].
-  apply motion_scaled in HM, HM'; try exact Hmu; apply boxes_scaled in HB, HB'; try assumption.
+  pose proof (conj HM (inside_window _ _ _ _ _ Hmu HM (small_12 _ _ _ _ Hmu HN HB))) as J; clear HM.
+  pose proof (conj HM' (inside_window _ _ _ _ _ Hmu HM' (small_12 _ _ _ _ Hmu HN' HB'))) as J'; clear HM'.
+  apply motion_scaled in J as HM, J' as HM'; try exact Hmu; apply boxes_scaled in HB, HB'; try assumption.
   set (M := machine mu) in *; set (l := letters_of N) in *; set (l' := letters_of N') in *.
   pose proof (sums_inside M (6 / 5) (7 / 8) 2 l HC t (scaled mu v) HB) as Hs.
   pose proof (sums_inside M (6 / 5) (7 / 8) 2 l' HC' t' (scaled mu v') HB') as Hs'.
@@ -115,8 +111,7 @@ Proof.
   pose proof (chain_good _ _ _ _ _ HC) as HG; pose proof (chain_tau _ _ _ _ _ HC) as Ht.
   pose proof (fun i => proj1 (phases M (6 / 5) N HG Ht t _ _ HM i)) as P.
   pose proof (fun i => proj1 (phases M (6 / 5) N' HG Ht t' _ _ HM' i)) as P'.
-  pose proof (motion_leg M (6 / 5) (legs l) N HG Ht HT t _ _ HM (sums_leg _ _ _ _ _ HC t _ HB) 0%Z) as (_ & V &
-    A & _).
+  pose proof (motion_leg M (6 / 5) (legs l) N HG Ht HT t _ _ HM (sums_leg _ _ _ _ _ HC t _ HB) 0%Z) as (_ & V & A & _).
   pose proof (motion_leg M (6 / 5) (legs l') N' HG Ht HT' t' _ _ HM' (sums_leg _ _ _ _ _ HC' t' _ HB') 0%Z)
     as (_ & V' & A' & _).
   rewrite <- !P in A; rewrite <- !P' in A'.
@@ -133,19 +128,15 @@ Proof.
       pose proof (Hs 0%Z) as I; pose proof (Hs' 0%Z) as I'; unfold lo, hi in I'; rewrite !EL in I' by lia.
       fold (lo M l 0%Z) (hi M l 0%Z) in I'; intros x Hx.
       assert (Ix : lo M l 0%Z <= x <= hi M l 0%Z) by (revert Hx; unfold Rmin, Rmax; destruct Rle_dec; lra).
-      split; [|lra].
-      apply (fun H => proj1 (chain_legs _ _ _ _ _ HC 0%Z x (s 1%Z) Ix H)).
-      exact (Hs 1%Z).
+      split; [|lra]. apply (fun H => proj1 (chain_legs _ _ _ _ _ HC 0%Z x (s 1%Z) Ix H)). exact (Hs 1%Z).
     + apply (Rle_trans _ _ _ (C (S K) 0%Z ltac:(lia))); cbn [pow]; nra.
-  - destruct (leg_agrees M (6 / 5) (7 / 8) 2 l l' s s' (Z.of_nat K + 2) HC Hs Hs' EL K 0%Z (C K)) as [X _];
-      [lia..|].
+  - destruct (leg_agrees M (6 / 5) (7 / 8) 2 l l' s s' (Z.of_nat K + 2) HC Hs Hs' EL K 0%Z (C K)) as [X _]; [lia..|].
     unfold afters in X; cbn [Z.add] in A, A'; change (0 + 1)%Z with 1%Z in X; rewrite <- A, <- A' in X.
     pose proof (nu_range mu Hmu) as Hn.
-    replace (v 0%Z (t 0%Z) - v' 0%Z (t' 0%Z)) with
-      (mu * (scaled mu v 0%Z (t 0%Z) / Machine.nu M - scaled mu v' 0%Z (t' 0%Z) / Machine.nu M)).
+    replace (v 0%Z (t 0%Z) - v' 0%Z (t' 0%Z)) with (mu * (scaled mu v 0%Z (t 0%Z) / Machine.nu M - scaled mu v' 0%Z
+      (t' 0%Z) / Machine.nu M)).
     2: { unfold scaled; cbn [M machine Machine.nu]; field; lra. }
-    rewrite Rabs_mult, (Rabs_pos_eq mu) by lra.
-    rewrite (Rmult_comm 2 mu), Rmult_assoc; apply Rmult_le_compat_l; [lra|].
+    rewrite Rabs_mult, (Rabs_pos_eq mu) by lra. rewrite (Rmult_comm 2 mu), Rmult_assoc; apply Rmult_le_compat_l; [lra|].
     apply (Rle_trans _ _ _ X); pose proof (chain_sizes _ _ _ _ _ HC 0%Z) as (_ & _ & Pa & _).
     assert (alpha (l 0%Z) * (7 / 8) ^ K <= 1 * (7 / 8) ^ K) by (apply Rmult_le_compat_r; lra); lra.
 Qed.

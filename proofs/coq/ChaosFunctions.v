@@ -29,9 +29,7 @@ Definition exponential (X : itv) : itv :=
   if positive Z then squares 4 (join (exp_series Y) (inverse Z)) else None.
 
 Lemma mem_join X Y x y z : mem X x -> mem Y y -> x <= z <= y -> mem (join X Y) z.
-Proof.
-  destruct X as [[]|], Y as [[]|]; cbn; trivial; intros; pose proof one_pos; split; nra.
-Qed.
+Proof. destruct X as [[]|], Y as [[]|]; cbn; trivial; intros; pose proof one_pos; split; nra. Qed.
 
 Lemma mem_squares n X x : mem X (exp (x / 2 ^ n)) -> mem (squares n X) (exp x).
 Proof.
@@ -63,8 +61,7 @@ Lemma exp_sum_below y : exp_sum y <= exp y.
 Proof.
   set (r1 := fun x => exp x - (1 + x)); set (r2 := fun x => r1 x - x * x / 2).
   set (r3 := fun x => r2 x - x * x * x / 6); set (r4 := fun x => r3 x - x * x * x * x / 24).
-  set (r5 := fun x => r4 x - x * x * x * x * x / 120).
-  assert (E : r1 0 = 0) by (unfold r1; rewrite exp_0; ring).
+  set (r5 := fun x => r4 x - x * x * x * x * x / 120). assert (E : r1 0 = 0) by (unfold r1; rewrite exp_0; ring).
   assert (H3 : forall x, 0 <= r3 x).
   { apply (twice_up _ r2 r1); try (unfold r3, r2; rewrite E; lra).
     - intros x; unfold r3, r2, r1, Rdiv; derive_by fail; field.
@@ -79,8 +76,8 @@ Qed.
 Lemma mem_exp_series Y y : mem Y y -> mem (exp_series Y) (exp_sum y).
 Proof.
   intros HY; unfold exp_series, exp_sum; cbv zeta beta.
-  assert (HS : forall q X x, mem X x -> mem (plus unit (times (times Y (constant 1 q)) X))
-    (exp_step y (IZR (Z.pos q)) x)).
+  assert (HS : forall q X x, mem X x -> mem (plus unit (times (times Y (constant 1 q)) X)) (exp_step y (IZR (Z.pos q))
+    x)).
   { intros q X x HX; unfold exp_step; repeat first [exact HX | exact HY | apply mem_plus | apply mem_times |
       apply mem_constant | exact mem_1]. }
   repeat apply HS; exact mem_1.
@@ -125,16 +122,15 @@ Proof.
   intros Hy; pose proof PI2_3_2 as HP; destruct (cos_bound y 2) as [L U]; [lra|lra|].
   cbn [Nat.mul Nat.add] in L, U; unfold cos_approx in *; cbn [sum_f_R0] in *; unfold cos_term in *.
   cbn [Nat.mul Nat.add] in *.
-  rewrite (fact_simpl 11), (fact_simpl 10) in U; rewrite (fact_simpl 9), (fact_simpl 8), (fact_simpl 7), (fact_simpl 6) in *.
-  rewrite !mult_INR in *.
-  replace (INR 12) with 12 in U by (cbn; ring); replace (INR 11) with 11 in U by (cbn; ring).
+  rewrite (fact_simpl 11), (fact_simpl 10) in U; rewrite (fact_simpl 9), (fact_simpl 8), (fact_simpl 7), (fact_simpl 6)
+    in *.
+  rewrite !mult_INR in *. replace (INR 12) with 12 in U by (cbn; ring); replace (INR 11) with 11 in U by (cbn; ring).
   replace (INR 10) with 10 in * by (cbn; ring); replace (INR 9) with 9 in * by (cbn; ring).
   replace (INR 8) with 8 in * by (cbn; ring); replace (INR 7) with 7 in * by (cbn; ring).
   replace (INR (fact 0)) with 1 in * by reflexivity; replace (INR (fact 2)) with 2 in * by (cbn; ring).
   replace (INR (fact 4)) with 24 in * by (cbn; ring).
   replace (INR (fact 6)) with 720 in * by (rewrite INR_IZR_INZ; reflexivity).
-  unfold cos_sum, cos_step; split; [eapply Rle_trans; [|exact L] | eapply Rle_trans; [exact U|]]; right;
-    field.
+  unfold cos_sum, cos_step; split; [eapply Rle_trans; [|exact L] | eapply Rle_trans; [exact U|]]; right; field.
 Qed.
 
 Lemma cos_lipschitz x y : Rabs (cos x - cos y) <= Rabs (x - y).
@@ -144,17 +140,14 @@ Proof.
   rewrite !Rabs_mult; apply Rmult_le_compat.
   - apply Rmult_le_pos; apply Rabs_pos.
   - apply Rabs_pos.
-  - apply Rmult_le_compat_l; [apply Rabs_pos|].
-    set (z := (x - y) / 2).
+  - apply Rmult_le_compat_l; [apply Rabs_pos|]. set (z := (x - y) / 2).
     assert (H : forall z, 0 <= z -> Rabs (sin z) <= z).
     { intros u Hu; destruct (Rle_lt_or_eq_dec _ _ Hu) as [Hu'|<-]; [|rewrite sin_0, Rabs_R0; lra].
       destruct (Rle_lt_dec 1 u).
       - pose proof (SIN_bound u); apply Rabs_le; lra.
-      - pose proof (sin_lt_x u Hu'); pose proof PI2_3_2.
-        pose proof (sin_gt_0 u Hu'); rewrite Rabs_pos_eq; lra. }
+      - pose proof (sin_lt_x u Hu'); pose proof PI2_3_2. pose proof (sin_gt_0 u Hu'); rewrite Rabs_pos_eq; lra. }
     destruct (Rle_lt_dec 0 z); [rewrite (Rabs_pos_eq z) by lra; auto|].
-    rewrite (Rabs_left z) by lra; rewrite <- (Ropp_involutive z), sin_neg, Rabs_Ropp, Ropp_involutive.
-    apply H; lra.
+    rewrite (Rabs_left z) by lra; rewrite <- (Ropp_involutive z), sin_neg, Rabs_Ropp, Ropp_involutive. apply H; lra.
   - rewrite Rabs_R1; pose proof (SIN_bound ((x + y) / 2)); apply Rabs_le; lra.
 Qed.
 
@@ -185,22 +178,18 @@ Proof.
   intros E Ho Hx Hm Hc.
   assert (D : Rabs (x - y) * o <= h - m).
   { rewrite <- (Rabs_pos_eq o) at 1 by lra; rewrite <- Rabs_mult; apply Rabs_le; lra. }
-  assert (Hc' : - Rabs c <= c <= Rabs c) by (unfold Rabs; destruct (Rcase_abs c); lra).
-  nra.
+  assert (Hc' : - Rabs c <= c <= Rabs c) by (unfold Rabs; destruct (Rcase_abs c); lra). nra.
 Qed.
 
 Lemma mem_cosine_middle X x : mem X x -> mem (cosine_middle X) (cos x).
 Proof.
   destruct X as [[l h]|]; [|trivial]; intros Hx; cbn [cosine_middle].
   set (m := Z.shiftr (l + h) 1); destruct (Z.leb_spec (Z.abs m) (4 * one)) as [Hm|]; [|exact I].
-  pose proof one_pos as H1.
-  assert (exists y, y * IZR one = IZR m) as [y Ey] by (exists (IZR m / IZR one); field; lra).
-  assert (Hy : mem (Some (m, m)) y) by (cbn [mem]; lra).
-  pose proof (mem_times _ _ _ _ Hy (mem_constant 1 4)) as HY.
+  pose proof one_pos as H1. assert (exists y, y * IZR one = IZR m) as [y Ey] by (exists (IZR m / IZR one); field; lra).
+  assert (Hy : mem (Some (m, m)) y) by (cbn [mem]; lra). pose proof (mem_times _ _ _ _ Hy (mem_constant 1 4)) as HY.
   assert (B : -1 <= y * (1 / 4) <= 1).
   { assert (A1 : IZR m <= IZR (4 * one)) by (apply IZR_le; lia).
-    assert (A2 : IZR (- (4 * one)) <= IZR m) by (apply IZR_le; lia).
-    rewrite opp_IZR in A2; rewrite mult_IZR in A1, A2.
+    assert (A2 : IZR (- (4 * one)) <= IZR m) by (apply IZR_le; lia). rewrite opp_IZR in A2; rewrite mult_IZR in A1, A2.
     assert (A : -4 <= y <= 4) by (split; apply (Rmult_le_reg_r (IZR one)); lra); lra. }
   pose proof (mem_cos_small _ _ B HY) as C.
   replace (y * (1 / 4)) with (y / 2 ^ 2) in C by (cbn; field); apply mem_doubled in C.
@@ -209,10 +198,8 @@ Proof.
   assert (Hmid : (l + h - 1 <= 2 * m <= l + h)%Z).
   { unfold m; rewrite Z.shiftr_div_pow2 by lia; change (2 ^ 1)%Z with 2%Z.
     pose proof (Z.div_mod (l + h) 2); pose proof (Z.mod_pos_bound (l + h) 2); lia. }
-  cbn [mem] in *; rewrite !minus_IZR.
-  assert (A : IZR (2 * m) <= IZR (l + h)) by (apply IZR_le; lia).
-  rewrite plus_IZR, mult_IZR in A.
-  exact (middle _ _ _ _ _ _ _ Ey H1 Hx A L).
+  cbn [mem] in *; rewrite !minus_IZR. assert (A : IZR (2 * m) <= IZR (l + h)) by (apply IZR_le; lia).
+  rewrite plus_IZR, mult_IZR in A. exact (middle _ _ _ _ _ _ _ Ey H1 Hx A L).
 Qed.
 
 (** ** pi, from its series; sin x = cos (pi/2 - x) *)
@@ -228,8 +215,7 @@ Proof.
 Qed.
 
 Lemma mem_point m : mem (Some (m, m)) (IZR m / IZR one).
-Proof. pose proof one_pos; cbn [mem]; replace (IZR m / IZR one * IZR one) with (IZR m) by (field; lra);
-  lra. Qed.
+Proof. pose proof one_pos; cbn [mem]; replace (IZR m / IZR one * IZR one) with (IZR m) by (field; lra); lra. Qed.
 
 Lemma ends x l h : mem (Some (l, h)) x -> IZR l / IZR one <= x <= IZR h / IZR one.
 Proof.
@@ -303,14 +289,12 @@ Proof.
   destruct (_ && _) eqn:H; [|split; exact I]; apply andb_prop in H; destruct H as [H0 HP].
   apply Z.leb_le, IZR_le in H0; pose proof one_pos as H1; pose proof (ends _ _ _ Hx) as Hx1.
   assert (Hh : IZR h / IZR one <= PI).
-  { apply (below_le _ _ _ _ HP); [|exact mem_pi]; cbn [mem] in *.
-    unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
+  { apply (below_le _ _ _ _ HP); [|exact mem_pi]; cbn [mem] in *. unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
   assert (Hl : 0 <= IZR l / IZR one) by (apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat, H1]).
   assert (C : mem (join (cosine (Some (h, h))) (cosine (Some (l, l)))) (cos x)).
   { apply (mem_join _ _ _ _ _ (mem_cosine _ _ (mem_point h)) (mem_cosine _ _ (mem_point l))).
     split; apply cos_decr_1; lra. }
-  cbn [fst snd]; split; [exact C|].
-  replace (sin x) with (sqrt (1 - cos x * cos x)).
+  cbn [fst snd]; split; [exact C|]. replace (sin x) with (sqrt (1 - cos x * cos x)).
   - apply mem_root, mem_minus; [exact mem_1 | apply mem_times; exact C].
   - pose proof (sin2_cos2 x) as E; unfold Rsqr in E.
     replace (1 - cos x * cos x) with (sin x * sin x) by lra; apply sqrt_square, sin_ge_0; lra.

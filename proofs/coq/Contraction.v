@@ -15,51 +15,38 @@ Proof.
   - destruct Hy; exists x; auto.
   - destruct Hx; exists y; auto.
 Qed.
-
 Lemma chosen_exists (P : R -> Prop) : exists x, chosen P x.
 Proof.
   destruct (classic (exists y, P y /\ forall z, P z -> z = y)) as [(x & Px & Hx)|H].
   - exists x; left; auto.
   - exists 0; right; auto.
 Qed.
-
 Lemma chosen_bound (P : R -> Prop) : bound (chosen P).
-Proof.
-  destruct (chosen_exists P) as [x Hx]; exists x; intros y Hy.
-  right; apply (chosen_unique P); assumption.
-Qed.
-
+Proof. destruct (chosen_exists P) as [x Hx]; exists x; intros y Hy. right; apply (chosen_unique P); assumption. Qed.
 Definition the (P : R -> Prop) : R := proj1_sig (completeness _ (chosen_bound P) (chosen_exists P)).
 
 Lemma the_spec (P : R -> Prop) x : P x -> (forall y, P y -> y = x) -> the P = x.
 Proof.
-  intros Px Hx; unfold the; destruct completeness as (m & Hub & Hleast); cbn.
-  assert (Cx : chosen P x) by (left; auto).
-  apply Rle_antisym; [apply Hleast | apply Hub, Cx].
-  intros y Hy; right; apply (chosen_unique P); assumption.
+  intros Px Hx; unfold the; destruct completeness as (m & Hub & Hleast); cbn. assert (Cx : chosen P x) by (left; auto).
+  apply Rle_antisym; [apply Hleast | apply Hub, Cx]. intros y Hy; right; apply (chosen_unique P); assumption.
 Qed.
-
-Lemma div_1 x : x / 1 = x.
-Proof. field. Qed.
-
-Lemma Rabs_zero x : Rabs x <= 0 -> x = 0.
-Proof. unfold Rabs; destruct Rcase_abs; lra. Qed.
-
+Lemma div_1 x : x / 1 = x. Proof. field. Qed.
+Lemma Rabs_zero x : Rabs x <= 0 -> x = 0. Proof. unfold Rabs; destruct Rcase_abs; lra. Qed.
 Lemma powers_small k c e : 0 <= k < 1 -> 0 < e -> exists m, c * k ^ m < e.
 Proof.
   intros Hk He; pose proof (Rabs_pos c); pose proof (Rle_abs c).
-  destruct (pow_lt_1_zero k ltac:(rewrite Rabs_pos_eq; lra) (e / (Rabs c + 1))) as [m Hm]; [apply Rdiv_lt_0_compat;
-    lra|].
-  exists m; specialize (Hm m (le_n m)); assert (0 <= k ^ m) by (apply pow_le, Hk);
-    rewrite Rabs_pos_eq in Hm by assumption.
+  destruct (pow_lt_1_zero k ltac:(rewrite Rabs_pos_eq; lra) (e / (Rabs c + 1))) as [m Hm];
+    [apply Rdiv_lt_0_compat; lra|].
+  exists m; specialize (Hm m (le_n m)); assert (0 <= k ^ m) by (apply pow_le, Hk); rewrite Rabs_pos_eq in Hm
+    by assumption.
   apply (Rmult_lt_compat_l (Rabs c + 1)) in Hm; [|lra].
   replace ((Rabs c + 1) * (e / (Rabs c + 1))) with e in Hm by (field; lra).
   assert (c * k ^ m <= (Rabs c + 1) * k ^ m) by (apply Rmult_le_compat_r; lra); lra.
 Qed.
 Lemma squeezed k x a c : 0 <= k < 1 -> (forall m, x <= a + c * k ^ m) -> x <= a.
 Proof.
-  intros Hk H; apply Rnot_lt_le; intros L; destruct (powers_small k c (x - a) Hk) as [m Hm]; [lra|];
-    specialize (H m); lra.
+  intros Hk H; apply Rnot_lt_le; intros L; destruct (powers_small k c (x - a) Hk) as [m Hm]; [lra|]; specialize (H m);
+    lra.
 Qed.
 Lemma squeeze x a c : (forall m, x <= a + c / 2 ^ m) -> x <= a.
 Proof. intros H; apply (squeezed (/ 2) x a c); [lra|]; intros m; rewrite pow_inv; apply H. Qed.
@@ -78,9 +65,7 @@ Hypothesis HT : forall d s s', 0 <= d -> boxed s -> boxed s' -> close d s s' -> 
 Let x (m : nat) : I -> R := Nat.iter m T lo.
 
 Lemma boxed_close s s' : boxed s -> boxed s' -> close D s s'.
-Proof.
-  intros H H' i Hi; specialize (H i Hi); specialize (H' i Hi); pose proof (proj2 HD i Hi); apply Rabs_le; lra.
-Qed.
+Proof. intros H H' i Hi; specialize (H i Hi); specialize (H' i Hi); pose proof (proj2 HD i Hi); apply Rabs_le; lra. Qed.
 Lemma close_sym d s s' : close d s s' -> close d s' s.
 Proof. intros H i Hi; rewrite Rabs_minus_sym; auto. Qed.
 Lemma close_trans d d' s s' s'' : close d s s' -> close d' s' s'' -> close (d + d') s s''.
@@ -88,23 +73,19 @@ Proof.
   intros H H' i Hi; replace (s i - s'' i) with ((s i - s' i) + (s' i - s'' i)) by ring; rewrite Rmult_plus_distr_l.
   eapply Rle_trans; [apply Rabs_triang | apply Rplus_le_compat; auto].
 Qed.
-
-Lemma x_boxed m : boxed (x m).
-Proof. induction m; cbn; auto. Qed.
-Lemma part m : 0 <= k ^ m * D.
-Proof. apply Rmult_le_pos; [apply pow_le, Hk | apply HD]. Qed.
+Lemma x_boxed m : boxed (x m). Proof. induction m; cbn; auto. Qed.
+Lemma part m : 0 <= k ^ m * D. Proof. apply Rmult_le_pos; [apply pow_le, Hk | apply HD]. Qed.
 Lemma x_close m n : close (k ^ m * D) (x (m + n)) (x m).
 Proof.
   induction m as [|m IH]; [cbn [pow]; rewrite Rmult_1_l; apply boxed_close; apply x_boxed|].
   cbn [pow]; rewrite Rmult_assoc; apply HT; auto using x_boxed, part.
 Qed.
-
 Definition fixed_point (i : I) : R := the (Un_cv (fun m => x m i)).
 Lemma fixed_close m : close (k ^ m * D) fixed_point (x m).
 Proof.
   intros i Hi; assert (Hc : Cauchy_crit (fun j => x j i)).
   { intros e He; destruct (powers_small k (2 * (weight i * D)) e Hk He) as [j Hj]; exists j; intros p q Hp Hq;
-    unfold R_dist.
+      unfold R_dist.
     replace p with (j + (p - j))%nat by lia; replace q with (j + (q - j))%nat by lia.
     pose proof (close_trans _ _ _ _ _ (x_close j (p - j)) (close_sym _ _ _ (x_close j (q - j))) i Hi); lra. }
   destruct (R_complete _ Hc) as [l Hl]; unfold fixed_point; rewrite (the_spec _ l Hl) by (intros y Hy;
@@ -121,7 +102,7 @@ Proof.
     pose proof (fixed_close m i Hi); lra).
   split; apply (squeezed k _ _ (weight i * D) Hk); intros m; specialize (C m); pose proof (x_boxed m i Hi);
     pose proof (Rle_abs (fixed_point i - x m i)); pose proof (Rle_abs (- (fixed_point i - x m i)));
-      rewrite Rabs_Ropp in *; lra.
+    rewrite Rabs_Ropp in *; lra.
 Qed.
 
 (** It is the only one, and where T moves a family little, that is near it. *)
@@ -151,34 +132,33 @@ End Contraction.
 
 (** Families |z k| <= d, and halves. *)
 Definition near (I : Type) (P : I -> Prop) (e : R) (z w : I -> R) : Prop := forall k, P k -> Rabs (z k - w k) <= e.
-Theorem contraction (I : Type) (P : I -> Prop) (T : (I -> R) -> I -> R) d :
-  let near := near I P in let o := fun _ => 0 in 0 <= d ->
-  (forall e z w, near d z o -> near d w o -> near e z w -> near (e / 2) (T z) (T w)) -> near (d / 2) (T o) o ->
-  exists z, near d z o /\ (forall k, P k -> T z k = z k) /\
-  forall w r, near d w o -> near r (T w) w -> near (2 * r) z w.
+Theorem contraction (I : Type) (P : I -> Prop) (T : (I -> R) -> I -> R) d : let near := near I P in let o := fun _ =>
+  0 in 0 <= d -> (forall e z w, near d z o -> near d w o -> near e z w -> near (e / 2) (T z) (T w)) ->
+  near (d / 2) (T o) o -> exists z, near d z o /\ (forall k, P k -> T z k = z k) /\ forall w r, near d w o ->
+  near r (T w) w -> near (2 * r) z w.
 Proof.
   intros near o Hd HT H0; assert (B : forall z, boxed I P (fun _ => - d) (fun _ => d) z <-> near d z o).
-  { intros z; split; intros H i Hi; specialize (H i Hi); unfold o in *; rewrite Rminus_0_r in *; [apply Rabs_le;
-    exact H|].
+  { intros z; split; intros H i Hi; specialize (H i Hi); unfold o in *; rewrite Rminus_0_r in *;
+      [apply Rabs_le; exact H|].
     pose proof (Rle_abs (z i)); pose proof (Rle_abs (- z i)); rewrite Rabs_Ropp in *; lra. }
-  assert (C : forall e z w, close I P (fun _ => 1) e z w <-> near e z w) by (intros;
-    unfold close, near, Contraction.near; split; intros H i Hi; specialize (H i Hi); lra).
+  assert (C : forall e z w, close I P (fun _ => 1) e z w <-> near e z w) by (intros; unfold close, near,
+    Contraction.near; split; intros H i Hi; specialize (H i Hi); lra).
   destruct (fixed I P (fun _ => 1) (fun _ => - d) (fun _ => d) T (1 / 2) (2 * d)) as (z & Hz & F & U).
   - intros i Hi; lra.
   - intros; lra.
   - lra.
   - split; [lra | intros; lra].
-  - intros z Hz; rewrite B in *; intros i Hi; assert (Ho : near d o o) by (intros j _; unfold o;
-      rewrite Rminus_0_r, Rabs_R0; exact Hd).
+  - intros z Hz; rewrite B in *; intros i Hi; assert (Ho : near d o o) by (intros j _; unfold o; rewrite Rminus_0_r,
+      Rabs_R0; exact Hd).
     specialize (HT d z o Hz Ho Hz i Hi); specialize (H0 i Hi); unfold o in *; rewrite Rminus_0_r in *.
     pose proof (Rabs_triang (T z i - T (fun _ => 0) i) (T (fun _ => 0) i)) as A;
       replace (T z i - T (fun _ => 0) i + T (fun _ => 0) i) with (T z i) in A by ring; lra.
   - intros e z w He Hz Hw Hc; rewrite B in *; rewrite C in *; replace (1 / 2 * e) with (e / 2) by field; apply HT;
       assumption.
-  - exists z; split; [apply B, Hz|]; split; [exact F|]; intros w r Hw Hr i Hi;
-      assert (R0 : 0 <= r) by (eapply Rle_trans; [apply Rabs_pos | exact (Hr i Hi)]).
-    pose proof (U w r R0 (proj2 (B w) Hw) (proj2 (C r _ _) Hr) i Hi) as A;
-      replace (r / (1 - 1 / 2)) with (2 * r) in A by field; lra.
+  - exists z; split; [apply B, Hz|]; split; [exact F|]; intros w r Hw Hr i Hi; assert (R0 : 0 <= r)
+      by (eapply Rle_trans; [apply Rabs_pos | exact (Hr i Hi)]).
+    pose proof (U w r R0 (proj2 (B w) Hw) (proj2 (C r _ _) Hr) i Hi) as A; replace (r / (1 - 1 / 2)) with (2 * r) in A
+      by field; lra.
 Qed.
 
 (** Sequences Z -> R, with weights. *)
@@ -186,9 +166,8 @@ Definition inside (lo hi s : Z -> R) : Prop := forall i, lo i <= s i <= hi i.
 Theorem one_fixed_point lo hi weight T k D : inside lo hi lo -> (forall i, 0 < weight i) -> 0 <= k < 1 ->
   (0 <= D /\ forall i, hi i - lo i <= weight i * D) -> (forall s, inside lo hi s -> inside lo hi (T s)) ->
   (forall d s s', 0 <= d -> inside lo hi s -> inside lo hi s' -> (forall i, Rabs (s i - s' i) <= weight i * d) ->
-   forall i, Rabs (T s i - T s' i) <= weight i * (k * d)) ->
-  exists s, inside lo hi s /\ (forall i, T s i = s i) /\ forall s', inside lo hi s' -> (forall i, T s' i = s' i) ->
-    forall i, s' i = s i.
+  forall i, Rabs (T s i - T s' i) <= weight i * (k * d)) -> exists s, inside lo hi s /\ (forall i, T s i = s i) /\
+  forall s', inside lo hi s' -> (forall i, T s' i = s' i) -> forall i, s' i = s i.
 Proof.
   intros Hlo Hw Hk HD Hin HT.
   assert (B : forall s, boxed Z (fun _ => True) lo hi s <-> inside lo hi s) by (intros s; split; intros H i; auto).

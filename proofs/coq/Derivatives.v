@@ -3,11 +3,7 @@ From Coq Require Import Reals ZArith Lra Lia.
 Open Scope R_scope.
 
 Lemma D_ext f f' x l l' : derivable_pt_lim f x l -> (forall y, f y = f' y) -> l = l' -> derivable_pt_lim f' x l'.
-Proof.
-  intros H E <- eps Heps; destruct (H eps Heps) as [d Hd]; exists d; intros h H0 Hh.
-  rewrite <- !E; auto.
-Qed.
-
+Proof. intros H E <- eps Heps; destruct (H eps Heps) as [d Hd]; exists d; intros h H0 Hh. rewrite <- !E; auto. Qed.
 Lemma D_scale f x l k : derivable_pt_lim f x l -> derivable_pt_lim (fun y => k * f y) x (k * l).
 Proof. apply derivable_pt_lim_scal. Qed.
 Lemma D_plus f g x l m : derivable_pt_lim f x l -> derivable_pt_lim g x m ->
@@ -25,10 +21,8 @@ Proof. intros H Hf Hg; apply (derivable_pt_lim_div f g x l m Hf Hg H). Qed.
 Lemma D_of f g x l m : derivable_pt_lim f x l -> derivable_pt_lim g (f x) m ->
   derivable_pt_lim (fun y => g (f y)) x (m * l).
 Proof. intros Hf Hg; exact (derivable_pt_lim_comp f g x l m Hf Hg). Qed.
-Lemma D_const c x : derivable_pt_lim (fun _ => c) x 0.
-Proof. apply derivable_pt_lim_const. Qed.
-Lemma D_id x : derivable_pt_lim (fun y => y) x 1.
-Proof. apply derivable_pt_lim_id. Qed.
+Lemma D_const c x : derivable_pt_lim (fun _ => c) x 0. Proof. apply derivable_pt_lim_const. Qed.
+Lemma D_id x : derivable_pt_lim (fun y => y) x 1. Proof. apply derivable_pt_lim_id. Qed.
 Lemma D_shift t0 t : derivable_pt_lim (fun t => t - t0) t 1.
 Proof. eapply D_ext; [apply D_minus; [apply D_id | apply (D_const t0)] | reflexivity | ring]. Qed.
 Lemma D_exp f x l : derivable_pt_lim f x l -> derivable_pt_lim (fun y => exp (f y)) x (exp (f x) * l).
@@ -37,7 +31,6 @@ Lemma D_sin f x l : derivable_pt_lim f x l -> derivable_pt_lim (fun y => sin (f 
 Proof. intros H; apply (D_of f sin); [exact H | apply derivable_pt_lim_sin]. Qed.
 Lemma D_cos f x l : derivable_pt_lim f x l -> derivable_pt_lim (fun y => cos (f y)) x (- sin (f x) * l).
 Proof. intros H; apply (D_of f cos); [exact H | apply derivable_pt_lim_cos]. Qed.
-
 Lemma D_value f x l l' : derivable_pt_lim f x l -> l = l' -> derivable_pt_lim f x l'.
 Proof. intros H <-; exact H. Qed.
 (** The derivative of an expression, whose parts [close] knows; [ring] or [field] puts it in order. *)
@@ -51,19 +44,15 @@ Proof.
   - destruct (MVT_cor2 f (fun _ => 0) a b L) as (c & E & _); [auto|lra].
   - destruct (MVT_cor2 f (fun _ => 0) b a L) as (c & E & _); [auto|lra].
 Qed.
-
-Lemma le_abs a b : Rabs a <= b -> - b <= a <= b.
-Proof. unfold Rabs; destruct (Rcase_abs a); lra. Qed.
+Lemma le_abs a b : Rabs a <= b -> - b <= a <= b. Proof. unfold Rabs; destruct (Rcase_abs a); lra. Qed.
 Lemma apart a b : Rabs (a - b) <= Rabs a + Rabs b.
 Proof. unfold Rminus; rewrite <- (Rabs_Ropp b); apply Rabs_triang. Qed.
 Lemma product a b A B : Rabs a <= A -> Rabs b <= B -> Rabs (a * b) <= A * B.
 Proof. intros; rewrite Rabs_mult; apply Rmult_le_compat; trivial; apply Rabs_pos. Qed.
 Lemma from a b e : Rabs (a - b) <= e -> Rabs a <= Rabs b + e.
 Proof. intros H; replace a with (b + (a - b)) by ring; eapply Rle_trans; [apply Rabs_triang | lra]. Qed.
-
 Lemma D_continuous f l x : derivable_pt_lim f x l -> continuity_pt f x.
 Proof. intros H; exact (derivable_continuous_pt f x (exist _ l H)). Qed.
-
 Lemma mvt f f' a b B : (forall x, derivable_pt_lim f x (f' x)) ->
   (forall x, Rmin a b <= x <= Rmax a b -> Rabs (f' x) <= B) -> Rabs (f a - f b) <= B * Rabs (a - b).
 Proof.
@@ -73,19 +62,16 @@ Proof.
     apply H; rewrite Rmin_left, Rmax_right; lra.
   - rewrite !Rminus_eq_0, Rabs_R0; lra.
   - destruct (MVT_cor2 f f' b a L) as (x & E & Hx); [auto|].
-    rewrite E, Rabs_mult; apply Rmult_le_compat_r; [apply Rabs_pos|].
-    apply H; rewrite Rmin_right, Rmax_left; lra.
+    rewrite E, Rabs_mult; apply Rmult_le_compat_r; [apply Rabs_pos|]. apply H; rewrite Rmin_right, Rmax_left; lra.
 Qed.
 
 (** [mvt] on |x| <= r. *)
-Lemma mvt_ball f f' r B a b : (forall x, derivable_pt_lim f x (f' x)) -> (forall x,
-  Rabs x <= r -> Rabs (f' x) <= B) ->
+Lemma mvt_ball f f' r B a b : (forall x, derivable_pt_lim f x (f' x)) -> (forall x, Rabs x <= r -> Rabs (f' x) <= B) ->
   Rabs a <= r -> Rabs b <= r -> Rabs (f a - f b) <= B * Rabs (a - b).
 Proof.
   intros D H Ha Hb; apply (mvt f f' a b B D); intros x Hx; apply H; apply Rabs_le; apply le_abs in Ha, Hb.
   revert Hx; unfold Rmin, Rmax; destruct (Rle_dec a b); lra.
 Qed.
-
 Lemma continuous_near f x eps : continuity_pt f x -> 0 < eps -> exists d, 0 < d /\
   forall y, Rabs (y - x) <= d -> Rabs (f y - f x) <= eps.
 Proof.
@@ -93,12 +79,10 @@ Proof.
   destruct (Req_dec y x) as [->|H0]; [rewrite Rminus_eq_0, Rabs_R0; lra|].
   left; apply K; split; [split; [exact I | auto]|]; cbn; unfold R_dist; lra.
 Qed.
-
 Lemma continuous_bounded f r : 0 < r -> (forall x, continuity_pt f x) -> exists B, 0 <= B /\
   forall x, Rabs x <= r -> Rabs (f x) <= B.
 Proof.
-  intros Hr C.
-  destruct (continuity_ab_maj f (- r) r ltac:(lra) (fun x _ => C x)) as (a & A & _).
+  intros Hr C. destruct (continuity_ab_maj f (- r) r ltac:(lra) (fun x _ => C x)) as (a & A & _).
   destruct (continuity_ab_min f (- r) r ltac:(lra) (fun x _ => C x)) as (b & B & _).
   exists (Rabs (f a) + Rabs (f b)); pose proof (Rabs_pos (f a)); pose proof (Rabs_pos (f b)); split; [lra|].
   intros x Hx; apply le_abs in Hx; specialize (A x Hx); specialize (B x Hx).

@@ -14,25 +14,17 @@ Definition e21 t := - k * S t.
 Definition moved t0 x w t := e11 (t - t0) * x + S (t - t0) * w.
 Definition moving t0 x w t := e21 (t - t0) * x + V (t - t0) * w.
 
-Lemma D_S x : derivable_pt_lim S x (V x).
-Proof. apply HS. Qed.
-Lemma D_V x : derivable_pt_lim V x (- c * V x - k * S x).
-Proof. apply HS. Qed.
+Lemma D_S x : derivable_pt_lim S x (V x). Proof. apply HS. Qed.
+Lemma D_V x : derivable_pt_lim V x (- c * V x - k * S x). Proof. apply HS. Qed.
 Lemma D_e11 x : derivable_pt_lim e11 x (e21 x).
 Proof. unfold e11; derive_by ltac:(first [apply D_S | apply D_V]); unfold e21; ring. Qed.
-Lemma D_e21 x : derivable_pt_lim e21 x (- k * V x).
-Proof. apply D_scale, D_S. Qed.
-
+Lemma D_e21 x : derivable_pt_lim e21 x (- k * V x). Proof. apply D_scale, D_S. Qed.
 Lemma D_at f l t0 t : derivable_pt_lim f (t - t0) l -> derivable_pt_lim (fun y => f (y - t0)) t l.
-Proof.
-  intros H; eapply D_ext; [apply (D_of (fun y => y - t0) f); [apply D_shift | exact H] | reflexivity | ring].
-Qed.
+Proof. intros H; eapply D_ext; [apply (D_of (fun y => y - t0) f); [apply D_shift | exact H] | reflexivity | ring]. Qed.
 Lemma D_back f l t y : derivable_pt_lim f (t - y) l -> derivable_pt_lim (fun y => f (t - y)) y (- l).
 Proof.
-  intros H; apply (D_value _ _ (l * -1)); [apply (D_of (fun y => t - y) f); [|exact H] | ring].
-  derive_by fail; ring.
+  intros H; apply (D_value _ _ (l * -1)); [apply (D_of (fun y => t - y) f); [|exact H] | ring]. derive_by fail; ring.
 Qed.
-
 Lemma moved_free t0 x w : free c k (moved t0 x w) (moving t0 x w).
 Proof.
   intros t; unfold moved, moving; split.
@@ -40,9 +32,7 @@ Proof.
   - derive_by ltac:(first [apply D_at, D_e21 | apply D_at, D_V]); unfold e11, e21; ring.
 Qed.
 Lemma moved_start t0 x w : moved t0 x w t0 = x /\ moving t0 x w t0 = w.
-Proof.
-  unfold moved, moving, e11, e21; rewrite Rminus_eq_0, (flow_S _ _ _ _ HS), (flow_V _ _ _ _ HS); lra.
-Qed.
+Proof. unfold moved, moving, e11, e21; rewrite Rminus_eq_0, (flow_S _ _ _ _ HS), (flow_V _ _ _ _ HS); lra. Qed.
 
 (** There is no other free motion. *)
 Lemma free_moved q v t0 t : free c k q v -> q t = moved t0 (q t0) (v t0) t /\ v t = moving t0 (q t0) (v t0) t.
@@ -57,7 +47,6 @@ Proof.
   unfold moved, moving; rewrite Rminus_eq_0 in A, B; unfold e11 at 2 in A; unfold e21 at 2 in B.
   rewrite (flow_S _ _ _ _ HS), (flow_V _ _ _ _ HS) in A, B; lra.
 Qed.
-
 Lemma flow_plus t t' : S (t + t') = e11 t * S t' + S t * V t' /\ V (t + t') = e21 t * S t' + V t * V t'.
 Proof.
   destruct (free_moved S V t' (t + t') (flow_free _ _ _ _ HS)) as [E F]; unfold moved, moving in E, F.
@@ -76,19 +65,16 @@ Definition damped_V c (o w : R -> R) t := exp (- c / 2 * t) * (w t - c / 2 * o t
 Lemma damped c D o w : undamped D o w -> flow c (c * c / 4 + D) (damped_S c o) (damped_V c o w).
 Proof.
   intros [Ho Hw [E1 E2]]; unfold damped_S, damped_V; constructor.
-  - intros t; split; [derive_by ltac:(apply Ho); field|].
-    derive_by ltac:(first [apply Ho | apply Hw]); field.
+  - intros t; split; [derive_by ltac:(apply Ho); field|]. derive_by ltac:(first [apply Ho | apply Hw]); field.
   - rewrite E1; ring.
   - rewrite Rmult_0_r, exp_0, E1, E2; ring.
 Qed.
-
 Lemma undamped_energy D o w t : undamped D o w -> w t * w t + D * (o t * o t) = 1.
 Proof.
   intros [Ho Hw [E1 E2]]; transitivity (w 0 * w 0 + D * (o 0 * o 0)); [|rewrite E1, E2; ring].
   apply (constant_function (fun t => w t * w t + D * (o t * o t))); intros y.
   derive_by ltac:(first [apply Ho | apply Hw]); ring.
 Qed.
-
 Lemma undamped_circular o : o <> 0 -> undamped (o * o) (fun t => / o * sin (o * t)) (fun t => cos (o * t)).
 Proof.
   intros Ho; constructor.
@@ -125,7 +111,6 @@ Proof.
   - pose proof (sqrt_lt_R0 D H) as Hr; pose proof (undamped_circular (sqrt D) ltac:(lra)) as U.
     rewrite sqrt_sqrt in U by lra; eexists _, _; split; [exact U | lra].
 Qed.
-
 Lemma flow_exists c k : exists S V, flow c k S V.
 Proof.
   destruct (undamped_exists (k - c * c / 4)) as (o & w & H & _).

@@ -12,7 +12,8 @@ Proof.
 Qed.
 
 Lemma golden_SS k : golden ^ S (S k) = golden ^ S k + golden ^ k.
-Proof. destruct golden_facts as [_ E]; cbn [pow] in *; rewrite <- Rmult_assoc; replace (golden * golden) with (golden + 1) by lra; ring. Qed.
+Proof. destruct golden_facts as [_ E]; cbn [pow] in *; rewrite <- Rmult_assoc; replace (golden * golden)
+    with (golden + 1) by lra; ring. Qed.
 
 (** Words of length k without two [false] in a row, and those of length k + 1. *)
 Fixpoint marks (k : nat) : list (list bool) * list (list bool) :=
@@ -21,17 +22,22 @@ Fixpoint marks (k : nat) : list (list bool) * list (list bool) :=
   | S k => let (a, b) := marks k in (b, map (cons true) b ++ map (fun w => false :: true :: w) a)
   end.
 
-Lemma marks_count k : INR (length (fst (marks k))) <= golden ^ (k + 1) /\ INR (length (snd (marks k))) <= golden ^ (k + 2).
+Lemma marks_count k : INR (length (fst (marks k))) <= golden ^ (k + 1) /\ INR (length (snd (marks k))) <= golden ^
+  (k + 2).
 Proof.
-  pose proof golden_facts as [G E]; induction k as [|k [IH1 IH2]]; [cbn [marks fst snd length Nat.add INR pow] in *; lra|].
-  cbn [marks]; destruct (marks k) as [a b]; cbn [fst snd] in *; split; [replace (S k + 1)%nat with (k + 2)%nat by lia; assumption|].
+  pose proof golden_facts as [G E]; induction k as [|k [IH1 IH2]]; [cbn [marks fst snd length Nat.add INR pow] in *;
+    lra|].
+  cbn [marks]; destruct (marks k) as [a b]; cbn [fst snd] in *; split; [replace (S k + 1)%nat with (k + 2)%nat by lia;
+    assumption|].
   rewrite app_length, !map_length, plus_INR; replace (S k + 2)%nat with (S (S (k + 1))) by lia; rewrite golden_SS.
   replace (S (k + 1)) with (k + 2)%nat by lia; lra.
 Qed.
 
-Definition no_00 (w : list bool) : Prop := forall j, (S j < length w)%nat -> nth j w true = true \/ nth (S j) w true = true.
+Definition no_00 (w : list bool) : Prop := forall j, (S j < length w)%nat -> nth j w true = true \/
+  nth (S j) w true = true.
 
-Lemma marks_complete k : forall w, no_00 w -> (length w = k -> In w (fst (marks k))) /\ (length w = S k -> In w (snd (marks k))).
+Lemma marks_complete k : forall w, no_00 w -> (length w = k -> In w (fst (marks k))) /\
+  (length w = S k -> In w (snd (marks k))).
 Proof.
   induction k as [|k IH]; intros w Hw.
   - split; destruct w as [|x [|y w]]; cbn; try discriminate; [tauto | destruct x; tauto].
@@ -40,8 +46,10 @@ Proof.
     cbn [marks]; destruct (marks k) as [a b] eqn:Em; cbn [fst snd] in *; split; [apply IH; assumption|].
     destruct w as [|x w]; [discriminate|]; intros Hl; injection Hl as Hl; specialize (Tail x w eq_refl).
     apply in_app_iff; destruct x; [left; apply in_map, IH; assumption | right].
-    destruct w as [|y w]; [discriminate|]; assert (y = true) as -> by (destruct (Hw 0%nat); cbn in *; [lia | discriminate | assumption]).
-    apply (in_map (fun w => false :: true :: w)), IH; [intros j Hj; apply (Tail (S j)); cbn; lia | injection Hl; trivial].
+    destruct w as [|y w]; [discriminate|]; assert (y = true) as -> by (destruct (Hw 0%nat); cbn in *;
+      [lia | discriminate | assumption]).
+    apply (in_map (fun w => false :: true :: w)), IH; [intros j Hj; apply (Tail (S j)); cbn; lia | injection Hl;
+      trivial].
 Qed.
 
 (** Words over {1, 2} with the sum P, and with the sum P + 1. *)
@@ -74,15 +82,16 @@ Proof.
 Qed.
 
 Lemma legs_content P : (forall w, In w (fst (legs P)) -> sum w = Z.of_nat P /\ over_12 w) /\
-  (forall w, In w (snd (legs P)) -> sum w = Z.of_nat (S P) /\ over_12 w) /\ NoDup (fst (legs P)) /\ NoDup (snd (legs P)).
+  (forall w, In w (snd (legs P)) -> sum w = Z.of_nat (S P) /\ over_12 w) /\ NoDup (fst (legs P)) /\
+  NoDup (snd (legs P)).
 Proof.
   induction P as [|P (A & B & NA & NB)].
-  - cbn; split; [|split; [|split; repeat constructor; auto]];
-      (intros w [<-|[]]; split; [reflexivity | repeat constructor; tauto]).
+  - cbn; split; [|split; [|split; repeat constructor; auto]]; (intros w [<-|[]]; split;
+      [reflexivity | repeat constructor; tauto]).
   - cbn [legs]; destruct (legs P) as [a b]; cbn [fst snd] in *; split; [exact B | split; [|split; [exact NB|]]].
     + intros w Hw; apply in_app_or in Hw; destruct Hw as [Hw|Hw]; apply in_map_iff in Hw; destruct Hw as (x & <- & Hx);
-        [destruct (B x Hx) as [E O] | destruct (A x Hx) as [E O]];
-        (split; [cbn [sum fold_right]; fold (sum x); lia | constructor; auto]).
+        [destruct (B x Hx) as [E O] | destruct (A x Hx) as [E O]]; (split; [cbn [sum fold_right]; fold (sum x); lia |
+        constructor; auto]).
     + apply NoDup_disjoint; [apply NoDup_cons_map, NB | apply NoDup_cons_map, NA|].
       intros x Hx Hx'; apply in_map_iff in Hx, Hx'; destruct Hx as (y & <- & _), Hx' as (y' & E & _); discriminate.
 Qed.
@@ -130,8 +139,7 @@ Proof.
     destruct (Z.leb_spec (N (i + 1)%Z) k) as [L|L]; [apply IH; destruct (steps i); lia | lia]. }
   unfold last; set (i := (- Z.abs (N 0%Z - k))%Z); pose proof (increasing i 0 ltac:(lia)); apply Up; lia.
 Qed.
-Lemma last_exists k : exists i, (N i <= k < N (i + 1))%Z.
-Proof. exists (last k); apply last_spec. Qed.
+Lemma last_exists k : exists i, (N i <= k < N (i + 1))%Z. Proof. exists (last k); apply last_spec. Qed.
 
 (** The last impact up to period k is in k, or in the period before if there is none in k. *)
 Lemma last_in k i : (N i <= k < N (i + 1))%Z -> (hit k -> N i = k) /\ (~ hit k -> N i = k - 1)%Z.
@@ -154,9 +162,9 @@ Lemma agree N N' c m : one_or_two N -> one_or_two N' -> N 0%Z = c -> N' 0%Z = c 
   (forall k, (c - 2 * Z.of_nat m <= k <= c + 2 * Z.of_nat m)%Z -> hit N k <-> hit N' k) ->
   forall i, (- Z.of_nat m <= i <= Z.of_nat m)%Z -> N i = N' i.
 Proof.
-  intros S S' E E' H; assert (Both : forall k : nat, (k <= m)%nat ->
-    (N (Z.of_nat k) = N' (Z.of_nat k) /\ N (Z.of_nat k) <= c + 2 * Z.of_nat k)%Z /\
-    (N (- Z.of_nat k) = N' (- Z.of_nat k) /\ N (- Z.of_nat k) >= c - 2 * Z.of_nat k)%Z).
+  intros S S' E E' H; assert (Both : forall k : nat, (k <= m)%nat -> (N (Z.of_nat k) = N' (Z.of_nat k) /\
+    N (Z.of_nat k) <= c + 2 * Z.of_nat k)%Z /\ (N (- Z.of_nat k) = N' (- Z.of_nat k) /\ N (- Z.of_nat k) >= c - 2
+    * Z.of_nat k)%Z).
   { induction k as [|k IH]; intros Hk; [cbn; lia|]; destruct IH as [[U UB] [D DB]]; [lia|].
     set (i := Z.of_nat k) in *; replace (Z.of_nat (Datatypes.S k)) with (i + 1)%Z by lia.
     pose proof (increasing N S 0 i ltac:(lia)); pose proof (increasing N S (- i) 0 ltac:(lia)); split.
@@ -172,7 +180,8 @@ Proof.
         destruct (skipped M SM (- i - 1)%Z); [replace (- i - 1 + 1)%Z with (- i)%Z by lia; exact E2|].
         replace (M (- i - 1) + 1)%Z with (M (- i) - 1)%Z by lia; exact Hh. }
       pose proof (A N S) as B; pose proof (A N' S') as B'.
-      pose proof (S (- i - 1)%Z) as C; pose proof (S' (- i - 1)%Z) as C'; replace (- i - 1 + 1)%Z with (- i)%Z in C, C' by lia.
+      pose proof (S (- i - 1)%Z) as C; pose proof (S' (- i - 1)%Z) as C'; replace (- i - 1 + 1)%Z with (- i)%Z in C,
+        C' by lia.
       replace (- (i + 1))%Z with (- i - 1)%Z by lia.
       assert (F : (N (- i - 1) = N (- i) - 1 \/ N (- i - 1) = N (- i) - 2)%Z) by lia.
       assert (F' : (N' (- i - 1) = N' (- i) - 1 \/ N' (- i - 1) = N' (- i) - 2)%Z) by lia.

@@ -10,7 +10,7 @@
     - [orbit_near] in [StatementOrbits], [planar] and [one_orbit] in [StatementOrbitsPlane]: maps, orbits;
     - [trace], [Farey], [interval], [outside] and [tends_to_1] in [Statement]: Theorem 2's intervals of s;
     - [member], [edge], [path], [vertices], [arrow] and [ends] in [StatementWords];
-    - [motion] and [in_boxes] in [StatementChaos].
+    - [chaos_motion] and [in_two_boxes] in [StatementChaos], [Nordmark] in [StatementNordmark].
     The proofs end in [Systems], [SystemsAreas], [Conjecture1], [SystemsWords] and [Chaos], in this order. *)
 From Coq Require Import Reals ZArith List Arith.
 From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementWords StatementChaos
@@ -92,39 +92,41 @@ Definition ends_left (a2 hi : R) (n k : nat) : Prop := exists a1s, - (a2 + 1) < 
   (a1 < a1s -> exactly a1 a2 n Plus Minus) /\ (a1s < a1 -> never a1 a2 n) /\ (a1s = a1 <-> b a1 a2 n k = 0) /\
   (a1s = a1 -> forall j, (1 <= j <= n - 1)%nat -> j <> k -> b a1 a2 n j > 0).
 
-Definition Conjecture_1_statement : Prop := forall n, (3 <= n)%nat -> let N := INR n in
+(** N is n. *)
+Record areas (n : nat) (N : R) : Prop := {
   (** (0, 1/(2n)) extends to a (-,+) area bounded by 0 < s < 1/(2n). *)
-  (forall r s, 0 < r <= 1 -> 0 < s < 1 / (2 * N) -> exactly (trace r s) (r ^ 2) n Minus Plus) /\
+  first_area : forall r s, 0 < r <= 1 -> 0 < s < 1 / (2 * N) -> exactly (trace r s) (r ^ 2) n Minus Plus;
   (** (1/(2n), 1/n) extends to a (+,+) area bounded to the left by b_{n,n-1} = 0, to the right by
       s = 1/(2n). *)
-  (exists Rad, area n (n - 1) Plus (1 / (2 * N)) (1 / N) Rad /\
+  second_area : exists Rad, area n (n - 1) Plus (1 / (2 * N)) (1 / N) Rad /\
     tends_to_1 Rad (1 / (2 * N)) (1 / N) (1 / N) /\
-   (forall s, 1 / (2 * N) < s <= 1 / (2 * (N - 1)) -> Rad s = 0) /\
-   forall r, 0 < r < 1 -> exists s', 1 / (2 * N) < s' <= 1 / N /\
-   forall s, 1 / (2 * N) < s < 1 / N -> (Rad s < r <-> s < s')) /\
+    (forall s, 1 / (2 * N) < s <= 1 / (2 * (N - 1)) -> Rad s = 0) /\
+    forall r, 0 < r < 1 -> exists s', 1 / (2 * N) < s' <= 1 / N /\
+    forall s, 1 / (2 * N) < s < 1 / N -> (Rad s < r <-> s < s');
   (** ((n-1)/(2n), 1/2), n odd, extends to a (+,-) area in regions 3 and 4, bounded to the left by
       -(a2+1) < a1 and to the right by b_{n,n-2} = 0. *)
-  (Nat.Odd n -> (exists Rad, area n (n - 2) Minus ((N - 1) / (2 * N)) (1 / 2) Rad /\
-    tends_to_1 Rad ((N - 1) / (2 * N)) (1 / 2) ((N - 1) / (2 * N))) /\
-   forall a2, 0 < a2 < 1 -> ends_left a2 (trace (sqrt a2) ((N - 1) / (2 * N))) n (n - 2)) /\
+  leftmost_area : Nat.Odd n -> (exists Rad, area n (n - 2) Minus ((N - 1) / (2 * N)) (1 / 2) Rad /\
+      tends_to_1 Rad ((N - 1) / (2 * N)) (1 / 2) ((N - 1) / (2 * N))) /\
+    forall a2, 0 < a2 < 1 -> ends_left a2 (trace (sqrt a2) ((N - 1) / (2 * N))) n (n - 2);
   (** (m+/n+, m/n), m+/n+ not 0/1, extends to a (+,+) area bounded by b_{n,n-n+} = 0. *)
-  (forall m (F : Farey m n), (0 < 2 * m < n)%nat -> m_plus F <> 0%nat ->
-   extends n (n - n_plus F) Plus (INR (m_plus F) / INR (n_plus F)) (INR m / N)) /\
+  left_areas : forall m (F : Farey m n), (0 < 2 * m < n)%nat -> m_plus F <> 0%nat ->
+    extends n (n - n_plus F) Plus (INR (m_plus F) / INR (n_plus F)) (INR m / N);
   (** (m/n, m-/n-), m-/n- not 1/2, extends to a (+,-) area bounded by b_{n,n-n-} = 0. *)
-  (forall m (F : Farey m n), (0 < 2 * m < n)%nat -> (2 * m_minus F <> n_minus F)%nat ->
-   extends n (n - n_minus F) Minus (INR m / N) (INR (m_minus F) / INR (n_minus F))) /\
+  right_areas : forall m (F : Farey m n), (0 < 2 * m < n)%nat -> (2 * m_minus F <> n_minus F)%nat ->
+    extends n (n - n_minus F) Minus (INR m / N) (INR (m_minus F) / INR (n_minus F));
   (** There are no others: these are all of Theorem 2's intervals, and elsewhere in regions 3 and 4 there
       is none. *)
-  (forall e g lo hi, interval n e g lo hi -> (e, g, lo, hi) = (Minus, Plus, 0, 1 / (2 * N)) \/
-   (e, g, lo, hi) = (Plus, Plus, 1 / (2 * N), 1 / N) \/
-   Nat.Odd n /\ (e, g, lo, hi) = (Plus, Minus, (N - 1) / (2 * N), 1 / 2) \/
-   exists m (F : Farey m n), (0 < 2 * m < n)%nat /\
-   (m_plus F <> 0%nat /\ (e, g, lo, hi) = (Plus, Plus, INR (m_plus F) / INR (n_plus F), INR m / N) \/
-    (2 * m_minus F <> n_minus F)%nat /\
-      (e, g, lo, hi) = (Plus, Minus, INR m / N, INR (m_minus F) / INR (n_minus F)))) /\
-  (forall r s, 0 < r < 1 -> 0 < s < 1 / 2 -> u_at r s n <> 0 ->
-   (forall e g lo hi, interval n e g lo hi -> ~ lo < s < hi) -> never (trace r s) (r ^ 2) n) /\
-  (forall a1 a2, 0 < a2 < 1 -> - (a2 + 1) < a1 <= - 2 * sqrt a2 -> Nat.Even n -> never a1 a2 n).
+  no_others : forall e g lo hi, interval n e g lo hi -> (e, g, lo, hi) = (Minus, Plus, 0, 1 / (2 * N)) \/
+    (e, g, lo, hi) = (Plus, Plus, 1 / (2 * N), 1 / N) \/
+    Nat.Odd n /\ (e, g, lo, hi) = (Plus, Minus, (N - 1) / (2 * N), 1 / 2) \/
+    exists m (F : Farey m n), (0 < 2 * m < n)%nat /\
+    (m_plus F <> 0%nat /\ (e, g, lo, hi) = (Plus, Plus, INR (m_plus F) / INR (n_plus F), INR m / N) \/
+     (2 * m_minus F <> n_minus F)%nat /\
+       (e, g, lo, hi) = (Plus, Minus, INR m / N, INR (m_minus F) / INR (n_minus F)));
+  none_in_3 : forall r s, 0 < r < 1 -> 0 < s < 1 / 2 -> u_at r s n <> 0 ->
+    (forall e g lo hi, interval n e g lo hi -> ~ lo < s < hi) -> never (trace r s) (r ^ 2) n;
+  none_in_4 : forall a1 a2, 0 < a2 < 1 -> - (a2 + 1) < a1 <= - 2 * sqrt a2 -> Nat.Even n -> never a1 a2 n }.
+Definition Conjecture_1_statement : Prop := forall n, (3 <= n)%nat -> areas n (INR n).
 
 (** ** Words, regions 3 and 4, e mu > 0. K is the first n with u_n < 0, w the way to s in the Stern-Brocot
     tree as long as the flights on it satisfy (52); with damping it ends. Its vertices are all that do, and
@@ -146,6 +148,6 @@ Definition Words_statement : Prop := forall a1 a2 K, first_upper a1 a2 K ->
 
 (** ** Chaos: for every mu > 0 the paper's oscillator has impacts one or two periods apart in any order *)
 Definition Chaos_statement : Prop := forall mu N, mu > 0 -> one_or_two N ->
-  exists t y v, StatementChaos.motion mu N t y v /\ in_boxes mu N t v /\
-  forall t' y' v', StatementChaos.motion mu N t' y' v' -> in_boxes mu N t' v' ->
+  exists t y v, chaos_motion mu N t y v /\ in_two_boxes mu N t v /\
+  forall t' y' v', chaos_motion mu N t' y' v' -> in_two_boxes mu N t' v' ->
   forall i x, t' i = t i /\ y' i x = y i x /\ v' i x = v i x.

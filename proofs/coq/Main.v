@@ -1,7 +1,6 @@
 (** * The main theorems about signs in region 3, by name *)
 
-From Grazing Require Import Defs Statement StatementExamples Cases Farey Disc Radius Count Above
-  Sections Eight Depth.
+From Grazing Require Import Defs Statement StatementExamples Cases Farey Disc Radius Count Above Sections Eight Depth.
 
 Theorem One_case : One_case_statement. Proof. exact Cases.One_case. Qed.
 Theorem Neighbours : Neighbours_statement. Proof. exact neighbours_proof. Qed.

@@ -2,8 +2,9 @@
     the oracle over Z, by name *)
 
 From Coq Require Import Reals ZArith.
-From Grazing Require Import Defs Statement StatementPlane StatementImpacts StatementB StatementZ StatementCircleZ AppendixA
-  Region4 Coordinates InsideTriangle MatrixForm Impacts Summary LeftmostSection Reverse AppendixB OrbitZ CircleZ.
+From Grazing Require Import Defs Statement StatementPlane StatementImpacts StatementB StatementZ StatementCircleZ
+  AppendixA Region4 Coordinates InsideTriangle MatrixForm Impacts Summary LeftmostSection Reverse AppendixB OrbitZ
+  CircleZ.
 
 Theorem S5 : S5_statement. Proof. exact Region4.S5. Qed.
 Theorem S5_section : S5_section_statement. Proof. exact LeftmostSection.S5_section. Qed.
@@ -30,12 +31,11 @@ Proof. exact (conj Impacts (conj Single_impact Det_D)). Qed.
 Theorem Large_eigenvalue : Large_formula_statement /\ Large_statement.
 Proof. exact (conj Large_formula Large). Qed.
 
-Theorem Appendix_B : B_formulas_statement /\ B_zeros_statement /\
-  B_simple_zero_statement /\ B_double_zero_statement /\ B_at_multiples_statement /\
-  B_at_odd_multiples_statement.
+Theorem Appendix_B : B_formulas_statement /\ B_zeros_statement /\ B_simple_zero_statement /\ B_double_zero_statement /\
+  B_at_multiples_statement /\ B_at_odd_multiples_statement.
 Proof.
-  exact (conj B_formulas (conj B_zeros (conj B_simple_zero (conj B_double_zero
-    (conj B_at_multiples B_at_odd_multiples))))).
+  exact
+    (conj B_formulas (conj B_zeros (conj B_simple_zero (conj B_double_zero (conj B_at_multiples B_at_odd_multiples))))).
 Qed.
 
 Theorem Oracle : Oracle_statement.

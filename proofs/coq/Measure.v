@@ -12,25 +12,24 @@ Definition share (n k : nat) : R := if (k =? 1)%nat then 1 / (2 * INR n) else / 
 Definition opposite (n k : nat) (x : sign * sign * R * R) : Prop :=
   let '(e, g, lo, hi) := x in e = Plus /\ side n (n - k) g lo hi.
 
-Lemma side_length n k g lo hi : (3 <= n)%nat -> (1 <= k <= n - 1)%nat -> side n (n - k) g lo hi ->
-  hi - lo = share n k.
+Lemma side_length n k g lo hi : (3 <= n)%nat -> (1 <= k <= n - 1)%nat -> side n (n - k) g lo hi -> hi - lo = share n k.
 Proof.
   intros Hn Hk HS; assert (Hd : exists d, d = (n - k)%nat) by eauto; destruct Hd as [d Ed].
   rewrite <- Ed in HS; destruct HS as [m F Hm|m F Hm]; unfold share;
     destruct (neighbours_R _ _ _ _ _ _ Hn (are_neighbours F)) as (E & E' & _ & Hn3 & Hp & Hq);
-    destruct (neighbours_sum _ _ _ _ _ _ (are_neighbours F)) as [_ S];
-    pose proof (are_neighbours F) as (Hnp & I & _ & I').
+    destruct (neighbours_sum _ _ _ _ _ _ (are_neighbours F)) as [_ S]; pose proof (are_neighbours F)
+    as (Hnp & I & _ & I').
   - assert (n_plus F = k) as Ek by lia; rewrite Ek in *.
     assert (H1 : m = 1%nat <-> k = 1%nat).
     { split; intros ->; destruct (m_plus F) as [|x]; try lia; pose proof (Nat.le_0_l (x * n)); simpl in I; lia. }
     destruct (Nat.eqb_spec m 1) as [M1|M1], (Nat.eqb_spec k 1) as [K1|K1]; try tauto; [rewrite M1; simpl; field; lra|].
-    replace (INR m / INR n - INR (m_plus F) / INR k)
-      with ((INR m * INR k - INR (m_plus F) * INR n) * (/ INR n * / INR k)) by (field; lra).
+    replace (INR m / INR n - INR (m_plus F) / INR k) with ((INR m * INR k - INR (m_plus F) * INR n)
+      * (/ INR n * / INR k)) by (field; lra).
     rewrite E; ring.
   - assert (n_minus F = k) as Ek by lia; rewrite Ek in *.
     destruct (Nat.eqb_spec k 1) as [K1|K1]; [exfalso; rewrite K1 in I'; destruct (m_minus F); cbn in I'; lia|].
-    replace (INR (m_minus F) / INR k - INR m / INR n)
-      with ((INR (m_minus F) * INR n - INR m * INR k) * (/ INR n * / INR k)) by (field; lra).
+    replace (INR (m_minus F) / INR k - INR m / INR n) with ((INR (m_minus F) * INR n - INR m * INR k)
+      * (/ INR n * / INR k)) by (field; lra).
     rewrite <- E'; ring.
 Qed.
 
@@ -48,9 +47,10 @@ Lemma shares n : (3 <= n)%nat ->
 Proof.
   intros Hn; assert (Hn3 : 3 <= INR n) by (apply le_INR in Hn; simpl in Hn; lra).
   unfold coprimes; destruct n as [|n]; [lia|]; cbn [seq filter].
-  replace (Nat.gcd 1 (S n)) with 1%nat by (symmetry; apply Nat.divide_1_r, Nat.gcd_divide_l); cbn [Nat.eqb sum_over fold_right].
-  assert (H : forall l, (forall k, In k l -> (2 <= k)%nat) ->
-    sum_over (share (S n)) l = / INR (S n) * sum_over (fun k => / INR k) l).
+  replace (Nat.gcd 1 (S n)) with 1%nat by (symmetry; apply Nat.divide_1_r, Nat.gcd_divide_l);
+    cbn [Nat.eqb sum_over fold_right].
+  assert (H : forall l, (forall k, In k l -> (2 <= k)%nat) -> sum_over (share (S n)) l = / INR (S n) * sum_over
+    (fun k => / INR k) l).
   { induction l as [|k l IH]; intros Hl; cbn [sum_over fold_right]; [lra|].
     fold (sum_over (share (S n)) l) (sum_over (fun k => / INR k) l).
     rewrite IH by (intros; apply Hl; now right); unfold share at 1.
@@ -77,8 +77,7 @@ Proof.
   { apply NoDup_Permutation; [assumption| |].
     - constructor; [intros Hx; destruct (Hfrom _ Hx) as (? & _ & ? & _); discriminate|].
       apply (Forall2_NoDup _ _ _ HF); [apply NoDup_filter, seq_NoDup|].
-      intros k k' [[[e g] lo] hi] H H' [_ HS] [_ HS']; apply Hk in H, H'.
-      assert (n - k = n - k')%nat; [|lia].
+      intros k k' [[[e g] lo] hi] H H' [_ HS] [_ HS']; apply Hk in H, H'. assert (n - k = n - k')%nat; [|lia].
       now apply (proj2 (deciding_indices_stated n Hn) _ g lo hi _ g lo hi).
     - intros [[[e g] lo] hi]; rewrite HI; split.
       + intros [|k g' lo' hi' HS]; [now left | right].

@@ -8,8 +8,8 @@ Lemma cos_below t : 0 < t < 2 * PI -> cos t < 1.
 Proof.
   intros Ht; pose proof (COS_bound t) as B; destruct (Req_dec (cos t) 1) as [E|E]; [|lra].
   exfalso; pose proof PI_RGT_0; destruct (Rle_lt_dec t PI) as [L|L].
-  - pose proof (cos_decreasing_1 0 t ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as D;
-      rewrite cos_0 in D; lra.
+  - pose proof (cos_decreasing_1 0 t ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as D; rewrite cos_0 in D;
+      lra.
   - pose proof (cos_increasing_1 t (2 * PI) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as D.
     rewrite cos_2PI in D; lra.
 Qed.
@@ -40,10 +40,13 @@ Lemma Nordmark_grazing d w tau D o x : 0 < w -> 0 <= tau -> undamped D o x -> D 
   o (2 * PI) <> 0 -> let E := exp (- 2 * PI * d / w) in
   grazing (Nordmark d w tau) Plus (2 * E * x (2 * PI)) (exp (- 4 * PI * d / w)) (E * o (2 * PI)).
 Proof.
-  intros Hw Ht HU ED Ho E; pose proof (matrix_damped (2 * d / w) D Plus o x HU) as M; cbv zeta in M; cbn [turn facing] in M.
+  intros Hw Ht HU ED Ho E; pose proof (matrix_damped (2 * d / w) D Plus o x HU) as M; cbv zeta in M;
+    cbn [turn facing] in M.
   replace (2 * d / w * (2 * d / w) / 4 + D) with (1 / w ^ 2) in M by (rewrite ED; field; lra).
-  replace (- (2 * d / w) / 2 * (2 * PI)) with (- 2 * PI * d / w) in M by (field; lra); fold E in M; rewrite !Rmult_1_l in M.
-  constructor; [apply Nordmark_touching | exact Ht | | apply Rmult_integral_contrapositive_currified; [apply Rgt_not_eq, exp_pos | exact Ho]].
+  replace (- (2 * d / w) / 2 * (2 * PI)) with (- 2 * PI * d / w) in M by (field; lra); fold E in M;
+    rewrite !Rmult_1_l in M.
+  constructor; [apply Nordmark_touching | exact Ht | | apply Rmult_integral_contrapositive_currified;
+    [apply Rgt_not_eq, exp_pos | exact Ho]].
   replace (exp (- 4 * PI * d / w)) with (E * E) by (unfold E; rewrite <- exp_plus; f_equal; field; lra); exact M.
 Qed.
 
@@ -56,7 +59,8 @@ Proof.
     assert (Ps : 0 < sigma) by (rewrite Es; apply Rdiv_lt_0_compat; lra); pose proof (Rinv_0_lt_compat _ Ps).
     pose proof (Nordmark_grazing d w tau _ _ _ Hw Ht (undamped_circular sigma ltac:(lra))) as M; cbv zeta beta in M.
     replace (sigma * (2 * PI)) with (2 * PI * sigma) in M by ring; set (si := sin (2 * PI * sigma)) in *.
-    eexists; split; [apply M; [rewrite Es; replace (r / w * (r / w)) with (r * r / w ^ 2) by (field; lra); rewrite Eq; field; lra|]|].
+    eexists; split; [apply M; [rewrite Es; replace (r / w * (r / w)) with (r * r / w ^ 2) by (field; lra); rewrite Eq;
+      field; lra|]|].
     + apply Rmult_integral_contrapositive_currified; lra.
     + replace (_ * (/ sigma * si) * si) with (exp (- 2 * PI * d / w) * / sigma * (si * si)) by ring.
       apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; lra | nra].
@@ -74,19 +78,18 @@ Proof.
     replace (r / w * (r / w)) with (r * r / w ^ 2) by (field; lra); rewrite Eq; field; lra.
   - intros ->; pose proof (Nordmark_grazing 1 w tau _ _ _ Hw Ht undamped_straight) as M; cbv zeta beta in M.
     rewrite (Rmult_1_r (2 * _)) in M; eexists; split; [apply M; [field|]; lra | apply Rmult_lt_0_compat; lra].
-  - intros mu r N t q v; unfold motion, gap, speed, free;
-      cbn [Nordmark Oscillator.c Oscillator.k Oscillator.G Oscillator.G1
-      Oscillator.tau turn facing].
-    assert (E : forall z x f, 1 * f + - mu + (1 - - mu) * (1 - cos (x - 2 * PI * IZR z)) = f - ((1 + mu) * cos x - 1))
-      by (intros; rewrite (proj1 (periods_back _ _)); ring).
-    assert (F : forall z x f, 1 * f + (1 - - mu) * sin (x - 2 * PI * IZR z) = f + (1 + mu) * sin x)
-      by (intros; rewrite (proj2 (periods_back _ _)); ring).
-    split; intros H i j Hj; destruct (H i j Hj) as (H1 & H2 & H3 & H4 & H5 & H6 & H7 & H8).
-    + rewrite E in H4, H5; rewrite F in H7; rewrite !F in H8; split; [exact H1|]; split; [exact H2|]; split;
-        [exact H3|].
-      split; [lra|]; split; [lra|]; split; [intros x Hx; specialize (H6 0%Z x Hx); rewrite E in H6; lra | split; lra].
-    + repeat (split; [assumption|]); rewrite !E, !F; split; [lra|]; split; [lra|].
-      split; [intros z x Hx; rewrite E; specialize (H6 x Hx); lra | split; lra].
+  - intros mu r N t q v;     assert (E : forall z x f, gap (Nordmark d w tau) Plus (- mu) z f x = f x
+      - ((1 + mu) * cos x - 1)) by (intros; unfold gap; cbn; rewrite (proj1 (periods_back _ _)); ring).
+    assert (F : forall z x f, speed (Nordmark d w tau) Plus (- mu) z f x = f x + (1 + mu) * sin x) by (intros;
+      unfold speed; cbn; rewrite (proj2 (periods_back _ _)); ring).
+    split; intros H i j Hj.
+    + destruct (H i j Hj) as [H1 H2 H3 H4 H5 H6 H7 H8]; rewrite E in H4, H5; rewrite F in H7; rewrite !F in H8;
+        cbn in H8.
+      split; [exact H1|]; split; [exact H2|]; split; [exact H3|]; split; [lra|]; split; [lra|].
+      split; [intros x Hx; specialize (H6 0%Z x Hx); rewrite E in H6; lra | split; lra].
+    + destruct (H i j Hj) as (H1 & H2 & H3 & H4 & H5 & H6 & H7 & H8); constructor; rewrite ?E, ?F; trivial; try lra.
+      * intros z x Hx; rewrite E; specialize (H6 x Hx); lra.
+      * cbn; lra.
 Qed.
 
 Fixpoint harmonics1 (j : nat) (l : list (R * R)) (t : R) : R := match l with [] => 0
@@ -99,8 +102,8 @@ Fixpoint harmonics3 (j : nat) (l : list (R * R)) (t : R) : R := match l with [] 
 Lemma D_harmonics l : forall j t, derivable_pt_lim (harmonics j l) t (harmonics1 j l t) /\
   derivable_pt_lim (harmonics1 j l) t (harmonics2 j l t) /\ derivable_pt_lim (harmonics2 j l) t (harmonics3 j l t).
 Proof.
-  induction l as [|[a b] l IH]; intros j t; [split; [|split]; exact (D_const 0 t)|];
-    destruct (IH (S j) t) as (H1 & H2 & H3).
+  induction l as [|[a b] l IH]; intros j t; [split; [|split]; exact (D_const 0 t)|]; destruct (IH (S j) t)
+    as (H1 & H2 & H3).
   split; [|split]; cbn [harmonics harmonics1 harmonics2 harmonics3];
     derive_by ltac:(first [exact H1 | exact H2 | exact H3]); ring.
 Qed.
@@ -120,9 +123,8 @@ Qed.
 
 Theorem Harmonics : Harmonics_statement.
 Proof.
-  intros c k tau l Hlow Hw; exists {| Oscillator.c := c; Oscillator.k := k; Oscillator.tau := tau;
-    Oscillator.G := fun _ => harmonics 1 l; Oscillator.G1 := fun _ => harmonics1 1 l;
-      Oscillator.G2 := fun _ => harmonics2 1 l |}.
+  intros c k tau l Hlow Hw; exists {| Oscillator.c := c; Oscillator.k := k; Oscillator.tau := tau; Oscillator.G :=
+    fun _ => harmonics 1 l; Oscillator.G1 := fun _ => harmonics1 1 l; Oscillator.G2 := fun _ => harmonics2 1 l |}.
   split; [|auto]; constructor; cbn; intros.
   - apply harmonics_period.
   - apply D_harmonics.

@@ -20,23 +20,18 @@ Definition diff (x x' : J -> vec) : J -> vec := fun j => minus (x j) (x' j).
 Definition diff1 (y y' : J -> R) : J -> R := fun j => y j - y' j.
 
 Lemma bounded_le e e' x y : e <= e' -> bounded e x y -> bounded e' x y.
-Proof.
-  intros He H j; destruct (H j) as [Hx Hy]; split; [apply within_le with e; assumption | lra].
-Qed.
-
+Proof. intros He H j; destruct (H j) as [Hx Hy]; split; [apply within_le with e; assumption | lra]. Qed.
 Lemma bounded_nonneg e x y : bounded e x y -> J -> 0 <= e.
 Proof. intros H j; exact (Rabs_nonneg _ _ (proj2 (H j))). Qed.
 
-Lemma bounded_diff e e' x y x' y' : bounded e x y -> bounded e' x' y' ->
-  bounded (e + e') (diff x x') (diff1 y y').
+Lemma bounded_diff e e' x y x' y' : bounded e x y -> bounded e' x' y' -> bounded (e + e') (diff x x') (diff1 y y').
 Proof.
   intros H H' j; destruct (H j) as [Hx Hy], (H' j) as [Hx' Hy']; split.
   - apply within_minus; assumption.
   - unfold diff1, Rminus; apply triangle2; [|rewrite Rabs_Ropp]; assumption.
 Qed.
 
-Lemma bounded_plus e e' x y x' y' : bounded e (diff x x') (diff1 y y') -> bounded e' x' y' ->
-  bounded (e + e') x y.
+Lemma bounded_plus e e' x y x' y' : bounded e (diff x x') (diff1 y y') -> bounded e' x' y' -> bounded (e + e') x y.
 Proof.
   intros H H' j; destruct (H j) as [Hx Hy], (H' j) as [Hx' Hy']; split.
   - intros i Hi; replace (x j i) with (minus (x j) (x' j) i + x' j i) by (unfold minus; ring).
@@ -44,14 +39,11 @@ Proof.
   - replace (y j) with (diff1 y y' j + y' j) by (unfold diff1; ring); apply triangle2; assumption.
 Qed.
 
-Lemma linear_ext x y Q q x' y' Q' q' : linear x y Q q ->
-  (forall j i, (i < N)%nat -> x j i = x' j i) -> (forall j, y j = y' j) ->
-  (forall j i, (i < N)%nat -> Q j i = Q' j i) -> (forall j, q j = q' j) -> linear x' y' Q' q'.
+Lemma linear_ext x y Q q x' y' Q' q' : linear x y Q q -> (forall j i, (i < N)%nat -> x j i = x' j i) ->
+  (forall j, y j = y' j) -> (forall j i, (i < N)%nat -> Q j i = Q' j i) -> (forall j, q j = q' j) -> linear x' y' Q' q'.
 Proof.
   intros H Hx Hy HQ Hq j; destruct (H j) as [H1 H2].
-  assert (Hp : forall i, (i < N)%nat -> power (n j) (x j) i = power (n j) (x' j) i)
-    by (apply power_ext, Hx).
-  split.
+  assert (Hp : forall i, (i < N)%nat -> power (n j) (x j) i = power (n j) (x' j) i) by (apply power_ext, Hx). split.
   - rewrite <- Hq, <- H1; symmetry; apply dot_ext, Hp.
   - intros i Hi; rewrite <- HQ, <- Hx, <- Hp, <- Hy by assumption; apply H2, Hi.
 Qed.
@@ -69,21 +61,20 @@ Qed.
 Lemma linear_diff x y Q q x' y' Q' q' : linear x y Q q -> linear x' y' Q' q' ->
   linear (diff x x') (diff1 y y') (diff Q Q') (diff1 q q').
 Proof.
-  intros H H'; apply (linear_ext _ _ _ _ _ _ _ _ (linear_comb 1 (-1) _ _ _ _ _ _ _ _ H H'));
-    intros; unfold diff, diff1, minus, comb; ring.
+  intros H H'; apply (linear_ext _ _ _ _ _ _ _ _ (linear_comb 1 (-1) _ _ _ _ _ _ _ _ H H')); intros; unfold diff, diff1,
+    minus, comb; ring.
 Qed.
 
 Variable K : R.
 Hypothesis HK : invertible M J next n K.
 
-Lemma inverse_bound E e x y Q q : bounded E x y -> linear x y Q q -> bounded e Q q ->
-  bounded (K * e) x y.
+Lemma inverse_bound E e x y Q q : bounded E x y -> linear x y Q q -> bounded e Q q -> bounded (K * e) x y.
 Proof.
   intros Hb Hl HQ; destruct (proj1 HK e Q q HQ) as (x' & y' & Hb' & Hl').
   replace (K * e) with (0 + K * e) by ring; apply (bounded_plus _ _ _ _ x' y'); [|exact Hb'].
   apply (proj2 HK (E + K * e)); [apply bounded_diff; assumption|].
-  apply (linear_ext _ _ _ _ _ _ _ _ (linear_diff _ _ _ _ _ _ _ _ Hl Hl')); trivial;
-    intros; unfold diff, diff1, minus, zero; ring.
+  apply (linear_ext _ _ _ _ _ _ _ _ (linear_diff _ _ _ _ _ _ _ _ Hl Hl')); trivial; intros; unfold diff, diff1, minus,
+    zero; ring.
 Qed.
 
 (** Families of points x and numbers y as one family of numbers. *)
@@ -115,24 +106,19 @@ Qed.
 Definition solve (Q : J -> vec) (q : J -> R) : index -> R := fun s => the (fun v =>
   exists x y, (exists E, bounded E x y) /\ linear x y Q q /\ v = family x y s).
 
-Lemma solve_spec e Q q : bounded e Q q ->
-  bounded (K * e) (points (solve Q q)) (speeds (solve Q q)) /\
+Lemma solve_spec e Q q : bounded e Q q -> bounded (K * e) (points (solve Q q)) (speeds (solve Q q)) /\
   linear (points (solve Q q)) (speeds (solve Q q)) Q q.
 Proof.
   intros HQ; destruct (proj1 HK e Q q HQ) as (x & y & Hb & Hl).
   assert (E : forall s, counts s -> solve Q q s = family x y s).
-  { intros s Hs; apply the_spec; [exists x, y; eauto|].
-    intros v (x' & y' & (E & Hb') & Hl' & ->).
+  { intros s Hs; apply the_spec; [exists x, y; eauto|]. intros v (x' & y' & (E & Hb') & Hl' & ->).
     assert (H0 : bounded 0 (diff x' x) (diff1 y' y)).
     { apply (proj2 HK (E + K * e)); [apply bounded_diff; assumption|].
-      apply (linear_ext _ _ _ _ _ _ _ _ (linear_diff _ _ _ _ _ _ _ _ Hl' Hl)); trivial;
-        intros; unfold diff, diff1, minus, zero; ring. }
-    apply Rminus_diag_uniq, Rabs_zero.
-    destruct s as [[j i]|j]; [exact (proj1 (H0 j) i Hs) | exact (proj2 (H0 j))]. }
-  assert (Ex : forall j i, (i < N)%nat -> points (solve Q q) j i = x j i)
-    by (intros j i Hi; exact (E (inl (j, i)) Hi)).
-  assert (Ey : forall j, speeds (solve Q q) j = y j) by (intros j; exact (E (inr j) I)).
-  split.
+      apply (linear_ext _ _ _ _ _ _ _ _ (linear_diff _ _ _ _ _ _ _ _ Hl' Hl)); trivial; intros; unfold diff, diff1,
+        minus, zero; ring. }
+    apply Rminus_diag_uniq, Rabs_zero. destruct s as [[j i]|j]; [exact (proj1 (H0 j) i Hs) | exact (proj2 (H0 j))]. }
+  assert (Ex : forall j i, (i < N)%nat -> points (solve Q q) j i = x j i) by (intros j i Hi; exact (E (inl (j, i)) Hi)).
+  assert (Ey : forall j, speeds (solve Q q) j = y j) by (intros j; exact (E (inr j) I)). split.
   - intros j; rewrite Ey; split; [|apply Hb]; intros i Hi; rewrite Ex by exact Hi; apply (Hb j), Hi.
   - apply (linear_ext _ _ _ _ _ _ _ _ Hl); auto; intros; symmetry; auto.
 Qed.
@@ -147,8 +133,7 @@ Hypothesis Hn : forall j, (n j <= n_max)%nat.
 Hypothesis Hrem : remainder M w e n_max eps d.
 Hypothesis HKe : 0 <= K /\ 0 < eps /\ K * eps <= / 2.
 Hypothesis HX : solution M J next n X Y.
-Hypothesis HM0 : 1 <= M0 /\ 4 * M0 * Rabs mu <= d /\
-  bounded M0 (fun j => comb 1 e w (X j)) (fun j => e * Y j).
+Hypothesis HM0 : 1 <= M0 /\ 4 * M0 * Rabs mu <= d /\ bounded M0 (fun j => comb 1 e w (X j)) (fun j => e * Y j).
 
 Definition Q_at (x : J -> vec) (y : J -> R) : J -> vec := fun j => rest1 M mu (n j) (x j) (y j).
 Definition q_at (x : J -> vec) (y : J -> R) : J -> R := fun j => rest2 M mu (n j) (x j) (y j).
@@ -164,11 +149,11 @@ Definition q_lin : J -> R := fun j => - (mu * (e - dot (C M) (power (n j) w))).
 
 Lemma linear_lin : linear x_lin y_lin Q_lin q_lin.
 Proof.
-  assert (Hc : linear (fun _ => w) (fun _ => 0) (fun j => minus w (power (n j) w))
-    (fun j => dot (C M) (power (n j) w))).
+  assert (Hc : linear (fun _ => w) (fun _ => 0) (fun j => minus w (power (n j) w)) (fun j =>
+    dot (C M) (power (n j) w))).
   { intros j; split; [reflexivity | intros i _; unfold minus; ring]. }
-  apply (linear_ext _ _ _ _ _ _ _ _ (linear_comb mu (e * mu) _ _ _ _ _ _ _ _ Hc (proj2 HX)));
-    intros; unfold x_lin, y_lin, Q_lin, q_lin, comb, minus, zero; ring.
+  apply (linear_ext _ _ _ _ _ _ _ _ (linear_comb mu (e * mu) _ _ _ _ _ _ _ _ Hc (proj2 HX))); intros; unfold x_lin,
+    y_lin, Q_lin, q_lin, comb, minus, zero; ring.
 Qed.
 
 Lemma mu_d : 0 <= Rabs mu <= d /\ M0 * Rabs mu <= d /\ 0 <= d /\ Rabs mu <= M0 * Rabs mu.
@@ -188,12 +173,9 @@ Qed.
 Lemma Q_lin_bounded : exists E, bounded E Q_lin q_lin.
 Proof.
   destruct (power_bound N (A M) n_max) as (m & Hm & Hpow), (within_exists N w) as (W & HW & Hwb).
-  destruct (dot_bound N (C M)) as (mc & Hmc & Hc).
-  assert (HmW : 0 <= m * W) by (apply Rmult_le_pos; lra).
-  assert (HmcmW : 0 <= mc * (m * W)) by (apply Rmult_le_pos; lra).
-  pose proof (Rabs_pos e).
-  exists (Rabs mu * (W + m * W + (Rabs e + mc * (m * W)))); intros j.
-  pose proof (Hpow (n j) W w (Hn j) HW Hwb) as Hp.
+  destruct (dot_bound N (C M)) as (mc & Hmc & Hc). assert (HmW : 0 <= m * W) by (apply Rmult_le_pos; lra).
+  assert (HmcmW : 0 <= mc * (m * W)) by (apply Rmult_le_pos; lra). pose proof (Rabs_pos e).
+  exists (Rabs mu * (W + m * W + (Rabs e + mc * (m * W)))); intros j. pose proof (Hpow (n j) W w (Hn j) HW Hwb) as Hp.
   split.
   - intros i Hi; apply Rle_trans with (Rabs mu * (W + m * W)).
     + apply Rabs_mult_le; [lra | apply (within_minus N W (m * W) w (power (n j) w) Hwb Hp i Hi)].
@@ -203,8 +185,7 @@ Proof.
     + apply Rmult_le_compat_l; [apply Rabs_pos | lra].
 Qed.
 
-Lemma rest_diff t x y x' y' : bounded d x y -> bounded d x' y' ->
-  bounded t (diff x x') (diff1 y y') ->
+Lemma rest_diff t x y x' y' : bounded d x y -> bounded d x' y' -> bounded t (diff x x') (diff1 y y') ->
   bounded (eps * t) (diff (Q_at x y) (Q_at x' y')) (diff1 (q_at x y) (q_at x' y')).
 Proof.
   intros Hb Hb' Ht j; destruct (Hb j) as [Hx Hy], (Hb' j) as [Hx' Hy'], (Ht j) as [Htx Hty].
@@ -221,19 +202,19 @@ Lemma rest_lin t x y : bounded d x y -> bounded t x y -> Rabs mu <= t ->
 Proof.
   intros Hb Ht Hmt j; destruct (Hb j) as [Hx Hy], (Ht j) as [Htx Hty].
   pose proof (Rabs_nonneg _ _ Hty) as Ht0; pose proof mu_d as Hmu.
-  destruct (Hrem (n j) (x j) zero (y j) 0 mu 0 t) as (H1 & H2 & _);
-    rewrite ?Rminus_0_r, ?Rabs_R0; trivial; try lra; try (apply within_zero; lra).
+  destruct (Hrem (n j) (x j) zero (y j) 0 mu 0 t) as (H1 & H2 & _); rewrite ?Rminus_0_r, ?Rabs_R0; trivial; try lra;
+    try (apply within_zero; lra).
   { intros i Hi; unfold minus, zero; rewrite Rminus_0_r; apply Htx, Hi. }
   rewrite !Rminus_0_r in *; split.
   - intros i Hi; unfold diff, minus, Q_at, Q_lin.
-    replace (rest1 M mu (n j) (x j) (y j) i - mu * (w i - power (n j) w i)) with
-      (rest1 M mu (n j) (x j) (y j) i - rest1 M 0 (n j) zero 0 i - mu * (w i - power (n j) w i)).
+    replace (rest1 M mu (n j) (x j) (y j) i - mu * (w i - power (n j) w i)) with (rest1 M mu (n j) (x j) (y j) i - rest1
+      M 0 (n j) zero 0 i - mu * (w i - power (n j) w i)).
     + apply H1, Hi.
     + unfold rest1 at 2; rewrite (fly_zero M w HM Hw (n j) i Hi).
       unfold StatementOrbits.power at 1; rewrite power_zero; unfold zero; ring.
   - unfold diff1, q_at, q_lin.
-    replace (rest2 M mu (n j) (x j) (y j) - - (mu * (e - dot (C M) (power (n j) w)))) with
-      (rest2 M mu (n j) (x j) (y j) - rest2 M 0 (n j) zero 0 + mu * (e - dot (C M) (power (n j) w))).
+    replace (rest2 M mu (n j) (x j) (y j) - - (mu * (e - dot (C M) (power (n j) w))))
+      with (rest2 M mu (n j) (x j) (y j) - rest2 M 0 (n j) zero 0 + mu * (e - dot (C M) (power (n j) w))).
     + exact H2.
     + unfold rest2 at 2; rewrite (height_zero M w e HM Hw He).
       unfold StatementOrbits.power at 1; rewrite power_zero, dot_zero; ring.
@@ -242,14 +223,12 @@ Qed.
 Lemma rest_bounded x y : bounded d x y -> exists E, bounded E (Q_at x y) (q_at x y).
 Proof.
   intros Hb; destruct Q_lin_bounded as [E HE].
-  exists (eps * d + E); apply (bounded_plus _ _ _ _ Q_lin q_lin); [|exact HE].
-  apply rest_lin; trivial; apply mu_d.
+  exists (eps * d + E); apply (bounded_plus _ _ _ _ Q_lin q_lin); [|exact HE]. apply rest_lin; trivial; apply mu_d.
 Qed.
 
 Definition T (z : index -> R) : index -> R := solve (Q_at (points z) (speeds z)) (q_at (points z) (speeds z)).
 
-Lemma T_spec z : bounded d (points z) (speeds z) ->
-  (exists E, bounded E (points (T z)) (speeds (T z))) /\
+Lemma T_spec z : bounded d (points z) (speeds z) -> (exists E, bounded E (points (T z)) (speeds (T z))) /\
   linear (points (T z)) (speeds (T z)) (Q_at (points z) (speeds z)) (q_at (points z) (speeds z)).
 Proof.
   intros Hb; destruct (rest_bounded _ _ Hb) as [E HE].
@@ -274,35 +253,29 @@ Theorem fixed_point : exists x y, bounded d x y /\ zero_at x y /\
 Proof.
   pose proof mu_d as Hmu; destruct HKe as (HK0 & Heps & HKeps).
   assert (Hhalf : forall t, 0 <= t -> K * (eps * t) <= t / 2).
-  { intros t Ht; rewrite <- Rmult_assoc; unfold Rdiv; rewrite (Rmult_comm t).
-    apply Rmult_le_compat_r; assumption. }
+  { intros t Ht; rewrite <- Rmult_assoc; unfold Rdiv; rewrite (Rmult_comm t). apply Rmult_le_compat_r; assumption. }
   destruct (contraction index counts T d) as (z & Hz & Hfix & Huniq).
   - lra.
   - intros t z z' Hz Hz' Ht; apply near_zero in Hz, Hz'; apply near_bounded in Ht.
     apply near_bounded; destruct (T_spec z Hz) as [[E HE] Hl], (T_spec z' Hz') as [[E' HE'] Hl'].
-    assert (H : bounded (K * (eps * t)) (diff (points (T z)) (points (T z')))
-                                        (diff1 (speeds (T z)) (speeds (T z')))).
-    { apply (inverse_bound (E + E') _ _ _ _ _ (bounded_diff _ _ _ _ _ _ HE HE')
-        (linear_diff _ _ _ _ _ _ _ _ Hl Hl')).
+    assert (H : bounded (K * (eps * t)) (diff (points (T z)) (points (T z'))) (diff1 (speeds (T z)) (speeds (T z')))).
+    { apply (inverse_bound (E + E') _ _ _ _ _ (bounded_diff _ _ _ _ _ _ HE HE') (linear_diff _ _ _ _ _ _ _ _ Hl Hl')).
       apply rest_diff; assumption. }
     intros j; apply (bounded_le _ (t / 2) _ _ (Hhalf t (bounded_nonneg _ _ _ Ht j)) H).
   - apply near_zero.
     assert (H : bounded (K * (eps * Rabs mu) + M0 * Rabs mu) (points (T (fun _ => 0))) (speeds (T (fun _ => 0)))).
     { apply (bounded_plus _ _ _ _ x_lin y_lin); [|exact lin_bounded].
       assert (Hb : forall t, 0 <= t -> bounded t (points (fun _ => 0)) (speeds (fun _ => 0))).
-      { intros t Ht j; split; [apply within_zero; exact Ht|].
-        unfold speeds; rewrite Rabs_R0; exact Ht. }
+      { intros t Ht j; split; [apply within_zero; exact Ht|]. unfold speeds; rewrite Rabs_R0; exact Ht. }
       apply T_lin; [apply Hb | apply Hb|]; lra. }
     revert H; apply bounded_le; pose proof (Hhalf (Rabs mu) ltac:(lra)); lra.
   - apply near_zero in Hz; destruct (T_spec z Hz) as [_ Hl].
-    assert (HT : forall x y, bounded d x y -> zero_at x y ->
-      near index counts 0 (T (family x y)) (family x y)).
-    { intros x y Hb Hzero; apply near_bounded.
-      destruct (T_spec (family x y) Hb) as [[E HE] Hl'].
+    assert (HT : forall x y, bounded d x y -> zero_at x y -> near index counts 0 (T (family x y)) (family x y)).
+    { intros x y Hb Hzero; apply near_bounded. destruct (T_spec (family x y) Hb) as [[E HE] Hl'].
       change (points (family x y)) with x in *; change (speeds (family x y)) with y in *.
       apply (proj2 HK (E + d)); [apply bounded_diff; assumption|].
-      apply (linear_ext _ _ _ _ _ _ _ _ (linear_diff _ _ _ _ _ _ _ _ Hl' Hzero)); trivial;
-        intros; unfold diff, diff1, minus, zero; ring. }
+      apply (linear_ext _ _ _ _ _ _ _ _ (linear_diff _ _ _ _ _ _ _ _ Hl' Hzero)); trivial; intros; unfold diff, diff1,
+        minus, zero; ring. }
     exists (points z), (speeds z); split; [exact Hz | split; [|split]].
     + apply (linear_ext _ _ _ _ _ _ _ _ Hl); trivial.
       * intros j i Hi; exact (Hfix (inl (j, i)) Hi).

@@ -9,13 +9,10 @@ Open Scope R_scope.
 Lemma sign_of_scaled z x d : 0 < d -> IZR z = d * x -> sign_of (Z.sgn z) x.
 Proof.
   intros Hd E; destruct (Ztrichotomy z 0) as [H|[H|H]].
-  - rewrite (Z.sgn_neg z H); apply IZR_lt in H.
-    assert (0 < - x) by (apply (Rmult_lt_reg_l d); lra).
+  - rewrite (Z.sgn_neg z H); apply IZR_lt in H. assert (0 < - x) by (apply (Rmult_lt_reg_l d); lra).
     repeat split; intros; lia || lra.
-  - rewrite H in *; assert (x = 0) by (apply (Rmult_eq_reg_l d); lra).
-    repeat split; intros; simpl in *; lia || lra.
-  - rewrite (Z.sgn_pos z ltac:(lia)); apply Z.gt_lt, IZR_lt in H.
-    assert (0 < x) by (apply (Rmult_lt_reg_l d); lra).
+  - rewrite H in *; assert (x = 0) by (apply (Rmult_eq_reg_l d); lra). repeat split; intros; simpl in *; lia || lra.
+  - rewrite (Z.sgn_pos z ltac:(lia)); apply Z.gt_lt, IZR_lt in H. assert (0 < x) by (apply (Rmult_lt_reg_l d); lra).
     repeat split; intros; lia || lra.
 Qed.
 
@@ -28,8 +25,7 @@ Proof.
   - right; right; split; [assumption|apply H3; lia].
 Qed.
 
-Lemma sgn_range z : (-1 <= Z.sgn z <= 1)%Z.
-Proof. destruct z; simpl; lia. Qed.
+Lemma sgn_range z : (-1 <= Z.sgn z <= 1)%Z. Proof. destruct z; simpl; lia. Qed.
 
 (** The sign of a quotient is the product of the signs. *)
 Lemma sign_of_quotient y z a x : sign_of (Z.sgn y) a -> sign_of (Z.sgn z) x -> x <> 0 ->
@@ -37,11 +33,9 @@ Lemma sign_of_quotient y z a x : sign_of (Z.sgn y) a -> sign_of (Z.sgn z) x -> x
 Proof.
   intros Ha Hx H0.
   destruct (sign_of_cases _ _ Ha (sgn_range y)) as [[-> ?]|[[-> ->]|[-> ?]]];
-  destruct (sign_of_cases _ _ Hx (sgn_range z)) as [[-> ?]|[[-> ?]|[-> ?]]]; try tauto;
-  assert (x < 0 -> / x < 0) by apply Rinv_lt_0_compat;
-  assert (0 < x -> 0 < / x) by apply Rinv_0_lt_compat;
-  unfold Rdiv; set (i := / x) in *;
-  repeat split; intros; simpl in *; try lia; try nra.
+    destruct (sign_of_cases _ _ Hx (sgn_range z)) as [[-> ?]|[[-> ?]|[-> ?]]]; try tauto; assert (x < 0 -> / x < 0)
+    by apply Rinv_lt_0_compat; assert (0 < x -> 0 < / x) by apply Rinv_0_lt_compat; unfold Rdiv; set (i := / x) in *;
+    repeat split; intros; simpl in *; try lia; try nra.
 Qed.
 
 Lemma sign_of_opp z x : sign_of z x -> sign_of (- z) (- x).
@@ -61,8 +55,7 @@ Hypothesis q_pos : (0 < q)%Z.
 Notation a1 := (IZR p / IZR q).
 Notation a2 := (IZR s / IZR q).
 
-Lemma q_R : 0 < IZR q.
-Proof. apply IZR_lt, q_pos. Qed.
+Lemma q_R : 0 < IZR q. Proof. apply IZR_lt, q_pos. Qed.
 
 Lemma uZ_u k : IZR (uZ p s q k) = IZR q ^ k / IZR q * u a1 a2 k.
 Proof.
@@ -70,8 +63,7 @@ Proof.
   { unfold uZ; induction k as [| |k IH0 IH1] using two_step.
     - rewrite u_0; cbn; ring.
     - rewrite u_1; cbn; ring.
-    - rewrite u_SS; cbn [pairZ] in *; destruct (pairZ p s q k) as [x y]; cbn [fst] in *.
-      rewrite minus_IZR, !mult_IZR.
+    - rewrite u_SS; cbn [pairZ] in *; destruct (pairZ p s q k) as [x y]; cbn [fst] in *. rewrite minus_IZR, !mult_IZR.
       transitivity (IZR p * (IZR y * IZR q) - IZR s * IZR q * (IZR x * IZR q)); [ring|].
       rewrite IH0, IH1; cbn [pow]; field; lra. }
   apply (Rmult_eq_reg_r (IZR q)); [rewrite E; field; lra|lra].
@@ -79,23 +71,18 @@ Qed.
 
 Lemma scale_pos n : 0 < IZR q ^ n / IZR q.
 Proof. pose proof q_R; apply Rdiv_lt_0_compat; [apply pow_lt|]; lra. Qed.
-
 Lemma sign_u n : sign_of (Z.sgn (uZ p s q n)) (u a1 a2 n).
 Proof. exact (sign_of_scaled _ _ _ (scale_pos n) (uZ_u n)). Qed.
-
 Lemma uZ_zero n : uZ p s q n = 0%Z <-> u a1 a2 n = 0.
 Proof. rewrite <- (proj1 (proj2 (sign_u n))); symmetry; apply Z.sgn_null_iff. Qed.
-
 Lemma pow_s k : IZR s ^ k = IZR q ^ k * a2 ^ k.
 Proof. pose proof q_R; rewrite <- Rpow_mult_distr; f_equal; field; lra. Qed.
 
 Theorem signB_b n k : u a1 a2 n <> 0 -> (k <= n)%nat -> sign_of (signB p s q n k) (b a1 a2 n k).
 Proof.
   intros Hu Hk; apply sign_of_quotient; [|apply sign_u|assumption].
-  apply (sign_of_scaled _ _ _ (scale_pos n)); pose proof q_R.
-  rewrite !minus_IZR, !mult_IZR, <- !pow_IZR, !uZ_u, pow_s.
-  replace (IZR q ^ n) with (IZR q ^ (n - k) * IZR q ^ k) by (rewrite <- pow_add; f_equal; lia).
-  field; lra.
+  apply (sign_of_scaled _ _ _ (scale_pos n)); pose proof q_R. rewrite !minus_IZR, !mult_IZR, <- !pow_IZR, !uZ_u, pow_s.
+  replace (IZR q ^ n) with (IZR q ^ (n - k) * IZR q ^ k) by (rewrite <- pow_add; f_equal; lia). field; lra.
 Qed.
 
 Theorem signD_det n : sign_of (signD p s q n) (1 - v a1 a2 n + a2 ^ n).
@@ -107,8 +94,8 @@ Qed.
 Theorem signC_c n : u a1 a2 n <> 0 -> sign_of (signC p s q n) (c a1 a2 n).
 Proof.
   intros Hu; unfold signC, c.
-  replace (- (1 - v a1 a2 n + a2 ^ n) / u a1 a2 n) with (- ((1 - v a1 a2 n + a2 ^ n) / u a1 a2 n))
-    by (unfold Rdiv; ring).
+  replace (- (1 - v a1 a2 n + a2 ^ n) / u a1 a2 n) with (- ((1 - v a1 a2 n + a2 ^ n) / u a1 a2 n)) by (unfold Rdiv;
+    ring).
   apply sign_of_opp; unfold signD; apply sign_of_quotient; [apply signD_det|apply sign_u|assumption].
 Qed.
 
@@ -130,16 +117,13 @@ Qed.
 
 Lemma nonzero n : negb (uZ p s q n =? 0)%Z = true <-> u a1 a2 n <> 0.
 Proof. rewrite negb_true_iff, Z.eqb_neq, uZ_zero; reflexivity. Qed.
-
-Lemma and_iff_dependent (P Q S : Prop) : (P -> (Q <-> S)) -> (P /\ Q <-> P /\ S).
-Proof. tauto. Qed.
+Lemma and_iff_dependent (P Q S : Prop) : (P -> (Q <-> S)) -> (P /\ Q <-> P /\ S). Proof. tauto. Qed.
 
 Theorem orbitZ_orbit n e g : orbitZ p s q n e g = true <-> orbit a1 a2 n e g.
 Proof.
   unfold orbitZ, orbit; rewrite !andb_true_iff, nonzero, and_assoc, forallb_forall, Z.ltb_lt.
   apply and_iff_dependent; intros Hu; split; intros [Hb Hc]; split.
-  - intros k Hk; apply (sgnZ_sgn e (signB p s q n k)); [apply signB_b; trivial; lia|].
-    apply Z.ltb_lt, Hb, in_seq; lia.
+  - intros k Hk; apply (sgnZ_sgn e (signB p s q n k)); [apply signB_b; trivial; lia|]. apply Z.ltb_lt, Hb, in_seq; lia.
   - apply (sgnZ_sgn_sgn e g _ _ (signC_c n Hu)), Hc.
   - intros k Hk; apply in_seq in Hk; apply Z.ltb_lt, (sgnZ_sgn e _ (b a1 a2 n k));
       [apply signB_b; trivial; lia|apply Hb; lia].
@@ -151,10 +135,8 @@ Proof.
   unfold no_orbitZ, no_orbit; rewrite !andb_true_iff, nonzero, and_assoc, !existsb_exists.
   apply and_iff_dependent; intros Hu; split.
   - intros [(k & Hk & H) (k' & Hk' & H')]; apply in_seq in Hk, Hk'; apply Z.ltb_lt in H, H'.
-    exists k, k'; repeat split; try lia;
-      [apply (signB_b n k Hu ltac:(lia)), H|apply (signB_b n k' Hu ltac:(lia)), H'].
-  - intros (k & k' & Hk & Hk' & H & H'); split; [exists k|exists k'];
-      (split; [apply in_seq; lia|apply Z.ltb_lt]);
+    exists k, k'; repeat split; try lia; [apply (signB_b n k Hu ltac:(lia)), H|apply (signB_b n k' Hu ltac:(lia)), H'].
+  - intros (k & k' & Hk & Hk' & H & H'); split; [exists k|exists k']; (split; [apply in_seq; lia|apply Z.ltb_lt]);
       [apply (signB_b n k Hu ltac:(lia)), H|apply (signB_b n k' Hu ltac:(lia)), H'].
 Qed.
 End At.

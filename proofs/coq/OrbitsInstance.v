@@ -9,15 +9,15 @@ Open Scope R_scope.
 Lemma strict_quadratic N (c : vec) p k i : (i < N)%nat ->
   strict N (fun x mu => dot N c x + mu * p - k * (x i * x i)) (dot N c) p.
 Proof.
-  intros Hi; split; [rewrite dot_zero; unfold zero; ring|]; intros eps Heps.
-  pose proof (Rabs_pos k) as Hk.
+  intros Hi; split; [rewrite dot_zero; unfold zero; ring|]; intros eps Heps. pose proof (Rabs_pos k) as Hk.
   exists (eps / (2 * (Rabs k + 1))); split; [apply Rdiv_lt_0_compat; lra|].
   set (d := eps / (2 * (Rabs k + 1))); intros x x' mu mu' t Hx Hx' _ _ Ht Hmt.
   pose proof (Rabs_nonneg _ _ Hmt) as Ht0; rewrite dot_minus.
-  replace (dot N c x + mu * p - k * (x i * x i) - (dot N c x' + mu' * p - k * (x' i * x' i)) -
-    (dot N c x - dot N c x') - (mu - mu') * p) with (- (k * ((x i - x' i) * (x i + x' i)))) by ring.
+  replace (dot N c x + mu * p - k * (x i * x i) - (dot N c x' + mu' * p - k * (x' i * x' i)) - (dot N c x - dot N c x')
+    - (mu - mu') * p) with (- (k * ((x i - x' i) * (x i + x' i)))) by ring.
   rewrite Rabs_Ropp; apply Rle_trans with (Rabs k * (t * (d + d))).
-  - apply Rabs_mult_le; [lra|]; apply Rabs_mult_le; [apply (Ht i Hi) | apply triangle2; [apply Hx | apply Hx']; exact Hi].
+  - apply Rabs_mult_le; [lra|]; apply Rabs_mult_le; [apply (Ht i Hi) | apply triangle2; [apply Hx | apply Hx'];
+      exact Hi].
   - replace (Rabs k * (t * (d + d))) with (Rabs k / (Rabs k + 1) * (eps * t)) by (unfold d; field; lra).
     rewrite <- (Rmult_1_l (eps * t)) at 2; apply Rmult_le_compat_r; [apply Rmult_le_pos; lra|].
     apply (Rmult_le_reg_r (Rabs k + 1)); [lra|].
@@ -27,8 +27,7 @@ Qed.
 Lemma strict_same N F G L p : (forall x mu, F x mu = G x mu) -> strict N F L p -> strict N G L p.
 Proof.
   intros E [H0 H]; split; [rewrite <- E; exact H0|]; intros eps Heps.
-  destruct (H eps Heps) as (d & Hd & Hs); exists d; split; [exact Hd|].
-  intros x x' mu mu' t; rewrite <- !E; apply Hs.
+  destruct (H eps Heps) as (d & Hd & Hs); exists d; split; [exact Hd|]. intros x x' mu mu' t; rewrite <- !E; apply Hs.
 Qed.
 
 Theorem Instance : Instance_statement.
@@ -54,11 +53,11 @@ Proof.
       pose proof (Rabs_nonneg _ _ H1); pose proof (Rabs_nonneg _ _ H2); pose proof (Rabs_nonneg _ _ H3);
         pose proof (Rabs_nonneg _ _ H4); pose proof (Rabs_nonneg _ _ H5).
       intros [|[|i]] Hi; [| |lia]; unfold minus; cbn.
-      * replace (k1 * y + k2 * x 1%nat - (k1 * y' + k2 * x' 1%nat)) with
-          (k1 * (y - y') + k2 * (x 1%nat - x' 1%nat)) by ring.
+      * replace (k1 * y + k2 * x 1%nat - (k1 * y' + k2 * x' 1%nat)) with (k1 * (y - y') + k2 * (x 1%nat - x' 1%nat))
+          by ring.
         eapply Rle_trans; [apply triangle2; eassumption | lra].
-      * replace (beta + k3 * y + k4 * x 1%nat + k5 * mu - (beta + k3 * y' + k4 * x' 1%nat + k5 * mu')) with
-          (k3 * (y - y') + k4 * (x 1%nat - x' 1%nat) + k5 * (mu - mu')) by ring.
+      * replace (beta + k3 * y + k4 * x 1%nat + k5 * mu - (beta + k3 * y' + k4 * x' 1%nat + k5 * mu'))
+          with (k3 * (y - y') + k4 * (x 1%nat - x' 1%nat) + k5 * (mu - mu')) by ring.
         eapply Rle_trans; [apply triangle3; eassumption | lra].
   - reflexivity.
   - reflexivity.

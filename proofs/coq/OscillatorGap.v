@@ -1,5 +1,5 @@
-(** * The gaps are open strictly between two impacts: any q with |q|, |q'|, |q''| <= K |mu|, off the stops that it
-      passes by kappa |mu| *)
+(** * The gaps are open strictly between two impacts: any q with |q|, |q'|, |q''| <= K |mu|, off the stops
+      that it passes by kappa |mu| *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs StatementOscillator Derivatives Flow OscillatorTurns OscillatorStop.
 Open Scope R_scope.
@@ -20,8 +20,7 @@ Proof.
 Qed.
 
 (** Of the stops that are at the same place at all times, one touches within half a period of t. *)
-Lemma near_stop t z : exists y, facing m y = facing m z /\ (forall mu x, G mu (x - T * IZR y) = G mu (x - T * IZR
-  z)) /\
+Lemma near_stop t z : exists y, facing m y = facing m z /\ (forall mu x, G mu (x - T * IZR y) = G mu (x - T * IZR z)) /\
   Rabs (t - T * IZR y) <= PI.
 Proof.
   destruct (nearest (t - T * IZR z)) as [i Hi], (whole_turns i) as (j & E1 & E2); exists (z + j)%Z.
@@ -29,13 +28,11 @@ Proof.
   - intros mu x; rewrite <- (whole_periods (G mu) i (x - _) (period _ HO mu)); f_equal; ring.
   - replace (t - (T * IZR z + 2 * PI * IZR i)) with (t - T * IZR z - 2 * PI * IZR i) by ring; exact Hi.
 Qed.
-
 Lemma D_gap mu z q v t : derivable_pt_lim q t (v t) -> derivable_pt_lim (gap O m mu z q) t (speed O m mu z v t).
 Proof. intros H; unfold gap, speed; derive_by ltac:(first [exact H | apply D_at, (slope _ HO)]); ring. Qed.
 Lemma D_speed mu z v w t : derivable_pt_lim v t (w t) ->
   derivable_pt_lim (speed O m mu z v) t (facing m z * w t + G2 mu (t - T * IZR z)).
 Proof. intros H; unfold speed; derive_by ltac:(first [exact H | apply D_at, (bend _ HO)]); ring. Qed.
-
 Lemma side_bounds z x B : Rabs x <= B -> - B <= facing m z * x <= B.
 Proof. intros H; apply le_abs; rewrite Rabs_mult, side_abs; lra. Qed.
 
@@ -55,8 +52,7 @@ Lemma gap_open h K kappa : 0 <= h -> 0 < K -> 0 < kappa -> exists mu0, 0 < mu0 /
 Proof.
   intros Hh HK Hkap; pose proof (turn_large m) as HT; pose proof PI2_3_2 as HP; pose proof (g_pos O HO) as Pg.
   destruct (curved O HO) as (r1 & Hr1 & Cv), (steady_with O HO) as (B & HB & St).
-  destruct (two_least r1 (kappa / (2 * (K + B))) ltac:(lra) ltac:(apply Rdiv_lt_0_compat;
-    lra)) as (r & Hr & Hrr & Hrk).
+  destruct (two_least r1 (kappa / (2 * (K + B))) ltac:(lra) ltac:(apply Rdiv_lt_0_compat; lra)) as (r & Hr & Hrr & Hrk).
   assert (Hrk' : (K + B) * r <= kappa / 2).
   { apply (Rle_trans _ ((K + B) * (kappa / (2 * (K + B))))); [apply Rmult_le_compat_l; lra | right; field; lra]. }
   destruct (low O HO r ltac:(lra)) as (g & Hg & Low).
@@ -89,20 +85,18 @@ Proof.
   { split; apply Z.lt_succ_r; apply lt_IZR; rewrite succ_IZR; apply Rnot_le_lt; intros Y.
     - assert (T * IZR y <= T * -1) by (apply Rmult_le_compat_l; lra); lra.
     - assert (T * 1 <= T * (IZR y - IZR (Z.of_nat n))) by (apply Rmult_le_compat_l; lra); lra. }
-  assert (Curv : forall i x, -1 <= x <= T * IZR (Z.of_nat n) + 1 -> Rabs (x - T * IZR i) <= r ->
-    0 < facing m i * w x + G2 mu (x - T * IZR i)).
+  assert (Curv : forall i x, -1 <= x <= T * IZR (Z.of_nat n) + 1 -> Rabs (x - T * IZR i) <= r -> 0 < facing m i * w x
+    + G2 mu (x - T * IZR i)).
   { intros i x Hx Hi; destruct (Bd x Hx) as (_ & _ & Bw); apply (side_bounds i) in Bw.
     destruct (St mu (x - T * IZR i) ltac:(fold a; lra)) as (_ & _ & S2); fold a in S2; apply le_abs in S2.
     specialize (Cv (x - T * IZR i) ltac:(lra)); lra. }
   destruct (Z.eq_dec y 0) as [->|Hy1]; [|destruct (Z.eq_dec y (Z.of_nat n)) as [->|Hy2]].
-  - apply (convex_right (gap O m mu 0 q) _ _ (fun x => D_gap mu 0 q v x (Dq x))
-      (fun x => D_speed mu 0 v w x (Dv x)) phi r);
-      [lra | exact Vp | | lra].
+  - apply (convex_right (gap O m mu 0 q) _ _ (fun x => D_gap mu 0 q v x (Dq x)) (fun x => D_speed mu 0 v w x (Dv x)) phi
+      r); [lra | exact Vp | | lra].
     intros x Hx; assert (Rabs x <= r) by (apply Rabs_le; lra).
     apply Curv; [apply Inside; auto | rewrite Rmult_0_r, Rminus_0_r; assumption].
-  - apply (convex_left (gap O m mu (Z.of_nat n) q) _ _ (fun x => D_gap mu _ q v x (Dq x))
-      (fun x => D_speed mu _ v w x (Dv x))
-      (T * IZR (Z.of_nat n) - r) psi); [lra | exact Vs | | lra].
+  - apply (convex_left (gap O m mu (Z.of_nat n) q) _ _ (fun x => D_gap mu _ q v x (Dq x)) (fun x =>
+      D_speed mu _ v w x (Dv x)) (T * IZR (Z.of_nat n) - r) psi); [lra | exact Vs | | lra].
     intros x Hx; assert (Rabs (x - T * IZR (Z.of_nat n)) <= r) by (apply Rabs_le; lra).
     apply Curv; [apply Inside|]; auto.
   - set (j := Z.to_nat y); assert (Ej : Z.of_nat j = y) by (unfold j; lia).
@@ -118,7 +112,6 @@ Proof.
     assert (Y : K * a * b + B * a * b <= kappa / 2 * a).
     { replace (_ + _) with ((K + B) * b * a) by ring; apply Rmult_le_compat_r; [lra|].
       apply (Rle_trans _ ((K + B) * r)); [apply Rmult_le_compat_l; lra | lra]. }
-    assert (0 < kappa * a) by (apply Rmult_lt_0_compat; lra).
-    unfold gap; lra.
+    assert (0 < kappa * a) by (apply Rmult_lt_0_compat; lra). unfold gap; lra.
 Qed.
 End Gap.

@@ -24,8 +24,8 @@ Variables (n_max : nat) (K : R).
 Hypothesis HK : bounds c k m S V n_max K.
 Notation L := (6 * K ^ 5).
 
-(** The place of an impact at the phase x; velocities just after it and before the one n turns later, at the phase
-    y; and the place j turns on the way. For mu -> 0 the legs from -1 to -1, times mu. *)
+(** The place of an impact at the phase x; velocities just after it and before the one n turns later, at the
+    phase y; and the place j turns on the way. For mu -> 0 the legs from -1 to -1, times mu. *)
 Definition place mu x : R := - mu - G mu x.
 Definition aft n mu x y := aft_leg c m S V n (y - x) (place mu x) (place mu y).
 Definition bef n mu x y := bef_leg c k m S V n (y - x) (place mu x) (place mu y).
@@ -34,17 +34,13 @@ Definition mid0 n j := turned e11 j 0 * -1 + turned S j 0 * aft0 n.
 
 Definition regular (n : nat) : Prop := (1 <= n <= n_max)%nat /\ turned S n 0 <> 0.
 
-Lemma same x e : 0 <= e -> Rabs (x - x) <= e.
-Proof. rewrite Rminus_eq_0, Rabs_R0; trivial. Qed.
-Lemma large : 6 <= L.
-Proof. pose proof (pow_R1_Rle K 5 (proj1 HK)); lra. Qed.
+Lemma same x e : 0 <= e -> Rabs (x - x) <= e. Proof. rewrite Rminus_eq_0, Rabs_R0; trivial. Qed.
+Lemma large : 6 <= L. Proof. pose proof (pow_R1_Rle K 5 (proj1 HK)); lra. Qed.
 
 (** Legs between the phases x and y, and x' and y', all at most d, which are e apart. *)
-Lemma legs_beside z d mu n x y x' y' e : 0 <= z <= 1 -> 2 * d <= / K ->
-  (forall x x', Rabs x <= d -> Rabs x' <= d -> Rabs (G mu x - G mu x') <= z * Rabs (x - x')) ->
-  regular n -> Rabs x <= d -> Rabs y <= d -> Rabs x' <= d -> Rabs y' <= d -> Rabs (x - x') <= e -> Rabs (y - y') <=
-    e ->
-  let w := Rabs mu + z * d in turned S n (y - x) <> 0 /\
+Lemma legs_beside z d mu n x y x' y' e : 0 <= z <= 1 -> 2 * d <= / K -> (forall x x', Rabs x <= d -> Rabs x' <= d ->
+  Rabs (G mu x - G mu x') <= z * Rabs (x - x')) -> regular n -> Rabs x <= d -> Rabs y <= d -> Rabs x' <= d ->
+  Rabs y' <= d -> Rabs (x - x') <= e -> Rabs (y - y') <= e -> let w := Rabs mu + z * d in turned S n (y - x) <> 0 /\
   beside (L * w) (L * (w * (2 * e) + z * e)) (aft n mu x y) (aft n mu x' y') /\
   beside (L * w) (L * (w * (2 * e) + z * e)) (bef n mu x y) (bef n mu x' y').
 Proof.
@@ -54,8 +50,8 @@ Proof.
   { intros p Hp; unfold place; eapply Rle_trans; [apply apart|]; rewrite Rabs_Ropp; apply Rplus_le_compat_l.
     pose proof (HG p 0 Hp ltac:(rewrite Rabs_R0; exact Pd)) as H; rewrite (touch _ HO), !Rminus_0_r in H.
     eapply Rle_trans; [exact H | apply Rmult_le_compat_l; lra]. }
-  assert (Q : forall p p', Rabs p <= d -> Rabs p' <= d -> Rabs (p - p') <= e ->
-    beside w (z * e) (place mu p) (place mu p')).
+  assert (Q : forall p p', Rabs p <= d -> Rabs p' <= d -> Rabs (p - p') <= e -> beside w (z * e) (place mu p)
+    (place mu p')).
   { intros p p' Hp Hp' He; repeat split; [apply P, Hp | apply P, Hp'|]; unfold place.
     replace (_ - _) with (G mu p' - G mu p) by ring; rewrite Rabs_minus_sym.
     eapply Rle_trans; [apply HG; assumption | apply Rmult_le_compat_l; lra]. }
@@ -86,8 +82,8 @@ Proof.
   apply (Rmult_le_compat_r (h + 1)) in D2; [|lra]; assert (Hhd : 0 <= h * d) by (apply Rmult_le_pos; lra).
   exists d; split; [exact Hd|]; intros n mu x y [Hn HSn] Hmu Hx Hy; pose proof (Rabs_pos mu) as Pm.
   assert (hd : h * Rabs mu <= h * d) by (apply Rmult_le_compat_l; lra).
-  assert (small : forall p, Rabs p <= h * Rabs mu ->
-    Rabs p <= z /\ beside (2 * Rabs mu) (z * Rabs mu) (place mu p) (- mu)).
+  assert (small : forall p, Rabs p <= h * Rabs mu -> Rabs p <= z /\ beside (2 * Rabs mu) (z * Rabs mu) (place mu p)
+    (- mu)).
   { intros p Hp; split; [lra|]; assert (A : Rabs (place mu p - - mu) <= z * Rabs mu).
     { unfold place; replace (_ - _) with (- G mu p) by ring; rewrite Rabs_Ropp.
       destruct (F mu p 0) as [A _]; [lra | lra | rewrite Rabs_R0; lra|]; rewrite (touch _ HO), !Rminus_0_r in A.
@@ -97,20 +93,20 @@ Proof.
     pose proof (from _ _ _ A) as B; rewrite Rabs_Ropp in B; repeat split; rewrite ?Rabs_Ropp; lra. }
   destruct (small x Hx) as [Zx Bx], (small y Hy) as [Zy By].
   assert (Ht : Rabs (y - x - 0) <= 2 * z) by (rewrite Rminus_0_r; eapply Rle_trans; [apply apart | lra]).
-  destruct (legs c k m S V n_max K HK n (y - x) 0 _ _ _ _ _ _ _ (proj2 Hn) HSn ltac:(rewrite Rminus_0_r in Ht; lra)
-    ltac:(rewrite Rabs_R0; lra) Ht Bx By) as (N & A & B).
+  destruct (legs c k m S V n_max K HK n (y - x) 0 _ _ _ _ _ _ _ (proj2 Hn) HSn ltac:(rewrite Rminus_0_r in Ht;
+    lra) ltac:(rewrite Rabs_R0; lra) Ht Bx By) as (N & A & B).
   assert (Ea : aft_leg c m S V n 0 (- mu) (- mu) = mu * aft0 n).
   { unfold OscillatorTurns.aft0, aft_leg, aft_of, Rdiv; ring. }
   assert (Eb : bef_leg c k m S V n 0 (- mu) (- mu) = mu * bef0 n).
   { unfold OscillatorTurns.bef0, bef_leg, bef_of, aft_of, Rdiv; ring. }
   rewrite Ea in A; rewrite Eb in B.
-  assert (Small : 5 * (L * (z * Rabs mu)) <= eps * Rabs mu /\ K * (3 * (z * Rabs mu) + 7 * (L * (z * Rabs mu))) <=
-    eps * Rabs mu).
+  assert (Small : 5 * (L * (z * Rabs mu)) <= eps * Rabs mu /\ K * (3 * (z * Rabs mu) + 7 * (L * (z * Rabs mu))) <= eps
+    * Rabs mu).
   { assert (0 <= z * Rabs mu) as Pz by (apply Rmult_le_pos; lra); assert (P6 := Rmult_le_compat_r _ _ _ Pz HL).
     assert (Q * (z * Rabs mu) <= eps * Rabs mu) as PQ by (rewrite <- Rmult_assoc; apply Rmult_le_compat_r; lra).
     assert (1 * (L * (z * Rabs mu)) <= K * (L * (z * Rabs mu))) by (apply Rmult_le_compat_r; lra).
-    assert (K * (6 * (z * Rabs mu)) <= K * (L * (z * Rabs mu))) by (apply Rmult_le_compat_l; lra).
-    unfold Q in PQ; lra. }
+    assert (K * (6 * (z * Rabs mu)) <= K * (L * (z * Rabs mu))) by (apply Rmult_le_compat_l; lra). unfold Q in PQ;
+      lra. }
   constructor.
   - exact N.
   - destruct A as (_ & _ & A); eapply Rle_trans; [exact A | lra].
@@ -136,15 +132,14 @@ Definition next (n : Z -> nat) (mu : R) (x : Z -> R) (i : Z) : R := newton mu (x
 Lemma law_fixed n mu x : law n mu x <-> forall i, next n mu x i = x i.
 Proof.
   pose proof (g_pos O HO) as P; assert (N : 0 < (1 + tau) * g) by (apply Rmult_lt_0_compat; lra).
-  assert (E : forall f s y, y - / g * f - s / ((1 + tau) * g) = y - ((1 + tau) * f + s) * / ((1 + tau) * g))
-    by (intros; field; lra).
+  assert (E : forall f s y, y - / g * f - s / ((1 + tau) * g) = y - ((1 + tau) * f + s) * / ((1 + tau) * g)) by (intros;
+    field; lra).
   unfold law, next, OscillatorStop.newton; split; intros H i; specialize (H i); rewrite E in *.
   - rewrite H; ring.
-  - assert (Z : ((1 + tau) * G1 mu (x i) + (aft (n i) mu (x i) (x (i + 1)%Z) +
-      tau * bef (n (i - 1)%Z) mu (x (i - 1)%Z) (x i))) * / ((1 + tau) * g) = 0) by lra.
+  - assert (Z : ((1 + tau) * G1 mu (x i) + (aft (n i) mu (x i) (x (i + 1)%Z) + tau * bef (n (i - 1)%Z) mu (x (i - 1)%Z)
+      (x i))) * / ((1 + tau) * g) = 0) by lra.
     apply Rmult_integral in Z; pose proof (Rinv_0_lt_compat _ N); lra.
 Qed.
-
 Lemma weigh a b A : Rabs a <= A -> Rabs b <= A -> Rabs ((a + tau * b) / ((1 + tau) * g)) <= A / g.
 Proof.
   intros Ha Hb; pose proof (g_pos O HO) as P; assert (N : 0 < (1 + tau) * g) by (apply Rmult_lt_0_compat; lra).
@@ -184,12 +179,12 @@ Proof.
     assert (L * ((Rabs mu + z * d) * (2 * e) + z * e) <= L * (5 * (z * e))) by (apply Rmult_le_compat_l; lra).
     assert (Q * z * e <= g * e) as PQ by (apply Rmult_le_compat_r; lra); unfold Q in PQ; lra. }
   assert (Start : forall i, Rabs (next n mu (fun _ => 0) i) <= C * Rabs mu).
-  { intros i; unfold next; assert (A : forall n, regular n ->
-      Rabs (aft n mu 0 0) <= L * Rabs mu /\ Rabs (bef n mu 0 0) <= L * Rabs mu).
+  { intros i; unfold next; assert (A : forall n, regular n -> Rabs (aft n mu 0 0) <= L * Rabs mu /\
+      Rabs (bef n mu 0 0) <= L * Rabs mu).
     { intros j [Hj HSj]; assert (E : beside (Rabs mu) 0 (place mu 0) (place mu 0)).
       { unfold place; rewrite (touch _ HO), Rminus_0_r, <- (Rabs_Ropp mu); repeat split; try lra; apply same; lra. }
-      destruct (legs c k m S V n_max K HK j (0 - 0) (0 - 0) _ _ _ _ _ _ 0 (proj2 Hj) HSj ltac:(apply same; lra)
-        ltac:(apply same; lra) ltac:(apply same; lra) E E) as (_ & A & A'); split; [apply A | apply A']. }
+      destruct (legs c k m S V n_max K HK j (0 - 0) (0 - 0) _ _ _ _ _ _ 0 (proj2 Hj) HSj ltac:(apply same;
+        lra) ltac:(apply same; lra) ltac:(apply same; lra) E E) as (_ & A & A'); split; [apply A | apply A']. }
     pose proof (weigh _ _ _ (proj1 (A _ (Hn i))) (proj2 (A _ (Hn (i - 1)%Z)))) as W; eapply Rle_trans; [apply apart|].
     destruct (St mu 0 ltac:(lra)) as (_ & S1 & _); rewrite (G1_0 O HO), Rminus_0_r in S1.
     unfold OscillatorStop.newton; replace (0 - / g * G1 mu 0) with (- / g * G1 mu 0) by ring.
@@ -197,21 +192,19 @@ Proof.
     replace (C * Rabs mu) with (/ g * (B * Rabs mu) + L * Rabs mu / g) by (unfold C; field; lra); lra. }
   pose proof (contraction Z (fun _ => True) (next n mu) d) as H; cbv zeta in H; destruct H as (x & Hx & Fx & U).
   - lra.
-  - intros e y y' Hy Hy' He i _; assert (Pe : 0 <= e) by (eapply Rle_trans;
-      [apply Rabs_pos | exact (He 0%Z Logic.I)]).
-    assert (near : forall y, near Z (fun _ => True) d y (fun _ => 0) -> forall j, Rabs (y j) <= d)
-      by (intros s Hs j; specialize (Hs j Logic.I); rewrite Rminus_0_r in Hs; exact Hs).
+  - intros e y y' Hy Hy' He i _; assert (Pe : 0 <= e) by (eapply Rle_trans; [apply Rabs_pos | exact (He 0%Z Logic.I)]).
+    assert (near : forall y, near Z (fun _ => True) d y (fun _ => 0) -> forall j, Rabs (y j) <= d) by (intros s Hs j;
+      specialize (Hs j Logic.I); rewrite Rminus_0_r in Hs; exact Hs).
     specialize (near _ Hy) as N; specialize (near _ Hy') as N'; assert (D : forall j, Rabs (y j - y' j) <= e) by auto.
     destruct (Leg (n i) _ _ _ _ e (Hn i) (N i) (N (i + 1)%Z) (N' i) (N' (i + 1)%Z) (D _) (D _)) as [A _].
     destruct (Leg (n (i - 1)%Z) _ _ _ _ e (Hn _) (N (i - 1)%Z) (N i) (N' (i - 1)%Z) (N' i) (D _) (D _)) as [_ A'].
-    destruct (F mu (y i) (y' i)) as [_ Nw]; [lra | eapply Rle_trans; [apply N | lra] |
-      eapply Rle_trans; [apply N' | lra] |].
+    destruct (F mu (y i) (y' i)) as [_ Nw]; [lra | eapply Rle_trans; [apply N | lra] | eapply Rle_trans;
+      [apply N' | lra] |].
     pose proof (weigh _ _ _ A A') as W; unfold next.
-    match type of W with Rabs ((?a - ?a' + tau * (?b - ?b')) / ?q) <= _ => match goal with |- Rabs (?f - _ - (?f' -
-      _)) <= _ =>
-      replace (f - _ - (f' - _)) with (f - f' - (a - a' + tau * (b - b')) / q) by (unfold Rdiv; ring) end end.
-    eapply Rle_trans; [apply apart|]; assert (z * Rabs (y i - y' i) <= 1 / 4 * e)
-      by (apply Rmult_le_compat; [lra | apply Rabs_pos | exact Z1 | apply D]).
+    match type of W with Rabs ((?a - ?a' + tau * (?b - ?b')) / ?q) <= _ => match goal with |- Rabs (?f - _ - (?f' - _))
+      <= _ => replace (f - _ - (f' - _)) with (f - f' - (a - a' + tau * (b - b')) / q) by (unfold Rdiv; ring) end end.
+    eapply Rle_trans; [apply apart|]; assert (z * Rabs (y i - y' i) <= 1 / 4 * e) by (apply Rmult_le_compat;
+      [lra | apply Rabs_pos | exact Z1 | apply D]).
     replace (g / 4 * e / g) with (e / 4) in W by (field; lra); lra.
   - intros i _; rewrite Rminus_0_r; specialize (Start i); lra.
   - exists x; split; [|split; [apply law_fixed; auto|]].
@@ -239,7 +232,7 @@ Lemma motion_leg i : Rabs (x i) <= d /\ q i (t i) = facing m (N i) * place mu (x
   v i (t i) = facing m (N i) * a i /\ facing m (N (i + 1)%Z) * v i (t (i + 1)%Z) = b i.
 Proof.
   assert (Ph : forall j, Rabs (x j) <= d) by (intros j; apply (HM j _ eq_refl)).
-  destruct (HM i _ eq_refl) as (Hf & _ & _ & Q0 & Q1 & _), (HN i) as (E & Hn & HSn); split; [apply Ph|].
+  destruct (HM i _ eq_refl) as [Hf _ _ Q0 Q1 _ _ _], (HN i) as (E & Hn & HSn); split; [apply Ph|].
   destruct (free_moved c k S V HS _ _ (t i) (t (i + 1)%Z) Hf) as [A B]; unfold moved, moving in A, B.
   unfold gap in Q0, Q1; fold (phase N t i) (phase N t (i + 1)%Z) in Q0, Q1; fold x in Q0, Q1.
   assert (ET : t (i + 1)%Z - t i = T * INR (n i) + (x (i + 1)%Z - x i)).
@@ -263,12 +256,11 @@ Proof.
   split; [exact E0|]; split; [rewrite <- Ea, <- Rmult_assoc, Sq; ring|]; unfold b, bef, bef_leg, bef_of; fold s.
   change (aft_of _ _ _ _) with (a i); rewrite <- Ea, B, out; reflexivity.
 Qed.
-
 Lemma motion_law : law n mu x /\ forall i, b i < a (i + 1)%Z.
 Proof.
-  assert (Imp : forall i, b i + G1 mu (x (i + 1)%Z) < 0 /\
-    a (i + 1)%Z + G1 mu (x (i + 1)%Z) = - tau * (b i + G1 mu (x (i + 1)%Z))).
-  { intros i; destruct (HM i _ eq_refl) as (_ & _ & _ & _ & _ & _ & V1 & V2); unfold speed in V1, V2.
+  assert (Imp : forall i, b i + G1 mu (x (i + 1)%Z) < 0 /\ a (i + 1)%Z + G1 mu (x (i + 1)%Z) = - tau
+    * (b i + G1 mu (x (i + 1)%Z))).
+  { intros i; destruct (HM i _ eq_refl) as [_ _ _ _ _ _ V1 V2]; unfold speed in V1, V2.
     destruct (motion_leg i) as (_ & _ & _ & B), (motion_leg (i + 1)) as (_ & _ & A & _).
     rewrite A, <- Rmult_assoc, side_square, Rmult_1_l, B in V2; rewrite B in V1; auto. }
   split; intros i.

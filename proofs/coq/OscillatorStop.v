@@ -33,22 +33,20 @@ Proof.
   rewrite (touch _ HO); apply G_low, Rabs_le; lra.
 Qed.
 
-Lemma g_pos : 0 < G2 0 0.
-Proof. apply (sharp _ HO). Qed.
+Lemma g_pos : 0 < G2 0 0. Proof. apply (sharp _ HO). Qed.
 
 Lemma steady_with : exists K, 0 <= K /\ forall mu t, Rabs mu <= 1 -> Rabs (G mu t - G 0 t) <= K * Rabs mu /\
   Rabs (G1 mu t - G1 0 t) <= K * Rabs mu /\ Rabs (G2 mu t - G2 0 t) <= K * Rabs mu.
 Proof.
   destruct (steady _ HO) as [K H]; exists K; split; [|exact H].
-  destruct (H 1 0 ltac:(rewrite Rabs_R1; lra)) as [P _]; rewrite Rabs_R1 in P;
-    pose proof (Rabs_pos (G 1 0 - G 0 0)); lra.
+  destruct (H 1 0 ltac:(rewrite Rabs_R1; lra)) as [P _]; rewrite Rabs_R1 in P; pose proof (Rabs_pos (G 1 0 - G 0 0));
+    lra.
 Qed.
 
 Lemma steady_near K mu t : (forall t, Rabs (G1 mu t - G1 0 t) <= K * Rabs mu) ->
   Rabs (G mu t - G 0 t) <= K * Rabs mu * Rabs t.
 Proof.
-  intros H; pose proof (mvt_ball (fun t => G mu t - G 0 t) (fun t => G1 mu t - G1 0 t) (Rabs t) (K * Rabs mu) t 0)
-    as L.
+  intros H; pose proof (mvt_ball (fun t => G mu t - G 0 t) (fun t => G1 mu t - G1 0 t) (Rabs t) (K * Rabs mu) t 0) as L.
   cbv beta in L; rewrite !(touch _ HO), !Rminus_0_r in L; apply L; auto; try lra.
   - intros x; apply D_minus; apply (slope _ HO).
   - rewrite Rabs_R0; apply Rabs_pos.

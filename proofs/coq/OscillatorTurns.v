@@ -4,19 +4,15 @@ From Grazing Require Import Defs Algebra StatementOrbitsPlane StatementOscillato
 Open Scope R_scope.
 
 Lemma facing_plus m y z : facing m (y + z) = facing m y * facing m z.
-Proof.
-  destruct m; cbn [facing]; [ring|]; rewrite Z.even_add; destruct (Z.even y), (Z.even z); cbn; ring.
-Qed.
+Proof. destruct m; cbn [facing]; [ring|]; rewrite Z.even_add; destruct (Z.even y), (Z.even z); cbn; ring. Qed.
 Lemma side_square m z : facing m z * facing m z = 1.
 Proof. destruct m; cbn [facing]; [|destruct (Z.even z)]; ring. Qed.
 Lemma side_twice m y z x : facing m y * facing m z * (facing m y * x) = facing m z * x.
 Proof. transitivity (facing m y * facing m y * (facing m z * x)); [ring | rewrite side_square; ring]. Qed.
 Lemma side_abs m z : Rabs (facing m z) = 1.
 Proof. destruct m; cbn [facing]; [|destruct (Z.even z)]; unfold Rabs; destruct Rcase_abs; lra. Qed.
-Lemma side_0 m : facing m 0 = 1.
-Proof. destruct m; reflexivity. Qed.
-Lemma turn_large m : 3 <= turn m.
-Proof. pose proof PI2_3_2; destruct m; cbn [turn]; lra. Qed.
+Lemma side_0 m : facing m 0 = 1. Proof. destruct m; reflexivity. Qed.
+Lemma turn_large m : 3 <= turn m. Proof. pose proof PI2_3_2; destruct m; cbn [turn]; lra. Qed.
 
 (** A leg of given flow f11, f12, f21, f22 from the place x to y: its velocities after and before the impacts. *)
 Definition aft_of f11 f12 x y : R := (y - f11 * x) / f12.
@@ -66,9 +62,8 @@ Hypothesis HA : matrix c k m a1 a2 gamma.
 Notation u := (u a1 a2).
 
 (** The powers of A. *)
-Lemma powers : exists A11 A21 A22, a1 = A11 + A22 /\ a2 = A11 * A22 - gamma * A21 /\ forall n,
-  turned S n 0 = gamma * u n /\ turned V n 0 = u (1 + n) - A11 * u n /\ turned e11 n 0 = u (1 + n) - A22 * u n /\
-  turned e21 n 0 = A21 * u n.
+Lemma powers : exists A11 A21 A22, a1 = A11 + A22 /\ a2 = A11 * A22 - gamma * A21 /\ forall n, turned S n 0 = gamma * u
+  n /\ turned V n 0 = u (1 + n) - A11 * u n /\ turned e11 n 0 = u (1 + n) - A22 * u n /\ turned e21 n 0 = A21 * u n.
 Proof.
   destruct HA as (A11 & A21 & A22 & E1 & E2 & H); exists A11, A21, A22; split; [exact E1 | split; [exact E2|]].
   destruct (H _ _ (flow_free _ _ _ _ HS)) as [HS1 HV1]; rewrite (flow_S _ _ _ _ HS), (flow_V _ _ _ _ HS) in HS1, HV1.
@@ -77,8 +72,8 @@ Proof.
   unfold moved, moving in H1, H2; rewrite Rminus_0_r in H1, H2.
   assert (SV : forall n, turned S n 0 = gamma * u n /\ turned V n 0 = u (1 + n) - A11 * u n).
   { unfold turned; induction n as [|n [IH1 IH2]].
-    - cbn [Z.of_nat INR Nat.add]; rewrite side_0, Rmult_0_r, Rplus_0_r, (flow_S _ _ _ _ HS), (flow_V _ _ _ _ HS),
-        u_0, u_1; lra.
+    - cbn [Z.of_nat INR Nat.add]; rewrite side_0, Rmult_0_r, Rplus_0_r, (flow_S _ _ _ _ HS), (flow_V _ _ _ _ HS), u_0,
+        u_1; lra.
     - rewrite Nat2Z.inj_succ, <- Z.add_1_l, facing_plus, S_INR.
       replace (T * (INR n + 1) + 0) with (T + (T * INR n + 0)) by ring.
       destruct (flow_plus c k S V HS T (T * INR n + 0)) as [-> ->]; set (t := T * INR n + 0) in *.
@@ -98,10 +93,8 @@ Proof.
   split; [replace (c * (gamma * u n)) with (c * gamma * u n) by ring; rewrite F1; ring|].
   replace (- k * (gamma * u n)) with (- k * gamma * u n) by ring; rewrite F2; ring.
 Qed.
-
 Lemma turned_S n : turned S n 0 = gamma * u n.
 Proof. destruct powers as (A11 & A21 & A22 & _ & _ & H); apply H. Qed.
-
 Lemma limit_b n j : gamma <> 0 -> u n <> 0 -> (j <= n)%nat ->
   turned e11 j 0 * -1 + turned S j 0 * aft0 n + 1 = b a1 a2 n j.
 Proof.
@@ -110,13 +103,11 @@ Proof.
   pose proof (u_addition a1 a2 (n - j) j) as P; replace (n - j + j)%nat with n in P by lia; rewrite P.
   cbn [Nat.add]; field; auto.
 Qed.
-
 Lemma limit_follows i j : gamma <> 0 -> u i <> 0 -> u j <> 0 -> (1 <= i)%nat ->
   aft0 j - bef0 i = follows a1 a2 i j / gamma.
 Proof.
   intros Hg Hi Hj H1; destruct powers as (A11 & A21 & A22 & E1 & E2 & H); unfold bef0, aft0, bef_of, aft_of, follows.
-  destruct (H i) as (-> & -> & -> & ->), (H j) as (-> & _ & -> & _).
-  pose proof (u_Cassini a1 a2 i) as C.
+  destruct (H i) as (-> & -> & -> & ->), (H j) as (-> & _ & -> & _). pose proof (u_Cassini a1 a2 i) as C.
   replace (a2 ^ i) with (u (Datatypes.S i) ^ 2 - a1 * u (Datatypes.S i) * u i + a2 * u i ^ 2) by exact C.
   destruct i as [|i]; [lia|]; replace (Datatypes.S i - 1)%nat with i by lia.
   replace (a2 * u i) with (a1 * u (Datatypes.S i) - u (Datatypes.S (Datatypes.S i))) by (rewrite u_SS; ring).
@@ -140,17 +131,14 @@ Proof.
   assert (0 <= T * INR n <= T * INR n_max) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_l]; lra).
   apply Rabs_le; lra.
 Qed.
-
 Lemma turned_abs f n t : Rabs (turned f n t) = Rabs (f (T * INR n + t)).
 Proof. unfold turned; rewrite Rabs_mult, side_abs; ring. Qed.
-
 Lemma bounded n_max : exists K, bounds n_max K.
 Proof.
   set (X := T * INR n_max + 2); assert (HX : 2 <= X).
-  { unfold X; pose proof (turn_large m); pose proof (pos_INR n_max);
-      assert (0 <= T * INR n_max) by (apply Rmult_le_pos; lra); lra. }
-  assert (one : forall f f' f'', (forall t, derivable_pt_lim f t (f' t)) -> (forall t, derivable_pt_lim f' t (f''
-    t)) ->
+  { unfold X; pose proof (turn_large m); pose proof (pos_INR n_max); assert (0 <= T * INR n_max) by (apply Rmult_le_pos;
+      lra); lra. }
+  assert (one : forall f f' f'', (forall t, derivable_pt_lim f t (f' t)) -> (forall t, derivable_pt_lim f' t (f'' t)) ->
     exists B, 0 <= B /\ forall t, Rabs t <= X -> Rabs (f t) <= B /\ Rabs (f' t) <= B).
   { intros f f' f'' D D'.
     destruct (continuous_bounded f X ltac:(lra) (fun t => D_continuous _ _ _ (D t))) as (B & P & H).
@@ -162,8 +150,7 @@ Proof.
   destruct (one _ _ _ D2 (fun t => D_scale V t _ (- k) (DV t))) as (B3 & P3 & H3).
   destruct (one _ _ _ DV (fun t => D_minus _ _ t _ _ (D_scale V t _ (- c) (DV t)) (D_scale S t _ k (DS t))))
     as (B4 & P4 & H4).
-  set (B := B1 + B2 + B3 + B4); assert (all : forall f, entry f -> exists f', (forall t, derivable_pt_lim f t (f'
-    t)) /\
+  set (B := B1 + B2 + B3 + B4); assert (all : forall f, entry f -> exists f', (forall t, derivable_pt_lim f t (f' t)) /\
     forall t, Rabs t <= X -> Rabs (f t) <= B /\ Rabs (f' t) <= B).
   { intros f [->|[->|[->| ->]]]; eexists; (split; [first [exact D1 | exact DS | exact D2 | exact DV]|]); intros t Ht;
       specialize (H1 t Ht); specialize (H2 t Ht); specialize (H3 t Ht); specialize (H4 t Ht); unfold B; lra. }
@@ -198,17 +185,14 @@ Variables (n_max : nat) (K : R).
 Hypothesis HK : bounds n_max K.
 
 Lemma inverse_K : 0 < / K <= 1.
-Proof.
-  destruct HK; split; [apply Rinv_0_lt_compat; lra | rewrite <- Rinv_1; apply Rinv_le_contravar; lra].
-Qed.
-
+Proof. destruct HK; split; [apply Rinv_0_lt_compat; lra | rewrite <- Rinv_1; apply Rinv_le_contravar; lra]. Qed.
 Lemma turned_beside f n t t' e : entry f -> (n <= n_max)%nat -> Rabs t <= 2 -> Rabs t' <= 2 -> Rabs (t - t') <= e ->
   beside K (K * e) (turned f n t) (turned f n t').
 Proof.
   destruct HK as (K1 & B & _); intros Hf Hn Ht Ht' He; pose proof (turns_in n n_max t Hn Ht) as I;
     pose proof (turns_in n n_max t' Hn Ht') as I'; unfold beside.
-  rewrite (turned_abs f n t), (turned_abs f n t'); destruct (B f Hf _ _ I I') as [B1 B2]; split; [exact B1|];
-    split; [apply (B f Hf _ _ I' I)|].
+  rewrite (turned_abs f n t), (turned_abs f n t'); destruct (B f Hf _ _ I I') as [B1 B2]; split; [exact B1|]; split;
+    [apply (B f Hf _ _ I' I)|].
   unfold turned; rewrite <- Rmult_minus_distr_l, Rabs_mult, side_abs, Rmult_1_l; eapply Rle_trans; [exact B2|].
   replace (T * INR n + t - (T * INR n + t')) with (t - t') by ring; apply Rmult_le_compat_l; lra.
 Qed.
@@ -221,8 +205,8 @@ Lemma legs n t t' x y x' y' w e r : (n <= n_max)%nat -> turned S n 0 <> 0 -> Rab
 Proof.
   intros Hn HSn Ht Ht' Hr Hx Hy L; pose proof inverse_K as IK; destruct HK as (K1 & _ & low).
   pose proof (low n t Hn HSn Ht) as N; pose proof (low n t' Hn HSn Ht') as N'.
-  assert (F : forall f, entry f -> beside K (K * r) (turned f n t) (turned f n t'))
-    by (intros f Hf; apply turned_beside; trivial; lra).
+  assert (F : forall f, entry f -> beside K (K * r) (turned f n t) (turned f n t')) by (intros f Hf;
+    apply turned_beside; trivial; lra).
   pose proof (beside_over K _ _ _ ltac:(lra) N N' (proj2 (proj2 (F S ltac:(unfold entry; auto))))) as Q.
   pose proof (beside_times _ _ _ _ _ _ _ _ (F e11 ltac:(unfold entry; auto)) Hx) as P.
   assert (P' : beside (K * w) (K * e + K * r * w) (- (turned e11 n t * x)) (- (turned e11 n t' * x'))).
@@ -231,8 +215,8 @@ Proof.
   pose proof (beside_times _ _ _ _ _ _ _ _ (beside_plus _ _ _ _ _ _ _ _ Hy P') Q) as A.
   pose proof (beside_plus _ _ _ _ _ _ _ _ (beside_times _ _ _ _ _ _ _ _ (F e21 ltac:(unfold entry; auto)) Hx)
     (beside_times _ _ _ _ _ _ _ _ (F V ltac:(unfold entry; auto 6)) A)) as B.
-  assert (up : forall z, 0 <= z -> z <= K * z) by (intros z Hz; rewrite <- (Rmult_1_l z) at 1;
-    apply Rmult_le_compat_r; lra).
+  assert (up : forall z, 0 <= z -> z <= K * z) by (intros z Hz; rewrite <- (Rmult_1_l z) at 1; apply Rmult_le_compat_r;
+    lra).
   assert (pos : forall z, 0 <= z -> 0 <= K * z) by (intros; apply Rmult_le_pos; lra).
   assert (chain : forall z, 0 <= z -> z <= K * z /\ K * z <= K * (K * z) /\ K * (K * z) <= K * (K * (K * z)) /\
     K * (K * (K * z)) <= K * (K * (K * (K * z))) /\ K * (K * (K * (K * z))) <= K * (K * (K * (K * (K * z))))).
@@ -240,8 +224,8 @@ Proof.
   assert (Pw : 0 <= w) by (eapply Rle_trans; [apply Rabs_pos | apply Hx]).
   assert (Pe : 0 <= e) by (eapply Rle_trans; [apply Rabs_pos | apply Hx]).
   assert (Pr : 0 <= w * r) by (apply Rmult_le_pos; [exact Pw | eapply Rle_trans; [apply Rabs_pos | exact Hr]]).
-  pose proof (chain _ Pw); pose proof (chain _ Pe); pose proof (chain _ Pr); split; [intros E;
-    rewrite E, Rabs_R0 in N; lra|].
+  pose proof (chain _ Pw); pose proof (chain _ Pe); pose proof (chain _ Pr); split; [intros E; rewrite E, Rabs_R0 in N;
+    lra|].
   unfold aft_leg, bef_leg, bef_of, aft_of, Rdiv, Rminus; fold L.
   destruct A as (A1 & A2 & A3), B as (B1 & B2 & B3); unfold beside, L; repeat split;
     (eapply Rle_trans; [eassumption | lra]).

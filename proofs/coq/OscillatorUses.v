@@ -22,27 +22,32 @@ Proof.
 Qed.
 End Later.
 
+Lemma motion_later O m mu d N t q v r P : motion O m mu d N t q v -> (forall i, N (i + r) = N i + P)%Z ->
+  motion O m mu d N (fun i => t (i + r)%Z - turn m * IZR P) (fun i => later m P (q (i + r)%Z))
+    (fun i => later m P (v (i + r)%Z)).
+Proof.
+  intros HM HN l j ->; set (T := turn m * IZR P); destruct (HM (l + r)%Z (l + 1 + r)%Z ltac:(lia))
+    as [F D L Q0 Q1 A V1 V2].
+  rewrite !HN in *; assert (back : forall y, y - T + turn m * IZR P = y) by (intros; unfold T; ring); constructor.
+  - intros y; destruct (F (y + T)) as [F1 F2]; split; [apply D_later, F1|].
+    eapply D_value;
+      [apply (D_later m P (v (l + r)%Z) (fun y => - Oscillator.c O * v (l + r)%Z y - Oscillator.k O * q (l + r)%Z y)),
+      F2|]; unfold later; ring.
+  - eapply Rle_trans; [|exact D]; right; f_equal; unfold T; rewrite plus_IZR; ring.
+  - lra.
+  - rewrite (proj1 (gap_later _ _ _ _ _ _ _)), back; exact Q0.
+  - rewrite (proj1 (gap_later _ _ _ _ _ _ _)), back; exact Q1.
+  - intros z y Hy; rewrite (proj1 (gap_later _ _ _ _ _ _ _)); apply A; fold T; lra.
+  - rewrite (proj2 (gap_later _ _ _ _ _ _ _)), back; exact V1.
+  - rewrite !(proj2 (gap_later _ _ _ _ _ _ _)), back; exact V2.
+Qed.
+
 Theorem Periodic_oscillator : Periodic_oscillator_statement.
 Proof.
-  intros O m mu d N t q v r P _ (t0 & q0 & v0 & _ & Only) HM HN i x; set (T := turn m * IZR P).
-  assert (HM' : motion O m mu d N (fun i => t (i + r)%Z - T) (fun i => later m P (q (i + r)%Z))
-    (fun i => later m P (v (i + r)%Z))).
-  { intros l j ->; destruct (HM (l + r)%Z (l + 1 + r)%Z ltac:(lia)) as (F & D & L & Q0 & Q1 & A & V1 & V2).
-    rewrite !HN in *; assert (back : forall y, y - T + turn m * IZR P = y) by (intros; unfold T; ring).
-    split; [|split; [|split; [|split; [|split; [|split; [|split]]]]]].
-    - intros y; destruct (F (y + T)) as [F1 F2]; split; [apply D_later, F1|].
-      eapply D_value; [apply (D_later m P (v (l + r)%Z)
-        (fun y => - Oscillator.c O * v (l + r)%Z y - Oscillator.k O * q (l + r)%Z y)), F2|].
-      unfold later; ring.
-    - eapply Rle_trans; [|exact D]; right; f_equal; unfold T; rewrite plus_IZR; ring.
-    - lra.
-    - rewrite (proj1 (gap_later _ _ _ _ _ _ _)), back; exact Q0.
-    - rewrite (proj1 (gap_later _ _ _ _ _ _ _)), back; exact Q1.
-    - intros z y Hy; rewrite (proj1 (gap_later _ _ _ _ _ _ _)); apply A; fold T; lra.
-    - rewrite (proj2 (gap_later _ _ _ _ _ _ _)), back; exact V1.
-    - rewrite !(proj2 (gap_later _ _ _ _ _ _ _)), back; exact V2. }
+  intros O m mu d N t q v r P _ (t0 & q0 & v0 & _ & Only) HM HN i x; pose proof (motion_later _ _ _ _ _ _ _ _ _ _ HM HN)
+    as HM'.
   destruct (Only _ _ _ HM i x) as (E1 & E2 & E3), (Only _ _ _ HM' i x) as (F1 & F2 & F3); cbv beta in F1.
-  unfold later in F2, F3; fold T in F2, F3; rewrite F2, F3, E2, E3; split; [lra | auto].
+  unfold later in F2, F3; rewrite F2, F3, E2, E3; split; [lra | auto].
 Qed.
 
 (** ** The matrix in terms of the undamped solution *)
@@ -85,8 +90,8 @@ Proof.
   assert (Em : exp (- r * T) = / z) by (rewrite <- Er, <- exp_Ropp; f_equal; ring).
   eexists _, _, _; split; [apply (undamped_hyperbolic r); lra|]; cbv beta; rewrite Er, Em; split.
   - assert (Ez : / z = y - sqrt (y * y - 1)).
-    { apply (Rmult_eq_reg_l z); [|lra]; rewrite Rinv_r by lra; unfold z;
-        pose proof (sqrt_sqrt (y * y - 1) ltac:(lra)); lra. }
+    { apply (Rmult_eq_reg_l z); [|lra]; rewrite Rinv_r by lra; unfold z; pose proof (sqrt_sqrt (y * y - 1) ltac:(lra));
+        lra. }
     rewrite Ez; unfold z; field.
   - assert (/ z < 1) by (rewrite <- Rinv_1; apply Rinv_lt_contravar; lra).
     apply Rmult_lt_0_compat; [apply Rinv_0_lt_compat|]; lra.
@@ -112,10 +117,10 @@ Qed.
 
 Theorem Reach : Reach_statement.
 Proof.
-  pose proof PI_RGT_0 as HP; split; [|split; [|split; [|split]]].
+  pose proof PI_RGT_0 as HP; constructor.
   - intros c k; destruct (undamped_exists (k - c * c / 4)) as (o & w & H & _).
-    pose proof (matrix_damped c _ Plus o w H) as M; cbv zeta in M;
-      replace (c * c / 4 + (k - c * c / 4)) with k in M by ring; eauto.
+    pose proof (matrix_damped c _ Plus o w H) as M; cbv zeta in M; replace (c * c / 4 + (k - c * c / 4)) with k in M
+      by ring; eauto.
   - intros r s g Hr Hs; assert (Hsin : 0 < sin (2 * PI * s)).
     { apply sin_gt_0; [apply Rmult_lt_0_compat; lra|].
       apply (Rlt_le_trans _ (2 * PI * (1 / 2))); [apply Rmult_lt_compat_l|]; lra. }
@@ -132,10 +137,10 @@ Proof.
   - intros a1 a2 H2 H1; destruct (reached Plus a1 a2 H2) as (c & k & gamma & M & P); cbn [facing] in *; [lra|].
     rewrite Rmult_1_l in P; eauto.
   - intros c k a1 a2 gamma HM Hg; destruct (undamped_exists (k - c * c / 4)) as (o & w & H & Pos).
-    pose proof (matrix_damped c _ Plus o w H) as M; cbv zeta in M;
-      replace (c * c / 4 + (k - c * c / 4)) with k in M by ring.
-    destruct (matrix_unique _ _ _ _ _ _ _ _ _ HM M) as (-> & -> & Eg);
-      pose proof (undamped_energy _ o w (2 * PI) H) as En.
+    pose proof (matrix_damped c _ Plus o w H) as M; cbv zeta in M; replace (c * c / 4 + (k - c * c / 4)) with k in M
+      by ring.
+    destruct (matrix_unique _ _ _ _ _ _ _ _ _ HM M) as (-> & -> & Eg); pose proof (undamped_energy _ o w (2 * PI) H)
+      as En.
     set (E := exp (- c / 2 * turn Plus)) in *; assert (P : 0 < E) by apply exp_pos; cbn [turn facing] in *.
     rewrite (sqrt_square E) by lra; assert (P2 : 0 < E * E) by (apply Rmult_lt_0_compat; lra).
     split; [exact P2|]; destruct (Rle_lt_dec (k - c * c / 4) 0) as [L|L].

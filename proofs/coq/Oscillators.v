@@ -1,5 +1,5 @@
-(** * A solution of the law of impact is a motion, the only one near the touch, if (52) and (64) hold; and none is if
-      one fails strictly *)
+(** * A solution of the law of impact is a motion, the only one near the touch, if (52) and (64) hold; and
+      none is if one fails strictly *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs StatementOrbitsPlane StatementOscillator Derivatives Flow PlaneLinear OscillatorTurns
   OscillatorStop OscillatorGap OscillatorLaw.
@@ -58,14 +58,12 @@ Definition at_ (i : Z) : R := T * IZR (N i) + x i.
 Definition leg_q (i : Z) (t : R) : R := facing m (N i) * here i (t - T * IZR (N i)).
 Definition leg_v (i : Z) (t : R) : R := facing m (N i) * heres i (t - T * IZR (N i)).
 
-Lemma here_free i : free c k (here i) (heres i).
-Proof. apply (moved_free c k S V HS). Qed.
+Lemma here_free i : free c k (here i) (heres i). Proof. apply (moved_free c k S V HS). Qed.
 Lemma leg_free i : free c k (leg_q i) (leg_v i).
 Proof.
   intros t; destruct (here_free i (t - T * IZR (N i))) as [A B]; unfold leg_q, leg_v.
   split; [apply D_scale, D_at, A|]; eapply D_value; [apply D_scale, D_at, B | ring].
 Qed.
-
 Lemma gap_here i z s : gap O m mu (N i + z) (leg_q i) (T * IZR (N i) + s) = gap O m mu z (here i) s /\
   speed O m mu (N i + z) (leg_v i) (T * IZR (N i) + s) = speed O m mu z (heres i) s.
 Proof.
@@ -73,13 +71,10 @@ Proof.
   replace (T * IZR (N i) + s - T * IZR (N i)) with s by ring.
   replace (T * IZR (N i) + s - T * (IZR (N i) + IZR z)) with (s - T * IZR z) by ring; split; reflexivity.
 Qed.
-
 Lemma at_next i : at_ (i + 1) = T * IZR (N i) + (T * INR (n i) + x (i + 1)%Z).
 Proof. unfold at_; rewrite (proj1 (HN i)), plus_IZR, <- INR_IZR_INZ; ring. Qed.
-
 Lemma here_start i : here i (x i) = place (x i) /\ heres i (x i) = a i.
 Proof. apply (moved_start c k S V HS). Qed.
-
 Lemma here_end i : let s := T * INR (n i) + x (i + 1)%Z in
   facing m (Z.of_nat (n i)) * here i s = place (x (i + 1)%Z) /\ facing m (Z.of_nat (n i)) * heres i s = p i.
 Proof.
@@ -110,8 +105,8 @@ Proof.
     assert (0 <= T * INR (n i) <= T * INR n_max) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_l]; lra).
     apply Rabs_le; lra. }
   destruct HK as (K1 & F & _); set (z := (K * 2 + K * (2 * (6 * K ^ 5))) * Rabs mu).
-  assert (both : forall e f, entry c k S V e -> entry c k S V f ->
-    Rabs (e (t - x i) * place (x i) + f (t - x i) * a i) <= z).
+  assert (both : forall e f, entry c k S V e -> entry c k S V f -> Rabs (e (t - x i) * place (x i) + f (t - x i) * a i)
+    <= z).
   { intros e f He Hf; destruct (F e He _ _ In In) as [Fe _], (F f Hf _ _ In In) as [Ff _].
     pose proof (product _ _ _ _ Fe P); pose proof (product _ _ _ _ Ff A); eapply Rle_trans; [apply Rabs_triang|].
     unfold z, a; lra. }
@@ -138,17 +133,15 @@ Hypothesis Open : opens O m h ((1 + Rabs c + Rabs k) * (K * 2 + K * (2 * (6 * K 
 Hypothesis Only : forall x', (forall i, Rabs (x' i) <= d) -> law O m S V n mu x' -> forall i, x' i = x i.
 Let Hgam : gamma <> 0 := is_generic _ _ _ _ _ HO.
 
-Lemma solution_motion : (forall i, p i < a (i + 1)%Z) ->
-  (forall i j, (1 <= j <= n i - 1)%nat -> eps * Rabs mu <= facing m (Z.of_nat j) * here i (T * INR j) + mu) ->
-  motion O m mu d N at_ leg_q leg_v.
+Lemma solution_motion : (forall i, p i < a (i + 1)%Z) -> (forall i j, (1 <= j <= n i - 1)%nat -> eps * Rabs mu <= facing
+  m (Z.of_nat j) * here i (T * INR j) + mu) -> motion O m mu d N at_ leg_q leg_v.
 Proof.
   intros Hv Mid i j ->; destruct (HN i) as [NN [Hn _]]; pose proof (turn_large m) as HT.
   assert (Tn : T <= T * INR (n i)) by (rewrite <- (Rmult_1_r T) at 1; apply Rmult_le_compat_l;
     [lra | apply (le_INR 1); lia]).
   assert (Sm : forall i, - (h * Rabs mu) <= x i <= h * Rabs mu) by (intros l; apply le_abs, Hx).
   pose proof (Sm i); pose proof (Sm (i + 1)%Z); destruct (here_start i) as [E0 F0], (here_end i) as [E1 F1].
-  pose proof (fun l => impact l) as I; cbv zeta in I, E1, F1;
-    set (z := fun l => (a (l + 1)%Z - p l) / (1 + tau)) in *.
+  pose proof (fun l => impact l) as I; cbv zeta in I, E1, F1; set (z := fun l => (a (l + 1)%Z - p l) / (1 + tau)) in *.
   assert (Pos : forall l, 0 < z l) by (intros l; apply Rdiv_lt_0_compat; [specialize (Hv l)|]; lra).
   set (s := T * INR (n i) + x (i + 1)%Z) in *.
   assert (Es : s - T * IZR (Z.of_nat (n i)) = x (i + 1)%Z) by (unfold s; rewrite <- INR_IZR_INZ; ring).
@@ -160,7 +153,7 @@ Proof.
   assert (Speed0 : forall l, speed O m mu 0 (heres (l + 1)) (x (l + 1)%Z) = tau * z l).
   { intros l; unfold speed; rewrite side_0, Rmult_0_r, Rminus_0_r, Rmult_1_l, (proj2 (here_start (l + 1))); apply I. }
   assert (Ea : at_ i = T * IZR (N i) + x i) by reflexivity; pose proof (at_next i) as Eb; fold s in Eb.
-  split; [apply leg_free|]; split; [|split; [|split; [|split; [|split; [|split]]]]].
+  constructor; [apply leg_free|..].
   - rewrite Ea; replace (_ - _) with (x i) by ring; apply Rabs_le; lra.
   - rewrite Ea, Eb; unfold s; lra.
   - rewrite Ea, <- (Z.add_0_r (N i)) at 1; rewrite (proj1 (gap_here i 0 _)); exact Gap0.
@@ -191,7 +184,7 @@ Lemma motion_is t q v : motion O m mu d N t q v -> forall i,
 Proof.
   intros HM i; pose proof (phases t q v HM) as Ex; assert (Et : t i = at_ i) by (unfold at_; rewrite <- (Ex i);
     unfold phase; ring).
-  split; [exact Et|]; intros s; destruct (HM i _ eq_refl) as (F & _).
+  split; [exact Et|]; intros s; pose proof (swing_free _ _ _ _ _ _ _ _ _ _ (HM i _ eq_refl)) as F.
   destruct (motion_leg O m S V HS n_max K HK mu d N n t q v HM (proj2 Hd) HN i) as (_ & Eq & Ev & _).
   rewrite Ex in Eq; rewrite (Ex i), (Ex (i + 1)%Z) in Ev; fold (a i) in Ev;
     destruct (free_moved c k S V HS _ _ (t i) s F) as [-> ->].
@@ -201,15 +194,12 @@ Qed.
 Lemma jump_sign i : let f := sgn e * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) in
   (f > 0 -> p i < a (i + 1)%Z) /\ (f < 0 -> a (i + 1)%Z <= p i).
 Proof.
-  intros f;
-  pose proof (limit_follows c k m S V HS a1 a2 gamma HA (n i) (n (i + 1)%Z) Hgam (Hu i) (Hu (i + 1)%Z)
+  intros f; pose proof (limit_follows c k m S V HS a1 a2 gamma HA (n i) (n (i + 1)%Z) Hgam (Hu i) (Hu (i + 1)%Z)
     (proj1 (proj1 (proj2 (HN i))))) as E.
-  destruct (sign_near e mu (a (i + 1)%Z - p i) (follows a1 a2 (n i) (n (i + 1)%Z) / gamma) (2 * eps) Hmu) as [P
-    Q].
-  { rewrite <- E; replace (_ - _) with ((a (i + 1)%Z - mu * aft0 c m S V (n (i + 1)%Z)) -
-      (p i - mu * bef0 c k m S V (n i))) by ring.
-    pose proof (near_aft _ _ _ _ _ _ _ _ _ _ _ (Near (i + 1)%Z));
-      pose proof (near_bef _ _ _ _ _ _ _ _ _ _ _ (Near i)).
+  destruct (sign_near e mu (a (i + 1)%Z - p i) (follows a1 a2 (n i) (n (i + 1)%Z) / gamma) (2 * eps) Hmu) as [P Q].
+  { rewrite <- E; replace (_ - _) with ((a (i + 1)%Z - mu * aft0 c m S V (n (i + 1)%Z)) - (p i - mu * bef0 c k m S V
+      (n i))) by ring.
+    pose proof (near_aft _ _ _ _ _ _ _ _ _ _ _ (Near (i + 1)%Z)); pose proof (near_bef _ _ _ _ _ _ _ _ _ _ _ (Near i)).
     eapply Rle_trans; [apply apart|]; unfold a, p; lra. }
   { intros H'; specialize (Mf i (i + 1)%Z H'); lra. }
   destruct (sign_over e g gamma (follows a1 a2 (n i) (n (i + 1)%Z)) Hg) as [P' Q'].
@@ -217,15 +207,12 @@ Proof.
     lra]).
   split; intros Hf; [specialize (P (P' Hf)) | specialize (Q (Q' Hf))]; lra.
 Qed.
-
-Lemma mid_sign i j : (1 <= j <= n i - 1)%nat ->
-  let y := facing m (Z.of_nat j) * here i (T * INR j) + mu in
-  (sgn e * b a1 a2 (n i) j > 0 -> eps * Rabs mu <= y) /\ (sgn e * b a1 a2 (n i) j < 0 -> y <= 0).
+Lemma mid_sign i j : (1 <= j <= n i - 1)%nat -> let y := facing m (Z.of_nat j) * here i (T * INR j) + mu
+  in (sgn e * b a1 a2 (n i) j > 0 -> eps * Rabs mu <= y) /\ (sgn e * b a1 a2 (n i) j < 0 -> y <= 0).
 Proof.
-  intros Hj y; destruct (HN i) as (_ & Hn & _).
-  pose proof (near_mid _ _ _ _ _ _ _ _ _ _ _ (Near i) j ltac:(lia)) as Hm.
-  pose proof (limit_b c k m S V HS a1 a2 gamma HA (n i) j Hgam (Hu i) ltac:(lia)) as E;
-    fold (mid0 O m S V (n i) j) in E.
+  intros Hj y; destruct (HN i) as (_ & Hn & _). pose proof (near_mid _ _ _ _ _ _ _ _ _ _ _ (Near i) j ltac:(lia)) as Hm.
+  pose proof (limit_b c k m S V HS a1 a2 gamma HA (n i) j Hgam (Hu i) ltac:(lia)) as E; fold (mid0 O m S V (n i) j)
+    in E.
   destruct (sign_near e mu y (b a1 a2 (n i) j) eps Hmu) as [P Q].
   { rewrite <- E; replace (y - _) with (mid O m S V (n i) j mu (x i) (x (i + 1)%Z) - mu * mid0 O m S V (n i) j);
       [exact Hm|]; unfold y, here, moved, a, mid, turned.
@@ -241,9 +228,9 @@ Lemma word_fails i : (exists j, (1 <= j <= n i - 1)%nat /\ sgn e * b a1 a2 (n i)
 Proof.
   intros Hs t q v HM; destruct Hs as [(j & Hj & Hs)|Hs].
   - destruct (motion_is t q v HM i) as [_ E], (mid_sign i j Hj) as [_ Q]; specialize (Q Hs).
-    destruct (HM i _ eq_refl) as (_ & _ & _ & _ & _ & Op & _); pose proof (turn_large m) as HT3.
+    pose proof (swing_clear _ _ _ _ _ _ _ _ _ _ (HM i _ eq_refl)) as Op; pose proof (turn_large m) as HT3.
     assert (At : forall l, - 1 <= t l - T * IZR (N l) <= 1).
-    { intros l; destruct (HM l _ eq_refl) as (_ & D & _); apply le_abs in D; lra. }
+    { intros l; pose proof (swing_near _ _ _ _ _ _ _ _ _ _ (HM l _ eq_refl)) as D; apply le_abs in D; lra. }
     assert (1 <= INR j <= INR (n i) - 1).
     { split; [apply (le_INR 1); lia|]; pose proof (le_INR (1 + j) (n i) ltac:(lia)) as P; rewrite plus_INR in P;
         cbn in P; lra. }
@@ -258,7 +245,6 @@ Proof.
     specialize (J i); rewrite !(phases t q v HM) in J; destruct (jump_sign i) as [_ Q]; specialize (Q Hs);
       unfold a, p in Q; lra.
 Qed.
-
 Lemma decided : ((forall i, (forall j, (1 <= j <= n i - 1)%nat -> sgn e * b a1 a2 (n i) j > 0) /\
   sgn e * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) > 0) -> one_motion O m mu d N) /\
   forall t q v, motion O m mu d N t q v -> forall i, Rabs (t i - T * IZR (N i)) <= h * Rabs mu.
@@ -272,15 +258,12 @@ Qed.
 End Words.
 
 (** Theorem 1 for oscillators: one d, one mu0 and one K for all words over {n <= n_max : u_n <> 0}. *)
-Theorem Word_oscillator : forall O m a1 a2 gamma, grazing O m a1 a2 gamma ->
-  forall n_max, exists d mu0 K, d > 0 /\ mu0 > 0 /\ forall (N : Z -> Z) (n : Z -> nat) s g mu,
-  (forall i, N (i + 1)%Z = (N i + Z.of_nat (n i))%Z /\ (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) ->
-  sgn g * gamma > 0 -> 0 < sgn s * mu < mu0 ->
-  ((forall i, (forall j, (1 <= j <= n i - 1)%nat -> sgn s * b a1 a2 (n i) j > 0) /\
-              sgn s * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) > 0) -> one_motion O m mu d N) /\
-  (forall i, (exists j, (1 <= j <= n i - 1)%nat /\ sgn s * b a1 a2 (n i) j < 0) \/
-             sgn s * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) < 0 ->
-   forall t q v, ~ motion O m mu d N t q v) /\
+Theorem Word_oscillator : forall O m a1 a2 gamma, grazing O m a1 a2 gamma -> forall n_max, exists d mu0 K, d > 0 /\
+  mu0 > 0 /\ forall (N : Z -> Z) (n : Z -> nat) s g mu, (forall i, N (i + 1)%Z = (N i + Z.of_nat (n i))%Z /\
+  (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) -> sgn g * gamma > 0 -> 0 < sgn s * mu < mu0 ->
+  ((forall i, (forall j, (1 <= j <= n i - 1)%nat -> sgn s * b a1 a2 (n i) j > 0) /\ sgn s * sgn g * follows a1 a2 (n i)
+  (n (i + 1)%Z) > 0) -> one_motion O m mu d N) /\ (forall i, (exists j, (1 <= j <= n i - 1)%nat /\ sgn s * b a1 a2 (n i)
+  j < 0) \/ sgn s * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) < 0 -> forall t q v, ~ motion O m mu d N t q v) /\
   forall t q v, motion O m mu d N t q v -> forall i, Rabs (t i - turn m * IZR (N i)) <= K * Rabs mu.
 Proof.
   intros O m a1 a2 gamma HO n_max; destruct (flow_exists (Oscillator.c O) (Oscillator.k O)) as (S & V & HS).
@@ -307,8 +290,7 @@ Proof.
   { intros i; destruct (Hw i) as (_ & H & Hu); split; [exact H|].
     rewrite (turned_S _ _ m S V HS a1 a2 gamma (is_matrix _ _ _ _ _ HO)); apply Rmult_integral_contrapositive.
     split; [apply HO | exact Hu]. }
-  pose proof (fun i => conj (proj1 (Hw i)) (Reg i)) as HN; destruct (One n mu Reg ltac:(lra)) as (x & Hx & Law &
-    Only).
+  pose proof (fun i => conj (proj1 (Hw i)) (Reg i)) as HN; destruct (One n mu Reg ltac:(lra)) as (x & Hx & Law & Only).
   assert (Near : forall i, leg_near O m S V n_max K (n i) eps mu (x i) (x (i + 1)%Z)) by (intros i; apply Leg; auto;
     lra).
   assert (Mb' : forall i j, (j <= n_max)%nat -> b a1 a2 (n i) j <> 0 -> 2 * eps <= Rabs (b a1 a2 (n i) j)).
@@ -318,8 +300,8 @@ Proof.
       fold f in P; lra. }
   pose proof (fun i => proj2 (proj2 (Hw i))) as Hu; assert (Op : opens O m C X eps mu) by (apply Open; lra).
   assert (Hd' : C * Rabs mu <= d <= 1 /\ 2 * d <= / K) by lra.
-  destruct (decided O m a1 a2 gamma S V HO HS n_max K mu C eps N n x HK HN Law Hx Near d s g Hu (proj1 Hmu) Hg He
-    Mb' Mf' Hd' Op Only) as [One' Small]; split; [exact One' | split; [|exact Small]].
+  destruct (decided O m a1 a2 gamma S V HO HS n_max K mu C eps N n x HK HN Law Hx Near d s g Hu (proj1 Hmu) Hg He Mb'
+    Mf' Hd' Op Only) as [One' Small]; split; [exact One' | split; [|exact Small]].
   apply (word_fails O m a1 a2 gamma S V HO HS n_max K mu C eps N n x HK HN Near d s g Hu (proj1 Hmu) Hg He Mb' Mf' Hd'
     Only).
 Qed.

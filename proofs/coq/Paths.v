@@ -1,8 +1,7 @@
 (** * Every path is exactly one motion: legs that contract, as the checks say, follow each other *)
 
 From Coq Require Import Reals QArith Qreals ZArith Lra Lia Bool List.
-From Grazing Require Import StatementOscillator PathsCheck PathsFlow PathsLegs PathsGaps StatementPaths
-  Contraction.
+From Grazing Require Import StatementOscillator PathsCheck PathsFlow PathsLegs PathsGaps StatementPaths Contraction.
 From Grazing Require Export Motions.
 Open Scope R_scope.
 
@@ -30,7 +29,7 @@ Record chain (M : Machine.t) (w kappa spread : R) (l : Z -> Letter.t) : Prop := 
 Definition open_gaps (M : Machine.t) (w : R) (l : Z -> Letter.t) : Prop := forall i s s' a, let tau :=
   Machine.tau M in
   s_lo tau (l (i - 1)%Z) (l i) <= s <= s_hi tau (l (i - 1)%Z) (l i) ->
-  s_lo tau (l i) (l (i + 1)%Z) <= s' <= s_hi tau (l i) (l (i + 1)%Z) -> within (Letter.after (l i)) a ->
+  s_lo tau (l i) (l (i + 1)%Z) <= s' <= s_hi tau (l i) (l (i + 1)%Z) -> in_interval (Letter.after (l i)) a ->
   let phi := phase M w s in let x := place M phi in let end_ := 2 * PI * IZR (Z.pos (Letter.periods (l i))) +
     phase M w s' in
   s / 2 <= a -> moved M phi x a end_ = place M (phase M w s') -> moving M phi x a end_ <= s' / 2 ->
@@ -52,65 +51,53 @@ Notation n := (fun i => Letter.periods (l i)).
 Definition lo (i : Z) : R := s_lo tau (l (i - 1)%Z) (l i).
 Definition hi (i : Z) : R := s_hi tau (l (i - 1)%Z) (l i).
 Definition wt (i : Z) : R := weight tau (l (i - 1)%Z) (l i).
-Lemma inv_pos : 0 < / (1 + tau).
-Proof. apply Rinv_0_lt_compat; lra. Qed.
-
+Lemma inv_pos : 0 < / (1 + tau). Proof. apply Rinv_0_lt_compat; lra. Qed.
 Lemma wt_pos i : 0 < wt i /\ lo i <= hi i /\ hi i - lo i <= wt i * spread.
 Proof.
-  destruct (chain_sizes _ _ _ _ _ HC i) as (A & _ & B & _ & C & _), (chain_sizes _ _ _ _ _ HC (i - 1)%Z) as
-    (_ & A' & _ & B' & _ & C'); pose proof inv_pos as P.
+  destruct (chain_sizes _ _ _ _ _ HC i) as (A & _ & B & _ & C & _), (chain_sizes _ _ _ _ _ HC (i - 1)%Z)
+    as (_ & A' & _ & B' & _ & C'); pose proof inv_pos as P.
   split; [unfold wt, weight, sum_of; apply Rmult_lt_0_compat; nra|]; split.
   - exact (proj1 (sum_bounds tau _ _ _ _ _ _ Htau (conj A (Rle_refl _)) (conj A' (Rle_refl _)))).
   - unfold hi, lo, wt, s_hi, s_lo, weight, sum_of; rewrite <- Rmult_minus_distr_r.
-    replace (2 * (alpha (l i) + tau * beta (l (i - 1)%Z)) * / (1 + tau) * spread) with
-      (2 * (alpha (l i) * spread + tau * (beta (l (i - 1)%Z) * spread)) * / (1 + tau)) by ring.
+    replace (2 * (alpha (l i) + tau * beta (l (i - 1)%Z)) * / (1 + tau) * spread)
+      with (2 * (alpha (l i) * spread + tau * (beta (l (i - 1)%Z) * spread)) * / (1 + tau)) by ring.
     apply Rmult_le_compat_r; nra.
 Qed.
-
-Lemma sum_inside i a p : within (Letter.after (l i)) a -> within (Letter.before (l (i - 1)%Z)) p ->
+Lemma sum_inside i a p : in_interval (Letter.after (l i)) a -> in_interval (Letter.before (l (i - 1)%Z)) p ->
   lo i <= sum_of tau a p <= hi i.
 Proof. intros; apply sum_bounds; trivial. Qed.
-
-Lemma leg_at s i : inside lo hi s -> leg_holds M w kappa (l (i - 1)%Z) (l i) (l (i + 1)%Z) (s i) (s (i +
-  1)%Z).
+Lemma leg_at s i : inside lo hi s -> leg_holds M w kappa (l (i - 1)%Z) (l i) (l (i + 1)%Z) (s i) (s (i + 1)%Z).
 Proof.
   intros H; apply (chain_legs _ _ _ _ _ HC); [exact (H i)|]; specialize (H (i + 1)%Z); unfold lo, hi in H.
   rewrite (proj1 (previous i)) in H; exact H.
 Qed.
-Lemma boxes s i : inside lo hi s -> within (Letter.after (l i)) (afters M w n s i) /\
-  within (Letter.before (l i)) (befores M w n s i).
+Lemma boxes s i : inside lo hi s -> in_interval (Letter.after (l i)) (afters M w n s i) /\
+  in_interval (Letter.before (l i)) (befores M w n s i).
 Proof. intros H; destruct (leg_at s i H) as (_ & _ & _ & A & B & _); split; assumption. Qed.
-Lemma landing s i : inside lo hi s -> lands M w (s i).
-Proof. intros H; apply (leg_at s i H). Qed.
+Lemma landing s i : inside lo hi s -> lands M w (s i). Proof. intros H; apply (leg_at s i H). Qed.
 
 (** Where s and s' are close at two impacts so is the leg between them. *)
-Lemma leg_close s1 s1' s2 s2' i d : lo i <= s1 <= hi i -> lo i <= s2 <= hi i ->
-  lo (i + 1) <= s1' <= hi (i + 1) ->
-  lo (i + 1) <= s2' <= hi (i + 1) -> 0 <= d -> Rabs (s1 - s2) <= wt i * d ->
-    Rabs (s1' - s2') <= wt (i + 1) * d ->
+Lemma leg_close s1 s1' s2 s2' i d : lo i <= s1 <= hi i -> lo i <= s2 <= hi i -> lo (i + 1) <= s1' <= hi (i + 1) ->
+  lo (i + 1) <= s2' <= hi (i + 1) -> 0 <= d -> Rabs (s1 - s2) <= wt i * d -> Rabs (s1' - s2') <= wt (i + 1) * d ->
   Rabs (after M (n i) (ph s1) (ph s1') - after M (n i) (ph s2) (ph s2')) <= kappa * alpha (l i) * d /\
   Rabs (before M (n i) (ph s1) (ph s1') - before M (n i) (ph s2) (ph s2')) <= kappa * beta (l i) * d.
 Proof.
-  intros H1 H2 H1' H2' Hd D D'; unfold lo, hi, wt in H1', H2', D'; rewrite (proj1 (previous i)) in H1', H2',
-    D'.
-  apply (leg_lipschitz M w kappa (l (i - 1)%Z) (l i) (l (i + 1)%Z) HG (chain_legs _ _ _ _ _ HC i));
-    assumption.
+  intros H1 H2 H1' H2' Hd D D'; unfold lo, hi, wt in H1', H2', D'; rewrite (proj1 (previous i)) in H1', H2', D'.
+  apply (leg_lipschitz M w kappa (l (i - 1)%Z) (l i) (l (i + 1)%Z) HG (chain_legs _ _ _ _ _ HC i)); assumption.
 Qed.
-Lemma sum_close a a' p p' i d : Rabs (a - a') <= kappa * alpha (l i) * d ->
-  Rabs (p - p') <= kappa * beta (l (i - 1)%Z) * d -> Rabs (sum_of tau a p - sum_of tau a' p') <= wt i *
-    (kappa * d).
+Lemma sum_close a a' p p' i d : Rabs (a - a') <= kappa * alpha (l i) * d -> Rabs (p - p') <= kappa * beta (l (i - 1)%Z)
+  * d -> Rabs (sum_of tau a p - sum_of tau a' p') <= wt i * (kappa * d).
 Proof.
   intros A B; pose proof inv_pos as P; unfold wt, weight, sum_of.
-  replace (2 * (a + tau * p) * / (1 + tau) - 2 * (a' + tau * p') * / (1 + tau)) with
-    (2 * ((a - a') + tau * (p - p')) * / (1 + tau)) by ring.
+  replace (2 * (a + tau * p) * / (1 + tau) - 2 * (a' + tau * p') * / (1 + tau)) with (2 * ((a - a') + tau * (p - p')) *
+    / (1 + tau)) by ring.
   rewrite !Rabs_mult, (Rabs_pos_eq 2), (Rabs_pos_eq (/ (1 + tau))) by lra.
-  replace (2 * (alpha (l i) + tau * beta (l (i - 1)%Z)) * / (1 + tau) * (kappa * d)) with
-    (2 * (kappa * alpha (l i) * d + tau * (kappa * beta (l (i - 1)%Z) * d)) * / (1 + tau)) by ring.
+  replace (2 * (alpha (l i) + tau * beta (l (i - 1)%Z)) * / (1 + tau) * (kappa * d))
+    with (2 * (kappa * alpha (l i) * d + tau * (kappa * beta (l (i - 1)%Z) * d)) * / (1 + tau)) by ring.
   apply Rmult_le_compat_r; [lra|]; apply Rmult_le_compat_l; [lra|].
   apply (Rle_trans _ _ _ (Rabs_triang _ _)), Rplus_le_compat; [exact A|].
   rewrite Rabs_mult, (Rabs_pos_eq tau) by lra; apply Rmult_le_compat_l; lra.
 Qed.
-
 Lemma one_solution : exists s, inside lo hi s /\ (forall i, sums M w n s i = s i) /\
   forall s', inside lo hi s' -> (forall i, sums M w n s' i = s' i) -> forall i, s' i = s i.
 Proof.
@@ -125,23 +112,21 @@ Proof.
     + unfold befores; rewrite (proj2 (previous i)); apply (leg_close _ _ _ _ (i - 1) d); auto;
         rewrite (proj2 (previous i)); auto.
 Qed.
-
 Lemma solves s : inside lo hi s -> (forall i, sums M w n s i = s i) -> solution M w n s.
 Proof. intros Hs HF; constructor; [intros i; apply landing, Hs | intros i; apply (leg_at s i Hs) | exact HF]. Qed.
 
 (** H3, and H4. *)
 Lemma moves s : open_gaps M w l -> inside lo hi s -> (forall i, sums M w n s i = s i) ->
-  motion M w N (at_ M w N s) (leg_q M w n N s) (leg_v M w n N s).
+  machine_motion M w N (at_ M w N s) (leg_q M w n N s) (leg_v M w n N s).
 Proof.
   intros HO Hs HF; apply is_motion; auto using solves; try apply HC.
-  - intros i; pose proof (chain_order _ _ _ _ _ HC i) as O; destruct (boxes s i Hs) as [[A _] _],
-      (boxes s (i - 1)%Z Hs) as [_ [_ B]]; pose proof (HF i) as E; unfold sums, sum_of in E.
+  - intros i; pose proof (chain_order _ _ _ _ _ HC i) as O; destruct (boxes s i Hs) as [[A _] _], (boxes s (i - 1)%Z Hs)
+      as [_ [_ B]]; pose proof (HF i) as E; unfold sums, sum_of in E.
     set (a := afters M w n s i) in *; set (p := befores M w n s (i - 1)%Z) in *; clearbody a p.
     assert (E' : s i / 2 * (1 + tau) = a + tau * p) by (rewrite <- E; field; lra); nra.
   - intros i end_ H1 H2 H3; pose proof (Hs (i + 1)%Z) as I; unfold lo, hi in I; rewrite (proj1 (previous i)) in I.
     apply (HO i (s i) (s (i + 1)%Z)); trivial; [exact (Hs i) | apply (boxes s i Hs)].
 Qed.
-
 Lemma is_in_boxes s : inside lo hi s -> (forall i, sums M w n s i = s i) ->
   in_boxes M l (at_ M w N s) (leg_v M w n N s).
 Proof.
@@ -155,7 +140,7 @@ Qed.
 
 Section Only.
 Variables (t : Z -> R) (q v : Z -> R -> R).
-Hypothesis HM : motion M w N t q v.
+Hypothesis HM : machine_motion M w N t q v.
 Hypothesis HB : in_boxes M l t v.
 
 Lemma sums_inside : inside lo hi (sums_of M t v).
@@ -169,9 +154,8 @@ Lemma sums_fixed i : sums M w n (sums_of M t v) i = sums_of M t v i.
 Proof. apply (is_solution M w n N HG Htau HN t q v HM sums_leg). Qed.
 End Only.
 
-Theorem one_motion : open_gaps M w l -> exists t q v, motion M w N t q v /\ in_boxes M l t v /\
-  forall t' q' v',
-  motion M w N t' q' v' -> in_boxes M l t' v' -> forall i x, t' i = t i /\ q' i x = q i x /\ v' i x = v i x.
+Theorem one_motion : open_gaps M w l -> exists t q v, machine_motion M w N t q v /\ in_boxes M l t v /\ forall t' q' v',
+  machine_motion M w N t' q' v' -> in_boxes M l t' v' -> forall i x, t' i = t i /\ q' i x = q i x /\ v' i x = v i x.
 Proof.
   intros HO; destruct one_solution as (s & Hs & HF & H1).
   exists (at_ M w N s), (leg_q M w n N s), (leg_v M w n N s); split; [exact (moves s HO Hs HF)|]; split;

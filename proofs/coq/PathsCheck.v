@@ -66,8 +66,8 @@ Definition hull_all (L : list itv) : itv := match L with [] => None | X :: L => 
 (** What both know, of numbers in both. *)
 Definition meet (X Y : itv) : itv := match X, Y with
   | Some (a, b), Some (c, d) => Some (Z.max a c, Z.min b d) | None, Y => Y | X, None => X end.
-(** Of an impact at a phase in F: where, with (1 - g)/g'^2 by the bend, or g itself away from the touch; and minus
-  the derivative of the phase. *)
+(** Of an impact at a phase in F: where, with (1 - g)/g'^2 by the bend, or g itself away from the touch; and
+  minus the derivative of the phase. *)
 Definition placeI (N S F : itv) : itv := minus (Sg D) (meet
   (times (times N (times (times S half) (times S half))) (times half (inverse (bendI (hull zero F)))))
   (times (minus unit (gI F)) (inverse N))).

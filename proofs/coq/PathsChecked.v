@@ -1,8 +1,7 @@
 (** * Whatever certificate the check takes, every path of it is exactly one motion *)
 
 From Coq Require Import Reals QArith Qreals ZArith Lra Lia Bool List.
-From Grazing Require Import ChaosInterval ChaosFunctions PathsCheck PathsFlow PathsLegs PathsGaps
-  StatementPaths Paths.
+From Grazing Require Import ChaosInterval ChaosFunctions PathsCheck PathsFlow PathsLegs PathsGaps StatementPaths Paths.
 Open Scope R_scope.
 
 Lemma less_lt p q : less p q = true -> Q2R p < Q2R q.
@@ -12,28 +11,22 @@ Proof.
 Qed.
 Lemma ordered_le X : ordered X = true -> Q2R (fst X) <= Q2R (snd X).
 Proof. intros H; apply Qle_Rle, Qle_bool_iff, H. Qed.
-Lemma Q2R_0 : Q2R 0 = 0.
-Proof. unfold Q2R; cbn; ring. Qed.
-Lemma Q2R_1 : Q2R 1 = 1.
-Proof. unfold Q2R; cbn; field. Qed.
+Lemma Q2R_0 : Q2R 0 = 0. Proof. unfold Q2R; cbn; ring. Qed.
+Lemma Q2R_1 : Q2R 1 = 1. Proof. unfold Q2R; cbn; field. Qed.
 
 (** Some number bounds all sizes of boxes over their weights. *)
 Lemma spread_over {A : Type} (f a : A -> R) L : (forall m, In m L -> 0 < a m) ->
   exists B, 0 <= B /\ forall m, In m L -> f m <= a m * B.
 Proof.
   induction L as [|m L IH]; intros H; [exists 0; split; [lra | intros m []]|].
-  destruct IH as (B & HB & F); [intros; apply H; right; assumption|]; pose proof (H m (or_introl eq_refl)) as
-    P.
+  destruct IH as (B & HB & F); [intros; apply H; right; assumption|]; pose proof (H m (or_introl eq_refl)) as P.
   exists (Rmax B (Rabs (f m) / a m)); split; [apply (Rle_trans _ _ _ HB), Rmax_l|]; intros x [<-|Hx].
   - apply (Rle_trans _ (a m * (Rabs (f m) / a m))); [|apply Rmult_le_compat_l; [lra | apply Rmax_r]].
     replace (a m * (Rabs (f m) / a m)) with (Rabs (f m)) by (field; lra); apply Rle_abs.
   - apply (Rle_trans _ _ _ (F x Hx)), Rmult_le_compat_l; [left; apply H; right; exact Hx | apply Rmax_l].
 Qed.
-
 Lemma followers_in X l l' : follows X l l' -> In l' (followers (Certificate.letters X) l).
-Proof.
-  intros (v & Hv & E); apply in_flat_map; exists v; split; [exact Hv|]; rewrite E; left; reflexivity.
-Qed.
+Proof. intros (v & Hv & E); apply in_flat_map; exists v; split; [exact Hv|]; rewrite E; left; reflexivity. Qed.
 
 (** ** A cell that passes *)
 
@@ -52,8 +45,8 @@ Proof.
   pose proof HC as H; apply andb_prop in H; destruct H as [A B].
   destruct (wall_facts D M w kappa HD Hnu Hg A) as (G & T & PW); repeat split; trivial; try apply G.
   all: apply (proj1 (forallb_forall _ _)) with (x := v) in B;
-    [|apply in_seq; assert (v < length L)%nat by (apply nth_error_Some; congruence); lia];
-    unfold letter_in_cell in B; rewrite H in B; apply andb_prop in B; destruct B as [B B'].
+    [|apply in_seq; assert (v < length L)%nat by (apply nth_error_Some; congruence); lia]; unfold letter_in_cell in B;
+    rewrite H in B; apply andb_prop in B; destruct B as [B B'].
   - exact B.
   - exact (proj1 (forallb_forall _ _) B').
 Qed.
@@ -62,15 +55,12 @@ Let HG := proj1 cell_facts.
 
 Lemma before_in m v : In m L -> In v (Letter.next m) -> In m (before_it L v).
 Proof.
-  intros Hm Hv; apply filter_In; split; [exact Hm|]; apply existsb_exists; exists v; split; [exact Hv |
-    apply Nat.eqb_refl].
+  intros Hm Hv; apply filter_In; split; [exact Hm|]; apply existsb_exists; exists v; split;
+    [exact Hv | apply Nat.eqb_refl].
 Qed.
-
-Lemma leg_checked m v n k s s' : In m L -> In v (Letter.next m) -> nth_error L v = Some n ->
-  In k (followers L n) ->
-  s_lo (Machine.tau M) m n <= s <= s_hi (Machine.tau M) m n -> s_lo (Machine.tau M) n k <= s' <= s_hi
-    (Machine.tau M) n k ->
-  leg_holds M w kappa m n k s s'.
+Lemma leg_checked m v n k s s' : In m L -> In v (Letter.next m) -> nth_error L v = Some n -> In k (followers L n) ->
+  s_lo (Machine.tau M) m n <= s <= s_hi (Machine.tau M) m n -> s_lo (Machine.tau M) n k <= s' <= s_hi (Machine.tau M) n
+  k -> leg_holds M w kappa m n k s s'.
 Proof.
   intros Hm Hv Hn Hk Hs Hs'; pose proof cell_facts as (_ & _ & _ & F); destruct (F v n Hn) as [_ B].
   pose proof (before_in m v Hm Hv) as Hb.
@@ -81,10 +71,10 @@ Proof.
 Qed.
 End Cell.
 
-Lemma checked_path X M l : check X = true -> covers X M -> path X l -> let W := Q2R (Certificate.window X) in
+Lemma checked_path X M l : check X = true -> covers X M -> leg_path X l -> let W := Q2R (Certificate.window X) in
   (exists spread, chain M W (Q2R (Certificate.contraction X)) spread l) /\ open_gaps M W l.
 Proof.
-  intros HX (HC & HK & HT & HV & HSg & Hnu & HH & Hg) HP W; unfold check in HX.
+  intros HX [HC HK HT HV HSg Hnu HH Hg Hg1] HP W; unfold check in HX.
   destruct (Certificate.cells X) as [[[nc nk] nt] nn]; set (L := Certificate.letters X) in *.
   rewrite !andb_true_iff in HX; destruct HX as [[[K0 K1] KL] HX].
   destruct (cut_one _ _ _ _ HX (mem_ranging _ _ HC)) as (IC & HX1 & MC).
@@ -95,20 +85,17 @@ Proof.
   match type of HX4 with cell_ok ?D _ _ = _ => set (D0 := D) in *; assert (HD : in_cell D0 M W kappa) end.
   { constructor; unfold D0; cbn; trivial; [rewrite HSg; apply side_mem | apply mem_fraction | apply mem_fraction |
       apply rangings_mem, HH]. }
-  clearbody D0; destruct (cell_facts D0 L IN M W kappa HD Hnu Hg HX4) as (HG & Htau & HW & HF).
+  clearbody D0; destruct (cell_facts D0 L IN M W kappa HD Hnu (conj Hg Hg1) HX4) as (HG & Htau & HW & HF).
   assert (LO : forall m, In m L -> letter_ok L m = true) by (apply forallb_forall, KL).
   assert (LF : forall m, In m L -> Q2R (fst (Letter.after m)) <= Q2R (snd (Letter.after m)) /\
-    Q2R (fst (Letter.before m)) <= Q2R (snd (Letter.before m)) /\ 0 < alpha m /\ 0 < beta m /\
-    forall n, In n (followers L m) -> Q2R (snd (Letter.before m)) < Q2R (fst (Letter.after n))).
+    Q2R (fst (Letter.before m)) <= Q2R (snd (Letter.before m)) /\ 0 < alpha m /\ 0 < beta m /\ forall n,
+    In n (followers L m) -> Q2R (snd (Letter.before m)) < Q2R (fst (Letter.after n))).
   { intros m Hm; specialize (LO m Hm); unfold letter_ok in LO; rewrite !andb_true_iff in LO.
     destruct LO as [[[[A1 A2] A3] A4] A5]; apply less_lt in A3, A4; rewrite Q2R_0 in A3, A4.
-    repeat split; auto using ordered_le; intros n Hn; apply less_lt; exact (proj1 (forallb_forall _ _) A5 n
-      Hn). }
-  destruct (spread_over (fun m => Q2R (snd (Letter.after m)) - Q2R (fst (Letter.after m))) alpha L) as (B1
-    & P1 & S1);
+    repeat split; auto using ordered_le; intros n Hn; apply less_lt; exact (proj1 (forallb_forall _ _) A5 n Hn). }
+  destruct (spread_over (fun m => Q2R (snd (Letter.after m)) - Q2R (fst (Letter.after m))) alpha L) as (B1 & P1 & S1);
     [intros m Hm; apply (LF m Hm)|].
-  destruct (spread_over (fun m => Q2R (snd (Letter.before m)) - Q2R (fst (Letter.before m))) beta L) as (B2
-    & P2 & S2);
+  destruct (spread_over (fun m => Q2R (snd (Letter.before m)) - Q2R (fst (Letter.before m))) beta L) as (B2 & P2 & S2);
     [intros m Hm; apply (LF m Hm)|].
   assert (HI : forall i, In (l i) L) by (intros i; apply HP).
   assert (HJ : forall i, In (l (i + 1)%Z) (followers L (l i))) by (intros i; apply followers_in, HP).
@@ -121,19 +108,16 @@ Proof.
     - apply Qle_bool_iff, Qle_Rle in K0; apply less_lt in K1; rewrite Q2R_0 in K0; rewrite Q2R_1 in K1.
       split; assumption.
     - lra.
-    - intros i; destruct (LF (l i) (HI i)) as (A & B & C & D & _); pose proof (S1 _ (HI i));
-        pose proof (S2 _ (HI i)).
+    - intros i; destruct (LF (l i) (HI i)) as (A & B & C & D & _); pose proof (S1 _ (HI i)); pose proof (S2 _ (HI i)).
       repeat split; trivial; nra.
     - intros i; apply (LF _ (HI (i - 1)%Z)), HJ'.
     - intros i s s' tau Hs Hs'; destruct (HV' i) as (v & V1 & V2).
-      apply (leg_checked D0 L IN M W kappa HD MN Hnu Hg HX4 _ v); trivial. }
+      apply (leg_checked D0 L IN M W kappa HD MN Hnu (conj Hg Hg1) HX4 _ v); trivial. }
   split; [exists (B1 + B2); exact HCh|]; intros i s s' a tau Hs Hs' Ha phi x last Hv Hx Hv'.
   pose proof (chain_legs _ _ _ _ _ HCh i s s' Hs Hs') as (L1 & L2 & _).
   destruct (HV' i) as (v & V1 & V2); destruct (HF v _ V2) as [G _].
-  pose proof (mem_all_sI D0 _ _ _ s (before_in L _ v (HI (i - 1)%Z) V1) (mem_sI D0 M W kappa HD _ _ _ Hs)) as
-    MS.
-  pose proof (mem_sI D0 M W kappa HD _ _ _ Hs') as MS'.
-  pose proof (in_W _ _ _ _ HD) as HW'.
+  pose proof (mem_all_sI D0 _ _ _ s (before_in L _ v (HI (i - 1)%Z) V1) (mem_sI D0 M W kappa HD _ _ _ Hs)) as MS.
+  pose proof (mem_sI D0 M W kappa HD _ _ _ Hs') as MS'. pose proof (in_W _ _ _ _ HD) as HW'.
   apply (gap_positive D0 M W kappa _ IN (ranging (Letter.after (l i))) (PathsCheck.W D0) (PathsCheck.W D0)
     (phaseI D0 IN (sI D0 (l i) (l (i + 1)%Z))) (impactI D0 IN (all_sI D0 (before_it L v) (l i)))
     (map (fun k => phaseI D0 IN (sI D0 (l i) k)) (followers L (l i))) s s' a W W); trivial.
@@ -144,7 +128,6 @@ Proof.
   - split; [exact HW' | lra].
   - split; [exact HW' | lra].
 Qed.
-
 Theorem Paths : Paths_statement check.
 Proof.
   intros X M l N HX HM HP HN W; destruct (checked_path X M l HX HM HP) as [[spread HC] HO].

@@ -17,38 +17,36 @@ Notation g1 := (g1 M).
 
 (** ** The wall: its bend g'', with the other sign; periods *)
 
-Definition bend (t : R) : R := total (fun '(j, (a, b)) => IZR (Z.pos j * Z.pos j) *
+Definition bend (t : R) : R := over_harmonics (fun '(j, (a, b)) => IZR (Z.pos j * Z.pos j) *
   (a * cos (IZR (Z.pos j) * t) + b * sin (IZR (Z.pos j) * t))) (Machine.harmonics M).
 
-Lemma total_ext f f' H : (forall h, f h = f' h) -> total f H = total f' H.
-Proof. intros E; induction H as [|h H IH]; cbn [total]; congruence. Qed.
+Lemma total_ext f f' H : (forall h, f h = f' h) -> over_harmonics f H = over_harmonics f' H.
+Proof. intros E; induction H as [|h H IH]; cbn [over_harmonics]; congruence. Qed.
 
-Ltac by_harmonic := induction (Machine.harmonics _) as [|(j & a & b) H IH]; cbn [total];
+Ltac by_harmonic := induction (Machine.harmonics _) as [|(j & a & b) H IH]; cbn [over_harmonics];
   [apply D_const | apply D_plus; [rewrite ?mult_IZR; derive_by fail; rewrite ?mult_IZR; ring | exact IH]].
 Lemma D_g t : derivable_pt_lim g t (g1 t).
 Proof. unfold StatementPaths.g, StatementPaths.g1; by_harmonic. Qed.
 Lemma D_g1 t : derivable_pt_lim g1 t (- bend t).
 Proof.
-  apply (D_value _ _ (total (fun '(j, (a, b)) => - (IZR (Z.pos j * Z.pos j) *
-    (a * cos (IZR (Z.pos j) * t) + b * sin (IZR (Z.pos j) * t)))) (Machine.harmonics M))).
+  apply (D_value _ _ (over_harmonics (fun '(j, (a, b)) =>
+    - (IZR (Z.pos j * Z.pos j) * (a * cos (IZR (Z.pos j) * t) + b * sin (IZR (Z.pos j) * t)))) (Machine.harmonics M))).
   - unfold StatementPaths.g1; by_harmonic.
-  - unfold bend; induction (Machine.harmonics M) as [|(j & a & b) H IH]; cbn [total]; [ring | rewrite IH;
-      ring].
+  - unfold bend; induction (Machine.harmonics M) as [|(j & a & b) H IH]; cbn [over_harmonics];
+      [ring | rewrite IH; ring].
 Qed.
 Lemma bend_continuous t : continuity_pt bend t.
 Proof.
-  apply (D_continuous _ (total (fun '(j, (a, b)) => IZR (Z.pos j * Z.pos j) * IZR (Z.pos j) *
-    (b * cos (IZR (Z.pos j) * t) - a * sin (IZR (Z.pos j) * t))) (Machine.harmonics M))); unfold bend;
-      by_harmonic.
+  apply (D_continuous _ (over_harmonics (fun '(j, (a, b)) => IZR (Z.pos j * Z.pos j) * IZR (Z.pos j)
+    * (b * cos (IZR (Z.pos j) * t) - a * sin (IZR (Z.pos j) * t))) (Machine.harmonics M))); unfold bend; by_harmonic.
 Qed.
-
 Lemma turned z x : cos (2 * PI * IZR z + x) = cos x /\ sin (2 * PI * IZR z + x) = sin x.
 Proof. rewrite Rplus_comm, cos_periods, sin_periods; auto. Qed.
 Lemma g_turned z x : g (2 * PI * IZR z + x) = g x /\ g1 (2 * PI * IZR z + x) = g1 x.
 Proof.
-  split; apply total_ext; intros (j & a & b);
-    replace (IZR (Z.pos j) * (2 * PI * IZR z + x)) with (2 * PI * IZR (Z.pos j * z) + IZR (Z.pos j) * x)
-    by (rewrite mult_IZR; ring); destruct (turned (Z.pos j * z) (IZR (Z.pos j) * x)) as [-> ->]; reflexivity.
+  split; apply total_ext; intros (j & a & b); replace (IZR (Z.pos j) * (2 * PI * IZR z + x))
+    with (2 * PI * IZR (Z.pos j * z) + IZR (Z.pos j) * x) by (rewrite mult_IZR; ring);
+    destruct (turned (Z.pos j * z) (IZR (Z.pos j) * x)) as [-> ->]; reflexivity.
 Qed.
 
 (** ** The phase in the window at which the wall is so fast *)
@@ -70,7 +68,6 @@ Proof.
 Qed.
 Lemma g1_order t t' : - w <= t <= w -> - w <= t' <= w -> g1 t' <= g1 t -> t <= t'.
 Proof. intros Ht Ht' H; apply Rnot_lt_le; intros L; pose proof (g1_decreases t' t Ht' Ht L); lra. Qed.
-
 Lemma phase_is s t : lies w s t -> phase w s = t.
 Proof.
   intros H; apply the_spec; [exact H|]; intros y [Hy E]; destruct H as [Ht E'].
@@ -83,10 +80,8 @@ Proof.
   destruct (IVT_cor (fun t => nu * s * (1 / 2) - g1 t) a b) as (t & Ht & E); trivial; [|nra|].
   { intros x; apply (D_continuous _ (bend x)); apply (D_value _ _ (0 - - bend x)); [|ring].
     apply D_minus; [apply D_const | apply D_g1]. }
-  assert (P : lies w s t) by (split; lra).
-  rewrite (phase_is s t P); auto.
+  assert (P : lies w s t) by (split; lra). rewrite (phase_is s t P); auto.
 Qed.
-
 Lemma lands_lies s : lands w s -> lies w s (phase w s).
 Proof. intros [H E]; apply Rabs_def2 in H; split; lra. Qed.
 Lemma lands_is s t : Rabs t < w -> g1 t = nu * s * (1 / 2) -> phase w s = t /\ lands w s.
@@ -94,7 +89,6 @@ Proof.
   intros H E; assert (P : phase w s = t) by (apply phase_is; apply Rabs_def2 in H; split; lra).
   unfold lands; rewrite P; auto.
 Qed.
-
 Lemma phase_near s e : 0 < nu -> 0 < e -> lands w s -> exists d, 0 < d /\ forall s', Rabs (s' - s) < d ->
   lands w s' /\ Rabs (phase w s' - phase w s) < e.
 Proof.
@@ -109,19 +103,15 @@ Proof.
   destruct (phase_between s' (t - r) (t + r)) as [[_ E'] F]; [lra | lra | split; nra | lra | lra|].
   split; [split; [apply Rabs_def1; lra | exact E'] | apply Rabs_def1; lra].
 Qed.
-
-Lemma D_phase_at s : 0 < nu -> lands w s ->
-  derivable_pt_lim (phase w) s (- (nu / 2) / bend (phase w s)).
+Lemma D_phase_at s : 0 < nu -> lands w s -> derivable_pt_lim (phase w) s (- (nu / 2) / bend (phase w s)).
 Proof.
   intros Hnu L; set (t := phase w s); pose proof (lands_lies s L) as [Ht E]; fold t in Ht, E.
   pose proof (Hb t Ht) as Pb.
   assert (Cb : continuity_pt (fun x => - (nu / 2) / bend x) t).
-  { apply (continuity_pt_div (fun _ => - (nu / 2)) bend); [apply continuity_pt_const; intros x y;
-    reflexivity |
+  { apply (continuity_pt_div (fun _ => - (nu / 2)) bend); [apply continuity_pt_const; intros x y; reflexivity |
       apply bend_continuous | lra]. }
   intros eps Heps; destruct (continuous_near _ t (eps / 2) Cb ltac:(lra)) as (e & He & Hc).
-  destruct (phase_near s e Hnu He L) as (d & Hd & N); exists (mkposreal d Hd); intros h Hh Hhd;
-    cbn [pos] in Hhd.
+  destruct (phase_near s e Hnu He L) as (d & Hd & N); exists (mkposreal d Hd); intros h Hh Hhd; cbn [pos] in Hhd.
   destruct (N (s + h)) as [L' F]; [replace (s + h - s) with h by ring; exact Hhd|]; fold t in F |- *.
   pose proof (lands_lies _ L') as [Ht' E']; set (t' := phase w (s + h)) in *.
   assert (X : exists x, g1 t' - g1 t = - bend x * (t' - t) /\ Rabs (x - t) < e /\ - w <= x <= w).
@@ -135,10 +125,8 @@ Proof.
   replace ((t' - t) / h) with (- (nu / 2) / bend x); [specialize (Hc x (Rlt_le _ _ Hx)); lra|].
   assert (Eh : nu * h * (1 / 2) = - bend x * (t' - t)) by lra.
   apply (Rmult_eq_reg_r (bend x * h)); [|apply Rmult_integral_contrapositive_currified; lra].
-  replace (- (nu / 2) / bend x * (bend x * h)) with (- (nu * h * (1 / 2))) by (field; lra); rewrite Eh;
-    field; exact Hh.
+  replace (- (nu / 2) / bend x * (bend x * h)) with (- (nu * h * (1 / 2))) by (field; lra); rewrite Eh; field; exact Hh.
 Qed.
-
 Lemma D_phase f x l : 0 < nu -> lands w (f x) -> derivable_pt_lim f x l ->
   derivable_pt_lim (fun y => phase w (f y)) x (- (nu / 2) / bend (phase w (f x)) * l).
 Proof. intros Hnu L D; exact (D_of f (phase w) _ _ _ D (D_phase_at _ Hnu L)). Qed.
@@ -148,8 +136,7 @@ Hypothesis G0 : g 0 = 1 /\ g1 0 = 0.
 
 Lemma drop t : - w <= t <= w -> exists x, Rmin 0 t <= x <= Rmax 0 t /\ (1 - g t) * (2 * bend x) = g1 t * g1 t.
 Proof.
-  destruct G0 as [Ga Gb]; intros Ht.
-  set (h := fun u => (1 - g u) * (g1 t * g1 t) - (1 - g t) * (g1 u * g1 u)).
+  destruct G0 as [Ga Gb]; intros Ht. set (h := fun u => (1 - g u) * (g1 t * g1 t) - (1 - g t) * (g1 u * g1 u)).
   set (h' := fun u => - g1 u * (g1 t * g1 t) + (1 - g t) * (2 * g1 u * bend u)).
   assert (D : forall u, derivable_pt_lim h u (h' u)).
   { intros u; unfold h; derive_by ltac:(first [apply D_g | apply D_g1]); unfold h'; ring. }
@@ -215,22 +202,17 @@ Lemma moved_scaled a t0 x u t : moved t0 (a * x) (a * u) t = a * moved t0 x u t 
 Proof. unfold moved, moving, Flow.moved, Flow.moving; split; ring. Qed.
 Lemma moved_shifted T t0 x u t : moved (T + t0) x u t = moved t0 x u (t - T) /\
   moving (T + t0) x u t = moving t0 x u (t - T).
-Proof.
-  unfold moved, moving, Flow.moved, Flow.moving; replace (t - (T + t0)) with (t - T - t0) by ring; auto.
-Qed.
+Proof. unfold moved, moving, Flow.moved, Flow.moving; replace (t - (T + t0)) with (t - T - t0) by ring; auto. Qed.
 
 Hypothesis Hf : 0 < k - c * c * (1 / 4).
 
-Lemma frequency_pos : 0 < frequency.
-Proof. apply sqrt_lt_R0, Hf. Qed.
-
+Lemma frequency_pos : 0 < frequency. Proof. apply sqrt_lt_R0, Hf. Qed.
 Lemma E_flow : Flow.flow c k E12 E22.
 Proof.
   pose proof frequency_pos as H; pose proof (sqrt_sqrt _ (Rlt_le _ _ Hf) : frequency * frequency = _) as E.
   pose proof (Flow.damped c _ _ _ (Flow.undamped_circular frequency ltac:(lra))) as F.
   replace (c * c / 4 + frequency * frequency) with k in F by lra; exact F.
 Qed.
-
 Lemma moved_free t0 x u : free c k (moved t0 x u) (moving t0 x u).
 Proof. apply (Flow.moved_free _ _ _ _ E_flow). Qed.
 Lemma moved_start t0 x u : moved t0 x u t0 = x /\ moving t0 x u t0 = u.
@@ -246,29 +228,22 @@ Hypothesis Ht' : derivable_pt_lim t' x l'.
 Hypothesis HE : E12 (time n (t x) (t' x)) <> 0.
 
 Lemma D_place f m : derivable_pt_lim f x m -> derivable_pt_lim (fun y => place (f y)) x (g1 (f x) / nu * m).
-Proof.
-  intros Hm; unfold place, Rdiv; derive_by ltac:(exact (D_of _ g _ _ _ Hm (D_g M _))); field; exact Hnu.
-Qed.
-
+Proof. intros Hm; unfold place, Rdiv; derive_by ltac:(exact (D_of _ g _ _ _ Hm (D_g M _))); field; exact Hnu. Qed.
 Lemma D_time : derivable_pt_lim (fun y => time n (t y) (t' y)) x (l' - l).
 Proof. unfold time; derive_by ltac:(first [exact Ht | exact Ht']); ring. Qed.
-
 Lemma D_flow f m : (forall T, derivable_pt_lim f T (m T)) ->
   derivable_pt_lim (fun y => f (time n (t y) (t' y))) x (m (time n (t x) (t' x)) * (l' - l)).
 Proof. intros H; apply (D_of _ f _ _ _ D_time (H _)). Qed.
-
 Lemma D_after : derivable_pt_lim (fun y => after n (t y) (t' y)) x (after_slope n (t x) (t' x) l l').
 Proof.
   unfold after; eapply D_ext.
-  - apply (D_over (fun y => place (t' y) - E11 (time n (t y) (t' y)) * place (t y))
-      (fun y => E12 (time n (t y) (t' y)))); [exact HE| |apply D_flow, (Flow.D_S _ _ _ _ E_flow)].
+  - apply (D_over (fun y => place (t' y) - E11 (time n (t y) (t' y)) * place (t y)) (fun y =>
+      E12 (time n (t y) (t' y)))); [exact HE| |apply D_flow, (Flow.D_S _ _ _ _ E_flow)].
     apply D_minus; [apply D_place, Ht'|].
     apply D_times; [apply D_flow, (Flow.D_e11 _ _ _ _ E_flow) | apply D_place, Ht].
   - reflexivity.
-  - unfold after_slope, before, after, E21; cbn beta.
-    set (T := time _ _ _) in *; field; split; assumption.
+  - unfold after_slope, before, after, E21; cbn beta. set (T := time _ _ _) in *; field; split; assumption.
 Qed.
-
 Lemma D_before : derivable_pt_lim (fun y => before n (t y) (t' y)) x (before_slope n (t x) (t' x) l l').
 Proof.
   unfold before; eapply D_ext.

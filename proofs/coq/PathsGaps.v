@@ -8,7 +8,6 @@ Open Scope R_scope.
 
 Lemma between x a b c d : c <= a <= d -> c <= b <= d -> 0 <= x <= 1 -> c <= b + x * (a - b) <= d.
 Proof. intros; split; nra. Qed.
-
 Lemma sum_bound x x' l l' w w' d B : Rabs l <= w * d -> Rabs l' <= w' * d -> 0 <= d ->
   Rabs x * w + Rabs x' * w' <= B -> Rabs (- (x * l + x' * l')) <= B * d.
 Proof.
@@ -27,12 +26,10 @@ Hypothesis HG : good M w.
 Hypothesis HL : forall s s', s_lo tau m n <= s <= s_hi tau m n -> s_lo tau n k <= s' <= s_hi tau n k ->
   leg_holds M w kappa m n k s s'.
 
-Lemma leg_lipschitz s1 s1' s2 s2' d : s_lo tau m n <= s1 <= s_hi tau m n ->
-  s_lo tau m n <= s2 <= s_hi tau m n ->
-  s_lo tau n k <= s1' <= s_hi tau n k -> s_lo tau n k <= s2' <= s_hi tau n k -> 0 <= d ->
-  Rabs (s1 - s2) <= weight tau m n * d -> Rabs (s1' - s2') <= weight tau n k * d ->
-  Rabs (after M j (ph s1) (ph s1') - after M j (ph s2) (ph s2')) <= kappa * alpha n * d /\
-  Rabs (before M j (ph s1) (ph s1') - before M j (ph s2) (ph s2')) <= kappa * beta n * d.
+Lemma leg_lipschitz s1 s1' s2 s2' d : s_lo tau m n <= s1 <= s_hi tau m n -> s_lo tau m n <= s2 <= s_hi tau m n ->
+  s_lo tau n k <= s1' <= s_hi tau n k -> s_lo tau n k <= s2' <= s_hi tau n k -> 0 <= d -> Rabs (s1 - s2) <= weight tau m
+  n * d -> Rabs (s1' - s2') <= weight tau n k * d -> Rabs (after M j (ph s1) (ph s1') - after M j (ph s2) (ph s2'))
+  <= kappa * alpha n * d /\ Rabs (before M j (ph s1) (ph s1') - before M j (ph s2) (ph s2')) <= kappa * beta n * d.
 Proof.
   intros H1 H2 H1' H2' Hd Hl Hl'; pose proof (good_nu _ _ HG) as Hnu.
   set (c := fun x => s2 + x * (s1 - s2)); set (c' := fun x => s2' + x * (s1' - s2')).
@@ -42,29 +39,27 @@ Proof.
   { intros x; split; [unfold c | unfold c']; derive_by fail; ring. }
   set (r := fun x => - (nu / 2) / bend M (ph (c x)) * (s1 - s2)).
   set (r' := fun x => - (nu / 2) / bend M (ph (c' x)) * (s1' - s2')).
-  assert (Dt : forall x, 0 <= x <= 1 -> derivable_pt_lim (fun y => ph (c y)) x (r x) /\
-    derivable_pt_lim (fun y => ph (c' y)) x (r' x) /\ E12 M (time j (ph (c x)) (ph (c' x))) <> 0).
+  assert (Dt : forall x, 0 <= x <= 1 -> derivable_pt_lim (fun y => ph (c y)) x (r x) /\ derivable_pt_lim (fun y =>
+    ph (c' y)) x (r' x) /\ E12 M (time j (ph (c x)) (ph (c' x))) <> 0).
   { intros x Hx; destruct (Hleg x Hx) as (L & L' & P & _); destruct (Dc x) as [A A'].
     split; [|split; [|exact P]]; apply D_phase; trivial; apply HG. }
   assert (E1 : c 1 = s1 /\ c' 1 = s1') by (unfold c, c'; lra).
   assert (E0 : c 0 = s2 /\ c' 0 = s2') by (unfold c, c'; lra).
   destruct E1 as [E1 E1'], E0 as [E0 E0']; pose proof (good_f _ _ HG) as Hf; split.
-  - destruct (MVT_cor2 (fun x => after M j (ph (c x)) (ph (c' x)))
-      (fun x => after_slope M j (ph (c x)) (ph (c' x)) (r x) (r' x)) 0 1 Rlt_0_1) as (x & E & Hx).
-    { intros x Hx; destruct (Dt x Hx) as (A & A' & P);
-      apply (D_after M Hf j (fun y => ph (c y)) (fun y => ph (c' y))); trivial; lra. }
+  - destruct (MVT_cor2 (fun x => after M j (ph (c x)) (ph (c' x))) (fun x => after_slope M j (ph (c x)) (ph (c' x))
+      (r x) (r' x)) 0 1 Rlt_0_1) as (x & E & Hx).
+    { intros x Hx; destruct (Dt x Hx) as (A & A' & P); apply (D_after M Hf j (fun y => ph (c y)) (fun y => ph (c' y)));
+        trivial; lra. }
     cbn beta in E; rewrite E1, E1', E0, E0', Rminus_0_r, Rmult_1_r in E; rewrite E.
     destruct (Hleg x ltac:(lra)) as (_ & _ & _ & _ & _ & x1 & x1' & y1 & y1' & S & B & _).
-    unfold r, r'; destruct (S (s1 - s2) (s1' - s2')) as [-> _].
-    apply (sum_bound _ _ _ _ _ _ _ _ Hl Hl' Hd B).
-  - destruct (MVT_cor2 (fun x => before M j (ph (c x)) (ph (c' x)))
-      (fun x => before_slope M j (ph (c x)) (ph (c' x)) (r x) (r' x)) 0 1 Rlt_0_1) as (x & E & Hx).
-    { intros x Hx; destruct (Dt x Hx) as (A & A' & P);
-      apply (D_before M Hf j (fun y => ph (c y)) (fun y => ph (c' y))); trivial; lra. }
+    unfold r, r'; destruct (S (s1 - s2) (s1' - s2')) as [-> _]. apply (sum_bound _ _ _ _ _ _ _ _ Hl Hl' Hd B).
+  - destruct (MVT_cor2 (fun x => before M j (ph (c x)) (ph (c' x))) (fun x => before_slope M j (ph (c x)) (ph (c' x))
+      (r x) (r' x)) 0 1 Rlt_0_1) as (x & E & Hx).
+    { intros x Hx; destruct (Dt x Hx) as (A & A' & P); apply (D_before M Hf j (fun y => ph (c y)) (fun y => ph (c' y)));
+        trivial; lra. }
     cbn beta in E; rewrite E1, E1', E0, E0', Rminus_0_r, Rmult_1_r in E; rewrite E.
     destruct (Hleg x ltac:(lra)) as (_ & _ & _ & _ & _ & x1 & x1' & y1 & y1' & S & _ & B).
-    unfold r, r'; destruct (S (s1 - s2) (s1' - s2')) as [_ ->].
-    apply (sum_bound _ _ _ _ _ _ _ _ Hl Hl' Hd B).
+    unfold r, r'; destruct (S (s1 - s2) (s1' - s2')) as [_ ->]. apply (sum_bound _ _ _ _ _ _ _ _ Hl Hl' Hd B).
 Qed.
 End Lipschitz.
 
@@ -81,11 +76,9 @@ Lemma D_gap M phi q a t : 0 < Machine.k M - Machine.c M * Machine.c M * (1 / 4) 
 Proof.
   intros Hf; destruct (moved_free M Hf phi q a t) as [H1 H2]; split.
   - unfold gap; derive_by ltac:(first [exact H1 | apply D_g]); ring.
-  - eapply D_value; [apply D_plus; [eapply (D_ext (fun y => -1 * g1 M y)); [apply D_scale, D_g1 | intros;
-      ring |
+  - eapply D_value; [apply D_plus; [eapply (D_ext (fun y => -1 * g1 M y)); [apply D_scale, D_g1 | intros; ring |
       reflexivity] | apply D_scale, H2]|]; unfold gap_bend; ring.
 Qed.
-
 Lemma windows_all f n z : windows f n z = true -> forall i, (z <= i < z + Z.of_nat n)%Z -> f i = true.
 Proof.
   revert z; induction n as [|n IH]; intros z H i Hi; [lia|]; cbn [windows] in H; apply andb_prop in H;
@@ -98,8 +91,8 @@ Lemma last_turn w t : exists j, 2 * PI * IZR j - w <= t < 2 * PI * IZR (j + 1) -
 Proof.
   pose proof PI_RGT_0; destruct (archimed ((t + w) / (2 * PI))) as [A B];
     exists (Rdefinitions.up ((t + w) / (2 * PI)) - 1)%Z.
-  replace (Rdefinitions.up ((t + w) / (2 * PI)) - 1 + 1)%Z with (Rdefinitions.up ((t + w) / (2 * PI))) by
-    lia; rewrite minus_IZR.
+  replace (Rdefinitions.up ((t + w) / (2 * PI)) - 1 + 1)%Z with (Rdefinitions.up ((t + w) / (2 * PI))) by lia;
+    rewrite minus_IZR.
   set (u := IZR (Rdefinitions.up _)) in *; set (x := (t + w) / (2 * PI)) in *.
   assert (E : t + w = 2 * PI * x) by (unfold x; field; lra); split; nra.
 Qed.
@@ -127,15 +120,14 @@ Hypothesis Hv : s / 2 <= a.
 Hypothesis Hx : moved M phi x a last = place M phi'.
 Hypothesis Hv' : moving M phi x a last <= s' / 2.
 
-Lemma mem_flight Q B q b J tau : mem Q q -> mem B b -> mem J tau ->
-  mem (fst (flightI D Q B J)) (E11 M tau * q + E12 M tau * b) /\
-  mem (snd (flightI D Q B J)) (E21 M tau * q + E22 M tau * b).
+Lemma mem_flight Q B q b J tau : mem Q q -> mem B b -> mem J tau -> mem (fst (flightI D Q B J))
+  (E11 M tau * q + E12 M tau * b) /\ mem (snd (flightI D Q B J)) (E21 M tau * q + E22 M tau * b).
 Proof.
   intros HQ Hb HJ; unfold flightI; cbv zeta; cbn [fst snd].
   destruct (flow_numbers M w HG tau) as (_ & _ & -> & E_12 & -> & ->); rewrite E_12.
   pose proof (mem_frequency D M w kappa HD); pose proof (in_C _ _ _ _ HD); pose proof (in_K _ _ _ _ HD).
-  split; [|match goal with |- mem (minus ?I (times ?K ?J)) (- ?k * ?e * q + ?y) =>
-    replace (- k * e * q + y) with (y - k * (e * q)) by ring end]; encl.
+  split; [|match goal with |- mem (minus ?I (times ?K ?J)) (- ?k * ?e * q + ?y) => replace (- k * e * q + y)
+    with (y - k * (e * q)) by ring end]; encl.
 Qed.
 
 Let F := phase_at I.
@@ -158,8 +150,7 @@ Proof.
   pose proof (mem_gI _ _ _ _ HD _ _ HT); pose proof (in_Sg _ _ _ _ HD); unfold gap; encl.
 Qed.
 (** In a window the wall is below its top. *)
-Lemma high_at t T z : mem T t -> - w <= t - 2 * PI * IZR z <= w -> high_piece D Q A F T = true ->
-  0 < gap M phi x a t.
+Lemma high_at t T z : mem T t -> - w <= t - 2 * PI * IZR z <= w -> high_piece D Q A F T = true -> 0 < gap M phi x a t.
 Proof.
   intros HT Ht B; destruct (mem_flown t T HT) as [HM _]; pose proof (in_Sg _ _ _ _ HD).
   assert (P : 0 < moved M phi x a t - Machine.sigma M) by (apply (positive_lt _ _ B); encl).
@@ -167,24 +158,21 @@ Proof.
   rewrite <- (proj1 (g_turned M z _)) in G; replace (2 * PI * IZR z + (t - 2 * PI * IZR z)) with t in G by ring.
   pose proof (good_nu _ _ HG); unfold gap; nra.
 Qed.
-
 Lemma near_ends t : phi < t < last -> t <= t1 \/ 2 * PI * IZR (Z.pos j) - t2 <= t -> 0 < gap M phi x a t.
 Proof.
   intros Ht E; pose proof (good_f _ _ HG) as Hf; pose proof (good_nu _ _ HG) as Hnu.
   destruct HT1 as [M1 _], HT2 as [M2 _], HF' as ([L' E'] & HP' & In'), (hit_lands _ _ _ _ HI) as [L E0].
   fold phi in L, E0; fold phi' in L', E'.
-  assert (D1 : forall t, derivable_pt_lim (gap M phi x a) t (- g1 M t + nu * moving M phi x a t))
+  assert (D1 : forall t, derivable_pt_lim (gap M phi x a) t (- g1 M t + nu * moving M phi x a t)) by (intros;
+    apply (D_gap _ _ _ _ _ Hf)).
+  assert (D2 : forall t, derivable_pt_lim (fun t => - g1 M t + nu * moving M phi x a t) t (gap_bend M phi x a t))
     by (intros; apply (D_gap _ _ _ _ _ Hf)).
-  assert (D2 : forall t, derivable_pt_lim (fun t => - g1 M t + nu * moving M phi x a t) t (gap_bend M phi x a
-    t)) by (intros; apply (D_gap _ _ _ _ _ Hf)).
-  pose proof HB as B; unfold gap_box in B; cbv zeta in B; rewrite !andb_true_iff in B;
-    destruct B as [[[C1 C2] _] _]; destruct E as [E|E].
-  - destruct (moved_start M Hf phi x a) as [M0 MV].
-    apply (convex_right _ _ _ D1 D2 phi t1); [right | | | lra].
+  pose proof HB as B; unfold gap_box in B; cbv zeta in B; rewrite !andb_true_iff in B; destruct B as [[[C1 C2] _] _];
+    destruct E as [E|E].
+  - destruct (moved_start M Hf phi x a) as [M0 MV]. apply (convex_right _ _ _ D1 D2 phi t1); [right | | | lra].
     + unfold gap; rewrite M0; unfold x, place; field; lra.
     + rewrite MV, E0; nra.
-    + intros y Hy; destruct (cover_one _ _ _ y C1 (mem_join _ _ _ _ _ (hit_phase _ _ _ _ HI) M1 Hy)) as (J & B &
-      HJ).
+    + intros y Hy; destruct (cover_one _ _ _ y C1 (mem_join _ _ _ _ _ (hit_phase _ _ _ _ HI) M1 Hy)) as (J & B & HJ).
       exact (convex_at y J HJ B).
   - assert (EL : g M last = g M phi' /\ g1 M last = g1 M phi') by apply g_turned; destruct EL as [EL EL'].
     apply (convex_left _ _ _ D1 D2 (2 * PI * IZR (Z.pos j) - t2) last); [right | | | lra].
@@ -193,8 +181,8 @@ Proof.
     + intros y Hy; apply (proj1 (forallb_forall _ _)) with (x := F') in C2; [|exact In'].
       pose proof (mem_turns (Z.pos j) ltac:(lia)) as HT; rewrite Z.eqb_refl in C2.
       assert (HJ : mem (join (minus (turns_on (Z.pos j)) T2) (plus (turn j) F')) y).
-      { apply (mem_join _ _ (2 * PI * IZR (Z.pos j) - t2) last); [encl | unfold last; apply mem_plus; [exact HT
-        | exact HP'] | exact Hy]. }
+      { apply (mem_join _ _ (2 * PI * IZR (Z.pos j) - t2) last); [encl | unfold last; apply mem_plus;
+          [exact HT | exact HP'] | exact Hy]. }
       destruct (cover_one _ _ _ y C2 HJ) as (J & B & HJ'); exact (convex_at y J HJ' B).
 Qed.
 
@@ -207,13 +195,12 @@ Proof.
   pose proof (windows_all _ _ _ B i ltac:(rewrite positive_nat_Z; lia)) as C; cbn beta in C.
   destruct HT1 as [M1 _], HT2 as [M2 _]; pose proof (in_W _ _ _ _ HD) as HW.
   pose proof (mem_turns i ltac:(lia)); pose proof (mem_turns (i + 1) ltac:(lia)).
-  assert (HJ : mem (join (if (i =? 0)%Z then T1 else plus (turns_on i) (W D))
-    (minus (turns_on (i + 1)) (if (i + 1 =? Z.pos j)%Z then T2 else W D))) t).
+  assert (HJ : mem (join (if (i =? 0)%Z then T1 else plus (turns_on i) (W D)) (minus (turns_on (i + 1))
+    (if (i + 1 =? Z.pos j)%Z then T2 else W D))) t).
   { apply (mem_join _ _ _ _ _) with (3 := conj L U); [destruct (i =? 0)%Z; encl | destruct (i + 1 =? Z.pos j)%Z;
-    encl]. }
+      encl]. }
   destruct (cover_one _ _ _ t C HJ) as (J & B' & HJ'); exact (open_at t J HJ' B').
 Qed.
-
 Lemma gap_positive : forall t, phi < t < last -> 0 < gap M phi x a t.
 Proof.
   intros t Ht; destruct HT1 as [M1 L1], HT2 as [M2 L2]; pose proof PI_RGT_0 as HPI.
@@ -235,10 +222,8 @@ Proof.
     + destruct (Z.eq_dec z 0) as [->|N0].
       * apply (between_windows 0); [lia | cbn [Z.eqb]; lra|]; rewrite plus_IZR.
         destruct (Z.eqb_spec (0 + 1) (Z.pos j)) as [E|E]; [rewrite <- E, plus_IZR in O2; lra | nra].
-      * pose proof HB as B; unfold gap_box in B; cbv zeta in B; rewrite !andb_true_iff in B; destruct B as [[_
-        C] _].
-        pose proof (windows_all _ _ _ C z ltac:(rewrite Nat2Z.inj_sub, positive_nat_Z by lia; lia)) as B; cbn
-          beta in B.
+      * pose proof HB as B; unfold gap_box in B; cbv zeta in B; rewrite !andb_true_iff in B; destruct B as [[_ C] _].
+        pose proof (windows_all _ _ _ C z ltac:(rewrite Nat2Z.inj_sub, positive_nat_Z by lia; lia)) as B; cbn beta in B.
         destruct (Z.eqb_spec z 0) as [|_]; [lia|]; destruct (Z.eqb_spec z (Z.pos j)) as [|_]; [lia|].
         pose proof (mem_turns z ltac:(lia)); pose proof (in_W _ _ _ _ HD).
         assert (HJ : mem (join (minus (turns_on z) (W D)) (plus (turns_on z) (W D))) t).
@@ -248,7 +233,6 @@ Proof.
         { exact (open_at t J HJ' B'). }
     + apply (between_windows z); [lia | |].
       * destruct (Z.eqb_spec z 0); lra.
-      * rewrite plus_IZR; destruct (Z.eqb_spec (z + 1) (Z.pos j)) as [E|E]; [|lra].
-        rewrite <- E, plus_IZR in O2; lra.
+      * rewrite plus_IZR; destruct (Z.eqb_spec (z + 1) (Z.pos j)) as [E|E]; [|lra]. rewrite <- E, plus_IZR in O2; lra.
 Qed.
 End Gap.

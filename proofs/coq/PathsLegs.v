@@ -4,71 +4,59 @@ From Coq Require Import Reals QArith Qreals ZArith Lra Lia Bool List.
 From Grazing Require Import StatementPaths ChaosInterval ChaosFunctions PathsCheck PathsFlow.
 Open Scope R_scope.
 
-Lemma mem_fraction q : mem (fraction q) (Q2R q).
-Proof. exact (mem_constant _ _). Qed.
-Lemma mem_ranging X x : within X x -> mem (ranging X) x.
+Lemma mem_fraction q : mem (fraction q) (Q2R q). Proof. exact (mem_constant _ _). Qed.
+Lemma mem_ranging X x : in_interval X x -> mem (ranging X) x.
 Proof. intros H; exact (mem_join _ _ _ _ _ (mem_fraction _) (mem_fraction _) H). Qed.
 Lemma mem_integer z : mem (constant z 1) (IZR z).
 Proof. pose proof (mem_constant z 1) as H; unfold Rdiv in H; rewrite Rinv_1, Rmult_1_r in H; exact H. Qed.
-Lemma mem_half : mem half (1 / 2).
-Proof. exact (mem_constant 1 2). Qed.
-Lemma mem_quarter : mem quarter (1 / 4).
-Proof. exact (mem_constant 1 4). Qed.
-Lemma mem_zero : mem zero 0.
-Proof. exact (mem_integer 0). Qed.
-Lemma mem_turn_1 : mem turn_1 (2 * PI).
-Proof. exact (mem_double _ _ mem_pi). Qed.
-Lemma mem_unit : mem unit 1.
-Proof. exact (mem_integer 1). Qed.
+Lemma mem_half : mem half (1 / 2). Proof. exact (mem_constant 1 2). Qed.
+Lemma mem_quarter : mem quarter (1 / 4). Proof. exact (mem_constant 1 4). Qed.
+Lemma mem_zero : mem zero 0. Proof. exact (mem_integer 0). Qed.
+Lemma mem_turn_1 : mem turn_1 (2 * PI). Proof. exact (mem_double _ _ mem_pi). Qed.
+Lemma mem_unit : mem unit 1. Proof. exact (mem_integer 1). Qed.
 Lemma mem_scaled j X x : mem X x -> mem (scaled j X) (IZR (Z.pos j) * x).
 Proof.
   destruct X as [[l h]|]; [|trivial]; cbn [mem scaled]; rewrite !mult_IZR, Rmult_assoc; intros H.
   assert (0 < IZR (Z.pos j)) by (apply IZR_lt; reflexivity); split; apply Rmult_le_compat_l; lra.
 Qed.
-Lemma mem_at_point z : mem (at_point z) (IZR z / IZR one).
-Proof. exact (mem_point z). Qed.
+Lemma mem_at_point z : mem (at_point z) (IZR z / IZR one). Proof. exact (mem_point z). Qed.
 Lemma mem_hull X Y x y z : mem X x -> mem Y y -> Rmin x y <= z <= Rmax x y -> mem (hull X Y) z.
 Proof.
   destruct X as [[a b]|], Y as [[c d]|]; cbn [hull]; trivial; intros Hx Hy Hz; apply ends in Hx, Hy.
   pose proof one_pos as H1; assert (E : forall z, IZR z / IZR one * IZR one = IZR z) by (intros; field; lra).
   assert (A : IZR (Z.min a c) <= IZR a /\ IZR (Z.min a c) <= IZR c) by (split; apply IZR_le; lia).
   assert (B : IZR b <= IZR (Z.max b d) /\ IZR d <= IZR (Z.max b d)) by (split; apply IZR_le; lia).
-  assert (Hz' : Rmin x y * IZR one <= z * IZR one <= Rmax x y * IZR one) by (split; apply Rmult_le_compat_r;
-    lra).
+  assert (Hz' : Rmin x y * IZR one <= z * IZR one <= Rmax x y * IZR one) by (split; apply Rmult_le_compat_r; lra).
   destruct Hx as [X1 X2], Hy as [Y1 Y2].
   apply (Rmult_le_compat_r (IZR one)) in X1, X2, Y1, Y2; try lra; rewrite E in X1, X2, Y1, Y2.
   cbn [mem]; revert Hz'; unfold Rmin, Rmax; destruct Rle_dec; lra.
 Qed.
-
 Lemma mem_meet X Y x : mem X x -> mem Y x -> mem (meet X Y) x.
 Proof.
   destruct X as [[a b]|], Y as [[c d]|]; cbn [meet mem]; trivial; intros H H'.
   split; [apply Z.max_case_strong | apply Z.min_case_strong]; intros _; lra.
 Qed.
-Lemma mem_nothing x : mem None x.
-Proof. exact I. Qed.
+Lemma mem_nothing x : mem None x. Proof. exact I. Qed.
 Lemma nothing_positive X : positive (minus X (size None)) = false.
 Proof. destruct X as [[]|]; reflexivity. Qed.
-
 Lemma mem_hull_left X Y x : mem X x -> mem (hull X Y) x.
 Proof.
   destruct X as [[a b]|], Y as [[c d]|]; cbn [hull mem]; trivial; intros H.
-  assert (IZR (Z.min a c) <= IZR a) by (apply IZR_le; lia); assert (IZR b <= IZR (Z.max b d)) by (apply
-    IZR_le; lia); lra.
+  assert (IZR (Z.min a c) <= IZR a) by (apply IZR_le; lia); assert (IZR b <= IZR (Z.max b d)) by (apply IZR_le; lia);
+    lra.
 Qed.
 Lemma mem_hull_right X Y x : mem Y x -> mem (hull X Y) x.
 Proof.
   destruct X as [[a b]|], Y as [[c d]|]; cbn [hull mem]; trivial; intros H.
-  assert (IZR (Z.min a c) <= IZR c) by (apply IZR_le; lia); assert (IZR d <= IZR (Z.max b d)) by (apply
-    IZR_le; lia); lra.
+  assert (IZR (Z.min a c) <= IZR c) by (apply IZR_le; lia); assert (IZR d <= IZR (Z.max b d)) by (apply IZR_le; lia);
+    lra.
 Qed.
-
 Lemma mem_hull_all L X x : In X L -> mem X x -> mem (hull_all L) x.
 Proof.
   destruct L as [|Y L]; [intros []|]; cbn [hull_all]; induction L as [|Z L IH]; cbn [fold_right In]; intros HX Hx.
   - destruct HX as [->|[]]; exact Hx.
-  - destruct HX as [->|[->|HX]]; [apply mem_hull_right, IH; cbn; auto | apply mem_hull_left, Hx |
-      apply mem_hull_right, IH; cbn; auto].
+  - destruct HX as [->|[->|HX]]; [apply mem_hull_right, IH; cbn; auto | apply mem_hull_left, Hx | apply mem_hull_right,
+      IH; cbn; auto].
 Qed.
 
 (** Membership by the form of an expression. *)
@@ -114,7 +102,7 @@ Definition leg_holds (M : Machine.t) w kappa (m n k : Letter.t) s s' : Prop :=
   let nu := Machine.nu M in let tau := Machine.tau M in
   let t := phase M w s in let t' := phase M w s' in let j := Letter.periods n in
   lands M w s /\ lands M w s' /\ E12 M (time j t t') <> 0 /\
-  within (Letter.after n) (after M j t t') /\ within (Letter.before n) (before M j t t') /\
+  in_interval (Letter.after n) (after M j t t') /\ in_interval (Letter.before n) (before M j t t') /\
   exists x x' y y',
   (forall l l', let r := - (nu / 2) / bend M t * l in let r' := - (nu / 2) / bend M t' * l' in
     after_slope M j t t' r r' = - (x * l + x' * l') /\ before_slope M j t t' r r' = - (y * l + y' * l')) /\
@@ -143,8 +131,7 @@ Lemma mem_sI m n s : s_lo tau m n <= s <= s_hi tau m n -> mem (sI D m n) s.
 Proof. intros Hs; unfold sI; refine (mem_join _ _ _ _ _ _ _ Hs); apply mem_sum; encl. Qed.
 Lemma mem_all_sI ms m n s : In m ms -> mem (sI D m n) s -> mem (all_sI D ms n) s.
 Proof. intros Hm; apply mem_hull_all, (in_map (fun m => sI D m n)), Hm. Qed.
-Lemma mem_weightI m n : mem (weightI D m n) (weight tau m n).
-Proof. apply mem_sum; encl. Qed.
+Lemma mem_weightI m n : mem (weightI D m n) (weight tau m n). Proof. apply mem_sum; encl. Qed.
 Lemma mem_turn n : mem (turn n) (2 * PI * IZR (Z.pos n)).
 Proof. rewrite Rmult_comm; unfold turn; apply mem_scaled, mem_turn_1. Qed.
 Lemma mem_turns z : (0 <= z)%Z -> mem (turns_on z) (2 * PI * IZR z).
@@ -154,10 +141,10 @@ Proof. destruct z as [|z|z]; [intros _; rewrite Rmult_0_r; apply mem_zero | intr
 (** ** The wall *)
 
 Lemma mem_total fI f : (forall i A B a b, mem A a -> mem B b -> mem (fI (i, (A, B))) (f (i, (a, b)))) ->
-  mem (totalI fI (H D)) (total f (Machine.harmonics M)).
+  mem (totalI fI (H D)) (over_harmonics f (Machine.harmonics M)).
 Proof.
   intros F; pose proof (in_H _ _ _ _ HD) as L.
-  induction L as [|(i & A & B) (j & a & b) HI HR (<- & HA & HB) _ IH]; cbn [totalI total]; [encl|].
+  induction L as [|(i & A & B) (j & a & b) HI HR (<- & HA & HB) _ IH]; cbn [totalI over_harmonics]; [encl|].
   apply mem_plus; [apply F; assumption | exact IH].
 Qed.
 Lemma mem_times_of f f' A X a x : (forall Y y, mem Y y -> mem (f Y) (f' y)) -> mem A a -> mem X x ->
@@ -170,10 +157,8 @@ Proof.
 Qed.
 Ltac harmonics := apply mem_total; intros; repeat first [apply mem_plus | apply mem_minus |
   apply mem_times_of; [first [exact mem_cosine | exact mem_sine] | assumption|] | apply mem_scaled]; encl.
-Lemma mem_gI X x : mem X x -> mem (gI D X) (g M x).
-Proof. intros; unfold gI, g; harmonics. Qed.
-Lemma mem_g1I X x : mem X x -> mem (g1I D X) (g1 M x).
-Proof. intros; unfold g1I, g1; harmonics. Qed.
+Lemma mem_gI X x : mem X x -> mem (gI D X) (g M x). Proof. intros; unfold gI, g; harmonics. Qed.
+Lemma mem_g1I X x : mem X x -> mem (g1I D X) (g1 M x). Proof. intros; unfold g1I, g1; harmonics. Qed.
 Lemma mem_bendI X x : mem X x -> mem (bendI D X) (bend M x).
 Proof. intros; unfold bendI, bend; harmonics. Qed.
 
@@ -194,10 +179,8 @@ Proof.
   pose proof (below_le _ _ _ _ B2 (mem_at_point b') HW) as A2.
   pose proof (below_le _ _ _ _ B3 (mem_at_point a') (mem_at_point b')) as A3.
   pose proof (below_le _ _ _ _ B4 HY (mem_g1I _ _ (mem_at_point a'))) as A4.
-  pose proof (below_le _ _ _ _ B5 (mem_g1I _ _ (mem_at_point b')) HY) as A5.
-  apply (phase_between M w Hb); lra.
+  pose proof (below_le _ _ _ _ B5 (mem_g1I _ _ (mem_at_point b')) HY) as A5. apply (phase_between M w Hb); lra.
 Qed.
-
 Lemma mem_y N S s : mem N nu -> mem S s -> mem (times (times N S) half) (nu * s * (1 / 2)).
 Proof. intros; encl. Qed.
 
@@ -208,15 +191,14 @@ Proof.
   intros HN HS; pose proof (mem_y _ _ _ HN HS) as HY; unfold phaseI; cbv zeta; intros X.
   destruct (phase_off D (one / 1000000) (times (times N S) half)) as [[a b]|] eqn:E1;
     [|destruct (phase_off D (one / 100000) (times (times N S) half)) as [[a b]|] eqn:E2;
-      [|destruct (phase_off D (one / 5000) (times (times N S) half)) as [[a b]|] eqn:E3; [|congruence]]];
+    [|destruct (phase_off D (one / 5000) (times (times N S) half)) as [[a b]|] eqn:E3; [|congruence]]];
     [destruct (off_phase _ _ _ _ _ HY E1) as [L B] | destruct (off_phase _ _ _ _ _ HY E2) as [L B] |
-     destruct (off_phase _ _ _ _ _ HY E3) as [L B]];
+    destruct (off_phase _ _ _ _ _ HY E3) as [L B]];
     (split; [exact L|]; apply (mem_join _ _ _ _ _ (mem_at_point a) (mem_at_point b) B)).
 Qed.
 Lemma mem_phase_of N S s : mem N nu -> mem S s -> mem (phaseI D N S) (phase M w s).
 Proof.
-  intros HN HS; pose proof (found_phase N S s HN HS) as X; destruct (phaseI D N S) as [F|];
-    [|apply mem_nothing].
+  intros HN HS; pose proof (found_phase N S s HN HS) as X; destruct (phaseI D N S) as [F|]; [|apply mem_nothing].
   apply X; discriminate.
 Qed.
 Lemma mem_phase N S s : mem N nu -> mem S s -> positive (minus (W D) (size (phaseI D N S))) = true ->
@@ -228,10 +210,8 @@ Proof.
   assert (0 < w - Rabs (phase M w s)); [|split; [lra | apply L]].
   pose proof (in_W _ _ _ _ HD); apply (positive_lt _ _ P); encl.
 Qed.
-
 Lemma mem_rateI N F t : mem N nu -> mem F t -> mem (rateI D N F) (nu * (1 / 2) * / bend M t).
 Proof. intros HN HF; pose proof (mem_bendI _ _ HF); unfold rateI; encl. Qed.
-
 Lemma mem_placeI N S F s : mem N nu -> mem S s -> mem F (phase M w s) -> lands M w s ->
   mem (placeI D N S F) (place M (phase M w s)).
 Proof.
@@ -264,7 +244,7 @@ Proof. intros HN HS H; apply (mem_phase N S s HN HS H). Qed.
 
 (** ** Legs *)
 
-Lemma inside_within X A a : inside X A = true -> mem A a -> within X a.
+Lemma inside_within X A a : inside X A = true -> mem A a -> in_interval X a.
 Proof.
   intros H HA; apply andb_prop in H; destruct H as [B B'].
   split; [exact (below_le _ _ _ _ B (mem_fraction _) HA) | exact (below_le _ _ _ _ B' HA (mem_fraction _))].
@@ -283,8 +263,7 @@ Let e12 := / ex * si.
 Let e22 := / ex * (co - h * si).
 Let a := ex * / si * Q' - (co * / si + h) * Q.
 
-Lemma after_number : (Q' - e11 * Q) / e12 = a.
-Proof. unfold a, e11, e12, h; field; lra. Qed.
+Lemma after_number : (Q' - e11 * Q) / e12 = a. Proof. unfold a, e11, e12, h; field; lra. Qed.
 Lemma before_number : - k * e12 * Q + e22 * a = (co * / si - h) * Q' - / ex * / si * Q.
 Proof.
   replace (/ ex * / si * Q) with (/ ex * / si * Q * (om * om * (si * si) + co * co)) by (rewrite Hsc; ring).
@@ -292,11 +271,10 @@ Proof.
 Qed.
 End Numbers.
 
-Lemma flow_numbers T : let om := frequency M in let si := / om * sin (om * T) in let co := cos (om * T) in
-  let h := Machine.c M * (1 / 2) in let ei := exp (- h * T) in
-  om * om = Machine.k M - Machine.c M * Machine.c M * (1 / 4) /\ om * om * (si * si) + co * co = 1 /\
-  E11 M T = ei * (co + h * si) /\ E12 M T = ei * si /\ E22 M T = ei * (co - h * si) /\
-  E21 M T = - Machine.k M * E12 M T.
+Lemma flow_numbers T : let om := frequency M in let si := / om * sin (om * T) in let co := cos (om * T) in let h :=
+  Machine.c M * (1 / 2) in let ei := exp (- h * T) in om * om = Machine.k M - Machine.c M * Machine.c M * (1 / 4) /\
+  om * om * (si * si) + co * co = 1 /\ E11 M T = ei * (co + h * si) /\ E12 M T = ei * si /\ E22 M T = ei * (co - h * si)
+  /\ E21 M T = - Machine.k M * E12 M T.
 Proof.
   intros om si co h ei; pose proof (frequency_pos M (good_f _ _ HG)) as Pom; fold om in Pom.
   assert (A : E12 M T = ei * si).
@@ -304,13 +282,11 @@ Proof.
   assert (B : E22 M T = ei * (co - h * si)).
   { unfold E22, Flow.damped_V; fold om; unfold ei, si, co, h.
     replace (- Machine.c M / 2 * T) with (- (Machine.c M * (1 / 2)) * T) by field; unfold Rdiv; ring. }
-  split; [apply sqrt_sqrt; pose proof (good_f _ _ HG); lra|]; split; [|split; [|split; [exact A | split;
-    [exact B |
-    reflexivity]]]].
+  split; [apply sqrt_sqrt; pose proof (good_f _ _ HG); lra|]; split;
+    [|split; [|split; [exact A | split; [exact B | reflexivity]]]].
   - pose proof (sin2_cos2 (om * T)) as E; unfold Rsqr in E; rewrite <- E; unfold si, co; field; lra.
   - unfold E11, Flow.e11; rewrite A, B; unfold h; field.
 Qed.
-
 Lemma mem_frequency : mem (frequencyI D) (frequency M).
 Proof. pose proof (in_C _ _ _ _ HD); pose proof (in_K _ _ _ _ HD); unfold frequencyI, frequency; encl. Qed.
 
@@ -326,23 +302,18 @@ Definition leg_known (x : leg) (j : BinNums.positive) (s s' : R) : Prop :=
 
 Lemma leg_windows j I I' : lawful (leg_between D j I I') = true -> in_window D I = true /\ in_window D I' = true.
 Proof. intros H; apply andb_prop in H; destruct H as [H _]; apply andb_prop in H; exact H. Qed.
-
 Lemma leg_between_known j I I' s s' : hits I s -> hits I' s' -> lawful (leg_between D j I I') = true ->
   leg_known (leg_between D j I I') j s s'.
 Proof.
   intros [L HS HF HQ HJ] [L' HS' HF' HQ' HJ'] H; unfold leg_known; cbv zeta.
-  assert (Es : g1 M (phase M w s) / nu = s / 2) by (rewrite (proj2 L); pose proof (good_nu _ _ HG); field;
-    lra).
-  assert (Es' : g1 M (phase M w s') / nu = s' / 2) by (rewrite (proj2 L'); pose proof (good_nu _ _ HG);
-    field; lra).
+  assert (Es : g1 M (phase M w s) / nu = s / 2) by (rewrite (proj2 L); pose proof (good_nu _ _ HG); field; lra).
+  assert (Es' : g1 M (phase M w s') / nu = s' / 2) by (rewrite (proj2 L'); pose proof (good_nu _ _ HG); field; lra).
   assert (Pb : 0 < bend M (phase M w s)) by (apply Hb, (lands_lies M w s L)).
   assert (Pb' : 0 < bend M (phase M w s')) by (apply Hb, (lands_lies M w s' L')).
   unfold before_slope, after_slope; cbv zeta; rewrite Es, Es'; clear Es Es' L L'.
-  unfold leg_between in *; cbv zeta in *.
-  set (t := phase M w s) in *; set (t' := phase M w s') in *.
+  unfold leg_between in *; cbv zeta in *. set (t := phase M w s) in *; set (t' := phase M w s') in *.
   destruct I as [S F IQ J], I' as [S' F' IQ' J']; cbn [strength phase_at place_at rate] in *.
-  pose proof (mem_turn j) as Ht; assert (HT : mem (minus (plus (turn j) F') F) (time j t t')) by (unfold time;
-    encl).
+  pose proof (mem_turn j) as Ht; assert (HT : mem (minus (plus (turn j) F') F) (time j t t')) by (unfold time; encl).
   set (LI := minus _ F) in *; clearbody LI; set (T := time j t t') in *; pose proof mem_frequency as Hom.
   pose proof (in_C _ _ _ _ HD) as HC; pose proof (in_K _ _ _ _ HD) as HK.
   destruct (flow_numbers T) as (Eom & Hsc & E_11 & E_12 & E_22 & E_21).
@@ -356,10 +327,8 @@ Proof.
   cbn [lawful first_at last_at slopes strength phase_at place_at rate fst snd] in *.
   set (om := frequency M) in *; set (si := / om * sin (om * T)) in *; set (co := cos (om * T)) in *.
   set (ex := exp (Machine.c M * (1 / 2) * T)) in *.
-  set (Isi := times (inverse (frequencyI D)) _) in *; set (Ico := fst _) in *; set (Iex :=
-    exponential _) in *.
-  set (Q := place M t) in *; set (Q' := place M t') in *.
-  clearbody Isi Ico Iex Q Q' si co ex T om.
+  set (Isi := times (inverse (frequencyI D)) _) in *; set (Ico := fst _) in *; set (Iex := exponential _) in *.
+  set (Q := place M t) in *; set (Q' := place M t') in *. clearbody Isi Ico Iex Q Q' si co ex T om.
   apply andb_prop in H; destruct H as [_ H0].
   assert (Nsi : si <> 0).
   { apply orb_prop in H0; destruct H0 as [H0|H0]; [apply positive_lt with (x := si) in H0 |
@@ -381,8 +350,7 @@ Proof.
   set (I11 := times _ (plus Ico _)) in *; set (I12 := times (inverse Iex) Isi) in *.
   set (I22 := times _ (minus Ico _)) in *; set (Iu := times Iex _) in *; clearbody I11 I12 I22 Iu.
   set (e11 := / ex * (co + h * si)) in *; set (e12 := / ex * si) in *; set (e22 := / ex * (co - h * si)) in *.
-  clearbody e11 e12 e22.
-  set (r := nu * (1 / 2) * / bend M t) in *; set (r' := nu * (1 / 2) * / bend M t') in *.
+  clearbody e11 e12 e22. set (r := nu * (1 / 2) * / bend M t) in *; set (r' := nu * (1 / 2) * / bend M t') in *.
   set (acc := - Machine.c M * p - Machine.k M * Q').
   exists (r * ((p - e11 * (s * (1 / 2))) * / e12)), (r' * ((s' * (1 / 2) - p) * / e12)).
   exists (r * (e22 * ((p - e11 * (s * (1 / 2))) * / e12) - Machine.k M * (e12 * (s * (1 / 2))) - acc)).
@@ -390,15 +358,13 @@ Proof.
   split; [encl|]; split; [encl|]; split; [encl|]; split; [encl|].
   intros l l'; unfold r, r'; split; field; repeat split; trivial; lra.
 Qed.
-
 Lemma leg_box_holds ms m n k s s' N S S' : In m ms -> mem N nu -> mem S s -> mem S' s' ->
   leg_box D ms n k N S S' = true -> leg_holds M w kappa m n k s s'.
 Proof.
   intros Hm HN HS HS' H; unfold leg_box in H; cbv zeta in H.
   rewrite !andb_true_iff in H; destruct H as [[HL [H1 H1']] H2].
   apply (proj1 (forallb_forall _ _)) with (x := m) in H2; [|exact Hm]; cbv beta in H2.
-  destruct (leg_windows _ _ _ HL) as [B B'].
-  pose proof (impact_hits _ _ _ HN HS (window_lands _ _ _ HN HS B)) as HI.
+  destruct (leg_windows _ _ _ HL) as [B B']. pose proof (impact_hits _ _ _ HN HS (window_lands _ _ _ HN HS B)) as HI.
   pose proof (impact_hits _ _ _ HN HS' (window_lands _ _ _ HN HS' B')) as HI'.
   destruct (leg_between_known _ _ _ _ _ HI HI' HL) as (P & HA & HP & HX).
   destruct (HX _ HP) as (x & x' & y & y' & Mx & Mx' & My & My' & E).
@@ -406,14 +372,14 @@ Proof.
   split; [exact (inside_within _ _ _ H1 HA)|]; split; [exact (inside_within _ _ _ H1' HP)|].
   unfold contracts in H2; cbv zeta in H2; apply andb_prop in H2; destruct H2 as [H2 H3].
   pose proof (mem_weightI m n) as Hmn; pose proof (mem_weightI n k) as Hnk; pose proof (in_Ka _ _ _ _ HD).
-  exists x, x', y, y'; split; [exact E|]; unfold alpha, beta; split;
-    [refine (below_le _ _ _ _ H2 _ _) | refine (below_le _ _ _ _ H3 _ _)]; encl.
+  exists x, x', y, y'; split; [exact E|]; unfold alpha, beta; split; [refine (below_le _ _ _ _ H2 _ _) |
+    refine (below_le _ _ _ _ H3 _ _)]; encl.
 Qed.
 End Cell.
 
 (** ** What is asked of a cell as a whole *)
 
-Lemma rangings_mem R H : Forall2 (fun '(i, (A, B)) '(j, (a, b)) => i = j /\ within A a /\ within B b) R H ->
+Lemma rangings_mem R H : Forall2 (fun '(i, (A, B)) '(j, (a, b)) => i = j /\ in_interval A a /\ in_interval B b) R H ->
   Forall2 (fun '(i, (A, B)) '(j, (a, b)) => i = j /\ mem A a /\ mem B b) (rangings R) H.
 Proof.
   intros HH; induction HH as [|(i & A & B) (j & a & b) H1 H2 (E & Ha & Hb) _ IH]; cbn; constructor; trivial.

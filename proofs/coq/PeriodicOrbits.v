@@ -40,16 +40,15 @@ Qed.
 Lemma placed k : (k < m * p)%nat -> exists j i, (i < p)%nat /\ k = (index j * p + i)%nat.
 Proof.
   intros Hk; exists (at_ (k / p)), (k mod p)%nat; split; [apply Nat.mod_upper_bound; lia|].
-  rewrite Hat by (apply Nat.div_lt_upper_bound; lia).
-  pose proof (Nat.div_mod k p ltac:(lia)); lia.
+  rewrite Hat by (apply Nat.div_lt_upper_bound; lia). pose proof (Nat.div_mod k p ltac:(lia)); lia.
 Qed.
 
 Lemma linear_sides X Y Q q : linear M J next n X Y Q q <->
   forall k, (k < m * p)%nat -> left_side X Y k = right_side Q q k.
 Proof.
-  assert (E : forall j i, (i < p)%nat -> (left_side X Y (index j * p + i)%nat = right_side Q q (index j * p + i)%nat
-    <-> if (i <? N)%nat then X (next j) i - power M (n j) (X j) i - Y j * Map.B M i = Q j i
-        else dot N (Map.C M) (power M (n j) (X j)) = q j)).
+  assert (E : forall j i, (i < p)%nat -> (left_side X Y (index j * p + i)%nat = right_side Q q (index j * p + i)%nat <->
+    if (i <? N)%nat then X (next j) i - power M (n j) (X j) i - Y j * Map.B M i = Q j i else dot N (Map.C M)
+    (power M (n j) (X j)) = q j)).
   { intros j i Hi; destruct (place j i Hi) as (_ & E1 & E2); unfold left_side, right_side; cbv zeta.
     rewrite E1, E2, (proj2 (Hindex j)); destruct (i <? N)%nat; reflexivity. }
   split.
@@ -62,9 +61,7 @@ Proof.
 Qed.
 
 Lemma of_bounded t z : within (m * p) t z -> bounded M J t (X_of z) (Y_of z).
-Proof.
-  intros H j; split; [intros i Hi|]; apply H, place; lia.
-Qed.
+Proof. intros H j; split; [intros i Hi|]; apply H, place; lia. Qed.
 
 Lemma invertible_finite : exists K, invertible M J next n K.
 Proof.
@@ -74,8 +71,7 @@ Proof.
     change (Y_of (comb a c x y)) with (fun j => a * Y_of x j + c * Y_of y j); cbv beta.
     unfold power; rewrite power_comb, dot_comb; unfold comb; destruct (_ <? _)%nat; ring.
   - intros x y Hxy k _.
-    assert (EX : forall j i, (i < N)%nat -> X_of x j i = X_of y j i)
-      by (intros j i Hi; apply Hxy, place; lia).
+    assert (EX : forall j i, (i < N)%nat -> X_of x j i = X_of y j i) by (intros j i Hi; apply Hxy, place; lia).
     assert (EY : forall j, Y_of x j = Y_of y j) by (intros j; apply Hxy, place; lia).
     unfold left_side; cbv zeta; rewrite EY; destruct (Nat.ltb_spec (k mod p) N) as [Hi|Hi].
     + rewrite EX by exact Hi; f_equal; f_equal; apply power_ext; [apply EX | exact Hi].
@@ -88,8 +84,7 @@ Proof.
   - exists K; split.
     + intros t Q q HQ.
       assert (Ht : m = 0%nat \/ 0 <= t).
-      { destruct (Nat.eq_dec m 0) as [E|E]; [left; exact E | right].
-        apply (Rabs_nonneg (q (at_ 0))), HQ. }
+      { destruct (Nat.eq_dec m 0) as [E|E]; [left; exact E | right]. apply (Rabs_nonneg (q (at_ 0))), HQ. }
       destruct Ht as [Hm|Ht].
       { exists (fun _ => zero), (fun _ => 0); split; intros j; destruct (Hindex j); lia. }
       destruct (H (right_side Q q) t) as (z & Hz & Hk); [|exact Ht|].
@@ -106,19 +101,16 @@ Qed.
 Lemma least_quantity X Y s : (forall j v, quantity M J n X Y s j v -> v > 0) ->
   exists kappa, 0 < kappa /\ forall j v, quantity M J n X Y s j v -> v >= kappa.
 Proof.
-  intros Hq.
-  destruct (common_bound (fun k d => forall v, quantity M J n X Y s (at_ k) v -> d <= v) m) as (d & Hd & H).
+  intros Hq. destruct (common_bound (fun k d => forall v, quantity M J n X Y s (at_ k) v -> d <= v) m) as (d & Hd & H).
   - intros k d d' H Hd v Hv; specialize (H v Hv); lra.
-  - intros k _; set (j := at_ k).
-    pose (V i := sgn s * (dot N (Map.C M) (power M i (X j)) + 1)).
+  - intros k _; set (j := at_ k). pose (V i := sgn s * (dot N (Map.C M) (power M i (X j)) + 1)).
     destruct (common_bound (fun i d => (1 <= i)%nat -> d <= V i) (n j)) as (d & Hd & H).
     + intros i d d' H Hd Hi; specialize (H Hi); lra.
     + intros i Hi; destruct (Nat.eq_dec i 0) as [->|Hne]; [exists 1; split; [lra | lia]|].
       exists (V i); split; [|lra]; apply (Hq j); right; exists i; split; [lia | reflexivity].
     + exists (Rmin d (sgn s * Y j)); split.
       * apply Rmin_glb_lt; [exact Hd | apply (Hq j); left; reflexivity].
-      * intros v [->|(i & Hi & ->)]; [apply Rmin_r|].
-        apply Rle_trans with d; [apply Rmin_l | apply (H i); lia].
+      * intros v [->|(i & Hi & ->)]; [apply Rmin_r|]. apply Rle_trans with d; [apply Rmin_l | apply (H i); lia].
   - exists d; split; [exact Hd|]; intros j v Hv; destruct (Hindex j) as [Hj Ej].
     apply Rle_ge, (H (index j) Hj); rewrite Ej; exact Hv.
 Qed.
@@ -131,10 +123,9 @@ Proof.
   - intros a c x y k _; unfold mult; rewrite dot_comb; unfold comb; ring.
   - intros x y Hxy k Hk; rewrite (Hxy k Hk); f_equal; apply dot_ext, Hxy.
   - exact HIA.
-  - destruct (within_exists N (Map.phi M)) as (t & Ht & Hphi).
-    destruct (Hsolve (Map.phi M) t Hphi Ht) as (w & _ & Hw).
-    assert (Hw' : forall i, (i < N)%nat -> w i = mult N (Map.A M) w i + Map.phi M i)
-      by (intros i Hi; rewrite <- (Hw i Hi); ring).
+  - destruct (within_exists N (Map.phi M)) as (t & Ht & Hphi). destruct (Hsolve (Map.phi M) t Hphi Ht) as (w & _ & Hw).
+    assert (Hw' : forall i, (i < N)%nat -> w i = mult N (Map.A M) w i + Map.phi M i) by (intros i Hi;
+      rewrite <- (Hw i Hi); ring).
     exists w; split; [exact Hw'|]; intros e He0 J next n (m & at_ & index & Hindex & Hat) Hn HD.
     destruct (invertible_finite M J next n m at_ index Hindex Hat HD) as (K & HK).
     destruct (nat_max (fun k => n (at_ k)) m) as (n_max & Hmax).
@@ -144,8 +135,7 @@ Proof.
     { intros j; split; [apply within_zero; lra | rewrite Rabs_left; lra]. }
     assert (HX : solution M J next n X Y) by (split; [exists (K * 1)|]; assumption).
     destruct (Orbits.Theorem1 M w e HM Hw' eq_refl He0 n_max K) as (d & Hd & Hmain & Hlead).
-    assert (Hae : 0 < Rabs e) by (apply Rabs_pos_lt, He0).
-    exists X, Y; split; [exact HXl|]; intros s; split.
+    assert (Hae : 0 < Rabs e) by (apply Rabs_pos_lt, He0). exists X, Y; split; [exact HXl|]; intros s; split.
     + intros Hq; destruct (least_quantity M J n m at_ index Hindex X Y s Hq) as (kappa & Hkappa & Hge).
       exists d; split; [exact Hd | split].
       * destruct (Hmain kappa Hkappa) as (mu0 & Hmu0 & H); exists mu0; split; [exact Hmu0|].
@@ -163,10 +153,8 @@ Proof.
         pose proof (Rle_abs (K * 1)) as HKa.
         replace (x j i) with ((x j i - mu * w i - e * mu * X j i) + w i * mu + e * X j i * mu) by ring.
         apply Rle_trans with (1 * Rabs mu + W * Rabs mu + Rabs e * Rabs (K * 1) * Rabs mu).
-        -- apply triangle3; [exact Hxj | apply Rabs_mult_le; lra|].
-           apply Rabs_mult_le; [apply Rabs_mult_le|]; lra.
-        -- replace (1 * Rabs mu + W * Rabs mu + Rabs e * Rabs (K * 1) * Rabs mu) with (c * Rabs mu)
-             by (unfold c; ring).
+        -- apply triangle3; [exact Hxj | apply Rabs_mult_le; lra|]. apply Rabs_mult_le; [apply Rabs_mult_le|]; lra.
+        -- replace (1 * Rabs mu + W * Rabs mu + Rabs e * Rabs (K * 1) * Rabs mu) with (c * Rabs mu) by (unfold c; ring).
            replace eps with (c * (eps / c)) by (field; lra); apply Rmult_le_compat_l; [lra|].
            left; eapply Rlt_le_trans; [apply Hmu | apply Rmin_r].
     + intros j v Hv Hneg; destruct (Hmain (- v)) as (mu0 & Hmu0 & H); [lra|].
@@ -175,7 +163,4 @@ Proof.
 Qed.
 
 Theorem Symmetry : Symmetry_statement.
-Proof.
-  intros M J next n mu d x sigma Hs Hn H j; pose proof (H (sigma j)) as Hj.
-  rewrite Hn, <- Hs in Hj; exact Hj.
-Qed.
+Proof. intros M J next n mu d x sigma Hs Hn H j; pose proof (H (sigma j)) as Hj. rewrite Hn, <- Hs in Hj; exact Hj. Qed.

@@ -1,13 +1,12 @@
 (** * The theorem of docs/ranges.md at one depth: along a path on which H0, E1 to E3 and H4 hold exactly one
-  motion has
-  its strengths in the ranges *)
+  motion has its strengths in the ranges *)
 
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import StatementOscillator StatementPaths PathsFlow PathsGaps PathsLegs Contraction Motions.
 Open Scope R_scope.
 
-(** The strength that the law of impact gives; Newton's step, of s after u and before v, between legs of j and k
-  turns. *)
+(** The strength that the law of impact gives; Newton's step, of s after u and before v, between legs of j and
+  k turns. *)
 Definition law (M : Machine.t) w j k u s v : R :=
   sum_of (Machine.tau M) (after M k (phase M w s) (phase M w v)) (before M j (phase M w u) (phase M w s)).
 Definition step (M : Machine.t) w j k m u s v : R := s - m * (s - law M w j k u s v).
@@ -19,20 +18,18 @@ Definition step_rate (M : Machine.t) w j k m u s v lu ls lv : R :=
     (before_slope M j (phase M w u) (phase M w s) (r u lu) (r s ls)).
 Lemma D_step M w j k m U S V y lu ls lv : good M w -> 0 < Machine.tau M -> derivable_pt_lim U y lu ->
   derivable_pt_lim S y ls -> derivable_pt_lim V y lv -> lands M w (U y) -> lands M w (S y) -> lands M w (V y) ->
-  E12 M (time j (phase M w (U y)) (phase M w (S y))) <> 0 ->
-  E12 M (time k (phase M w (S y)) (phase M w (V y))) <> 0 ->
+  E12 M (time j (phase M w (U y)) (phase M w (S y))) <> 0 -> E12 M (time k (phase M w (S y)) (phase M w (V y))) <> 0 ->
   derivable_pt_lim (fun y => step M w j k m (U y) (S y) (V y)) y (step_rate M w j k m (U y) (S y) (V y) lu ls lv).
 Proof.
   intros HG Ht DU DS DV LU LS LV EU EV; pose proof (good_nu _ _ HG) as Hnu; pose proof (good_f _ _ HG) as Hf.
   pose proof (D_phase M w (good_b _ _ HG) U y lu Hnu LU DU) as PU.
   pose proof (D_phase M w (good_b _ _ HG) S y ls Hnu LS DS) as PS.
-  pose proof (D_phase M w (good_b _ _ HG) V y lv Hnu LV DV) as PV.
-  assert (N : Machine.nu M <> 0) by lra.
+  pose proof (D_phase M w (good_b _ _ HG) V y lv Hnu LV DV) as PV. assert (N : Machine.nu M <> 0) by lra.
   pose proof (D_after M Hf k _ _ y _ _ N PS PV EV) as DA; pose proof (D_before M Hf j _ _ y _ _ N PU PS EU) as DB.
   cbv beta in DA, DB; unfold step, law, sum_of, Rdiv.
   eapply D_value; [apply D_minus; [exact DS|]; apply D_scale, D_minus; [exact DS|]|].
-  - eapply (D_ext (fun y => / (1 + Machine.tau M) * (2 * (after M k (phase M w (S y)) (phase M w (V y)) +
-      Machine.tau M * before M j (phase M w (U y)) (phase M w (S y)))))); [|intros; ring | reflexivity].
+  - eapply (D_ext (fun y => / (1 + Machine.tau M) * (2 * (after M k (phase M w (S y)) (phase M w (V y)) + Machine.tau M
+      * before M j (phase M w (U y)) (phase M w (S y)))))); [|intros; ring | reflexivity].
     apply D_scale, D_scale, D_plus; [exact DA | apply D_scale, DB].
   - unfold step_rate, sum_of, Rdiv; cbv zeta; field; lra.
 Qed.
@@ -77,9 +74,8 @@ Qed.
 Theorem one_solution : exists s, inside lo hi s /\ solution M w n s /\
   forall s', inside lo hi s' -> solution M w n s' -> forall i, s' i = s i.
 Proof.
-  destruct (one_fixed_point lo hi wt
-    (fun s i => step M w (n (i - 1)%Z) (n i) (m i) (s (i - 1)%Z) (s i) (s (i + 1)%Z)) kappa spread)
-    as (s & Hs & HF & H1).
+  destruct (one_fixed_point lo hi wt (fun s i => step M w (n (i - 1)%Z) (n i) (m i) (s (i - 1)%Z) (s i) (s (i + 1)%Z))
+    kappa spread) as (s & Hs & HF & H1).
   - intros i; destruct (c_sizes _ _ _ _ _ _ _ _ _ HC i); lra.
   - intros i; apply (c_sizes _ _ _ _ _ _ _ _ _ HC i).
   - apply HC.
@@ -88,8 +84,7 @@ Proof.
   - intros d s s' Hd Hs Hs' E i; apply (c_close _ _ _ _ _ _ _ _ _ HC); assumption.
   - exists s; split; [exact Hs|]; split; [apply solves; [exact Hs|]|].
     + intros i; specialize (HF i); cbv beta in HF; unfold step in HF; rewrite law_sums in HF.
-      destruct (c_sizes _ _ _ _ _ _ _ _ _ HC i) as (_ & _ & Hm & _).
-      apply Rmult_eq_reg_l with (m i); [lra | exact Hm].
+      destruct (c_sizes _ _ _ _ _ _ _ _ _ HC i) as (_ & _ & Hm & _). apply Rmult_eq_reg_l with (m i); [lra | exact Hm].
     + intros s' Hs' [_ _ E]; apply H1; [exact Hs'|]; intros i; unfold step; rewrite law_sums, E; lra.
 Qed.
 
@@ -97,7 +92,7 @@ Variable N : Z -> Z.
 Hypothesis HN : forall i, (N (i + 1) = N i + Z.pos (n i))%Z.
 
 Lemma moves s : inside lo hi s -> solution M w n s ->
-  motion M w N (at_ M w N s) (leg_q M w n N s) (leg_v M w n N s).
+  machine_motion M w N (at_ M w N s) (leg_q M w n N s) (leg_v M w n N s).
 Proof.
   intros H S; apply is_motion; try apply HC; trivial.
   - intros i; apply (c_speed _ _ _ _ _ _ _ _ _ HC); [exact H | apply (sums_at _ _ _ _ S)].
@@ -105,9 +100,8 @@ Proof.
 Qed.
 
 (** A motion whose strengths are in the ranges is a solution. *)
-Lemma motion_solves t q v : motion M w N t q v ->
-  (forall i, exists s, lo i <= s <= hi i /\ g1 M (t i) = Machine.nu M * s / 2) ->
-  inside lo hi (sums_of M t v) /\ solution M w n (sums_of M t v).
+Lemma motion_solves t q v : machine_motion M w N t q v -> (forall i, exists s, lo i <= s <= hi i /\
+  g1 M (t i) = Machine.nu M * s / 2) -> inside lo hi (sums_of M t v) /\ solution M w n (sums_of M t v).
 Proof.
   intros HM HS; pose proof (good_nu _ _ (c_good _ _ _ _ _ _ _ _ _ HC)) as Hnu.
   assert (I : inside lo hi (sums_of M t v)).

@@ -1,5 +1,5 @@
-(** * The conditions H0, E1 to E3, H4 and the links of docs/ranges.md in integers: a function from certificates to
-  yes and no *)
+(** * The conditions H0, E1 to E3, H4 and the links of docs/ranges.md in integers: a function from
+  certificates to yes and no *)
 
 From Coq Require Import QArith ZArith Bool List.
 From Grazing Require Import StatementPaths StatementRanges ChaosInterval ChaosFunctions PathsCheck.
@@ -73,9 +73,9 @@ Definition gap_of (t : itv) (x : itv * itv) : itv := plus (minus unit (gI D t)) 
 Definition slope_of (t : itv) (x : itv * itv) : itv := minus (times N (snd x)) (g1I D t).
 Definition bend_of (t : itv) (x : itv * itv) : itv :=
   plus (bendI D t) (times N (minus (times (opp (C D)) (snd x)) (times (K D) (fst x)))).
-(** On a piece at whose beginning it moves away from the wall, if b says so: whether at its end it does, if that is
-  known. In window k the wall is below its top. What fails so may do in the mean-value form about the middle. With
-  [opp] for [sign] back from the impact after the leg. *)
+(** On a piece at whose beginning it moves away from the wall, if b says so: whether at its end it does, if
+  that is known. In window k the wall is below its top. What fails so may do in the mean-value form about the
+  middle. With [opp] for [sign] back from the impact after the leg. *)
 Definition carries (sign : itv -> itv) (k : Z) (b : bool) (t : itv) : option bool :=
   let x := flown t in
   if b && positive (bend_of t x) then Some true else

@@ -37,8 +37,7 @@ Lemma away_convex l h : l <= h -> away true l -> (forall x, l <= x <= h -> 0 < z
 Proof.
   intros L A R; destruct (starts true l A) as [S S1]; specialize (S1 eq_refl); pose proof (Rmax_r phi l) as G.
   set (s := Rmax phi l) in *; split.
-  - intros x Hx; destruct (Rle_lt_dec x l) as [X|X]; [apply A; lra|].
-    assert (Q : s < x) by (apply Rmax_lub_lt; lra).
+  - intros x Hx; destruct (Rle_lt_dec x l) as [X|X]; [apply A; lra|]. assert (Q : s < x) by (apply Rmax_lub_lt; lra).
     apply (convex_right z z1 z2 D1 D2 s h x); trivial; [intros; apply R; lra | lra].
   - intros _ Hh; destruct (Rle_lt_dec h l) as [X|X].
     { replace h with l in Hh |- * by lra; apply A; trivial. }
@@ -46,9 +45,7 @@ Proof.
     destruct (MVT_cor2 z1 z2 _ _ Q) as (y & E & Hy); [auto|]; specialize (R y ltac:(lra)); nra.
 Qed.
 Lemma away_open b l h : away b l -> (forall x, l <= x <= h -> 0 < z x) -> away false h.
-Proof.
-  intros A R; split; [|discriminate]; intros x Hx; destruct (Rle_lt_dec x l); [apply A | apply R]; lra.
-Qed.
+Proof. intros A R; split; [|discriminate]; intros x Hx; destruct (Rle_lt_dec x l); [apply A | apply R]; lra. Qed.
 
 (** ** Walks *)
 
@@ -60,8 +57,8 @@ Lemma walk_away f n l h b z' r : sound f -> (l <= h)%Z -> away b (at_ l) -> walk
   (exists c, away c (at_ z')) /\ forall c, r = Some c -> away c (at_ h).
 Proof.
   intros F; revert l h b z' r; induction n as [|n IH]; intros l h b z' r L A E; cbn [walk] in E;
-    (destruct (f b (Some (l, h))) as [c|] eqn:B;
-      [injection E as <- <-; pose proof (F b l h c B L A); split; [exists c; trivial | congruence]|]).
+    (destruct (f b (Some (l, h))) as [c|] eqn:B; [injection E as <- <-; pose proof (F b l h c B L A); split;
+    [exists c; trivial | congruence]|]).
   - injection E as <- <-; split; [exists b; exact A | discriminate].
   - set (m := Z.shiftr (l + h) 1) in *; assert (Hm : (l <= m <= h)%Z).
     { unfold m; rewrite Z.shiftr_div_pow2 by lia; change (2 ^ 1)%Z with 2%Z.
@@ -74,9 +71,8 @@ Lemma along_away f L l b : (forall k, sound (f k)) -> away b (at_ l) -> exists c
 Proof.
   intros F; revert l b; induction L as [|(h & k) L IH]; intros l b A; cbn [along]; [exists b; exact A|].
   destruct (Z.leb_spec h l) as [|Lh]; [apply IH, A|].
-  destruct (walk 7 (f k) l h b) as [z' [c|]] eqn:W;
-    destruct (walk_away (f k) 7 l h b _ _ (F k) (Z.lt_le_incl _ _ Lh) A W) as [W1 W2]; [apply IH, W2 | exact W1];
-    reflexivity.
+  destruct (walk 7 (f k) l h b) as [z' [c|]] eqn:W; destruct (walk_away (f k) 7 l h b _ _ (F k) (Z.lt_le_incl _ _ Lh) A
+    W) as [W1 W2]; [apply IH, W2 | exact W1]; reflexivity.
 Qed.
 Lemma along_positive f L l : (forall k, sound (f k)) -> at_ l <= phi ->
   forall x, phi < x <= at_ (along f l true L) -> 0 < z x.
@@ -108,11 +104,8 @@ Let z t := gap M phi x a t.
 Let z1 t := - g1 M t + nu * moving M phi x a t.
 Let z2 t := gap_bend M phi x a t.
 
-Lemma D_z t : derivable_pt_lim z t (z1 t).
-Proof. apply (D_gap _ _ _ _ _ (good_f _ _ HG)). Qed.
-Lemma D_z1 t : derivable_pt_lim z1 t (z2 t).
-Proof. apply (D_gap _ _ _ _ _ (good_f _ _ HG)). Qed.
-
+Lemma D_z t : derivable_pt_lim z t (z1 t). Proof. apply (D_gap _ _ _ _ _ (good_f _ _ HG)). Qed.
+Lemma D_z1 t : derivable_pt_lim z1 t (z2 t). Proof. apply (D_gap _ _ _ _ _ (good_f _ _ HG)). Qed.
 Lemma mem_flown_ T t : mem T t -> mem (fst (flown D Q A F T)) (moved M phi x a t) /\
   mem (snd (flown D Q A F T)) (moving M phi x a t).
 Proof.
@@ -164,14 +157,11 @@ Proof.
   assert (P : 0 < moved M phi x a t - Machine.sigma M).
   { pose proof (in_Sg _ _ _ _ HD); destruct (mem_flown_ T t Ht); apply (positive_lt _ _ E4); encl. }
   pose proof (below_top M w (good_b _ _ HG) (good_w _ _ HG) (good_g _ _ HG) _ Ht') as G.
-  rewrite <- (proj1 (g_turned M i _)) in G.
-  replace (2 * PI * IZR i + (t - 2 * PI * IZR i)) with t in G by ring.
+  rewrite <- (proj1 (g_turned M i _)) in G. replace (2 * PI * IZR i + (t - 2 * PI * IZR i)) with t in G by ring.
   pose proof (good_nu _ _ HG); unfold z, gap; nra.
 Qed.
-
-Lemma carries_says sign k b T b' : carries D N Q A F sign k b T = Some b' ->
-  (b = true /\ b' = true /\ forall t, mem T t -> 0 < z2 t) \/
-  (b' = true /\ exists S, positive (sign S) = true /\ forall t, mem T t -> mem S (z1 t)) \/
+Lemma carries_says sign k b T b' : carries D N Q A F sign k b T = Some b' -> (b = true /\ b' = true /\ forall t,
+  mem T t -> 0 < z2 t) \/ (b' = true /\ exists S, positive (sign S) = true /\ forall t, mem T t -> mem S (z1 t)) \/
   (b' = false /\ forall t, mem T t -> 0 < z t).
 Proof.
   unfold carries; cbv zeta; set (m := at_point (middle T)); set (y := flown _ _ _ _ m); set (S := meet _ _).
@@ -208,7 +198,6 @@ Lemma piece l h t : IZR l / IZR one <= t <= IZR h / IZR one -> mem (Some (l, h))
 Proof. intros H; exact (mem_join _ _ _ _ _ (mem_at_point l) (mem_at_point h) H). Qed.
 Lemma order l h : (l <= h)%Z -> IZR l / IZR one <= IZR h / IZR one.
 Proof. intros H; apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, one_pos | apply IZR_le, H]. Qed.
-
 Lemma start : z phi = 0 /\ 0 <= z1 phi.
 Proof.
   pose proof (good_nu _ _ HG); destruct (hit_lands _ _ _ _ HI) as [_ E]; fold phi in E.
@@ -241,8 +230,7 @@ Lemma end_ : y (- last) = 0 /\ 0 <= y1 (- last).
 Proof.
   pose proof (good_nu _ _ HG) as Hnu; destruct HL as [_ E]; fold phi' in E.
   assert (EL : g M last = g M phi' /\ g1 M last = g1 M phi') by apply g_turned; destruct EL as [EL EL'].
-  unfold y, y1, z, z1, gap; rewrite Ropp_involutive, Hx, EL, EL', E.
-  split; [unfold place; field; lra | nra].
+  unfold y, y1, z, z1, gap; rewrite Ropp_involutive, Hx, EL, EL', E. split; [unfold place; field; lra | nra].
 Qed.
 Lemma sound_back k : sound y y1 (- last) (fun b t => carries D N Q A F opp k b (opp t)).
 Proof.
@@ -254,15 +242,13 @@ Proof.
     apply (positive_lt _ _ PS), mem_opp, C, P; assumption.
   - apply (away_open y y1 (- last) b _ _ Aw); intros; apply C, P; assumption.
 Qed.
-
 Lemma gap_open_positive : forall t, phi < t < last -> 0 < gap M phi x a t.
 Proof.
   intros t Ht; change (0 < z t); pose proof (hit_phase _ _ _ _ HI) as HP; fold phi in HP.
   assert (HE : mem (plus (turn j) F') last) by (apply mem_plus; [apply mem_turn | exact HF']).
   pose proof HB as B; unfold gap_open in B; fold Q F in B, HP.
   destruct F as [[l l']|] eqn:EF; [|discriminate]; destruct (plus (turn j) F') as [[h' h]|]; [|discriminate].
-  rewrite <- EF in B; apply ends in HP, HE; cbv zeta in B.
-  set (L := _ ++ _) in B; set (v := along _ l true L) in B.
+  rewrite <- EF in B; apply ends in HP, HE; cbv zeta in B. set (L := _ ++ _) in B; set (v := along _ l true L) in B.
   pose proof (along_positive z z1 phi _ L l sound_ahead (proj1 HP)) as P; fold v in P.
   destruct (Z.leb_spec h v) as [Hh|_]; [apply order in Hh; apply P; lra|].
   set (L' := _ ++ _) in B; set (u := along _ (- h) true L') in B; apply Z.leb_le, order in B.

@@ -1,8 +1,7 @@
 (** * What the integers of RangesCheck say of F at an edge, between a leg to it and a leg from it *)
 
 From Coq Require Import Reals QArith Qreals ZArith Lra Lia Bool List.
-From Grazing Require Import StatementPaths StatementRanges ChaosInterval ChaosFunctions PathsCheck PathsFlow
-  PathsLegs
+From Grazing Require Import StatementPaths StatementRanges ChaosInterval ChaosFunctions PathsCheck PathsFlow PathsLegs
   PathsGaps RangesCheck RangesLegs Ranges.
 Open Scope R_scope.
 
@@ -41,8 +40,7 @@ Proof.
   split; [unfold earlier, factor_of; encl | unfold later, factor_of; encl].
 Qed.
 Lemma step_difference u s v u' s' v' : within_ d u -> within_ e s -> within_ f v -> within_ d u' -> within_ e s' ->
-  within_ f v' -> exists o b r, mem (own D x y) o /\ mem (earlier D x y) b /\ mem (later D x y) r /\ (m = 0 -> o
-    = 1) /\
+  within_ f v' -> exists o b r, mem (own D x y) o /\ mem (earlier D x y) b /\ mem (later D x y) r /\ (m = 0 -> o = 1) /\
   F u s v - F u' s' v' = o * (s - s') + b * (u - u') + r * (v - v').
 Proof.
   intros Hu Hs Hv Hu' Hs' Hv'.
@@ -52,38 +50,33 @@ Proof.
     as [_ (p & p' & Mp & Mp' & Ep)].
   exists (1 - m - m * sum_of tau a p'), (- (m * sum_of tau 0 p)), (- (m * sum_of tau a' 0)).
   destruct (slopes_of _ _ _ _ Ma Ma' Mp Mp') as (Mo & Mb & Mr).
-  split; [exact Mo|]; split; [exact Mb|]; split; [exact Mr|].
-  split; [intros ->; ring|].
-  unfold F, step, law.
-  replace (after M k (phase M w s) (phase M w v)) with
-    (after M k (phase M w s') (phase M w v') - (a * (s - s') + a' * (v - v'))) by lra.
-  replace (before M j (phase M w u) (phase M w s)) with
-    (before M j (phase M w u') (phase M w s') - (p * (u - u') + p' * (s - s'))) by lra.
+  split; [exact Mo|]; split; [exact Mb|]; split; [exact Mr|]. split; [intros ->; ring|]. unfold F, step, law.
+  replace (after M k (phase M w s) (phase M w v)) with (after M k (phase M w s') (phase M w v')
+    - (a * (s - s') + a' * (v - v'))) by lra.
+  replace (before M j (phase M w u) (phase M w s)) with (before M j (phase M w u') (phase M w s')
+    - (p * (u - u') + p' * (s - s'))) by lra.
   unfold sum_of; field; lra.
 Qed.
-
 Lemma step_image u s v : within_ d u -> within_ e s -> within_ f v -> mem (image D x y) (F u s v).
 Proof.
   intros Hu Hs Hv; destruct (step_difference u s v cd ce cf Hu Hs Hv (stands_in _ _ _ _ Hd) (stands_in _ _ _ _ He)
     (stands_in _ _ _ _ Hf)) as (o & b & r & Mo & Mb & Mr & _ & E).
   pose proof (mem_apart M w d cd u Hd Hu) as Hdu; pose proof (mem_apart M w e ce s He Hs) as Hes.
-  pose proof (mem_apart M w f cf v Hf Hv) as Hfv.
-  pose proof (mids D M w kappa HD HG k e f ce cf He Hf Ly) as [MA _].
+  pose proof (mem_apart M w f cf v Hf Hv) as Hfv. pose proof (mids D M w kappa HD HG k e f ce cf He Hf Ly) as [MA _].
   pose proof (mids D M w kappa HD HG j d e cd ce Hd He Lx) as [_ MP].
   pose proof (mem_sum D M w kappa HD _ _ _ _ MA MP) as MS.
   pose proof (mem_fraction (Edge.factor (snd (edge e)))) as Hm; fold (number_of e) m in Hm.
   pose proof (hit_s _ _ _ _ (stands_centre _ _ _ _ He)) as Hc.
   replace (F u s v) with ((1 - m) * ce + m * sum_of tau (after M k (phase M w ce) (phase M w cf))
     (before M j (phase M w cd) (phase M w ce)) + (o * (s - ce) + (b * (u - cd) + r * (v - cf)))).
-  - unfold image, factor_of; cbv zeta; apply mem_plus; [|encl].
-    apply mem_plus; apply mem_times; trivial; encl.
+  - unfold image, factor_of; cbv zeta; apply mem_plus; [|encl]. apply mem_plus; apply mem_times; trivial; encl.
   - replace (F u s v) with (F cd ce cf + (o * (s - ce) + b * (u - cd) + r * (v - cf))) by lra.
     unfold F, step, law; ring.
 Qed.
 
 (** E2: how fast F moves, where u, s and v move so fast. *)
-Lemma step_rate_bound u s v lu ls lv b : contracts D x y = true -> within_ d u -> within_ e s -> within_ f v -> 0 <= b ->
-  Rabs lu <= wt_of d * b -> Rabs ls <= wt_of e * b -> Rabs lv <= wt_of f * b ->
+Lemma step_rate_bound u s v lu ls lv b : contracts D x y = true -> within_ d u -> within_ e s -> within_ f v ->
+  0 <= b -> Rabs lu <= wt_of d * b -> Rabs ls <= wt_of e * b -> Rabs lv <= wt_of f * b ->
   Rabs (step_rate M w j k m u s v lu ls lv) <= wt_of e * (kappa * b).
 Proof.
   intros HX Hu Hs Hv Hb Bu Bs Bv.
@@ -114,12 +107,10 @@ Proof.
 Qed.
 
 (** E3: s is a mean of 2a and 2p. *)
-Lemma step_leaves u s v : leaves x y = true -> within_ d u -> within_ e s -> within_ f v -> law M w j k u s v =
-  s ->
+Lemma step_leaves u s v : leaves x y = true -> within_ d u -> within_ e s -> within_ f v -> law M w j k u s v = s ->
   before M j (phase M w u) (phase M w s) < s / 2.
 Proof.
-  intros HX Hu Hs Hv E.
-  destruct (flight_knows D M w kappa HD HG k e f ce cf He Hf Ly s v (conj Hs Hv)) as [HA _].
+  intros HX Hu Hs Hv E. destruct (flight_knows D M w kappa HD HG k e f ce cf He Hf Ly s v (conj Hs Hv)) as [HA _].
   destruct (flight_knows D M w kappa HD HG j d e cd ce Hd He Lx u s (conj Hu Hs)) as [_ HP].
   unfold law, sum_of in E; set (a := after _ _ _ _) in *; set (p := before _ _ _ _) in *.
   assert (E' : s * (1 + tau) = 2 * (a + tau * p)) by (rewrite <- E at 1; field; lra).

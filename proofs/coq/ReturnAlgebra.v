@@ -21,23 +21,17 @@ Definition g (y : R) (k : nat) : R := u (S k) - y * u k.
 
 Lemma beyond_g y k : beyond a1 a2 y k <-> g y k > 1.
 Proof. unfold beyond, apply, g; rewrite power_of_A; cbn [fst snd m11 m12]; split; intros; nra. Qed.
-
 Lemma u_sum_g y k l : u (k + l) = u k * g y l + u l * g y k + (2 * y - a1) * (u k * u l).
 Proof. rewrite u_sum; unfold g; ring. Qed.
-
 Lemma g_sum y k l : g y (k + l) = g y k * g y l - (y ^ 2 - a1 * y + a2) * (u k * u l).
-Proof.
-  unfold g; replace (S (k + l)) with (S k + l)%nat by lia; rewrite !u_sum, !u_SS; ring.
-Qed.
+Proof. unfold g; replace (S (k + l)) with (S k + l)%nat by lia; rewrite !u_sum, !u_SS; ring. Qed.
 
 (** No time splits into two of its own side. *)
 Lemma no_split x y k l : x = 1 \/ x = -1 -> 0 < x * u k -> 0 < x * u l -> 0 < x * u (k + l) ->
   g y k <= 1 -> g y l <= 1 -> g y (k + l) <= 1.
 Proof.
-  intros Hx Hk Hl Hn Gk Gl; apply Rnot_lt_le; intros Gn.
-  pose proof (g_sum y k l) as E; rewrite (u_sum_g y) in Hn.
-  assert (Ex : x * x = 1) by (destruct Hx; subst; ring).
-  set (U := x * u k) in *; set (W := x * u l) in *.
+  intros Hx Hk Hl Hn Gk Gl; apply Rnot_lt_le; intros Gn. pose proof (g_sum y k l) as E; rewrite (u_sum_g y) in Hn.
+  assert (Ex : x * x = 1) by (destruct Hx; subst; ring). set (U := x * u k) in *; set (W := x * u l) in *.
   replace (u k * u l) with (U * W) in * by (unfold U, W; transitivity (x * x * (u k * u l)); [ring | rewrite Ex; ring]).
   replace (x * _) with (U * g y l + W * g y k + x * (2 * y - a1) * (U * W)) in Hn by (unfold U, W; ring).
   clearbody U W; set (Q := y ^ 2 - a1 * y + a2) in *; set (z := x * (2 * y - a1)) in *.
@@ -51,25 +45,20 @@ Proof.
   assert (HG : 0 < G) by (unfold G; lra); assert (HH : 0 < F) by (unfold F; lra).
   replace (g y k) with (- G) in * by (unfold G; ring); replace (g y l) with (- F) in * by (unfold F; ring).
   assert (S1 : 0 < U * F) by (apply Rmult_lt_0_compat; assumption).
-  assert (S2 : 0 < W * G) by (apply Rmult_lt_0_compat; assumption).
-  assert (S3 : U * F + W * G < z * (U * W)) by lra.
+  assert (S2 : 0 < W * G) by (apply Rmult_lt_0_compat; assumption). assert (S3 : U * F + W * G < z * (U * W)) by lra.
   assert (S4 : (U * F + W * G) * (U * F + W * G) < z * (U * W) * (z * (U * W))) by (apply Rmult_le_0_lt_compat; lra).
-  pose proof (pow2_ge_0 (U * F - W * G)).
-  assert (S5 : 4 * (U * W * (G * F)) < z * z * (U * W * (U * W))) by nra.
+  pose proof (pow2_ge_0 (U * F - W * G)). assert (S5 : 4 * (U * W * (G * F)) < z * z * (U * W * (U * W))) by nra.
   assert (S6 : z * z * (U * W * (U * W)) < 4 * Q * (U * W * (U * W))).
   { apply Rmult_lt_compat_r; [apply Rmult_lt_0_compat; assumption | assumption]. }
-  assert (S7 : U * W * (G * F) > U * W * (Q * (U * W))) by (apply Rmult_lt_compat_l; nra).
-  lra.
+  assert (S7 : U * W * (G * F) > U * W * (Q * (U * W))) by (apply Rmult_lt_compat_l; nra). lra.
 Qed.
 
 (** p_k is where g_k = 1, and k steps lead from there to q_k. *)
 Lemma g_p y k : u k <> 0 -> g y k = 1 + u k * (p k - y).
 Proof. intros; unfold g, StatementWords.p; field; assumption. Qed.
-
 Lemma g_shift k i : u i <> 0 -> g (p i) (k + i) = g (q i) k.
 Proof.
-  intros Hi; rewrite q_next by assumption; unfold g, StatementWords.p.
-  replace (S (k + i)) with (S k + i)%nat by lia.
+  intros Hi; rewrite q_next by assumption; unfold g, StatementWords.p. replace (S (k + i)) with (S k + i)%nat by lia.
   rewrite !u_sum, u_SS, <- (u_Cassini a1 a2 i); field; assumption.
 Qed.
 
@@ -84,8 +73,7 @@ Proof.
   set (R := sqrt a2 ^ n); assert (ER : a2 ^ n = R ^ 2).
   { unfold R; rewrite <- pow_mult, Nat.mul_comm, pow_mult, pow2_sqrt by lra; reflexivity. }
   assert (HR : 0 < R) by (apply pow_lt, sqrt_lt_R0; assumption).
-  rewrite ER in *; assert (v a1 a2 n < 2 * R) by (apply Rnot_le_lt; intros ?; nra).
-  pose proof (pow2_ge_0 (1 - R)); lra.
+  rewrite ER in *; assert (v a1 a2 n < 2 * R) by (apply Rnot_le_lt; intros ?; nra). pose proof (pow2_ge_0 (1 - R)); lra.
 Qed.
 
 (** a2 <= 1: the p of the two sides lie apart; a2 >= 1: the q do. *)
@@ -106,13 +94,10 @@ Definition time (n : nat) : Prop := (1 <= n)%nat /\ exists y, g y n > 1 /\ foral
 
 Lemma time_return n : return_time a1 a2 n <-> time n.
 Proof.
-  unfold return_time, time; split; intros [Hn (y & Hy & Hk)]; (split; [assumption|]); exists y;
-    rewrite beyond_g in *; (split; [assumption|]); intros k Hk';
-    specialize (Hk k ltac:(lia)); rewrite beyond_g in *; lra.
+  unfold return_time, time; split; intros [Hn (y & Hy & Hk)]; (split; [assumption|]); exists y; rewrite beyond_g in *;
+    (split; [assumption|]); intros k Hk'; specialize (Hk k ltac:(lia)); rewrite beyond_g in *; lra.
 Qed.
-
-Lemma least y k : (1 <= k)%nat -> g y k > 1 ->
-  exists l, (1 <= l <= k)%nat /\ time l /\ g y l > 1.
+Lemma least y k : (1 <= k)%nat -> g y k > 1 -> exists l, (1 <= l <= k)%nat /\ time l /\ g y l > 1.
 Proof.
   induction k as [k IH] using lt_wf_ind; intros Hk Hg.
   destruct (classic (exists l, (1 <= l < k)%nat /\ g y l > 1)) as [(l & Hl & Hgl)|Hno].
@@ -120,14 +105,11 @@ Proof.
   - exists k; repeat split; try lia; try assumption; exists y; split; [assumption|]; intros l Hl.
     apply Rnot_lt_le; intros ?; apply Hno; exists l; split; [assumption | lra].
 Qed.
-
 Lemma member_g n : member a1 a2 Plus n <-> u n <> 0 /\ forall k, (1 <= k < n)%nat -> g (p n) k < 1.
 Proof.
-  unfold member; cbn [sgn]; split; intros [Hu H]; (split; [assumption|]); intros k Hk;
-    specialize (H k ltac:(lia)); rewrite (b_is_1_plus_x a1 a2 n k ltac:(lia) Hu) in *;
-    unfold orbit_x in *; unfold g, StatementWords.p in *; lra.
+  unfold member; cbn [sgn]; split; intros [Hu H]; (split; [assumption|]); intros k Hk; specialize (H k ltac:(lia));
+    rewrite (b_is_1_plus_x a1 a2 n k ltac:(lia) Hu) in *; unfold orbit_x in *; unfold g, StatementWords.p in *; lra.
 Qed.
-
 Lemma nearby y n : (forall k, (1 <= k < n)%nat -> g y k < 1) ->
   exists e, 0 < e /\ forall y' k, Rabs (y' - y) < e -> (1 <= k < n)%nat -> g y' k < 1.
 Proof.
@@ -138,18 +120,17 @@ Proof.
   assert (Ed : d * (1 + Rabs (u n)) = 1 - g y n) by (unfold d; field; lra).
   assert (0 < d) by (apply Rdiv_lt_0_compat; lra).
   exists (Rmin e d); split; [apply Rmin_pos; assumption|]; intros y' k Hy Hk.
-  pose proof (Rmin_l e d); pose proof (Rmin_r e d).
-  destruct (Nat.eq_dec k n) as [->|]; [|apply IH; [lra | lia]].
+  pose proof (Rmin_l e d); pose proof (Rmin_r e d). destruct (Nat.eq_dec k n) as [->|]; [|apply IH; [lra | lia]].
   replace (g y' n) with (g y n - (y' - y) * u n) by (unfold g; ring).
   pose proof (Rle_abs (- ((y' - y) * u n))) as B; rewrite Rabs_Ropp, Rabs_mult in B.
   assert (Rabs (y' - y) * Rabs (u n) <= d * Rabs (u n)) by (apply Rmult_le_compat_r; lra); lra.
 Qed.
-
 Lemma member_time n : member a1 a2 Plus n -> time n.
 Proof.
   intros HV; apply member_g in HV; destruct HV as [Hu H]; destruct (nearby (p n) n H) as (e & He & HN).
   split; [apply (u_nonzero_pos a1 a2), Hu|].
-  assert (HG : forall x, Rabs x < e -> 0 < - x * u n -> exists y, g y n > 1 /\ forall k, (1 <= k < n)%nat -> g y k <= 1).
+  assert (HG : forall x, Rabs x < e -> 0 < - x * u n -> exists y, g y n > 1 /\ forall k, (1 <= k < n)%nat ->
+    g y k <= 1).
   { intros x Hx Hs; exists (p n + x); rewrite g_p by assumption; split; [lra|].
     intros k Hk; apply Rlt_le, HN; [replace (p n + x - p n) with x by ring|]; assumption. }
   destruct (Rdichotomy _ _ Hu) as [Hs|Hs].

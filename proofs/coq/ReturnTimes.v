@@ -20,15 +20,14 @@ Notation g := (g a1 a2).
 Notation time := (time a1 a2).
 Notation member := (member a1 a2 Plus).
 
-Lemma sin_pos : 0 < sin (2 * PI * s).
-Proof. pose proof (two_pi_s s s_in); apply sin_gt_0; lra. Qed.
+Lemma sin_pos : 0 < sin (2 * PI * s). Proof. pose proof (two_pi_s s s_in); apply sin_gt_0; lra. Qed.
 
 Lemma complex_here : a1 ^ 2 < 4 * a2.
 Proof.
   pose proof sin_pos as HS; pose proof (sin2_cos2 (2 * PI * s)) as E; unfold Rsqr in E; unfold trace.
   set (S := sin (2 * PI * s)) in *; set (C := cos (2 * PI * s)) in *.
-  assert (0 < r ^ 2 * (S * S))
-    by (apply Rmult_lt_0_compat; [apply pow_lt, r_pos | apply Rmult_lt_0_compat; assumption]).
+  assert (0 < r ^ 2 * (S * S)) by (apply Rmult_lt_0_compat; [apply pow_lt, r_pos | apply Rmult_lt_0_compat;
+    assumption]).
   replace ((2 * r * C) ^ 2) with (4 * (r ^ 2 * (C * C))) by ring; replace (C * C) with (1 - S * S) by lra; lra.
 Qed.
 
@@ -39,8 +38,7 @@ Proof.
   pose proof sin_pos as HS; pose proof (pow_lt r k r_pos).
   pose proof (u_polar r (2 * PI * s) k) as E; pose proof (u_polar r (2 * PI * s) (S k)) as E'; fold a1 in E, E'.
   rewrite (sin_turns (INR k * (2 * PI * s)) x m) in E by (unfold x; ring).
-  rewrite (sin_turns (INR (S k) * (2 * PI * s)) (x + 2 * PI * s) m) in E' by (unfold x; rewrite S_INR; ring).
-  split.
+  rewrite (sin_turns (INR (S k) * (2 * PI * s)) (x + 2 * PI * s) m) in E' by (unfold x; rewrite S_INR; ring). split.
   - exists (r * sin (2 * PI * s) / r ^ k); split; [apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra|].
     unfold Rdiv; rewrite <- Rmult_assoc, E; field; lra.
   - apply (Rmult_eq_reg_l r); [|lra].
@@ -48,17 +46,16 @@ Proof.
 Qed.
 
 (** The sign of u_k within half a turn of m turns, and its next where it vanishes. *)
-Lemma side_of k m : Rabs (INR k * s - INR m) < 1 / 2 ->
-  (INR m < INR k * s -> 0 < u k) /\ (INR k * s < INR m -> u k < 0) /\
-  (INR k * s = INR m -> u k = 0 /\ u (S k) = r ^ k).
+Lemma side_of k m : Rabs (INR k * s - INR m) < 1 / 2 -> (INR m < INR k * s -> 0 < u k) /\ (INR k * s < INR m -> u k < 0)
+  /\ (INR k * s = INR m -> u k = 0 /\ u (S k) = r ^ k).
 Proof.
-  intros Hm; apply Rabs_def2 in Hm; destruct (u_angle k m) as [(t & Ht & E) E']; pose proof PI_RGT_0; pose proof sin_pos.
+  intros Hm; apply Rabs_def2 in Hm; destruct (u_angle k m) as [(t & Ht & E) E']; pose proof PI_RGT_0;
+    pose proof sin_pos.
   split; [|split]; intros Hk.
   - assert (0 < sin (2 * PI * (INR k * s - INR m))) by (apply sin_gt_0; nra); nra.
   - assert (sin (2 * PI * (INR k * s - INR m)) < 0) by (apply sin_lt_0_var; nra); nra.
   - rewrite Hk, Rminus_diag_eq, Rmult_0_r in * by reflexivity; rewrite sin_0 in E; rewrite Rplus_0_l in E'.
-    split; [|apply (Rmult_eq_reg_r (sin (2 * PI * s))); lra].
-    destruct (Rmult_integral _ _ E); lra.
+    split; [|apply (Rmult_eq_reg_r (sin (2 * PI * s))); lra]. destruct (Rmult_integral _ _ E); lra.
 Qed.
 
 (** Half a turn: u_k = 0, and the point is on the other side of 0. *)
@@ -74,7 +71,8 @@ Lemma nearest k : (exists y, 0 < g y k) -> exists m, Rabs (INR k * s - INR m) < 
 Proof.
   intros (y & Hy); destruct (archimed (INR k * s - 1 / 2)) as [H1 H2]; pose proof (pos_INR k).
   assert (0 <= INR k * s) by nra; set (z := up (INR k * s - 1 / 2)) in *.
-  assert (Hz : (-1 < z)%Z) by (apply lt_IZR; lra); assert (E : INR (Z.to_nat z) = IZR z) by (rewrite INR_IZR_INZ, Z2Nat.id; [reflexivity | lia]).
+  assert (Hz : (-1 < z)%Z) by (apply lt_IZR; lra); assert (E : INR (Z.to_nat z) = IZR z) by (rewrite INR_IZR_INZ,
+    Z2Nat.id; [reflexivity | lia]).
   exists (Z.to_nat z); rewrite E; apply Rabs_def1; [lra|]; apply Rnot_le_lt; intros Hle.
   destruct (half_turn k (Z.to_nat (z - 1))) as [E0 E1].
   { assert (0 < z)%Z by (apply lt_IZR; lra); rewrite (INR_IZR_INZ (Z.to_nat _)), Z2Nat.id, minus_IZR by lia; lra. }
@@ -88,12 +86,8 @@ Variable K : nat.
 Hypothesis half : next_half s K.
 
 Lemma K_2 : (2 <= K)%nat.
-Proof.
-  destruct half as [_ H]; destruct K as [|[|k]]; cbn [INR] in H; [lra | lra | lia].
-Qed.
-
-Lemma side_K : u K < 0.
-Proof. destruct half; apply (side_of K 1); [apply Rabs_def1 | ]; cbn [INR]; lra. Qed.
+Proof. destruct half as [_ H]; destruct K as [|[|k]]; cbn [INR] in H; [lra | lra | lia]. Qed.
+Lemma side_K : u K < 0. Proof. destruct half; apply (side_of K 1); [apply Rabs_def1 | ]; cbn [INR]; lra. Qed.
 
 Lemma before_K k : (k < K)%nat -> 0 <= u k /\ ((1 <= k)%nat -> u k = 0 -> u (S k) < 0).
 Proof.
@@ -105,8 +99,7 @@ Proof.
   - destruct (half_turn k 0) as [E0 E1]; [cbn [INR]; lra|]; rewrite E0; split; [lra | intros; assumption].
 Qed.
 
-Lemma member_1 : member 1.
-Proof. split; [rewrite u_1; lra | intros; lia]. Qed.
+Lemma member_1 : member 1. Proof. split; [rewrite u_1; lra | intros; lia]. Qed.
 
 Lemma member_first : member K.
 Proof.
@@ -118,7 +111,8 @@ Qed.
 
 Lemma time_between n : time n -> (n <= K)%nat -> n = 1%nat \/ n = K.
 Proof.
-  intros [H1 (y & Hy & Hk)] Hn; destruct (Nat.eq_dec n 1) as [|N1]; [tauto|]; destruct (Nat.eq_dec n K) as [|NK]; [tauto|].
+  intros [H1 (y & Hy & Hk)] Hn; destruct (Nat.eq_dec n 1) as [|N1]; [tauto|]; destruct (Nat.eq_dec n K) as [|NK];
+    [tauto|].
   exfalso; destruct (before_K n ltac:(lia)) as [Hu H0]; destruct (before_K (n - 1) ltac:(lia)) as [Hv Hv0].
   destruct (Req_dec (u n) 0) as [E|E].
   - specialize (H0 ltac:(lia) E); unfold ReturnAlgebra.g in Hy; rewrite E in Hy; lra.
@@ -127,7 +121,8 @@ Proof.
     { destruct (Rle_lt_or_eq_dec _ _ Hv) as [|E']; [assumption|]; specialize (Hv0 ltac:(lia) (eq_sym E')).
       replace (S (n - 1)) with n in Hv0 by lia; lra. }
     pose proof (no_split a1 a2 complex_here 1 y 1 (n - 1)) as HS; replace (1 + (n - 1))%nat with n in HS by lia.
-    rewrite u_1 in HS; specialize (HS ltac:(tauto) ltac:(lra) ltac:(lra) ltac:(lra) (Hk 1%nat ltac:(lia)) (Hk (n - 1)%nat ltac:(lia))); lra.
+    rewrite u_1 in HS; specialize (HS ltac:(tauto) ltac:(lra) ltac:(lra) ltac:(lra) (Hk 1%nat ltac:(lia))
+      (Hk (n - 1)%nat ltac:(lia))); lra.
 Qed.
 
 Lemma nonpos_nonneg x y : x <= 0 -> 0 <= y -> x * y <= 0. Proof. intros; nra. Qed.
@@ -145,8 +140,9 @@ Lemma pair_facts : (m2 * n1 = m1 * n2 + 1)%nat /\ (1 <= n1)%nat /\ (K <= n2)%nat
 Proof.
   assert (Hd : forall w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 -> Rabs (INR (n1 + n2) * s - INR (m1 + m2)) < 1 / 2)
     by (intros; eapply stern_distance; eassumption).
-  assert (Hf : forall w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 -> (m2 * n1 = m1 * n2 + 1)%nat /\ (1 <= n1)%nat /\ (K <= n2)%nat /\
-    (1 <= m2)%nat /\ INR m1 < s * INR n1 /\ s * INR n2 < INR m2) by (intros; eapply stern_facts; eassumption).
+  assert (Hf : forall w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 -> (m2 * n1 = m1 * n2 + 1)%nat /\ (1 <= n1)%nat /\
+    (K <= n2)%nat /\ (1 <= m2)%nat /\ INR m1 < s * INR n1 /\ s * INR n2 < INR m2) by (intros; eapply stern_facts;
+    eassumption).
   destruct (Hf _ _ _ _ _ path) as (E & H1 & H2 & H3 & L1 & L2); repeat (split; [assumption || lra|]).
   clear E H1 H2 H3 L1 L2; induction path as [|w' m1 n1 m2 n2 H IH Hlt|w' m1 n1 m2 n2 H IH Hlt]; cbn [INR].
   - destruct half; lra.
@@ -154,9 +150,8 @@ Proof.
   - pose proof (Rabs_def2 _ _ (Hd _ _ _ _ _ H)); specialize (IH H); lra.
 Qed.
 
-Lemma gap n m : (1 <= n)%nat -> Rabs (INR n * s - INR m) < 1 / 2 ->
-  (n1 + n2 <= n)%nat \/ INR n * s <> INR m /\ ((Nat.max n1 n2 < n)%nat ->
-  exists x k l, (x = 1 \/ x = -1) /\ (1 <= k)%nat /\ (1 <= l)%nat /\ n = (k + l)%nat /\
+Lemma gap n m : (1 <= n)%nat -> Rabs (INR n * s - INR m) < 1 / 2 -> (n1 + n2 <= n)%nat \/ INR n * s <> INR m /\
+  ((Nat.max n1 n2 < n)%nat -> exists x k l, (x = 1 \/ x = -1) /\ (1 <= k)%nat /\ (1 <= l)%nat /\ n = (k + l)%nat /\
   0 < x * u k /\ 0 < x * u l /\ 0 < x * u (k + l)).
 Proof.
   intros Hn Hm; pose proof Hm as Hm'; apply Rabs_def2 in Hm'.
@@ -165,9 +160,11 @@ Proof.
   set (b := (Z.of_nat m * Z.of_nat n1 - Z.of_nat m1 * Z.of_nat n)%Z).
   assert (EZ : (Z.of_nat m2 * Z.of_nat n1 = Z.of_nat m1 * Z.of_nat n2 + 1)%Z) by lia.
   assert (En : (Z.of_nat n = a * Z.of_nat n1 + b * Z.of_nat n2)%Z).
-  { transitivity (Z.of_nat n * (Z.of_nat m2 * Z.of_nat n1 - Z.of_nat m1 * Z.of_nat n2))%Z; [rewrite EZ | unfold a, b]; ring. }
+  { transitivity (Z.of_nat n * (Z.of_nat m2 * Z.of_nat n1 - Z.of_nat m1 * Z.of_nat n2))%Z; [rewrite EZ | unfold a, b];
+      ring. }
   assert (Em : (Z.of_nat m = a * Z.of_nat m1 + b * Z.of_nat m2)%Z).
-  { transitivity (Z.of_nat m * (Z.of_nat m2 * Z.of_nat n1 - Z.of_nat m1 * Z.of_nat n2))%Z; [rewrite EZ | unfold a, b]; ring. }
+  { transitivity (Z.of_nat m * (Z.of_nat m2 * Z.of_nat n1 - Z.of_nat m1 * Z.of_nat n2))%Z; [rewrite EZ | unfold a, b];
+      ring. }
   assert (Ed : INR n * s - INR m = IZR a * (INR n1 * s - INR m1) + IZR b * (INR n2 * s - INR m2)).
   { apply (f_equal IZR) in En, Em; rewrite plus_IZR, !mult_IZR, <- !INR_IZR_INZ in En, Em; rewrite En, Em; ring. }
   set (d1 := INR n1 * s - INR m1) in *; set (d2 := INR n2 * s - INR m2) in *.
@@ -187,7 +184,8 @@ Proof.
       apply Z.lt_le_trans with (Z.of_nat m2 * Z.of_nat n)%Z; [apply Z.mul_lt_mono_pos_l; lia | unfold a in Ha; lia]. }
     exists (-1), n2, (n - n2)%nat; do 3 (split; [tauto || lia|]); split; [lia|].
     replace (n2 + (n - n2))%nat with n by lia.
-    assert (Hl : INR (n - n2) * s - INR (m - m2) = INR n * s - INR m - d2) by (rewrite !minus_INR by lia; unfold d2; ring).
+    assert (Hl : INR (n - n2) * s - INR (m - m2) = INR n * s - INR m - d2) by (rewrite !minus_INR by lia; unfold d2;
+      ring).
     assert (Hlt : INR n * s - INR m - d2 < 0).
     { assert (IZR b * d2 <= 2 * d2) by (apply compat_nonpos; lra); lra. }
     assert (u n2 < 0) by (apply (side_of n2 m2); [apply Rabs_def1|]; unfold d2 in *; lra).
@@ -202,9 +200,9 @@ Proof.
     assert (Hmm : (m1 <= m)%nat).
     { apply Nat.lt_succ_r, INR_lt; rewrite S_INR; unfold d1 in *.
       assert (INR n1 * s <= INR n * s) by (apply Rmult_le_compat_r; [lra | apply le_INR; lia]); lra. }
-    exists 1, n1, (n - n1)%nat; do 3 (split; [tauto || lia|]); split; [lia|].
-    replace (n1 + (n - n1))%nat with n by lia.
-    assert (Hl : INR (n - n1) * s - INR (m - m1) = INR n * s - INR m - d1) by (rewrite !minus_INR by lia; unfold d1; ring).
+    exists 1, n1, (n - n1)%nat; do 3 (split; [tauto || lia|]); split; [lia|]. replace (n1 + (n - n1))%nat with n by lia.
+    assert (Hl : INR (n - n1) * s - INR (m - m1) = INR n * s - INR m - d1) by (rewrite !minus_INR by lia; unfold d1;
+      ring).
     assert (0 < u n1) by (apply (side_of n1 m1); [apply Rabs_def1|]; unfold d1 in *; lra).
     assert (0 < u (n - n1)) by (apply (side_of (n - n1) (m - m1)); [apply Rabs_def1|]; lra).
     assert (0 < u n) by (apply (side_of n m Hm); lra); lra.
@@ -238,8 +236,7 @@ Let n := (n1 + n2)%nat.
 Lemma before_mediant y k : p n1 <= y <= p n2 -> (1 <= k < n)%nat -> g y k <= 1.
 Proof.
   intros Hy Hk; apply Rnot_lt_le; intros Hg; destruct points as (_ & _ & _ & HJ).
-  destruct (least a1 a2 y k ltac:(lia) Hg) as (l & Hl & HT & Hgl).
-  destruct (le_lt_dec l (Nat.max n1 n2)) as [Hm|Hm].
+  destruct (least a1 a2 y k ltac:(lia) Hg) as (l & Hl & HT & Hgl). destruct (le_lt_dec l (Nat.max n1 n2)) as [Hm|Hm].
   - pose proof (proj2 (HJ y) Hy l ltac:(lia)); lra.
   - pose proof (time_gap l HT Hm); unfold n in *; lia.
 Qed.
@@ -248,7 +245,8 @@ Lemma mediant_time : time n <-> exists y, p n1 <= y <= p n2 /\ g y n > 1.
 Proof.
   destruct points as (_ & _ & _ & HJ); destruct pair_facts as (_ & H1 & H2 & _); pose proof K_2; split.
   - intros [_ (y & Hy & Hk)]; exists y; split; [|assumption]; apply HJ; intros k Hk'; apply Hk; unfold n; lia.
-  - intros (y & Hy & Hg); split; [unfold n; lia|]; exists y; split; [assumption|]; intros k Hk; apply before_mediant; assumption.
+  - intros (y & Hy & Hg); split; [unfold n; lia|]; exists y; split; [assumption|]; intros k Hk; apply before_mediant;
+      assumption.
 Qed.
 
 Lemma mediant_side : (0 < u n -> (time n <-> p n1 < p n)) /\ (u n < 0 -> (time n <-> p n < p n2)) /\
@@ -272,7 +270,8 @@ Proof.
   - intros k Hk; destruct (before_mediant (p n) k ltac:(lra) Hk) as [|E]; [assumption|exfalso].
     destruct (Rtotal_order (u k) 0) as [Hs|[Hs|Hs]].
     + pose proof (before_mediant (p n2) k ltac:(lra) Hk) as G; rewrite g_p in E, G by lra; nra.
-    + unfold ReturnAlgebra.g in E; rewrite Hs in E; pose proof (resonance k ltac:(lia) Hs ltac:(lra)); unfold n in *; lia.
+    + unfold ReturnAlgebra.g in E; rewrite Hs in E; pose proof (resonance k ltac:(lia) Hs ltac:(lra)); unfold n in *;
+        lia.
     + pose proof (before_mediant (p n1) k ltac:(lra) Hk) as G; rewrite g_p in E, G by lra; nra.
 Qed.
 
@@ -283,16 +282,14 @@ Proof.
   pose proof (time_gap k HT Hk) as Hnk; assert (k <> n) by (intros ->; tauto).
   destruct pair_facts as (_ & H1 & H2 & _); pose proof K_2.
   assert (Quiet : forall y l, p n1 <= y <= p n2 -> (1 <= l < k)%nat -> g y l <= 1).
-  { intros y l Hy Hl; apply Rnot_lt_le; intros Hg.
-    destruct (least a1 a2 y l ltac:(lia) Hg) as (l' & Hl' & HT' & Hg').
+  { intros y l Hy Hl; apply Rnot_lt_le; intros Hg. destruct (least a1 a2 y l ltac:(lia) Hg) as (l' & Hl' & HT' & Hg').
     destruct (le_lt_dec l' (Nat.max n1 n2)) as [Hm|Hm].
     - pose proof (proj2 (HJ y) Hy l' ltac:(lia)); lra.
     - apply (IH l'); assumption || lia. }
-  assert (Shift : forall i l, (i = n1 \/ i = n2) -> g (p i) k > 1 -> k = (l + i)%nat -> u i <> 0 ->
-    g (q i) l > 1 /\ (forall l', (1 <= l' < l)%nat -> g (q i) l' <= 1) /\ (q i < p n1 \/ p n2 < q i)).
+  assert (Shift : forall i l, (i = n1 \/ i = n2) -> g (p i) k > 1 -> k = (l + i)%nat -> u i <> 0 -> g (q i) l > 1 /\
+    (forall l', (1 <= l' < l)%nat -> g (q i) l' <= 1) /\ (q i < p n1 \/ p n2 < q i)).
   { intros i l Hi Hg -> Hui; rewrite (g_shift a1 a2 l i Hui) in Hg.
-    assert (Hpi : p n1 <= p i <= p n2) by (destruct Hi; subst; lra).
-    split; [assumption | split].
+    assert (Hpi : p n1 <= p i <= p n2) by (destruct Hi; subst; lra). split; [assumption | split].
     - intros l' Hl'; rewrite <- (g_shift a1 a2 l' i Hui); apply Quiet; [assumption | lia].
     - destruct (Rlt_le_dec (q i) (p n1)) as [|L1]; [tauto|]; destruct (Rlt_le_dec (p n2) (q i)) as [|L2]; [tauto|].
       pose proof (Quiet (q i) l ltac:(lra) ltac:(unfold n in *; lia)); lra. }
@@ -323,19 +320,17 @@ Proof.
   - apply SU; [assumption|]; apply Rnot_le_lt; intros Hle; specialize (QU Hs).
     pose proof (I2 a1 a2 n n2 ltac:(unfold n; lia) ltac:(lra) ltac:(lra)) as E2.
     pose proof (I3 a1 a2 n n1 ltac:(unfold n; lia) ltac:(lra) ltac:(lra)) as E3.
-    replace (n - n1)%nat with n2 in E3 by (unfold n; lia).
-    assert (0 < a2 ^ n1) by (apply pow_lt; lra).
+    replace (n - n1)%nat with n2 in E3 by (unfold n; lia). assert (0 < a2 ^ n1) by (apply pow_lt; lra).
     assert (0 < u n1 * (q n1 - q n)) by (apply Rmult_lt_0_compat; lra).
     assert (b a1 a2 n n2 <= 0) by (rewrite E2; nra); nra.
-  - apply S0; [assumption|]; destruct Hor as [|Hr1]; [lra|].
-    destruct (side_of n (m1 + m2) Hd) as (Hpos & Hneg & Hz).
-    destruct (Rtotal_order (INR n * s) (INR (m1 + m2))) as [L|[L|L]]; [specialize (Hneg L); lra | | specialize (Hpos L); lra].
+  - apply S0; [assumption|]; destruct Hor as [|Hr1]; [lra|]. destruct (side_of n (m1 + m2) Hd) as (Hpos & Hneg & Hz).
+    destruct (Rtotal_order (INR n * s) (INR (m1 + m2))) as [L|[L|L]]; [specialize (Hneg L); lra | | specialize (Hpos L);
+      lra].
     rewrite (proj2 (Hz L)); apply Rlt_pow_R1; [assumption | destruct pair_facts; unfold n; lia].
   - apply SD; [assumption|]; apply Rnot_le_lt; intros Hle; specialize (QD Hs).
     pose proof (I2 a1 a2 n n1 ltac:(unfold n; lia) ltac:(lra) ltac:(lra)) as E2.
     pose proof (I3 a1 a2 n n2 ltac:(unfold n; lia) ltac:(lra) ltac:(lra)) as E3.
-    replace (n - n2)%nat with n1 in E3 by (unfold n; lia).
-    assert (0 < a2 ^ n2) by (apply pow_lt; lra).
+    replace (n - n2)%nat with n1 in E3 by (unfold n; lia). assert (0 < a2 ^ n2) by (apply pow_lt; lra).
     assert (0 < - u n2 * (q n - q n2)) by (apply Rmult_lt_0_compat; lra).
     assert (b a1 a2 n n1 <= 0) by (rewrite E2; nra); nra.
 Qed.
@@ -351,7 +346,8 @@ Proof.
   - specialize (PU Hs); apply SU in HT; lra.
   - apply S0 in HT; [exfalso | assumption].
     destruct (side_of n (m1 + m2) (stern_distance s s_in K half w m1 n1 m2 n2 path)) as (Hpos & Hneg & Hz).
-    destruct (Rtotal_order (INR n * s) (INR (m1 + m2))) as [L|[L|L]]; [specialize (Hneg L); lra | | specialize (Hpos L); lra].
+    destruct (Rtotal_order (INR n * s) (INR (m1 + m2))) as [L|[L|L]]; [specialize (Hneg L); lra | | specialize (Hpos L);
+      lra].
     rewrite (proj2 (Hz L)) in HT; pose proof (pow_incr r 1 n ltac:(lra)); rewrite pow1 in *; lra.
   - specialize (PD Hs); apply SD in HT; lra.
 Qed.
@@ -365,8 +361,8 @@ Proof.
   intros H HL n Hu Hp; destruct (pair_facts w m1 n1 m2 n2 H) as (_ & H1 & H2 & _); pose proof K_2.
   destruct (side_of n (m1 + m2) (stern_distance s s_in K half w m1 n1 m2 n2 H)) as (_ & Hneg & Hz).
   split; [constructor; [assumption|]|].
-  - fold n; destruct (Rtotal_order (INR n * s) (INR (m1 + m2))) as [L|[L|L]];
-      [specialize (Hneg L); lra | destruct (Hz L); lra | lra].
+  - fold n; destruct (Rtotal_order (INR n * s) (INR (m1 + m2))) as [L|[L|L]]; [specialize (Hneg L); lra |
+      destruct (Hz L); lra | lra].
   - pose proof HL as (D1 & U2 & _ & HJ); repeat (split; [assumption || lra|]); intros y; split.
     + intros Hy; pose proof (Hy n ltac:(unfold n; lia)) as Hg; rewrite g_p in Hg by lra.
       assert (p n1 <= y <= p n2) by (apply HJ; intros; apply Hy; unfold n; lia); split; nra.
@@ -380,8 +376,8 @@ Proof.
   intros H HL n Hu Hp; destruct (pair_facts w m1 n1 m2 n2 H) as (_ & H1 & H2 & _); pose proof K_2.
   destruct (side_of n (m1 + m2) (stern_distance s s_in K half w m1 n1 m2 n2 H)) as (Hpos & _ & Hz).
   split; [constructor; [assumption|]|].
-  - fold n; destruct (Rtotal_order (INR n * s) (INR (m1 + m2))) as [L|[L|L]];
-      [lra | destruct (Hz L); lra | specialize (Hpos L); lra].
+  - fold n; destruct (Rtotal_order (INR n * s) (INR (m1 + m2))) as [L|[L|L]]; [lra | destruct (Hz L); lra |
+      specialize (Hpos L); lra].
   - pose proof HL as (D1 & U2 & _ & HJ); repeat (split; [assumption || lra|]); intros y; split.
     + intros Hy; pose proof (Hy n ltac:(unfold n; lia)) as Hg; rewrite g_p in Hg by lra.
       assert (p n1 <= y <= p n2) by (apply HJ; intros; apply Hy; unfold n; lia); split; nra.
@@ -403,8 +399,10 @@ Lemma spelt_on_path w m1 n1 m2 n2 k : stern s K w m1 n1 m2 n2 -> In k (spelt w) 
 Proof.
   intros H; induction H as [|w m1 n1 m2 n2 H IH Hlt|w m1 n1 m2 n2 H IH Hlt].
   - intros [<-|[<-|[]]]; tauto.
-  - rewrite (spelt_snoc _ _ _ _ _ _ H), in_app_iff; intros [Hk|[<-|[]]]; [auto | right; right; repeat eexists; eassumption].
-  - rewrite (spelt_snoc _ _ _ _ _ _ H), in_app_iff; intros [Hk|[<-|[]]]; [auto | right; right; repeat eexists; eassumption].
+  - rewrite (spelt_snoc _ _ _ _ _ _ H), in_app_iff; intros [Hk|[<-|[]]]; [auto | right; right; repeat eexists;
+      eassumption].
+  - rewrite (spelt_snoc _ _ _ _ _ _ H), in_app_iff; intros [Hk|[<-|[]]]; [auto | right; right; repeat eexists;
+      eassumption].
 Qed.
 
 (** So far everything on the path is in V, and these are the times so far. *)
@@ -417,10 +415,12 @@ Proof.
   - assert (Hp : p 1 < p K).
     { pose proof (proj2 (proj1 (member_g a1 a2 K) member_first) 1%nat ltac:(lia)) as G; rewrite g_p in G by lra; nra. }
     repeat (split; [lra|]); intros y; split; intros Hy.
-    + pose proof (Hy 1%nat ltac:(lia)) as G1; pose proof (Hy K ltac:(lia)) as GK; rewrite g_p in G1, GK by lra; split; nra.
+    + pose proof (Hy 1%nat ltac:(lia)) as G1; pose proof (Hy K ltac:(lia)) as GK; rewrite g_p in G1, GK by lra; split;
+        nra.
     + intros k Hk; apply Rnot_lt_le; intros Hg; destruct (least a1 a2 y k ltac:(lia) Hg) as (l & Hl & HT & Hgl).
       destruct (time_between l HT ltac:(lia)) as [-> | ->]; rewrite g_p in Hgl by lra; nra.
-  - unfold vertices; cbn [periods map fst]; repeat apply Forall_cons; [apply member_1 | apply member_first | constructor].
+  - unfold vertices; cbn [periods map fst]; repeat apply Forall_cons; [apply member_1 | apply member_first |
+      constructor].
   - intros k Hk HT; destruct (time_between k HT ltac:(lia)) as [-> | ->]; cbn; tauto.
 Qed.
 
@@ -474,7 +474,8 @@ Proof.
   destruct (classic (time n)) as [HN|HN]; [|exfalso; exact (no_later w m1 n1 m2 n2 H HL k HN Hk HT)].
   split; [assumption|]; destruct (Nat.eq_dec k n) as [|Hne]; [tauto|]; right; split; [lia|].
   destruct (mediant_side w m1 n1 m2 n2 H HL) as (SD & SU & S0); fold n in SD, SU, S0.
-  pose proof HT as [_ (y & Hy & Hyk)]; assert (HyJ : p n1 <= y <= p n2) by (apply HJ; intros; apply Hyk; unfold n in *; lia).
+  pose proof HT as [_ (y & Hy & Hyk)]; assert (HyJ : p n1 <= y <= p n2) by (apply HJ; intros; apply Hyk; unfold n in *;
+    lia).
   pose proof (Hyk n ltac:(unfold n in *; lia)) as Hyn; destruct (Rtotal_order (u n) 0) as [Hs|[Hs|Hs]].
   - apply SU in HN; [|assumption]; rewrite g_p in Hyn by lra.
     assert (Ep : p n = p n1) by (apply Rle_antisym; [nra|]; nra).
@@ -498,7 +499,8 @@ Lemma after_end_not_member w m1 n1 m2 n2 k : stern s K w m1 n1 m2 n2 -> good w n
   (Nat.max n1 n2 < k)%nat -> ~ member k.
 Proof.
   intros H HG HV Hk HVk; pose proof (member_time a1 a2 k HVk) as HT.
-  destruct (after_end w m1 n1 m2 n2 k H HG HV HT Hk) as (_ & [-> | (_ & _ & [(_ & H' & HL' & E & ->) | (_ & H' & HL' & E & ->)])]);
+  destruct (after_end w m1 n1 m2 n2 k H HG HV HT Hk)
+    as (_ & [-> | (_ & _ & [(_ & H' & HL' & E & ->) | (_ & H' & HL' & E & ->)])]);
     [tauto | exact (tie_not_member _ _ _ _ _ H' HL' E HVk) ..].
 Qed.
 
@@ -562,20 +564,24 @@ Lemma far L : exists w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 /\ good w n1 n2 /\
 Proof.
   induction L as [|L (w & m1 & n1 & m2 & n2 & H & HG & HL)].
   - exists [], 0%nat, 1%nat, 1%nat, K; split; [constructor | split; [apply good_nil | left; lia]].
-  - destruct (classic (member (n1 + n2))) as [HV|HV]; [destruct HL as [HL|]; [|tauto] | exists w, m1, n1, m2, n2; tauto].
+  - destruct (classic (member (n1 + n2))) as [HV|HV]; [destruct HL as [HL|]; [|tauto] | exists w, m1, n1, m2, n2;
+      tauto].
     destruct (pair_facts w m1 n1 m2 n2 H) as (_ & H1 & H2 & _); pose proof K_2 as HK2.
     destruct (Rdichotomy _ _ (proj1 HV)) as [Hu|Hu].
-    + destruct (good_U w m1 n1 m2 n2 H HG HV Hu) as [H' HG']; eexists _, _, _, _, _; split; [exact H' | split; [exact HG' | left; lia]].
-    + destruct (good_D w m1 n1 m2 n2 H HG HV Hu) as [H' HG']; eexists _, _, _, _, _; split; [exact H' | split; [exact HG' | left; lia]].
+    + destruct (good_U w m1 n1 m2 n2 H HG HV Hu) as [H' HG']; eexists _, _, _, _, _; split;
+        [exact H' | split; [exact HG' | left; lia]].
+    + destruct (good_D w m1 n1 m2 n2 H HG HV Hu) as [H' HG']; eexists _, _, _, _, _; split;
+        [exact H' | split; [exact HG' | left; lia]].
 Qed.
 
-Lemma time_on_path k : time k -> k = 1%nat \/ k = K \/ exists w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 /\ k = (n1 + n2)%nat.
+Lemma time_on_path k : time k -> k = 1%nat \/ k = K \/ exists w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 /\
+  k = (n1 + n2)%nat.
 Proof.
   intros HT; destruct (far k) as (w & m1 & n1 & m2 & n2 & H & HG & HL).
   destruct (le_lt_dec k (Nat.max n1 n2)) as [Hm|Hm]; [apply (spelt_on_path w m1 n1 m2 n2 k H), HG; assumption|].
   destruct HL as [|HV]; [lia|]; right; right.
-  destruct (after_end w m1 n1 m2 n2 k H HG HV HT Hm) as (_ & [-> | (_ & _ & [(_ & H' & _ & _ & ->) | (_ & H' & _ & _ & ->)])]);
-    repeat eexists; eassumption.
+  destruct (after_end w m1 n1 m2 n2 k H HG HV HT Hm)
+    as (_ & [-> | (_ & _ & [(_ & H' & _ & _ & ->) | (_ & H' & _ & _ & ->)])]); repeat eexists; eassumption.
 Qed.
 
 Lemma time_member_within : r <= 1 -> forall k, time k -> member k.
@@ -618,8 +624,7 @@ Lemma V_reversed r s n : 0 < r -> V r s n <-> V (/ r) s n.
 Proof.
   intros Hr; unfold V; assert (Ha : 0 < r ^ 2) by (apply pow_lt; assumption).
   replace (trace (/ r) s) with (trace r s / r ^ 2) by (unfold trace; field; lra).
-  replace ((/ r) ^ 2) with (/ r ^ 2) by (field; lra).
-  split; intros [Hu H].
+  replace ((/ r) ^ 2) with (/ r ^ 2) by (field; lra). split; intros [Hu H].
   - apply (Words_reversal _ _ n n Ha Hu Hu); split; assumption.
   - assert (Hu' : u (trace r s) (r ^ 2) n <> 0) by (apply (u_reversed_zero _ _ Ha n); assumption).
     apply (Words_reversal _ _ n n Ha Hu' Hu'); split; assumption.
@@ -632,11 +637,11 @@ Proof.
   assert (Within : forall r, 0 < r -> r <= 1 -> forall n, T r s n <-> V r s n).
   { intros r' Hr' H1 n; split; [|intros HV; apply time_return, member_time, HV].
     intros HT; apply (time_member_within r' s Hr' Hs K HK H1), time_return, HT. }
-  split; [|split; [|split; [intros; apply V_reversed; assumption | split; [assumption | split; [apply Within; assumption | split]]]]].
+  constructor; [| | intros; apply V_reversed; assumption | assumption | apply Within; assumption | |].
   - split; [apply member_1 | split; [apply (member_first r s); assumption | split]].
     + intros n HV; apply HP, member_time, HV.
-    + intros w m1 n1 m2 n2 H HV; destruct (trichotomy r s Hr Hs K HK w m1 n1 m2 n2 H) as [(_ & HF & _)|[(_ & HV' & _)|HD]];
-        [exact HF | tauto | specialize (HD _ (member_time _ _ _ HV)); lia].
+    + intros w m1 n1 m2 n2 H HV; destruct (trichotomy r s Hr Hs K HK w m1 n1 m2 n2 H)
+        as [(_ & HF & _)|[(_ & HV' & _)|HD]]; [exact HF | tauto | specialize (HD _ (member_time _ _ _ HV)); lia].
   - split; [apply HVT, member_1 | split; [apply HVT, (member_first r s); assumption | split]].
     + intros n HT; apply HP, time_return, HT.
     + intros w m1 n1 m2 n2 H HT; destruct (trichotomy r s Hr Hs K HK w m1 n1 m2 n2 H) as [(_ & HF & _)|[(HF & _)|HD]].
@@ -646,11 +651,13 @@ Proof.
   - intros H1 w m1 n1 m2 n2 H Hne; apply (whole_path r s Hr Hs K HK w m1 n1 m2 n2 H1 H).
     destruct (side_of r s Hr Hs (n1 + n2) (m1 + m2) (stern_distance s Hs K HK w m1 n1 m2 n2 H)) as (Hp & Hn & _).
     destruct (Rdichotomy _ _ Hne) as [L|L]; [apply Rlt_not_eq, Hn; lra | apply Rgt_not_eq, Hp; lra].
-  - intros H1; assert (Hi : 0 < / r < 1) by (split; [apply Rinv_0_lt_compat; lra | rewrite <- Rinv_1; apply Rinv_lt_contravar; lra]).
+  - intros H1; assert (Hi : 0 < / r < 1) by (split; [apply Rinv_0_lt_compat; lra | rewrite <- Rinv_1;
+      apply Rinv_lt_contravar; lra]).
     pose proof (next_half_first (/ r) s ltac:(lra) Hs K HK) as HF.
     destruct (V_finite _ _ K HF) as [L HL]; [simpl; nra|].
     destruct (times_beyond r s Hr Hs K HK L H1) as (w & m1 & n1 & m2 & n2 & H & HV & HN & HT).
     { intros k Hk HV; apply (HL k Hk); apply (V_reversed r s k Hr), HV. }
     exists w, m1, n1, m2, n2; repeat (split; [assumption|]); intros k.
-    unfold T at 1; rewrite time_return, HT, (Within (/ r) ltac:(lra) ltac:(lra) k), <- (V_reversed r s k Hr); reflexivity.
+    unfold T at 1; rewrite time_return, HT, (Within (/ r) ltac:(lra) ltac:(lra) k), <- (V_reversed r s k Hr);
+      reflexivity.
 Qed.

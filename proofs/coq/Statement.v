@@ -60,12 +60,12 @@ Definition S2_statement : Prop := forall r s n m,
 
 (** The sign of b_{n,d} decides, in the case (+, g); if it vanishes, the other b_{n,k}
     do not, a2 < 1: active boundaries do not cross. *)
-Definition decides (a1 a2 : R) (n d : nat) (g : sign) : Prop :=
-  sgn g * c a1 a2 n > 0 /\ (1 <= d <= n - 1)%nat /\
-  (b a1 a2 n d > 0 -> orbit a1 a2 n Plus g) /\
-  (b a1 a2 n d < 0 -> no_orbit a1 a2 n) /\
-  (b a1 a2 n d = 0 -> a2 < 1 ->
-   forall k, (1 <= k <= n - 1)%nat -> k <> d -> b a1 a2 n k > 0).
+Record decides (a1 a2 : R) (n d : nat) (g : sign) : Prop := {
+  sign_of_c : sgn g * c a1 a2 n > 0;
+  deciding : (1 <= d <= n - 1)%nat;
+  if_positive : b a1 a2 n d > 0 -> orbit a1 a2 n Plus g;
+  if_negative : b a1 a2 n d < 0 -> no_orbit a1 a2 n;
+  if_zero : b a1 a2 n d = 0 -> a2 < 1 -> forall k, (1 <= k <= n - 1)%nat -> k <> d -> b a1 a2 n k > 0 }.
 
 Definition S3_statement : Prop := forall r s n m (F : Farey m n),
   (2 <= n)%nat -> (1 <= m)%nat -> cell r s n m ->
@@ -127,14 +127,15 @@ Definition Theorem2_tree_statement : Prop := forall m n mp np mm nm,
 
 (** Above the graph of Rad the orbit exists, on it b_{n,k} = 0 and the other b are > 0,
     below it b_{n,k} < 0 and there is no orbit. *)
-Definition above (n k : nat) (g : sign) (lo hi : R) (Rad : R -> R) : Prop :=
-  forall s, lo < s < hi -> 0 <= Rad s < 1 /\ continuity_pt Rad s /\ forall r, 0 < r <= 1 ->
-  u_at r s n <> 0 /\
-  (Rad s < r <-> orbit_at r s n Plus g) /\
-  (Rad s = r <-> b_at r s n k = 0) /\
-  (r < Rad s <-> b_at r s n k < 0) /\
-  (r < Rad s -> no_orbit_at r s n) /\
-  (Rad s = r -> forall j, (1 <= j <= n - 1)%nat -> j <> k -> b_at r s n j > 0).
+Record decided (n k : nat) (g : sign) (x r s : R) : Prop := {
+  not_singular : u_at r s n <> 0;
+  above_it : x < r <-> orbit_at r s n Plus g;
+  on_it : x = r <-> b_at r s n k = 0;
+  below_it : r < x <-> b_at r s n k < 0;
+  none_below : r < x -> no_orbit_at r s n;
+  alone : x = r -> forall j, (1 <= j <= n - 1)%nat -> j <> k -> b_at r s n j > 0 }.
+Definition above (n k : nat) (g : sign) (lo hi : R) (Rad : R -> R) : Prop := forall s, lo < s < hi ->
+  0 <= Rad s < 1 /\ continuity_pt Rad s /\ forall r, 0 < r <= 1 -> decided n k g (Rad s) r s.
 
 (** Rad s tends to 1 as s in (lo, hi) tends to x0. *)
 Definition tends_to_1 (Rad : R -> R) (lo hi x0 : R) : Prop := forall x, x < 1 ->

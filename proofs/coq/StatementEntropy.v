@@ -1,7 +1,7 @@
 (** * Statement: for every mu > 0 the period map on the motions over {1, 2} has the entropy log of the golden
     ratio
 
-    Read [motion], [in_boxes] and [one_or_two] in [StatementChaos] first. *)
+    Read [chaos_motion], [in_two_boxes] and [one_or_two] in [StatementChaos] first. *)
 
 From Coq Require Import Reals ZArith List.
 From Grazing Require Import StatementChaos.
@@ -10,7 +10,7 @@ Open Scope R_scope.
 (** The state k periods on, by the last impact so far: its time, counted from 2 pi k, and the velocity after
     it. *)
 Definition orbit_of (mu : R) (z : nat -> R * R) : Prop := exists N t y v,
-  one_or_two N /\ motion mu N t y v /\ in_boxes mu N t v /\
+  one_or_two N /\ chaos_motion mu N t y v /\ in_two_boxes mu N t v /\
   forall k i, (N i <= Z.of_nat k < N (i + 1))%Z -> z k = (t i - 2 * PI * INR k, v i (t i)).
 
 (** The period map: the state says what comes next. *)

@@ -33,6 +33,5 @@ Definition singular (N : nat) (p : nat -> nat) (E : nat -> nat -> bool) (t : R) 
     v i = sum_to N (fun j => row p E t i j * v j).
 (** z is the least positive root of det(I - M(z)): where it is 0, and nowhere below, a vector is fixed. *)
 Definition Graph_entropy_statement : Prop := forall N p E z, (forall i, (i < N)%nat -> (1 <= p i)%nat) ->
-  0 < z <= 1 ->
-  singular N p E z -> (forall t, 0 < t < z -> ~ singular N p E t) ->
+  0 < z <= 1 -> singular N p E z -> (forall t, 0 < t < z -> ~ singular N p E t) ->
   at_most (finite N p E) (- ln z) /\ at_least (finite N p E) (- ln z).

@@ -9,8 +9,7 @@ Open Scope R_scope.
 (** (28) with B = (0, beta), C = (1 0): from impact j to the next in n_j steps. beta = C A B
     is K gamma in the notation of (45)-(47). *)
 Definition impacts {J : Type} (next : J -> J) (n : J -> nat) (a1 a2 beta : R)
-    (X : J -> R * R) (Y : J -> R) : Prop := forall j,
-  let Z := apply (mpow (A a1 a2) (n j)) (X j) in
+    (X : J -> R * R) (Y : J -> R) : Prop := forall j, let Z := apply (mpow (A a1 a2) (n j)) (X j) in
   fst Z = -1 /\ X (next j) = (fst Z, snd Z + beta * Y j).
 
 (** (64): every X_j is the single-impact X of its n_j, and beta Y_j = (0 1)(X_{j+1} - A^{n_j} X_j). *)
@@ -21,8 +20,7 @@ Definition Impacts_statement : Prop := forall (J : Type) (next : J -> J) n a1 a2
 
 (** One impact, n steps: Y = c_n / beta. *)
 Definition Single_impact_statement : Prop := forall a1 a2 beta n X Y, u a1 a2 n <> 0 -> beta <> 0 ->
-  impacts (fun j : unit => j) (fun _ => n) a1 a2 beta (fun _ => X) (fun _ => Y) ->
-  Y = c a1 a2 n / beta.
+  impacts (fun j : unit => j) (fun _ => n) a1 a2 beta (fun _ => X) (fun _ => Y) -> Y = c a1 a2 n / beta.
 
 (** (61) is (36), - C A^n B / (2 y) with y = e mu Y, for one impact. *)
 Definition Large_formula_statement : Prop := forall K gamma emu a1 a2 n X Y,

@@ -39,5 +39,4 @@ Fixpoint weighted (j : nat) (l : list (R * R)) : R := match l with [] => 0
 Definition Harmonics_statement : Prop :=
   forall c k tau l, (forall t, 0 < t < 2 * PI -> 0 < harmonics 1 l t) ->
   0 < weighted 1 l -> exists O, touching O /\ Oscillator.c O = c /\ Oscillator.k O = k /\
-    Oscillator.tau O = tau /\
-  forall mu t, Oscillator.G O mu t = harmonics 1 l t.
+    Oscillator.tau O = tau /\ forall mu t, Oscillator.G O mu t = harmonics 1 l t.

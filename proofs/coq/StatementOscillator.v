@@ -39,17 +39,21 @@ Definition speed (O : Oscillator.t) (m : sign) (mu : R) (z : Z) (v : R -> R) (t 
 Definition free (c k : R) (y v : R -> R) : Prop := forall t, derivable_pt_lim y t (v t) /\
   derivable_pt_lim v t (- c * v t - k * y t).
 
-(** Between impact i, at the time t i, and the next, the oscillator moves as y i, v i. Impact i is on stop
+(** Between impact i, at the time t i, and the next, j, the oscillator moves as y i, v i. Impact i is on stop
     N i, within d of the time of touch; its speed V < 0 becomes - tau V. Strictly between impacts every gap is
     open. *)
+Record swing (O : Oscillator.t) (m : sign) (mu d : R) (N : Z -> Z) (t : Z -> R) (y v : Z -> R -> R)
+  (i j : Z) : Prop := {
+  swing_free : free (Oscillator.c O) (Oscillator.k O) (y i) (v i);
+  swing_near : Rabs (t i - turn m * IZR (N i)) <= d;
+  swing_on : t i < t j;
+  swing_from : gap O m mu (N i) (y i) (t i) = 0;
+  swing_to : gap O m mu (N j) (y i) (t j) = 0;
+  swing_clear : forall z x, t i < x < t j -> 0 < gap O m mu z (y i) x;
+  swing_hits : speed O m mu (N j) (v i) (t j) < 0;
+  swing_back : speed O m mu (N j) (v j) (t j) = - Oscillator.tau O * speed O m mu (N j) (v i) (t j) }.
 Definition motion (O : Oscillator.t) (m : sign) (mu d : R) (N : Z -> Z) (t : Z -> R)
-  (y v : Z -> R -> R) : Prop :=
-  forall i j, j = (i + 1)%Z -> free (Oscillator.c O) (Oscillator.k O) (y i) (v i) /\
-  Rabs (t i - turn m * IZR (N i)) <= d /\ t i < t j /\
-  gap O m mu (N i) (y i) (t i) = 0 /\ gap O m mu (N j) (y i) (t j) = 0 /\
-  (forall z x, t i < x < t j -> 0 < gap O m mu z (y i) x) /\
-  speed O m mu (N j) (v i) (t j) < 0 /\
-  speed O m mu (N j) (v j) (t j) = - Oscillator.tau O * speed O m mu (N j) (v i) (t j).
+  (y v : Z -> R -> R) : Prop := forall i j, j = (i + 1)%Z -> swing O m mu d N t y v i j.
 Definition one_motion (O : Oscillator.t) (m : sign) (mu d : R) (N : Z -> Z) : Prop := exists t y v,
   motion O m mu d N t y v /\ forall t' y' v', motion O m mu d N t' y' v' ->
   forall i x, t' i = t i /\ y' i x = y i x /\ v' i x = v i x.
@@ -74,12 +78,14 @@ Definition Periodic_oscillator_statement : Prop := forall O m mu d N t y v (h P 
 
 (** Which (a1, a2) occur. One stop: region 3 with either sign of gamma, a1 >= 2 sqrt a2 with gamma > 0, and
     nothing else: regions 4 and 5 are no one-stop oscillator's. With two stops they are some oscillator's. *)
-Definition Reach_statement : Prop :=
-  (forall c k, exists a1 a2 gamma, matrix c k Plus a1 a2 gamma) /\
-  (forall r s g, 0 < r -> 0 < s < 1 / 2 -> exists c k gamma,
-   matrix c k Plus (2 * r * cos (2 * PI * s)) (r ^ 2) gamma /\ sgn g * gamma > 0) /\
-  (forall a1 a2, 0 < a2 -> 2 * sqrt a2 <= a1 -> exists c k gamma, matrix c k Plus a1 a2 gamma /\ gamma > 0) /\
-  (forall c k a1 a2 gamma, matrix c k Plus a1 a2 gamma -> gamma <> 0 -> 0 < a2 /\ - 2 * sqrt a2 < a1 /\
-   (2 * sqrt a2 <= a1 -> gamma > 0)) /\
-  (forall a1 a2, 0 < a2 -> a1 <= - 2 * sqrt a2 -> exists c k gamma, matrix c k Minus a1 a2 gamma /\
-    gamma < 0).
+Record reach : Prop := {
+  one_stop : forall c k, exists a1 a2 gamma, matrix c k Plus a1 a2 gamma;
+  reach_3 : forall r s g, 0 < r -> 0 < s < 1 / 2 -> exists c k gamma,
+    matrix c k Plus (2 * r * cos (2 * PI * s)) (r ^ 2) gamma /\ sgn g * gamma > 0;
+  reach_1_2 : forall a1 a2, 0 < a2 -> 2 * sqrt a2 <= a1 -> exists c k gamma,
+    matrix c k Plus a1 a2 gamma /\ gamma > 0;
+  no_more : forall c k a1 a2 gamma, matrix c k Plus a1 a2 gamma -> gamma <> 0 ->
+    0 < a2 /\ - 2 * sqrt a2 < a1 /\ (2 * sqrt a2 <= a1 -> gamma > 0);
+  reach_4_5 : forall a1 a2, 0 < a2 -> a1 <= - 2 * sqrt a2 -> exists c k gamma,
+    matrix c k Minus a1 a2 gamma /\ gamma < 0 }.
+Definition Reach_statement : Prop := reach.

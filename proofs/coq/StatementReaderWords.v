@@ -56,8 +56,7 @@ Definition flip (e : sign) : sign := match e with Plus => Minus | Minus => Plus 
 
 Record signs := Signs { on_u : nat -> option Z; on_N : nat -> nat -> option Z; on_zero : nat -> bool }.
 Definition signsZ (W : Z) (B : box) (n : nat) : signs :=
-  let us := rev (uF W B n) in let ps := rev (powF W B n) in
-  Signs (signU us) (signN W us ps) (vanishZ B).
+  let us := rev (uF W B n) in let ps := rev (powF W B n) in Signs (signU us) (signN W us ps) (vanishZ B).
 
 Definition periodZ (T : signs) (e : sign) (n : nat) (t : period) : bool := match t with
   | Occurs x => match on_u T n with Some _ => true | None => false end && (1 <=? n)%nat &&
@@ -122,8 +121,7 @@ Definition same_mark (m m' : option sign) : bool := match m, m' with
 Definition firstZ (T : signs) (K : nat) : bool := (2 <=? K)%nat && isS Minus (on_u T K) &&
   forallb (fun k => isS Plus (on_u T k) || (S k =? K)%nat && on_zero T k) (seq 1 (K - 1)).
 Definition pathZ (W : Z) (B : box) (k : Z) (K last : nat) (w : list letter) (z : ending)
-  (rows : list (list (option sign))) : bool :=
-  let T := signsZ W B last in let V := vertices K w in
+  (rows : list (list (option sign))) : bool := let T := signsZ W B last in let V := vertices K w in
   (0 <=? W) && ((k =? 3) || (k =? 4) && (K =? 2)%nat || (k =? 34)) && regionZ B k && firstZ T K &&
   match stepsZ T 1 K w with Some (i, j) => endZ T i j z | None => false end &&
   all2 (fun i => all2 (fun j => same_mark (mark_of K w (toldZ B z) i j)) V) V rows.
@@ -133,8 +131,7 @@ Definition belowZ (W : Z) (B : box) (k : Z) (n : nat) : bool := let T := signsZ 
   (isS Minus (on_u T (S n)) || on_zero T (S n)).
 (** What is said of all periods at once: whether all occur or 1 alone, and with which letter. *)
 Definition lonelyZ (B : box) (k : Z) (e : sign) : option (bool * letter) :=
-  if negb (regionZ B k) then None else
-  match e with
+  if negb (regionZ B k) then None else match e with
   | Plus => if k =? 1 then Some (true, U) else if k =? 2 then Some (false, D) else
     if k =? 5 then Some (true, D) else None
   | Minus => if k =? 1 then Some (false, U) else if k =? 2 then Some (true, D)
@@ -150,9 +147,9 @@ Fixpoint turnsZ (x z : Z) (k : nat) : (Z * Z) * option Z := match k with O => ((
 Definition short (c : Z * Z) : bool := (0 <? snd c) && (fst c <? 2 * snd c) && (- (2 * snd c) <? fst c).
 Definition timesF (h l : Z * Z) : Z * Z := (fst h * fst l, snd h * snd l).
 Definition polarZ (r s c c' : Z * Z) : option box :=
-  let turns (c : Z * Z) := snd (turnsZ (fst c) (snd c) (Z.to_nat (snd s) - 1)) in
+  let changes (c : Z * Z) := snd (turnsZ (fst c) (snd c) (Z.to_nat (snd s) - 1)) in
   if (0 <? fst r) && (0 <? snd r) && (0 <? fst s) && (2 * fst s <? snd s) && short c && short c' &&
-    match turns c, turns c' with Some t, Some t' => (2 * fst s <=? t) &&
+    match changes c, changes c' with Some t, Some t' => (2 * fst s <=? t) &&
       (t' + 1 <=? 2 * fst s) | _, _ => false end
   then Some (timesF r c, timesF r c', timesF r r, timesF r r) else None.
 
@@ -173,8 +170,7 @@ Definition rows_say (a1 a2 : R) (V : list (nat * letter)) (rows : list (list (op
   Forall2 (fun i => Forall2 (marked a1 a2 i) V) V rows.
 
 Definition Word_reader_statement : Prop := forall W B e L rows a1 a2, wordZ W B e L rows = true ->
-  in_box B a1 a2 ->
-  Forall2 (period_says a1 a2 e) (seq 1 (length L)) L /\ rows_say a1 a2 (occurring 1 L) rows.
+  in_box B a1 a2 -> Forall2 (period_says a1 a2 e) (seq 1 (length L)) L /\ rows_say a1 a2 (occurring 1 L) rows.
 
 Definition Region_reader_statement : Prop := forall B k a1 a2, regionZ B k = true -> in_box B a1 a2 ->
   0 < a2 <= 1 /\

@@ -39,8 +39,7 @@ Definition claimZ (n : Z) (t : claim) : bool := match t with
       (forallb (fun k => wholeZ k h || wholeZ (n - k) h || negativeZ n h k) (rangeZ n) ||
        forallb (fun k => wholeZ k h || wholeZ (n - k) h || negb (negativeZ n h k)) (rangeZ n))
   | Excluded h k k' => negb (wholeZ (2 * n) h) &&
-    forallb (fun j => negb (wholeZ j h)) [k; n - k; k'; n - k'] &&
-      oppositeZ n h k k' end.
+    forallb (fun j => negb (wholeZ j h)) [k; n - k; k'; n - k'] && oppositeZ n h k k' end.
 
 (** The claims tile (reached, 1/2): an interval, the point that ends it, the next interval. *)
 Definition sameZ (h h' : Z * Z) : bool := (fst h =? fst h') && (snd h =? snd h').
@@ -48,8 +47,7 @@ Definition lessZ (h h' : Z * Z) : bool := fst h * snd h' <? fst h' * snd h.
 Fixpoint tileZ (reached : Z * Z) (point : bool) (L : list claim) : bool := match L with
   | [] => point && sameZ reached (1, 2)
   | Orbit h h' _ _ :: L | Opposite h h' _ _ :: L => negb point && sameZ h reached && (0 <? snd h) &&
-    (0 <? snd h') && lessZ h h' &&
-      negb (lessZ (1, 2) h') && tileZ h' true L
+    (0 <? snd h') && lessZ h h' && negb (lessZ (1, 2) h') && tileZ h' true L
   | Singular h :: L | Boundary h _ :: L | Excluded h _ _ :: L => point && sameZ h reached && lessZ h (1, 2) &&
     tileZ reached false L
   end.

@@ -30,13 +30,16 @@ Definition tie (a1 a2 : R) (n1 n2 k : nat) : Prop := let n := (n1 + n2)%nat in
   u a1 a2 n > 0 /\ p a1 a2 n = p a1 a2 n2 /\ k = (n + n2)%nat \/
   u a1 a2 n < 0 /\ p a1 a2 n = p a1 a2 n1 /\ k = (n + n1)%nat.
 
+Record returns (r s : R) (K : nat) : Prop := {
+  V_initial : initial_piece s K (V r s);
+  T_initial : initial_piece s K (T r s);
+  V_of_inverse : forall n, V r s n <-> V (/ r) s n;
+  V_in_T : forall n, V r s n -> T r s n;
+  T_is_V : r <= 1 -> forall n, T r s n <-> V r s n;
+  V_all : r = 1 -> forall w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 -> s * INR (n1 + n2) <> INR (m1 + m2) ->
+    V r s (n1 + n2);
+  T_beyond : 1 < r -> exists w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 /\
+    (forall k, V r s k <-> In k (map fst (vertices K w))) /\ ~ V r s (n1 + n2) /\
+    forall k, T r s k <-> T (/ r) s k \/ k = (n1 + n2)%nat \/ tie (trace r s) (r ^ 2) n1 n2 k }.
 Definition Returns_statement : Prop := forall r s K, 0 < r -> 0 < s < 1 / 2 ->
-  2 * (INR K - 1) * s <= 1 < 2 * INR K * s ->
-  initial_piece s K (V r s) /\ initial_piece s K (T r s) /\
-  (forall n, V r s n <-> V (/ r) s n) /\ (forall n, V r s n -> T r s n) /\
-  (r <= 1 -> forall n, T r s n <-> V r s n) /\
-  (r = 1 -> forall w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 -> s * INR (n1 + n2) <> INR (m1 + m2) ->
-    V r s (n1 + n2)) /\
-  (1 < r -> exists w m1 n1 m2 n2, stern s K w m1 n1 m2 n2 /\
-   (forall k, V r s k <-> In k (map fst (vertices K w))) /\ ~ V r s (n1 + n2) /\
-   forall k, T r s k <-> T (/ r) s k \/ k = (n1 + n2)%nat \/ tie (trace r s) (r ^ 2) n1 n2 k).
+  2 * (INR K - 1) * s <= 1 < 2 * INR K * s -> returns r s K.

@@ -1,5 +1,5 @@
-(** * Proof of Theorem 1 in the plane about oscillators and maps at once, and of what the signs of one impact and of
-      patterns mean by it *)
+(** * Proof of Theorem 1 in the plane about oscillators and maps at once, and of what the signs of one impact
+      and of patterns mean by it *)
 
 From Coq Require Import Reals ZArith List Arith Lra Lia.
 From Grazing Require Import Defs StatementOrbits StatementOrbitsPlane StatementWords StatementOscillator
@@ -9,13 +9,11 @@ Open Scope R_scope.
 
 (** ** Theorem 1 *)
 Lemma closer_motion O m mu d d' N t y v : d <= d' -> motion O m mu d N t y v -> motion O m mu d' N t y v.
-Proof. intros Hd H i j Hj; destruct (H i j Hj) as (A & B & C); split; [exact A|]; split; [lra | exact C]. Qed.
+Proof. intros Hd H i j Hj; destruct (H i j Hj); constructor; trivial; lra. Qed.
 
 Lemma closer_orbit M mu d d' n x : d <= d' -> orbit_near M Z (fun i => i + 1)%Z n mu d x ->
   orbit_near M Z (fun i => i + 1)%Z n mu d' x.
-Proof.
-  intros Hd H i; destruct (H i) as [A B]; split; [|exact B]; intros k Hk; specialize (A k Hk); lra.
-Qed.
+Proof. intros Hd H i; destruct (H i) as [A B]; split; [|exact B]; intros k Hk; specialize (A k Hk); lra. Qed.
 
 (** What is within eps of d is none if there is none within d; what is one within d and within eps is one there. *)
 Lemma closer_none S mu d d' n : d <= d' -> none S mu d' n -> none S mu d n.
@@ -46,7 +44,7 @@ Proof.
     + intros Hall N HN; destruct (W' N HN) as (E & _ & B).
       destruct (E (fun i => conj (proj2 (proj1 (Hall i))) (proj2 (Hall i)))) as (t & y & v & HM & Only).
       exists t, y, v; split.
-      * intros i j Hj; destruct (HM i j Hj) as (A & _ & C); split; [exact A|]; split; [|exact C].
+      * intros i j Hj; destruct (HM i j Hj); constructor; trivial.
         eapply Rle_trans; [apply (B t y v HM i) | exact Small].
       * intros t' y' v' HM'; apply Only; exact (closer_motion _ _ _ _ _ _ _ _ _ (proj2 Heps) HM').
     + intros [i Hi] N t y v HN; destruct (W' N HN) as (_ & F & _); exact (F i Hi t y v).
@@ -55,14 +53,12 @@ Proof.
     destruct (is_rate _ _ _ _ _ _ HS) as [_ Hr]; assert (Pr : 0 < Rabs rate) by (apply Rabs_pos_lt, Hr).
     exists (Rmin mu0 (Rabs rate * mu1)); split; [apply Rmin_glb_lt; [lra | apply Rmult_lt_0_compat; lra]|].
     intros n e g mu Hn Hg [P0 P1].
-    assert (Hmu : 0 < sgn e * (rate * mu) < mu0)
-      by (split; [|eapply Rlt_le_trans; [|apply Rmin_l]]; eassumption).
-    assert (Hmu1 : 0 < Rabs mu < mu1)
-      by (apply (small_mu rate e); [exact Hr | split; [exact P0 | eapply Rlt_le_trans; [exact P1 | apply Rmin_r]]]).
+    assert (Hmu : 0 < sgn e * (rate * mu) < mu0) by (split; [|eapply Rlt_le_trans; [|apply Rmin_l]]; eassumption).
+    assert (Hmu1 : 0 < Rabs mu < mu1) by (apply (small_mu rate e); [exact Hr | split; [exact P0 | eapply Rlt_le_trans;
+      [exact P1 | apply Rmin_r]]]).
     assert (Hnext : forall j : Z, (j + 1 - 1 = j /\ j - 1 + 1 = j)%Z) by (intros; lia).
     destruct (W Z (fun i => i + 1)%Z (fun i => i - 1)%Z n e g mu Hnext Hn Hg Hmu) as [Hex Hno]; split.
-    + intros Hall; destruct Hex as (x & Hx & Only);
-        [intros i; exact (conj (proj2 (proj1 (Hall i))) (proj2 (Hall i)))|].
+    + intros Hall; destruct Hex as (x & Hx & Only); [intros i; exact (conj (proj2 (proj1 (Hall i))) (proj2 (Hall i)))|].
       exists x; split.
       * intros i; split; [|apply (Hx i)]; rewrite (is_plane _ _ _ _ _ _ HS).
         exact (Near Z (fun i => i + 1)%Z (fun i => i - 1)%Z n mu x Hnext Hn Hmu1 Hx i).
@@ -73,8 +69,8 @@ Qed.
 (** ** One impact per period *)
 Lemma some_sign S a1 a2 gamma : grazes S a1 a2 gamma -> exists g, sgn g * gamma > 0.
 Proof.
-  intros HS; assert (gamma <> 0)
-    by (destruct S; [exact (is_generic _ _ _ _ _ HS) | exact (proj2 (is_gamma _ _ _ _ _ _ HS))]).
+  intros HS; assert (gamma <> 0) by (destruct S; [exact (is_generic _ _ _ _ _ HS) |
+    exact (proj2 (is_gamma _ _ _ _ _ _ HS))]).
   destruct (Rlt_le_dec gamma 0); [exists Minus | exists Plus]; cbn [sgn]; lra.
 Qed.
 
@@ -99,8 +95,7 @@ Qed.
 Theorem Single : Single_statement.
 Proof.
   intros S a1 a2 gamma n e g HS Hn Hu Hg; destruct (Theorem_1 S a1 a2 gamma HS n) as (d & Hd & H).
-  assert (Hall : Z -> (1 <= n <= n)%nat /\ u a1 a2 n <> 0) by (intros _; split; [lia | exact Hu]).
-  split; [|split].
+  assert (Hall : Z -> (1 <= n <= n)%nat /\ u a1 a2 n <> 0) by (intros _; split; [lia | exact Hu]). split; [|split].
   - intros (_ & Hb & Hc); exists d; split; [exact Hd|]; intros eps Heps; destruct (H eps Heps) as (mu0 & Hm & W).
     exists mu0; split; [exact Hm|]; intros mu Hmu; apply (W (fun _ => n) e g mu Hall Hg Hmu); intros _.
     split; [exact (conj Hu Hb)|]; unfold edge; rewrite difference_is_c by assumption; exact Hc.
@@ -125,8 +120,8 @@ Proof.
     + intros Hg; apply (Single S a1 a2 gamma n e g HS Hn1 Hu Hg), Ho.
     + intros e' Hne; destruct (some_sign S a1 a2 gamma HS) as [g' Hg'].
       apply (Single S a1 a2 gamma n e' g' HS Hn1 Hu Hg'); specialize (Hb 1%nat ltac:(lia)).
-      destruct e, e'; try (left; exists 1%nat; split; [lia | cbn [sgn] in *; lra]);
-        right; destruct g, g'; cbn [sgn] in *; try lra; exfalso; apply Hne; split; trivial; lra.
+      destruct e, e'; try (left; exists 1%nat; split; [lia | cbn [sgn] in *; lra]); right; destruct g, g';
+        cbn [sgn] in *; try lra; exfalso; apply Hne; split; trivial; lra.
   - intros (Hu & k & k' & Hk & Hk' & Hb & Hb') S gamma e HS; destruct (some_sign S a1 a2 gamma HS) as [g Hg].
     apply (Single S a1 a2 gamma n e g HS Hn1 Hu Hg); left.
     destruct e; [exists k | exists k']; split; trivial; cbn [sgn]; lra.

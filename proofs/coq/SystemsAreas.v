@@ -13,8 +13,8 @@ Proof.
   - intros ->; apply (born_exactly _ _ _ _ _ Hn), S1_stated; assumption.
   - intros Hm Hg; apply (no_orbit_never _ _ _ Hn), (S2_proof r s n m Hn Hm Hc), Hg.
   - intros Hm F; destruct (S3_stated r s n m F Hn Hm Hc) as [H1 H2]; split; intros H.
-    + destruct (H1 H) as (_ & _ & Hp & Hm' & _); split; intros Hb; [apply born_exactly | apply no_orbit_never]; auto.
-    + destruct (H2 H) as (_ & _ & Hp & Hm' & _); split; intros Hb; [apply born_exactly | apply no_orbit_never]; auto.
+    + destruct (H1 H) as [_ _ Hp Hm' _]; split; intros Hb; [apply born_exactly | apply no_orbit_never]; auto.
+    + destruct (H2 H) as [_ _ Hp Hm' _]; split; intros Hb; [apply born_exactly | apply no_orbit_never]; auto.
 Qed.
 
 Theorem Theorem_2 : Theorem_2_statement.
@@ -46,11 +46,8 @@ Proof.
   intros Ho; destruct e, g; tauto.
 Qed.
 
-Lemma u_one a1 a2 : u a1 a2 1 <> 0.
-Proof. cbn; lra. Qed.
-
-Lemma c_one a1 a2 : c a1 a2 1 = a1 - (a2 + 1).
-Proof. unfold c, v, u; cbn; field. Qed.
+Lemma u_one a1 a2 : u a1 a2 1 <> 0. Proof. cbn; lra. Qed.
+Lemma c_one a1 a2 : c a1 a2 1 = a1 - (a2 + 1). Proof. unfold c, v, u; cbn; field. Qed.
 
 Theorem Summary_systems : Summary_systems_statement.
 Proof.

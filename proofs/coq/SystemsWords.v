@@ -9,9 +9,8 @@ Open Scope R_scope.
 Lemma vertex_bound a1 a2 K w i j : first_upper a1 a2 K -> path a1 a2 K w i j ->
   forall x, In x (vertices K w) -> (fst x <= i + j)%nat.
 Proof.
-  intros HK Hp [k []] Hk; cbn [fst];
-    destruct (pairs a1 a2 K HK (decided_everywhere _ _ _ HK) w i j Hp) as (H1 & H2 & _);
-    [specialize (H1 k Hk) | specialize (H2 k Hk)]; lia.
+  intros HK Hp [k []] Hk; cbn [fst]; destruct (pairs a1 a2 K HK (decided_everywhere _ _ _ HK) w i j Hp)
+    as (H1 & H2 & _); [specialize (H1 k Hk) | specialize (H2 k Hk)]; lia.
 Qed.
 
 Theorem Words : Words_statement.
@@ -31,8 +30,7 @@ Proof.
   destruct (W (fun l => fst (n l)) Plus g mu) as [Hex Hno]; [| exact Hg | cbn [sgn]; lra | split].
   - intros l; destruct (HV' _ (Hn l)) as [Hu _]; pose proof (u_nonzero_pos _ _ _ Hu).
     pose proof (vertex_bound a1 a2 K w i j HK Hp _ (Hn l)); tauto.
-  - intros Hwalk; apply Hex; intros l; split; [apply (HV' _ (Hn l))|].
-    specialize (HE l); rewrite Hwalk in HE; exact HE.
+  - intros Hwalk; apply Hex; intros l; split; [apply (HV' _ (Hn l))|]. specialize (HE l); rewrite Hwalk in HE; exact HE.
   - intros [l Hne]; apply Hno; exists l; right; specialize (HE l); unfold edge in HE.
     destruct (arrow K w (n l) (n (l + 1)%Z)), g; cbn [sgn] in *; tauto || lra.
 Qed.

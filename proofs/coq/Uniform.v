@@ -1,6 +1,7 @@
 (** * In any dimension the linear problem of all words has one bound, if the flights contract
 
-    The points just before the impacts satisfy Z_j = onward (Z_{j-1}) + known: a contraction of bounded families. *)
+    The points just before the impacts satisfy Z_j = onward (Z_{j-1}) + known: a contraction of bounded
+    families. *)
 
 From Coq Require Import Reals Arith FunctionalExtensionality Lra Lia Classical.
 From Grazing Require Import Defs StatementOrbits StatementUniform OrbitVectors Contraction PlaneLinear.
@@ -40,7 +41,8 @@ Proof.
   destruct (power_bound N (Map.A M) n_max) as (m & Hm & Hp), (dot_bound N C) as (c & Hc & Hd).
   destruct (finite_max (fun n => / crossing M n) (S n_max)) as (q & Hq & Hi), (within_exists N B) as (s & Hs & HB).
   set (k := (1 + c * m) * q); assert (Hcm : 0 <= c * m) by (apply Rmult_le_pos; lra).
-  assert (Hk : 0 <= k) by (unfold k; apply Rmult_le_pos; lra); assert (Hks : 0 <= k * s) by (apply Rmult_le_pos; assumption).
+  assert (Hk : 0 <= k) by (unfold k; apply Rmult_le_pos; lra); assert (Hks : 0 <= k * s) by (apply Rmult_le_pos;
+    assumption).
   assert (Hmk : 0 <= m * (1 + k * s)) by (apply Rmult_le_pos; lra).
   exists (1 + k + m * (1 + k * s)); split; [lra|]; intros n r x t Hn Ht Hr Hx; destruct (alphabet n Hn) as [Hmax _].
   assert (HK : Rabs (kick n r x) <= k * t).
@@ -60,7 +62,8 @@ Qed.
 Lemma within_ext t x y : (forall i, (i < N)%nat -> x i = y i) -> within t x -> within t y.
 Proof. intros E H i Hi; rewrite <- E by assumption; apply H, Hi. Qed.
 
-Lemma onward_ext n x y : (forall i, (i < N)%nat -> x i = y i) -> forall i, (i < N)%nat -> onward M n x i = onward M n y i.
+Lemma onward_ext n x y : (forall i, (i < N)%nat -> x i = y i) -> forall i, (i < N)%nat -> onward M n x i = onward M n y
+  i.
 Proof.
   intros E; unfold onward; apply power_ext; intros i Hi; rewrite (E i Hi).
   rewrite (dot_ext N C (power n x) (power n y)) by (apply power_ext, E); reflexivity.
@@ -107,7 +110,8 @@ Lemma dies_out (D : J -> vec) t : (forall j, within t (D j)) ->
   (forall j i, (i < N)%nat -> D j i = onward M (n j) (D (prev j)) i) -> forall j, within 0 (D j).
 Proof. intros Ht HD; apply (halves_out D t Ht), through_family, HD. Qed.
 
-Lemma kernel_trivial t X Y : bounded M J t X Y -> linear M J next n X Y (fun _ => zero) (fun _ => 0) -> bounded M J 0 X Y.
+Lemma kernel_trivial t X Y : bounded M J t X Y -> linear M J next n X Y (fun _ => zero) (fun _ => 0) ->
+  bounded M J 0 X Y.
 Proof.
   intros Hb Hl; destruct bounds as (b & Hb1 & Hbd); set (Z := fun j => power (n j) (X j)).
   assert (Ht : J -> 0 <= t) by (intros j; apply Rle_trans with (Rabs (Y j)); [apply Rabs_pos | apply Hb]).
@@ -117,10 +121,13 @@ Proof.
   { intros j; destruct (Hl (next j)) as [H _]; destruct (alphabet _ (Hn (next j))) as [_ Hc].
     assert (E : dot C (power (n (next j)) (comb 1 (Y j) (Z j) B)) = 0).
     { rewrite <- H; apply dot_ext, power_ext; intros i Hi; symmetry; apply EX, Hi. }
-    unfold StatementOrbits.power in E; rewrite power_comb, dot_comb in E; unfold kick, crossing, StatementOrbits.power in *.
-    apply (Rmult_eq_reg_r (dot C (Nat.iter (n (next j)) (mult N (Map.A M)) B))); [|exact Hc]; field_simplify; [lra | exact Hc]. }
+    unfold StatementOrbits.power in E; rewrite power_comb, dot_comb in E; unfold kick, crossing, StatementOrbits.power
+      in *.
+    apply (Rmult_eq_reg_r (dot C (Nat.iter (n (next j)) (mult N (Map.A M)) B))); [|exact Hc]; field_simplify;
+      [lra | exact Hc]. }
   assert (EZ : forall j i, (i < N)%nat -> Z j i = onward M (n j) (Z (prev j)) i).
-  { intros j; apply power_ext; intros i Hi; rewrite <- (proj2 (Hnext j)) at 1; rewrite (EX (prev j) i Hi), EY, (proj2 (Hnext j)).
+  { intros j; apply power_ext; intros i Hi; rewrite <- (proj2 (Hnext j)) at 1; rewrite (EX (prev j) i Hi), EY,
+      (proj2 (Hnext j)).
     unfold comb, kick; destruct (alphabet _ (Hn j)) as [_ Hc]; field; exact Hc. }
   assert (Z0 : forall j, within 0 (Z j)).
   { destruct (power_bound N (Map.A M) n_max) as (m & Hm & Hp).
@@ -139,14 +146,17 @@ Qed.
 Variables (Q : J -> vec) (r : J -> R) (t : R).
 Hypothesis HQ : bounded M J t Q r.
 Definition family (z : J * nat -> R) (j : J) : vec := fun i => z (j, i).
-Definition F (z : J * nat -> R) (p : J * nat) : R := let (j, i) := p in flight (n j) (r j) (comb 1 1 (family z (prev j)) (Q (prev j))) i.
+Definition F (z : J * nat -> R) (p : J * nat) : R := let (j, i) := p in flight (n j) (r j) (comb 1 1 (family z (prev j))
+  (Q (prev j))) i.
 Let P (p : J * nat) : Prop := (snd p < N)%nat.
 Let o : J * nat -> R := fun _ => 0.
 
-Lemma F_minus z z' j : minus (family (F z) j) (family (F z') j) = onward M (n j) (minus (family z (prev j)) (family z' (prev j))).
+Lemma F_minus z z' j : minus (family (F z) j) (family (F z') j) = onward M (n j) (minus (family z (prev j))
+  (family z' (prev j))).
 Proof.
   change (minus (flight (n j) (r j) (comb 1 1 (family z (prev j)) (Q (prev j))))
-    (flight (n j) (r j) (comb 1 1 (family z' (prev j)) (Q (prev j)))) = onward M (n j) (minus (family z (prev j)) (family z' (prev j)))).
+    (flight (n j) (r j) (comb 1 1 (family z' (prev j)) (Q (prev j)))) = onward M (n j) (minus (family z (prev j))
+    (family z' (prev j)))).
   rewrite flight_minus by (apply alphabet, Hn); f_equal; extensionality i; unfold minus, comb; ring.
 Qed.
 
@@ -183,7 +193,8 @@ Proof.
   intros Ht; induction k as [|k IH]; intros [j i] Hi; unfold P in Hi; cbn [snd] in Hi.
   - change (Rabs (0 - 0) <= 0 * t); rewrite Rminus_0_r, Rabs_R0; lra.
   - unfold o at 2; rewrite Rminus_0_r; replace (reach (S k) * t) with (b * ((reach k + 1) * t)) by (cbn [reach]; ring).
-    destruct (arrival_bound (family (Nat.iter k F o)) (reach k) j) as (_ & _ & H); [apply reach_pos | assumption | | exact (H i Hi)].
+    destruct (arrival_bound (family (Nat.iter k F o)) (reach k) j) as (_ & _ & H); [apply reach_pos | assumption | |
+      exact (H i Hi)].
     intros l Hl; specialize (IH (prev j, l) Hl); unfold o at 2 in IH; rewrite Rminus_0_r in IH; exact IH.
 Qed.
 
@@ -195,12 +206,14 @@ Proof.
   assert (Ht : 0 <= t) by (apply Rle_trans with (Rabs (r j0)); [apply Rabs_pos | apply HQ]).
   pose proof (reach_pos L) as Hc; set (c := reach L) in *; set (d := 2 * c * t).
   assert (Hd : 0 <= d) by (unfold d; apply Rmult_le_pos; lra).
-  assert (HT : forall e z z', near _ P d z o -> near _ P d z' o -> near _ P e z z' ->
-    near _ P (e / 2) (Nat.iter L F z) (Nat.iter L F z')).
-  { intros e z z' _ _ He [j i] Hi; change (Rabs (minus (family (Nat.iter L F z) j) (family (Nat.iter L F z') j) i) <= e / 2).
+  assert (HT : forall e z z', near _ P d z o -> near _ P d z' o -> near _ P e z z' -> near _ P (e / 2) (Nat.iter L F z)
+    (Nat.iter L F z')).
+  { intros e z z' _ _ He [j i] Hi; change (Rabs (minus (family (Nat.iter L F z) j) (family (Nat.iter L F z') j) i) <= e
+      / 2).
     rewrite iter_minus; refine (contracts (fun l => n (back j l)) e _ _ _ i Hi); [intros; apply Hn|].
     intros l Hl; exact (He (back j L, l) Hl). }
-  assert (H0 : near _ P (d / 2) (Nat.iter L F o) o) by (replace (d / 2) with (c * t) by (unfold d; field); apply iter_reach, Ht).
+  assert (H0 : near _ P (d / 2) (Nat.iter L F o) o) by (replace (d / 2) with (c * t) by (unfold d; field);
+    apply iter_reach, Ht).
   destruct (contraction (J * nat) P (Nat.iter L F) d Hd HT H0) as (z & Hz & Hfix & _); set (Z := family z).
   assert (HZ : forall j, within (2 * c * t) (Z j)).
   { intros j i Hi; specialize (Hz (j, i) Hi); unfold o in Hz; rewrite Rminus_0_r in Hz; exact Hz. }
@@ -213,36 +226,39 @@ Proof.
         replace (family (Nat.iter L F z) j i) with (family z j i) by (symmetry; exact (Hfix (j, i) Hi)).
         f_equal; assert (E : forall k, Nat.iter k F (F z) = F (Nat.iter k F z)).
         { induction k as [|k IH]; [reflexivity | exact (f_equal F IH)]. }
-        rewrite E; apply Rminus_diag_uniq; change (family (F z) j i - family (F (Nat.iter L F z)) j i) with
-          (minus (family (F z) j) (family (F (Nat.iter L F z)) j) i); rewrite F_minus.
+        rewrite E; apply Rminus_diag_uniq; change (family (F z) j i - family (F (Nat.iter L F z)) j i)
+          with (minus (family (F z) j) (family (F (Nat.iter L F z)) j) i); rewrite F_minus.
         rewrite (onward_ext (n j) _ zero); [apply onward_zero; assumption | | assumption].
         intros l Hl; unfold minus, zero; replace (family (Nat.iter L F z) (prev j) l) with (family z (prev j) l)
-            by (symmetry; exact (Hfix (prev j, l) Hl)); ring. }
-    intros j i Hi; specialize (HD j i Hi); apply Rabs_zero in HD; unfold D, minus in HD; apply Rminus_diag_uniq in HD; exact HD. }
+          by (symmetry; exact (Hfix (prev j, l) Hl)); ring. }
+    intros j i Hi; specialize (HD j i Hi); apply Rabs_zero in HD; unfold D, minus in HD; apply Rminus_diag_uniq in HD;
+      exact HD. }
   set (x := fun j => comb 1 1 (Z (prev j)) (Q (prev j))); set (k := fun j => kick (n j) (r j) (x j)).
   exists (fun j => comb 1 (k j) (x j) B), (fun j => k (next j)); split.
   - intros j; split; [apply flight_end, alphabet, Hn|]; intros i Hi.
-    change (power (n j) (comb 1 (k j) (x j) B) i) with (flight (n j) (r j) (x j) i); unfold x at 2; rewrite EZ by assumption.
+    change (power (n j) (comb 1 (k j) (x j) B) i) with (flight (n j) (r j) (x j) i); unfold x at 2;
+      rewrite EZ by assumption.
     unfold comb, x, comb; rewrite (proj1 (Hnext j)); ring.
   - intros s Hs HB j; pose proof (fun j => arrival_bound Z (2 * c) j ltac:(lra) Ht (HZ (prev j))) as HA.
     assert (Hct : 0 <= (2 * c + 1) * t) by (apply Rmult_le_pos; lra); set (g := (2 * c + 1) * t) in *.
     replace ((2 * c + 1) * (1 + b + b * s) * t) with (g + b * g + b * g * s) by (unfold g; ring).
     assert (Hbg : 0 <= b * g) by (apply Rmult_le_pos; lra); assert (0 <= b * g * s) by (apply Rmult_le_pos; lra); split.
-    + destruct (HA j) as (Hx & Hk & _); apply within_le with (Rabs 1 * g + Rabs (k j) * s); [|apply within_comb; assumption].
+    + destruct (HA j) as (Hx & Hk & _); apply within_le with (Rabs 1 * g + Rabs (k j) * s);
+        [|apply within_comb; assumption].
       rewrite Rabs_R1; apply Rmult_le_compat_r with (r := s) in Hk; [|assumption]; unfold k, x in *; lra.
     + destruct (HA (next j)) as (_ & Hk & _); unfold k, x; lra.
 Qed.
 End Word.
 
-Lemma uniform : exists K, forall (J : Type) (next prev : J -> J) n, (forall j, prev (next j) = j /\ next (prev j) = j) ->
-  (forall j, letters (n j)) -> invertible M J next n K.
+Lemma uniform : exists K, forall (J : Type) (next prev : J -> J) n, (forall j, prev (next j) = j /\ next (prev j) = j)
+  -> (forall j, letters (n j)) -> invertible M J next n K.
 Proof.
   destruct bounds as (b & Hb & Hbd), (within_exists N B) as (s & Hs & HB).
   exists ((2 * reach b L + 1) * (1 + b + b * s)); intros J next prev n Hnext Hn; split.
-  - intros t Q r HQ; destruct (solvable J next prev n Hnext Hn Q r t HQ b Hb Hbd) as (X & Y & Hl & HXY); exists X, Y; auto.
+  - intros t Q r HQ; destruct (solvable J next prev n Hnext Hn Q r t HQ b Hb Hbd) as (X & Y & Hl & HXY); exists X, Y;
+      auto.
   - intros t X Y; apply (kernel_trivial J next prev n Hnext Hn).
 Qed.
 End Uniform.
 
-Theorem Uniform : Uniform_statement.
-Proof. exact uniform. Qed.
+Theorem Uniform : Uniform_statement. Proof. exact uniform. Qed.

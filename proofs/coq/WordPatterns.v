@@ -12,8 +12,7 @@ Lemma walk_map {S T} (f : S -> T) (E : T -> T -> Prop) l : forall x y,
   walk E (f x) (map f l) (f y) <-> walk (fun x y => E (f x) (f y)) x l y.
 Proof. induction l as [|z l IH]; intros x y; cbn [map walk]; [tauto | rewrite IH; tauto]. Qed.
 
-Lemma walk_iff {T} (E F : T -> T -> Prop) (P : T -> Prop) :
-  (forall x y, P x -> P y -> (E x y <-> F x y)) ->
+Lemma walk_iff {T} (E F : T -> T -> Prop) (P : T -> Prop) : (forall x y, P x -> P y -> (E x y <-> F x y)) ->
   forall l x y, P x -> P y -> Forall P l -> (walk E x l y <-> walk F x l y).
 Proof.
   intros H; induction l as [|z l IH]; intros x y Hx Hy Hl; cbn [walk]; [apply H; assumption|].
@@ -21,8 +20,7 @@ Proof.
 Qed.
 
 (** The last edge of a walk. *)
-Lemma walk_last {T} (E : T -> T -> Prop) l : forall x y, walk E x l y ->
-  exists z, E z y /\ (z = x \/ In z l).
+Lemma walk_last {T} (E : T -> T -> Prop) l : forall x y, walk E x l y -> exists z, E z y /\ (z = x \/ In z l).
 Proof.
   induction l as [|z l IH]; intros x y; cbn [walk]; [eauto|]; intros [_ H].
   destruct (IH z y H) as (t & Ht & [->|Hin]); cbn [In]; eauto.
@@ -39,8 +37,7 @@ Proof.
   apply Hne; rewrite (Hnil l), (Hnil l'); trivial.
 Qed.
 
-Lemma two_loops {T} (E : T -> T -> Prop) i j : i <> j ->
-  E i i -> E i j -> E j i -> two_cycles E.
+Lemma two_loops {T} (E : T -> T -> Prop) i j : i <> j -> E i i -> E i j -> E j i -> two_cycles E.
 Proof.
   intros Hne Hi Hij Hji; exists i, [], [j]; cbn [In walk].
   repeat split; try assumption; try tauto; [discriminate | intros [->|[]]; tauto].
@@ -78,9 +75,7 @@ Qed.
 
 Lemma members_vertices w i j : path w i j -> member Plus (i + j) ->
   forall x, In x (vertices K w) -> member Plus (fst x).
-Proof.
-  intros H HV; apply Forall_forall, (initial_piece a1 a2 K first decides w i j H HV).
-Qed.
+Proof. intros H HV; apply Forall_forall, (initial_piece a1 a2 K first decides w i j H HV). Qed.
 
 (** ** W5 *)
 
@@ -89,8 +84,7 @@ Lemma word_edges w i j : path w i j -> Forall (fun x => member Plus (fst x)) (ve
   ends a1 a2 i j \/ (fst x + fst y <> i + j)%nat ->
   edge Plus (if arrow K w x y then Plus else Minus) (fst x) (fst y).
 Proof.
-  intros H HV x y Hx Hy Hends.
-  pose proof (word_table a1 a2 K first decides w i j H HV) as HT.
+  intros H HV x y Hx Hy Hends. pose proof (word_table a1 a2 K first decides w i j H HV) as HT.
   pose proof (back_edge a1 a2 K first decides w i j H) as [HbU HbD].
   assert (Horb : forall k s, In (k, s) (vertices K w) -> orbit a1 a2 k Plus (case_of s)).
   { intros k s Hk; apply (orbit_on a1 a2 K first); [apply (vertices_on a1 a2 K first w i j H), Hk|].
@@ -126,8 +120,8 @@ Lemma word_patterns w i j : path w i j -> Forall (fun x => member Plus (fst x)) 
   incl l' (vertices K w) /\ cyclic (fun x y => (if arrow K w x y then Plus else Minus) = g) l'.
 Proof.
   intros H HV He g l.
-  assert (HE : forall x y, In x (vertices K w) -> In y (vertices K w) ->
-    (edge Plus g (fst x) (fst y) <-> (if arrow K w x y then Plus else Minus) = g)).
+  assert (HE : forall x y, In x (vertices K w) -> In y (vertices K w) -> (edge Plus g (fst x) (fst y) <->
+    (if arrow K w x y then Plus else Minus) = g)).
   { intros x y Hx Hy; pose proof (word_edges w i j H HV x y Hx Hy (or_introl He)) as Hxy.
     split; [apply (edge_either _ _ _ _ _ Hxy) | intros <-; exact Hxy]. }
   split.
@@ -149,11 +143,9 @@ Qed.
 
 (** ** W4 *)
 
-Lemma pattern_two e g i j : pattern e g [i; j] <->
-  member e i /\ member e j /\ edge e g i j /\ edge e g j i.
+Lemma pattern_two e g i j : pattern e g [i; j] <-> member e i /\ member e j /\ edge e g i j /\ edge e g j i.
 Proof.
-  unfold StatementWords.pattern; cbn [cyclic walk]; rewrite !Forall_cons_iff.
-  split; [tauto | intuition constructor].
+  unfold StatementWords.pattern; cbn [cyclic walk]; rewrite !Forall_cons_iff. split; [tauto | intuition constructor].
 Qed.
 
 Lemma twins w i j : path w i j -> forall g, pattern Plus g [i; j] <-> orbit a1 a2 (i + j) Plus g.
@@ -167,21 +159,19 @@ Proof.
     + destruct (proj1 HD ltac:(lra)); exists D; tauto.
   - intros (x & Hx & -> & HV); pose proof (members_vertices w i j H HV) as Hall.
     destruct (pairs a1 a2 K first decides w i j H) as (_ & _ & I3 & I4 & _).
-    split; [apply (Hall _ I3) | split; [apply (Hall _ I4)|]].
-    destruct x; cbn [case_of sgn].
+    split; [apply (Hall _ I3) | split; [apply (Hall _ I4)|]]. destruct x; cbn [case_of sgn].
     + pose proof (proj2 HD (conj HV Hx)); specialize (HW' ltac:(lra)); lra.
     + pose proof (proj2 HU (conj HV Hx)); specialize (HW ltac:(lra)); lra.
 Qed.
 
-Lemma not_parents w i j k x y g : path w i j -> In (k, x) (vertices K w) -> on (i + j) y ->
-  x = y \/ k <> i /\ k <> j ->
+Lemma not_parents w i j k x y g : path w i j -> In (k, x) (vertices K w) -> on (i + j) y -> x = y \/ k <> i /\ k <> j ->
   (pattern Plus g [k; (i + j)%nat] <-> member Plus (i + j) /\ g = case_of x).
 Proof.
   intros H Hk Hy Hxy; set (n := (i + j)%nat) in *.
   assert (Hboth : member Plus n -> edge Plus (case_of x) k n /\ edge Plus (case_of x) n k).
   { intros HV; pose proof (members_vertices w i j H HV) as Hall.
-    assert (Horb : forall l s, on l s -> member Plus l -> orbit a1 a2 l Plus (case_of s))
-      by (intros l s Hs; apply (orbit_on a1 a2 K first), Hs).
+    assert (Horb : forall l s, on l s -> member Plus l -> orbit a1 a2 l Plus (case_of s)) by (intros l s Hs;
+      apply (orbit_on a1 a2 K first), Hs).
     pose proof (vertices_on a1 a2 K first w i j H k x Hk) as Hkx.
     destruct (pairs a1 a2 K first decides w i j H) as (I1 & I2 & I3 & I4 & I5 & I6 & I7).
     destruct (path_pos a1 a2 K w i j H) as [Hi1 HKj]; pose proof (K_ge_2 a1 a2 K first).
@@ -204,8 +194,7 @@ Proof.
       unfold StatementWords.edge; cbn [sgn case_of]; lra.
     - split; apply full_shift; trivial; apply (Horb _ U); trivial; apply (Hall _ Hk). }
   rewrite pattern_two; split.
-  - intros (_ & HV & H1 & _); split; [assumption|].
-    apply (edge_either _ _ _ _ _ H1), Hboth, HV.
+  - intros (_ & HV & H1 & _); split; [assumption|]. apply (edge_either _ _ _ _ _ H1), Hboth, HV.
   - intros [HV ->]; split; [apply (members_vertices w i j H HV _ Hk)|]; tauto.
 Qed.
 
@@ -223,8 +212,7 @@ Proof.
     + destruct (paths_agree a1 a2 K first w i j w' i' j' H' Hp) as [[[|x t] ->]|(x & t & ->)].
       * rewrite app_nil_r in Hp; destruct (path_unique a1 a2 K _ _ _ _ _ H' Hp); lia.
       * destruct (path_prefix a1 a2 K first w x t i' j' Hp) as (i0 & j0 & Hp0 & _ & _ & Hi & Hj).
-        destruct (path_unique a1 a2 K _ _ _ _ _ H' Hp0) as [<- <-].
-        destruct x; cbn [final fst snd] in *; lia.
+        destruct (path_unique a1 a2 K _ _ _ _ _ H' Hp0) as [<- <-]. destruct x; cbn [final fst snd] in *; lia.
       * exists x; repeat split; trivial; apply (vertex_K_or_later w' i' j' Hp).
 Qed.
 
@@ -253,14 +241,13 @@ Proof.
   split; [assumption | split; [assumption | cbn [sgn]; specialize (Hc ltac:(lra)); lra]].
 Qed.
 
-Lemma Minus_patterns g l : pattern Minus g l <->
-  g = Plus /\ l <> [] /\ Forall (fun n => (n < K)%nat /\ u n <> 0) l.
+Lemma Minus_patterns g l : pattern Minus g l <-> g = Plus /\ l <> [] /\ Forall (fun n => (n < K)%nat /\ u n <> 0) l.
 Proof.
   split.
   - intros [Hl Hc]; destruct l as [|n l]; [destruct Hc|]; split; [|split; [discriminate|]].
-    + pose proof Hl as Hl'; apply Forall_cons_iff in Hl' as [Hn _].
-      destruct (walk_last _ _ _ _ Hc) as (k & Hk & Hin).
-      assert (member Minus k) by (destruct Hin as [->|Hin]; [|rewrite Forall_forall in Hl; apply Hl; right]; assumption).
+    + pose proof Hl as Hl'; apply Forall_cons_iff in Hl' as [Hn _]. destruct (walk_last _ _ _ _ Hc) as (k & Hk & Hin).
+      assert (member Minus k) by (destruct Hin as [->|Hin]; [|rewrite Forall_forall in Hl; apply Hl; right];
+        assumption).
       apply (edge_either _ _ _ _ _ Hk), full_shift; trivial; apply Minus_orbit; assumption.
     + revert Hl; apply Forall_impl, Minus_members.
   - intros (-> & Hne & Hl); apply (proj2 (W1 a1 a2 Minus a2_pos)); [assumption|].
@@ -277,13 +264,12 @@ Proof.
   destruct (Nat.eq_dec K j) as [<-|Hne]; [|exists K; tauto].
   assert (Hnext : forall w, path w i K -> exists j', j' <> K /\ member Plus j' /\ on j' U).
   { intros w Hw; pose proof (path_pos a1 a2 K w i K Hw).
-    destruct (back_edge a1 a2 K first decides w i K Hw) as [[Hn _] _].
-    exists (i + K)%nat; split; [lia | apply Hn, Hlt]. }
+    destruct (back_edge a1 a2 K first decides w i K Hw) as [[Hn _] _]. exists (i + K)%nat; split; [lia | apply Hn,
+      Hlt]. }
   destruct (proj2 (proj2 (proj2 decides)) i Hi) as [->|[->|(w & i' & j' & Hw & ->)]].
   - apply (Hnext []), path_start.
   - cbn [StatementWords.on] in *; lra.
-  - destruct (pairs a1 a2 K first decides w i' j' Hw) as (_ & _ & _ & I4 & _).
-    destruct (Nat.eq_dec j' K) as [->|Hne].
+  - destruct (pairs a1 a2 K first decides w i' j' Hw) as (_ & _ & _ & I4 & _). destruct (Nat.eq_dec j' K) as [->|Hne].
     + apply (Hnext (w ++ [D])), path_D; assumption.
     + exists j'; split; [assumption | split]; [apply (members_vertices w i' j' Hw Hi _ I4)|].
       apply (path_sides a1 a2 K first w i' j' Hw).
@@ -302,8 +288,7 @@ Proof.
   destruct (proj2 (proj2 (proj2 decides)) j Hj) as [->|[->|(w & i' & j' & Hw & ->)]].
   - cbn [StatementWords.on] in *; lra.
   - apply (Hnext []), path_start.
-  - destruct (pairs a1 a2 K first decides w i' j' Hw) as (_ & _ & I3 & _).
-    destruct (Nat.eq_dec i' 1) as [->|Hne].
+  - destruct (pairs a1 a2 K first decides w i' j' Hw) as (_ & _ & I3 & _). destruct (Nat.eq_dec i' 1) as [->|Hne].
     + apply (Hnext (w ++ [U])), path_U; assumption.
     + exists i'; split; [assumption | split]; [apply (members_vertices w i' j' Hw Hj _ I3)|].
       apply (path_sides a1 a2 K first w i' j' Hw).
@@ -324,16 +309,16 @@ Proof.
     + exists K; intros i j (Hi & Hj & He); symmetry.
       destruct (Hside j Hj) as [Uj|Dj]; [apply (Hx U); trivial; [apply member_K | apply K_upper]; assumption|].
       destruct (Hside i Hi) as [Ui|Di]; exfalso.
-      * destruct (second_upper j i Hj Hi Dj Ui) as (k & Hk & HVk & Uk);
-          [unfold StatementWords.edge in He; cbn [sgn] in He; lra|].
+      * destruct (second_upper j i Hj Hi Dj Ui) as (k & Hk & HVk & Uk); [unfold StatementWords.edge in He;
+          cbn [sgn] in He; lra|].
         apply Hk, (Hx U); trivial.
       * pose proof (edge_either _ _ _ _ _ He (Hxx D i j Hi Hj Di Dj)); discriminate.
     + exists 1%nat; intros i j (Hi & Hj & He); symmetry.
       destruct (Hside j Hj) as [Uj|Dj]; [|apply (Hx D); trivial; [apply member_one | apply on_one]].
       destruct (Hside i Hi) as [Ui|Di]; exfalso.
       * pose proof (edge_either _ _ _ _ _ He (Hxx U i j Hi Hj Ui Uj)); discriminate.
-      * destruct (second_lower i j Hi Hj Di Uj) as (k & Hk & HVk & Dk);
-          [unfold StatementWords.edge in He; cbn [sgn] in He; lra|].
+      * destruct (second_lower i j Hi Hj Di Uj) as (k & Hk & HVk & Dk); [unfold StatementWords.edge in He;
+          cbn [sgn] in He; lra|].
         apply Hk, (Hx D); trivial.
   - exists 1%nat; intros i j (Hi & Hj & He).
     assert (g = Plus) as ->.
@@ -343,16 +328,15 @@ Qed.
 End Patterns.
 
 (** Two orbits give two cycles everywhere; the converse needs a single target. *)
-Lemma W6_from_lonely a1 a2 e g : 0 < a2 ->
-  ((forall i j, orbit a1 a2 i e g -> orbit a1 a2 j e g -> i = j) ->
-   exists t, forall i j, member a1 a2 e i /\ member a1 a2 e j /\ edge a1 a2 e g i j -> j = t) ->
-  (two_cycles (fun i j => member a1 a2 e i /\ member a1 a2 e j /\ edge a1 a2 e g i j) <->
-   exists i j, i <> j /\ orbit a1 a2 i e g /\ orbit a1 a2 j e g).
+Lemma W6_from_lonely a1 a2 e g : 0 < a2 -> ((forall i j, orbit a1 a2 i e g -> orbit a1 a2 j e g -> i = j) -> exists t,
+  forall i j, member a1 a2 e i /\ member a1 a2 e j /\ edge a1 a2 e g i j -> j = t) ->
+  (two_cycles (fun i j => member a1 a2 e i /\ member a1 a2 e j /\ edge a1 a2 e g i j) <-> exists i j, i <> j /\
+  orbit a1 a2 i e g /\ orbit a1 a2 j e g).
 Proof.
   intros H Hlonely; split.
   - intros Htwo; apply NNPP; intros Hno; destruct Hlonely as [t Ht].
     { intros i j Hi Hj; apply NNPP; intros Hne; apply Hno; eauto. }
     apply (one_target _ t Ht Htwo).
-  - intros (i & j & Hne & Hi & Hj); apply (two_loops _ i j Hne);
-      (split; [|split]); try (apply orbit_member_edge in Hi, Hj; tauto); apply full_shift; assumption.
+  - intros (i & j & Hne & Hi & Hj); apply (two_loops _ i j Hne); (split; [|split]);
+      try (apply orbit_member_edge in Hi, Hj; tauto); apply full_shift; assumption.
 Qed.

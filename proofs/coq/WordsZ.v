@@ -21,8 +21,7 @@ Proof.
   assert (S : sign_of (Z.sgn z) (N a1 a2 (j + i) i)).
   { pose proof (q_R q q_pos); apply (sign_of_scaled _ _ (IZR q ^ (i + j) / IZR q)); [apply scale_pos; assumption|].
     unfold N, z; rewrite !minus_IZR, !mult_IZR, <- !pow_IZR, !uZ_u, (pow_s s q) by assumption.
-    replace (j + i - i)%nat with j by lia; replace (j + i)%nat with (i + j)%nat by lia; rewrite !pow_add; field;
-      lra. }
+    replace (j + i - i)%nat with j by lia; replace (j + i)%nat with (i + j)%nat by lia; rewrite !pow_add; field; lra. }
   pose proof (sign_of_quotient _ _ _ _ S (sign_u p s q q_pos j) Hj) as Q.
   pose proof (sign_of_quotient (uZ p s q j * z) (uZ p s q i) (N a1 a2 (j + i) i / u a1 a2 j) (u a1 a2 i)) as Q2.
   rewrite Z.sgn_mul in Q2; apply Q2; trivial; apply sign_u; assumption.
@@ -50,8 +49,7 @@ Lemma patternZ_pattern e g l : patternZ p s q e g l = true <-> pattern a1 a2 e g
 Proof.
   unfold patternZ, pattern, cyclic; destruct l as [|x l]; [split; [discriminate | intros [_ []]]|].
   rewrite andb_true_iff, forallb_forall, Forall_forall.
-  assert (M : (forall n, In n (x :: l) -> memberZ p s q e n = true) <-> (forall n,
-    In n (x :: l) -> member a1 a2 e n)).
+  assert (M : (forall n, In n (x :: l) -> memberZ p s q e n = true) <-> (forall n, In n (x :: l) -> member a1 a2 e n)).
   { split; intros H n Hn; apply memberZ_member, H, Hn. }
   rewrite M; apply and_iff_dependent; intros H.
   assert (U : forall n, In n (x :: l) -> u a1 a2 n <> 0) by (intros n Hn; apply (H n Hn)).

@@ -1,15 +1,21 @@
-# The conjuncts of a statement file, one per line: where it begins, how long it is, its definition, its text. Left out are
-# those in a hypothesis, which a statement is weaker with, and on a side of <->, which is neither weaker nor stronger
-# without one. Comments are blanked first.
+# The conjuncts of a statement file and the fields of its records of propositions, one per line: where it begins, how
+# long it is, its definition, its text. Left out are those in a hypothesis, which a statement is weaker with, and on a
+# side of <->, which is neither weaker nor stronger without one. Comments are blanked first.
 { text = text $0 "\n" }
 function push(kind, at, len) { kinds[++count] = kind; begins[count] = at; ends[count] = at + len; depths[count] = depth }
 # What follows token i, at its depth, once the operand that begins there is over.
-function operand_end(i, d,   first, j) {
-  first = kinds[i]
+function operand_end(i, d,   first, j, matches, lets) {
+  first = kinds[i]; matches = 0; lets = 0
   for (j = i; j <= count; j++) {
     if (depths[j] < d || kinds[j] == "." && depths[j] == d) return j
-    if (depths[j] == d && kinds[j] ~ /^(;|:=|\||end|with)$/) return j
-    if (first !~ /^(forall|exists|let|fun|if|match)$/ && depths[j] == d && kinds[j] ~ /^(\/\\|\\\/|->|<->|then|else|in)$/) return j
+    if (depths[j] > d) continue
+    if (kinds[j] == "match") matches++
+    else if (kinds[j] == "end") { if (!matches--) return j; if (!matches && first == "match") first = "" }
+    else if (matches) continue
+    else if (kinds[j] == "let") lets++
+    else if (kinds[j] == "in") { if (!lets--) return j }
+    else if (kinds[j] ~ /^(;|\||with)$/ || kinds[j] == ":=" && !lets) return j
+    else if (first !~ /^(forall|exists|let|fun|if|match)$/ && kinds[j] ~ /^(\/\\|\\\/|->|<->|then|else)$/) return j
   }
   return count
 }
@@ -47,6 +53,7 @@ END {
   name = ""
   for (i = 1; i <= count; i++) {
     if (kinds[i] ~ /^(Definition|Fixpoint|Inductive|Record)$/) name = kinds[i + 1]
+    if (kinds[i] == "Record") fields(i)
     if (kinds[i] != "/\\") continue
     d = depths[i]
     for (j = i - 1; j > 0; j--) {
@@ -58,6 +65,16 @@ END {
     if (sign <= 0) continue
     if (kinds[j] != "/\\" || depths[j] != d) show(j + 1, i)
     show(i + 1, right)
+  }
+}
+# The fields of a record of propositions, { name : what; ... }.
+function fields(i,   j, k) {
+  for (j = i; kinds[j] != ":=" || depths[j] != depths[i]; j++) if (kinds[j] == "." && depths[j] == depths[i]) return
+  if (kinds[j - 1] != "Prop") return
+  for (j = j + 2; kinds[j - 1] != ")"; j = k + 1) {
+    for (k = j; depths[k] == depths[i] + 1 && kinds[k] != ";" || depths[k] > depths[i] + 1; k++);
+    if (kinds[j + 1] == ":") show(j + 2, k)
+    if (kinds[k] == ")") return
   }
 }
 function show(from, upto,   at, len, what) {

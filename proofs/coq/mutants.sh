@@ -240,7 +240,7 @@ mutant lengths-of-short-periods 'File "./ConsequencesNumbers' --pin StatementMea
 s/(3 <= n)%nat -> NoDup L/(3 <= n <= 7)%nat -> NoDup L/
 E
 mutant returns-slowly-repelled 'File "./ConsequencesNumbers' --pin StatementReturns.v <<'E'
-s/^  (1 < r -> exists w/  (1 < r < 2 -> exists w/
+s/T_beyond : 1 < r ->/T_beyond : 1 < r < 2 ->/
 E
 
 mutant entropy-for-small-mu 'File "./ConsequencesNumbers' --pin StatementEntropy.v <<'E'
@@ -265,7 +265,7 @@ mutant not-the-only-motion 'File "./ConsequencesSystems' --pin StatementOscillat
 s/^  forall i x, t' i = t i .*/  forall i x : R, True./
 E
 mutant one-stop-only 'File "./ConsequencesSystems' --pin StatementOscillator.v <<'E'
-s/(forall a1 a2, 0 < a2 -> a1 <= - 2 \* sqrt a2 ->/(forall a1 a2, 0 < a2 -> a1 <= - 2 -> a1 <= - 2 * sqrt a2 ->/
+s/forall a1 a2, 0 < a2 -> a1 <= - 2 \* sqrt a2 ->/forall a1 a2, 0 < a2 -> a1 <= - 2 -> a1 <= - 2 * sqrt a2 ->/
 E
 mutant wall-of-another-shape 'File "./ConsequencesSystems' --pin StatementNordmark.v <<'E'
 s/y i (t i) = (1 + mu) \* cos (t i) - 1/y i (t i) = (1 + mu) * cos (t j) - 1/
@@ -306,10 +306,10 @@ mutant reader-with-a-wrong-cosine 'File "./(ConsequencesReaders|ReaderCircle)' -
 s/Z.odd ((floorZ (2 \* n) h + 1) \/ 2)/Z.odd (floorZ (2 * n) h \/ 2)/
 E
 mutant path-without-the-law-of-impact 'File "./(Consequences(Readers|Ranges)|Paths|Motions)' --pin StatementPaths.v <<'E'
-s/= - Machine.tau M \* (v i (t j) - g1 M (t j))\./= v j (t j) - g1 M (t j)./
+s/= - Machine.tau M \* (v i (t j) - g1 M (t j)) }/= v j (t j) - g1 M (t j) }/
 E
 mutant range-of-any-strengths 'File "./ConsequencesRanges' --pin StatementRanges.v <<'E'
-s/  within (Edge.strengths e) s \/\\ g1 M/  True \/\\ g1 M/
+s/  in_interval (Edge.strengths e) s \/\\ g1 M/  True \/\\ g1 M/
 E
 mutant range-of-some-motions 'File "./ConsequencesRanges' --pin StatementRanges.v <<'E'
 s/^  forall i x, t' i = t i \/\\ y' i x = y i x \/\\ v' i x = v i x\./  True./

@@ -4,8 +4,8 @@
    statement is not read: "proved; reach, entropy: not read", or with others where the file claims that there are
    none. What a file claims is decided by the proved functions of StatementReaders.v, StatementReaderWords.v,
    StatementGrowth.v, PathsCheck.v and RangesCheck.v; here files are cut into lines and words, numbers are read, and
-   the form is checked, as the heads of mod.rs in checker/src/theorem2, checker/src/word, checker/src/chaos and
-   checker/src/range have it. *)
+   the form is checked, as the heads of mod.rs in crates/checker/src, in theorem2, word, chaos and range, have
+   it. *)
 open Decide
 
 exception Refused of string
