@@ -1,5 +1,5 @@
-//! Motions that come nearer too slowly to be seen to the end, that grow, or that never settle: what is said of
-//! them, held against closed forms.
+//! Motions that come nearer too slowly to be seen to the end, that grow, or that never settle: what is said
+//! of them, held against closed forms.
 
 use std::f64::consts::PI;
 
@@ -49,8 +49,8 @@ fn dry_friction_has_one_motion_from_everywhere() {
     near(number(&all[2]["highest"][0]["swing"]), den_hartog(1.1), 1e-8);
 }
 
-/// At the resonance, which nothing but friction bounds, the motion grows: it is not settled, and in no maximum,
-/// hysteresis or jump; beyond it the sweep goes on from where it last was.
+/// At the resonance, which nothing but friction bounds, the motion grows: it is not settled, and in no
+/// maximum, hysteresis or jump; beyond it the sweep goes on from where it last was.
 #[test]
 fn what_grows_at_a_resonance_is_in_no_maximum() {
     let task = "[[tasks]]\nname = \"r\"\nkind = \"response\"\nparameter = \"w\"\nrange = [0.8, 1.2]\ncount = 5\n\
@@ -65,8 +65,8 @@ fn what_grows_at_a_resonance_is_in_no_maximum() {
     assert_eq!(found["sweep"]["jumps"], serde_json::json!([]), "{found}");
 }
 
-/// A stop that is never met, and damping that takes 10⁻⁹ of the swing in a third of a period: the motion without
-/// impacts attracts all starts before the stop, in closed form.
+/// A stop that is never met, and damping that takes 10⁻⁹ of the swing in a third of a period: the motion
+/// without impacts attracts all starts before the stop, in closed form.
 #[test]
 fn damping_however_light_is_damping() {
     let tasks = "[[tasks]]\nname = \"b\"\nkind = \"basins\"\nq = { from = -4, to = 4, count = 9 }\n\

@@ -13,7 +13,8 @@
 //!
 //! or, however far it is, if the motions from x* + e, x* + e/2, … down to where x is near all come nearer
 //! ([`shrinks`]): friction alone damps so slowly, and light damping, that no motion would be seen to the end.
-//! Where Newton's method finds no orbit that attracts from x, it is asked once more from the mean of the points.
+//! Where Newton's method finds no orbit that attracts from x, it is asked once more from the mean of the
+//! points.
 //!
 //! Period, impacts, points and multipliers are then those of the orbit: no number depends on where the motion
 //! was. Numerical evidence, not proof: that is `validate`. What the tolerances are relative to: the extent of
@@ -135,8 +136,8 @@ struct Fixed {
 }
 
 /// What a motion at these coordinates of the section at `phase` tends to, if it recurs after `period`: the
-/// orbit of the least period that divides it. The mean is of its points one period apart, if it is known. Cost:
-/// some four rounds with vectors for each divisor, and that of [`shrinks`].
+/// orbit of the least period that divides it. The mean is of its points one period apart, if it is known.
+/// Cost: some four rounds with vectors for each divisor, and that of [`shrinks`].
 ///
 /// # Errors
 /// Those of [`Motion::pass`].

@@ -1,7 +1,8 @@
 //! Whether a motion that is on no orbit that is found wanders for ever, or is on its way.
 //!
-//! Evidence for the first is that neighbours part, by more than the error of the mean, or that the motion goes
-//! equally far in blocks of time without a trend. What grows, or still comes nearer to something, does not wander.
+//! Evidence for the first is that neighbours part, by more than the error of the mean, or that the motion
+//! goes equally far in blocks of time without a trend. What grows, or still comes nearer to something, does
+//! not wander.
 
 use super::{
     dynamics::{Dynamics, Motion, SectionState},
@@ -16,8 +17,8 @@ use crate::{
 const LOOKS: [u64; 4] = [128, 512, 2048, 8192];
 /// A mean this many times its standard error is not 0.
 const SURE: f64 = 3.0;
-/// Blocks of time, and the forcing periods of each: longer ones where the shorter are not equal, as of what turns
-/// slowly.
+/// Blocks of time, and the forcing periods of each: longer ones where the shorter are not equal, as of what
+/// turns slowly.
 const BLOCKS: usize = 4;
 const LENGTHS: [i64; 2] = [256, 1024];
 /// A motion that goes so many times as far in all blocks as in any of them is on its way.
@@ -27,9 +28,9 @@ const EQUAL: f64 = 0.1;
 /// A change between the first block and the last, in one sense throughout, by more than this part is a trend.
 const TREND: f64 = 1e-3;
 
-/// Whether the motion from these coordinates of the section at `phase` wanders; where an orbit is `found` that
-/// attracts, only as neighbours part. Cost: 1,024 forcing periods and 128 with a vector; where that leaves it
-/// open 4,096 more and 10,752 with a vector.
+/// Whether the motion from these coordinates of the section at `phase` wanders; where an orbit is `found`
+/// that attracts, only as neighbours part. Cost: 1,024 forcing periods and 128 with a vector; where that
+/// leaves it open 4,096 more and 10,752 with a vector.
 ///
 /// # Errors
 /// Those of [`Motion::pass`].
@@ -74,8 +75,8 @@ fn are_equal(all: &[f64]) -> bool {
     !trend && whole - least <= EQUAL * whole
 }
 
-/// How far the points of the section extend in each block, and then in all together, in the coordinate in which
-/// they extend most; none where the motion ends.
+/// How far the points of the section extend in each block, and then in all together, in the coordinate in
+/// which they extend most; none where the motion ends.
 fn sizes<D: Dynamics>(dynamics: &D, start: &D::Start, length: i64) -> Result<Option<Vec<f64>>> {
     let Ok(mut run) = dynamics.begin(start) else { return Ok(None) };
     let begun = run.time();

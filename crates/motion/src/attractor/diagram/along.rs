@@ -1,8 +1,8 @@
 //! A periodic orbit followed over a parameter by Newton's method, as long as it attracts, and where it ends.
 //!
-//! A motion that is started at the next value from where it was at the last one is off by as much as the orbit
-//! moved between them: near the orbit's end it is thrown off it, the earlier the longer the step. The orbit
-//! itself has no such error, so what follows it comes to one place whatever values are looked at.
+//! A motion that is started at the next value from where it was at the last one is off by as much as the
+//! orbit moved between them: near the orbit's end it is thrown off it, the earlier the longer the step. The
+//! orbit itself has no such error, so what follows it comes to one place whatever values are looked at.
 
 use super::super::{
     confirm::{Size, fixed_point},
@@ -167,8 +167,8 @@ fn kind(last: &Place, first: f64, impacts: u64) -> Ends {
     if impacts == last.impacts { Ends::Unknown } else { Ends::Grazing }
 }
 
-/// What the motion comes to at `to` that had settled at `from`, the parameter moved so slowly that it stays on
-/// an orbit as long as that attracts: see `settle`.
+/// What the motion comes to at `to` that had settled at `from`, the parameter moved so slowly that it stays
+/// on an orbit as long as that attracts: see `settle`.
 ///
 /// # Errors
 /// Those of [`along`] and `settle`.

@@ -173,8 +173,8 @@ pub(crate) fn jump<D: Attraction>(
         Some(Along { left: None, .. }) => return Ok(None),
         Some(Along { stays, start, left: Some((left, ends)) }) => {
             let on = OnAttractor { start, ..first.clone() };
-            // A simulator tells a touch from none up to a distance: at the end itself a motion may leave. What
-            // is beyond is what the sweep came to: near the end a motion may creep for long.
+            // A simulator tells a touch from none up to a distance: at the end itself a motion may leave.
+            // What is beyond is what the sweep came to: near the end a motion may creep for long.
             at(stays + INSIDE * (value - stays), &on, waits)?
                 .zip(at(left, last, waits)?)
                 .map(|(before, after)| Jump { stays, left, ends: Some(ends), before, after })
