@@ -115,11 +115,16 @@ fn state(job: &Job, folder: &Path) -> Option<String> {
     names(folder).into_iter().find(name)
 }
 
+/// Whether the exit code is that of a whole run: of the diagram some motions are not settled.
+fn is_done(code: i32, job: &Job) -> bool {
+    code == if job.name == "diagram" { 3 } else { 0 }
+}
+
 fn whole(job: &Job, arguments: &str) -> String {
     let folder = tempdir().unwrap();
     fs::write(folder.path().join("scene.toml"), SCENE).unwrap();
     let (code, out, said) = ended(grazing(arguments, folder.path()).output().unwrap());
-    assert_eq!(code, 0, "{}: {said}", job.name);
+    assert!(is_done(code, job), "{}: {said}", job.name);
     (job.result)(&out, folder.path())
 }
 
@@ -209,7 +214,7 @@ fn kills_change_no_result() {
             }
             left += names(folder).iter().filter(|name| name.starts_with(".grazing-")).count();
             let (code, out, said) = ended(grazing(job.long, folder).output().unwrap());
-            assert_eq!(code, 0, "{}: {said}", job.name);
+            assert!(is_done(code, job), "{}: {said}", job.name);
             assert!((job.result)(&out, folder) == wanted, "{}: another result after a kill", job.name);
             assert!(!names(folder).iter().any(|name| name.starts_with('.')), "{:?}", names(folder));
             runs += 1;
@@ -362,7 +367,9 @@ fn damaged_states_give_no_wrong_result() {
             let (code, out, said) = ended(grazing(job.short, folder).output().unwrap());
             let show = || format!("{}, {kind}: {said}\n{}", job.name, String::from_utf8_lossy(&text));
             match code {
-                0 => assert!((job.result)(&out, folder) == wanted, "a wrong result: {}", show()),
+                _ if is_done(code, job) => {
+                    assert!((job.result)(&out, folder) == wanted, "a wrong result: {}", show());
+                }
                 2 => assert!(said.contains("cannot resume from"), "{}", show()),
                 _ => panic!("exit code {code}: {}", show()),
             }

@@ -70,6 +70,9 @@ const INSIDE: f64 = 1e-6;
 /// How often a motion that seems to stay is followed on, each time for as long as all before.
 const DOUBLINGS: u32 = 2;
 
+/// How often a motion that is not periodic is looked at again.
+const AGAIN: u32 = 4;
+
 /// What is left of the change, after the halvings, that is a jump.
 const LEFT: f64 = 0.5;
 
@@ -241,6 +244,11 @@ fn by_chance<D: Attraction>(
     if on.portrait.period.is_some() {
         return Ok(0.0);
     }
-    let again = settle(dynamics, &on.start, observation, monitor)?;
-    Ok(again.map_or(0.0, |again| again.portrait.apart(&on.portrait)))
+    let (mut last, mut most) = (on.clone(), 0.0f64);
+    for _ in 0..AGAIN {
+        let Some(again) = settle(dynamics, &last.start, observation, monitor)? else { break };
+        most = most.max(again.portrait.apart(&on.portrait));
+        last = again;
+    }
+    Ok(most)
 }
