@@ -239,9 +239,7 @@ fn a_second_reader_agrees() {
         *(if ours.is_ok() { &mut accepted } else { &mut rejected }) += 1;
     }
     println!("{accepted} accepted, {rejected} rejected, {narrower} of them by the checker alone");
-    let tenth = texts.len() / 10;
-    assert!(
-        accepted > tenth / 2 && rejected > 5 * tenth && narrower < tenth / 4,
-        "{accepted} {rejected} {narrower}"
-    );
+    let all = texts.len();
+    assert!(accepted > all / 20 && rejected > all / 2, "{accepted} {rejected}");
+    assert!(narrower < all / 120, "{narrower} of {all}");
 }

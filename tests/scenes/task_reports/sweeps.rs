@@ -89,7 +89,7 @@ fn counted(way: &str, count: u32) -> String {
 /// Whatever values are looked at, and in either engine: a step as long as a fifth of the range, too.
 #[test]
 fn the_machine_of_readme_jumps_at_the_touch_and_back_at_the_saddle_node() {
-    for (format, count) in [(0, 6), (0, 13), (0, 26), (0, 101), (1, 6), (1, 26)] {
+    for (format, count) in [(0, 3), (0, 6), (0, 13), (0, 26), (0, 101), (1, 3), (1, 6), (1, 26)] {
         let found = machine(format, &counted("both", count));
         let jumps = found["sweep"]["jumps"].as_array().unwrap();
         assert_eq!(jumps.len(), 2, "{found}");
@@ -105,6 +105,35 @@ fn the_machine_of_readme_jumps_at_the_touch_and_back_at_the_saddle_node() {
         assert_eq!(hysteresis.len(), 1, "{found}");
         near(number(&hysteresis[0]["from"]), 0.54, 1e-12);
         near(number(&hysteresis[0]["to"]), 0.70, 1e-12);
+    }
+}
+
+/// Through no force at all to the other sign, where everything is half a period later: the one jump from the
+/// orbit with impacts, the other back onto it.
+#[test]
+fn a_sweep_through_zero_jumps_on_both_sides() {
+    for count in [4, 7, 20] {
+        let task = counted("up", count).replace("[0.4, 0.9]", "[-0.9, 0.9]");
+        let found = machine(0, &task);
+        let jumps = found["sweep"]["jumps"].as_array().unwrap();
+        let places: Vec<f64> = jumps.iter().map(|jump| number(&jump["left"])).collect();
+        assert_eq!(places.len(), 2, "{found}");
+        near(places[0], -fold(), 1e-10);
+        near(places[1], touch(), 1e-10);
+    }
+}
+
+/// However light the damping, the free motion is left at its touch and nowhere before.
+#[test]
+fn a_lightly_damped_motion_jumps_at_its_touch() {
+    for (damping, count) in [("1/100", 6), ("1/1000", 3), ("1/1000", 26)] {
+        let system = MACHINE[0].replace("\"1/10\"", &format!("\"{damping}\""));
+        let found = report(&system, "F = 0.5", &counted("up", count), Surroundings::default());
+        let jumps = found["sweep"]["jumps"].as_array().unwrap();
+        assert_eq!(jumps.len(), 1, "{found}");
+        let damping = 1.0 / damping[2..].parse::<f64>().unwrap();
+        near(number(&jumps[0]["stays"]), 0.7_f64.hypot(damping), 1e-10);
+        assert_eq!(jumps[0]["ends"], "grazing", "{found}");
     }
 }
 

@@ -51,7 +51,7 @@ const DOUBLINGS: u32 = 24;
 /// Halvings of the distance from which motions are seen to come nearer.
 const LEVELS: u32 = 24;
 /// A spectral radius of rounds without impacts this near 1 is 1.
-const SMOOTH_NEUTRAL: f64 = 1e-11;
+pub(super) const SMOOTH_NEUTRAL: f64 = 1e-11;
 /// A spectral radius this near 1 is 1: what is on such an orbit stays, what is beside it is not attracted.
 pub const NEUTRAL: f64 = 1e-7;
 /// Steps of Newton's method: to an orbit at rest in 0, which has no size, each takes 16 digits off, until

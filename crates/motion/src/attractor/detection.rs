@@ -116,8 +116,9 @@ impl Detection {
     }
 
     /// Follows the run of these dynamics for `transient` + `longest` · (1 + `confirm`) periods, and for 2,000
-    /// more at most where an orbit that attracts is near and the motion not yet told to tend there. The
-    /// answer is numerical evidence, not proof.
+    /// more at most where it is not yet told to tend to an orbit nor to wander. Cost: besides, that of
+    /// Newton's method for each period tried and of `wanders` once. The answer is numerical evidence, not
+    /// proof.
     ///
     /// # Errors
     /// Those of [`check`](Self::check) and of [`Motion::pass`].
@@ -304,7 +305,7 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
         let at = self.points[here].0.coordinates();
         let wanders = wanders(self.dynamics, at, self.detection.phase, self.found)?;
         self.wanders = Some(wanders);
-        self.again = if wanders { None } else { self.again.or(Some(here + here / 2)) };
+        self.again = if wanders { None } else { self.again.or(Some(here + (here / 2).max(1))) };
         Ok(())
     }
 

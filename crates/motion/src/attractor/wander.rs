@@ -16,7 +16,7 @@ use crate::{
 /// Forcing periods in which the growth of a vector is looked at: for longer where that leaves it open.
 const LOOKS: [u64; 4] = [128, 512, 2048, 8192];
 /// A mean this many times its standard error is not 0.
-const SURE: f64 = 2.0;
+const SURE: f64 = 3.0;
 /// Blocks of time, and the forcing periods of each: longer ones where the shorter are not equal, as of what
 /// turns slowly.
 const BLOCKS: usize = 4;

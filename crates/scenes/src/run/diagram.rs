@@ -116,10 +116,7 @@ fn kinds(slice: &Slice) -> Vec<Kind> {
     let mut all: Vec<Kind> = Vec::new();
     for motion in slice.motions.iter().filter(|motion| !motion.undecided) {
         let periodic = motion.period.map(|period| (period, motion.impacts));
-        let what = match periodic {
-            Some(_) => None,
-            None => Some("not periodic"),
-        };
+        let what = periodic.is_none().then_some("not periodic");
         let before = all.iter().filter(|kind| (kind.0, kind.1) == (what, periodic)).count();
         if periodic.is_some() || before == 0 {
             all.push((what, periodic, before));

@@ -4,13 +4,13 @@
 //! orbit moved between them: near the orbit's end it is thrown off it, the earlier the longer the step. The
 //! orbit itself has no such error, so what follows it comes to one place whatever values are looked at.
 
-use super::super::{
-    confirm::{Size, fixed_point},
-    dynamics::{Dynamics, Motion, SectionState},
-    observe::{Attraction, Observation},
-    portrait::{OnAttractor, settle},
-};
 use crate::{
+    attractor::{
+        confirm::{SMOOTH_NEUTRAL, Size, fixed_point},
+        dynamics::{Dynamics, Motion, SectionState},
+        observe::{Attraction, Observation},
+        portrait::{OnAttractor, settle},
+    },
     error::Result,
     monitor::Monitor,
     motion::{RunEnd, Time},
@@ -39,7 +39,7 @@ impl Ends {
             Ends::Flip => "flip",
             Ends::Torus => "neimark-sacker",
             Ends::Grazing => "grazing",
-            Ends::Unknown => "lost",
+            Ends::Unknown => "unknown",
         }
     }
 }
@@ -54,21 +54,18 @@ pub(super) struct Along<S> {
     pub left: Option<(f64, Ends)>,
 }
 
-/// In one step an orbit moves by no more than this part of its extent.
+/// In one step an orbit moves by no more than this part of its extent where that was largest: relative to
+/// what it is now, one that shrinks to nothing would never come there.
 const MOVES: f64 = 0.02;
 /// A motion that comes back this near, relative to its largest coordinate, is on an orbit.
 const CLOSED: f64 = 1e-10;
-/// A spectral radius above 1 by no more is 1 to rounding.
-const ROUNDING: f64 = 1e-11;
 /// Steps are halved to this part of the way, or until two values are neighbours.
 const LEAST: f64 = 1e-13;
 /// A multiplier this near to the unit circle, and as many times nearer than where the way began, is at it.
 const AT_THE_CIRCLE: f64 = 1e-2;
-/// This part of what is left of the way beyond the end of an orbit it is looked what it meets.
-const BESIDE: f64 = 1e-3;
 /// How often a motion that an orbit no longer holds is followed on between two values.
 const LEGS: u32 = 6;
-/// Where it is followed to beyond the end of an orbit: this part of what is left of the way.
+/// Where the motion is looked at beyond the end of an orbit: this part of what is left of the way.
 const BEYOND: f64 = 1.0 / 64.0;
 
 /// A fixed point with the multiplier nearest to the unit circle, and how far that is from it.
@@ -87,7 +84,7 @@ fn place<D: Dynamics>(dynamics: &D, from: &[f64], phase: f64, period: u32) -> Re
     let Some(&multiplier) = all.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else {
         return Ok(None);
     };
-    if radius > 1.0 + ROUNDING {
+    if radius > 1.0 + SMOOTH_NEUTRAL {
         return Ok(None);
     }
     let (impacts, end) = round(dynamics, &found.x, phase, period)?;
@@ -106,8 +103,9 @@ fn round<D: Dynamics>(dynamics: &D, x: &[f64], phase: f64, period: u32) -> Resul
     Ok((run.impacts(), here))
 }
 
-/// Follows the orbit that `on` is on at `from` towards `to`; none where it is not periodic. Cost: some five
-/// rounds with vectors for each step, of which there are about a hundred where the orbit ends.
+/// Follows the orbit that `on` is on at `from` towards `to`; none where it is not periodic, or where between
+/// the two there is no system. Cost: some five rounds with vectors for each step, of which there are about a
+/// hundred where the orbit ends.
 ///
 /// # Errors
 /// Those of the system and of its motions; the monitor's.
@@ -124,22 +122,28 @@ pub(super) fn along<D: Dynamics>(
     let Some(mut here) = place(&system, run.point().coordinates(), phase, period)? else { return Ok(None) };
     drop(run);
     let first = here.distance;
-    let (mut at, mut step, mut left) = (from, to - from, None);
+    // Not every parameter is one of a system between two that are.
+    let system_at = |value: f64| match dynamics(value) {
+        Err(error) if error.is_input() => Ok(None),
+        system => system.map(Some),
+    };
+    let (mut at, mut step, mut left, mut scale) = (from, to - from, None, 0.0f64);
     while at != to {
         monitor.advance(0)?;
         let next = if (to - at).abs() <= step.abs() { to } else { at + step };
         let is_least = step.abs() <= LEAST * (to - from).abs().max(at.abs()) || next == at;
         if is_least && let Some(left) = left {
             // A simulator tells a touch from none up to a distance.
-            let beyond = dynamics(at + BESIDE * (to - at))?;
+            let Some(beyond) = system_at(at + BEYOND * (to - at))? else { return Ok(None) };
             let (impacts, _) = round(&beyond, &here.x, phase, period)?;
             let left = Some((left, kind(&here, first, impacts)));
             return Ok(Some(Along { stays: at, start: system.at(&here.x, phase), left }));
         }
-        let there = dynamics(next)?;
+        let Some(there) = system_at(next)? else { return Ok(None) };
         let size = Size::of(&system, &here.x, phase)?;
+        scale = scale.max(size.extent);
         // From rest all is far.
-        let moved = if size.extent <= size.part(0.0) { f64::INFINITY } else { MOVES * size.extent };
+        let moved = if scale <= size.part(0.0) { f64::INFINITY } else { MOVES * scale };
         let found = place(&there, &here.x, phase, period)?;
         let near = |found: &Place| found.x.iter().zip(&here.x).all(|(a, b)| (a - b).abs() <= moved);
         match found.filter(near) {

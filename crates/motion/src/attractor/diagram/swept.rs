@@ -58,14 +58,14 @@ pub struct Jump<S> {
 /// of a jump.
 const LIKELY: f64 = 0.1;
 
-/// A step of a sweep in which the attractor changes by this many times the median change is one.
+/// A step of a sweep in which what is not periodic changes by this many times the median change is one.
 const UNUSUAL: f64 = 4.0;
 
 /// Halvings of the interval of a jump: a change that goes with the root of the distance falls to a 64th.
 const HALVINGS: u32 = 12;
 
 /// An orbit is looked at this part of the way back from its end.
-const INSIDE: f64 = 1e-6;
+const INSIDE: f64 = 1e-3;
 
 /// How often a motion that seems to stay is followed on, each time for as long as all before.
 const DOUBLINGS: u32 = 2;
@@ -103,10 +103,8 @@ pub fn swept<D: Attraction<Start: Serialize + DeserializeOwned>>(
     monitor.advance(done.len() as u64)?;
     for &value in plan.values.get(done.len()..).unwrap_or_default() {
         // From where it last settled: one that grows beside a resonance does not come back for long.
-        let begun = done.iter().rposition(|step| step.settled.is_none()).map_or(0, |lost| lost + 1);
-        let settled = |step: &&SweepStep<D::Start>| step.decided().is_some();
-        let last = done[begun..].iter().rfind(settled).or(done[begun..].last());
-        let last = last.and_then(|step| Some((step.value, step.settled.as_ref()?)));
+        let unbroken = done.iter().rev().map_while(|step| Some((step.value, step.settled.as_ref()?)));
+        let last = unbroken.clone().find(|(_, on)| !on.portrait.undecided).or(unbroken.clone().next());
         let observation = plan.observation();
         let settled = match last {
             Some((before, on)) => arrive(on, [before, value], &observation, &dynamics, monitor),
@@ -148,7 +146,10 @@ pub fn jumps<D: Attraction>(
     let usual = changes.get(changes.len() / 2).copied().unwrap_or_default();
     let mut found = Vec::new();
     for pair in steps.windows(2) {
-        if change(pair).is_some_and(|change| change > LIKELY.max(UNUSUAL * usual)) {
+        // An orbit is followed whatever is usual: of few values most may be jumps.
+        let is_orbit = pair[0].decided().is_some_and(|on| on.portrait.period.is_some());
+        let least = if is_orbit { LIKELY } else { LIKELY.max(UNUSUAL * usual) };
+        if change(pair).is_some_and(|change| change > least) {
             found.extend(jump(pair, observation, &dynamics, monitor)?);
         }
     }
@@ -172,15 +173,20 @@ pub(crate) fn jump<D: Attraction>(
         settle(&dynamics(value)?, &from.start, &Observation { transient, ..observation.clone() }, monitor)
     };
     let waits = observation.transient;
-    let found = match along(first, [*value, *end], observation.phase, dynamics, monitor)? {
+    let follow = |to: f64| along(first, [*value, to], observation.phase, dynamics, monitor);
+    let found = match follow(*end)? {
         Some(Along { left: None, .. }) => return Ok(None),
-        Some(Along { stays, start, left: Some((left, ends)) }) => {
+        Some(Along { stays, left: Some((left, ends)), .. }) => {
+            // A simulator tells a touch from none up to a distance, and where damping is light a motion that
+            // begins beside the orbit meets the stop: it is looked at a little before, on the orbit itself.
+            let inside = stays + INSIDE * (value - stays);
+            let Some(Along { start, .. }) = follow(inside)? else { return Ok(None) };
             let on = OnAttractor { start, ..first.clone() };
-            // A simulator tells a touch from none up to a distance: at the end itself a motion may leave.
+            let kind = |on: &OnAttractor<D::Start>| (on.portrait.period, on.portrait.impacts);
+            let before = at(inside, &on, waits)?.filter(|before| kind(before) == kind(first));
+            let before = before.unwrap_or_else(|| first.clone());
             // What is beyond is what the sweep came to: near the end a motion may creep for long.
-            at(stays + INSIDE * (value - stays), &on, waits)?
-                .zip(at(left, last, waits)?)
-                .map(|(before, after)| Jump { stays, left, ends: Some(ends), before, after })
+            at(left, last, waits)?.map(|after| Jump { stays, left, ends: Some(ends), before, after })
         }
         None => leaves([(*value, first), (*end, last)], waits, &at)?,
     };
@@ -199,8 +205,8 @@ pub(crate) fn jump<D: Attraction>(
     Ok(Some(found))
 }
 
-/// Where a motion that is not periodic leaves what it is on for the other, followed for twice as long until
-/// that changes nothing; none where it is lost.
+/// Where a motion that is not periodic leaves what it is on for the other, where it seems to stay followed
+/// for four times as long; none where it is lost.
 fn leaves<S: Clone>(
     [(value, first), (end, last)]: [(f64, &OnAttractor<S>); 2],
     waits: u64,

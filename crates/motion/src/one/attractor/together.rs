@@ -123,14 +123,9 @@ fn recurring(
             let fate = match batch.end(*motion) {
                 RunEnd::Reached => {
                     let impacts = batch.impacts(*motion);
-                    match recurrence.see(batch.point(*motion), impacts - *before) {
-                        Ok(false) => match recurrence.fate() {
-                            Ok(fate) => fate,
-                            Err(error) => {
-                                failed = Some(error);
-                                return true;
-                            }
-                        },
+                    let seen = recurrence.see(batch.point(*motion), impacts - *before);
+                    match seen.and_then(|more| if more { Ok(None) } else { recurrence.fate().map(Some) }) {
+                        Ok(Some(fate)) => fate,
                         more => {
                             failed = more.err();
                             *before = impacts;
