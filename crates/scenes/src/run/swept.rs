@@ -35,8 +35,8 @@ row! {
         /// Which way the parameter goes.
         pub sweep: String,
         /// What ends the orbit that it was on, which is followed to there: "saddle-node", "flip",
-        /// "neimark-sacker", "grazing" or, if it is none of these as far as is seen, "unknown"; of a motion that
-        /// is not periodic "seen", as it is followed from value to value.
+        /// "neimark-sacker", "grazing" or, if it is none of these as far as is seen, "unknown"; of a motion
+        /// that is not periodic "seen", as it is followed from value to value.
         pub ends: &'static str,
         /// The last value known at which the motion stays.
         pub stays: f64,
