@@ -267,7 +267,7 @@ E
 mutant one-stop-only 'File "./ConsequencesSystems' --pin StatementOscillator.v <<'E'
 s/forall a1 a2, 0 < a2 -> a1 <= - 2 \* sqrt a2 ->/forall a1 a2, 0 < a2 -> a1 <= - 2 -> a1 <= - 2 * sqrt a2 ->/
 E
-mutant wall-of-another-shape 'File "./ConsequencesSystems' --pin StatementNordmark.v <<'E'
+mutant wall-of-another-shape 'File "./Consequences' --pin StatementNordmark.v <<'E'
 s/y i (t i) = (1 + mu) \* cos (t i) - 1/y i (t i) = (1 + mu) * cos (t j) - 1/
 E
 mutant statement-without-numbers 'Det_D_statement of StatementImpacts.v occurs in no Consequences' --pin ConsequencesAreas.v <<'E'
