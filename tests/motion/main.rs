@@ -20,4 +20,5 @@ mod orbit_runs;
 mod orbits;
 mod references;
 mod rest;
+mod searches;
 mod simulation;

@@ -384,6 +384,7 @@ fn wrong_numbers_are_named() {
         ("records 61", "N = 61: this figure shows periods 1 to N, with N from 1 to 60"),
         ("records --r 0.9 --s 1/2", "s = 1/2 is outside 0 < s < 1/2"),
         ("5 25", "N = 25: this figure shows one period N, with N from 3 to 24"),
+        ("touch 1000", "N = 1000: this figure shows periods up to N, with N from 3 to 30"),
         ("tips 3", "N = 3: this figure shows periods 4 to N, with N from 4 to 400"),
         ("2 --r 0.9 --s 0.2", "a point or a box belongs to `grazing figure records`"),
         ("records --r 0.9±1% --s 0.2", "figure records shows one point"),

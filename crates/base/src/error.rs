@@ -45,6 +45,7 @@ enum Kind {
     Overflow,
     Io,
     Interrupted,
+    Outside,
 }
 
 impl Error {
@@ -68,6 +69,11 @@ impl Error {
     /// The user asked for an end (Ctrl-C) before the work was done.
     pub fn interrupted(done: impl Into<String>) -> Self {
         Self::new(Kind::Interrupted, done.into(), None)
+    }
+
+    /// An iteration left the scale of what was asked, and was given up.
+    pub fn outside(message: impl Into<String>) -> Self {
+        Self::new(Kind::Outside, message.into(), None)
     }
 
     fn new(kind: Kind, message: String, source: Option<io::Error>) -> Self {
@@ -114,6 +120,11 @@ impl Error {
     /// Whether the user ended the work early.
     pub fn is_interrupted(&self) -> bool {
         self.0.kind == Kind::Interrupted
+    }
+
+    /// Whether an iteration was given up because it left the scale of what was asked.
+    pub fn is_outside(&self) -> bool {
+        self.0.kind == Kind::Outside
     }
 
     /// Whether the reader of our output went away, which for a command is no failure.

@@ -19,6 +19,7 @@ mod range;
 mod report;
 mod scene;
 mod scenes;
+mod task;
 
 use std::{
     cell::RefCell,

@@ -1,6 +1,9 @@
 //! Newton's method, damped: for pattern equations and for the systems that pin down their bifurcations.
 
-use super::curve::largest;
+use super::{
+    curve::largest,
+    search::{Known, SCALE, outside},
+};
 use crate::{
     error::{Error, Result},
     motion::algebra::solve,
@@ -45,36 +48,50 @@ pub struct Root {
 
 /// A root of F near `start`. `equations` gives F and ∂F/∂z, or an error where F is not defined; no step is
 /// longer than 1, and a step that does not lower |F| is halved. Ends when steps stop shrinking at the level
-/// of rounding.
+/// of rounding. It keeps away from what is `known`; an iterate larger than [`SCALE`] and than the start is
+/// the end of it.
 ///
 /// # Errors
 /// An input error if F is not defined at `start`, ∂F/∂z is singular on the way, or it does not converge in 60
-/// steps.
-pub(crate) fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linearised>) -> Result<Root> {
+/// steps (20 where some are known, and no step is halved as often); that it left the scale.
+pub(crate) fn newton(
+    start: Vec<f64>,
+    known: &Known,
+    equations: impl Fn(&[f64]) -> Result<Linearised>,
+) -> Result<Root> {
+    let scale = largest(&start).max(SCALE);
+    let (most, least) = if known.is_empty() { (STEPS, 1e-6) } else { (STEPS / 3, 1e-2) };
     let mut z = start;
     let mut here = equations(&z)?;
     let mut size = largest(&here.residual);
-    for steps in 0..STEPS {
+    for steps in 0..most {
         // At a fold the Jacobian is singular: there F alone has to be small.
         let solved = size <= 4.0 * f64::EPSILON * (1.0 + largest(&z));
-        let Some(step) = solve(here.jacobian, here.residual.clone()) else {
+        let Some(mut step) = solve(here.jacobian, here.residual.clone()) else {
             return if solved {
                 Ok(Root { z, residual: size, steps })
             } else {
                 Err(Error::input("Newton's method met a singular Jacobian"))
             };
         };
+        let (held, along) = known.factor(&z, &step);
+        // Of the equations times the factor Newton's step has the same direction.
+        step.iter_mut().for_each(|x| *x /= 1.0 + along);
         let length = largest(&step);
         let settled = solved || length <= 1e-11 * (1.0 + largest(&z));
         let mut factor = (1.0 / length).min(1.0);
         let next = loop {
             let trial: Vec<f64> = z.iter().zip(&step).map(|(z, step)| z - factor * step).collect();
+            if largest(&trial) > scale {
+                return Err(outside());
+            }
+            let there = known.factor(&trial, &step).0;
             match equations(&trial) {
-                Ok(found) if largest(&found.residual) < size => break Some((trial, found)),
+                Ok(found) if there * largest(&found.residual) < held * size => break Some((trial, found)),
                 _ if settled => break None,
                 _ => factor /= 2.0,
             }
-            if factor < 1e-6 {
+            if factor < least {
                 return Err(unended(size, steps));
             }
         };
@@ -90,9 +107,9 @@ pub(crate) fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linea
     }
     // Each of these steps may have lowered |F| a little, below what rounding leaves of it.
     if size <= 4.0 * f64::EPSILON * (1.0 + largest(&z)) {
-        return Ok(Root { z, residual: size, steps: STEPS });
+        return Ok(Root { z, residual: size, steps: most });
     }
-    Err(unended(size, STEPS))
+    Err(unended(size, most))
 }
 
 /// It comes no nearer, or too slowly: which of the two depends on the unknowns, and says nothing.

@@ -18,7 +18,8 @@ pub enum RunEnd {
     Escaped,
     /// The force has a pole here, or a root or a logarithm of 0; the run stays where it is.
     NotSmooth,
-    /// The force is too steep here: it changes in less than the shortest step; the run stays where it is.
+    /// The force is too steep here: it changes in less than the shortest step, or a forcing period takes more
+    /// than 100,000 of them; the run stays where it is.
     TooSteep,
 }
 

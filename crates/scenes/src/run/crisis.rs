@@ -87,7 +87,7 @@ impl Finding for CrisisFindings {
 pub(crate) fn crisis(task: &CrisisTask, job: &Job) -> Result<CrisisFindings> {
     let family = job.family(&task.parameter)?;
     let bracket = (task.bracket[0], task.bracket[1]);
-    let orbits = task.orbit.orbits(&family.at((bracket.0 + bracket.1) / 2.0)?)?;
+    let orbits = task.orbit.orbits(&family.at((bracket.0 + bracket.1) / 2.0)?, || job.check())?.found;
     let saddle = orbits
         .into_iter()
         .find(|orbit| orbit.admissibility.is_admissible() && orbit.multipliers.values()[0].0 > 1.0)

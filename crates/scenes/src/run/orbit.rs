@@ -9,6 +9,7 @@ use super::{
     row,
 };
 use crate::{
+    continuation::{OrbitSearch, SearchTally},
     error::Result,
     number::{Plain, Real},
     scene::orbits::OrbitTask,
@@ -34,6 +35,16 @@ row! {
         /// Why there is none.
         pub reason: String,
     }
+}
+
+/// What came of the starts of a search.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SearchRow {
+    /// The parameter's value, if the task goes through some.
+    pub value: Option<f64>,
+    /// How many ended how.
+    #[serde(flatten)]
+    pub tally: SearchTally,
 }
 
 /// How a task ends that looks for something at so many values, or at the scene's own.
@@ -63,6 +74,8 @@ pub struct OrbitFindings {
     pub orbits: Vec<OrbitRow>,
     /// Values without any.
     pub(crate) missing: Vec<MissingRow>,
+    /// What came of the starts, by value.
+    pub searches: Vec<SearchRow>,
     /// How many values were asked for.
     #[serde(skip)]
     values: usize,
@@ -78,6 +91,10 @@ impl Finding for OrbitFindings {
         if !self.missing.is_empty() {
             lines.table("missing", &self.missing);
         }
+        for SearchRow { value, tally } in self.searches.iter().filter(|row| row.tally.starts > 1) {
+            let at = value.map_or(String::new(), |value| format!(" at {value}"));
+            lines.say("search", format!("{}{at}", tally.told()));
+        }
     }
 }
 
@@ -91,18 +108,24 @@ pub(crate) fn orbit(task: &OrbitTask, job: &Job) -> Result<OrbitFindings> {
 
 fn of<E: Engine>(task: &OrbitTask, job: &Job, engine: &E) -> Result<OrbitFindings> {
     let places = places(task.parameter.as_deref(), &task.values);
-    let (mut orbits, mut missing, values) = (Vec::new(), Vec::new(), places.len());
+    let (mut orbits, mut missing, mut searches, values) = (Vec::new(), Vec::new(), Vec::new(), places.len());
     job.monitor.begin(values as u64, "values");
     for place in places {
         let (value, system) = (place.map(|(_, value)| value), engine.system(place)?);
         match engine.orbits(&task.orbit, &system) {
-            Ok(found) if found.is_empty() => missing.push(MissingRow { value, reason: task.orbit.none() }),
-            Ok(found) => orbits
-                .extend(found.iter().map(|orbit| OrbitRow { value, orbit: engine.analysed(orbit, &system) })),
+            Ok(OrbitSearch { found, tally }) => {
+                if found.is_empty() {
+                    missing.push(MissingRow { value, reason: task.orbit.none(&tally) });
+                }
+                orbits.extend(
+                    found.iter().map(|orbit| OrbitRow { value, orbit: engine.analysed(orbit, &system) }),
+                );
+                searches.push(SearchRow { value, tally });
+            }
             Err(error) if error.is_interrupted() => return Err(error),
             Err(error) => missing.push(MissingRow { value, reason: error.to_string() }),
         }
         job.monitor.advance(1)?;
     }
-    Ok(OrbitFindings { orbits, missing, values })
+    Ok(OrbitFindings { orbits, missing, searches, values })
 }

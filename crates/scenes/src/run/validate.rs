@@ -173,11 +173,11 @@ pub(super) fn starts<E: Engine>(
     found: &mut ValidateFindings,
 ) -> Result<Vec<E::Orbit>> {
     match engine.orbits(&task.orbit, system) {
-        Ok(orbits) => {
-            if orbits.is_empty() {
-                found.nothing(Vec::new(), task.orbit.none());
+        Ok(all) => {
+            if all.found.is_empty() {
+                found.nothing(Vec::new(), task.orbit.none(&all.tally));
             }
-            Ok(orbits)
+            Ok(all.found)
         }
         Err(error) if error.is_interrupted() => Err(error),
         Err(error) => {

@@ -12,11 +12,11 @@ use super::{
     tolerance::Tolerances,
 };
 use crate::{
-    continuation::{Bifurcation, Options, SearchReach},
+    continuation::{Bifurcation, Options, OrbitSearch, SearchReach, SearchTally},
     error::Result,
     motion::{Side, System},
     number::parse_rational_within,
-    one::orbit::{Itinerary, Orbit, Oscillator, Strike, find, search, search_obstacle},
+    one::orbit::{Itinerary, Orbit, Oscillator, Strike, find, search_obstacle, search_while},
     source::hint,
 };
 
@@ -37,8 +37,8 @@ keys! {
         /// how many starts the search makes
         starts: u32 = "500",
         /// the greatest speed at which the search starts, in the scene's units; without it the size of the
-        /// motion (of what the forces do and of the stops that are struck), where the engine is `many` four
-        /// times the size of the gaps' motion per radian of the forcing
+        /// motion (of what the forces do and of the stops that are struck), where the engine is `many` and no
+        /// force is a formula four times the size of the gaps' motion per radian of the forcing
         speed: Option<f64>,
     }
 }
@@ -126,26 +126,30 @@ impl OrbitKeys {
     }
 
     /// What is said where no orbit is found.
-    pub(crate) fn none(&self) -> String {
+    pub(crate) fn none(&self, tally: &SearchTally) -> String {
         let of_the_motion = || "speeds of the size of the motion".to_string();
         let speeds = self.speed.map_or_else(of_the_motion, |speed| format!("speeds up to {speed}"));
-        format!("no orbit of the pattern from {} starts with {speeds}", self.starts)
+        format!("no orbit of the pattern with {speeds}, of {}", tally.told())
     }
 
     /// The orbits of the pattern: the one Newton's method finds from `start`, or those of a search.
     ///
     /// # Errors
-    /// As [`find`].
-    pub(crate) fn orbits(&self, oscillator: &Oscillator) -> Result<Vec<Orbit>> {
+    /// As [`find`]; those of `check`.
+    pub(crate) fn orbits(
+        &self,
+        oscillator: &Oscillator,
+        check: impl Fn() -> Result<()>,
+    ) -> Result<OrbitSearch<Orbit>> {
         let itinerary = self.itinerary(oscillator.system())?;
         if self.start.is_empty() {
             let speed = self.speed.unwrap_or_else(|| oscillator.unit(&itinerary));
-            let found = search(oscillator, &itinerary, self.starts, speed);
-            let nothing = found.is_empty();
+            let all = search_while(oscillator, &itinerary, self.starts, speed, check)?;
+            let nothing = all.found.is_empty();
             let why = nothing.then(|| search_obstacle(oscillator, &itinerary, self.starts, speed)).flatten();
-            return why.map_or(Ok(found), Err);
+            return why.map_or(Ok(all), Err);
         }
-        Ok(vec![find(oscillator, &itinerary, self.unknowns(|speed| speed))?])
+        find(oscillator, &itinerary, self.unknowns(|speed| speed)).map(|orbit| OrbitSearch::of_one(Ok(orbit)))
     }
 }
 

@@ -77,11 +77,6 @@ impl Cell {
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 30; an I/O error; the monitor's interruption.
 pub fn words(last: u64, place: &FigurePlace, monitor: &dyn Monitor) -> Result<()> {
-    if !(3..=30).contains(&last) {
-        return Err(Error::input(format!(
-            "N = {last}: this figure shows periods up to N, with N from 3 to 30"
-        )));
-    }
     let cells = cells(last, monitor)?;
     let rows: Vec<Vec<String>> = cells
         .iter()
@@ -101,7 +96,15 @@ pub fn words(last: u64, place: &FigurePlace, monitor: &dyn Monitor) -> Result<()
 }
 
 /// The cells, each over those that it lies in.
+///
+/// # Errors
+/// An input error unless 3 ≤ `last` ≤ 30; the monitor's interruption.
 pub(super) fn cells(last: u64, monitor: &dyn Monitor) -> Result<Vec<Cell>> {
+    if !(3..=30).contains(&last) {
+        return Err(Error::input(format!(
+            "N = {last}: this figure shows periods up to N, with N from 3 to 30"
+        )));
+    }
     let mut cells = Vec::new();
     sectors(last, &mut cells);
     for gamma in [true, false] {

@@ -103,10 +103,14 @@ fn newton(stage: &Stage, mut state: State) -> Option<(State, RealMatrix)> {
     let norm = |x: &RealVector| (&upper * x.rows(0, n)).norm().max((&upper * x.rows(n, n)).norm());
     let (mut first, mut last) = (None, f64::INFINITY);
     for _ in 0..STEPS {
-        let (end, phi) = (smooth.after(Time::new(0, 0.0), &state, TAU), smooth.transition(&state, TAU));
+        let end = smooth.after(Time::new(0, 0.0), &state, TAU);
         let x = stacked(&state.q, &state.u);
         let off = stacked(&end.q, &end.u) - &x;
-        if off.iter().chain(phi.iter()).any(|x| !x.is_finite()) {
+        if off.iter().any(|x| !x.is_finite()) {
+            return None;
+        }
+        let phi = smooth.transition(&state, TAU);
+        if phi.iter().any(|x| !x.is_finite()) {
             return None;
         }
         let change = (RealMatrix::identity(2 * n, 2 * n) - &phi).lu().solve(&off)?;

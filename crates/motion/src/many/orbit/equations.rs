@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::{Between, Change, Itinerary, turned};
 use crate::{
-    continuation::Linearised,
+    continuation::{Linearised, SCALE, largest, outside},
     error::{Error, Result},
     many::{
         RealMatrix, RealVector, State,
@@ -161,17 +161,38 @@ impl<'s> StopEquations<'s> {
     }
 
     /// X of given times and speeds: the equations of periodicity are linear in it, unless there are soft
-    /// stops; where forces are formulas they are solved by a few of Newton's steps. Where they have no one
-    /// solution (a motion without stiffness or damping), the smallest of the best.
+    /// stops; with dry friction they are solved by a few of Newton's steps. Where they have no one solution
+    /// (a motion without stiffness or damping), the smallest of the best. One that leaves the scale is given
+    /// up. Where forces are formulas, the motion that the forces bring about, pushed at the stop to where it
+    /// is met.
     pub fn complete(&self, impacts: &[f64]) -> Result<Vec<f64>> {
         let mut z = vec![0.0; 2 * self.size()];
         z.extend(impacts);
-        let pieced = |simulator: &Simulator| simulator.is_smooth() || simulator.is_rough();
-        let smooth = self.between.soft.is_some_and(pieced);
-        for _ in 0..if smooth { COMPLETED } else { 1 } {
+        let has = |what: fn(&Simulator) -> bool| self.between.soft.is_some_and(what);
+        if has(Simulator::is_smooth) && !impacts.is_empty() {
+            return Ok(self.met(z));
+        }
+        for _ in 0..if has(Simulator::is_smooth) || has(Simulator::is_rough) { COMPLETED } else { 1 } {
             z = self.completed(z)?;
         }
         Ok(z)
+    }
+
+    /// The motion that the forces bring about at the first impact, with gap and rate as just after it.
+    fn met(&self, mut z: Vec<f64>) -> Vec<f64> {
+        let (n, (mut state, _, speeds)) = (self.size(), self.split(&z));
+        let forced = self.between.flow.outward(&self.between.flow.particular(state.t));
+        if forced.iter().all(|x| x.is_finite()) {
+            (state.q, state.u) = (forced.rows(0, n).into_owned(), forced.rows(n, n).into_owned());
+        }
+        let (stop, contact) = (self.pattern.strikes()[0].place, self.contact(0));
+        let push = self.contacts.push(stop) / self.contacts.mobility(stop);
+        let [gap, rate] = contact.gap(&state);
+        let after = contact.restitution_at(speeds[0]) * speeds[0];
+        state.q.axpy(-gap, &push, 1.0);
+        state.u.axpy(after - rate, &push, 1.0);
+        z.iter_mut().zip(state.q.iter().chain(state.u.iter())).for_each(|(z, x)| *z = x / self.scale);
+        z
     }
 
     /// One step of it.
@@ -191,7 +212,8 @@ impl<'s> StopEquations<'s> {
                 .map_err(|error| Error::input(format!("no state to start from: {error}")))?,
         };
         z[..2 * n].iter_mut().zip(found.iter()).for_each(|(x, change)| *x += change);
-        Ok(z)
+        let scale = largest(&z[2 * n..]).max(SCALE);
+        if largest(&z[..2 * n]) <= scale { Ok(z) } else { Err(outside()) }
     }
 
     /// The state a time ≥ 0 after the first impact (after phase 0 without impacts).

@@ -46,7 +46,7 @@ use super::{
     simulate::Simulator,
 };
 use crate::{
-    continuation::{Root, newton},
+    continuation::{KnownOrbits, Root, newton},
     error::{Error, Result},
 };
 
@@ -99,11 +99,11 @@ pub struct Orbit {
 /// An input error if the start has another length, a stop is not there, friction is under the force of a
 /// stop, or Newton's method does not end.
 pub fn find(simulator: &Simulator, pattern: &Itinerary, start: &[f64]) -> Result<Orbit> {
-    find_from(simulator, pattern, start, None)
+    find_beside(simulator, pattern, start, None, &[])
 }
 
-/// The same, from the state just after the first impact (at phase 0 without impacts): where there are soft
-/// stops the state does not follow from times and speeds.
+/// The same, from the state just after the first impact (at phase 0 without impacts), where one is given:
+/// where there are soft stops the state does not follow from times and speeds.
 ///
 /// # Errors
 /// As [`find`].
@@ -112,6 +112,20 @@ pub fn find_from(
     pattern: &Itinerary,
     start: &[f64],
     state: Option<&State>,
+) -> Result<Orbit> {
+    find_beside(simulator, pattern, start, state, &[])
+}
+
+/// The same, with solutions that are known taken out.
+///
+/// # Errors
+/// As [`find`].
+pub fn find_beside(
+    simulator: &Simulator,
+    pattern: &Itinerary,
+    start: &[f64],
+    state: Option<&State>,
+    known: &[Orbit],
 ) -> Result<Orbit> {
     let m = pattern.strikes().len();
     if start.len() != 2 * m {
@@ -152,14 +166,27 @@ pub fn find_from(
             _ => Vec::new(),
         };
     let pinned = StopEquations { pins: &pins, ..equations };
-    let mut root = newton(first.clone(), |z| pinned.linearise(z, None))?;
+    let points = known.iter().map(|orbit| orbit.z.clone());
+    let known = KnownOrbits::new(2 * equations.size(), m, points);
+    let mut root = newton(first.clone(), &known, |z| pinned.linearise(z, None))?;
     if !pins.is_empty() {
         let rows = held(&equations.parts(&root.z)?.0);
         if pins.iter().any(|(j, _)| !rows.contains(j)) {
-            root = newton(first, |z| equations.linearise(z, None))?;
+            root = newton(first, &known, |z| equations.linearise(z, None))?;
         }
     }
     describe(simulator, pattern, scale, root)
+}
+
+/// Whether a motion from these times and speeds takes too long to follow.
+pub fn is_hopeless(simulator: &Simulator, pattern: &Itinerary, start: &[f64]) -> bool {
+    let followed = || {
+        let soft = simulator.through()?;
+        let equations = StopEquations::new(between(simulator, soft.as_ref()), pattern, 1.0);
+        let (state, ..) = equations.split(&equations.complete(start)?);
+        equations.between.after(&state, TAU)
+    };
+    followed().is_err_and(|error: Error| error.is_outside())
 }
 
 fn between<'s>(simulator: &'s Simulator, soft: Option<&'s Simulator>) -> Between<'s> {

@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Itinerary, Orbit, between, find, find_from};
+use super::{Itinerary, Orbit, between, find_beside};
 use crate::{
     error::Result,
     many::{State, deflected::Deflections, simulate::Simulator},
@@ -31,45 +31,50 @@ impl<'s> FreeStarts<'s> {
         Ok(FreeStarts { simulator, soft: simulator.through()?, pattern, deflections })
     }
 
-    /// The orbit that Newton's method finds from the i-th start.
+    /// The orbit that Newton's method finds from the i-th start, those that are known taken out.
     ///
     /// # Errors
-    /// As [`find_from`].
-    pub fn find(&self, i: u32) -> Result<Orbit> {
+    /// As [`find_beside`].
+    pub fn find(&self, i: u32, known: &[Orbit]) -> Result<Orbit> {
         if i == 0 {
-            return self.of_the_forces();
+            return self.of_the_forces(known);
         }
         let state = self.deflections.deflected(i);
         let state = self.after(&state, TAU - state.t)?;
-        let found = self.from(&state);
+        let found = self.from(&state, known);
         if found.is_ok() || !self.simulator.is_rough() {
             return found;
         }
         // The equations have corners where friction changes otherwise: nearer to the motion it leads to.
-        self.from(&self.after(&state, TAU * f64::from(LATER[1]))?)
+        self.from(&self.after(&state, TAU * f64::from(LATER[1]))?, known)
     }
 
     /// From the motion of the forces or, where Newton's method finds nothing there, from where that leads.
-    fn of_the_forces(&self) -> Result<Orbit> {
+    fn of_the_forces(&self, known: &[Orbit]) -> Result<Orbit> {
         let mut state = self.deflections.forced(0.0);
-        let mut found = self.from(&state);
+        let mut found = self.from(&state, known);
         for periods in LATER {
             if found.is_ok() {
                 break;
             }
             let Ok(later) = self.after(&state, TAU * f64::from(periods)) else { break };
             state = later;
-            found = self.from(&state);
+            found = self.from(&state, known);
         }
         // Where nothing periodic is brought about, from rest.
-        found.or_else(|_| find(self.simulator, self.pattern, &[]))
+        found.or_else(|_| find_beside(self.simulator, self.pattern, &[], None, known))
+    }
+
+    /// Whether a period takes too long to follow from the motion of the forces.
+    pub fn is_hopeless(&self) -> bool {
+        self.after(&self.deflections.forced(0.0), TAU).is_err_and(|error| error.is_outside())
     }
 
     fn after(&self, state: &State, duration: f64) -> Result<State> {
         between(self.simulator, self.soft.as_ref()).after(state, duration)
     }
 
-    fn from(&self, state: &State) -> Result<Orbit> {
-        find_from(self.simulator, self.pattern, &[], Some(state))
+    fn from(&self, state: &State, known: &[Orbit]) -> Result<Orbit> {
+        find_beside(self.simulator, self.pattern, &[], Some(state), known)
     }
 }

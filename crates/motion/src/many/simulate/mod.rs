@@ -383,13 +383,29 @@ impl Simulator {
         if scale > 0.0 { scale } else { self.rub_scale(&[]) }
     }
 
-    /// The same where these stops are met: of their places and motions, too.
-    pub fn scale_at(&self, stops: impl IntoIterator<Item = usize>) -> f64 {
+    /// The same where these stops are met: of their places and motions, too. Where forces are formulas the
+    /// machine linearised at rest may resonate where they do not: no more than what they do in a radian.
+    pub fn scale_at(&self, stops: impl IntoIterator<Item = usize> + Clone) -> f64 {
         let size = |stop: usize| {
             let GapSize { forced, place, .. } = self.gap_size(stop);
             forced.max(place)
         };
-        stops.into_iter().map(size).fold(self.scale(), f64::max)
+        let scale = stops.clone().into_iter().map(size).fold(self.scale(), f64::max);
+        if !self.is_smooth() {
+            return scale;
+        }
+        let rest = |t: f64| State { t, q: self.zeros(), u: self.zeros() };
+        let bend = |stop: usize| {
+            let row = &self.contacts.all()[stop].row;
+            let bend = looks().filter_map(|t| Some(row.dot(&self.acceleration(&rest(t)).ok()?).abs()));
+            bend.fold(self.gap_size(stop).place, f64::max)
+        };
+        let own = stops.into_iter().map(bend).fold(0.0, f64::max);
+        if own > 0.0 { scale.min(own) } else { scale }
+    }
+
+    fn zeros(&self) -> RealVector {
+        RealVector::zeros(self.equations.size())
     }
 
     /// The size of the gap to the stop that is nearest, however far that is: what its rounding is relative

@@ -16,7 +16,7 @@ use crate::{
     },
     motion::{
         Series, Time,
-        flow::{GAUSS, TERMS},
+        flow::{GAUSS, TERMS, too_many},
     },
 };
 
@@ -177,13 +177,14 @@ impl SmoothStage {
 
     /// The state after a duration; where it cannot be followed, not a number.
     pub fn after(&self, time: Time, state: &State, duration: f64) -> State {
-        let (mut now, mut here, mut left) = (time, state.clone(), duration);
+        let (mut now, mut here, mut left, mut steps) = (time, state.clone(), duration, 0);
         loop {
+            steps += 1;
             let leap = self.leap(now, &here);
             if left <= leap.h {
                 return leap.state(left / leap.h);
             }
-            if leap.over().is_some() {
+            if leap.over().is_some() || too_many(steps, duration - left) {
                 let none = RealVector::from_element(self.size, f64::NAN);
                 return State { t: time.after(duration).phase, q: none.clone(), u: none };
             }

@@ -12,7 +12,7 @@ use crate::{
     many::{LinearEquations, RealMatrix, RealVector, State},
     motion::{
         Effect, EffectTally, RunEnd, Time,
-        flow::{Gradient, LEAST, Obstacle, Program, Rows, Scalar, TERMS, defect},
+        flow::{Gradient, LEAST, Obstacle, Program, Rows, Scalar, TERMS, defect, too_many},
     },
 };
 
@@ -352,7 +352,8 @@ fn carry<S: Scalar>(
     while left > 0.0 {
         steps += 1;
         let step = step(program, metric, &from, t, left, &[]);
-        if step.h.is_nan() || step.h < left.min(1e-11).min(program.shortest()) {
+        let stuck = step.h.is_nan() || step.h < left.min(1e-11).min(program.shortest());
+        if stuck || too_many(steps, duration - left) {
             return (vec![S::constant(f64::NAN); 2 * n], steps);
         }
         for j in 0..n {

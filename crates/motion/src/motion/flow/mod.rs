@@ -15,7 +15,9 @@ use linear::carried;
 pub(crate) use program::{Drive, Obstacle, Outline, Program, Rows};
 pub(crate) use scalar::{Gradient, Primitive, Range, Scalar};
 pub use taylor::Taylor;
-pub(crate) use taylor::{Expansion, GAUSS, LEAST, Recurrence, SHORTEST, Size, TERMS, defect};
+pub(crate) use taylor::{
+    Expansion, GAUSS, LEAST, MOST_STEPS, Recurrence, SHORTEST, Size, TERMS, defect, too_many,
+};
 
 use std::sync::Arc;
 

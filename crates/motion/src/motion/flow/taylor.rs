@@ -7,7 +7,7 @@
 //! impacts can bound from below on whole intervals; the interpolants of Runge–Kutta codes are of lower order
 //! than their steps and have no such bound. Hence no integrator crate here.
 
-use std::sync::Arc;
+use std::{f64::consts::TAU, sync::Arc};
 
 use super::{
     Equation, Gradient, Scalar,
@@ -26,7 +26,16 @@ use crate::{
 pub(crate) const TERMS: usize = 24;
 
 /// Steps this short end a motion that needs them: towards a pole or beyond all bounds.
-pub(crate) const SHORTEST: f64 = 1e-9 * std::f64::consts::TAU;
+pub(crate) const SHORTEST: f64 = 1e-9 * TAU;
+
+/// A force that takes more steps to go on through a forcing period is too steep: a stiffness of 10⁹ times the
+/// square of the forcing's frequency does.
+pub(crate) const MOST_STEPS: u32 = 100_000;
+
+/// Whether so many steps are too many to have gone on by this.
+pub(crate) fn too_many(steps: u64, gone: f64) -> bool {
+    steps as f64 > f64::from(MOST_STEPS) * (1.0 + gone.abs() / TAU)
+}
 
 /// No step is longer than a quarter of the forcing period.
 const LONGEST: f64 = std::f64::consts::FRAC_PI_2;
@@ -231,7 +240,7 @@ impl Taylor {
         while left != 0.0 {
             steps += 1;
             let step = self.step(program, [q, u], t, left > 0.0, left.abs());
-            if is_stuck(step.h, left) {
+            if is_stuck(step.h, left) || too_many(steps, duration - left) {
                 return [S::constant(f64::NAN); 2];
             }
             [q, u] = step.end();
@@ -257,8 +266,12 @@ impl Taylor {
 
     /// Where a motion cannot be followed any farther, and why, if that is before its end.
     pub(crate) fn obstacle(&self, mut from: State, duration: f64) -> Option<(State, Obstacle)> {
-        let mut left = duration;
+        let (mut left, mut steps) = (duration, 0);
         while left > 0.0 {
+            steps += 1;
+            if too_many(steps, duration - left) {
+                return Some((from, Obstacle::Steep));
+            }
             let step = self.expand(from, true, left);
             if is_stuck(step.h, left) {
                 return Some((from, step.obstacle));
@@ -276,7 +289,7 @@ impl Taylor {
         while left != 0.0 {
             steps += 1;
             let step = self.expand(from, left > 0.0, left.abs());
-            if is_stuck(step.h, left) {
+            if is_stuck(step.h, left) || too_many(steps, duration - left) {
                 return State { t: end, q: f64::NAN, u: f64::NAN };
             }
             each(from, &step);

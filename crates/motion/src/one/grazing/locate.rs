@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::local_map::local_map;
 use crate::{
-    continuation::{Linearised, LocalMap, newton},
+    continuation::{KnownOrbits, Linearised, LocalMap, newton},
     error::{Error, Result},
     motion::Side,
     one::orbit::{Family, Itinerary, Minimum, Orbit, Oscillator, Strike, Unknowns, check, linearise},
@@ -79,7 +79,7 @@ pub fn locate(family: &dyn Family, orbit: &Orbit, parameter: f64) -> Result<Graz
     };
     start[1] = 0.0;
     let scaled = start.iter().enumerate().map(|(i, y)| y / own(i)).collect();
-    let root = newton(scaled, |y| Ok(equations(&natural(y))?.measured(unit, own)))?;
+    let root = newton(scaled, &KnownOrbits::default(), |y| Ok(equations(&natural(y))?.measured(unit, own)))?;
     let mut z = natural(&root.z);
     let parameter = std::mem::replace(&mut z[1], 0.0);
     let oscillator = family.at(parameter)?;

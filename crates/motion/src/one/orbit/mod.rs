@@ -45,8 +45,7 @@ pub(crate) use leg::Touch;
 pub use oscillator::Oscillator;
 pub use passage::Unknowns;
 pub use return_map::return_map;
-pub use search::search;
-pub use search::search_obstacle;
+pub use search::{search, search_obstacle, search_while};
 pub use single::SingleImpact;
 pub use solution::{Orbit, OrbitImpact, describe, find, monodromy};
 

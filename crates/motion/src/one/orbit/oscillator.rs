@@ -12,7 +12,7 @@ use crate::{
     motion::{
         Contact, Effect, EffectTally, Flow, Harmonic, Series, Side, State, System, Wall,
         algebra::{IDENTITY, Matrix2, apply, product},
-        flow::{Free, GAUSS, Gradient, Program, Scalar},
+        flow::{Free, GAUSS, Gradient, Obstacle, Program, Scalar, too_many},
     },
 };
 
@@ -202,10 +202,25 @@ impl Oscillator {
         }
     }
 
+    fn panels(&self, from: &State, duration: f64) -> f64 {
+        (duration * self.rate(from)).ceil().max(1.0)
+    }
+
+    /// Where and why a leg cannot be followed, if that is before its end.
+    pub(crate) fn obstacle(&self, from: State, duration: f64) -> Option<(State, Obstacle)> {
+        let moves = self.slope.as_ref().is_some_and(|slope| slope.smooth.is_none() && slope.moves());
+        let steep = moves && too_many(self.panels(&from, duration) as u64, duration);
+        if steep { Some((from, Obstacle::Steep)) } else { self.flow.obstacle(from, duration) }
+    }
+
     /// Duhamel's integral ∫ Φ(T, s) (0, ∂a/∂p)ᵀ ds by Gauss's rule on panels short against every period in
     /// the system, summed on the way: exact to rounding.
     fn sensitive_leg(&self, slope: &Slope, from: State, duration: f64) -> Leg {
-        let panels = (duration * self.rate(&from)).ceil().max(1.0);
+        let panels = self.panels(&from, duration);
+        if too_many(panels as u64, duration) {
+            let end = State { t: from.t + duration, q: f64::NAN, u: f64::NAN };
+            return Leg { end, matrix: IDENTITY, slope: [f64::NAN; 2] };
+        }
         let width = duration / panels;
         let (mut here, mut matrix, mut sum, mut at) = (from, IDENTITY, [0.0; 2], 0.0);
         let mut go = |to: f64, weight: f64| {

@@ -2,34 +2,52 @@
 
 use std::f64::consts::TAU;
 
-use rayon::prelude::*;
-
-use super::{Itinerary, Orbit, Oscillator, find, solution::obstacle};
-use crate::{continuation::Starts, error::Error, motion::State};
+use super::{
+    Itinerary, Orbit, Oscillator, find,
+    solution::{find_beside, obstacle},
+};
+use crate::{
+    continuation::{OrbitSearch, Starts, search_all},
+    error::{Error, Result},
+    motion::State,
+};
 
 /// The orbits reached from `starts` well-spread starts with speeds up to `speed`, admissible or not, with
 /// every speed positive: each once, whichever of its impacts is called the first, those that go round a
-/// shorter pattern left out. Sorted by speeds. Finding none proves nothing. Cost: `starts` Newton solutions,
-/// shared by the threads.
-pub fn search(oscillator: &Oscillator, itinerary: &Itinerary, starts: u32, speed: f64) -> Vec<Orbit> {
+/// shorter pattern left out. Sorted by speeds. Finding none proves nothing. Cost: [`search_all`] with Newton
+/// solutions.
+///
+/// # Errors
+/// Those of `check`, which is asked now and then whether to go on.
+pub fn search_while(
+    oscillator: &Oscillator,
+    itinerary: &Itinerary,
+    starts: u32,
+    speed: f64,
+    check: impl Fn() -> Result<()>,
+) -> Result<OrbitSearch<Orbit>> {
     let m = itinerary.strikes().len();
     if m == 0 {
-        return find(oscillator, itinerary, vec![0.0; 2]).into_iter().collect();
+        return Ok(OrbitSearch::of_one(find(oscillator, itinerary, vec![0.0; 2])));
     }
     let begin = begin(oscillator, itinerary, speed);
     let periods = whole_periods(itinerary);
-    let one = |i: u32| find(oscillator, itinerary, begin.of(&periods, i)).ok();
-    let roots: Vec<Orbit> = (0..starts).into_par_iter().filter_map(one).collect();
-    let mut found: Vec<Orbit> = Vec::new();
-    for orbit in roots {
+    let look = |i: u32, known: &[Orbit]| find_beside(oscillator, itinerary, begin.of(&periods, i), known);
+    let whole = |orbit: &Orbit| {
         let moving = orbit.z.chunks(2).all(|impact| impact[1] > NEAR * orbit.unit);
-        let primitive = (1..m).all(|shift| !same(&orbit, &orbit, shift));
-        if moving && primitive && found.iter().all(|old| (0..m).all(|shift| !same(old, &orbit, shift))) {
-            found.push(orbit);
-        }
-    }
-    found.sort_by(|a, b| a.z[1].total_cmp(&b.z[1]));
-    found
+        Ok(moving && (1..m).all(|shift| !same(orbit, orbit, shift)))
+    };
+    let alike = |a: &Orbit, b: &Orbit| (0..m).any(|shift| same(a, b, shift));
+    let hopeless =
+        || search_obstacle(oscillator, itinerary, 1, speed).is_some_and(|error| error.is_outside());
+    let mut all = search_all(starts, look, alike, whole, hopeless, check)?;
+    all.found.sort_by(|a, b| a.z[1].total_cmp(&b.z[1]));
+    Ok(all)
+}
+
+/// The orbits of [`search_while`], to its end.
+pub fn search(oscillator: &Oscillator, itinerary: &Itinerary, starts: u32, speed: f64) -> Vec<Orbit> {
+    search_while(oscillator, itinerary, starts, speed, || Ok(())).map_or_else(|_| Vec::new(), |all| all.found)
 }
 
 /// Why a search finds nothing, if the motion of one of its first starts cannot be followed.

@@ -7,11 +7,12 @@ use super::{
     passage::Unknowns,
 };
 use crate::{
-    continuation::{Multipliers, Root, counted, newton},
+    continuation::{KnownOrbits, Multipliers, Root, counted, newton},
     error::{Error, Result},
     motion::{
         Flow, RunEnd, Side, State,
         algebra::{IDENTITY, Matrix2, product},
+        flow::Obstacle,
     },
 };
 
@@ -53,14 +54,33 @@ pub struct OrbitImpact {
 /// # Errors
 /// As `newton` and [`linearise`].
 pub fn find(oscillator: &Oscillator, itinerary: &Itinerary, start: Vec<f64>) -> Result<Orbit> {
+    let from = start.clone();
+    let lost = |error: Error| match error.is_outside() {
+        true => error,
+        false => obstacle(oscillator, itinerary, &from).unwrap_or(error),
+    };
+    find_beside(oscillator, itinerary, start, &[]).map_err(lost)
+}
+
+/// The same, with solutions that are known taken out, and no reason but Newton's where there is none.
+///
+/// # Errors
+/// As `newton` and [`linearise`].
+pub(super) fn find_beside(
+    oscillator: &Oscillator,
+    itinerary: &Itinerary,
+    start: Vec<f64>,
+    known: &[Orbit],
+) -> Result<Orbit> {
     let unit = oscillator.unit(itinerary);
     let own = |i: usize| Unknowns::unit(itinerary, i, unit);
-    let scaled = start.iter().enumerate().map(|(i, z)| z / own(i)).collect();
-    let root = newton(scaled, |scaled| {
+    let measured = |z: &[f64]| z.iter().enumerate().map(|(i, z)| z / own(i)).collect::<Vec<_>>();
+    let points = known.iter().map(|orbit| measured(&orbit.z));
+    let known = KnownOrbits::new(0, itinerary.strikes().len(), points);
+    let root = newton(measured(&start), &known, |scaled| {
         let z: Vec<f64> = scaled.iter().enumerate().map(|(i, z)| z * own(i)).collect();
         Ok(linearise(oscillator, itinerary, &z)?.measured(unit, own))
-    });
-    let root = root.map_err(|error| obstacle(oscillator, itinerary, &start).unwrap_or(error))?;
+    })?;
     let z = root.z.iter().enumerate().map(|(i, z)| z * own(i)).collect();
     describe(oscillator, itinerary, Root { z, residual: root.residual * unit, ..root })
 }
@@ -74,15 +94,15 @@ pub(super) fn obstacle(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]
         let passages = Unknowns::new(itinerary, z).ok()?.passages(oscillator);
         passages.flatten().map(|passage| (passage.from, passage.duration)).collect()
     };
-    let flow = oscillator.flow();
-    let (at, why) = flights.into_iter().find_map(|(from, duration)| flow.obstacle(from, duration))?;
-    Some(Error::input(format!(
+    let (at, why) = flights.into_iter().find_map(|(from, duration)| oscillator.obstacle(from, duration))?;
+    let what = format!(
         "a motion of the pattern ended {}: at q = {}, u = {} with the acceleration {}",
         RunEnd::from(why).why(),
         at.q,
         at.u,
-        flow.acceleration(at)
-    )))
+        oscillator.flow().acceleration(at)
+    );
+    Some(if why == Obstacle::Steep { Error::outside(what) } else { Error::input(what) })
 }
 
 /// What there is to know of a root of the pattern equations.

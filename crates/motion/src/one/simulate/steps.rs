@@ -6,7 +6,7 @@ use super::{
 };
 use crate::motion::{
     Contact, Counter, Effect, RunEnd, State, Time,
-    flow::{Expansion, SHORTEST, TERMS, Taylor},
+    flow::{Expansion, MOST_STEPS, SHORTEST, TERMS, Taylor},
     minimum::{Head, head},
 };
 
@@ -30,6 +30,16 @@ pub(super) struct Cursor {
     start: Time,
     step: Expansion,
     from: f64,
+    /// How many there were before it in its period.
+    steps: u32,
+}
+
+impl Cursor {
+    /// After another.
+    fn after(self, before: &Cursor) -> Cursor {
+        let steps = if self.start.period == before.start.period { before.steps + 1 } else { 0 };
+        Cursor { steps, ..self }
+    }
 }
 
 impl Steps {
@@ -63,7 +73,7 @@ impl Steps {
             step.q = [0.0; TERMS];
             (step.q[0], step.q[1]) = (q, u * step.h);
         }
-        Cursor { start, step, from: 0.0 }
+        Cursor { start, step, from: 0.0, steps: 0 }
     }
 }
 
@@ -98,12 +108,12 @@ impl Pieces for Steps {
 
     fn turn<C: Counter>(&self, cursor: &mut Cursor, counter: &mut C) {
         let State { q, u, .. } = self.state(cursor, 1.0);
-        *cursor = self.expand(self.time(cursor, 1.0), q, u, counter);
+        *cursor = self.expand(self.time(cursor, 1.0), q, u, counter).after(cursor);
     }
 
     fn kick<C: Counter>(&self, cursor: &mut Cursor, x: f64, du: f64, counter: &mut C) {
         let State { q, u, .. } = self.state(cursor, x);
-        *cursor = self.expand(self.time(cursor, x), q, u + du, counter);
+        *cursor = self.expand(self.time(cursor, x), q, u + du, counter).after(cursor);
     }
 
     fn jump<C: Counter>(&self, _: &Cursor, cursor: &mut Cursor, until: Time, counter: &mut C) {
@@ -144,6 +154,9 @@ impl Pieces for Steps {
     }
 
     fn over(&self, cursor: &Cursor) -> Option<RunEnd> {
+        if cursor.steps > MOST_STEPS {
+            return Some(RunEnd::TooSteep);
+        }
         let over = super::unbounded(cursor.step.q[0].abs()) || cursor.step.h <= SHORTEST;
         over.then_some(if cursor.step.h <= SHORTEST { cursor.step.obstacle.into() } else { RunEnd::Escaped })
     }

@@ -26,8 +26,8 @@ use crate::{
         observe::Attraction, swing::Swing, touch::Seen,
     },
     continuation::{
-        Bifurcation, FollowedOrbit, Label, LocalMap, Located, NoForm, NormalForm, OrbitBranch, PatternFamily,
-        PatternOf, SearchReach,
+        Bifurcation, FollowedOrbit, Label, LocalMap, Located, NoForm, NormalForm, OrbitBranch, OrbitSearch,
+        PatternFamily, PatternOf, SearchReach,
     },
     error::Result,
     many::Machine,
@@ -206,7 +206,7 @@ pub(crate) trait Engine {
     fn system(&self, change: Option<(&str, f64)>) -> Result<Self::System>;
 
     /// The orbits of the keys: the one that Newton's method finds from `start`, or those of a search.
-    fn orbits(&self, keys: &OrbitKeys, system: &Self::System) -> Result<Vec<Self::Orbit>>;
+    fn orbits(&self, keys: &OrbitKeys, system: &Self::System) -> Result<OrbitSearch<Self::Orbit>>;
 
     /// What is known of an orbit of a system.
     fn analysed(&self, orbit: &Self::Orbit, system: &Self::System) -> Analysed;

@@ -10,7 +10,8 @@ use crate::{
         simulate::{Stage, What},
     },
     motion::{
-        Effect, Time,
+        Effect, RunEnd, Time,
+        flow::MOST_STEPS,
         minimum::{clear, head},
     },
 };
@@ -23,6 +24,7 @@ impl Run<'_> {
         let state = State { t: time.phase, ..state.clone() };
         let state = if stage.outward().is_none() { state } else { stage.kept(&state) };
         self.leap = Some(smooth.leap(time, &state));
+        self.leaps = if self.period == time.period { self.leaps + 1 } else { 0 };
         (self.from, self.period) = (0.0, time.period);
         true
     }
@@ -36,7 +38,7 @@ impl Run<'_> {
             if reach < self.from {
                 return Ok(true);
             }
-            if let Some(end) = leap.over() {
+            if let Some(end) = leap.over().or((self.leaps > MOST_STEPS).then_some(RunEnd::TooSteep)) {
                 self.ended = Some(end);
                 return Ok(true);
             }

@@ -39,6 +39,8 @@ pub struct Run<'a> {
     y: Vec<f64>,
     /// Where forces are formulas, the step in place of the cell.
     leap: Option<Leap>,
+    /// Steps in the present period.
+    leaps: u32,
     /// The place in the cell from which on it is to be looked at, in [−1, 1]; in the step, in [0, 1].
     from: f64,
     /// The level to look at first.
@@ -92,6 +94,7 @@ impl<'a> Run<'a> {
             cell: 0,
             y: Vec::new(),
             leap: None,
+            leaps: 0,
             from: -1.0,
             level: 0,
             open,

@@ -29,7 +29,7 @@ use super::{
 };
 use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, dynamics::Dynamics, swing::Swing},
-    continuation::{Bifurcation, FollowedOrbit, counted},
+    continuation::{Bifurcation, FollowedOrbit, OrbitSearch, counted},
     error::{Error, Result},
     many::{
         Family, Machine, State,
@@ -257,7 +257,7 @@ impl<'j> Engine for Machines<'j> {
         Ok((machine, simulator))
     }
 
-    fn orbits(&self, keys: &OrbitKeys, (machine, simulator): &Self::System) -> Result<Vec<Orbit>> {
+    fn orbits(&self, keys: &OrbitKeys, (machine, simulator): &Self::System) -> Result<OrbitSearch<Orbit>> {
         machine_orbits(keys, machine, simulator, self.job)
     }
 

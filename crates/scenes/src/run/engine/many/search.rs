@@ -2,22 +2,17 @@
 
 use std::f64::consts::TAU;
 
-use rayon::prelude::*;
-
 use super::super::super::Job;
 use crate::{
-    continuation::Starts,
+    continuation::{OrbitSearch, Starts, search_all},
     error::{Error, Result},
     many::{
         Machine, RealVector, State,
-        orbit::{FreeStarts, Itinerary, Orbit, Strike, find, find_from},
+        orbit::{FreeStarts, Itinerary, Orbit, Strike, find, find_beside, find_from, is_hopeless},
         simulate::Simulator,
     },
     scene::orbits::OrbitKeys,
 };
-
-/// Starts between two looks at whether to go on.
-const CHUNK: u32 = 16;
 
 /// Closer than this, relative to the largest speed and to a radian, two solutions are one.
 const NEAR: f64 = 1e-7;
@@ -28,41 +23,34 @@ pub(crate) fn machine_orbits(
     machine: &Machine<f64>,
     simulator: &Simulator,
     job: &Job,
-) -> Result<Vec<Orbit>> {
+) -> Result<OrbitSearch<Orbit>> {
     let pattern = pattern(keys, machine)?;
     let rate = machine.rate();
     if simulator.is_pieced() && keys.pattern.is_empty() {
         return through_soft_stops(keys, machine, simulator, job);
     }
-    if keys.pattern.is_empty() {
-        return Ok(vec![find(simulator, &pattern, &[])?]);
-    }
-    if !keys.start.is_empty() {
-        return Ok(vec![find(simulator, &pattern, &keys.unknowns(|speed| speed / rate))?]);
+    if keys.pattern.is_empty() || !keys.start.is_empty() {
+        let start = if keys.pattern.is_empty() { Vec::new() } else { keys.unknowns(|speed| speed / rate) };
+        return find(simulator, &pattern, &start).map(|orbit| OrbitSearch::of_one(Ok(orbit)));
     }
     let m = keys.pattern.len();
     let met = pattern.strikes().iter().map(|strike| strike.place);
-    let greatest = keys.speed.map_or(4.0 * simulator.scale_at(met), |speed| speed / rate);
+    // What a force that is a formula does to faster ones, the size does not tell.
+    let times = if simulator.is_smooth() { 1.0 } else { 4.0 };
+    let greatest = keys.speed.map_or(times * simulator.scale_at(met), |speed| speed / rate);
     let begin = Starts::new(greatest, |t| simulator.on_stop(pattern.strikes()[0].place, t));
-    let mut found: Vec<Orbit> = Vec::new();
-    for first in (0..keys.starts).step_by(CHUNK as usize) {
-        job.check()?;
-        let last = first.saturating_add(CHUNK).min(keys.starts);
-        let roots: Vec<Orbit> = (first..last)
-            .into_par_iter()
-            .filter_map(|i| find(simulator, &pattern, &begin.of(&keys.pattern, i)).ok())
-            .collect();
-        for orbit in roots {
-            let fastest = orbit.impacts.iter().fold(0.0, |most: f64, impact| most.max(impact.speed));
-            let moving = orbit.impacts.iter().all(|impact| impact.speed > NEAR * fastest);
-            let primitive = (1..m).all(|shift| !same(&orbit, &orbit, shift));
-            if moving && primitive && found.iter().all(|old| (0..m).all(|shift| !same(old, &orbit, shift))) {
-                found.push(orbit);
-            }
-        }
-    }
-    found.sort_by(|a, b| a.impacts[0].speed.total_cmp(&b.impacts[0].speed));
-    Ok(found)
+    let look =
+        |i: u32, known: &[Orbit]| find_beside(simulator, &pattern, &begin.of(&keys.pattern, i), None, known);
+    let whole = |orbit: &Orbit| {
+        let fastest = orbit.impacts.iter().fold(0.0, |most: f64, impact| most.max(impact.speed));
+        let moving = orbit.impacts.iter().all(|impact| impact.speed > NEAR * fastest);
+        Ok(moving && (1..m).all(|shift| !same(orbit, orbit, shift)))
+    };
+    let alike = |a: &Orbit, b: &Orbit| (0..m).any(|shift| same(a, b, shift));
+    let hopeless = || is_hopeless(simulator, &pattern, &begin.of(&keys.pattern, 0));
+    let mut all = search_all(keys.starts, look, alike, whole, hopeless, || job.check())?;
+    all.found.sort_by(|a, b| a.impacts[0].speed.total_cmp(&b.impacts[0].speed));
+    Ok(all)
 }
 
 /// Orbits without impacts on rigid stops, where there are soft ones or friction or forces are formulas: from
@@ -73,10 +61,11 @@ fn through_soft_stops(
     machine: &Machine<f64>,
     simulator: &Simulator,
     job: &Job,
-) -> Result<Vec<Orbit>> {
+) -> Result<OrbitSearch<Orbit>> {
     let (pattern, rate) = (pattern(keys, machine)?, machine.rate());
     if let Some(state) = state(keys, machine)? {
-        return Ok(vec![find_from(simulator, &pattern, &[], Some(&state))?]);
+        let found = find_from(simulator, &pattern, &[], Some(&state));
+        return found.map(|orbit| OrbitSearch::of_one(Ok(orbit)));
     }
     let scale = simulator.size();
     let greatest = keys.speed.map_or(4.0 * scale, |speed| speed / rate);
@@ -87,32 +76,24 @@ fn through_soft_stops(
     };
     // Where a row sticks all the time, it may do so at all places of a stretch: one of them is enough.
     let rests = |a: &Orbit, b: &Orbit| a.held.is_some() && a.held == b.held;
-    let mut found: Vec<Orbit> = Vec::new();
-    for first in (0..keys.starts).step_by(CHUNK as usize) {
-        job.check()?;
-        let last = first.saturating_add(CHUNK).min(keys.starts);
-        let roots: Vec<Orbit> = (first..last).into_par_iter().filter_map(|i| starts.find(i).ok()).collect();
-        for orbit in roots {
-            // Of a shorter period if that period's equations have the same solution: stops that are in the
-            // way of the motion, which is listed as such, are no part of them.
-            let shorter = |n: u32| -> Result<bool> {
-                if !keys.period.is_multiple_of(n) {
-                    return Ok(false);
-                }
-                let again = find_from(simulator, &Itinerary::free(n)?, &[], Some(&orbit.state));
-                Ok(again.is_ok_and(|again| near(&orbit.state, &again.state)))
-            };
-            let known = found.iter().any(|old| near(&old.state, &orbit.state) || rests(old, &orbit));
-            if !known {
-                let repeats = (1..keys.period).map(shorter).collect::<Result<Vec<_>>>()?;
-                if !repeats.contains(&true) {
-                    found.push(orbit);
-                }
-            }
+    let alike = |a: &Orbit, b: &Orbit| near(&a.state, &b.state) || rests(a, b);
+    // Of a shorter period if that period's equations have the same solution: stops that are in the way of the
+    // motion, which is listed as such, are no part of them.
+    let shorter = |orbit: &Orbit, n: u32| -> Result<bool> {
+        if !keys.period.is_multiple_of(n) {
+            return Ok(false);
         }
-    }
-    found.sort_by(|a, b| a.state.q[0].total_cmp(&b.state.q[0]));
-    Ok(found)
+        let again = find_from(simulator, &Itinerary::free(n)?, &[], Some(&orbit.state));
+        Ok(again.is_ok_and(|again| near(&orbit.state, &again.state)))
+    };
+    let whole = |orbit: &Orbit| {
+        let repeats = (1..keys.period).map(|n| shorter(orbit, n)).collect::<Result<Vec<_>>>()?;
+        Ok(!repeats.contains(&true))
+    };
+    let look = |i: u32, known: &[Orbit]| starts.find(i, known);
+    let mut all = search_all(keys.starts, look, alike, whole, || starts.is_hopeless(), || job.check())?;
+    all.found.sort_by(|a, b| a.state.q[0].total_cmp(&b.state.q[0]));
+    Ok(all)
 }
 
 /// The state at phase 0 that the keys give of a motion without impacts, if they give one.

@@ -31,7 +31,7 @@ pub(super) fn further(
     let simulator = planar.simulator();
     for keys in &task.orbits {
         job.check()?;
-        for orbit in machine_orbits(keys, machine, simulator, job)? {
+        for orbit in machine_orbits(keys, machine, simulator, job)?.found {
             if admissible(&orbit, None).0 == Judgement::No {
                 continue;
             }

@@ -61,7 +61,8 @@ impl<'a> MachineSource<'a> {
     }
 
     fn admissible(&self, keys: &OrbitKeys, machine: &Machine<f64>) -> Result<Vec<Orbit>> {
-        let mut found = machine_orbits(keys, machine, &self.job.machine_simulator(machine, &[])?, self.job)?;
+        let simulator = self.job.machine_simulator(machine, &[])?;
+        let mut found = machine_orbits(keys, machine, &simulator, self.job)?.found;
         found.retain(FollowedOrbit::is_orbit);
         alone(&found, machine)?;
         Ok(found)

@@ -28,7 +28,7 @@ use super::{
 };
 use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, swing::Swing},
-    continuation::{Bifurcation, BranchSearch, nearest},
+    continuation::{Bifurcation, BranchSearch, OrbitSearch, nearest},
     error::Result,
     many::Machine,
     motion::{Flow, Side, State, System},
@@ -267,8 +267,8 @@ impl<'j> Engine for Oscillators<'j> {
         })
     }
 
-    fn orbits(&self, keys: &OrbitKeys, oscillator: &Oscillator) -> Result<Vec<Orbit>> {
-        keys.orbits(oscillator)
+    fn orbits(&self, keys: &OrbitKeys, oscillator: &Oscillator) -> Result<OrbitSearch<Orbit>> {
+        keys.orbits(oscillator, || self.job.check())
     }
 
     fn analysed(&self, orbit: &Orbit, _: &Oscillator) -> Analysed {
@@ -294,7 +294,7 @@ impl<'j> Engine for Oscillators<'j> {
         family: &'f SceneFamily<'j>,
     ) -> Result<std::result::Result<OscillatorGrazing<'f>, String>> {
         let start = family.value();
-        let orbits = task.orbit.orbits(&family.at(start)?)?;
+        let orbits = task.orbit.orbits(&family.at(start)?, || self.job.check())?.found;
         let Some(orbit) = orbits.iter().find(|orbit| orbit.admissibility.is_admissible()) else {
             return Ok(Err(format!("no admissible orbit to begin with at {} = {start}", task.parameter)));
         };

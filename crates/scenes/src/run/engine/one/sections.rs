@@ -36,7 +36,8 @@ pub(super) fn further(
     let oscillator = job.oscillator(engine.system.clone())?;
     for keys in &task.orbits {
         job.check()?;
-        for orbit in keys.orbits(&oscillator)?.iter().filter(|orbit| orbit.admissibility.is_admissible()) {
+        let known = keys.orbits(&oscillator, || job.check())?.found;
+        for orbit in known.iter().filter(|orbit| orbit.admissibility.is_admissible()) {
             let point = |i: u32| {
                 let state = orbit.state(&oscillator, phase + TAU * f64::from(i))?;
                 Ok([state.q, state.u])

@@ -42,7 +42,7 @@ impl<'a> OscillatorSource<'a> {
     }
 
     fn admissible(&self, keys: &OrbitKeys, oscillator: &Oscillator) -> Result<Vec<Orbit>> {
-        let mut orbits = keys.orbits(oscillator)?;
+        let mut orbits = keys.orbits(oscillator, || self.job.check())?.found;
         orbits.retain(|orbit| orbit.admissibility.is_admissible());
         Ok(orbits)
     }
