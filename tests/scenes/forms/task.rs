@@ -107,11 +107,9 @@ fn a_touch_and_a_fold_have_one_place_in_all_tasks() {
         // Where the motion that hits ends, going down: the fold of its branch.
         for jump in jumps.iter().filter(|jump| jump["ends"] == "saddle-node" && jump["sweep"] == "down") {
             let stays = number(&jump["stays"]);
-            let event = format!(
-                "[[tasks]]\nname = \"fold\"\nkind = \"event\"\nevent = \"saddle-node\"\nparameter = \"F\"\nreach = 2\n\
-                 orbit = {{ pattern = [1] }}\n"
-            );
-            let all = &machine.reports(stays * 1.02, &event)[0];
+            let event = "[[tasks]]\nname = \"fold\"\nkind = \"event\"\nevent = \"saddle-node\"\nparameter = \"F\"\nreach = 2\n\
+                         orbit = { pattern = [1] }\n";
+            let all = &machine.reports(stays * 1.02, event)[0];
             let places = all["found"]
                 .as_array()
                 .map_or(Vec::new(), |all| all.iter().map(|e| number(&e["parameter"])).collect());
