@@ -36,7 +36,7 @@ fn count(row: &Value, name: &str) -> u64 {
 fn adds_up(report: &Value) {
     let row = &report["searches"][0];
     let first = report["orbits"].as_array().unwrap().len() as u64 - count(row, "further");
-    let ends = ["again", "others", "outside", "lost"].map(|name| count(row, name)).iter().sum::<u64>();
+    let ends = ["again", "others", "endless", "lost"].map(|name| count(row, name)).iter().sum::<u64>();
     assert_eq!(first + ends, count(row, "starts"), "{report}");
 }
 
@@ -52,7 +52,7 @@ fn both_engines_search_alike() {
         all.iter().for_each(adds_up);
         for report in &all {
             let row = &report["searches"][0];
-            assert!(count(row, "lost") + count(row, "outside") <= 8, "{pattern}: {row}");
+            assert!(count(row, "lost") + count(row, "endless") <= 8, "{pattern}: {row}");
         }
         let speeds = |report: &Value, unit: f64| -> Vec<f64> {
             let all = report["orbits"].as_array().unwrap().iter().filter(|orbit| orbit["admissible"] == true);
@@ -110,14 +110,40 @@ fn a_search_without_hope_ends_and_says_how_many_starts_it_made() {
     let looks = AtomicU32::new(0);
     let look = |_: u32, _: &[u8]| -> Result<u8> {
         looks.fetch_add(1, Ordering::Relaxed);
-        Err(Error::outside("far"))
+        Err(Error::limit("far"))
     };
     let search =
         |hope: bool| search_all(100, look, |_, _| true, |_| Ok(true), || !hope, || Ok(())).unwrap().tally;
-    assert_eq!((search(false).starts, looks.swap(0, Ordering::Relaxed)), (16, 16));
+    let none = search(false);
+    assert_eq!((none.starts, none.unmade, looks.swap(0, Ordering::Relaxed)), (16, 84, 16));
+    assert!(none.told().contains("84 more were not made"), "{}", none.told());
     let all = search(true);
-    assert_eq!((all.starts, all.outside, looks.load(Ordering::Relaxed)), (100, 100, 100));
-    assert!(all.told().contains("100 left the scale"), "{}", all.told());
+    assert_eq!((all.starts, all.endless, looks.load(Ordering::Relaxed)), (100, 100, 100));
+    assert!(all.told().contains("100 took too many steps"), "{}", all.told());
+}
+
+/// Where each round with the known ones taken out leads to another, that is said.
+#[test]
+fn a_search_that_found_no_end_says_so() {
+    let look = |_: u32, known: &[usize]| Ok(known.len());
+    let found = search_all(20, look, |a, b| a == b, |_| Ok(true), || false, || Ok(())).unwrap();
+    assert_eq!((found.found.len(), found.tally.further, found.tally.deflated), (9, 8, 0));
+    assert!(found.tally.told().contains("each round"), "{}", found.tally.told());
+}
+
+/// What the stop does not see may be in another unit: a coordinate 10⁵ times as large is no reason.
+#[test]
+fn a_coordinate_in_a_small_unit_is_found() {
+    for large in ["1", "100000"] {
+        let found = report(&format!(
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\n[system]\nperiod = 6\nmass = [[1, 0], [0, 1]]\n\
+             damping = [[0.1, 0], [0, 0.1]]\nstiffness = [[3, 0], [0, 3]]\nforcing = [{{ cos = [1, {large}] }}]\n\
+             [[stops]]\nname = \"stop\"\nrow = [1, 0]\noffset = -5\nrestitution = 0.8\n\
+             [[tasks]]\nname = \"s\"\nkind = \"orbit\"\norbit = {{}}\n"
+        ));
+        assert_eq!(found["status"], "done", "{found}");
+        assert_eq!(found["orbits"].as_array().unwrap().len(), 1, "{found}");
+    }
 }
 
 #[test]

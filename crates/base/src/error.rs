@@ -45,7 +45,7 @@ enum Kind {
     Overflow,
     Io,
     Interrupted,
-    Outside,
+    Limit,
 }
 
 impl Error {
@@ -71,9 +71,9 @@ impl Error {
         Self::new(Kind::Interrupted, done.into(), None)
     }
 
-    /// An iteration left the scale of what was asked, and was given up.
-    pub fn outside(message: impl Into<String>) -> Self {
-        Self::new(Kind::Outside, message.into(), None)
+    /// More work than is done, and so given up.
+    pub fn limit(message: impl Into<String>) -> Self {
+        Self::new(Kind::Limit, message.into(), None)
     }
 
     fn new(kind: Kind, message: String, source: Option<io::Error>) -> Self {
@@ -122,9 +122,9 @@ impl Error {
         self.0.kind == Kind::Interrupted
     }
 
-    /// Whether an iteration was given up because it left the scale of what was asked.
-    pub fn is_outside(&self) -> bool {
-        self.0.kind == Kind::Outside
+    /// Whether it was given up because it takes more work than is done.
+    pub fn is_limit(&self) -> bool {
+        self.0.kind == Kind::Limit
     }
 
     /// Whether the reader of our output went away, which for a command is no failure.

@@ -128,7 +128,7 @@ fn bordered(mut jacobian: Vec<Vec<f64>>, last: &[f64], right: Vec<f64>) -> Resul
 }
 
 /// The largest |x_i|; NaN counts as infinite.
-pub(crate) fn largest(x: &[f64]) -> f64 {
+pub(super) fn largest(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |most, x| if x.is_nan() { f64::INFINITY } else { most.max(x.abs()) })
 }
 

@@ -1,9 +1,6 @@
 //! Newton's method, damped: for pattern equations and for the systems that pin down their bifurcations.
 
-use super::{
-    curve::largest,
-    search::{Known, SCALE, outside},
-};
+use super::{curve::largest, search::Known};
 use crate::{
     error::{Error, Result},
     motion::algebra::solve,
@@ -48,18 +45,16 @@ pub struct Root {
 
 /// A root of F near `start`. `equations` gives F and ∂F/∂z, or an error where F is not defined; no step is
 /// longer than 1, and a step that does not lower |F| is halved. Ends when steps stop shrinking at the level
-/// of rounding. It keeps away from what is `known`; an iterate larger than [`SCALE`] and than the start is
-/// the end of it.
+/// of rounding: no iterate is farther than 60 from the start. It keeps away from what is `known`.
 ///
 /// # Errors
 /// An input error if F is not defined at `start`, ∂F/∂z is singular on the way, or it does not converge in 60
-/// steps (20 where some are known, and no step is halved as often); that it left the scale.
+/// steps (20 where some are known, and no step is halved as often).
 pub(crate) fn newton(
     start: Vec<f64>,
     known: &Known,
     equations: impl Fn(&[f64]) -> Result<Linearised>,
 ) -> Result<Root> {
-    let scale = largest(&start).max(SCALE);
     let (most, least) = if known.is_empty() { (STEPS, 1e-6) } else { (STEPS / 3, 1e-2) };
     let mut z = start;
     let mut here = equations(&z)?;
@@ -82,9 +77,6 @@ pub(crate) fn newton(
         let mut factor = (1.0 / length).min(1.0);
         let next = loop {
             let trial: Vec<f64> = z.iter().zip(&step).map(|(z, step)| z - factor * step).collect();
-            if largest(&trial) > scale {
-                return Err(outside());
-            }
             let there = known.factor(&trial, &step).0;
             match equations(&trial) {
                 Ok(found) if there * largest(&found.residual) < held * size => break Some((trial, found)),

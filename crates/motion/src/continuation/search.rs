@@ -4,16 +4,14 @@
 //! with all that is known taken out of the equations (`Known`), until that finds nothing further: so "these
 //! are all" says more than that no start happened to lead elsewhere. It proves nothing.
 //!
-//! A search has a scale: an iterate that is [`SCALE`] sizes of the motion away is given up, and counted, for
-//! there a spring that hardens takes thousands of steps.
+//! A search has a scale: starts are as fast as motions of the size of what is struck, and Newton's method
+//! goes at most 60 of these sizes on. And it has an end: a period that takes too many steps to follow is
+//! given up, and counted.
 
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::error::{Error, Result};
-
-/// Lengths and speeds of iterates, in sizes of the motion, and times, in radians, are no larger.
-pub(crate) const SCALE: f64 = 1000.0;
+use crate::error::Result;
 
 /// Starts between two looks at whether to go on.
 const CHUNK: usize = 16;
@@ -25,7 +23,7 @@ const AGAIN: usize = 16;
 const ROUNDS: u32 = 8;
 
 /// What came of the starts of a search: `starts` is the sum of what the first round found, `again`, `others`,
-/// `outside` and `lost`.
+/// `endless` and `lost`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct SearchTally {
     /// Starts of Newton's method.
@@ -35,30 +33,37 @@ pub struct SearchTally {
     /// Those that led to a solution that is none of the pattern: it goes round a shorter one, or an impact
     /// has no speed or comes from behind.
     pub others: u32,
-    /// Those from which the iterates left the scale.
-    pub outside: u32,
-    /// Those from which they did not settle, or came to where the equations cannot be followed.
+    /// Those from which a motion took too many steps to follow.
+    pub endless: u32,
+    /// Those from which the iterates did not settle, or came to where the equations cannot be followed.
     pub lost: u32,
+    /// Starts that were asked for and not made: the first ones were all lost, and a motion takes too many
+    /// steps.
+    pub unmade: u32,
     /// Orbits found where what was known had been taken out.
     pub further: u32,
-    /// Starts of the last round of that, which found nothing.
+    /// Starts of the last round of that, which found nothing; 0 if all rounds found something.
     pub deflated: u32,
 }
 
 impl SearchTally {
     /// In words.
     pub fn told(&self) -> String {
-        let SearchTally { starts, again, others, outside, lost, further, deflated } = *self;
+        let SearchTally { starts, again, others, endless, lost, unmade, further, deflated } = *self;
         let parts = [
             (again, "came to an orbit again"),
             (others, "came to a solution that is none of the pattern"),
-            (outside, "left the scale"),
+            (endless, "took too many steps"),
             (lost, "did not settle"),
+            (unmade, "more were not made: a forcing period takes too many steps"),
             (further, "further orbits were found with the known ones taken out"),
             (deflated, "were tried with all taken out, and led to no further one"),
         ];
         let parts = parts.iter().filter(|part| part.0 > 0).map(|(count, what)| format!(", {count} {what}"));
-        format!("{starts} starts{}", parts.collect::<String>())
+        let open = starts > 1 && starts > endless + lost && deflated == 0;
+        let open =
+            if open { ", and each round with the known ones taken out led to another solution" } else { "" };
+        format!("{starts} starts{}{open}", parts.collect::<String>())
     }
 }
 
@@ -108,7 +113,7 @@ pub fn search_all<O: Send + Sync>(
     for first in (0..starts).step_by(CHUNK) {
         check()?;
         if first == CHUNK as u32 && led.is_empty() && hopeless() {
-            tally.starts = first;
+            (tally.starts, tally.unmade) = (first, starts - first);
             break;
         }
         let chunk: Vec<u32> = (first..first.saturating_add(CHUNK as u32).min(starts)).collect();
@@ -117,7 +122,7 @@ pub fn search_all<O: Send + Sync>(
                 Ok(orbit) => orbit,
                 Err(error) if error.is_interrupted() => return Err(error),
                 Err(error) => {
-                    *if error.is_outside() { &mut tally.outside } else { &mut tally.lost } += 1;
+                    *if error.is_limit() { &mut tally.endless } else { &mut tally.lost } += 1;
                     continue;
                 }
             };
@@ -204,9 +209,4 @@ impl Known {
         }
         (factor, slope)
     }
-}
-
-/// That an iterate left the scale.
-pub(crate) fn outside() -> Error {
-    Error::outside(format!("an iterate left the scale: it was {SCALE} times the size of the motion"))
 }

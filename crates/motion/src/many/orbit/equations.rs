@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::{Between, Change, Itinerary, turned};
 use crate::{
-    continuation::{Linearised, SCALE, largest, outside},
+    continuation::Linearised,
     error::{Error, Result},
     many::{
         RealMatrix, RealVector, State,
@@ -162,9 +162,8 @@ impl<'s> StopEquations<'s> {
 
     /// X of given times and speeds: the equations of periodicity are linear in it, unless there are soft
     /// stops; with dry friction they are solved by a few of Newton's steps. Where they have no one solution
-    /// (a motion without stiffness or damping), the smallest of the best. One that leaves the scale is given
-    /// up. Where forces are formulas, the motion that the forces bring about, pushed at the stop to where it
-    /// is met.
+    /// (a motion without stiffness or damping), the smallest of the best. Where forces are formulas, the
+    /// motion that the forces bring about, pushed at the stop to where it is met.
     pub fn complete(&self, impacts: &[f64]) -> Result<Vec<f64>> {
         let mut z = vec![0.0; 2 * self.size()];
         z.extend(impacts);
@@ -212,8 +211,7 @@ impl<'s> StopEquations<'s> {
                 .map_err(|error| Error::input(format!("no state to start from: {error}")))?,
         };
         z[..2 * n].iter_mut().zip(found.iter()).for_each(|(x, change)| *x += change);
-        let scale = largest(&z[2 * n..]).max(SCALE);
-        if largest(&z[..2 * n]) <= scale { Ok(z) } else { Err(outside()) }
+        Ok(z)
     }
 
     /// The state a time ≥ 0 after the first impact (after phase 0 without impacts).

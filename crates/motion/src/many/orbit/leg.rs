@@ -235,7 +235,7 @@ pub(super) fn followed(failure: Option<Error>, end: RunEnd) -> Result<()> {
         (Some(error), _) => Err(error),
         (None, RunEnd::Reached) => Ok(()),
         (None, RunEnd::TooSteep) => {
-            Err(Error::outside(format!("the motion ended on the way, {}", RunEnd::TooSteep.why())))
+            Err(Error::limit(format!("the motion ended on the way, {}", RunEnd::TooSteep.why())))
         }
         (None, end) => Err(Error::input(format!("the motion ended on the way, {}", end.why()))),
     }

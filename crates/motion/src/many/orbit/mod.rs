@@ -186,7 +186,7 @@ pub fn is_hopeless(simulator: &Simulator, pattern: &Itinerary, start: &[f64]) ->
         let (state, ..) = equations.split(&equations.complete(start)?);
         equations.between.after(&state, TAU)
     };
-    followed().is_err_and(|error: Error| error.is_outside())
+    followed().is_err_and(|error: Error| error.is_limit())
 }
 
 fn between<'s>(simulator: &'s Simulator, soft: Option<&'s Simulator>) -> Between<'s> {

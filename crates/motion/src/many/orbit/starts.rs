@@ -67,7 +67,7 @@ impl<'s> FreeStarts<'s> {
 
     /// Whether a period takes too long to follow from the motion of the forces.
     pub fn is_hopeless(&self) -> bool {
-        self.after(&self.deflections.forced(0.0), TAU).is_err_and(|error| error.is_outside())
+        self.after(&self.deflections.forced(0.0), TAU).is_err_and(|error| error.is_limit())
     }
 
     fn after(&self, state: &State, duration: f64) -> Result<State> {

@@ -126,6 +126,11 @@ impl SmoothStage {
         self.flow.leap(time, state, self.longest.min(left), &given)
     }
 
+    /// Whether a force is recorded: steps end at its samples, and are as many as these.
+    pub fn is_recorded(&self) -> bool {
+        self.record.is_some()
+    }
+
     /// What the outputs feel of the recorded force at a time, a value and a slope each, and for how long; of
     /// no record nothing, for ever.
     fn recorded(&self, time: Time) -> (Vec<[f64; 2]>, f64) {
@@ -184,7 +189,7 @@ impl SmoothStage {
             if left <= leap.h {
                 return leap.state(left / leap.h);
             }
-            if leap.over().is_some() || too_many(steps, duration - left) {
+            if leap.over().is_some() || !self.is_recorded() && too_many(steps, duration - left) {
                 let none = RealVector::from_element(self.size, f64::NAN);
                 return State { t: time.after(duration).phase, q: none.clone(), u: none };
             }

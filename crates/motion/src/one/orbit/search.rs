@@ -32,14 +32,13 @@ pub fn search_while(
     }
     let begin = begin(oscillator, itinerary, speed);
     let periods = whole_periods(itinerary);
-    let look = |i: u32, known: &[Orbit]| find_beside(oscillator, itinerary, begin.of(&periods, i), known);
+    let look = |i: u32, known: &[Orbit]| find_beside(oscillator, itinerary, &begin.of(&periods, i), known);
     let whole = |orbit: &Orbit| {
         let moving = orbit.z.chunks(2).all(|impact| impact[1] > NEAR * orbit.unit);
         Ok(moving && (1..m).all(|shift| !same(orbit, orbit, shift)))
     };
     let alike = |a: &Orbit, b: &Orbit| (0..m).any(|shift| same(a, b, shift));
-    let hopeless =
-        || search_obstacle(oscillator, itinerary, 1, speed).is_some_and(|error| error.is_outside());
+    let hopeless = || search_obstacle(oscillator, itinerary, 1, speed).is_some_and(|error| error.is_limit());
     let mut all = search_all(starts, look, alike, whole, hopeless, check)?;
     all.found.sort_by(|a, b| a.z[1].total_cmp(&b.z[1]));
     Ok(all)

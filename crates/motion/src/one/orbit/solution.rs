@@ -54,12 +54,8 @@ pub struct OrbitImpact {
 /// # Errors
 /// As `newton` and [`linearise`].
 pub fn find(oscillator: &Oscillator, itinerary: &Itinerary, start: Vec<f64>) -> Result<Orbit> {
-    let from = start.clone();
-    let lost = |error: Error| match error.is_outside() {
-        true => error,
-        false => obstacle(oscillator, itinerary, &from).unwrap_or(error),
-    };
-    find_beside(oscillator, itinerary, start, &[]).map_err(lost)
+    let found = find_beside(oscillator, itinerary, &start, &[]);
+    found.map_err(|error| obstacle(oscillator, itinerary, &start).unwrap_or(error))
 }
 
 /// The same, with solutions that are known taken out, and no reason but Newton's where there is none.
@@ -69,7 +65,7 @@ pub fn find(oscillator: &Oscillator, itinerary: &Itinerary, start: Vec<f64>) -> 
 pub(super) fn find_beside(
     oscillator: &Oscillator,
     itinerary: &Itinerary,
-    start: Vec<f64>,
+    start: &[f64],
     known: &[Orbit],
 ) -> Result<Orbit> {
     let unit = oscillator.unit(itinerary);
@@ -77,7 +73,7 @@ pub(super) fn find_beside(
     let measured = |z: &[f64]| z.iter().enumerate().map(|(i, z)| z / own(i)).collect::<Vec<_>>();
     let points = known.iter().map(|orbit| measured(&orbit.z));
     let known = KnownOrbits::new(0, itinerary.strikes().len(), points);
-    let root = newton(measured(&start), &known, |scaled| {
+    let root = newton(measured(start), &known, |scaled| {
         let z: Vec<f64> = scaled.iter().enumerate().map(|(i, z)| z * own(i)).collect();
         Ok(linearise(oscillator, itinerary, &z)?.measured(unit, own))
     })?;
@@ -102,7 +98,7 @@ pub(super) fn obstacle(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]
         at.u,
         oscillator.flow().acceleration(at)
     );
-    Some(if why == Obstacle::Steep { Error::outside(what) } else { Error::input(what) })
+    Some(if why == Obstacle::Steep { Error::limit(what) } else { Error::input(what) })
 }
 
 /// What there is to know of a root of the pattern equations.

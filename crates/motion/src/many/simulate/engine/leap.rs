@@ -24,7 +24,8 @@ impl Run<'_> {
         let state = State { t: time.phase, ..state.clone() };
         let state = if stage.outward().is_none() { state } else { stage.kept(&state) };
         self.leap = Some(smooth.leap(time, &state));
-        self.leaps = if self.period == time.period { self.leaps + 1 } else { 0 };
+        let counts = self.period == time.period && !smooth.is_recorded();
+        self.leaps = if counts { self.leaps + 1 } else { 0 };
         (self.from, self.period) = (0.0, time.period);
         true
     }
