@@ -193,7 +193,7 @@ stiffness = ${stiffness}
 forcing = [{ cos = "f" }]
 [[walls]]
 side = "upper"
-offset = 100
+offset = 1000000
 restitution = 0.8
 `;
   const start = async () => {
@@ -204,8 +204,8 @@ restitution = 0.8
   await openScene(root, "slow.toml", free(0.001, 0.4));
   await start();
   await number(root, "period found", /^1 forcing period$/);
-  // What nothing damps keeps the beat of its own swing for ever.
-  await openScene(root, "undamped.toml", free(0, 4.3));
+  // At resonance, and undamped, it grows for ever.
+  await openScene(root, "undamped.toml", free(0, 1));
   await start();
   await number(root, "period found", /^not settled/);
   const legend = root.locator(".motion-legend li");
@@ -217,10 +217,6 @@ restitution = 0.8
   }
   await root.getByRole("button", { name: "Attractor" }).click();
   await legend.filter({ hasText: "not settled" }).waitFor({ timeout: 60_000 });
-  assert.ok(!(await legend.allTextContents()).join().includes("not periodic"));
-  await page.locator("#live").filter({ hasText: /Attractor at \d+ values: not settled$/ }).waitFor({ state: "attached", timeout: 60_000 });
-  assert.deepEqual(errors, []);
-});
   assert.ok(!(await legend.allTextContents()).join().includes("not periodic"));
   await page.locator("#live").filter({ hasText: /Attractor at \d+ values: not settled$/ }).waitFor({ state: "attached", timeout: 60_000 });
   assert.deepEqual(errors, []);
