@@ -83,6 +83,77 @@ fn damping_however_light_is_damping() {
     }
 }
 
+/// The part of i times an irrational number beyond a whole one: draws that fill [0, 1).
+fn drawn(i: u32, slope: f64) -> f64 {
+    (f64::from(i) * slope).fract()
+}
+
+/// Machine i of those that lose little, and the displacement that its motion has at phase 0: 18 of one linear
+/// coordinate, 12 of two, stops that are never met, damping from 10⁻³ to 10⁻⁹; the rest have friction alone.
+fn loses_little(i: u32) -> (String, Option<f64>) {
+    if i > 30 {
+        let w = if i % 2 == 0 { 1.05 + 0.6 * drawn(i, 0.618034) } else { 0.5 + 0.4 * drawn(i, 0.618034) };
+        return (format!("[parameters]\nw = {w}\n{RUBBED}"), None);
+    }
+    let damping = 10f64.powf(-3.0 - 6.0 * drawn(i, 0.618034));
+    // Away from the resonance at 1 by a tenth at least.
+    let stiffness = if i % 3 == 0 { 0.1 + 0.8 * drawn(i, 0.414214) } else { 1.1 + 9.0 * drawn(i, 0.732051) };
+    let system = if i <= 18 {
+        let engine = ["many", "one"][i as usize % 2];
+        format!(
+            "engine = \"{engine}\"\n[system]\ndamping = {damping}\nstiffness = {stiffness}\n\
+             forcing = [{{ cos = 1 }}]\n[[stops]]\nside = \"lower\"\n"
+        )
+    } else {
+        // Each mass hangs on a wall, and on the other: forced alike, they tend to move alike.
+        let between = 0.2 + drawn(i, 0.236068);
+        format!(
+            "[system]\nperiod = \"2*pi\"\nmass = {{ diagonal = [1, 1] }}\ndamping = {{ diagonal = [{damping}, {damping}] }}\n\
+             stiffness = [[{0}, {1}], [{1}, {0}]]\nforcing = [{{ cos = [1, 1] }}]\n[[stops]]\nrow = [1, 0]\n",
+            stiffness + between,
+            -between
+        )
+    };
+    let away = stiffness - 1.0;
+    (system + "offset = -300\nrestitution = 0.8\n", Some(away / (away * away + damping * damping)))
+}
+
+/// One motion, of period 1, attracts every start of machines that lose little, as closed forms say.
+#[test]
+fn machines_that_lose_little_have_one_motion() {
+    for i in 1..=41 {
+        let (system, displacement) = loses_little(i);
+        let (plane, start) = if (19..=30).contains(&i) {
+            ("plane = [\"q1\", \"u2\"]\n", "[2, -1]")
+        } else {
+            ("", if displacement.is_some() { "2" } else { "60" })
+        };
+        let reach = if displacement.is_some() { 4 } else { 100 };
+        let found = reports(&format!(
+            "{system}[[tasks]]\nname = \"s\"\nkind = \"section\"\nstarts = [{{ q = {start} }}]\n\
+             [[tasks]]\nname = \"b\"\nkind = \"basins\"\n{plane}q = {{ from = -{reach}, to = {reach}, count = 2 }}\n\
+             u = {{ from = -1, to = 1, count = 2 }}\n"
+        ));
+        let [section, basins] = [("attractors", &found[0]), ("basins", &found[1])].map(|(key, of)| &of[key]);
+        assert_eq!(
+            (section.as_array().unwrap().len(), &section[0]["period"]),
+            (1, &1.into()),
+            "{i}: {}",
+            found[0]
+        );
+        let all = basins.as_array().unwrap();
+        assert_eq!(
+            (all.len(), &all[0]["period"], &all[0]["starts"]),
+            (1, &1.into(), &4.into()),
+            "{i}: {}",
+            found[1]
+        );
+        if let Some(displacement) = displacement {
+            near(number(&all[0]["q"]), displacement, 1e-8 * displacement.abs().max(1.0));
+        }
+    }
+}
+
 /// Without damping motions neither come nearer nor part: none is on an orbit.
 #[test]
 fn without_damping_a_motion_wanders() {
