@@ -316,7 +316,7 @@ fn windows_of_periods_28_32_and_36() {
         (9, -0.024_445, [-0.024_446_655_663_23, -0.024_443_936_935_25]),
     ] {
         let oscillator = family.at(inside).unwrap();
-        let orbit = attracting(&oscillator, start, &detection, &Settings::default()).unwrap();
+        let orbit = attracting(&oscillator, start, &detection, &Settings::default(), &()).unwrap();
         assert_eq!((orbit.itinerary.periods(), orbit.itinerary.strikes().len()), (4 * n, n as usize + 1));
         assert!(orbit.multipliers.is_stable());
         let patterns = patterns(&family);

@@ -146,7 +146,7 @@ fn a_period_is_the_least_after_which_points_recur_in_the_end() {
     };
     let detection = Detection { transient: 0, ..Detection::default() };
     assert!((at(2) - at(0)).abs() < detection.tolerance && (at(1) - at(0)).abs() > 5.0 * detection.tolerance);
-    let fate = detection.detect(&Round, &mut Round.begin(&(1.0 + off)).unwrap()).unwrap();
+    let fate = detection.detect(&Round, &mut Round.begin(&(1.0 + off)).unwrap(), &()).unwrap();
     let Fate::Periodic(cycle) = fate else { panic!("{fate:?}") };
     assert_eq!((cycle.period(), cycle.impacts), (4, 4));
     assert!(cycle.exponents().is_empty(), "no vector told them");

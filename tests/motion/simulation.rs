@@ -452,7 +452,7 @@ fn attractors_are_detected_with_period_and_impacts() {
     let fate = |mu: f64| {
         let simulator = simulator(&paper(0.6, 4.9, mu, 1.0));
         let mut run = simulator.start(at(1.0), 0.004, 0.0).unwrap();
-        Detection::default().detect(&simulator, &mut run).unwrap()
+        Detection::default().detect(&simulator, &mut run, &()).unwrap()
     };
     let Fate::Periodic(cycle) = fate(0.0058) else { panic!("{:?}", fate(0.0058)) };
     assert_eq!((cycle.period(), cycle.impacts), (3, 1));
@@ -464,7 +464,7 @@ fn attractors_are_detected_with_period_and_impacts() {
     // A part of the extent, which is 2: the same distance as 5·10⁻³.
     let near = Detection { transient: 0, longest: 1, tolerance: 2.5e-3, confirm: 60, ..Detection::default() };
     let mut run = turning.start(at(0.0), 0.5f64.sqrt(), -0.5f64.sqrt()).unwrap();
-    assert_eq!(near.detect(&turning, &mut run).unwrap(), Fate::Irregular);
+    assert_eq!(near.detect(&turning, &mut run, &()).unwrap(), Fate::Irregular);
     assert!(Detection { longest: 0, ..Detection::default() }.check().unwrap_err().is_input());
 }
 

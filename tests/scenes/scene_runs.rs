@@ -246,7 +246,7 @@ fn basins_over_phases_are_those_of_their_starts() {
         let [phase, q] = ["q", "u"].map(|column| row[column].parse::<f64>().unwrap());
         let expected = match simulator.start(Time::new(0, 2.0 * PI * phase.rem_euclid(1.0)), q, 0.3) {
             Err(_) => "behind a wall".to_string(),
-            Ok(mut run) => match detection.detect(&simulator, &mut run).unwrap() {
+            Ok(mut run) => match detection.detect(&simulator, &mut run, &()).unwrap() {
                 Fate::Periodic(cycle) => {
                     let plural = if cycle.impacts == 1 { "" } else { "s" };
                     format!("period {}, {} impact{plural}", cycle.period(), cycle.impacts)

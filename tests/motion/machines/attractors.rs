@@ -167,7 +167,9 @@ fn exponents_of_a_periodic_attractor_are_those_of_its_multipliers() {
     let planar = planar(&pair);
     let mut run = planar.begin(&start(&[0.1, 0.0], &[0.0, 0.0])).unwrap();
     let detection = Detection { transient: 300, longest: 8, ..Detection::default() };
-    let Fate::Periodic(cycle) = detection.detect(&planar, &mut run).unwrap() else { panic!("not periodic") };
+    let Fate::Periodic(cycle) = detection.detect(&planar, &mut run, &()).unwrap() else {
+        panic!("not periodic")
+    };
     assert!(cycle.impacts > 0, "{cycle:?}");
     // Its impacts, from the simulator, as a start for Newton's method.
     let here = planar.here(&run);
@@ -306,7 +308,7 @@ fn an_uncoupled_pair_has_the_attractors_and_exponents_of_each() {
     let follow = |machine: &Machine<f64>, q: &[f64]| {
         let (planar, begin) = (planar(machine), start(q, &vec![0.0; q.len()]));
         let mut run = planar.begin(&begin).unwrap();
-        let Fate::Periodic(cycle) = detection.detect(&planar, &mut run).unwrap() else {
+        let Fate::Periodic(cycle) = detection.detect(&planar, &mut run, &()).unwrap() else {
             panic!("not periodic")
         };
         let all = exponents(&planar, &planar.here(&run), 2 * q.len(), 0, 1200, &()).unwrap();

@@ -450,7 +450,7 @@ fn exponents_are_those_of_a_second_solver() {
         assert!(if stuck == 0 { lost == 0 } else { lost >= 1 }, "{name}: {all:?}");
         // Those of the orbit: what is lost is 0, and not what rounding leaves of it.
         let mut run = planar.begin(&start).unwrap();
-        let fate = Detection { transient: 0, ..Detection::default() }.detect(&planar, &mut run).unwrap();
+        let fate = Detection { transient: 0, ..Detection::default() }.detect(&planar, &mut run, &()).unwrap();
         let Fate::Periodic(Cycle { multipliers, .. }) = fate else { panic!("{name}: {fate:?}") };
         let zeros = multipliers.iter().filter(|one| **one == (0.0, 0.0)).count();
         assert_eq!((multipliers.len(), zeros), (2 * n, lost), "{name}: {multipliers:?}");

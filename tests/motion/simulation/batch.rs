@@ -376,7 +376,7 @@ fn one_by_one(simulator: &Simulator, grid: &BasinGrid, detection: &Detection) ->
                 let end = run.finish(later);
                 assert_eq!(end, RunEnd::Reached);
                 let settled = Detection { transient: 0, ..detection.clone() };
-                match settled.detect(simulator, &mut run).unwrap() {
+                match settled.detect(simulator, &mut run, &()).unwrap() {
                     Fate::Periodic(cycle) => {
                         let known = attractors.iter().position(|other| other.is(&cycle));
                         BasinCell::Attractor(known.unwrap_or_else(|| {
@@ -435,7 +435,7 @@ fn a_map_is_that_of_its_points_one_by_one() {
         let mut again = simulator.start(Time::new(0, 0.0), state.q, state.u).unwrap();
         let detection = Detection { transient: 0, longest: 16, ..Detection::default() };
         // Its first point is a period later: no matter on an attractor.
-        let expected = match detection.detect(&simulator, &mut again).unwrap() {
+        let expected = match detection.detect(&simulator, &mut again, &()).unwrap() {
             Fate::Periodic(cycle) => {
                 periodic += 1;
                 // Where the largest multiplier is alone, a vector gets its direction, and grows by it.

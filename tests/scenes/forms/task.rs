@@ -1,5 +1,5 @@
 //! One question asked by several tasks, and one motion from several starts: a touch and a fold have one place
-//! each, whether a sweep, a branch, an event or a grazing tells it, with any number of values, in
+//! each, whether a diagram, a response, a branch, an event or a grazing tells it, with any number of values, in
 //! either engine; and what a motion leads to is what it leads to some periods later.
 
 use grazing_scenes::{
@@ -94,7 +94,9 @@ fn a_touch_and_a_fold_have_one_place_in_all_tasks() {
         let tasks = format!(
             "{sweep}[[tasks]]\nname = \"grazing\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 2\nreach = 0.5\n\
              [[tasks]]\nname = \"event\"\nkind = \"event\"\nevent = \"grazing\"\nparameter = \"F\"\nreach = 0.5\norbit = {{}}\n\
-             [[tasks]]\nname = \"branch\"\nkind = \"branch\"\nparameter = \"F\"\nrange = [{low:?}, {high:?}]\nstarts = [{{ orbit = {{}} }}]\n"
+             [[tasks]]\nname = \"branch\"\nkind = \"branch\"\nparameter = \"F\"\nrange = [{low:?}, {high:?}]\nstarts = [{{ orbit = {{}} }}]\n\
+             [[tasks]]\nname = \"response\"\nkind = \"response\"\nparameter = \"F\"\nrange = [{low:?}, {high:?}]\ncount = {}\n",
+            count + 2
         );
         let found = machine.reports(at, &tasks);
         let told = |what: &str, place: f64| {
@@ -105,7 +107,10 @@ fn a_touch_and_a_fold_have_one_place_in_all_tasks() {
         let labels = labelled(&found[3], "grazing");
         assert_eq!(labels.len(), 1, "the branch goes past the touch: {}, drawn {i}", found[3]);
         told("branch", labels[0]);
-        let jumps = found[0]["sweep"]["jumps"].as_array().unwrap();
+        let of = |report: &Value| {
+            report["sweep"]["jumps"].as_array().unwrap_or_else(|| panic!("{report}")).clone()
+        };
+        let jumps = [of(&found[0]), of(&found[4])].concat();
         for jump in jumps.iter().filter(|jump| jump["ends"] == "grazing" && jump["sweep"] == "up") {
             told("stays", number(&jump["stays"]));
             told("left", number(&jump["left"]));

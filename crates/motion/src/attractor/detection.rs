@@ -121,18 +121,19 @@ impl Detection {
     /// proof.
     ///
     /// # Errors
-    /// Those of [`check`](Self::check) and of [`Motion::pass`].
+    /// Those of [`check`](Self::check) and of [`Motion::pass`]; the monitor's.
     pub fn detect<'a, D: Dynamics>(
         &self,
         dynamics: &'a D,
         run: &mut D::Motion<'a>,
+        monitor: &dyn Monitor,
     ) -> Result<Fate<D::Point>> {
         self.check()?;
         let end = stops(run, self.phase, self.transient.saturating_add(1), |_, _, _| true)?;
         if end != RunEnd::Reached {
             return Ok(Fate::Ended(end));
         }
-        let mut seen = Recurrence::new(self, dynamics, run.point())?;
+        let mut seen = Recurrence::new(self, dynamics, run.point(), monitor)?;
         let mut failed = None;
         let end = section(run, self.phase, u64::MAX, |point| {
             seen.see(point.at, point.impacts).unwrap_or_else(|error| {
@@ -151,6 +152,7 @@ impl Detection {
 pub(crate) struct Recurrence<'d, D: Dynamics> {
     detection: &'d Detection,
     dynamics: &'d D,
+    monitor: &'d dyn Monitor,
     size: Size,
     /// Each with the impacts since the one before.
     points: Vec<(D::Point, u64)>,
@@ -170,12 +172,18 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
     ///
     /// # Errors
     /// Those of [`Motion::pass`].
-    pub fn new(detection: &'d Detection, dynamics: &'d D, first: D::Point) -> Result<Self> {
+    pub fn new(
+        detection: &'d Detection,
+        dynamics: &'d D,
+        first: D::Point,
+        monitor: &'d dyn Monitor,
+    ) -> Result<Self> {
         let size = Size::of(dynamics, first.coordinates(), detection.phase)?;
         let points = vec![(first, 0)];
         Ok(Recurrence {
             detection,
             dynamics,
+            monitor,
             size,
             points,
             candidate: None,
@@ -189,7 +197,7 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
     /// The next point; whether another is asked for.
     ///
     /// # Errors
-    /// Those of [`Motion::pass`].
+    /// Those of [`Motion::pass`]; the monitor's.
     pub fn see(&mut self, at: D::Point, impacts: u64) -> Result<bool> {
         let Detection { longest, confirm, tolerance, .. } = *self.detection;
         self.points.push((at, impacts));
@@ -303,7 +311,7 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
     fn decide(&mut self) -> Result<()> {
         let here = self.points.len() - 1;
         let at = self.points[here].0.coordinates();
-        let wanders = wanders(self.dynamics, at, self.detection.phase, self.found)?;
+        let wanders = wanders(self.dynamics, at, self.detection.phase, self.found, self.monitor)?;
         self.wanders = Some(wanders);
         self.again = if wanders { None } else { self.again.or(Some(here + (here / 2).max(1))) };
         Ok(())
@@ -323,7 +331,7 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
     /// What the points amount to once no other is asked for.
     ///
     /// # Errors
-    /// Those of [`Motion::pass`].
+    /// Those of [`Motion::pass`]; the monitor's.
     pub fn fate(&mut self) -> Result<Fate<D::Point>> {
         if let Some(cycle) = self.settled.take() {
             return Ok(Fate::Periodic(cycle));

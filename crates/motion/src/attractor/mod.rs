@@ -16,7 +16,8 @@
 //! let scene = Scene::read("examples/scenes/nordmark-2001.toml")?;
 //! let simulator = Simulator::new(&scene.exact(&[])?.rounded(), &Settings::default())?;
 //! let mut run = simulator.start(Time::new(0, 0.0), 0.5, 0.0)?;
-//! let fate = Detection { transient: 300, longest: 8, ..Detection::default() }.detect(&simulator, &mut run)?;
+//! let detection = Detection { transient: 300, longest: 8, ..Detection::default() };
+//! let fate = detection.detect(&simulator, &mut run, &())?;
 //! assert!(matches!(fate, Fate::Periodic(cycle) if cycle.period() == 4 || cycle.period() == 1));
 //! # Ok::<(), grazing_scenes::Error>(())
 //! ```

@@ -115,7 +115,7 @@ pub trait Attraction: Dynamics {
             monitor.advance(0)?;
             let Ok(mut run) = self.begin(start) else { return Ok(None) };
             match wait(&mut run, detection.phase, detection.transient, monitor)? {
-                RunEnd::Reached => settled.detect(self, &mut run).map(Some),
+                RunEnd::Reached => settled.detect(self, &mut run, monitor).map(Some),
                 end => Ok(Some(Fate::Ended(end))),
             }
         };
@@ -160,7 +160,7 @@ fn observe<'a, D: Dynamics>(
         return Ok(Err(end));
     }
     let settled = dynamics.here(run);
-    let (cycle, undecided) = match observation.detection().detect(dynamics, run)? {
+    let (cycle, undecided) = match observation.detection().detect(dynamics, run, monitor)? {
         Fate::Ended(end) => return Ok(Err(end)),
         Fate::Periodic(cycle) => (Some(cycle), false),
         Fate::Irregular => (None, false),

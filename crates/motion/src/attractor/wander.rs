@@ -10,11 +10,14 @@ use super::{
 };
 use crate::{
     error::Result,
+    monitor::Monitor,
     motion::{RunEnd, Time},
 };
 
 /// Forcing periods in which the growth of a vector is looked at: for longer where that leaves it open.
 const LOOKS: [u64; 4] = [128, 512, 2048, 8192];
+/// The monitor is asked after so many forcing periods.
+const PAUSE: i64 = 64;
 /// A mean this many times its standard error is not 0.
 const SURE: f64 = 3.0;
 /// Blocks of time, and the forcing periods of each: longer ones where the shorter are not equal, as of what
@@ -33,16 +36,26 @@ const TREND: f64 = 1e-3;
 /// a vector; where that leaves it open 4,096 more and 10,752 with a vector.
 ///
 /// # Errors
-/// Those of [`Motion::pass`].
-pub(super) fn wanders<D: Dynamics>(dynamics: &D, x: &[f64], phase: f64, found: bool) -> Result<bool> {
+/// Those of [`Motion::pass`]; the monitor's.
+pub(super) fn wanders<D: Dynamics>(
+    dynamics: &D,
+    x: &[f64],
+    phase: f64,
+    found: bool,
+    monitor: &dyn Monitor,
+) -> Result<bool> {
     let start = dynamics.at(x, phase);
-    let Some((all, impacts)) = sizes(dynamics, &start, LENGTHS[0])? else { return Ok(false) };
+    let Some((all, impacts)) = sizes(dynamics, &start, LENGTHS[0], monitor)? else { return Ok(false) };
     // The last is of all blocks together.
     if all[BLOCKS] > GROWS * all[..BLOCKS].iter().copied().fold(0.0, f64::max) {
         return Ok(false);
     }
     for periods in LOOKS {
-        let Ok(all) = exponents(dynamics, &start, 1, 0, periods, &()) else { return Ok(false) };
+        let all = match exponents(dynamics, &start, 1, 0, periods, monitor) {
+            Err(error) if error.is_interrupted() => return Err(error),
+            Err(_) => return Ok(false),
+            Ok(all) => all,
+        };
         let [one] = &all[..] else { return Ok(false) };
         if one.end != RunEnd::Reached {
             return Ok(false);
@@ -62,7 +75,8 @@ pub(super) fn wanders<D: Dynamics>(dynamics: &D, x: &[f64], phase: f64, found: b
     if found && impacts == 0 {
         return Ok(false);
     }
-    Ok(are_equal(&all) || sizes(dynamics, &start, LENGTHS[1])?.is_some_and(|(all, _)| are_equal(&all)))
+    let longer = |length| sizes(dynamics, &start, length, monitor);
+    Ok(are_equal(&all) || longer(LENGTHS[1])?.is_some_and(|(all, _)| are_equal(&all)))
 }
 
 /// Whether blocks extend equally far, without a trend, and all of them together no farther: the last is that.
@@ -78,7 +92,12 @@ fn are_equal(all: &[f64]) -> bool {
 
 /// How far the points of the section extend in each block, and then in all together, in the coordinate in
 /// which they extend most; none where the motion ends.
-fn sizes<D: Dynamics>(dynamics: &D, start: &D::Start, length: i64) -> Result<Option<(Vec<f64>, u64)>> {
+fn sizes<D: Dynamics>(
+    dynamics: &D,
+    start: &D::Start,
+    length: i64,
+    monitor: &dyn Monitor,
+) -> Result<Option<(Vec<f64>, u64)>> {
     let Ok(mut run) = dynamics.begin(start) else { return Ok(None) };
     let begun = run.time();
     let mut ends: Vec<[Vec<f64>; 2]> = Vec::new();
@@ -86,6 +105,9 @@ fn sizes<D: Dynamics>(dynamics: &D, start: &D::Start, length: i64) -> Result<Opt
         let first = run.point().coordinates().to_vec();
         let (mut low, mut high) = (first.clone(), first);
         for i in 1..=length {
+            if i % PAUSE == 0 {
+                monitor.advance(0)?;
+            }
             let until = Time { period: begun.period + block * length + i, ..begun };
             if run.pass(until)? != RunEnd::Reached {
                 return Ok(None);

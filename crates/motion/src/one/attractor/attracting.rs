@@ -5,6 +5,7 @@ use crate::{
     attractor::detection::Detection,
     continuation::natural,
     error::{Error, Result},
+    monitor::Monitor,
     motion::{Flow, State, Time},
     one::{
         orbit::{Itinerary, Orbit, Oscillator, Strike, find},
@@ -15,16 +16,17 @@ use crate::{
 /// The periodic orbit that the motion from `start` tends to.
 ///
 /// # Errors
-/// An input error if it tends to none that is found, or rests on a wall; those of [`find`].
+/// An input error if it tends to none that is found, or rests on a wall; those of [`find`]; the monitor's.
 pub fn attracting(
     oscillator: &Oscillator,
     start: State,
     detection: &Detection,
     settings: &Settings,
+    monitor: &dyn Monitor,
 ) -> Result<Orbit> {
     let simulator = Simulator::new(oscillator.system(), settings)?.counting_too(oscillator.tally());
     let mut run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
-    let cycle = detection.detect(&simulator, &mut run)?.periodic(detection)?;
+    let cycle = detection.detect(&simulator, &mut run, monitor)?.periodic(detection)?;
     let (period, phase, [q, u]) = (cycle.period() as i64, detection.phase, cycle.points[0]);
     let mut run = simulator.start(Time::new(0, phase), q, u)?;
     let (mut times, mut sides, mut speeds, mut rests) = (Vec::new(), Vec::new(), Vec::new(), false);

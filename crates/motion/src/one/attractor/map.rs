@@ -174,7 +174,7 @@ fn cells_of(simulators: &[Simulator], plan: &MapPlan, monitor: &dyn Monitor) -> 
         .map(|motion| {
             let (at, impacts) = (batch.point(motion), batch.impacts(motion));
             let growth = Growth::new(&simulators[names[motion]], State { t: phase, q: at[0], u: at[1] });
-            let recurrence = Recurrence::new(&detection, &simulators[names[motion]], at)?;
+            let recurrence = Recurrence::new(&detection, &simulators[names[motion]], at, monitor)?;
             Ok(Seen { recurrence, more: true, first: impacts, last: impacts, growth })
         })
         .collect::<Result<_>>()?;

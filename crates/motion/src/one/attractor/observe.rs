@@ -74,7 +74,7 @@ pub(super) fn observe(
         .into_iter()
         .zip(settled)
         .map(|(motion, settled)| {
-            let recurrence = Recurrence::new(&detection, simulators[motion], batch.point(motion))?;
+            let recurrence = Recurrence::new(&detection, simulators[motion], batch.point(motion), monitor)?;
             Ok((motion, settled, Stage::Recurs(recurrence, batch.impacts(motion))))
         })
         .collect::<Result<_>>()?;

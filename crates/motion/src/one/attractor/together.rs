@@ -111,7 +111,7 @@ fn recurring(
     mut tell: impl FnMut(usize, Fate),
 ) -> Result<()> {
     let start = |motion| {
-        let recurrence = Recurrence::new(detection, simulator, batch.point(motion))?;
+        let recurrence = Recurrence::new(detection, simulator, batch.point(motion), monitor)?;
         Ok((motion, recurrence, batch.impacts(motion)))
     };
     let mut seen: Vec<_> = under_way.into_iter().map(start).collect::<Result<_>>()?;

@@ -314,7 +314,7 @@ impl<'j> Engine for Oscillators<'j> {
     }
 
     fn attracting(&self, oscillator: &Oscillator, from: &State, detection: &Detection) -> Result<Orbit> {
-        attracting(oscillator, *from, detection, &self.job.settings()?)
+        attracting(oscillator, *from, detection, &self.job.settings()?, self.job.monitor)
     }
 
     fn prover(

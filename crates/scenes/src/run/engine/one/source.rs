@@ -69,7 +69,13 @@ impl<'a> OrbitSource for OscillatorSource<'a> {
         match start.origin()? {
             BranchOrigin::Attractor(state) => {
                 let from = self.job.scene.state(state)?;
-                Ok(vec![attracting(&oscillator, from, &settled(from.t), &self.job.settings()?)?])
+                Ok(vec![attracting(
+                    &oscillator,
+                    from,
+                    &settled(from.t),
+                    &self.job.settings()?,
+                    self.job.monitor,
+                )?])
             }
             BranchOrigin::Orbit(keys) => self.admissible(keys, &oscillator),
             BranchOrigin::Restart(_) => Ok(Vec::new()),
