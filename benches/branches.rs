@@ -47,7 +47,7 @@ fn branches(criterion: &mut Criterion) {
     let detection = Detection { phase: 3.0, transient: 20_000, longest: 80, ..Detection::default() };
     let oscillator = family.at(-0.024_34).unwrap();
     let start = State { t: 3.0, q: 2.6, u: 0.31 };
-    let orbit = attracting(&oscillator, start, &detection, &Settings::default()).unwrap();
+    let orbit = attracting(&oscillator, start, &detection, &Settings::default(), &()).unwrap();
     let options = Options::default();
     let orbits = Orbits::over(&patterns, orbit.itinerary.clone(), (-0.0247, -0.0232));
     let start = orbits.start(orbit.z, -0.024_34, &options).unwrap();

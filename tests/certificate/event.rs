@@ -28,6 +28,7 @@ fn table<T: Real>(p: &T, context: &T::Context) -> System<T> {
     let ratio = |text: &str| T::ratio(&number(text), context);
     let motion = Harmonic { k: 1, cos: ratio("0"), sin: p.clone() };
     System {
+        rate: None,
         damping: ratio("0"),
         stiffness: ratio("0"),
         cubic: ratio("0"),
@@ -43,6 +44,7 @@ fn table<T: Real>(p: &T, context: &T::Context) -> System<T> {
 fn one_sided<T: Real>(p: &T, context: &T::Context) -> System<T> {
     let ratio = |text: &str| T::ratio(&number(text), context);
     System {
+        rate: None,
         damping: ratio("1/10") / p,
         stiffness: ratio("1") / &(p.clone() * p),
         cubic: ratio("0"),
@@ -285,6 +287,7 @@ fn free<T: Real>(p: &T, context: &T::Context, moves: bool) -> System<T> {
         Vec::new()
     };
     System {
+        rate: None,
         damping: ratio("0"),
         stiffness: ratio("1/4"),
         cubic: ratio("0"),

@@ -46,6 +46,7 @@ fn system((c, k, [a, b, d, e], walls): &Drawn) -> System<BigRational> {
     };
     let wave = |k, cos: &i64, sin: &i64| Harmonic { k, cos: hundredths(*cos), sin: hundredths(*sin) };
     System {
+        rate: None,
         damping: hundredths(*c),
         stiffness: hundredths(*k),
         cubic: number("0"),
@@ -134,6 +135,7 @@ fn machines_of_one_coordinate_agree() {
 fn what_is_not_proved_is_said() {
     let precision = Precision::new(128);
     let at = |c: &str, k: &str, offset: &str| System {
+        rate: None,
         damping: number(c),
         stiffness: number(k),
         cubic: number("0"),

@@ -197,6 +197,7 @@ fn machine(
     let amplitude = RationalFunction::range(from, Some(to));
     let offset = if bent { number("1") + &(amplitude.clone() * &amplitude) } else { number("1") };
     Ok(System {
+        rate: None,
         damping: number("1/10"),
         stiffness: number("3/10"),
         cubic: number("0"),

@@ -180,7 +180,8 @@ impl At<'_> {
         let (lower, upper) =
             (Some(Wall { offset, harmonics, restitution: tau }), self.claim.mirrored.then_some(upper));
         let (cubic, force, forcing, smooth) = (0.0, 0.0, vec![], None);
-        let system = System { damping: c, stiffness: k, cubic, force, forcing, smooth, lower, upper };
+        let system =
+            System { rate: None, damping: c, stiffness: k, cubic, force, forcing, smooth, lower, upper };
         let settings = Settings { minimum_depth: 1e-13, ..Settings::default() };
         Simulator::new(&system, &settings).unwrap()
     }

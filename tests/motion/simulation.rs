@@ -717,7 +717,7 @@ mod properties {
             (lower, upper) in walls(),
         ) -> System<f64> {
             let forcing = forcing.into_iter().map(|(k, cos, sin)| Harmonic { k, cos, sin }).collect();
-            System { damping, stiffness, cubic, force, forcing, smooth: None, lower, upper }
+            System { rate: None, damping, stiffness, cubic, force, forcing, smooth: None, lower, upper }
         }
     }
 

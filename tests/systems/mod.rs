@@ -19,6 +19,7 @@ pub fn example<T: Real>(mu: &T, context: &T::Context) -> System<T> {
     let ratio = |text: &str| T::ratio(&number(text), context);
     let motion = Harmonic { k: 1, cos: ratio("1") + mu, sin: ratio("0") };
     System {
+        rate: None,
         damping: ratio("12/49"),
         stiffness: ratio("100/2401"),
         cubic: ratio("0"),

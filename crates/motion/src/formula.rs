@@ -171,20 +171,25 @@ impl Formula {
 
     /// The same with a formula in place of each variable.
     pub fn substituted(&self, variables: &dyn Fn(usize) -> Formula) -> Formula {
-        let inside = |inner: &Formula| Box::new(inner.substituted(variables));
-        match self {
-            Formula::Number(_) | Formula::Pi => self.clone(),
+        self.replaced(&|leaf| match leaf {
             Formula::Variable(index) => variables(*index),
+            other => other.clone(),
+        })
+    }
+
+    /// The same with a formula in place of each number, variable and π.
+    pub fn replaced(&self, leaves: &dyn Fn(&Formula) -> Formula) -> Formula {
+        let inside = |inner: &Formula| Box::new(inner.replaced(leaves));
+        match self {
+            Formula::Number(_) | Formula::Pi | Formula::Variable(_) => leaves(self),
             Formula::Negated(inner) => Formula::Negated(inside(inner)),
             Formula::Power(inner, exponent) => Formula::Power(inside(inner), *exponent),
             Formula::Call(function, inner) => Formula::Call(*function, inside(inner)),
             Formula::Binary(operation, parts) => {
-                let parts = parts.each_ref().map(|part| part.substituted(variables));
+                let parts = parts.each_ref().map(|part| part.replaced(leaves));
                 Formula::Binary(*operation, Box::new(parts))
             }
-            Formula::Choice(choice) => {
-                Formula::Choice(Box::new(choice.mapped(|part| part.substituted(variables))))
-            }
+            Formula::Choice(choice) => Formula::Choice(Box::new(choice.mapped(|part| part.replaced(leaves)))),
             Formula::Raised(inner, exponent) => Formula::Raised(inside(inner), exponent.clone()),
         }
     }

@@ -65,6 +65,7 @@ fn sample(ratio: f64, remains: f64, monitor: &dyn Monitor) -> Result<[TouchSampl
     };
     let dynamics = |force| {
         let system = System {
+            rate: None,
             damping,
             stiffness,
             cubic: 0.0,

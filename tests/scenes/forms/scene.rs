@@ -294,6 +294,7 @@ fn of_machine(system: &mut Table, look: &mut dyn FnMut(Slot)) {
     visit(system, "mass", (What::Inertia, Unit(0, 0, 1)), look);
     visit(system, "damping", (What::Linear, Unit(0, -1, 1)), look);
     visit(system, "stiffness", (What::Linear, Unit(0, -2, 1)), look);
+    visit(system, "cubic", (What::Linear, Unit(-2, -2, 1)), look);
     force(system, Unit(1, -2, 1), look);
     harmonics(system, "forcing", (What::Force, Unit(1, -2, 1)), look);
     if let Some(modes) = system.get_mut("modes").and_then(Value::as_table_mut) {

@@ -13,7 +13,7 @@ use crate::{
 
 /// A state on a section.
 pub trait SectionState: Clone + Debug + PartialEq + Send + Sync + Serialize + DeserializeOwned {
-    /// The two numbers by which it is drawn.
+    /// The two numbers by which it is drawn, but for the unit of time.
     fn plane(&self) -> [f64; 2];
 
     /// All numbers by which states are told apart, of one unit.
@@ -168,6 +168,11 @@ pub trait Dynamics: Sync + Sized {
 
     /// The start with these two numbers in the plane that is drawn, at a phase in [0, 2π).
     fn in_plane(&self, at: [f64; 2], phase: f64) -> Self::Start;
+
+    /// The two numbers by which a state is drawn.
+    fn drawn(&self, point: &Self::Point) -> [f64; 2] {
+        point.plane()
+    }
 
     /// Where a motion is, as a start.
     fn here(&self, motion: &Self::Motion<'_>) -> Self::Start;

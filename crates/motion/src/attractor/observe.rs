@@ -66,7 +66,7 @@ impl<S, P: SectionState> Observed<S, P> {
             least.expect("a cycle has points").clone()
         };
         let on = nearest(&|point| apart(point.coordinates(), here.coordinates()));
-        let drawn = |at: &[f64; 2]| nearest(&|point| apart(&point.plane(), at)).plane();
+        let drawn = |at: &[f64; 2]| dynamics.drawn(&nearest(&|point| apart(&dynamics.drawn(point), at)));
         let points = self.points.iter().map(drawn).collect();
         Ok(Observed { settled: dynamics.at(on.coordinates(), phase), points, ..self })
     }
@@ -170,7 +170,7 @@ fn observe<'a, D: Dynamics>(
     let (mut points, before) = (Vec::new(), run.impacts());
     let end = section(run, phase, observation.looks(cycle.as_ref()).into(), |point| {
         if observation.keeps(point.period) {
-            points.push(point.at.plane());
+            points.push(dynamics.drawn(&point.at));
         }
         true
     })?;

@@ -30,6 +30,10 @@ pub struct System<T> {
     pub lower: Option<Wall<T>>,
     /// The wall Q₂ above, if any.
     pub upper: Option<Wall<T>>,
+    /// Radians in a unit of the time in which velocities are shown; none where that is a radian. All else of the
+    /// system is per radian, and no motion depends on it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rate: Option<T>,
 }
 
 /// One harmonic `cos` cos kt + `sin` sin kt of a 2π-periodic function.
@@ -78,7 +82,22 @@ impl<T> System<T> {
             smooth: self.smooth.as_ref().map(|force| force.try_map(&mut convert)).transpose()?,
             lower: self.lower.as_ref().map(|wall| wall.try_map(&mut convert)).transpose()?,
             upper: self.upper.as_ref().map(|wall| wall.try_map(&mut convert)).transpose()?,
+            rate: self.rate.as_ref().map(&mut convert).transpose()?,
         })
+    }
+}
+
+impl<T: Clone> System<T> {
+    /// The same, its velocities shown per radian.
+    pub fn in_radians(&self) -> System<T> {
+        System { rate: None, ..self.clone() }
+    }
+}
+
+impl System<f64> {
+    /// Radians in a unit of the time in which velocities are shown.
+    pub fn shown_rate(&self) -> f64 {
+        self.rate.unwrap_or(1.0)
     }
 }
 

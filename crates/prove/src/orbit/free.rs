@@ -4,8 +4,8 @@
 use num_rational::BigRational;
 
 use super::{
-    Jet, Stability, Units, Verdict, admissible, equations::Equations, event::is_alone, linear::Linear,
-    solution::stability,
+    Bounded, Jet, Stability, Units, Verdict, admissible, coefficient::bounded, equations::Equations,
+    event::is_alone, linear::Linear, solution::stability,
 };
 use crate::{
     error::Result,
@@ -34,9 +34,12 @@ pub struct ProvedFreeMotion {
 ///
 /// # Errors
 /// An input error: the system is not linear, no stiffness, an undamped resonance.
-pub fn free_motion(system: &System<BigRational>, precision: &Precision) -> Result<Verdict<ProvedFreeMotion>> {
-    let units = Units::of(system, std::iter::empty());
-    let linear = Linear::exact(&units.scaled(system.clone(), &()), precision)?;
+pub fn free_motion(
+    system: &System<impl Bounded>,
+    precision: &Precision,
+) -> Result<Verdict<ProvedFreeMotion>> {
+    let units = Units::of(&bounded(system), std::iter::empty());
+    let linear = Linear::of(&units.bounded(system), precision)?;
     if !is_alone(&linear) {
         return Ok(Verdict::Undecided("1 may be a multiplier of the motion without impacts".into()));
     }

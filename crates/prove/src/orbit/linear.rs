@@ -7,11 +7,12 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use super::Jet;
+use super::{Jet, coefficient::exact};
 use crate::{
     error::{Error, Result},
+    machine::Bounds,
     motion::{Harmonic, Side, System, Wall},
-    number::{Elementary, Precision, Real, Sign},
+    number::{Ball, Elementary, Precision, Real, Sign},
 };
 
 /// The free motion's kind, by the sign of ω² = k − c²/4.
@@ -43,8 +44,17 @@ pub(super) struct Flight {
 pub(super) type Motion = [Jet; 3];
 
 impl<'a> Linear<'a> {
+    /// A system whose coefficients are exact, or each any between two numbers.
+    pub fn of(system: &System<Bounds>, precision: &'a Precision) -> Result<Self> {
+        let Some(system) = exact(system) else {
+            let between = |[lo, hi]: &Bounds| Ok::<_, Error>(Jet::constant(Ball::between(lo, hi, precision)));
+            return Linear::enclosed(system.try_map(between)?, precision);
+        };
+        Linear::exact(&system, precision)
+    }
+
     /// A system with exact coefficients.
-    pub fn exact(system: &System<BigRational>, precision: &'a Precision) -> Result<Self> {
+    fn exact(system: &System<BigRational>, precision: &'a Precision) -> Result<Self> {
         let discriminant = &system.stiffness - &system.damping * &system.damping / BigInt::from(4);
         let enclosed = system.try_map(|value| Ok::<_, Error>(Jet::ratio(value, precision)))?;
         Linear::new(enclosed, Jet::ratio(&discriminant, precision), precision)

@@ -28,6 +28,7 @@
 
 mod admissible;
 mod branch;
+mod coefficient;
 mod equations;
 mod event;
 mod free;
@@ -41,6 +42,7 @@ mod units;
 mod write;
 
 pub use branch::{BranchProblem, ProvedBranch, branch};
+pub use coefficient::Bounded;
 pub use event::{Condition, ProvedEvent, event, event_in};
 pub use free::{ProvedFreeMotion, free_motion};
 pub use jet::Jet;

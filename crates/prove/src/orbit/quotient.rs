@@ -1,4 +1,5 @@
-//! Coefficients as functions of one parameter: quotients of polynomials over the integers.
+//! Coefficients as functions of one parameter: quotients of polynomials over the integers, or over intervals of
+//! them where a number in it is irrational.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -14,53 +15,114 @@ const DEGREE: usize = 64;
 /// The most bits of a coefficient.
 const BITS: u64 = 1 << 14;
 
-/// (P₀ + P₁ p + …)/(Q₀ + Q₁ p + …), exactly; or too large to be kept, as is then all that is made of it.
+/// The bits after the point of a number that is divided by another that is not exact.
+const SCALE: u64 = 512;
+
+/// A number between two whole ones, which may be one.
+type Between = [BigInt; 2];
+
+/// (P₀ + P₁ p + …)/(Q₀ + Q₁ p + …), each exactly or between two numbers; or too large to be kept, as is then all
+/// that is made of it.
 ///
-/// Common factors of the two polynomials are kept, those of all their coefficients are not.
+/// Common factors of the two polynomials are kept, those of all their coefficients are not. Equality is that of
+/// what is known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quotient {
     /// Numerator and denominator by rising powers, the last of each not 0 (but for a numerator 0).
-    value: Option<[Vec<BigInt>; 2]>,
+    value: Option<[Vec<Between>; 2]>,
+}
+
+fn exactly(x: BigInt) -> Between {
+    [x.clone(), x]
+}
+
+fn is_exact([lo, hi]: &Between) -> bool {
+    lo == hi
 }
 
 impl Quotient {
     /// The parameter itself.
     pub fn parameter() -> Quotient {
-        Quotient::new([vec![BigInt::zero(), BigInt::one()], vec![BigInt::one()]])
+        let [zero, one] = [BigInt::zero(), BigInt::one()].map(exactly);
+        Quotient::new([vec![zero, one.clone()], vec![one]])
     }
 
-    /// The coefficients by rising powers, of numerator and denominator, whose last is positive; no integer
-    /// above 1 divides them all, and none of the two ends in a 0 but the numerator 0 = 0/1. `None` if it was
-    /// too large (powers above 64, integers of more than 16384 bits).
-    pub fn polynomials(&self) -> Option<&[Vec<BigInt>; 2]> {
+    /// A number between these two.
+    pub fn between([lo, hi]: [&BigRational; 2]) -> Quotient {
+        let below = lo.denom() * hi.denom();
+        let above = [lo.numer() * hi.denom(), hi.numer() * lo.denom()];
+        Quotient::new([vec![above], vec![exactly(below)]])
+    }
+
+    /// The coefficients by rising powers, of numerator and denominator, whose last is positive, if all are
+    /// exact; no integer above 1 divides them all, and none of the two ends in a 0 but the numerator 0 = 0/1.
+    /// `None` if not, or if it was too large (powers above 64, integers of more than 16384 bits).
+    pub fn polynomials(&self) -> Option<[Vec<BigInt>; 2]> {
+        let all = self.value.as_ref()?;
+        let exact = |list: &Vec<Between>| -> Option<Vec<BigInt>> {
+            list.iter().map(|x| is_exact(x).then(|| x[0].clone())).collect()
+        };
+        let [above, below] = all.each_ref().map(exact);
+        Some([above?, below?])
+    }
+
+    /// Two numbers between which each coefficient is, as [`polynomials`](Self::polynomials) has them.
+    pub(super) fn enclosures(&self) -> Option<&[Vec<Between>; 2]> {
         self.value.as_ref()
     }
 
-    /// The same function of the parameter in this unit: u ↦ x(unit·u).
+    /// The same function of the parameter in this unit, which is positive: u ↦ x(unit·u).
     pub(super) fn in_unit(self, unit: &BigRational) -> Quotient {
         let Some(all) = self.value else { return self };
         let degree = all.iter().map(Vec::len).max().unwrap_or(1) - 1;
         let power = |x: &BigInt, j: usize| pow(x.clone(), j);
-        let of = |(j, x): (usize, BigInt)| x * power(unit.numer(), j) * power(unit.denom(), degree - j);
+        let of = |(j, x): (usize, Between)| {
+            x.map(|x| x * power(unit.numer(), j) * power(unit.denom(), degree - j))
+        };
         Quotient::new(all.map(|list| list.into_iter().enumerate().map(of).collect()))
     }
 
-    fn new([mut numerator, mut denominator]: [Vec<BigInt>; 2]) -> Quotient {
+    fn new([mut numerator, mut denominator]: [Vec<Between>; 2]) -> Quotient {
+        let is_zero = |[lo, hi]: &Between| lo.is_zero() && hi.is_zero();
         for list in [&mut numerator, &mut denominator] {
-            while list.len() > 1 && list.last().is_some_and(Zero::is_zero) {
+            while list.len() > 1 && list.last().is_some_and(is_zero) {
                 list.pop();
             }
         }
-        let divisor = numerator.iter().chain(&denominator).fold(BigInt::zero(), |all, x| all.gcd(x));
-        let negative = denominator.last().is_some_and(Signed::is_negative);
-        let divisor = if negative { -divisor } else { divisor };
-        if numerator.iter().all(Zero::is_zero) {
-            return Quotient { value: Some([vec![BigInt::zero()], vec![BigInt::one()]]) };
+        if let [below] = &denominator[..]
+            && !is_exact(below)
+            && below[0].is_positive()
+        {
+            // A number that is not exact divides what is above.
+            let over = |x: &Between| {
+                let ends = |round: fn(&BigInt, &BigInt) -> BigInt| {
+                    x.iter().flat_map(move |x| below.iter().map(move |below| round(&(x << SCALE), below)))
+                };
+                let (lo, hi) = (ends(|x, y| x.div_floor(y)).min(), ends(|x, y| x.div_ceil(y)).max());
+                [lo.expect("four"), hi.expect("four")]
+            };
+            let numerator = numerator.iter().map(over).collect();
+            return Quotient::new([numerator, vec![exactly(BigInt::one() << SCALE)]]);
         }
+        let all = || numerator.iter().chain(&denominator).flatten();
+        let divisor = all().fold(BigInt::zero(), |all, x| all.gcd(x));
+        if numerator.iter().all(is_zero) {
+            return Quotient { value: Some([vec![exactly(BigInt::zero())], vec![exactly(BigInt::one())]]) };
+        }
+        // The last of the denominator is made positive; of one that may be 0 nothing is known.
+        let Some([lo, hi]) = denominator.last() else { return Quotient { value: None } };
+        let negative = match (lo.is_positive(), hi.is_negative()) {
+            (true, _) => false,
+            (_, true) => true,
+            _ => return Quotient { value: None },
+        };
         for x in numerator.iter_mut().chain(&mut denominator) {
-            *x = &*x / &divisor;
+            *x = x.each_ref().map(|x| x / &divisor);
+            if negative {
+                *x = negated(x);
+            }
         }
-        let all = || numerator.iter().chain(&denominator);
+        let all = || numerator.iter().chain(&denominator).flatten();
         let fits = numerator.len().max(denominator.len()) <= DEGREE + 1 && all().all(|x| x.bits() <= BITS);
         Quotient { value: fits.then_some([numerator, denominator]) }
     }
@@ -68,7 +130,7 @@ impl Quotient {
     fn combined(
         self,
         other: &Quotient,
-        combine: impl Fn([Vec<BigInt>; 2], &[Vec<BigInt>; 2]) -> [Vec<BigInt>; 2],
+        combine: impl Fn([Vec<Between>; 2], &[Vec<Between>; 2]) -> [Vec<Between>; 2],
     ) -> Quotient {
         match (self.value, &other.value) {
             (Some(a), Some(b)) => Quotient::new(combine(a, b)),
@@ -77,16 +139,24 @@ impl Quotient {
     }
 }
 
-fn sum(a: &[BigInt], b: &[BigInt]) -> Vec<BigInt> {
-    let part = |list: &[BigInt], i: usize| list.get(i).cloned().unwrap_or_default();
-    (0..a.len().max(b.len())).map(|i| part(a, i) + part(b, i)).collect()
+fn negated([lo, hi]: &Between) -> Between {
+    [-hi, -lo]
 }
 
-fn product(a: &[BigInt], b: &[BigInt]) -> Vec<BigInt> {
-    let mut all = vec![BigInt::zero(); a.len() + b.len() - 1];
+fn sum(a: &[Between], b: &[Between]) -> Vec<Between> {
+    let part =
+        |list: &[Between], i: usize, end: usize| list.get(i).map_or_else(BigInt::zero, |x| x[end].clone());
+    (0..a.len().max(b.len())).map(|i| [0, 1].map(|end| part(a, i, end) + part(b, i, end))).collect()
+}
+
+fn product(a: &[Between], b: &[Between]) -> Vec<Between> {
+    let mut all = vec![exactly(BigInt::zero()); a.len() + b.len() - 1];
     for (i, x) in a.iter().enumerate() {
         for (j, y) in b.iter().enumerate() {
-            all[i + j] += x * y;
+            let ends = [&x[0] * &y[0], &x[0] * &y[1], &x[1] * &y[0], &x[1] * &y[1]];
+            let [lo, hi] = &mut all[i + j];
+            *lo += ends.iter().min().expect("four");
+            *hi += ends.iter().max().expect("four");
         }
     }
     all
@@ -96,9 +166,7 @@ impl Neg for Quotient {
     type Output = Quotient;
 
     fn neg(self) -> Quotient {
-        Quotient {
-            value: self.value.map(|[above, below]| [above.into_iter().map(Neg::neg).collect(), below]),
-        }
+        Quotient { value: self.value.map(|[above, below]| [above.iter().map(negated).collect(), below]) }
     }
 }
 
@@ -107,7 +175,8 @@ impl Add<&Quotient> for Quotient {
 
     fn add(self, other: &Quotient) -> Quotient {
         self.combined(other, |[a, b], [c, d]| {
-            if b == *d {
+            // Two numbers of which the same is known may differ.
+            if b == *d && b.iter().all(is_exact) {
                 return [sum(&a, c), b];
             }
             [sum(&product(&a, d), &product(c, &b)), product(&b, d)]
@@ -147,17 +216,24 @@ impl Real for Quotient {
     type Context = ();
 
     fn ratio(value: &BigRational, (): &()) -> Quotient {
-        Quotient::new([vec![value.numer().clone()], vec![value.denom().clone()]])
+        Quotient::new([value.numer(), value.denom()].map(|x| vec![exactly(x.clone())]))
     }
 
     fn integer(value: i32, (): &()) -> Quotient {
-        Quotient::new([vec![value.into()], vec![BigInt::one()]])
+        Quotient::new([vec![exactly(value.into())], vec![exactly(BigInt::one())]])
     }
 
     /// The sign if it is that of a number, whatever the parameter is.
     fn sign(&self) -> Option<Sign> {
         let [above, below] = self.value.as_ref()?;
-        let constant = above.len() == 1 && (below.len() == 1 || above[0].is_zero());
-        constant.then(|| BigRational::from_integer(above[0].clone()).sign()).flatten()
+        let [lo, hi] = &above[0];
+        let zero = lo.is_zero() && hi.is_zero();
+        match () {
+            () if above.len() > 1 || below.len() > 1 && !zero => None,
+            () if zero => Some(Sign::Zero),
+            () if lo.is_positive() => Some(Sign::Positive),
+            () if hi.is_negative() => Some(Sign::Negative),
+            () => None,
+        }
     }
 }

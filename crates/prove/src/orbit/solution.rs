@@ -6,7 +6,8 @@ use num_traits::Zero;
 use serde::Serialize;
 
 use super::{
-    Jet, Units, Verdict, admissible,
+    Bounded, Jet, Units, Verdict, admissible,
+    coefficient::bounded,
     equations::Equations,
     krawczyk::{self, Preconditioner, Search},
     linear::Linear,
@@ -78,13 +79,12 @@ pub struct ProvedOrbit {
 /// An input error: the system is not linear, a wall that is met is missing, an undamped resonance, periods
 /// that sum to 0.
 pub fn orbit(
-    system: &System<BigRational>,
+    system: &System<impl Bounded>,
     guess: &[ExpectedImpact],
     precision: &Precision,
 ) -> Result<Verdict<ProvedOrbit>> {
-    let units = Units::of(system, guess.iter().map(|impact| impact.side));
-    let (linear, near) =
-        (Linear::exact(&units.scaled(system.clone(), &()), precision)?, units.impacts(guess));
+    let units = Units::of(&bounded(system), guess.iter().map(|impact| impact.side));
+    let (linear, near) = (Linear::of(&units.bounded(system), precision)?, units.impacts(guess));
     let equations = equations(&linear, &near)?;
     let map = |unknowns: &[Jet]| equations.residual(unknowns);
     Search::run(&map, &start(&near), precision)?.and_then(|search| {
@@ -122,12 +122,12 @@ pub fn orbit(
 /// # Errors
 /// As [`orbit`]; also if the guess is not finite or the radius not positive.
 pub fn solution_in(
-    system: &System<BigRational>,
+    system: &System<impl Bounded>,
     guess: &[ExpectedImpact],
     radius: &BigRational,
     precision: &Precision,
 ) -> Result<Verdict<Vec<Ball>>> {
-    let linear = Linear::exact(system, precision)?;
+    let linear = Linear::of(&bounded(system), precision)?;
     let equations = equations(&linear, guess)?;
     let map = |unknowns: &[Jet]| equations.residual(unknowns);
     krawczyk::in_box(&map, &start(guess), radius, precision)

@@ -12,10 +12,11 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, pow};
 
-use super::{ExpectedImpact, Jet, Quotient, krawczyk::middle};
+use super::{Bounded, ExpectedImpact, Jet, Quotient, coefficient::bounded, krawczyk::middle};
 use crate::{
     certificate::{event, orbit::Decimal},
     error::Result,
+    machine::Bounds,
     motion::{Harmonic, Side, System},
     number::{Ball, Precision, Real},
 };
@@ -75,10 +76,10 @@ fn greatest<'b>(all: impl Iterator<Item = &'b Ball>) -> f64 {
 
 impl Units {
     /// Those for a motion of a system that meets walls on these sides.
-    pub(super) fn of(system: &System<BigRational>, met: impl Iterator<Item = Side>) -> Units {
+    pub(super) fn of(system: &System<Bounds>, met: impl Iterator<Item = Side>) -> Units {
         let mut system = system.clone();
         keep(&mut system, met);
-        let size = |x: &mut BigRational| x.to_f64().map_or(0.0, f64::abs);
+        let size = |[x, _]: &mut Bounds| x.to_f64().map_or(0.0, f64::abs);
         Units { lengths: unit(lengths(&mut system).map(size).fold(0.0, f64::max)), parameter: 0 }
     }
 
@@ -110,6 +111,16 @@ impl Units {
         if self.lengths != 0 {
             let factor = R::ratio(&ten(-self.lengths), context);
             lengths(&mut system).for_each(|x| *x = x.clone() * &factor);
+        }
+        system
+    }
+
+    /// The same of a system each coefficient of which lies between two numbers.
+    pub(super) fn bounded(self, system: &System<impl Bounded>) -> System<Bounds> {
+        let mut system = bounded(system);
+        if self.lengths != 0 {
+            let factor = ten(-self.lengths);
+            lengths(&mut system).flatten().for_each(|x| *x *= &factor);
         }
         system
     }

@@ -4,7 +4,9 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
-use super::{Condition, ProvedEvent, ProvedFreeMotion, ProvedOrbit, Quotient, Stability, Units, krawczyk};
+use super::{
+    Bounded, Condition, ProvedEvent, ProvedFreeMotion, ProvedOrbit, Quotient, Stability, Units, krawczyk,
+};
 use crate::{
     certificate::{
         self, event,
@@ -14,6 +16,7 @@ use crate::{
         },
     },
     error::{Error, Result},
+    machine::Bounds,
     motion,
     number::Ball,
 };
@@ -32,13 +35,13 @@ const FARTHEST: u32 = 26;
 ///
 /// # Errors
 /// An input error: a coefficient of 2³⁰ or more, or no box that the checker accepts.
-pub fn certificate(system: &motion::System<BigRational>, orbit: &ProvedOrbit) -> Result<String> {
-    // Version 1 names coefficients exactly; where one is too long for it, version 2 holds all of them in
-    // intervals.
-    let (units, system) = (orbit.units, orbit.units.scaled(system.clone(), &()));
-    match converted(units, &system, &fraction) {
+pub fn certificate(system: &motion::System<impl Bounded>, orbit: &ProvedOrbit) -> Result<String> {
+    // Version 1 names coefficients exactly; where one is too long for it, or not rational, version 2 holds all
+    // of them in intervals.
+    let (units, system) = (orbit.units, orbit.units.bounded(system));
+    match converted(units, &system, &|[lo, hi]| if lo == hi { fraction(lo) } else { Err(not_exact()) }) {
         Ok(system) => accepted(system, orbit),
-        Err(_) => accepted(converted(units, &system, &range)?, orbit),
+        Err(_) => accepted(converted(units, &system, &between)?, orbit),
     }
 }
 
@@ -84,9 +87,9 @@ fn accepted<C: certificate::orbit::Version>(system: System<C>, orbit: &ProvedOrb
 ///
 /// # Errors
 /// An input error: a coefficient of 2³⁰ or more, or that the checker does not accept it.
-pub fn free_certificate(system: &motion::System<BigRational>, motion: &ProvedFreeMotion) -> Result<String> {
+pub fn free_certificate(system: &motion::System<impl Bounded>, motion: &ProvedFreeMotion) -> Result<String> {
     let pieces = motion.pieces.iter().map(decimal).collect::<Result<_>>()?;
-    let system = converted(motion.units, &motion.units.scaled(system.clone(), &()), &range)?;
+    let system = converted(motion.units, &motion.units.bounded(system), &between)?;
     let certificate = FreeCertificate { system, claim: claim(motion.stability), pieces };
     let text = certificate.to_string();
     let refused = |why| Err(Error::input(format!("the checker does not accept this motion: {why}")));
@@ -241,15 +244,20 @@ fn fraction(x: &BigRational) -> Result<Fraction> {
 }
 
 fn quotient(x: &Quotient) -> Result<event::Quotient> {
-    let too_large = || Error::input("a coefficient is too large an expression of the parameter");
-    let [numerator, denominator] = x.polynomials().ok_or_else(too_large)?;
+    let not_exact =
+        || Error::input("a coefficient is too large an expression of the parameter, or not rational");
+    let [numerator, denominator] = x.polynomials().ok_or_else(not_exact)?;
     let integers = |list: &[BigInt]| list.iter().map(integer).collect::<Result<Vec<_>>>();
-    Ok(event::Quotient { numerator: integers(numerator)?, denominator: integers(denominator)? })
+    Ok(event::Quotient { numerator: integers(&numerator)?, denominator: integers(&denominator)? })
 }
 
-/// Decimals of at most [`DIGITS`] digits as near below and above a number as there are.
-fn range(x: &BigRational) -> Result<Range> {
-    range_of(x, x)
+fn not_exact() -> Error {
+    Error::input("a coefficient is not rational")
+}
+
+/// Decimals of at most [`DIGITS`] digits as near below and above two numbers as there are.
+fn between([lo, hi]: &Bounds) -> Result<Range> {
+    range_of(lo, hi)
 }
 
 /// The same of all numbers from `lo` to `hi`.
@@ -269,10 +277,11 @@ pub(crate) fn range_of(lo: &BigRational, hi: &BigRational) -> Result<Range> {
 /// A quotient divided by the greatest magnitude in its denominator, in intervals.
 pub(super) fn range_quotient(x: &Quotient) -> Result<event::RangeQuotient> {
     let too_large = || Error::input("a coefficient is too large an expression of the parameter");
-    let [numerator, denominator] = x.polynomials().ok_or_else(too_large)?;
-    let greatest = denominator.iter().map(Signed::abs).max().ok_or_else(too_large)?;
-    let ranges = |list: &[BigInt]| -> Result<Vec<Range>> {
-        list.iter().map(|x| range(&BigRational::new(x.clone(), greatest.clone()))).collect()
+    let [numerator, denominator] = x.enclosures().ok_or_else(too_large)?;
+    let greatest = denominator.iter().flatten().map(Signed::abs).max().ok_or_else(too_large)?;
+    let part = |x: &BigInt| BigRational::new(x.clone(), greatest.clone());
+    let ranges = |list: &[[BigInt; 2]]| -> Result<Vec<Range>> {
+        list.iter().map(|[lo, hi]| range_of(&part(lo), &part(hi))).collect()
     };
     Ok(event::RangeQuotient { numerator: ranges(numerator)?, denominator: ranges(denominator)? })
 }

@@ -14,7 +14,6 @@ use crate::{
     attractor::{
         basins::{BasinCell, BasinGrid, Basins, basin_rows},
         detection::Detection,
-        dynamics::SectionState,
         observe::Attraction,
     },
     error::Result,
@@ -188,8 +187,8 @@ fn gather<D: Attraction>(
         end: "periodic",
         period: Some(cycle.period()),
         impacts: Some(cycle.impacts),
-        q: Some(cycle.points[0].plane()[0]),
-        u: Some(cycle.points[0].plane()[1]),
+        q: Some(starts.dynamics.drawn(&cycle.points[0])[0]),
+        u: Some(starts.dynamics.drawn(&cycle.points[0])[1]),
         starts: 0,
     }));
     let class = |cell: &BasinCell| match cell {

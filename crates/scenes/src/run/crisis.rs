@@ -113,7 +113,7 @@ pub(crate) fn crisis(task: &CrisisTask, job: &Job) -> Result<CrisisFindings> {
             offset,
             parameter,
             corner_q: here.corner.state.q,
-            corner_u: here.corner.state.u,
+            corner_u: here.corner.state.u * here.saddle.rate,
             corner_gap: here.corner.gap,
             expansion: here.saddle.multipliers.values()[0].0,
             distance: here.distance,

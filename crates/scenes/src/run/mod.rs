@@ -321,7 +321,7 @@ pub enum Model {
 impl Model {
     fn of(scene: &Scene) -> Result<Model> {
         Ok(match scene.body {
-            Body::Oscillator(_) => Model::Oscillator(scene.exact(&[])?.rounded()),
+            Body::Oscillator(_) => Model::Oscillator(scene.rounded()?),
             Body::Machine(_) => Model::Machine(scene.machine(&[])?),
         })
     }
@@ -329,7 +329,7 @@ impl Model {
     /// The period of the forcing, in the scene's unit of time.
     fn period(&self) -> f64 {
         match self {
-            Model::Oscillator(_) => TAU,
+            Model::Oscillator(system) => TAU / system.shown_rate(),
             Model::Machine(machine) => machine.period,
         }
     }

@@ -13,7 +13,6 @@ use super::{
 use crate::{
     attractor::{
         cycle::Cycle,
-        dynamics::SectionState,
         lyapunov::{Exponent, exponents},
         observe::{Attraction, Observation, ObservedMotion},
     },
@@ -228,7 +227,7 @@ fn attractors<D: Attraction>(
         };
         found.attractors.push(row);
         let points = match &one.cycle {
-            Some(cycle) => cycle.points.iter().map(SectionState::plane).collect(),
+            Some(cycle) => cycle.points.iter().map(|point| dynamics.drawn(point)).collect(),
             None => one.points,
         };
         found.points.push((SectionSet::Attractor(index), points));

@@ -121,6 +121,18 @@ impl Expression {
         Expression::of(&Formula::Binary(Operation::Quotient, parts), &text, &self.key)
     }
 
+    /// xy, reported at the key of x.
+    pub(super) fn times(&self, other: &Expression) -> Expression {
+        let parts = Box::new([self.root.clone(), other.root.clone()]);
+        Expression::of(&Formula::Binary(Operation::Product, parts), &format!("({self})*({other})"), &self.key)
+    }
+
+    /// x^n, reported at the key of x.
+    pub(super) fn to_the(&self, n: i32) -> Expression {
+        let root = Formula::Power(Box::new(self.root.clone()), n);
+        Expression::of(&root, &format!("({self})^{n}"), &self.key)
+    }
+
     /// Whether it is a zero written out.
     pub(super) fn is_zero(&self) -> bool {
         matches!(&self.root, Formula::Number(value) if value.is_zero())

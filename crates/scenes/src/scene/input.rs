@@ -7,7 +7,7 @@ use num_traits::Signed;
 use toml_edit::{Item, Table};
 
 use super::{
-    expression::{Coefficient, Expression, is_name},
+    expression::is_name,
     format::{Foreign, SceneFormat, translate},
     keys::{Entry, Key, Record, Scope, Seen, StopName, Value, keys},
     machine::MachineScene,
@@ -19,8 +19,6 @@ use super::{
 };
 use crate::{
     error::Result,
-    motion::System,
-    number::{Plain, Real},
     output::{LONGEST_SCENE, read_text},
     source::Source,
 };
@@ -191,7 +189,7 @@ impl Scene {
             return Err(self.fail("accuracy.minimum_depth", "must be positive"));
         }
         match self.body {
-            Body::Oscillator(_) => self.exact(&[]).map(|_| ())?,
+            Body::Oscillator(_) => self.rounded().map(|_| ())?,
             Body::Machine(_) => self.machine(&[]).map(|_| ())?,
         }
         for (count, most, key) in
@@ -247,7 +245,7 @@ impl Known<'_> {
             Ok(_) if !read.friction.is_empty() => {
                 Err(Disqualified { key: "friction".into(), why: "has dry friction".into() })
             }
-            Ok((sides, system)) => self.rational(read, &system).map(|()| (sides, system)),
+            Ok((sides, system)) => self.has_weight(read).map(|()| (sides, system)),
             Err(why) => Err(why),
         };
         let why_many = match (one, self.format, read.engine) {
@@ -282,8 +280,8 @@ impl Known<'_> {
         Ok((stops, Body::Machine(machine.clone()), engine, machine))
     }
 
-    /// Whether every coefficient is rational, as `one` has them exactly, and the mass positive.
-    fn rational(&self, read: &File, system: &System<Expression>) -> std::result::Result<(), Disqualified> {
+    /// Whether the mass is positive.
+    fn has_weight(&self, read: &File) -> std::result::Result<(), Disqualified> {
         let exact: Vec<_> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
         let mass = read.system.mass.as_ref().and_then(|mass| mass.entries.first());
         if let Some((_, _, mass)) = mass
@@ -292,16 +290,7 @@ impl Known<'_> {
             let why = "has a mass that is not positive".to_string();
             return Err(Disqualified { key: mass.key.clone(), why });
         }
-        let floats: Vec<_> = exact.iter().map(|value| Plain::ratio(value, &())).collect();
-        let one = |expression: &Expression| match BigRational::value(expression, &exact, &()) {
-            // What has no value at all is told where it is computed.
-            Err(_) if expression.evaluate(&floats, &()).is_ok() => Err(Disqualified {
-                key: expression.key.clone(),
-                why: "has a coefficient that is not rational".to_string(),
-            }),
-            _ => Ok(()),
-        };
-        system.try_map(one).map(|_| ())
+        Ok(())
     }
 }
 

@@ -21,6 +21,7 @@ mod expression;
 mod family;
 mod force;
 mod format;
+mod hidden;
 mod input;
 mod keys;
 mod law;

@@ -101,7 +101,7 @@ impl ChaosTask {
             })
             .collect();
         let system = scene.system()?;
-        let varied = system.try_map(|expression| expression.evaluate(&functions, &()))?;
+        let varied = system.in_radians().try_map(|expression| expression.evaluate(&functions, &()))?;
         if cell.is_empty() {
             return Normal::of(&varied, None, self.side());
         }

@@ -141,15 +141,20 @@ impl OrbitKeys {
         oscillator: &Oscillator,
         check: impl Fn() -> Result<()>,
     ) -> Result<OrbitSearch<Orbit>> {
-        let itinerary = self.itinerary(oscillator.system())?;
+        let (itinerary, rate) = (self.itinerary(oscillator.system())?, oscillator.system().shown_rate());
         if self.start.is_empty() {
-            let speed = self.speed.unwrap_or_else(|| oscillator.unit(&itinerary));
+            let speed = self.speed.map_or_else(|| oscillator.unit(&itinerary), |speed| speed / rate);
             let all = search_while(oscillator, &itinerary, self.starts, speed, check)?;
             let nothing = all.found.is_empty();
             let why = nothing.then(|| search_obstacle(oscillator, &itinerary, self.starts, speed)).flatten();
             return why.map_or(Ok(all), Err);
         }
-        find(oscillator, &itinerary, self.unknowns(|speed| speed)).map(|orbit| OrbitSearch::of_one(Ok(orbit)))
+        let mut start = self.unknowns(|speed| speed / rate);
+        if self.pattern.is_empty() {
+            // q and u.
+            start.iter_mut().skip(1).for_each(|u| *u /= rate);
+        }
+        find(oscillator, &itinerary, start).map(|orbit| OrbitSearch::of_one(Ok(orbit)))
     }
 }
 

@@ -1,8 +1,11 @@
 //! What a scene says to the engine `one`, if its system qualifies: an oscillator of mass 1 with one degree of
 //! freedom, whose forcing has period 2π, between rigid stops.
 //!
-//! All that is made into it is exact: a mass divides forces as expressions, and a row −1 changes signs. The
-//! first rounding is that of a coefficient's value.
+//! All that is made into it is exact: a mass divides forces as expressions, another period multiplies them by
+//! powers of the time in a radian, and a row −1 changes signs. The first rounding is that of a coefficient's
+//! value.
+
+use std::sync::Arc;
 
 use num_rational::BigRational;
 use num_traits::One;
@@ -19,7 +22,7 @@ use super::{
 use crate::{
     error::Result,
     formula::{Formula, Operation},
-    motion::{Harmonic, Side, SmoothForce, System, Wall},
+    motion::{Harmonic, Side, SmoothForce, System, TIME, U, Wall},
 };
 
 /// Why a system is not one for `one`: the key that disqualifies it, and what it says.
@@ -53,23 +56,29 @@ pub(super) fn oscillator(
     if size > 1 {
         return not("system.mass", format!("has {size} degrees of freedom"));
     }
-    if !is_two_pi(keys) {
-        let key = if keys.period.is_some() { "system.period" } else { "system.frequency" };
-        return not(key, "has a period that is not 2π");
-    }
+    let radian = radian(keys);
     // What divides all forces: none for 1, so that nothing is changed.
     let mass = match keys.mass.as_ref().map(|mass| mass.entries.first()) {
         Some(None) => return not("system.mass", "has no mass"),
         Some(Some((_, _, mass))) if !is_one(mass) => Some(mass),
         _ => None,
     };
-    let over_mass = |given: &Expression| mass.map_or_else(|| given.clone(), |mass| given.over(mass));
-    let zero = Expression::parse("0", &[])?;
-    let or_zero = |given: Option<&Expression>| given.map_or_else(|| zero.clone(), over_mass);
-    let coefficient = |given: &Option<MatrixValue>| {
-        or_zero(given.as_ref().and_then(|all| all.entries.first()).map(|entry| &entry.2))
+    // Forces per mass in the unit of time in which a radian takes 1.
+    let per_radian = |given: &Expression, times: i32| match &radian {
+        Some(radian) if !given.is_zero() => given.times(&radian.to_the(times)),
+        _ => given.clone(),
     };
-    let load = |given: &CoordinateList| or_zero(given.entries.first());
+    let over_mass = |given: &Expression, times: i32| {
+        per_radian(&mass.map_or_else(|| given.clone(), |mass| given.over(mass)), times)
+    };
+    let zero = Expression::parse("0", &[])?;
+    let or_zero = |given: Option<&Expression>, times: i32| {
+        given.map_or_else(|| zero.clone(), |given| over_mass(given, times))
+    };
+    let coefficient = |given: &Option<MatrixValue>, times: i32| {
+        or_zero(given.as_ref().and_then(|all| all.entries.first()).map(|entry| &entry.2), times)
+    };
+    let load = |given: &CoordinateList| or_zero(given.entries.first(), 2);
     let forcing = |given: &LoadKeys| Harmonic { k: given.k, cos: load(&given.cos), sin: load(&given.sin) };
     let force = match mass {
         Some(mass) => keys.force.mapped(|text| format!("({text})/({mass})")),
@@ -77,19 +86,23 @@ pub(super) fn oscillator(
     };
     let force = force.read_all(&file.at("system.force"), &Variables::of(1, file.scope.format))?;
     let force = force.into_iter().next().map_or_else(|| ForceKey::constant("0"), Ok)?;
-    let (force, smooth) = force.parts()?;
+    let (force, mut smooth) = force.parts()?;
     if smooth.as_ref().is_some_and(SmoothForce::has_kinks) {
         return not("system.force", "has a force with kinks");
     }
+    if let (Some(force), Some(radian)) = (&mut smooth, &radian) {
+        *force = in_radians(force, radian);
+    }
     let mut system = System {
-        damping: coefficient(&keys.damping),
-        stiffness: coefficient(&keys.stiffness),
-        cubic: or_zero(keys.cubic.as_ref()),
-        force,
+        damping: coefficient(&keys.damping, 1),
+        stiffness: coefficient(&keys.stiffness, 2),
+        cubic: or_zero(keys.cubic.as_ref(), 2),
+        force: per_radian(&force, 2),
         forcing: keys.forcing.iter().map(forcing).collect(),
         smooth,
         lower: None,
         upper: None,
+        rate: radian.as_ref().map(|radian| radian.to_the(-1)),
     };
     let mut sides = Vec::new();
     for (i, keys) in (1..).zip(stops) {
@@ -146,24 +159,40 @@ fn is_one(expression: &Expression) -> bool {
     !expression.mentions(&|_| true) && expression.evaluate::<BigRational>(&[], &()).is_ok_and(|x| x.is_one())
 }
 
-/// Whether the forcing's period is 2π exactly, whatever the parameters are.
-fn is_two_pi(keys: &SystemKeys) -> bool {
-    let constant = |formula: Option<Formula>, value: i32| {
-        let formula = formula.filter(|formula| formula.is_rational() && !formula.mentions(&|_| true));
-        let number = formula.and_then(|it| Expression::of(&it, "", "").evaluate(&[], &()).ok());
-        number == Some(BigRational::from_integer(value.into()))
+/// The same acceleration in the unit of time in which a radian takes 1.
+fn in_radians(force: &SmoothForce<Expression>, radian: &Expression) -> SmoothForce<Expression> {
+    let mut coefficients = force.coefficients.clone();
+    // After the three variables.
+    let first = TIME + 1 + coefficients.len();
+    coefficients.extend([radian.to_the(2), radian.to_the(-1)]);
+    let times = |a, b| Formula::Binary(Operation::Product, Box::new([a, b]));
+    let shown = |place| match Formula::Variable(place) {
+        velocity if place == U => times(velocity, Formula::Variable(first + 1)),
+        other => other,
     };
-    match (&keys.period, &keys.frequency) {
-        (Some(period), _) => constant(over_pi(&period.root), 2),
-        (None, Some(frequency)) => {
-            let Formula::Binary(Operation::Quotient, parts) = &frequency.root else { return false };
-            let halves = over_pi(&parts[1]);
-            let ratio = halves
-                .map(|halves| Formula::Binary(Operation::Quotient, Box::new([halves, parts[0].clone()])));
-            constant(ratio, 2)
-        }
-        (None, None) => true,
-    }
+    let formula = times(force.formula.substituted(&shown), Formula::Variable(first));
+    SmoothForce { formula: Arc::new(formula), text: force.text.clone(), coefficients }
+}
+
+/// The time in which the forcing's phase goes on by a radian: T/2π, without π where that can be taken out; none
+/// where it is 1 whatever the parameters are.
+fn radian(keys: &SystemKeys) -> Option<Expression> {
+    let two = || Formula::Number(BigRational::from_integer(2.into()));
+    let quotient = |a, b| Formula::Binary(Operation::Quotient, Box::new([a, b]));
+    let product = |a, b| Formula::Binary(Operation::Product, Box::new([a, b]));
+    let one = || Formula::Number(BigRational::one());
+    let (key, above, below) = match (&keys.period, &keys.frequency) {
+        (Some(period), _) => (period, period.root.clone(), one()),
+        (None, Some(frequency)) => match &frequency.root {
+            Formula::Binary(Operation::Quotient, parts) => (frequency, parts[1].clone(), parts[0].clone()),
+            root => (frequency, one(), root.clone()),
+        },
+        (None, None) => return None,
+    };
+    let over = over_pi(&above).map_or_else(|| quotient(above, Formula::Pi), |halves| halves);
+    let root = quotient(over, product(two(), below));
+    let text = if keys.period.is_some() { format!("({key})/(2*pi)") } else { format!("1/(2*pi*({key}))") };
+    Some(Expression::of(&root, &text, &key.key)).filter(|radian| !is_one(radian))
 }
 
 /// The formula over π, where π is a factor that can be taken out of it.

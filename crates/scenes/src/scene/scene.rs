@@ -23,12 +23,21 @@ use super::{
 use crate::{
     error::{Error, Result},
     motion::{Contact, State, System},
-    number::{Plain, Real},
-    search::orbit::Quotient,
+    number::{Ball, Elementary, Plain, Precision, Real},
+    search::{machine::Bounds, orbit::Quotient},
     source::{Source, hint},
 };
 
-impl Coefficient for Quotient {}
+impl Coefficient for Quotient {
+    fn pi((): &()) -> Result<Self> {
+        let pi = <Ball as Elementary>::pi(&Precision::new(PI_BITS));
+        let bounds = pi.exact_bounds();
+        bounds.map(|(lo, hi)| Quotient::between([&lo, &hi])).ok_or_else(|| Error::input("π has no bounds"))
+    }
+}
+
+/// Of π in quotients of polynomials: more than the digits of a certificate take.
+const PI_BITS: u32 = 256;
 
 /// An oscillator with named parameters, what to do with it, and how accurately.
 #[derive(Debug, Clone, PartialEq)]
@@ -157,6 +166,16 @@ impl Scene {
         self.mass.as_ref().map_or(Ok(1.0), |mass| self.number(mass))
     }
 
+    /// Radians of the forcing in a unit of time, where the engine is `one`: velocities divided by this are those
+    /// of its motions.
+    ///
+    /// # Errors
+    /// Where it is not defined.
+    pub(crate) fn rate(&self) -> Result<f64> {
+        let Body::Oscillator(system) = &self.body else { return Ok(1.0) };
+        system.rate.as_ref().map_or(Ok(1.0), |rate| self.number(rate))
+    }
+
     /// A text of the oscillator: its parameters with their values, and its equation and walls as expressions
     /// in them, without the spaces in them. Scenes with the same text have the same motions; titles, tasks,
     /// comments and the order of keys do not matter.
@@ -210,6 +229,52 @@ impl Scene {
         Ok(system)
     }
 
+    /// The system in floats: each coefficient rounded from its exact value, or computed in floats where some
+    /// are not rational.
+    ///
+    /// # Errors
+    /// As [`Scene::exact`], but for what is not rational.
+    pub fn rounded(&self) -> Result<System<f64>> {
+        match self.exact(&[]) {
+            Ok(system) => Ok(system.rounded()),
+            // Where floats have no value either, the exact one says what is wrong.
+            Err(error) => self.plain(&[]).map_err(|_| error),
+        }
+    }
+
+    /// Two numbers between which each coefficient lies, equal for one that is rational, and the rate; with
+    /// another value of a parameter if there is one. The system's own rate is left out.
+    ///
+    /// # Errors
+    /// As [`Scene::exact`], but for what is not rational.
+    pub(crate) fn enclosed(
+        &self,
+        change: Option<(&str, &BigRational)>,
+        precision: &Precision,
+    ) -> Result<(System<Bounds>, Ball)> {
+        let mut exact: Vec<BigRational> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
+        if let Some((name, value)) = change {
+            exact[self.parameter(name)?].clone_from(value);
+        }
+        let balls: Vec<Ball> = exact.iter().map(|value| Ball::ratio(value, precision)).collect();
+        let ball = |expression: &Expression| {
+            let fail =
+                |message: &str| self.fail(&expression.key, &format!("{message}{}", self.point(&exact)));
+            expression.evaluate(&balls, precision).map_err(|error| fail(&error.to_string()))
+        };
+        let written = self.system()?;
+        let rate = written.rate.as_ref().map_or_else(|| Ok(Ball::integer(1, precision)), ball)?;
+        let system = written.in_radians();
+        let system = system.try_map(|expression| {
+            if let Ok(value) = expression.evaluate(&exact, &()) {
+                return Ok([value.clone(), value]);
+            }
+            let bounds = ball(expression)?.exact_bounds();
+            bounds.map(|(lo, hi)| [lo, hi]).ok_or_else(|| self.fail(&expression.key, "cannot be enclosed"))
+        })?;
+        Ok((system, rate))
+    }
+
     /// The system in plain floats, for parameters that vary continuously; otherwise as [`Scene::exact`].
     ///
     /// # Errors
@@ -235,7 +300,7 @@ impl Scene {
     pub(crate) fn number(&self, expression: &Expression) -> Result<f64> {
         let values: Vec<BigRational> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
         let exact = self.value(expression, &values, float, &|| self.point(&values));
-        if exact.is_err() && matches!(self.body, Body::Machine(_)) {
+        if exact.is_err() {
             let values: Vec<Plain> = values.iter().map(|value| Plain::ratio(value, &())).collect();
             let floats: Vec<f64> = values.iter().map(|value| value.0).collect();
             return Ok(self.value(expression, &values, |x| x.0, &|| self.point(&floats))?.0);
@@ -243,7 +308,7 @@ impl Scene {
         Ok(float(&exact?))
     }
 
-    /// A state to start from, rounded from its exact values.
+    /// A state to start from, rounded from its exact values; its velocity is per radian of the forcing.
     ///
     /// # Errors
     /// As [`Scene::exact`].
@@ -255,7 +320,7 @@ impl Scene {
                 Err(self.fail(key, "is a list; here there is one displacement and one velocity"))
             }
         };
-        Ok(State { t: phase(&start.phase), q: one(&start.q)?, u: one(&start.u)? })
+        Ok(State { t: phase(&start.phase), q: one(&start.q)?, u: one(&start.u)? / self.rate()? })
     }
 
     /// What the axes of an oscillator's plane of starts are: two of `q`, `u` and `phase`; without names the
@@ -299,6 +364,13 @@ impl Scene {
 
     fn check(&self, system: &System<f64>, point: &dyn Fn() -> String) -> Result<()> {
         let written = self.system()?;
+        if let (Some(rate), Some(written)) = (system.rate, &written.rate) {
+            let period = TAU / rate;
+            if rate.is_nan() || period <= 0.0 || !period.is_finite() {
+                let message = format!("makes the period {period}; it must be positive{}", point());
+                return Err(self.fail(&written.key, &message));
+            }
+        }
         for (wall, plain) in [(&written.lower, &system.lower), (&written.upper, &system.upper)] {
             if let (Some(wall), Some(plain)) = (wall, plain)
                 && plain.restitution < 0.0

@@ -42,7 +42,7 @@ impl Scene {
     pub(crate) fn span(&self, task: &SimulateTask) -> Result<f64> {
         let Some(duration) = &task.duration else { return Ok(f64::from(task.periods)) };
         let period = match self.body {
-            Body::Oscillator(_) => TAU,
+            Body::Oscillator(_) => TAU / self.rounded()?.shown_rate(),
             Body::Machine(_) => self.machine(&[])?.period,
         };
         let span = self.number(duration)? / period;
@@ -133,7 +133,7 @@ impl Scene {
     /// As [`machine`](Self::machine), and as [`exact`](Self::exact) where the engine is `one`.
     pub fn written(&self) -> Result<WrittenMachine> {
         match &self.body {
-            Body::Oscillator(_) => self.exact(&[]).map(drop)?,
+            Body::Oscillator(_) => self.rounded().map(drop)?,
             Body::Machine(_) => self.machine(&[]).map(drop)?,
         }
         let exact: Vec<_> = self.parameters.iter().map(|(_, value)| value.clone()).collect();

@@ -1,6 +1,7 @@
 //! The forms of a scene: each the same question, and how its report is read in the frame of the scene.
 
 mod changed;
+mod clock;
 mod far;
 mod formula;
 mod machine;
@@ -14,6 +15,8 @@ mod rubbing;
 mod units;
 mod upgraded;
 mod words;
+
+use std::f64::consts::TAU;
 
 use grazing_scenes::{number::Plain, scene::Expression};
 use toml::{Table, Value};
@@ -246,6 +249,8 @@ pub fn forms(base: &Table) -> Vec<Form> {
         units::units("lengths in a smaller unit", base, [1_048_576.0, 1.0, 1.0]),
         units::units("lengths in a larger unit", base, [1.0 / 1_048_576.0, 1.0, 1.0]),
         units::units("times and masses in other units", base, [1.0, 64.0, 0.25]),
+        clock::clock(base, ("another unit of time", Level::Exact), "pi/32", 1.0 / 64.0),
+        clock::clock(base, ("in hertz", Level::Rounding), "1/4", 0.25 / TAU),
         mirrored::mirrored(base),
         phase::shifted("shifted by a quarter", base, 0.25),
         phase::shifted("shifted by a tenth", base, 0.1),

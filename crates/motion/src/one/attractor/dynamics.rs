@@ -60,7 +60,7 @@ impl Motion for Run<'_> {
             if let Event::End(end) = event {
                 return Ok(end);
             }
-            seen.meet(event.velocity().map(|velocity| -velocity), 1.0);
+            seen.meet(event.velocity().map(|velocity| -velocity), self.rate());
         }
     }
 }
@@ -82,7 +82,11 @@ impl Dynamics for Simulator {
     }
 
     fn in_plane(&self, [q, u]: [f64; 2], phase: f64) -> State {
-        State { t: phase, q, u }
+        State { t: phase, q, u: u / self.rate() }
+    }
+
+    fn drawn(&self, &[q, u]: &[f64; 2]) -> [f64; 2] {
+        [q, u * self.rate()]
     }
 
     fn at(&self, coordinates: &[f64], phase: f64) -> State {

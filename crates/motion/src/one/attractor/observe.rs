@@ -4,6 +4,7 @@ use crate::{
     attractor::{
         cycle::Cycle,
         detection::{Fate, Recurrence},
+        dynamics::Dynamics,
         observe::{Observation, Observed, ObservedMotion, one_by_one},
     },
     error::Result,
@@ -88,9 +89,11 @@ pub(super) fn observe(
         let mut failed = None;
         seen.retain_mut(|(motion, settled, stage)| {
             let outcome = match batch.end(*motion) {
-                RunEnd::Reached => match stage.see(&batch, *motion, *settled, observation).and_then(|seen| {
-                    seen.map(|seen| seen.on_its_cycle(simulators[*motion], observation.phase)).transpose()
-                }) {
+                RunEnd::Reached => match stage
+                    .see(&batch, *motion, *settled, (simulators[*motion], observation))
+                    .and_then(|seen| {
+                        seen.map(|seen| seen.on_its_cycle(simulators[*motion], observation.phase)).transpose()
+                    }) {
                     Ok(Some(observed)) => Ok(observed),
                     Ok(None) => return true,
                     Err(error) => {
@@ -118,7 +121,7 @@ impl Stage<'_> {
         batch: &Batch,
         motion: usize,
         settled: State,
-        observation: &Observation,
+        (simulator, observation): (&Simulator, &Observation),
     ) -> Result<Option<Observed<State, [f64; 2]>>> {
         let (at, impacts) = (batch.point(motion), batch.impacts(motion));
         match self {
@@ -137,7 +140,7 @@ impl Stage<'_> {
             Stage::Shows { left, points, .. } => {
                 *left -= 1;
                 if observation.keeps(batch.period(motion)) {
-                    points.push(at);
+                    points.push(simulator.drawn(&at));
                 }
             }
         }

@@ -36,6 +36,8 @@ pub struct Orbit {
     /// The size of motions that strike its walls (`Oscillator::unit`): what lengths and speeds are measured
     /// by where it is decided whether they are 0.
     pub unit: f64,
+    /// Radians in a unit of the time in which speeds are shown; those above are per radian.
+    pub rate: f64,
 }
 
 /// An impact of an orbit.
@@ -110,7 +112,8 @@ pub fn describe(oscillator: &Oscillator, itinerary: &Itinerary, root: Root) -> R
     let multipliers = Multipliers::new(&monodromy(oscillator, itinerary, &z)?, oscillator, itinerary, &z)?;
     let Check { admissibility, least } = check(oscillator, itinerary, &z);
     let unit = oscillator.unit(itinerary);
-    Ok(Orbit { itinerary: itinerary.clone(), multipliers, admissibility, least, residual, steps, z, unit })
+    let (itinerary, rate) = (itinerary.clone(), oscillator.system().shown_rate());
+    Ok(Orbit { itinerary, multipliers, admissibility, least, residual, steps, z, unit, rate })
 }
 
 /// The full period's linearisation, from just after the first impact (from t = 0 without impacts): flow

@@ -31,7 +31,7 @@
 //! let (damping, stiffness, cubic, force) = (0.0, 0.0, 0.0, -1.0);
 //! let lower = Some(table);
 //! let (forcing, smooth, upper) = (vec![], None, None);
-//! let ball = System { damping, stiffness, cubic, force, forcing, smooth, lower, upper };
+//! let ball = System { damping, stiffness, cubic, force, forcing, smooth, lower, upper, rate: None };
 //! let simulator = Simulator::new(&ball, &Settings::default())?;
 //! let mut run = simulator.start(Time::new(0, 0.0), 0.5, 0.0)?;
 //! let mut rest = None;
@@ -126,6 +126,8 @@ pub struct Simulator {
     walls: Walls,
     settings: Settings,
     tally: Option<Arc<EffectTally>>,
+    /// Radians in a unit of the time in which velocities are shown.
+    rate: f64,
 }
 
 #[derive(Debug, Clone)]
@@ -136,7 +138,10 @@ enum Method {
 }
 
 /// A trajectory under way.
-pub struct Run<'a>(Box<dyn Engine + 'a>);
+pub struct Run<'a> {
+    engine: Box<dyn Engine + 'a>,
+    rate: f64,
+}
 
 impl Simulator {
     /// Builds what the system needs and nothing else; O(16 R (walls + harmonics)) for a linear one, R the
@@ -169,7 +174,14 @@ impl Simulator {
             Free::Linear(linear) => Method::Still(Grid::new(linear, &walls.contacts)?),
             Free::Taylor(taylor) => Method::Steps(Steps::new(taylor, &walls.contacts)),
         };
-        Ok(Simulator { method, flow, walls, settings: settings.clone(), tally: None })
+        Ok(Simulator {
+            method,
+            flow,
+            walls,
+            settings: settings.clone(),
+            tally: None,
+            rate: system.shown_rate(),
+        })
     }
 
     /// The same simulator, the work of its runs added up in `tally`. What counting costs has not been
@@ -188,6 +200,11 @@ impl Simulator {
             Some(tally) => self.counting(tally.clone()),
             None => self,
         }
+    }
+
+    /// Radians in a unit of the time in which velocities are shown.
+    pub fn rate(&self) -> f64 {
+        self.rate
     }
 
     /// How finely it simulates.
@@ -276,7 +293,7 @@ impl Simulator {
 
     fn rejoin<'a>(&'a self, pieces: &'a impl Pieces, aloft: Aloft, counter: impl Counter + 'a) -> Run<'a> {
         let (walls, settings) = (&self.walls, &self.settings);
-        Run(match walls.contacts {
+        let engine: Box<dyn Engine + 'a> = match walls.contacts {
             [Some(_), Some(_)] => {
                 Box::new(Loop::<_, _, true, true>::resume(pieces, walls, settings, aloft, counter))
             }
@@ -284,7 +301,8 @@ impl Simulator {
                 Box::new(Loop::<_, _, true, false>::resume(pieces, walls, settings, aloft, counter))
             }
             [None, _] => Box::new(Loop::<_, _, false, true>::resume(pieces, walls, settings, aloft, counter)),
-        })
+        };
+        Run { engine, rate: self.rate }
     }
 
     fn run<'a>(
@@ -295,7 +313,7 @@ impl Simulator {
         counter: impl Counter + 'a,
     ) -> Result<Run<'a>> {
         let (walls, settings) = (&self.walls, &self.settings);
-        Ok(Run(match walls.contacts {
+        let engine: Box<dyn Engine + 'a> = match walls.contacts {
             [None, None] => {
                 Box::new(Loop::<_, _, false, false>::new(pieces, walls, settings, time, at, counter)?)
             }
@@ -308,29 +326,35 @@ impl Simulator {
             [Some(_), Some(_)] => {
                 Box::new(Loop::<_, _, true, true>::new(pieces, walls, settings, time, at, counter)?)
             }
-        }))
+        };
+        Ok(Run { engine, rate: self.rate })
     }
 }
 
 impl Run<'_> {
+    /// Radians in a unit of the time in which velocities are shown.
+    pub(crate) fn rate(&self) -> f64 {
+        self.rate
+    }
+
     /// On to the next event, no further than `until`. An impact at the initial time comes first of all.
     pub fn next(&mut self, until: Time) -> Event {
-        self.0.next(until)
+        self.engine.next(until)
     }
 
     /// Where the run is in time.
     pub fn time(&self) -> Time {
-        self.0.time()
+        self.engine.time()
     }
 
     /// The motion now, after the impact if there is one; t is the phase.
     pub fn state(&self) -> State {
-        self.0.state()
+        self.engine.state()
     }
 
     /// How many impacts there were.
     pub fn impacts(&self) -> u64 {
-        self.0.impacts()
+        self.engine.impacts()
     }
 
     /// On to `until`, events unseen.

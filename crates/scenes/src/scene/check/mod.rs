@@ -48,7 +48,7 @@ impl Scene {
     pub fn for_task(&self, task: &Task, changes: &[(String, BigRational)]) -> Result<Scene> {
         let scene = self.alone(&task.set)?.with(changes)?;
         let model = match scene.body {
-            Body::Oscillator(_) => Model::One(scene.exact(&[])?.rounded()),
+            Body::Oscillator(_) => Model::One(scene.rounded()?),
             Body::Machine(_) => Model::Many(scene.machine(&[])?),
         };
         scene.wear()?;
@@ -62,18 +62,11 @@ impl Scene {
             format!("the restitution of {what} is {value}, above 1: every impact there adds energy")
         };
         let Ok(scene) = self.machine_scene() else {
-            let Ok(system) = self.exact(&[]) else { return Vec::new() };
+            let Ok(system) = self.rounded() else { return Vec::new() };
             let sides = [Side::Lower, Side::Upper].into_iter();
-            let walls = sides.filter_map(|side| Some((side, system.wall(side)?)));
-            let gains = walls.filter(|(_, wall)| wall.restitution > num_traits::One::one());
-            return gains
-                .map(|(side, wall)| {
-                    let (name, value) = (side.name(), &wall.restitution);
-                    format!(
-                        "the {name} wall's restitution is {value}, above 1: every impact there adds energy"
-                    )
-                })
-                .collect();
+            let walls = sides.filter_map(|side| Some((side, system.wall(side)?.restitution)));
+            let gains = walls.filter(|(_, restitution)| *restitution > 1.0);
+            return gains.map(|(side, value)| adds(format!("the {} stop", side.name()), &value)).collect();
         };
         let laws = self.machine(&[]).map(|machine| machine.stops).unwrap_or_default();
         let faster = laws.iter().filter_map(|stop| {

@@ -200,7 +200,7 @@ impl<'a> Group<'a> {
             };
             self.impacts[lane] = run.impacts();
             self.ends[lane] = end;
-            let back = run.0.aloft().filter(|aloft| {
+            let back = run.engine.aloft().filter(|aloft| {
                 let Cursor { period, cell, from, .. } = aloft.cursor;
                 (period, cell, from) == (until.period, self.cell, self.from)
             });

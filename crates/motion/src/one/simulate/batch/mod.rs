@@ -22,7 +22,7 @@
 //! let wall = Wall { offset: -1.0, harmonics, restitution: 1.0 };
 //! let (damping, stiffness, cubic, force) = (0.245, 0.0416, 0.0, 0.0);
 //! let (lower, upper, forcing, smooth) = (Some(wall), None, vec![], None);
-//! let system = System { damping, stiffness, cubic, force, forcing, smooth, lower, upper };
+//! let system = System { damping, stiffness, cubic, force, forcing, smooth, lower, upper, rate: None };
 //! let simulator = Simulator::new(&system, &Settings::default())?;
 //! let start = |i: u32| simulator.start(Time::new(0, 1.0), f64::from(i) / 10.0, 0.0);
 //! let mut motions = Vec::new();

@@ -23,7 +23,7 @@ use crate::{
         orbit::{Family, find},
     },
     pattern::{Graph, Map, Report as Verdict},
-    scene::{Expression, SceneFamily, orbits::GrazingTask, tolerated::ToleratedMachines},
+    scene::{Expression, Scene, SceneFamily, Tolerances, orbits::GrazingTask, tolerated::ToleratedMachines},
     search::{range::RangeEffort, touch::leading_impacts},
 };
 
@@ -38,6 +38,10 @@ pub(crate) struct OscillatorGrazing<'f> {
     pub orbit: String,
     /// A state of it, half a period from the touch.
     pub far: State,
+    /// Radians in the scene's unit of time, at the touch.
+    pub rate: f64,
+    /// The scene as its tolerances are asked of, and they, that of π included where π stands in a coefficient.
+    pub tolerated: (Scene, Tolerances),
 }
 
 impl OscillatorGrazing<'_> {
@@ -48,9 +52,10 @@ impl OscillatorGrazing<'_> {
 
     /// The machines that the task's tolerances allow, or why these are not covered.
     pub fn machines(&self) -> Result<std::result::Result<ToleratedMachines, String>> {
-        let (itinerary, system, scene) = (&self.event.itinerary, self.job.scene.system()?, &self.job.scene);
+        let (scene, tolerances) = &self.tolerated;
+        let (itinerary, system) = (&self.event.itinerary, scene.system()?);
         let named = |expression: &Expression| {
-            let places = self.task.tolerance.0.iter().map(|(name, _)| scene.parameter(name));
+            let places = tolerances.0.iter().map(|(name, _)| scene.parameter(name));
             let places = places.collect::<Result<Vec<usize>>>()?;
             Ok::<_, Error>(expression.mentions(&|place| places.contains(&place)))
         };
@@ -70,7 +75,7 @@ impl OscillatorGrazing<'_> {
         let Ok(value) = parse_rational(&format!("{:.11e}", self.event.parameter)) else {
             return not("the parameter at the touch is not a number");
         };
-        scene.tolerated(&self.task.tolerance, (&self.task.parameter, &value))
+        scene.tolerated(tolerances, (&self.task.parameter, &value))
     }
 }
 
@@ -85,7 +90,7 @@ impl GrazingPoint for OscillatorGrazing<'_> {
             orbit: Some(self.orbit.clone()),
             stop: self.job.stop(event.side()),
             phase: turn(event.phase()),
-            map: MapNumbers::of(self.local(), 1.0),
+            map: MapNumbers::of(self.local(), self.rate),
             admissible: match (event.second, event.admissible) {
                 (Some(_), _) if half.is_none() => Judgement::Marginal,
                 (Some(_), _) | (None, true) => Judgement::Yes,

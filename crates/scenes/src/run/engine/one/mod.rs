@@ -109,8 +109,9 @@ fn named(pattern: &Itinerary, job: &Job) -> String {
     pattern.with_names(|side| several.then(|| job.stop(side)))
 }
 
+/// The speeds of its impacts, in the scene's unit of time.
 fn speeds(orbit: &Orbit) -> Vec<f64> {
-    orbit.impacts().map(|impact| impact.speed).collect()
+    orbit.impacts().map(|impact| impact.speed * orbit.rate).collect()
 }
 
 fn analysed(orbit: &Orbit, job: &Job, at: Option<Bifurcation>) -> Analysed {
@@ -184,12 +185,13 @@ impl<'j> Engine for Oscillators<'j> {
             Some(start) => State { t: at.t, ..self.job.scene.state(start)? },
             None => at,
         };
+        let rate = dynamics.rate();
         let place = move |_: &Simulator, numbers: [f64; 2]| {
             let mut start = base;
             for (axis, x) in axes.into_iter().zip(numbers) {
                 match axis {
                     StartAxis::Place => start.q = x,
-                    StartAxis::Speed => start.u = x,
+                    StartAxis::Speed => start.u = x / rate,
                     StartAxis::Phase => start.t = TAU * (x - x.floor()),
                 }
             }
@@ -219,7 +221,7 @@ impl<'j> Engine for Oscillators<'j> {
     }
 
     fn numbers(&self, &State { t, q, u }: &State) -> StartNumbers {
-        (t, vec![q], vec![u])
+        (t, vec![q], vec![u * self.system.shown_rate()])
     }
 
     fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings> {
@@ -235,7 +237,8 @@ impl<'j> Engine for Oscillators<'j> {
         let (names, stops): (Vec<String>, _) = stops
             .filter_map(|stop| Some((stop.name.clone(), simulator.contact(stop.side?)?.clone())))
             .unzip();
-        all_rests(&RestingOscillator::new(simulator, stops, order), &names, 1.0, task)
+        let rate = system.shown_rate();
+        all_rests(&RestingOscillator::new(simulator, stops, order), &names, rate, task)
     }
 
     fn machines(&self, family: &SceneFamily, value: f64) -> Result<[Machine<f64>; 2]> {
@@ -309,8 +312,12 @@ impl<'j> Engine for Oscillators<'j> {
         // Two grazings in a period are the theory's business only if a symmetry makes them one.
         let half = event.half_map(&family.at(event.parameter)?);
         let (job, orbit) = (self.job, named(&orbit.itinerary, self.job));
-        let far = far_from(&event, &located.orbit, &family.at(event.parameter)?)?;
-        Ok(Ok(OscillatorGrazing { task, job, family, event, half, orbit, far }))
+        let there = family.at(event.parameter)?;
+        let far = far_from(&event, &located.orbit, &there)?;
+        let rate = there.system().shown_rate();
+        let own = || (job.scene.clone(), task.tolerance.clone());
+        let tolerated = job.scene.with_pi(&task.tolerance)?.unwrap_or_else(own);
+        Ok(Ok(OscillatorGrazing { task, job, family, event, half, orbit, far, rate, tolerated }))
     }
 
     fn attracting(&self, oscillator: &Oscillator, from: &State, detection: &Detection) -> Result<Orbit> {
@@ -322,9 +329,9 @@ impl<'j> Engine for Oscillators<'j> {
         change: Option<(&str, &BigRational)>,
         bits: u32,
     ) -> Result<std::result::Result<impl Prover<Orbit>, String>> {
-        let change: Vec<_> = change.map(|(name, value)| (name, value.clone())).into_iter().collect();
-        let (system, precision) = (self.job.scene.exact(&change)?, Precision::new(bits));
-        Ok(Ok(OrbitProver { job: self.job, system, precision }))
+        let precision = Precision::new(bits);
+        let (system, rate) = self.job.scene.enclosed(change, &precision)?;
+        Ok(Ok(OrbitProver { job: self.job, system, rate, precision }))
     }
 
     fn range_prover<'e>(&'e self, parameter: &'e str, bits: u32) -> Result<Box<dyn RangeProver<Orbit> + 'e>> {

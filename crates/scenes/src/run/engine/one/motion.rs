@@ -22,6 +22,8 @@ struct Motion<'a> {
     /// In the scene's order.
     stops: Vec<Contact>,
     mass: f64,
+    /// Radians in the scene's unit of time.
+    rate: f64,
     found: SimulationFindings,
     keeper: &'a mut dyn Keeper,
 }
@@ -36,7 +38,7 @@ pub(super) fn simulate(
     keeper: &mut dyn Keeper,
 ) -> Result<SimulationFindings> {
     let (job, simulator) = (engine.job, engine.job.simulator()?);
-    let start = job.scene.state(&task.start)?;
+    let (start, rate) = (job.scene.state(&task.start)?, simulator.rate());
     let sides = job.scene.stops.iter().filter_map(|stop| Some((stop, stop.side?)));
     let known = |side| simulator.contact(side).cloned();
     let (named, stops): (Vec<SeriesStop>, Vec<Contact>) = sides
@@ -46,19 +48,27 @@ pub(super) fn simulate(
         .unzip();
     let span = job.scene.span(task)?;
     let begin = Time::new(task.transient as i64, start.t).periods();
-    let of = SeriesOf { points: 1, stops: named, friction: vec![], kinks: vec![], period: TAU, begin, span };
+    let of = SeriesOf {
+        points: 1,
+        stops: named,
+        friction: vec![],
+        kinks: vec![],
+        period: TAU / rate,
+        begin,
+        span,
+    };
     keeper.begin(&of)?;
     job.monitor.begin(task.transient + span.ceil() as u64, "periods");
     let run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
     let depth = simulator.settings().minimum_depth;
     let method = if job.is_linear() { "closed form" } else { "Taylor series" };
     let found = SimulationFindings::new(span, (&of, &vec![false; of.stops.len()]), method, depth);
-    let mut motion = Motion { run, stops, mass: job.scene.mass()?, found, keeper };
+    let mut motion = Motion { run, stops, mass: job.scene.mass()?, rate, found, keeper };
     let end = follow((task, span), start.t, &mut motion, job.monitor)?;
     let Motion { run, mut found, .. } = motion;
     let state = run.state();
     let bend = simulator.flow().acceleration(state);
-    found.ended((end, run.time()), [vec![state.q], vec![state.u], vec![bend]]);
+    found.ended((end, run.time()), [vec![state.q], vec![state.u * rate], vec![bend * rate * rate]]);
     Ok(found)
 }
 
@@ -70,10 +80,10 @@ impl SampledMotion for Motion<'_> {
     }
 
     fn record(&mut self, until: Time) -> Result<RunEnd> {
-        let Motion { run, stops, mass, found, keeper } = self;
+        let Motion { run, stops, mass, rate, found, keeper } = self;
         let mut failed = None;
         let end = run.record(until, |event| {
-            let Some(event) = told(&event, stops, *mass) else { return };
+            let Some(event) = told(&event, stops, *mass, *rate) else { return };
             if found.happened(&event) && failed.is_none() {
                 failed = keeper.event(&event).err();
             }
@@ -86,36 +96,38 @@ impl SampledMotion for Motion<'_> {
         let mut gaps = [[0.0; 2]; 2];
         for (gap, stop) in gaps.iter_mut().zip(&self.stops) {
             let ([place, speed, _], sign) = (stop.position.at(time.phase), stop.side.sign());
-            *gap = [sign * (state.q - place), sign * (state.u - speed)];
+            *gap = [sign * (state.q - place), sign * (state.u - speed) * self.rate];
         }
-        let sample = SeriesPoint { time, q: &[state.q], u: &[state.u], gaps: &gaps[..self.stops.len()] };
+        let sample =
+            SeriesPoint { time, q: &[state.q], u: &[state.u * self.rate], gaps: &gaps[..self.stops.len()] };
         self.found.passed(&sample);
         self.keeper.sample(&sample)
     }
 }
 
 /// An event, as it is kept.
-fn told(event: &simulate::Event, stops: &[Contact], mass: f64) -> Option<StopEvent> {
+fn told(event: &simulate::Event, stops: &[Contact], mass: f64, rate: f64) -> Option<StopEvent> {
     let (time, side) = event.at()?;
     let place = stops.iter().position(|stop| stop.side == side)?;
     let [at, speed, _] = stops[place].position.at(time.phase);
-    let known = StopEvent { place: Some([at, speed]), ..StopEvent::new(event.word(), time, place) };
+    let known = StopEvent { place: Some([at, speed * rate]), ..StopEvent::new(event.word(), time, place) };
     Some(match event {
         Event::Impact(impact) => {
-            let leaving = -stops[place].restitution * impact.velocity;
+            let velocity = impact.velocity * rate;
+            let leaving = -stops[place].restitution * velocity;
             StopEvent {
-                velocity: Some(impact.velocity),
+                velocity: Some(velocity),
                 leaving: Some(leaving),
-                impulse: Some(mass * (leaving - impact.velocity)),
-                energy: Some(0.5 * mass * (leaving - impact.velocity) * -(leaving + impact.velocity)),
-                radius: Some(impact.radius),
+                impulse: Some(mass * (leaving - velocity)),
+                energy: Some(0.5 * mass * (leaving - velocity) * -(leaving + velocity)),
+                radius: Some(impact.radius / rate),
                 together: Some(1),
                 order_matters: Some(false),
                 ..known
             }
         }
         Event::Tangency(tangency) => StopEvent { gap: Some(tangency.gap), ..known },
-        Event::Stick(stick) => StopEvent { rest: Some(stick.rest), ..known },
+        Event::Stick(stick) => StopEvent { rest: Some(stick.rest / rate), ..known },
         Event::Release(_) | Event::Touch(_) | Event::Reversal(_) | Event::Kink(_) | Event::End(_) => known,
     })
 }

@@ -27,28 +27,34 @@ use crate::{
         orbit::{Family, Itinerary, Orbit, Unknowns},
     },
     scene::{self, SceneFamily, validate::ValidateTask},
-    search::orbit::{
-        self, BranchProblem, Condition, ExpectedImpact, Jet, ProvedBranch, Quotient, Stability, Verdict,
+    search::{
+        machine::Bounds,
+        orbit::{
+            self, BranchProblem, Condition, ExpectedImpact, Jet, ProvedBranch, Quotient, Stability, Verdict,
+        },
     },
 };
 
 /// Proves orbits of one oscillator.
 pub(super) struct OrbitProver<'e> {
     pub job: &'e Job<'e>,
-    pub system: System<BigRational>,
+    pub system: System<Bounds>,
+    /// Radians in the scene's unit of time, enclosed.
+    pub rate: Ball,
     pub precision: Precision,
 }
 
 impl OrbitProver<'_> {
     /// What is proved of the motion without impacts.
     fn free(&self, approximation: &Orbit) -> Result<Proof> {
-        let OrbitProver { job, system, precision } = self;
+        let OrbitProver { job, system, precision, .. } = self;
         let pattern = named(&approximation.itinerary, job);
         let verdict = match approximation.itinerary.periods() {
             1 => timed(job.monitor, Rung::Ball(precision.bits()), || orbit::free_motion(system, precision))?,
             _ => Verdict::Undecided(SEVERAL_PERIODS.into()),
         };
-        let mut row = ProofRow::of(&verdict, pattern, approximation.z.clone());
+        let [q, u] = [approximation.z[0], approximation.z[1] * approximation.rate];
+        let mut row = ProofRow::of(&verdict, pattern, vec![q, u]);
         let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
         row.proved.trace = digits(&proof.trace);
         row.proved.det = digits(&proof.determinant);
@@ -68,7 +74,7 @@ fn judged(stability: Option<Stability>) -> Judgement {
 
 impl Prover<Orbit> for OrbitProver<'_> {
     fn prove(&self, approximation: &Orbit) -> Result<Proof> {
-        let OrbitProver { job, system, precision } = self;
+        let OrbitProver { job, system, precision, .. } = self;
         if approximation.itinerary.strikes().is_empty() {
             return self.free(approximation);
         }
@@ -76,17 +82,27 @@ impl Prover<Orbit> for OrbitProver<'_> {
         let verdict =
             timed(job.monitor, Rung::Ball(precision.bits()), || orbit::orbit(system, &guess, precision))?;
         let pattern = named(&approximation.itinerary, job);
-        let solution = guess.iter().flat_map(|impact| [turn(impact.phase), impact.velocity]).collect();
+        let solution = shown(&guess, approximation.rate).collect();
         let mut row = ProofRow::of(&verdict, pattern, solution);
         let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
         row.proved.phases = Some(all(&turns(&proof.phases, precision)));
-        row.proved.speeds = Some(all(&proof.velocities));
+        row.proved.speeds = Some(all(&per_time(&proof.velocities, &self.rate)));
         row.proved.only_within = proof.radius.to_f64();
         row.proved.trace = digits(&proof.trace);
         row.proved.det = digits(&proof.determinant);
         row.proved.stable = Some(judged(proof.stability));
         Ok(Proof { row, certificate: Some(orbit::certificate(system, &proof)) })
     }
+}
+
+/// Phases as parts of the period, each before its speed in the scene's unit of time.
+fn shown(impacts: &[ExpectedImpact], rate: f64) -> impl Iterator<Item = f64> {
+    impacts.iter().flat_map(move |impact| [turn(impact.phase), impact.velocity * rate])
+}
+
+/// Enclosed speeds per radian in the scene's unit of time.
+fn per_time(speeds: &[Ball], rate: &Ball) -> Vec<Ball> {
+    speeds.iter().map(|speed| speed.clone() * rate).collect()
 }
 
 /// Enclosed times in radians as parts of the period.
@@ -126,8 +142,7 @@ pub(super) fn events(
                 continue;
             }
         };
-        let solution =
-            guess.iter().flat_map(|impact| [turn(impact.phase), impact.velocity]).chain([parameter]);
+        let solution = shown(&guess, orbit.rate).chain([parameter]);
         let verdict = timed(job.monitor, Rung::Ball(precision.bits()), || {
             orbit::event(exact, &guess, parameter, condition, &precision)
         })?;
@@ -144,7 +159,8 @@ pub(super) fn events(
             row.parameter = digits(&proof.parameter);
             row.width = (&hi - &lo).to_f64();
             row.proved.phases = Some(all(&turns(&proof.phases, &precision)));
-            row.proved.speeds = Some(all(&proof.velocities));
+            let rate = rate_at(job, name, &proof.parameter, &precision)?;
+            row.proved.speeds = Some(all(&per_time(&proof.velocities, &rate)));
             row.proved.only_within = proof.radius.to_f64();
             let family = system_at(job, name, &Quotient::parameter(), &());
             match family.and_then(|system| orbit::event_certificate(&system, name, &proof)) {
@@ -168,13 +184,23 @@ fn system_at<R: scene::Coefficient>(
     parameter: &R,
     context: &R::Context,
 ) -> Result<System<R>> {
-    let values = job
-        .scene
-        .parameters
-        .iter()
-        .map(|(other, value)| if other == name { parameter.clone() } else { R::ratio(value, context) });
-    let values: Vec<R> = values.collect();
-    job.scene.system()?.try_map(|expression| expression.evaluate(&values, context))
+    let values = values_at(job, name, parameter, context);
+    let system = job.scene.system()?.in_radians();
+    system.try_map(|expression| expression.evaluate(&values, context))
+}
+
+/// The values of all parameters at one of a parameter.
+fn values_at<R: Real>(job: &Job, name: &str, parameter: &R, context: &R::Context) -> Vec<R> {
+    let all = job.scene.parameters.iter();
+    all.map(|(other, value)| if other == name { parameter.clone() } else { R::ratio(value, context) })
+        .collect()
+}
+
+/// Radians in the scene's unit of time at a value of a parameter.
+fn rate_at(job: &Job, name: &str, parameter: &Ball, precision: &Precision) -> Result<Ball> {
+    let values = values_at(job, name, parameter, precision);
+    let one = || Ok(Ball::integer(1, precision));
+    job.scene.system()?.rate.as_ref().map_or_else(one, |rate| rate.evaluate(&values, precision))
 }
 
 /// Proves orbits over ranges of a parameter.
@@ -236,7 +262,7 @@ pub(super) fn branches(
         let over = [&task.from, &task.to].map(|end| end.clone().unwrap_or_else(|| at.clone()));
         let verdict = prover.prove(&orbit, at, over)?;
         let impacts = impacts(&orbit.itinerary, &orbit.z);
-        let solution = impacts.iter().flat_map(|impact| [turn(impact.phase), impact.velocity]).collect();
+        let solution = shown(&impacts, orbit.rate).collect();
         let mut row = ProofRow::of(&verdict, named(&orbit.itinerary, job), solution);
         if let Verdict::Proved(proof) = verdict {
             let stretch = Stretch::of(&proof);

@@ -7,7 +7,7 @@ use super::{
     Oscillators,
 };
 use crate::{
-    attractor::cycle::Cycle,
+    attractor::{cycle::Cycle, dynamics::Dynamics},
     error::{Error, Result},
     motion::Contact,
     one::{
@@ -50,7 +50,8 @@ pub(super) fn further(
                 let plan = ManifoldPlan::default().sized(orbit.unit);
                 manifolds(job, simulator, (phase, &plan), &points, found)?;
             }
-            found.points.push((SectionSet::Orbit(found.further_orbits.len()), points));
+            let drawn = points.iter().map(|point| simulator.drawn(point)).collect();
+            found.points.push((SectionSet::Orbit(found.further_orbits.len()), drawn));
             found.further_orbits.push(SectionOrbitRow {
                 pattern: orbit.itinerary.to_string(),
                 stable: orbit.multipliers.is_stable(),
@@ -60,7 +61,7 @@ pub(super) fn further(
     let walls: Vec<Contact> = simulator.contacts().cloned().collect();
     for wall in walls.iter().filter(|_| task.grazing_curve) {
         for piece in touching(simulator.flow(), &walls, wall, phase) {
-            let piece = piece.iter().map(|state| [state.q, state.u]).collect();
+            let piece = piece.iter().map(|state| simulator.drawn(&[state.q, state.u])).collect();
             found.grazing_curve.push((wall.clone(), piece));
         }
     }
@@ -90,7 +91,8 @@ fn manifolds(
             match pieces {
                 Ok(pieces) => {
                     let turned = |piece: Vec<[f64; 2]>| -> Vec<[f64; 2]> {
-                        piece.into_iter().map(|[q, u]| [q, if is_stable { -u } else { u }]).collect()
+                        let turned = |[q, u]: [f64; 2]| simulator.drawn(&[q, if is_stable { -u } else { u }]);
+                        piece.into_iter().map(turned).collect()
                     };
                     found.manifolds.extend(pieces.into_iter().map(|piece| (is_stable, turned(piece))));
                 }

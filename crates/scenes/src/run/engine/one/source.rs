@@ -108,14 +108,14 @@ impl<'a> OrbitSource for OscillatorSource<'a> {
 
     fn grazed(&self, at: &Located<Orbit>) -> Result<Option<Grazed>> {
         let event = grazing::locate(self.family, &at.orbit, at.parameter)?;
-        let map = &event.map;
+        let (map, rate) = (&event.map, at.orbit.rate);
         Ok(Some(Grazed {
             parameter: event.parameter,
             stop: self.job.stop(event.side()),
             phase: turn(event.phase()),
-            acceleration: map.acceleration,
+            acceleration: map.acceleration * rate * rate,
             region: map.region().map(|region| region.to_string()),
-            map: map.gamma().map(|gamma| [gamma, map.e]),
+            map: map.gamma().map(|gamma| [gamma / rate, map.e]),
             sound: event.admissible,
             residual: event.residual,
         }))

@@ -32,7 +32,7 @@ impl<'a> AllMachines<'a> {
     /// # Errors
     /// Those of the scene.
     pub fn new(point: &'a OscillatorGrazing<'a>) -> Result<std::result::Result<AllMachines<'a>, String>> {
-        let (task, scene) = (point.task, &point.job.scene);
+        let (task, scene) = (point.task, &point.tolerated.0);
         let machines = match point.machines()? {
             Ok(machines) => machines,
             Err(why) => return Ok(Err(why)),
@@ -56,12 +56,13 @@ impl<'a> AllMachines<'a> {
 
     /// The system where the parameter and those with tolerances have these values.
     fn system<R: Coefficient<Context = ()>>(&self, at: &[R]) -> Result<System<R>> {
-        let scene = &self.point.job.scene;
+        let scene = &self.point.tolerated.0;
         let mut values: Vec<R> = scene.parameters.iter().map(|(_, value)| R::ratio(value, &())).collect();
         for (place, value) in self.places.iter().zip(at) {
             values[*place] = value.clone();
         }
-        scene.system()?.try_map(|expression| expression.evaluate(&values, &()))
+        let system = scene.system()?.in_radians();
+        system.try_map(|expression| expression.evaluate(&values, &()))
     }
 
     /// Asks something of the box.

@@ -91,7 +91,7 @@ pub(super) fn ranges(
     let exact = |x: f64| BigRational::from_float(x).ok_or_else(|| Error::input("not a number"));
     let unit = STEP * point.unit()? / point.event.map.e.abs();
     let start = [exact(point.event.parameter)?, exact(unit)?];
-    if !point.task.tolerance.0.is_empty() {
+    if !point.tolerated.1.0.is_empty() {
         return of_all(point, effort, start);
     }
     let [at, unit] = &start;
@@ -156,7 +156,8 @@ fn functions(
             false => RationalFunction::ratio(value, &()),
         })
         .collect();
-    scene.system()?.try_map(|expression| expression.evaluate(&values, &()))
+    let system = scene.system()?.in_radians();
+    system.try_map(|expression| expression.evaluate(&values, &()))
 }
 
 impl Near<'_> {

@@ -238,7 +238,14 @@ impl Near<'_> {
                 Err(error) if error.is_interrupted() => Err(error),
                 Err(error) => Ok(open(error.to_string())),
                 Ok(None) => Ok(open("it is not shown where all machines within the tolerances touch".into())),
-                Ok(Some(range)) => Ok(RangeRow::of_all(behind, &range, depth, unit, reason)),
+                Ok(Some(range)) => {
+                    let row = RangeRow::of_all(behind, &range, depth, unit, reason);
+                    let [lower, upper] = &range.touches;
+                    // The machine is one, of which π is known between two numbers.
+                    let touch = || certain_digits(lower, upper, 17);
+                    let is_one = self.point.task.tolerance.0.is_empty();
+                    Ok(if is_one { RangeRow { touch: touch(), touches: None, ..row } } else { row })
+                }
             };
         }
         let known = |range: ParameterRange| match &machines.until {
