@@ -15,6 +15,7 @@ mod formats;
 mod forms;
 mod input;
 mod proved_branches;
+mod proved_clocks;
 mod proved_ranges;
 mod proved_units;
 mod scales;

@@ -54,6 +54,15 @@ impl Quotient {
         Quotient::new([vec![above], vec![exactly(below)]])
     }
 
+    /// Two numbers between which it is, if it does not depend on the parameter.
+    pub fn constant(&self) -> Option<[BigRational; 2]> {
+        let ([above], [below]) = self.value.as_ref().map(|[above, below]| (&above[..], &below[..]))? else {
+            return None;
+        };
+        let ends = || above.iter().flat_map(|x| below.iter().map(|y| BigRational::new(x.clone(), y.clone())));
+        ends().min().zip(ends().max()).map(|(lo, hi)| [lo, hi])
+    }
+
     /// The coefficients by rising powers, of numerator and denominator, whose last is positive, if all are
     /// exact; no integer above 1 divides them all, and none of the two ends in a 0 but the numerator 0 = 0/1.
     /// `None` if not, or if it was too large (powers above 64, integers of more than 16384 bits).

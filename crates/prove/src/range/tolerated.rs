@@ -7,7 +7,9 @@
 //! Then for all b what R is at most or at least at both ends it is between them: a range from where every
 //! machine has passed its touch to where none is deeper than ν has depths up to ν only.
 //!
-//! Derivatives are enclosed on cells of p and b, which are halved where a sign is not certain.
+//! Derivatives are enclosed on cells of p and b, which are halved where a sign is not certain. Of a coordinate
+//! of b whose side is too narrow for that, as that of π, the sign is not asked: R changes along it by no more
+//! than its width times the greatest slope.
 
 use std::collections::BTreeMap;
 
@@ -118,8 +120,19 @@ impl<R: Real<Context = ()>> Seen<R> {
     }
 }
 
-/// Whether a function certainly does not fall, or does not rise, with each of its variables.
-type Ways = Vec<[bool; 2]>;
+/// How a function runs in one of its variables.
+#[derive(Debug, Clone, Copy)]
+struct Way {
+    /// Whether it certainly does not fall, or does not rise, where its sign is asked.
+    way: [bool; 2],
+    /// The greatest slope where it is not.
+    slope: f64,
+}
+
+/// Sides that are narrower than this part of their place are not halved.
+fn is_narrow([lo, hi]: &[Q; 2]) -> bool {
+    (hi - lo) * Q::from_integer((1u64 << 63).into()) < hi.abs()
+}
 
 fn float(side: &[Q; 2]) -> FloatInterval {
     let [lo, hi] = side.each_ref().map(|x| FloatInterval::ratio(x, &()));
@@ -129,10 +142,10 @@ fn float(side: &[Q; 2]) -> FloatInterval {
 impl MachineBox<'_> {
     /// Which way a function of a machine runs in each variable, the parameter first; none if that is not the
     /// same, or not certain, or the wall's mean is not behind the motion's.
-    fn ways(&self, over: [&Q; 2], of: &dyn Fn(&Seen<Sloped>) -> Sloped) -> Result<Option<Ways>> {
+    fn ways(&self, over: [&Q; 2], of: &dyn Fn(&Seen<Sloped>) -> Sloped) -> Result<Option<Vec<Way>>> {
         let mut whole = vec![over.map(Clone::clone)];
         whole.extend(self.bounds.iter().cloned());
-        let mut ways: Ways = vec![[true, true]; whole.len()];
+        let mut ways = vec![Way { way: [true, true], slope: 0.0 }; whole.len()];
         let wide = |cell: &[[Q; 2]], i: usize| &cell[i][1] - &cell[i][0];
         let mut open = vec![whole.clone()];
         let mut cells = 0;
@@ -149,13 +162,18 @@ impl MachineBox<'_> {
                 let seen = Seen::of(&(self.sloped)(&(0..sides.len()).map(variable).collect::<Vec<_>>())?)?;
                 let slope = of(&seen).slope()[0];
                 let way = [slope.lo() >= 0.0, slope.hi() <= 0.0];
-                certain &= way != [false, false] && seen.mean.value().hi() < 0.0;
-                here.push(way);
+                let is_asked = way == [false, false] && !(axis > 0 && is_narrow(&whole[axis]));
+                certain &= !is_asked && seen.mean.value().hi() < 0.0;
+                here.push((way, slope.hi().max(-slope.lo())));
             }
             if certain {
-                for (all, way) in ways.iter_mut().zip(here) {
-                    *all = [all[0] && way[0], all[1] && way[1]];
-                    if *all == [false, false] {
+                for (all, (way, slope)) in ways.iter_mut().zip(here) {
+                    if way == [false, false] {
+                        all.slope = all.slope.max(slope);
+                        continue;
+                    }
+                    all.way = [all.way[0] && way[0], all.way[1] && way[1]];
+                    if all.way == [false, false] {
                         return Ok(None);
                     }
                 }
@@ -176,22 +194,27 @@ impl MachineBox<'_> {
         Ok(Some(ways))
     }
 
-    /// The least and the greatest value for a parameter, over the box, exactly; none if these are not known
-    /// to be at corners.
-    fn extremes<T>(
+    /// The least and the greatest value for a parameter, over the box, exactly but for what narrow sides leave
+    /// open; none if these are not known to be at corners.
+    fn extremes(
         &self,
         p: &Q,
         sloped: &dyn Fn(&Seen<Sloped>) -> Sloped,
-        exact: &dyn Fn(&Seen<Q>) -> T,
-    ) -> Result<Option<[T; 2]>> {
+        exact: &dyn Fn(&Seen<Q>) -> Q,
+    ) -> Result<Option<[Q; 2]>> {
         let Some(ways) = self.ways([p, p], sloped)? else { return Ok(None) };
-        let corner = |most: usize| -> Result<T> {
-            let end = |(side, way): (&[Q; 2], &[bool; 2])| side[if way[0] { most } else { 1 - most }].clone();
+        let mut open = Q::zero();
+        for ([lo, hi], way) in self.bounds.iter().zip(&ways[1..]) {
+            let Some(slope) = Q::from_float(way.slope) else { return Ok(None) };
+            open += slope * (hi - lo);
+        }
+        let corner = |most: usize| -> Result<Q> {
+            let end = |(side, way): (&[Q; 2], &Way)| side[if way.way[0] { most } else { 1 - most }].clone();
             let mut point = vec![p.clone()];
             point.extend(self.bounds.iter().zip(&ways[1..]).map(end));
             Ok(exact(&Seen::of(&(self.exact)(&point)?)?))
         };
-        Ok(Some([corner(0)?, corner(1)?]))
+        Ok(Some([corner(0)? - &open, corner(1)? + &open]))
     }
 
     /// The least and the greatest R for a parameter; none where that is not known.
@@ -324,7 +347,17 @@ mod tests {
         let forcing = vec![Harmonic { k: 1, cos: at[0].clone(), sin: number(0) }];
         let (damping, stiffness) = (at[1].clone(), at[2].clone());
         let [cubic, force] = [number(0), number(0)];
-        Ok(System { damping, stiffness, cubic, force, forcing, smooth: None, lower: None, upper: Some(wall) })
+        Ok(System {
+            rate: None,
+            damping,
+            stiffness,
+            cubic,
+            force,
+            forcing,
+            smooth: None,
+            lower: None,
+            upper: Some(wall),
+        })
     }
 
     /// R = ((s − 1)² + d²)/F² at the corners of the box.

@@ -10,7 +10,10 @@ use crate::{
     error::Result,
     monitor::Monitor,
     output::{decimal_above, decimal_below, decimal_or_fraction},
-    scene::tolerated::{Tolerated, ToleratedMachines},
+    scene::{
+        is_hidden,
+        tolerated::{Tolerated, ToleratedMachines},
+    },
     tolerance::{Partition, Statement},
     word::Word,
 };
@@ -110,6 +113,9 @@ fn in_words(positive: bool) -> &'static str {
 /// The monitor's interruption.
 pub(super) fn told(machines: &ToleratedMachines, monitor: &dyn Monitor) -> Result<ToleranceReport> {
     let ToleratedMachines { parameters, of } = machines;
+    // What is no parameter of the scene is known well.
+    let parameters: Vec<Tolerated> = parameters.iter().filter(|one| !is_hidden(&one.name)).cloned().collect();
+    let parameters = &parameters[..];
     let cells = if of.sides().count() > 2 { CELLS_OF_MORE } else { CELLS };
     let partition = Partition::new(of, cells, monitor)?;
     let one = |positive: bool| -> Result<ToleranceSide> {

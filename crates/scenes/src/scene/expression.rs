@@ -127,6 +127,12 @@ impl Expression {
         Expression::of(&Formula::Binary(Operation::Product, parts), &format!("({self})*({other})"), &self.key)
     }
 
+    /// √x, reported at the key of x.
+    pub(super) fn root(&self) -> Expression {
+        let root = Formula::Call(Function::Sqrt, Box::new(self.root.clone()));
+        Expression::of(&root, &format!("sqrt({self})"), &self.key)
+    }
+
     /// x^n, reported at the key of x.
     pub(super) fn to_the(&self, n: i32) -> Expression {
         let root = Formula::Power(Box::new(self.root.clone()), n);

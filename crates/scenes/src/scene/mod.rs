@@ -53,6 +53,7 @@ pub use crate::formula::Function;
 pub use expression::{Coefficient, Expression};
 pub use family::{MachineSceneFamily, SceneFamily};
 pub use format::SceneFormat;
+pub(crate) use hidden::is_hidden;
 pub use keys::StopName;
 pub use machine::MachineScene;
 pub use matrix::CoordinateList;

@@ -46,7 +46,6 @@ pub(super) fn oscillator(
 ) -> Qualified<(Vec<Side>, System<Expression>)> {
     let has = [
         ("modes", keys.modes.is_some(), "has `modes`"),
-        ("damping_ratio", keys.damping_ratio.is_some(), "has a `damping_ratio`"),
         ("measured", keys.measured.is_some(), "has a measured force"),
     ];
     if let Some((key, _, why)) = has.into_iter().find(|known| known.1) {
@@ -78,6 +77,16 @@ pub(super) fn oscillator(
     let coefficient = |given: &Option<MatrixValue>, times: i32| {
         or_zero(given.as_ref().and_then(|all| all.entries.first()).map(|entry| &entry.2), times)
     };
+    // c = 2 ζ √(km), per mass.
+    let damping = match keys.damping_ratio.as_ref().and_then(|all| all.entries.first()) {
+        Some(ratio) => {
+            let one = Expression::parse("1", &[])?;
+            let own = keys.stiffness.as_ref().and_then(|all| all.entries.first());
+            let own = own.map_or_else(|| zero.clone(), |entry| entry.2.over(mass.unwrap_or(&one)));
+            per_radian(&ratio.times(&own.root().times(&Expression::parse("2", &[])?)), 1)
+        }
+        None => coefficient(&keys.damping, 1),
+    };
     let load = |given: &CoordinateList| or_zero(given.entries.first(), 2);
     let forcing = |given: &LoadKeys| Harmonic { k: given.k, cos: load(&given.cos), sin: load(&given.sin) };
     let force = match mass {
@@ -94,7 +103,7 @@ pub(super) fn oscillator(
         *force = in_radians(force, radian);
     }
     let mut system = System {
-        damping: coefficient(&keys.damping, 1),
+        damping,
         stiffness: coefficient(&keys.stiffness, 2),
         cubic: or_zero(keys.cubic.as_ref(), 2),
         force: per_radian(&force, 2),

@@ -22,6 +22,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
+    formula::Function,
     motion::{Contact, State, System},
     number::{Ball, Elementary, Plain, Precision, Real},
     search::{machine::Bounds, orbit::Quotient},
@@ -34,9 +35,22 @@ impl Coefficient for Quotient {
         let bounds = pi.exact_bounds();
         bounds.map(|(lo, hi)| Quotient::between([&lo, &hi])).ok_or_else(|| Error::input("π has no bounds"))
     }
+
+    /// Of a number; a function of the parameter is none of polynomials.
+    fn call(function: Function, x: &Self, (): &()) -> Result<Self> {
+        let precision = Precision::new(PI_BITS);
+        let bounds = x.constant().and_then(|[lo, hi]| {
+            let value =
+                <Ball as Coefficient>::call(function, &Ball::between(&lo, &hi, &precision), &precision);
+            value.ok()?.exact_bounds()
+        });
+        let not =
+            || Error::input(format!("{}(…) is no quotient of polynomials in the parameter", function.name()));
+        bounds.map(|(lo, hi)| Quotient::between([&lo, &hi])).ok_or_else(not)
+    }
 }
 
-/// Of π in quotients of polynomials: more than the digits of a certificate take.
+/// Of numbers that are not rational in quotients of polynomials: more than the digits of a certificate take.
 const PI_BITS: u32 = 256;
 
 /// An oscillator with named parameters, what to do with it, and how accurately.

@@ -154,6 +154,7 @@ mod tests {
         for (damping, stiffness) in [(0.245, 0.042), (0.05, 7.3), (0.0, 0.5), (2.5, 0.3)] {
             for forcing in [vec![], vec![h(1, 0.5, 0.25), h(2, -0.7, 0.4)]] {
                 let system = System {
+                    rate: None,
                     damping,
                     stiffness,
                     force: 0.1,

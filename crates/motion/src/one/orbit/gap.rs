@@ -140,6 +140,7 @@ mod tests {
         };
         for (damping, stiffness) in [(0.2, 0.3), (0.0, 7.3), (3.0, 0.5), (0.1, -0.02)] {
             let system = System {
+                rate: None,
                 damping,
                 stiffness,
                 forcing: vec![h(1, 0.5, 0.25), h(2, -0.1, 0.0)],
@@ -172,6 +173,7 @@ mod tests {
     #[test]
     fn resonance_has_no_periodic_part() {
         let system = System {
+            rate: None,
             stiffness: 1.0,
             forcing: vec![Harmonic { k: 1, cos: 1.0, sin: 0.0 }],
             lower: Some(Wall { offset: -1.0, harmonics: Vec::new(), restitution: 1.0 }),

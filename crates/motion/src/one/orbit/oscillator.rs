@@ -317,7 +317,8 @@ mod tests {
         {
             let forcing = forcing.clone();
             let (force, smooth, lower, upper) = (0.3, None, None, None);
-            let system = System { damping, stiffness, cubic, force, forcing, smooth, lower, upper };
+            let system =
+                System { damping, stiffness, cubic, force, forcing, smooth, lower, upper, rate: None };
             let oscillator = Oscillator::new(system, 1e-12).unwrap();
             assert_eq!(oscillator.rate.is_some(), cubic == 0.0);
             for (q, u) in [(0.0, 0.0), (1.0, -2.0), (-1e3, 1e6), (1e-9, 0.5)] {

@@ -40,7 +40,7 @@ pub(crate) struct OscillatorGrazing<'f> {
     pub far: State,
     /// Radians in the scene's unit of time, at the touch.
     pub rate: f64,
-    /// The scene as its tolerances are asked of, and they, that of π included where π stands in a coefficient.
+    /// The scene as its tolerances are asked of, and they, those of numbers that are not rational included.
     pub tolerated: (Scene, Tolerances),
 }
 

@@ -36,8 +36,9 @@ const SHARE: u64 = 4;
 const STEPS: u32 = 6;
 /// Next to a value of the parameter are those as near as one in so many of its way from the touch.
 const NEXT_TO: u64 = 1_000_000;
-/// Digits of ends.
+/// Digits of ends, and of the touch, which is rounded into its side, too.
 const DIGITS: i32 = 12;
+const TOUCH: i32 = 17;
 /// Where damping, stiffness or restitution change with the parameter, each depth that is tried has such a
 /// part of the effort.
 const PART_OF_EFFORT: u64 = 4;

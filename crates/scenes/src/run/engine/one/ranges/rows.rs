@@ -10,14 +10,14 @@ use super::{
         CellRow, NOTHING, ORBIT, PROVED, RangeRow, SideRange, StabilityRow, downwards, inwards, why,
         why_single,
     },
-    DIGITS, Near, Of, SHARE, STEPS,
+    DIGITS, Near, Of, SHARE, STEPS, TOUCH,
     cells::{Cells, Deep, Machines, Reached},
     functions,
 };
 use crate::{
     certificate::single::Word,
     error::{Error, Result},
-    number::{certain_digits, parse_rational},
+    number::parse_rational,
     search::{
         chaos::LetterGraph,
         range::{
@@ -240,11 +240,11 @@ impl Near<'_> {
                 Ok(None) => Ok(open("it is not shown where all machines within the tolerances touch".into())),
                 Ok(Some(range)) => {
                     let row = RangeRow::of_all(behind, &range, depth, unit, reason);
-                    let [lower, upper] = &range.touches;
-                    // The machine is one, of which π is known between two numbers.
-                    let touch = || certain_digits(lower, upper, 17);
+                    let ([lower, upper], end) = (&range.touches, range.end.as_ref());
+                    // The machine is one, of which some numbers are known between two others.
+                    let touch = end.map(|end| inwards(if end > upper { upper } else { lower }, end, TOUCH));
                     let is_one = self.point.task.tolerance.0.is_empty();
-                    Ok(if is_one { RangeRow { touch: touch(), touches: None, ..row } } else { row })
+                    Ok(if is_one { RangeRow { touch, touches: None, ..row } } else { row })
                 }
             };
         }
@@ -268,7 +268,7 @@ impl Near<'_> {
                 let inner = if range.end > *hi { hi } else { lo };
                 let width = (&range.end - inner) / inner.abs().max(unit.clone());
                 RangeRow {
-                    touch: certain_digits(lo, hi, 17),
+                    touch: Some(inwards(inner, &range.end, TOUCH)),
                     end: Some(inwards(&range.end, inner, DIGITS)),
                     share: width.abs().to_f64().filter(|_| inner.abs() > *unit),
                     depth: Some(depth.to_string()),
