@@ -215,7 +215,13 @@ fn the_engine_is_many_for_a_reason() {
 /// Of a period that is no number, or not positive, is said where it stands.
 #[test]
 fn a_period_is_positive() {
-    for (period, is) in [("0", "0"), ("-1", "-1"), ("\"w - 1\"", "0"), ("\"1/(w - 1)\"", "divides by zero")] {
+    const ZERO: &str = "divides by zero";
+    for (period, is) in [
+        ("0", ZERO),
+        ("-1", "makes the period -1; it must be positive"),
+        ("\"w - 1\"", ZERO),
+        ("\"1/(w - 1)\"", ZERO),
+    ] {
         let text = scene(&format!("[parameters]\nw = 1\n[system]\nperiod = {period}\n"));
         let error = Scene::from_toml(&text, "s.toml").unwrap_err().to_string();
         assert!(error.contains("system.period") && error.contains(is), "{error}");
