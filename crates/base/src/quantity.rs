@@ -75,12 +75,7 @@ impl Dimension {
     #[must_use]
     pub fn power(self, n: i32) -> Dimension {
         let by = |x: i32| x.saturating_mul(n);
-        Dimension {
-            length: by(self.length),
-            time: by(self.time),
-            mass: by(self.mass),
-            angle: by(self.angle),
-        }
+        Dimension { length: by(self.length), time: by(self.time), mass: by(self.mass), angle: by(self.angle) }
     }
 
     /// Whether the two are of one kind, whatever angles are in them.
@@ -297,12 +292,15 @@ fn power(text: &str, joint: Joint, taken: &dyn Fn(&str, Joint) -> bool) -> Optio
     let symbol = word(text);
     let unit = Unit::symbol(symbol).filter(|_| !taken(symbol, joint))?;
     let rest = &text[symbol.len()..];
-    if let Some(n) = [("²", 2), ("³", 3)].into_iter().find_map(|(sign, n)| rest.starts_with(sign).then_some(n)) {
+    if let Some(n) =
+        [("²", 2), ("³", 3)].into_iter().find_map(|(sign, n)| rest.starts_with(sign).then_some(n))
+    {
         return Some((unit.raised(n), symbol.len() + '²'.len_utf8()));
     }
     let Some(exponent) = rest.strip_prefix('^') else {
         // A name goes on with digits: m2 is no unit.
-        return (!rest.starts_with(|c: char| c.is_alphanumeric() || c == '_')).then_some((unit, symbol.len()));
+        return (!rest.starts_with(|c: char| c.is_alphanumeric() || c == '_'))
+            .then_some((unit, symbol.len()));
     };
     let bare = exponent.strip_prefix('-');
     let digits = bare.unwrap_or(exponent);
