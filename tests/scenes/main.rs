@@ -17,6 +17,7 @@ mod input;
 mod proved_branches;
 mod proved_ranges;
 mod proved_units;
+mod quantities;
 mod scales;
 mod scene_runs;
 mod section4;

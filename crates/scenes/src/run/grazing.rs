@@ -420,7 +420,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
     let seen = seen.as_ref().map(seen::rows);
     let in_words = told::sentences(
         &at,
-        (job.model.period(), job.scene.units),
+        (job.model.period(), job.scene.units, job.scene.unit(&at.varied)),
         seen.as_deref().unwrap_or_default(),
         hits.as_deref().unwrap_or_default(),
         influence.as_deref().unwrap_or_default(),

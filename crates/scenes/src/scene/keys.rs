@@ -19,7 +19,7 @@ use super::{
     dimension::Measured,
     expression::{Expression, LIMIT_BITS},
     format::SceneFormat,
-    quantity::{Bare, Kinds, Scale, bare, counts_cycles},
+    quantity::{Bare, Kinds, Scale, bare, counts_cycles, has_units},
 };
 use crate::{
     error::{Error, Result},
@@ -308,8 +308,17 @@ impl<'a> Entry<'a> {
     /// What a text with units, or with parameters that have some, is in bare numbers of the scene; none of
     /// any other. What it is a mass or a length of is checked later.
     pub(super) fn quantity(&self, text: &str, names: &[String]) -> Result<Option<Bare>> {
-        let Some(quantities) = self.scope.quantities else { return Ok(None) };
         let fail = |error: Error| self.fail(&error.to_string());
+        let Some(quantities) = self.scope.quantities else {
+            let (format, newer) = (self.scope.format, SceneFormat::Three.word());
+            let why =
+                format!("has a unit, which needs format = {newer:?} (`grazing run --upgrade` writes that)");
+            return if format != SceneFormat::Three && has_units(text, names) {
+                Err(self.fail(&why))
+            } else {
+                Ok(None)
+            };
+        };
         let Some(mut found) = bare(text, names, quantities).map_err(fail)? else { return Ok(None) };
         if counts_cycles(&self.path) {
             found.in_cycles().map_err(fail)?;

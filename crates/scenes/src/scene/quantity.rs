@@ -96,6 +96,8 @@ pub(super) struct Bare {
     pub scaled: bool,
     /// The power of π that is written as a factor of it, if that can be told.
     pub pi: Option<i32>,
+    /// Whether π stands in the number before a unit.
+    pub pi_inside: bool,
 }
 
 /// What is known of the parameters of a scene.
@@ -139,7 +141,13 @@ pub(super) fn bare(text: &str, names: &[String], (scale, kinds): (&Scale, &Kinds
         unit,
         scaled: found.marks.iter().any(is_scaled),
         pi: power_of_pi(&found.root),
+        pi_inside: found.marks.iter().any(|mark| text[mark.places[0]..mark.places[1]].contains("pi")),
     }))
+}
+
+/// Whether a text has units that are known.
+pub(super) fn has_units(text: &str, names: &[String]) -> bool {
+    may_have_unit(text) && marked(text, names).is_ok_and(|found| !found.marks.is_empty())
 }
 
 /// Whether a letter, % or ° stands behind a number or a parenthesis.
@@ -245,7 +253,9 @@ impl Bare {
             (Measured::Known(dimension), Some(0 | 1)) if dimension.angle == 1 => {
                 self.text = format!("({})/(2*pi)", self.text);
             }
-            (Measured::Known(dimension), pi) if dimension.angle != 0 && pi != Some(-1) => {
+            (Measured::Known(dimension), pi)
+                if dimension.angle != 0 && (pi != Some(-1) || self.pi_inside) =>
+            {
                 let why = "mixes angles and cycles: write it in Hz, as w/(2*pi) for an angular frequency w";
                 return Err(Error::input(why));
             }

@@ -226,6 +226,14 @@ impl Job<'_> {
     }
 
     /// Where its picture goes.
+    /// What an axis of a parameter is called: in the scene's unit, if the parameter has one.
+    fn axis(&self, parameter: &str) -> String {
+        match self.scene.unit(parameter) {
+            Some(unit) if !unit.own.is_empty() => format!("{parameter} ({})", unit.own),
+            _ => parameter.to_string(),
+        }
+    }
+
     fn place(&self) -> FigurePlace<'_> {
         let Job { folder, format, view, .. } = *self;
         FigurePlace { folder, name: &self.task.name, format, view }
