@@ -119,6 +119,7 @@ fn reports_are_the_same() {
         let reports = run(&scene, Surroundings::default(), &mut ()).unwrap();
         let mut report = serde_json::to_value(&reports[0]).unwrap();
         let words = report.as_object_mut().unwrap().remove("in_words").unwrap();
+        report.as_object_mut().unwrap().remove("place").unwrap();
         (report, words.as_str().unwrap().to_string())
     };
     let (units, words) = report("", ["0.4 N", "2 kg", "4 Hz", "3 N s/m", "0.8 N/mm", "1 mm", "0 %", "80 %"]);
@@ -156,7 +157,7 @@ fn what_does_not_go_together_is_told() {
             "system.mass = \"F\": is a force; here stands a mass, in kg or the like",
         ),
         ("mass = \"M\"", "mass = \"M + 1\"", "adds a mass and a number without a unit: give it one"),
-        ("mass = \"M\"", "mass = \"2 m\"", "m at character 3 is a parameter: write 2*M"),
+        ("mass = \"M\"", "mass = \"2 M\"", "M at character 3 is a parameter: write 2*M"),
         (
             "\"4 Hz\"",
             "\"4 hz\"",
@@ -227,5 +228,82 @@ fn angles_per_time_become_cycles() {
     for text in ["w/pi^2", "(4500/pi) deg/s", "w + w/(2*pi)"] {
         let error = read(&good.replacen("4 Hz", text, 1)).expect_err(text);
         assert!(error.contains("mixes angles and cycles"), "{text}: {error}");
+    }
+}
+
+/// What other keyboards and other programs type.
+const HANDS: [(&str, &str, &str); 20] = [
+    ("d = 0.1", "d = nan", "s.toml:4: parameters.d = nan: \"nan\" is not a number: "),
+    ("d = 0.1", "d = nan", "nan is no number here: every number is finite"),
+    ("d = 0.1", "d = inf", "inf is no number here: every number is finite"),
+    (
+        "stiffness = 1",
+        "stiffness = inf",
+        "s.toml:6: system.stiffness = inf: unknown parameter \"inf\" at character 1; inf is no number here",
+    ),
+    ("d = 0.1", "d = 0,5", "0,5 has a decimal comma: write 0.5"),
+    (
+        "d = 0.1",
+        "d = \"0,5\"",
+        "s.toml:4: parameters.d = \"0,5\": \"0,5\" is not a number: expected `+` or `-`, found ','",
+    ),
+    ("d = 0.1", "d = \"0,5\"", "0,5 has a decimal comma: write 0.5"),
+    ("stiffness = 1", "stiffness = \"2,25*d\"", "found ','; 2,25 has a decimal comma: write 2.25"),
+    ("d = 0.1", "d = \u{2212}1", "s.toml:4: "),
+    ("d = 0.1", "d = \u{2212}1", "\u{2212} (U+2212) is not the minus of a keyboard: write -"),
+    (
+        "stiffness = 1",
+        "stiffness = \"1 \u{2212} d\"",
+        "\u{2212} (U+2212) is not the minus of a keyboard: write -",
+    ),
+    ("d = 0.1", "d = \"\u{2212}1\"", "\u{2212} (U+2212) is not the minus of a keyboard: write -"),
+    ("title = \"t\"", "title = “t”", "s.toml:2: "),
+    ("title = \"t\"", "title = “t”", "“ is not one of the quotes of a keyboard: write \"…\""),
+    ("d = 0.1", "d = 4 %", "a number with a unit is a text: write d = \"4 %\""),
+    ("stiffness = 1", "stiffness = 2 N/m", "a number with a unit is a text: write stiffness = \"2 N/m\""),
+    ("stiffness = 1", "stiffness = 2*d", "a formula is a text: write stiffness = \"2*d\""),
+    (
+        "[[stops]]",
+        "[stops]",
+        "s.toml:8: stops = [stops]: is one table, not a list of them: write [[stops]] above each",
+    ),
+    ("d = 0.1", "pi = 3", "s.toml:4: parameters.pi = 3: is 3.14159… in every expression, and no parameter"),
+    ("d = 0.1", "d = \"3 \u{b5}m/\u{3bc}m\"", ""),
+];
+
+#[test]
+fn what_hands_type_is_told() {
+    let good = "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nd = 0.1\n[system]\nstiffness = 1\n\
+                damping = \"d\"\n[[stops]]\nside = \"lower\"\noffset = -1\nrestitution = 1\n[[tasks]]\nname = \"m\"\n\
+                kind = \"simulate\"\nperiods = 1\nstart = { q = 0.5 }\n";
+    let warnings = |text: &str| -> Vec<String> {
+        let reports = run(&read(text).unwrap(), Surroundings::default(), &mut ()).unwrap();
+        let report = serde_json::to_value(&reports[0]).unwrap();
+        let all = report["warnings"].as_array().unwrap();
+        all.iter().map(|one| one.as_str().unwrap().to_string()).collect()
+    };
+    assert_eq!(warnings(good), [""; 0]);
+    for (from, to, message) in HANDS {
+        assert!(good.contains(from), "{from}");
+        match read(&good.replacen(from, to, 1)) {
+            Ok(_) => assert_eq!(message, "", "{to}"),
+            Err(error) => {
+                assert!(
+                    !message.is_empty() && error.contains(message),
+                    "{to}\n  found    {error}\n  expected {message}"
+                );
+            }
+        }
+    }
+    // What is allowed and hardly meant, by both engines.
+    for period in ["", "period = 5\n"] {
+        let good = good.replacen("[system]\n", &format!("[system]\n{period}"), 1);
+        let told = warnings(&good.replacen("restitution = 1", "restitution = 1.5", 1));
+        assert!(
+            told[0].starts_with("the restitution of stop lower is ") && told[0].contains("above 1"),
+            "{told:?}"
+        );
+        let told = warnings(&good.replacen("d = 0.1", "d = 0.1\nzeta = \"4 %\"", 1));
+        assert!(told[0].starts_with("the parameter zeta acts on nothing"), "{told:?}");
     }
 }

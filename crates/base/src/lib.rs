@@ -10,6 +10,7 @@
 //! | [`random`] | the same choices on every machine |
 //! | [`output`] | files that are whole or absent, saved states, shards, tables |
 //! | [`quantity`] | units and what they are units of |
+//! | [`typed`] | what hands type where numbers are wanted |
 //! | [`source`] | errors that name file, line and key |
 
 // They panic once nobody reads; `output` has what does not.
@@ -25,6 +26,7 @@ pub mod profile;
 pub mod quantity;
 pub mod random;
 pub mod source;
+pub mod typed;
 
 use grazing_number as number;
 

@@ -14,9 +14,12 @@
 //! In a force the displacement q, the velocity u and the time t are parameters, too (`force`); log, tanh,
 //! kinks and powers that are not whole have no enclosures and stand only there. Such a power is above 1.
 //!
-//! A parameter called like a function or `pi` is that parameter. Angles are in radians. A value is exact
-//! where it is rational (√ of a square, e⁰); other values there are on rungs that have the functions: floats,
-//! duals, enclosures.
+//! A parameter called like a function is that parameter, and so is `pi` in the older formats. Angles are in
+//! radians. A value is exact where it is rational (√ of a square, e⁰); other values there are on rungs that
+//! have the functions: floats, duals, enclosures.
+//!
+//! Behind a decimal, `pi` or a parenthesis a unit may stand, where a scene has units: they are read here, and
+//! gone in the text from which an expression is made (`quantity`).
 //!
 //! A decimal is one of the command line's number grammar (`12`, `0.375`, `1e-30`), and exact. Powers bind
 //! tighter than signs: -w^2 is -(w^2).
@@ -35,6 +38,7 @@ use crate::{
     quantity::{Joint, Unit, symbols},
     search::chaos::RationalFunction,
     source::hint,
+    typed::in_number,
 };
 
 /// Above this many factors and terms, powers written out, an expression is refused.
@@ -90,7 +94,7 @@ impl Expression {
     /// # Ok::<(), grazing_scenes::Error>(())
     /// ```
     pub fn parse(text: &str, names: &[String]) -> Result<Expression> {
-        let mut parser = Parser { text, at: 0, names, depth: 0, marks: None };
+        let mut parser = Parser { text, at: 0, names, depth: 0, marks: None, blamed: false };
         let root = parser.whole()?;
         let most = if root.chooses() { LIMIT_KINKS } else { LIMIT_SIZE };
         if root.size() > most {
@@ -311,15 +315,13 @@ pub(super) struct Marked {
 
 /// Reads an expression that may have units in it. Where that fails: whether a unit is to blame.
 pub(super) fn marked(text: &str, names: &[String]) -> std::result::Result<Marked, (Error, bool)> {
-    let mut parser = Parser { text, at: 0, names, depth: 0, marks: Some(Vec::new()) };
+    let mut parser = Parser { text, at: 0, names, depth: 0, marks: Some(Vec::new()), blamed: false };
     let root = parser.whole();
+    let blamed = parser.blamed;
     let marks = parser.marks.unwrap_or_default();
     match root {
         Ok(root) => Ok(Marked { root, marks }),
-        Err(error) => {
-            let blamed = !marks.is_empty() || error.to_string().contains("unit");
-            Err((error, blamed))
-        }
+        Err(error) => Err((error, blamed || !marks.is_empty())),
     }
 }
 
@@ -331,6 +333,8 @@ struct Parser<'a> {
     depth: u32,
     /// The units found, if there may be any.
     marks: Option<Vec<Mark>>,
+    /// Whether a unit, or what stands in its place, is what is wrong.
+    blamed: bool,
 }
 
 impl<'a> Parser<'a> {
@@ -363,7 +367,13 @@ impl<'a> Parser<'a> {
 
     fn expected(&mut self, what: &str) -> Error {
         let found = self.peek().map_or("the end".to_string(), |c| format!("{c:?}"));
-        Error::input(format!("expected {what} at character {}, found {found}", self.position(self.at)))
+        let meant = match self.peek() {
+            // In an argument list a comma is no decimal one.
+            Some(c) if c == ',' && self.depth == 0 || !c.is_ascii() => in_number(self.text),
+            _ => None,
+        };
+        let meant = meant.map_or(String::new(), |meant| format!("; {meant}"));
+        Error::input(format!("expected {what} at character {}, found {found}{meant}", self.position(self.at)))
     }
 
     fn sum(&mut self) -> Result<Formula> {
@@ -500,6 +510,7 @@ impl<'a> Parser<'a> {
         };
         let Some((unit, read)) = Unit::begin(next, &|word, joint| joint != Joint::Tight && is_name(word))
         else {
+            self.blamed = true;
             let (place, before) = (self.position(at), &self.text[start..end]);
             return Err(Error::input(if is_name(word) {
                 let also =
@@ -589,7 +600,11 @@ impl<'a> Parser<'a> {
         }
         let hint = hint(name, self.names.iter().map(String::as_str));
         let is_state = matches!(name.trim_end_matches(|c: char| c.is_ascii_digit()), "q" | "u" | "t");
-        let hint = if is_state { format!("{hint}; q, u and t stand only in `force`") } else { hint };
+        let hint = match in_number(name) {
+            Some(meant) => meant,
+            None if is_state => format!("{hint}; q, u and t stand only in `force`"),
+            None => hint,
+        };
         Err(Error::input(format!("unknown parameter {name:?} at character {}; {hint}", self.position(start))))
     }
 

@@ -46,7 +46,8 @@ keys! {
         /// what computes its motions: `one` is for one degree of freedom and rigid stops, `many` for any
         /// number and for compliant stops; `auto` takes `one` where the system qualifies
         engine: EngineKey = "\"auto\"",
-        /// names and their values: numbers, which `grazing run --set` and a task's `set` can change
+        /// names and their values: numbers, also with units, which `grazing run --set` and a task's `set`
+        /// can change
         parameters: Parameters = "{}",
         /// the equations of motion
         system: SystemKeys,
@@ -118,7 +119,7 @@ impl Scene {
     /// # Errors
     /// An input error `name:line: key = value: what is wrong and the fix`: for the text's form, an unknown
     /// key, a missing one, a value of the wrong shape, an expression that cannot be evaluated, walls that
-    /// cross, a negative restitution, a start behind a wall, with the scene's parameters and with those of
+    /// cross, a negative restitution, a start behind a stop, with the scene's parameters and with those of
     /// each task.
     ///
     /// ```
@@ -188,7 +189,8 @@ impl Scene {
             None => Vec::new(),
         };
         let measured = seen.measured.take();
-        if !measured.is_empty() {
+        // A scene of plain numbers has no dimensions, whatever percentages are in it.
+        if seen.scaled.get() {
             let turns = |(path, kind): &(String, Dimension)| {
                 path.starts_with("system.mass") && kind.is_like(Dimension::of(2, 0, 1))
             };
@@ -198,6 +200,8 @@ impl Scene {
             wanted::check(&file, &measured, (&scale, &kinds), coordinates, &named)?;
         }
         let si = read.units.map(|keys| keys.si()).or(seen.scaled.get().then_some(SiUnits::SI));
+        let used = seen.used.take();
+        let idle = names.iter().filter(|name| !used.contains(*name)).cloned().collect();
         let scene = Scene {
             title: read.title,
             parameters,
@@ -209,6 +213,7 @@ impl Scene {
             accuracy: read.accuracy,
             units: si,
             written: Arc::new(written),
+            idle: Arc::new(idle),
             tasks,
             format,
             file: Arc::new((name.to_string(), text.to_string())),
@@ -358,6 +363,9 @@ fn parameters(entry: &Entry) -> Result<Parameterised> {
         }
         let text = value.item.as_str().map(str::to_string);
         let found = text.map(|text| value.quantity(&text, &[])).transpose()?.flatten();
+        if name == "pi" && value.scope.format == SceneFormat::Three {
+            return Err(value.fail("is 3.14159… in every expression, and no parameter: give it another name"));
+        }
         all.push((
             name.to_string(),
             match &found {

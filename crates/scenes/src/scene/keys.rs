@@ -6,7 +6,7 @@
 
 use std::{
     cell::{Cell, RefCell},
-    collections::BTreeMap,
+    collections::{BTreeMap, HashSet},
     ops::Range,
     path::{Path, PathBuf},
 };
@@ -164,6 +164,16 @@ pub(super) struct Seen {
     pub measured: RefCell<Vec<(String, Dimension)>>,
     /// Whether a unit of length, time or mass is written.
     pub scaled: Cell<bool>,
+    /// The names that stand in expressions.
+    pub used: RefCell<HashSet<String>>,
+}
+
+impl Seen {
+    fn uses(&self, text: &str, names: &[String]) {
+        let words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
+        let known = words.filter(|word| names.iter().any(|name| name == word));
+        self.used.borrow_mut().extend(known.map(str::to_string));
+    }
 }
 
 impl<'a> Entry<'a> {
@@ -278,6 +288,12 @@ impl<'a> Entry<'a> {
         let items: Vec<Item> = match &self.item {
             Item::Value(toml_edit::Value::Array(array)) => array.iter().cloned().map(Item::Value).collect(),
             Item::ArrayOfTables(tables) => tables.iter().cloned().map(Item::Table).collect(),
+            Item::Table(_) if !self.path.contains('.') => {
+                let name = self.own_path();
+                return Err(
+                    self.fail(&format!("is one table, not a list of them: write [[{name}]] above each"))
+                );
+            }
             _ => return Err(self.fail("is not a list […]")),
         };
         let one = |(i, item)| Entry::new(self.scope, format!("{}[{i}]", self.path), self.span.clone(), item);
@@ -302,6 +318,7 @@ impl<'a> Entry<'a> {
         let value = self.item.as_value().ok_or_else(|| self.fail("is not an expression"))?;
         let text = self.scope.source.number_text(value);
         let text = text.ok_or_else(|| self.fail("is not an expression: write a number, or \"…\""))?;
+        self.scope.seen.uses(&text, self.scope.names);
         Ok(self.quantity(&text, self.scope.names)?.map_or(text, |found| found.text))
     }
 

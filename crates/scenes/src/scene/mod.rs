@@ -8,10 +8,10 @@
 //! running the tasks (the module `run`).
 //!
 //! Each file imports from those before it alone: `dual`, `expression`, `dimension`, `quantity`, `format`,
-//! `keys`, `force`, `matrix`, `measured`; the keys of the system, `system`; what the engines are told, `machine`, `oscillator`; the keys
-//! of tasks, `simulate`, `orbits`, `sections`, `branches`, `response`, `validate`, `chaos`; `task`; `scene`,
-//! the type and its values; `values`, those of a machine; `normal`, `check`; `input`, `upgrade`, `family`,
-//! `reference`.
+//! `keys`, `force`, `matrix`, `measured`; the keys of the system, `system`; what the engines are told,
+//! `machine`, `oscillator`; the keys of tasks, `simulate`, `orbits`, `sections`, `branches`, `response`,
+//! `validate`, `chaos`; `task`; `scene`, the type and its values; `values`, those of a machine; `normal`,
+//! `check`; `wanted`, `input`, `upgrade`, `family`, `reference`.
 
 pub mod branches;
 pub mod chaos;

@@ -48,6 +48,8 @@ pub struct Scene {
     pub(super) whole: Arc<MachineScene>,
     /// Of the engine `one`, what its forces were divided by, if that was not 1.
     pub(super) mass: Option<Expression>,
+    /// The parameters that stand in no expression.
+    pub(super) idle: Arc<Vec<String>>,
     /// How accurately to compute.
     pub accuracy: Accuracy,
     /// What a unit of its numbers is, if it says so, or has units written out.
@@ -122,7 +124,7 @@ impl Scene {
     /// The same scene with other values of some parameters, and without its tasks, which may be many.
     pub(super) fn alone(&self, values: &[(String, BigRational)]) -> Result<Scene> {
         let Scene { title, parameters, body, engine, stops, whole, mass, accuracy, .. } = self;
-        let Scene { units, written, format, file, places, files, .. } = self;
+        let Scene { units, written, idle, format, file, places, files, .. } = self;
         Scene {
             title: title.clone(),
             parameters: parameters.clone(),
@@ -134,6 +136,7 @@ impl Scene {
             accuracy: accuracy.clone(),
             units: *units,
             written: written.clone(),
+            idle: idle.clone(),
             tasks: Vec::new(),
             format: *format,
             file: file.clone(),
@@ -320,7 +323,8 @@ impl Scene {
             && let Some((t, gap)) = walls::meet(lower, upper)?
         {
             let message = format!(
-                "the walls meet: at t = {t:.6} the upper one is {gap:.3e} above the lower; move them apart{}",
+                "the {}s meet: at t = {t:.6} the upper one is {gap:.3e} above the lower; move them apart{}",
+                self.format.stop(),
                 point()
             );
             return Err(self.fail(&wall.offset.key, &message));

@@ -66,7 +66,7 @@ fn of_task(path: &str) -> Wanted {
     let Some(path) = path.strip_prefix("tasks.") else {
         return if path.starts_with("parameters.") { Anything } else { Nothing };
     };
-    if path.starts_with("set.") || path.starts_with("tolerance.") {
+    if ["set.", "tolerance.", "cell."].iter().any(|table| path.starts_with(table)) {
         return Parameter("");
     }
     match path {

@@ -58,6 +58,14 @@ impl Scene {
 
     /// What is allowed and likely to be a mistake.
     pub(crate) fn warnings(&self) -> Vec<String> {
+        let idle = self.idle.iter().map(|name| {
+            format!("the parameter {name} acts on nothing: it stands in no expression of the scene")
+        });
+        idle.chain(self.doubtful()).collect()
+    }
+
+    /// What of the stops and of a measured force is likely to be a mistake.
+    fn doubtful(&self) -> Vec<String> {
         let adds = |what: String, value: &dyn std::fmt::Display| {
             format!("the restitution of {what} is {value}, above 1: every impact there adds energy")
         };
@@ -68,10 +76,9 @@ impl Scene {
             let gains = walls.filter(|(_, wall)| wall.restitution > num_traits::One::one());
             return gains
                 .map(|(side, wall)| {
-                    let (name, value) = (side.name(), &wall.restitution);
-                    format!(
-                        "the {name} wall's restitution is {value}, above 1: every impact there adds energy"
-                    )
+                    let stop = self.stops.iter().find(|stop| stop.side == Some(side));
+                    let name = stop.map_or(side.name(), |stop| &stop.name);
+                    adds(format!("{} {name}", self.format.stop()), &wall.restitution)
                 })
                 .collect();
         };
@@ -181,10 +188,10 @@ impl Checked<'_> {
                     let at = contact.position.at(state.t)[0];
                     // A start on the wall may be behind it by rounding.
                     if contact.gap(state)[0] < -1e-12 * (1.0 + at.abs()) {
-                        let (q, side) = (state.q, contact.side.name());
+                        let (q, side, stop) = (state.q, contact.side.name(), scene.format.stop());
                         let values = scene.where_parameters();
                         let message =
-                            format!("starts at q = {q}, behind the {side} wall, which is at {at}{values}");
+                            format!("starts at q = {q}, behind the {side} {stop}, which is at {at}{values}");
                         return Err(scene.fail(&path, &message));
                     }
                 }
