@@ -13,7 +13,7 @@ use crate::{
 const APART: u32 = 6;
 
 /// Classes before those of periods.
-const OTHERS: [&str; 3] = ["behind a wall", "it left every bound", "not periodic"];
+const OTHERS: [&str; 3] = ["behind a stop", "it left every bound", "not periodic"];
 
 /// The class of what was not decided, the last.
 const NOT_SETTLED: usize = OTHERS.len() + APART as usize + 1;
