@@ -56,8 +56,10 @@ fn rational(text: &str) -> BigRational {
     parse_rational(text).unwrap()
 }
 
-/// What a unit is in SI units and in t, mm and s; the first of each is SI.
-const UNITS: [(&str, &[(&str, &str)], &str); 8] = [
+/// Of a quantity its name, units with their sizes in SI units, and that of the unit made of t, mm and s.
+type Known = (&'static str, &'static [(&'static str, &'static str)], &'static str);
+
+const UNITS: [Known; 8] = [
     ("F", &[("N", "1"), ("mN", "1/1000"), ("kN", "1000"), ("kg m/s^2", "1")], "1"),
     ("m", &[("kg", "1"), ("g", "1/1000"), ("t", "1000"), ("mg", "1e-6")], "1000"),
     ("f", &[("Hz", "1"), ("kHz", "1000"), ("rpm", "1/60"), ("/s", "1")], "1"),
@@ -188,7 +190,6 @@ fn what_does_not_go_together_is_told() {
             "tasks[1].set.F = \"3 kg\": is a mass; here stands a force",
         ),
         ("max_period = 3", "tolerance = { M = \"3 N\" }", "is a force; here stands a mass"),
-        ("grazing-scene 3", "grazing-scene 2", "has a unit, which needs format = \"grazing-scene 3\""),
     ] {
         assert!(good.contains(from), "{from}");
         let error = read(&good.replacen(from, to, 1)).expect_err(to);
@@ -206,6 +207,18 @@ fn what_does_not_go_together_is_told() {
         ("max_period = 3", "tolerance = { M = \"20 g\", F = \"2%\" }"),
     ] {
         read(&good.replacen(from, to, 1)).unwrap_or_else(|error| panic!("{to}: {error}"));
+    }
+}
+
+/// The older formats have no units, and say which has.
+#[test]
+fn older_formats_name_the_one_that_has_units() {
+    for value in ["parameters.d = \"2 mm\"", "system.damping = \"2 kg/s\""] {
+        let text = format!("format = \"grazing-scene 1\"\ntitle = \"t\"\n{value}\n");
+        let error = read(&text).unwrap_err();
+        let why =
+            "has a unit, which needs format = \"grazing-scene 3\" (`grazing run --upgrade` writes that)";
+        assert!(error.starts_with("s.toml:3: ") && error.ends_with(why), "{error}");
     }
 }
 

@@ -108,7 +108,8 @@ pub(super) type Kinds = BTreeMap<String, Dimension>;
 /// # Errors
 /// For a unit that is not known, and for sums of what does not go together.
 pub(super) fn bare(text: &str, names: &[String], (scale, kinds): (&Scale, &Kinds)) -> Result<Option<Bare>> {
-    if !may_have_unit(text) && !(mentions(text, kinds) && names.iter().any(|name| kinds.contains_key(name))) {
+    let has_kinds = mentions(text, kinds) && names.iter().any(|name| kinds.contains_key(name));
+    if !(has_kinds || may_have_unit(text)) {
         return Ok(None);
     }
     let found = match marked(text, names) {
