@@ -8,7 +8,7 @@ const MARKS: [&str; 2] = [
 ];
 
 fn main() -> io::Result<()> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/scenes.md");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/scenes.md");
     let page = fs::read_to_string(path)?;
     let missing = || io::Error::other("docs/scenes.md has lost the marks around its table of keys");
     let (head, rest) = page.split_once(MARKS[0]).ok_or_else(missing)?;

@@ -138,9 +138,9 @@ const FILES: [(&str, &str, &str); 2] = [
     (
         "crates/scenes/src",
         "scene",
-        "dual expression format keys units restitution force law matrix measured walls system machine oscillator simulate \
-         tolerance orbits sections branches response rest validate chaos task scene values normal tolerated check \
-         input upgrade family reference",
+        "dual expression dimension quantity format keys units restitution force law matrix measured walls system machine \
+         oscillator simulate tolerance orbits sections branches response rest validate chaos task scene values normal \
+         tolerated check wanted input upgrade family reference",
     ),
     (
         "crates/motion/src",

@@ -28,7 +28,7 @@ class End(enum.IntEnum):
     ESCAPED = 2
     #: Its force is not smooth there.
     NOT_SMOOTH = 3
-    #: Its start is behind a wall, so that it has no motion.
+    #: Its start is behind a stop, so that it has no motion.
     BEHIND_A_WALL = 4
     #: Its force is too steep there: it changes in less than the shortest step.
     TOO_STEEP = 5

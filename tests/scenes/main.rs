@@ -18,6 +18,7 @@ mod proved_branches;
 mod proved_clocks;
 mod proved_ranges;
 mod proved_units;
+mod quantities;
 mod scales;
 mod scene_runs;
 mod section4;

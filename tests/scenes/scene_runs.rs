@@ -197,7 +197,7 @@ fn figures_8_to_10_show_what_the_captions_say() {
     assert!(same(&points(&csv, "unstable, impact pattern (4)"), &exact(-0.024, 4, false)));
     let noisy = points(&csv, "attractor, not periodic");
     assert_eq!(noisy.len(), 2000);
-    let curve = points(&csv, "where the next period grazes the lower wall");
+    let curve = points(&csv, "where the next period grazes the lower stop");
     let left_of_curve = |point: &[f64; 2]| {
         let pair = curve.windows(2).find(|pair| (pair[0][1] - point[1]) * (pair[1][1] - point[1]) <= 0.0)?;
         let slope = (pair[1][0] - pair[0][0]) / (pair[1][1] - pair[0][1]);
@@ -245,7 +245,7 @@ fn basins_over_phases_are_those_of_their_starts() {
     for row in rows(&read(&written, "phases.csv")) {
         let [phase, q] = ["q", "u"].map(|column| row[column].parse::<f64>().unwrap());
         let expected = match simulator.start(Time::new(0, 2.0 * PI * phase.rem_euclid(1.0)), q, 0.3) {
-            Err(_) => "behind a wall".to_string(),
+            Err(_) => "behind a stop".to_string(),
             Ok(mut run) => match detection.detect(&simulator, &mut run, &()).unwrap() {
                 Fate::Periodic(cycle) => {
                     let plural = if cycle.impacts == 1 { "" } else { "s" };

@@ -287,7 +287,7 @@ fn restitution_above_one_and_tiny_motions_are_warned_of() {
     let (code, report, _, _folder) = json(&format!("{lively}start = {{ q = 0.5 }}\nperiods = 1\n"), &[]);
     let warnings = &report["tasks"][0]["warnings"];
     assert_eq!((code, warnings.as_array().unwrap().len()), (0, 1), "{warnings}");
-    assert!(warnings[0].as_str().unwrap().contains("restitution of the lower stop is 1.5"), "{warnings}");
+    assert!(warnings[0].as_str().unwrap().contains("restitution of wall lower is 1.5"), "{warnings}");
     let (_, report, _, _folder) = json(&format!("{BALL}start = {{ q = 5e-10 }}\nperiods = 1\n"), &[]);
     let warnings = &report["tasks"][0]["warnings"];
     assert!(warnings[0].as_str().unwrap().contains("minimum_depth = 1e-12"), "{warnings}");

@@ -107,7 +107,7 @@ const MARKS: Record<string, [string, string, number]> = {
   touch: ["contact", "c5", 3.5],
   tangency: ["tangency", "c1", 4],
   stick: ["comes to rest", "c2", 4],
-  release: ["leaves the wall", "c4", 4],
+  release: ["leaves the stop", "c4", 4],
 };
 
 /** Displacement and walls over time, everything that happens marked. */
@@ -115,7 +115,7 @@ export function overTime(found: SeriesAnswer, walls: string[], quantity: string)
   const motion = found.times.flatMap((time, i) => [time, found.places[i] ?? NaN]);
   const layers = found.walls.map((row, i) => {
     const xy = row.flatMap((place, j) => [found.sampled[j]!, place]);
-    return curve(xy, "c7", walls[i] ?? "wall", { width: 2 });
+    return curve(xy, "c7", walls[i] ?? "stop", { width: 2 });
   });
   layers.push(curve(motion, "c0", quantity));
   for (const [kind, [label, colour, radius]] of Object.entries(MARKS)) {
@@ -149,7 +149,7 @@ export function phasePlane(found: SeriesAnswer): Layer[] {
 
 /** The section's points, a ring of a few for a periodic motion and dust for another. */
 export function section(found: SectionAnswer): Layer[] {
-  const curves = found.grazing_curve.map(({ wall, xy }) => curve(xy, "c5", `the next period grazes the ${wall} wall`));
+  const curves = found.grazing_curve.map(({ wall, xy }) => curve(xy, "c5", `the next period grazes the ${wall} stop`));
   const sets = found.sets.map(({ attractor, xy }, i) => {
     const row = attractor === null ? undefined : found.report.attractors[attractor];
     const label = row?.periodic ? `period ${row.period}, impacts in it: ${row.impacts}` : row?.periodic === null ? "not settled" : "not periodic";

@@ -585,7 +585,7 @@ class MotionPanel implements Panel {
     const moving = !scene?.machine && wall !== "";
     const [x, y] = moving ? [`q − (${wall} − offset)`, `u − ${wall}′`] : scene?.machine ? (this.ownPlane() ?? [quantity, rate]) : ["q", "u"];
     const axes: Record<ViewName, [string, string, string]> = {
-      time: ["time in forcing periods", quantity, "The motion over time, with walls and impacts"],
+      time: ["time in forcing periods", quantity, "The motion over time, with stops and impacts"],
       plane: [quantity, rate, "The motion in the phase plane, impacts as jumps"],
       section: [x, y, `The state once per forcing period, at the phase ${scene?.phase ?? "0"}`],
       attractor: [parameter, x, `What motions tend to over ${parameter}`],
@@ -625,7 +625,7 @@ class MotionPanel implements Panel {
     const periods = Number(this.parts.periods.value);
     const found: SeriesAnswer | null = await this.asked(this.context.latest("motion_series", this.request({ periods, samples: 128 })), mine);
     if (!found || !scene || mine !== this.change) return;
-    this.draw(this.view === "time" ? overTime(found, scene.machine ? ["the stop"] : scene.walls.map((wall) => `${wall} wall`), this.axes().yLabel) : phasePlane(found));
+    this.draw(this.view === "time" ? overTime(found, scene.machine ? ["the stop"] : scene.walls.map((wall) => `${wall} stop`), this.axes().yLabel) : phasePlane(found));
     const { report } = found;
     if (report.status !== "done") this.problem(new Failure(String(report.reason)));
   }
@@ -676,7 +676,7 @@ class MotionPanel implements Panel {
       rows.push(["period found", row.periodic ? `${row.period} forcing period${row.period === 1 ? "" : "s"}` : row.periodic === null ? "not settled: let more periods pass first" : "none: not periodic within 64 periods"]);
       rows.push(["impacts per forcing period", shown(row.impacts_per_period) + (row.periodic ? ` (${row.impacts} in ${row.period})` : "")]);
       const error = row.standard_error === null ? "" : ` ± ${shown(row.standard_error, 2)}`;
-      rows.push(["largest Lyapunov exponent, per period", row.lyapunov_per_period === null ? "−∞: it comes to rest on a wall" : shown(row.lyapunov_per_period) + error]);
+      rows.push(["largest Lyapunov exponent, per period", row.lyapunov_per_period === null ? "−∞: it comes to rest on a stop" : shown(row.lyapunov_per_period) + error]);
     }
     const orbit = found.orbit?.report?.orbits?.[0];
     if (orbit) {

@@ -83,7 +83,7 @@ test("the paper's oscillator: sliders by keyboard, numbers, theory", async () =>
   assert.ok(Math.abs(Number(re) - stable.multipliers[0][0]) < 1e-5, multipliers);
   if (sign) assert.ok(Math.abs(parseFloat(im) - Math.abs(stable.multipliers[0][1])) < 1e-5, multipliers);
   // The theory, and its link to the plane.
-  await root.getByText("At mu = 0 the motion without impacts grazes the lower wall.").waitFor();
+  await root.getByText("At mu = 0 the motion without impacts grazes the lower stop.").waitFor();
   await root.getByText(/mu > 0, case \(−,\+\): the orbits of periods 1, 2, 3 with one impact/).waitFor();
   const link = await root.getByRole("link", { name: "Show this (a₁, a₂) in the plane" }).getAttribute("href");
   assert.match(link, /^#plane\?a1=0\.48034776895\d*&a2=0\.2146515509\d*$/);

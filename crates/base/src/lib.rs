@@ -9,6 +9,8 @@
 //! | [`processor`], [`profile`], [`monitor`] | time and threads; where time goes; how a long job reports and is ended |
 //! | [`random`] | the same choices on every machine |
 //! | [`output`] | files that are whole or absent, saved states, shards, tables |
+//! | [`quantity`] | units and what they are units of |
+//! | [`typed`] | what hands type where numbers are wanted |
 //! | [`source`] | errors that name file, line and key |
 
 // They panic once nobody reads; `output` has what does not.
@@ -21,8 +23,10 @@ pub mod output;
 pub mod printable;
 pub mod processor;
 pub mod profile;
+pub mod quantity;
 pub mod random;
 pub mod source;
+pub mod typed;
 
 use grazing_number as number;
 

@@ -9,6 +9,7 @@ use crate::{
     error::{Error, Result, Spot},
     number::{LIMIT_BITS, parse_rational_within},
     output::LONGEST_SCENE,
+    typed::{in_line, in_number},
 };
 
 /// The most values of a file, counted by the signs before them.
@@ -44,7 +45,9 @@ impl Source<'_> {
             } else {
                 ""
             };
-            self.fail(error.span(), &format!("{}{hint}", error.message().replace('\n', "; ")))
+            let line = error.span().and_then(|span| self.text.lines().nth(self.line(&span) - 1));
+            let meant = line.and_then(in_line).map_or(String::new(), |meant| format!("; {meant}"));
+            self.fail(error.span(), &format!("{}{hint}{meant}", error.message().replace('\n', "; ")))
         })
     }
 
@@ -98,7 +101,10 @@ impl Source<'_> {
     /// An exact number of at most `bits` bits in numerator and denominator.
     pub fn exact_within(&self, key: &str, value: &Value, bits: u32) -> Result<BigRational> {
         let text = self.number_text(value).ok_or_else(|| self.at(key, value.span(), "is not a number"))?;
-        parse_rational_within(&text, bits).map_err(|error| self.at(key, value.span(), &error.to_string()))
+        parse_rational_within(&text, bits).map_err(|error| {
+            let meant = in_number(&text).map_or(String::new(), |meant| format!("; {meant}"));
+            self.at(key, value.span(), &format!("{error}{meant}"))
+        })
     }
 }
 

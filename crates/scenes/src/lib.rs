@@ -45,7 +45,7 @@ pub mod internals;
 pub mod run;
 pub mod scene;
 
-use grazing_base::{error, monitor, outcome, output, printable, source};
+use grazing_base::{error, monitor, outcome, output, printable, quantity, source, typed};
 use grazing_motion::formula;
 
 pub use grazing::{

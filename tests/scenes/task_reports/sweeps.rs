@@ -185,7 +185,9 @@ fn the_grazing_of_readme_says_that_it_jumps_and_where_it_returns() {
         assert_eq!(what, [("before", "stays"), ("beyond", "jumps"), ("back", "leaves")], "{found}");
         assert!(number(&seen[0]["value"]) < touch() && number(&seen[1]["value"]) > touch(), "{found}");
         near(number(&seen[2]["value"]), fold(), 1e-10);
-        let ends = |row: &Value| [0, 1].map(|i| number(&row["extent"][i]));
+        let (given, absent) = if format == 0 { ("extent", "gap") } else { ("gap", "extent") };
+        assert!(seen.iter().all(|row| row[absent].is_null()), "{found}");
+        let ends = |row: &Value| [0, 1].map(|i| number(&row[given][i]));
         // Of the oscillator the displacement, of the machine the gap below the stop.
         let (free, struck) = (ends(&seen[0]), ends(&seen[1]));
         if format == 0 {

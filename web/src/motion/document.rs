@@ -269,7 +269,7 @@ fn unnamed(root: &Item) -> Vec<Unnamed> {
         let word: String = own.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
         let end = if several { format!("_{word}") } else { String::new() };
         let list: Path = vec![key(heading), Step::Entry(i), key("harmonics")];
-        harmonics(list, &format!("wall{end}"), &format!("motion of the wall “{own}”"));
+        harmonics(list, &format!("wall{end}"), &format!("motion of the stop “{own}”"));
         stops.push((i, own, end));
     }
     for (i, own, end) in stops {
@@ -281,7 +281,7 @@ fn unnamed(root: &Item) -> Vec<Unnamed> {
         ] {
             let prefix = if matches!(name, "stiffness" | "damping") { "wall_" } else { "" };
             let place = vec![key(heading), Step::Entry(i), key(name)];
-            add(place, format!("{prefix}{name}{end}"), format!("wall “{own}”: {about}"), true);
+            add(place, format!("{prefix}{name}{end}"), format!("stop “{own}”: {about}"), true);
         }
     }
     all

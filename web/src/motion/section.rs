@@ -102,7 +102,7 @@ fn multipliers(
     let (_, series) = run_one(changeable, values, &keys, |_| Ok(Series::new(Seen::Coordinate(0))))?;
     if series.strikes.iter().any(|strike| strike.kind == "stick") {
         return Ok(
-            json!({ "reason": "the motion comes to rest on a wall, where it forgets its past: one multiplier is 0" }),
+            json!({ "reason": "the motion comes to rest on a stop, where it forgets its past: one multiplier is 0" }),
         );
     }
     let machine = matches!(changeable.scene.body, Body::Machine(_));

@@ -323,7 +323,7 @@ fn the_theory_in_words() {
         .map(|x| x.as_str().unwrap())
         .collect::<Vec<_>>()
         .join("\n");
-    assert!(words.contains("At mu = 0 the motion without impacts grazes the lower wall"), "{words}");
+    assert!(words.contains("At mu = 0 the motion without impacts grazes the lower stop"), "{words}");
     assert!(words.contains("a₁ = 0.480348, a₂ = 0.214652, region 3, γ > 0"), "{words}");
     assert!(words.contains("mu > 0, case (−,+): the orbits of periods 1, 2, 3 with one impact"), "{words}");
     assert!(words.contains("chaos") && words.contains("entropy 0.609378"), "{words}");

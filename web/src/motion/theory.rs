@@ -174,9 +174,9 @@ pub fn sentences(report: &Value, most: u64, size: f64) -> Vec<String> {
     let Some(parameter) = report["parameter"].as_f64() else { return Vec::new() };
     let name = report["varied"].as_str().unwrap_or_default();
     let wall = match report["stop"].as_str() {
-        Some(side @ ("lower" | "upper")) => format!("the {side} wall"),
+        Some(side @ ("lower" | "upper")) => format!("the {side} stop"),
         Some(stop) => format!("the stop “{stop}”"),
-        None => "a wall".to_string(),
+        None => "a stop".to_string(),
     };
     let parameter = digits(located(parameter, size), 9);
     let mut all = vec![format!("At {name} = {parameter} the motion without impacts grazes {wall}.")];
@@ -252,9 +252,11 @@ fn seen(report: &Value, name: &str) -> Option<String> {
             "leaves" => "it leaves again",
             _ => return Some(format!("{from} {at}, it leaves every bound")),
         };
-        let ends =
-            row["extent"].as_array().and_then(|ends| Some((ends.first()?.as_f64()?, ends.get(1)?.as_f64()?)));
-        let quantity = if report["engine"]["name"] == "many" { "a gap " } else { "" };
+        let ends = |key: &str| {
+            row[key].as_array().and_then(|ends| Some((ends.first()?.as_f64()?, ends.get(1)?.as_f64()?)))
+        };
+        let quantity = if row["gap"].is_null() { "" } else { "a gap " };
+        let ends = ends("gap").or_else(|| ends("extent"));
         let ends = ends.map_or(String::new(), |(low, high)| {
             let [low, high] = [low, high].map(|end| digits(located(end, low.abs().max(high.abs())), 4));
             format!(", {quantity}from {low} to {high}")
@@ -305,7 +307,7 @@ mod tests {
             "engine": { "name": "many" }, "parameter": 1e-20, "varied": "gap", "stop": "upper", "a1": 1e-9,
             "a2": 0.2, "region": "3", "open": null, "chaos": [], "born": [], "half": false,
             "seen": [{ "value": 1.0001e-20, "place": "before", "what": "stays", "motion": "period 1",
-                "extent": [-1e-20, 1e-20] }],
+                "gap": [-1e-20, 1e-20] }],
         });
         let all = sentences(&report, 4, 2e-20).join(" ");
         for text in ["At gap = 1e-20 the", "a₁ = 1e-9,", "at gap = 1.0001e-20,", "a gap from -1e-20 to 1e-20"]

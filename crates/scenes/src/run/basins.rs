@@ -25,7 +25,7 @@ use crate::{
 row! {
     /// One end and how many starts lead to it.
     pub struct BasinRow {
-        /// "periodic", "not-periodic", "not-settled", "behind-a-wall", "escaped", "impact-limit",
+        /// "periodic", "not-periodic", "not-settled", "behind-a-stop", "escaped", "impact-limit",
         /// "not-smooth" or "too-steep".
         pub end: &'static str,
         /// The period of a periodic attractor, in forcing periods.
@@ -77,7 +77,7 @@ impl Finding for BasinsFindings {
         if self.basins.iter().any(|basin| basin.end == "periodic" || basin.end == "not-periodic") {
             return Status::Done;
         }
-        Status::nothing("no start of the grid leads to an attractor: all are behind a wall or end before")
+        Status::nothing("no start of the grid leads to an attractor: all are behind a stop or end before")
     }
 
     fn warnings(&self) -> Vec<String> {
@@ -174,7 +174,7 @@ fn gather<D: Attraction>(
     let none = BasinRow { end: "", period: None, impacts: None, q: None, u: None, starts: 0 };
     let word = |end| BasinRow { end, ..none.clone() };
     let mut all = vec![
-        word("behind-a-wall"),
+        word("behind-a-stop"),
         word("escaped"),
         word("impact-limit"),
         word("not-periodic"),

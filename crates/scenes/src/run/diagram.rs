@@ -52,7 +52,7 @@ row! {
         pub period: Option<u32>,
         /// Impacts in a period; for motions that are not periodic, in all points looked at.
         pub impacts: Option<u64>,
-        /// Starts at this value whose motion left every bound, or that are behind a wall.
+        /// Starts at this value whose motion left every bound, or that are behind a stop.
         pub lost: u32,
     }
 }

@@ -21,7 +21,7 @@ use crate::{
     continuation::LocalMap,
     error::{Error, Result},
     pattern::{Pattern, PatternExistence, Patterns, Report as Verdict},
-    scene::orbits::GrazingTask,
+    scene::{Body, orbits::GrazingTask},
     search::{range::RangeEffort, touch::InTheory as _},
 };
 
@@ -417,10 +417,11 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
     let proofs = proofs.map(|seen| seen::proofs(seen, task, job, engine)).transpose()?;
     let (range, range_open, certificates) = asked_for_ranges(task, job, &point, &at)?;
     let (tolerance, tolerance_open) = asked_for_tolerances(task, job, &point, &at)?;
-    let seen = seen.as_ref().map(seen::rows);
+    let of_gap = matches!(job.scene.body, Body::Machine(_));
+    let seen = seen.as_ref().map(|seen| seen::rows(seen, of_gap));
     let in_words = told::sentences(
         &at,
-        (job.model.period(), job.scene.units),
+        (job.model.period(), job.scene.units, job.scene.unit(&at.varied)),
         seen.as_deref().unwrap_or_default(),
         hits.as_deref().unwrap_or_default(),
         influence.as_deref().unwrap_or_default(),

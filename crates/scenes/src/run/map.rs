@@ -23,7 +23,7 @@ use crate::{
 row! {
     /// One kind of end and how many points of the map have it.
     pub struct MapRow {
-        /// "periodic", "not-periodic", "not-settled", "behind-a-wall", "escaped", "impact-limit",
+        /// "periodic", "not-periodic", "not-settled", "behind-a-stop", "escaped", "impact-limit",
         /// "not-smooth" or "too-steep".
         pub end: &'static str,
         /// The period of a periodic motion, in forcing periods.
@@ -69,7 +69,7 @@ impl Finding for MapFindings {
             return Status::Done;
         }
         Status::nothing(
-            "at no point does the motion lead to an attractor: all are behind a wall or end before",
+            "at no point does the motion lead to an attractor: all are behind a stop or end before",
         )
     }
 
@@ -85,7 +85,7 @@ pub fn word(end: MapEnd) -> &'static str {
         MapEnd::Periodic(_) => "periodic",
         MapEnd::NotPeriodic => "not-periodic",
         MapEnd::Unsettled => NOT_SETTLED,
-        MapEnd::BehindAWall => "behind-a-wall",
+        MapEnd::BehindAWall => "behind-a-stop",
         MapEnd::Ended(RunEnd::ImpactLimit) => "impact-limit",
         MapEnd::Ended(RunEnd::NotSmooth) => "not-smooth",
         MapEnd::Ended(RunEnd::TooSteep) => "too-steep",

@@ -30,9 +30,10 @@ row! {
         pub what: String,
         /// What is seen there.
         pub motion: Option<String>,
-        /// Its least and greatest displacement; of a machine, the least and the greatest gap of the stop that
-        /// is grazed.
+        /// Its least and greatest displacement, where the engine is `one`.
         pub extent: Option<Vec<f64>>,
+        /// Where it is `many`, the least and the greatest gap of the stop that is grazed.
+        pub gap: Option<Vec<f64>>,
         /// The fastest impact on it.
         pub speed: Option<f64>,
     }
@@ -55,16 +56,19 @@ pub(super) fn sights<S>(seen: &Seen<S>) -> Vec<Sight<'_, S>> {
     beside.into_iter().chain(back).collect()
 }
 
-/// What is seen, row by row.
-pub(super) fn rows<S>(seen: &Seen<S>) -> Vec<SeenRow> {
+/// What is seen, row by row; of the gap or of the one displacement.
+pub(super) fn rows<S>(seen: &Seen<S>, of_gap: bool) -> Vec<SeenRow> {
     let row = |(place, value, what, settled): Sight<S>| {
         let portrait = settled.map(|settled| &settled.portrait);
+        let ends = portrait.map(|portrait| portrait.range.extent.to_vec());
+        let (extent, gap) = if of_gap { (None, ends) } else { (ends, None) };
         SeenRow {
             place: place.into(),
             value,
             what: if settled.is_some() { what } else { "lost" }.into(),
             motion: portrait.map(Portrait::words),
-            extent: portrait.map(|portrait| portrait.range.extent.to_vec()),
+            extent,
+            gap,
             speed: portrait.and_then(|portrait| portrait.range.speed),
         }
     };

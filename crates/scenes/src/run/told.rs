@@ -1,8 +1,12 @@
 //! A touch in sentences: what it does there and after, how hard it hits, what changes it. The numbers are
-//! those of the report, in the scene's names, and in SI units where the scene says what its units are.
+//! those of the report, in the scene's names, and in SI units where the scene says what its units are; the
+//! task's parameter is in the unit in which the scene has it.
 
 use super::{GrazingMap, HitRow, InfluenceRow, SeenRow};
-use crate::{many::elements::Short, scene::units::SiUnits};
+use crate::{
+    many::elements::Short,
+    scene::{WrittenUnit, units::SiUnits},
+};
 
 /// Most parameters that are named; the table has all.
 const NAMED: usize = 3;
@@ -32,39 +36,48 @@ fn told(x: f64, dimension: Dimension, units: Option<SiUnits>) -> String {
     format!("{} {word}", Short(x * factor))
 }
 
-/// The sentences; `period` is that of the forcing.
+/// The parameter at a value, in the unit in which it was written.
+fn parameter(at: &GrazingMap, value: f64, unit: Option<&WrittenUnit>) -> String {
+    match unit {
+        Some(unit) if !unit.text.is_empty() => {
+            format!("{} = {} {}", at.varied, Short(value / unit.size), unit.text)
+        }
+        _ => format!("{} = {}", at.varied, Short(value)),
+    }
+}
+
+/// The sentences; `period` is that of the forcing, `unit` that of the parameter.
 pub(super) fn sentences(
     at: &GrazingMap,
-    (period, units): (f64, Option<SiUnits>),
+    (period, units, unit): (f64, Option<SiUnits>, Option<&WrittenUnit>),
     seen: &[SeenRow],
     hits: &[HitRow],
     influence: &[InfluenceRow],
 ) -> String {
-    let mut all = vec![first(at, &told(at.phase * period, Time, units))];
+    let value = |value: f64| parameter(at, value, unit);
+    let mut all = vec![first(at, &value(at.parameter), &told(at.phase * period, Time, units))];
     for row in seen {
-        all.extend(sight(at, row));
+        all.extend(sight(&value(row.value), row));
         all.extend(blows(hits, &row.place, units));
     }
     all.extend(influences(influence));
     all.join(" ")
 }
 
-fn first(at: &GrazingMap, after: &str) -> String {
+fn first(at: &GrazingMap, value: &str, after: &str) -> String {
     let motion = match at.orbit.as_deref() {
         None | Some("free 1") => "the motion without impacts".to_string(),
         Some(orbit) => format!("the orbit {orbit}"),
     };
     format!(
-        "At {} = {} {motion} touches stop {}, at the phase {} of the period, {after} after its beginning.",
-        at.varied,
-        Short(at.parameter),
+        "At {value} {motion} touches stop {}, at the phase {} of the period, {after} after its beginning.",
         at.stop,
         Short(at.phase)
     )
 }
 
-fn sight(at: &GrazingMap, row: &SeenRow) -> Option<String> {
-    let value = format!("{} = {}", at.varied, Short(row.value));
+/// What is seen at a value of the parameter.
+fn sight(value: &str, row: &SeenRow) -> Option<String> {
     let motion = row.motion.as_deref().unwrap_or("nothing that stays within bounds");
     Some(match (row.place.as_str(), row.what.as_str()) {
         ("before", "stays") if row.speed.is_none() => return None,

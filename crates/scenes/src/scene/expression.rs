@@ -14,9 +14,12 @@
 //! In a force the displacement q, the velocity u and the time t are parameters, too (`force`); log, tanh,
 //! kinks and powers that are not whole have no enclosures and stand only there. Such a power is above 1.
 //!
-//! A parameter called like a function or `pi` is that parameter. Angles are in radians. A value is exact
-//! where it is rational (√ of a square, e⁰); other values there are on rungs that have the functions: floats,
-//! duals, enclosures.
+//! A parameter called like a function is that parameter, and so is `pi` in the older formats. Angles are in
+//! radians. A value is exact where it is rational (√ of a square, e⁰); other values there are on rungs that
+//! have the functions: floats, duals, enclosures.
+//!
+//! Behind a decimal, `pi` or a parenthesis a unit may stand, where a scene has units: they are read here, and
+//! gone in the text from which an expression is made (`quantity`).
 //!
 //! A decimal is one of the command line's number grammar (`12`, `0.375`, `1e-30`), and exact. Powers bind
 //! tighter than signs: -w^2 is -(w^2).
@@ -32,8 +35,10 @@ use crate::{
     error::{Error, Result},
     formula::{Formula, Function, KINKS, Operation, kink},
     number::{Ball, BoundedFraction, Elementary, FloatInterval, Plain, Real, Sign, parse_rational_within},
+    quantity::{Joint, Unit, symbols},
     search::chaos::RationalFunction,
     source::hint,
+    typed::in_number,
 };
 
 /// Above this many factors and terms, powers written out, an expression is refused.
@@ -89,11 +94,8 @@ impl Expression {
     /// # Ok::<(), grazing_scenes::Error>(())
     /// ```
     pub fn parse(text: &str, names: &[String]) -> Result<Expression> {
-        let mut parser = Parser { text, at: 0, names, depth: 0 };
-        let root = parser.sum()?;
-        if parser.peek().is_some() {
-            return Err(parser.expected("an operator or the end"));
-        }
+        let mut parser = Parser { text, at: 0, names, depth: 0, marks: None, blamed: false };
+        let root = parser.whole()?;
         let most = if root.chooses() { LIMIT_KINKS } else { LIMIT_SIZE };
         if root.size() > most {
             return Err(Error::input(format!(
@@ -313,15 +315,55 @@ fn divide<T: Real>(left: T, right: &T) -> Result<T> {
     Ok(left / right)
 }
 
+/// A unit in a text.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Mark {
+    /// Where what it stands behind begins and ends, and where the unit ends.
+    pub places: [usize; 3],
+    /// The number that it stands behind, if that is one.
+    pub number: Option<BigRational>,
+    pub unit: Unit,
+}
+
+/// A formula in names, then in the units of its text, then in whatever else a force may depend on.
+pub(super) struct Marked {
+    pub root: Formula,
+    pub marks: Vec<Mark>,
+}
+
+/// Reads an expression that may have units in it. Where that fails: whether a unit is to blame.
+pub(super) fn marked(text: &str, names: &[String]) -> std::result::Result<Marked, (Error, bool)> {
+    let mut parser = Parser { text, at: 0, names, depth: 0, marks: Some(Vec::new()), blamed: false };
+    let root = parser.whole();
+    let blamed = parser.blamed;
+    let marks = parser.marks.unwrap_or_default();
+    match root {
+        Ok(root) => Ok(Marked { root, marks }),
+        Err(error) => Err((error, blamed || !marks.is_empty())),
+    }
+}
+
 struct Parser<'a> {
     text: &'a str,
     /// The bytes read.
     at: usize,
     names: &'a [String],
     depth: u32,
+    /// The units found, if there may be any.
+    marks: Option<Vec<Mark>>,
+    /// Whether a unit, or what stands in its place, is what is wrong.
+    blamed: bool,
 }
 
 impl<'a> Parser<'a> {
+    fn whole(&mut self) -> Result<Formula> {
+        let root = self.sum()?;
+        if self.peek().is_some() {
+            return Err(self.expected("an operator or the end"));
+        }
+        Ok(root)
+    }
+
     /// The next character but spaces, which are passed over.
     fn peek(&mut self) -> Option<char> {
         let rest = &self.text[self.at..];
@@ -343,7 +385,13 @@ impl<'a> Parser<'a> {
 
     fn expected(&mut self, what: &str) -> Error {
         let found = self.peek().map_or("the end".to_string(), |c| format!("{c:?}"));
-        Error::input(format!("expected {what} at character {}, found {found}", self.position(self.at)))
+        let meant = match self.peek() {
+            // In an argument list a comma is no decimal one.
+            Some(c) if c == ',' && self.depth == 0 || !c.is_ascii() => in_number(self.text),
+            _ => None,
+        };
+        let meant = meant.map_or(String::new(), |meant| format!("; {meant}"));
+        Error::input(format!("expected {what} at character {}, found {found}{meant}", self.position(self.at)))
     }
 
     fn sum(&mut self) -> Result<Formula> {
@@ -367,7 +415,11 @@ impl<'a> Parser<'a> {
             if parts > LIMIT_SIZE {
                 return Err(Error::input(format!("has more than {LIMIT_SIZE} factors or terms")));
             }
-            left = Formula::Binary(operation, Box::new([left, part(self)?]));
+            self.peek();
+            let start = self.at;
+            let right = part(self)?;
+            self.check_quotient(operation, &left, start)?;
+            left = Formula::Binary(operation, Box::new([left, right]));
         }
         Ok(left)
     }
@@ -449,12 +501,67 @@ impl<'a> Parser<'a> {
     }
 
     fn atom(&mut self) -> Result<Formula> {
-        match self.peek() {
+        let first = self.peek();
+        let start = self.at;
+        let atom = match first {
             Some('(') => self.parenthesis(),
             Some(c) if c.is_ascii_digit() || c == '.' => self.decimal(),
             Some(c) if starts_name(c) => self.parameter(),
             _ => Err(self.expected("a number, a parameter or \"(\"")),
+        }?;
+        if self.marks.is_some() && (first == Some('(') || matches!(atom, Formula::Number(_) | Formula::Pi)) {
+            return self.with_unit(start, atom);
         }
+        Ok(atom)
+    }
+
+    /// What was read from `start` on, times the unit that follows, if one does.
+    fn with_unit(&mut self, start: usize, atom: Formula) -> Result<Formula> {
+        let (end, names) = (self.at, self.names);
+        let is_name = |word: &str| names.iter().any(|name| name == word);
+        let next = self.text[end..].trim_start();
+        let at = self.text.len() - next.len();
+        let word = match next.chars().next() {
+            Some(c) if starts_name(c) => &next[..next.find(|c| !continues_name(c)).unwrap_or(next.len())],
+            Some(c @ ('%' | '°')) => &next[..c.len_utf8()],
+            _ => return Ok(atom),
+        };
+        let Some((unit, read)) = Unit::begin(next, &|word, joint| joint != Joint::Tight && is_name(word))
+        else {
+            self.blamed = true;
+            let (place, before) = (self.position(at), &self.text[start..end]);
+            return Err(Error::input(if is_name(word) {
+                let also =
+                    Unit::symbol(word).map_or("", |_| ", or rename the parameter if the unit is meant");
+                format!("{word} at character {place} is a parameter: write {before}*{word}{also}")
+            } else {
+                let near = hint(word, symbols());
+                format!(
+                    "there is no unit {word:?}, at character {place}; {near}; a product is {before}*{word}"
+                )
+            }));
+        };
+        self.at = at + read;
+        let number = if let Formula::Number(value) = &atom { Some(value.clone()) } else { None };
+        let marks = self.marks.get_or_insert_default();
+        marks.push(Mark { places: [start, end, self.at], number, unit });
+        let place = names.len() + marks.len() - 1;
+        Ok(Formula::Binary(Operation::Product, Box::new([atom, Formula::Variable(place)])))
+    }
+
+    /// Refuses 1/2 mm, which is half a millimetre to the eye and 1/(2 mm) to the grammar; the divisor begins
+    /// at `start` and has just been read.
+    fn check_quotient(&self, operation: Operation, left: &Formula, start: usize) -> Result<()> {
+        let last = self.marks.as_ref().and_then(|marks| marks.last());
+        let Some(Mark { places: [from, to, end], number: Some(_), unit }) = last else { return Ok(()) };
+        if operation != Operation::Quotient || *from != start || *end != self.at || left.mentions(&|_| true) {
+            return Ok(());
+        }
+        let (by, place) = (&self.text[*from..*to], self.position(start));
+        Err(Error::input(format!(
+            "…/{by} {unit}, at character {place}, is read in two ways: write (…/{by}) {unit}, or …/({by} {unit})",
+            unit = unit.text
+        )))
     }
 
     fn parenthesis(&mut self) -> Result<Formula> {
@@ -506,9 +613,16 @@ impl<'a> Parser<'a> {
         if let Some((_, count)) = KINKS.into_iter().find(|known| known.0 == name) {
             return self.kink(start, count);
         }
+        if self.marks.is_some() && is_variable(name) {
+            return Ok(Formula::Variable(usize::MAX));
+        }
         let hint = hint(name, self.names.iter().map(String::as_str));
         let is_state = matches!(name.trim_end_matches(|c: char| c.is_ascii_digit()), "q" | "u" | "t");
-        let hint = if is_state { format!("{hint}; q, u and t stand only in `force`") } else { hint };
+        let hint = match in_number(name) {
+            Some(meant) => meant,
+            None if is_state => format!("{hint}; q, u and t stand only in `force`"),
+            None => hint,
+        };
         Err(Error::input(format!("unknown parameter {name:?} at character {}; {hint}", self.position(start))))
     }
 
@@ -559,6 +673,12 @@ fn starts_name(c: char) -> bool {
 
 fn continues_name(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
+}
+
+/// Whether a force, a law of a stop or a restitution may depend on what is called so.
+fn is_variable(name: &str) -> bool {
+    let bare = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    matches!(bare, "q" | "u") || matches!(name, "t" | "d" | "v")
 }
 
 /// Whether an expression can name a parameter so.

@@ -1,6 +1,10 @@
 //! A scene from TOML text.
 
-use std::{collections::HashSet, path::Path, sync::Arc};
+use std::{
+    collections::{BTreeMap, HashSet},
+    path::Path,
+    sync::Arc,
+};
 
 use num_rational::BigRational;
 use num_traits::Signed;
@@ -12,14 +16,17 @@ use super::{
     keys::{Entry, Key, Record, Scope, Seen, StopName, Value, keys},
     machine::MachineScene,
     oscillator::{Disqualified, oscillator},
+    quantity::{Kinds, Scale, WrittenUnit},
     scene::{Body, Engine, Scene},
     system::{Accuracy, EngineKey, FrictionKeys, StopKeys, SystemKeys},
     task::Task,
-    units::UnitKeys,
+    units::{SiUnits, UnitKeys},
+    wanted::{self, Coordinates},
 };
 use crate::{
     error::Result,
     output::{LONGEST_SCENE, read_text},
+    quantity::Dimension,
     source::Source,
 };
 
@@ -37,7 +44,8 @@ keys! {
         /// what computes its motions: `one` is for one degree of freedom and rigid stops, `many` for any
         /// number and for compliant stops; `auto` takes `one` where the system qualifies
         engine: EngineKey = "\"auto\"",
-        /// names and their values: numbers, which `grazing run --set` and a task's `set` can change
+        /// names and their values: numbers, also with units, which `grazing run --set` and a task's `set`
+        /// can change
         parameters: Parameters = "{}",
         /// the equations of motion
         system: SystemKeys,
@@ -109,7 +117,7 @@ impl Scene {
     /// # Errors
     /// An input error `name:line: key = value: what is wrong and the fix`: for the text's form, an unknown
     /// key, a missing one, a value of the wrong shape, an expression that cannot be evaluated, walls that
-    /// cross, a negative restitution, a start behind a wall, with the scene's parameters and with those of
+    /// cross, a negative restitution, a start behind a stop, with the scene's parameters and with those of
     /// each task.
     ///
     /// ```
@@ -134,17 +142,36 @@ impl Scene {
         let clash = |foreign: Foreign| source.fail(foreign.span, &foreign.message);
         translate(&mut root, format, &|value| source.number_text(value)).map_err(clash)?;
         let (seen, root) = (Seen::default(), Item::Table(root));
-        let scope = |names, stops| Scope { source: source.clone(), format, names, stops, seen: &seen };
-        let top = |scope, item: &Item| Entry { scope, path: String::new(), span: None, item: item.clone() };
-        let nameless = scope(&[], &[]);
-        let file = top(&nameless, &root);
-        file.only(&File::KEYS.iter().map(|key| key.name).collect::<Vec<_>>())?;
-        let parameters = match file.get("parameters")? {
-            Some(entry) => parameters(&entry)?,
-            None => Vec::new(),
+        let scope = |names, stops, quantities| Scope {
+            source: source.clone(),
+            format,
+            names,
+            stops,
+            quantities,
+            seen: &seen,
         };
+        let top = |scope, item: &Item| Entry { scope, path: String::new(), span: None, item: item.clone() };
+        let unitless = scope(&[], &[], None);
+        let file = top(&unitless, &root);
+        file.only(&File::KEYS.iter().map(|key| key.name).collect::<Vec<_>>())?;
+        let units = file.get("units")?.map(|entry| UnitKeys::read(&entry)).transpose()?;
+        let (scale, none) = (Scale::new(units.map(|keys| keys.symbols())), Kinds::new());
+        // Other formats have no units.
+        let is_third = format == SceneFormat::Three;
+        let nameless = scope(&[], &[], is_third.then_some((&scale, &none)));
+        let (parameters, written) = match top(&nameless, &root).get("parameters")? {
+            Some(entry) => parameters(&entry)?,
+            None => (Vec::new(), BTreeMap::new()),
+        };
+        let kinds: Kinds = seen
+            .measured
+            .take()
+            .into_iter()
+            .map(|(path, kind)| (path[PARAMETERS..].to_string(), kind))
+            .collect();
+        let quantities = is_third.then_some((&scale, &kinds));
         let names: Vec<String> = parameters.iter().map(|(name, _)| name.clone()).collect();
-        let stopless = scope(&names, &[]);
+        let stopless = scope(&names, &[], quantities);
         let file = top(&stopless, &root);
         let read = File::fields(&file, &[])?;
         let known = Known { file: &file, format, parameters: &parameters };
@@ -154,11 +181,25 @@ impl Scene {
             Body::Machine(_) => None,
         };
         let mass = mass.map(|(_, _, mass)| mass.clone());
-        let all = scope(&names, &stops);
+        let all = scope(&names, &stops, quantities);
         let tasks = match top(&all, &root).get("tasks")? {
             Some(entry) => entry.elements()?.iter().map(Task::read).collect::<Result<_>>()?,
             None => Vec::new(),
         };
+        let measured = seen.measured.take();
+        // A scene of plain numbers has no dimensions, whatever percentages are in it.
+        if seen.scaled.get() {
+            let turns = |(path, kind): &(String, Dimension)| {
+                path.starts_with("system.mass") && kind.is_like(Dimension::of(2, 0, 1))
+            };
+            let coordinates =
+                Coordinates { several: whole.machine.points() != 1, turns: measured.iter().any(turns) };
+            let named = |path: &str, key: &str| named(&root, path, key);
+            wanted::check(&file, &measured, (&scale, &kinds), coordinates, &named)?;
+        }
+        let si = read.units.map(|keys| keys.si()).or(seen.scaled.get().then_some(SiUnits::SI));
+        let used = seen.used.take();
+        let idle = names.iter().filter(|name| !used.contains(*name)).cloned().collect();
         let scene = Scene {
             title: read.title,
             parameters,
@@ -168,7 +209,9 @@ impl Scene {
             whole,
             mass,
             accuracy: read.accuracy,
-            units: read.units.map(|keys| keys.si()),
+            units: si,
+            written: Arc::new(written),
+            idle: Arc::new(idle),
             tasks,
             format,
             file: Arc::new((name.to_string(), text.to_string())),
@@ -294,16 +337,45 @@ impl Known<'_> {
     }
 }
 
-fn parameters(entry: &Entry) -> Result<Vec<(String, BigRational)>> {
-    let mut all = Vec::new();
+/// The bytes of `parameters.` before a parameter's name.
+const PARAMETERS: usize = "parameters.".len();
+
+/// The parameters with their values, and the units of those that were written with one.
+type Parameterised = (Vec<(String, BigRational)>, BTreeMap<String, WrittenUnit>);
+
+fn parameters(entry: &Entry) -> Result<Parameterised> {
+    let (mut all, mut written) = (Vec::new(), BTreeMap::new());
     for (name, _) in entry.table()?.iter() {
         let Some(value) = entry.get(name)? else { continue };
         if !is_name(name) {
             return Err(value.fail("the name of a parameter is a letter, then letters, digits and _"));
         }
-        all.push((name.to_string(), value.number()?));
+        let text = value.item.as_str().map(str::to_string);
+        let found = text.map(|text| value.quantity(&text, &[])).transpose()?.flatten();
+        if name == "pi" && value.scope.format == SceneFormat::Three {
+            return Err(value.fail("is 3.14159… in every expression, and no parameter: give it another name"));
+        }
+        all.push((
+            name.to_string(),
+            match &found {
+                Some(found) => found.value().map_err(|error| value.fail(&error.to_string()))?,
+                None => value.number()?,
+            },
+        ));
+        written.extend(found.and_then(|found| found.unit).map(|unit| (name.to_string(), unit)));
     }
-    Ok(all)
+    Ok((all, written))
+}
+
+/// What a key of the task says in which a path is.
+fn named(root: &Item, path: &str, key: &str) -> Option<String> {
+    let place: usize = path.strip_prefix("tasks[")?.split(']').next()?.parse().ok()?;
+    let tasks = root.get("tasks")?;
+    let task = match tasks {
+        Item::ArrayOfTables(tables) => tables.get(place - 1)?.get(key)?.as_str(),
+        tasks => tasks.as_array()?.get(place - 1)?.as_inline_table()?.get(key)?.as_str(),
+    };
+    task.map(str::to_string)
 }
 
 /// The table of the whole file: path, what it is, keys.

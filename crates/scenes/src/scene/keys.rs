@@ -5,8 +5,8 @@
 //! default is TOML text, read as if it stood in the file; without one the key is required, but for `Option`.
 
 use std::{
-    cell::RefCell,
-    collections::BTreeMap,
+    cell::{Cell, RefCell},
+    collections::{BTreeMap, HashSet},
     ops::Range,
     path::{Path, PathBuf},
 };
@@ -16,13 +16,16 @@ use num_traits::ToPrimitive;
 use toml_edit::{Item, TableLike};
 
 use super::{
+    dimension::Measured,
     expression::{Expression, LIMIT_BITS},
     format::SceneFormat,
+    quantity::{Bare, Kinds, Scale, bare, counts_cycles, has_units},
 };
 use crate::{
     error::{Error, Result},
     motion::Side,
     output::read_text,
+    quantity::Dimension,
     source::{Source, nearest, unknown},
 };
 
@@ -135,6 +138,8 @@ pub(super) struct Scope<'a> {
     pub names: &'a [String],
     /// The stops, once they are known.
     pub stops: &'a [StopName],
+    /// The units of bare numbers, and which parameters have units; none where there can be none.
+    pub quantities: Option<(&'a Scale, &'a Kinds)>,
     /// What has been read.
     pub seen: &'a Seen,
 }
@@ -155,6 +160,20 @@ pub(super) struct Seen {
     pub places: RefCell<BTreeMap<String, Range<usize>>>,
     /// The files beside the scene.
     pub files: RefCell<Vec<PathBuf>>,
+    /// What has units, and what it is.
+    pub measured: RefCell<Vec<(String, Dimension)>>,
+    /// Whether a unit of length, time or mass is written.
+    pub scaled: Cell<bool>,
+    /// The names that stand in expressions.
+    pub used: RefCell<HashSet<String>>,
+}
+
+impl Seen {
+    fn uses(&self, text: &str, names: &[String]) {
+        let words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
+        let known = words.filter(|word| names.iter().any(|name| name == word));
+        self.used.borrow_mut().extend(known.map(str::to_string));
+    }
 }
 
 impl<'a> Entry<'a> {
@@ -269,15 +288,24 @@ impl<'a> Entry<'a> {
         let items: Vec<Item> = match &self.item {
             Item::Value(toml_edit::Value::Array(array)) => array.iter().cloned().map(Item::Value).collect(),
             Item::ArrayOfTables(tables) => tables.iter().cloned().map(Item::Table).collect(),
+            Item::Table(_) if !self.path.contains('.') => {
+                let name = self.own_path();
+                return Err(
+                    self.fail(&format!("is one table, not a list of them: write [[{name}]] above each"))
+                );
+            }
             _ => return Err(self.fail("is not a list […]")),
         };
         let one = |(i, item)| Entry::new(self.scope, format!("{}[{i}]", self.path), self.span.clone(), item);
         Ok((1..).zip(items).map(one).collect())
     }
 
-    /// An exact number.
+    /// An exact number, in the scene's units if it has some.
     pub(crate) fn number(&self) -> Result<BigRational> {
         let value = self.item.as_value().ok_or_else(|| self.fail("is not a number"))?;
+        if let Some(found) = value.as_str().map(|text| self.quantity(text, &[])).transpose()?.flatten() {
+            return found.value().map_err(|error| self.fail(&error.to_string()));
+        }
         self.scope.source.exact_within(&self.own_path(), value, LIMIT_BITS)
     }
 
@@ -285,12 +313,39 @@ impl<'a> Entry<'a> {
         self.item.as_str().ok_or_else(|| self.fail("is not text \"…\""))
     }
 
-    /// A number or a text: what an expression is written as.
+    /// A number or a text: what an expression is written as, in bare numbers of the scene.
     pub(crate) fn expression(&self) -> Result<String> {
         let value = self.item.as_value().ok_or_else(|| self.fail("is not an expression"))?;
         let text = self.scope.source.number_text(value);
-        text.map(|text| text.to_string())
-            .ok_or_else(|| self.fail("is not an expression: write a number, or \"…\""))
+        let text = text.ok_or_else(|| self.fail("is not an expression: write a number, or \"…\""))?;
+        self.scope.seen.uses(&text, self.scope.names);
+        Ok(self.quantity(&text, self.scope.names)?.map_or(text, |found| found.text))
+    }
+
+    /// What a text with units, or with parameters that have some, is in bare numbers of the scene; none of
+    /// any other. What it is a mass or a length of is checked later.
+    pub(super) fn quantity(&self, text: &str, names: &[String]) -> Result<Option<Bare>> {
+        let fail = |error: Error| self.fail(&error.to_string());
+        let Some(quantities) = self.scope.quantities else {
+            let (format, newer) = (self.scope.format, SceneFormat::Three.word());
+            let why =
+                format!("has a unit, which needs format = {newer:?} (`grazing run --upgrade` writes that)");
+            return if format != SceneFormat::Three && has_units(text, names) {
+                Err(self.fail(&why))
+            } else {
+                Ok(None)
+            };
+        };
+        let Some(mut found) = bare(text, names, quantities).map_err(fail)? else { return Ok(None) };
+        if counts_cycles(&self.path) {
+            found.in_cycles().map_err(fail)?;
+        }
+        let seen = self.scope.seen;
+        seen.scaled.set(seen.scaled.get() || found.scaled);
+        if let Measured::Known(dimension) = found.measured {
+            seen.measured.borrow_mut().push((self.path.clone(), dimension));
+        }
+        Ok(Some(found))
     }
 
     /// One of some words.

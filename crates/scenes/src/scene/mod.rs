@@ -7,15 +7,16 @@
 //! two engines is told: `oscillator` for `one`, if the system qualifies, else `machine` for `many`. Not here:
 //! running the tasks (the module `run`).
 //!
-//! Each file imports from those before it alone: `dual`, `expression`, `format`, `keys`, `force`, `matrix`,
-//! `measured`; the keys of the system, `system`; what the engines are told, `machine`, `oscillator`; the keys
-//! of tasks, `simulate`, `orbits`, `sections`, `branches`, `response`, `validate`, `chaos`; `task`; `scene`,
-//! the type and its values; `values`, those of a machine; `normal`, `check`; `input`, `upgrade`, `family`,
-//! `reference`.
+//! Each file imports from those before it alone: `dual`, `expression`, `dimension`, `quantity`, `format`,
+//! `keys`, `force`, `matrix`, `measured`; the keys of the system, `system`; what the engines are told,
+//! `machine`, `oscillator`; the keys of tasks, `simulate`, `orbits`, `sections`, `branches`, `response`,
+//! `validate`, `chaos`; `task`; `scene`, the type and its values; `values`, those of a machine; `normal`,
+//! `check`; `wanted`, `input`, `upgrade`, `family`, `reference`.
 
 pub mod branches;
 pub mod chaos;
 mod check;
+mod dimension;
 mod dual;
 mod expression;
 mod family;
@@ -31,6 +32,7 @@ mod measured;
 mod normal;
 pub mod orbits;
 mod oscillator;
+mod quantity;
 mod reference;
 pub mod response;
 pub mod rest;
@@ -48,6 +50,7 @@ mod upgrade;
 pub mod validate;
 mod values;
 mod walls;
+mod wanted;
 
 pub use crate::formula::Function;
 pub use expression::{Coefficient, Expression};
@@ -58,6 +61,7 @@ pub use keys::StopName;
 pub use machine::MachineScene;
 pub use matrix::CoordinateList;
 pub use measured::MeasuredForce;
+pub use quantity::WrittenUnit;
 pub use reference::reference;
 #[doc(hidden)]
 pub use scene::phase;

@@ -13,6 +13,7 @@ use super::{
     keys::StopName,
     machine::MachineScene,
     matrix::CoordinateList,
+    quantity::WrittenUnit,
     sections::StartAxis,
     simulate::Start,
     system::{Accuracy, EngineKey},
@@ -70,10 +71,14 @@ pub struct Scene {
     pub(super) whole: Arc<MachineScene>,
     /// Of the engine `one`, what its forces were divided by, if that was not 1.
     pub(super) mass: Option<Expression>,
+    /// The parameters that stand in no expression.
+    pub(super) idle: Arc<Vec<String>>,
     /// How accurately to compute.
     pub accuracy: Accuracy,
-    /// What a unit of its numbers is, if it says so.
+    /// What a unit of its numbers is, if it says so, or has units written out.
     pub units: Option<SiUnits>,
+    /// The units of parameters that are written with one.
+    pub(super) written: Arc<BTreeMap<String, WrittenUnit>>,
     /// What to do.
     pub tasks: Vec<Task>,
     /// The format of its file.
@@ -142,7 +147,7 @@ impl Scene {
     /// The same scene with other values of some parameters, and without its tasks, which may be many.
     pub(super) fn alone(&self, values: &[(String, BigRational)]) -> Result<Scene> {
         let Scene { title, parameters, body, engine, stops, whole, mass, accuracy, .. } = self;
-        let Scene { units, format, file, places, files, .. } = self;
+        let Scene { units, written, idle, format, file, places, files, .. } = self;
         Scene {
             title: title.clone(),
             parameters: parameters.clone(),
@@ -153,6 +158,8 @@ impl Scene {
             mass: mass.clone(),
             accuracy: accuracy.clone(),
             units: *units,
+            written: written.clone(),
+            idle: idle.clone(),
             tasks: Vec::new(),
             format: *format,
             file: file.clone(),
@@ -201,6 +208,11 @@ impl Scene {
             Body::Machine(scene) => serde_json::to_string(&(parameters, &scene.machine, scene.minimum_depth)),
         }
         .map_err(std::io::Error::other)?)
+    }
+
+    /// The unit in which a parameter is written, if it is.
+    pub fn unit(&self, parameter: &str) -> Option<&WrittenUnit> {
+        self.written.get(parameter)
     }
 
     /// The place of a parameter in the list.
@@ -408,7 +420,8 @@ impl Scene {
             && let Some((t, gap)) = walls::meet(lower, upper)?
         {
             let message = format!(
-                "the walls meet: at t = {t:.6} the upper one is {gap:.3e} above the lower; move them apart{}",
+                "the {}s meet: at t = {t:.6} the upper one is {gap:.3e} above the lower; move them apart{}",
+                self.format.stop(),
                 point()
             );
             return Err(self.fail(&wall.offset.key, &message));

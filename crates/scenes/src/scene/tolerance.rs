@@ -72,7 +72,10 @@ impl Tolerance {
                 };
                 match text.strip_suffix('%') {
                     Some(part) => Tolerance::Relative(number(part)? / BigRational::from_integer(100.into())),
-                    None => Tolerance::Absolute(number(text)?),
+                    None => Tolerance::Absolute(match entry.quantity(text, &[])? {
+                        Some(found) => found.value().map_err(|error| entry.fail(&error.to_string()))?,
+                        None => number(text)?,
+                    }),
                 }
             }
         };

@@ -1,5 +1,5 @@
-//! The units of a scene's numbers, and what they are in metres, seconds and kilograms. Not here: conversion
-//! of what a scene computes with; it computes with the numbers as they stand.
+//! The units of a scene's bare numbers, and what they are in metres, seconds and kilograms. Not here: numbers
+//! that have their unit with them (`quantity`).
 
 use super::keys::{Record, keys, words};
 
@@ -46,9 +46,9 @@ words! {
 }
 
 keys! {
-    /// The units of all numbers of the scene. Reports and pictures keep them; the sentences of `grazing` tell
-    /// speeds, impulses, forces, energies and times in SI units. The unit of force is that of mass · length /
-    /// time², and what stops stop are lengths.
+    /// The units of all bare numbers of the scene; what has its unit with it is converted to them. Reports
+    /// and pictures keep them; the sentences of `grazing` tell speeds, impulses, forces, energies and times
+    /// in SI units. The unit of force is that of mass · length / time², and what stops stop are lengths.
     pub struct UnitKeys {
         /// of displacements
         length: LengthUnit,
@@ -70,7 +70,17 @@ pub struct SiUnits {
     pub mass: f64,
 }
 
+impl SiUnits {
+    /// Metres, seconds and kilograms themselves.
+    pub(super) const SI: SiUnits = SiUnits { length: 1.0, time: 1.0, mass: 1.0 };
+}
+
 impl UnitKeys {
+    /// The symbols of length, time and mass.
+    pub(super) fn symbols(&self) -> [&'static str; 3] {
+        [self.length.word(), self.time.word(), self.mass.word()]
+    }
+
     pub(super) fn si(&self) -> SiUnits {
         SiUnits {
             length: match self.length {

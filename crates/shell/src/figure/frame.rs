@@ -214,7 +214,7 @@ fn share_of(axis: &Axis, mark: f64) -> f64 {
 }
 
 /// The symbol that a parameter's name spells, as in `mu`, with what follows an underscore as an index, or the
-/// name.
+/// name; a unit in parentheses behind it, as in `F (N)`, stays there.
 pub fn symbol(name: &str) -> Words {
     const LETTERS: [(&str, &str); 16] = [
         ("alpha", "α"),
@@ -234,6 +234,11 @@ pub fn symbol(name: &str) -> Words {
         ("psi", "ψ"),
         ("omega", "ω"),
     ];
+    if let Some((bare, unit)) = name.split_once(" (") {
+        let mut words = symbol(bare);
+        words.0.extend(Words::plain(&format!(" ({unit}")).0);
+        return words;
+    }
     let letter = |name: &str| LETTERS.iter().find(|(word, _)| *word == name).map(|(_, letter)| *letter);
     let (base, index) = name.split_once('_').unwrap_or((name, ""));
     let digits = base.len() - base.trim_start_matches(|c: char| !c.is_ascii_digit()).len();
@@ -302,6 +307,7 @@ mod tests {
         assert_eq!(shown("mu_gr"), "µ|gr");
         assert_eq!(shown("speed_max"), "speed_max");
         assert_eq!(shown("F0"), "F|0");
+        assert_eq!(shown("F0 (kg m/s^2)"), "F|0| (kg m/s^2)");
         assert_eq!(shown("w"), "w");
         assert_eq!(shown(""), "");
     }

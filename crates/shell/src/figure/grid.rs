@@ -178,7 +178,7 @@ const GREYS: [u8; 3] = [255, 90, 170];
 /// How high a panel is.
 const HIGH: f64 = 190.0;
 
-/// As many of them have no motion that stays: behind a wall, beyond every bound.
+/// As many of them have no motion that stays: behind a stop, beyond every bound.
 const NO_MOTION: usize = 2;
 
 /// White, greys, then the palette; classes beyond it repeat.

@@ -117,7 +117,7 @@ fn draw(motion: &MotionPicture) -> Canvas {
         COLUMN,
         136.0,
         &motion.title,
-        &format!("{} over time in forcing periods, {note}; walls are grey, impacts red.", motion.label),
+        &format!("{} over time in forcing periods, {note}; stops are grey, impacts red.", motion.label),
     );
     let heights = || path.iter().chain(walls.iter().flatten()).map(|at| at.1);
     let times = (path.first().map_or(0.0, |p| p.0), path.last().map_or(1.0, |p| p.0));

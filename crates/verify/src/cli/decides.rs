@@ -142,7 +142,7 @@ impl Report {
             .iter()
             .map(|parameter| {
                 let at = self.given.at(parameter);
-                let unit = parameter.unit.map_or(String::new(), |unit| format!(" {}", unit.name));
+                let unit = parameter.unit.as_ref().map_or(String::new(), |unit| format!(" {}", unit.name));
                 format!("{} = {}{unit}", place::spoken(parameter.name), place::short(&at))
             })
             .collect();
@@ -295,7 +295,7 @@ fn title(report: &Report, question: &Question) -> String {
 fn line(given: &Given, question: &Question, row: &Row) -> String {
     let parameter = &given.parameters[row.parameter];
     let name = place::spoken(parameter.name);
-    let unit = parameter.unit.map_or(String::new(), |unit| format!(" {}", unit.name));
+    let unit = parameter.unit.as_ref().map_or(String::new(), |unit| format!(" {}", unit.name));
     let way = if row.more { "up" } else { "down" };
     let end = place::short(&parameter.shown(&row.end));
     let others = if row.whole { ", for all of the box" } else { "" };
@@ -392,7 +392,7 @@ fn write_json(report: &Report, out: &mut dyn Write) -> Result<()> {
         .map(|parameter| {
             json!({
                 "name": parameter.name,
-                "unit": parameter.unit.map(|unit| unit.name),
+                "unit": parameter.unit.as_ref().map(|unit| &unit.name),
                 "value": given.at(parameter).to_string(),
                 "bounds": parameter.tolerance().map(|end| end.to_string()),
             })
@@ -447,7 +447,7 @@ fn write_table(report: &Report, format: TableFormat, out: &mut dyn Write) -> Res
             cells.extend([
                 question.n.map_or(TableCell::Empty, |n| TableCell::Int(n as i64)),
                 TableCell::Text(place::spoken(parameter.name)),
-                parameter.unit.map_or(TableCell::Empty, |unit| TableCell::Text(unit.name)),
+                parameter.unit.as_ref().map_or(TableCell::Empty, |unit| TableCell::Text(&unit.name)),
                 TableCell::Text(&before),
                 by.as_deref().map_or(TableCell::Empty, TableCell::Text),
                 TableCell::Text(verdict(row)),

@@ -109,7 +109,7 @@ impl Parameter {
     }
 
     fn in_unit(&self, value: &BigRational) -> BigRational {
-        self.unit.map_or_else(|| value.clone(), |unit| unit.of(value))
+        self.unit.as_ref().map_or_else(|| value.clone(), |unit| unit.of(value))
     }
 
     /// Its value in the first unit of its kind where that coordinate is `x`.
@@ -196,7 +196,7 @@ impl Place {
             let is = |name, measure: &Measure, as_given| Parameter {
                 name,
                 bounds: measure.span.0.clone(),
-                unit: measure.unit,
+                unit: measure.unit.clone(),
                 as_given,
             };
             let from = [&natural / &driven, middle(&damping.0)];
@@ -258,7 +258,7 @@ impl Place {
 
 /// Natural over drive frequency.
 fn ratio(frequency: &Measure, drive: &Measure) -> Result<[BigRational; 2]> {
-    let kind = |measure: &Measure| measure.unit.map(|unit| unit.kind);
+    let kind = |measure: &Measure| measure.unit.as_ref().map(|unit| unit.kind);
     if kind(frequency) != kind(drive) {
         let name = |measure: &Measure| kind(measure).unwrap_or("none");
         return Err(Error::input(format!(

@@ -9,6 +9,7 @@ use num_traits::{One, Signed};
 use crate::{
     error::{Error, Result},
     number::{parse_integer, parse_rational},
+    quantity::{self, Dimension},
 };
 
 /// A parser of whole numbers in a range, for clap.
@@ -115,26 +116,35 @@ impl Span {
 }
 
 /// A unit of frequency: how many of the first of its kind it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Unit {
-    pub name: &'static str,
+    pub name: String,
     /// Units of one kind have rational ratios.
     pub kind: &'static str,
-    size: (u32, u32),
+    size: BigRational,
 }
 
-const UNITS: [Unit; 5] = [
-    Unit { name: "rad/s", kind: "rad/s", size: (1, 1) },
-    Unit { name: "kHz", kind: "Hz", size: (1000, 1) },
-    Unit { name: "mHz", kind: "Hz", size: (1, 1000) },
-    Unit { name: "rpm", kind: "Hz", size: (1, 60) },
-    Unit { name: "Hz", kind: "Hz", size: (1, 1) },
-];
-
 impl Unit {
+    /// The unit behind a number, if there is one, and where it begins.
+    ///
+    /// # Errors
+    /// For a unit of anything else.
+    fn behind(text: &str) -> Result<Option<(usize, Unit)>> {
+        let found = text.char_indices().find_map(|(at, _)| Some((at, quantity::Unit::parse(&text[at..])?)));
+        let Some((at, unit)) = found.filter(|(_, unit)| unit.dimension != Dimension::ONE) else {
+            return Ok(None);
+        };
+        if unit.dimension.power(-1).is_like(Dimension::of(0, 1, 0)) && unit.pi == 0 {
+            let kind = if unit.dimension.angle == 0 { "Hz" } else { "rad/s" };
+            return Ok(Some((at, Unit { name: unit.text, kind, size: unit.size })));
+        }
+        let what = format!("{text:?} is {}: a frequency is in Hz, mHz, kHz, rpm or rad/s", unit.dimension);
+        Err(Error::input(what))
+    }
+
     /// How many of it a value in the first unit of its kind is.
-    pub fn of(self, value: &BigRational) -> BigRational {
-        value * BigRational::new(self.size.1.into(), self.size.0.into())
+    pub fn of(&self, value: &BigRational) -> BigRational {
+        value / &self.size
     }
 }
 
@@ -155,9 +165,12 @@ impl FromStr for Measure {
         let mut units = Vec::new();
         let mut number = |part: &str| {
             let part = part.trim();
-            let unit = UNITS.into_iter().find(|unit| part.ends_with(unit.name));
-            units.push(unit);
-            if let (Some(unit), Some(before)) = (unit, known)
+            let (digits, unit) = match Unit::behind(part)? {
+                Some((at, unit)) => (part[..at].trim_end(), Some(unit)),
+                None => (part, None),
+            };
+            units.push(unit.is_some());
+            if let (Some(unit), Some(before)) = (&unit, &known)
                 && unit != before
             {
                 return Err(Error::input(format!(
@@ -165,8 +178,7 @@ impl FromStr for Measure {
                     before.name, unit.name
                 )));
             }
-            known = known.or(unit);
-            let digits = unit.map_or(part, |unit| part[..part.len() - unit.name.len()].trim_end());
+            known = known.take().or(unit);
             Ok(parse_rational(digits)?)
         };
         let both = text.split_once("±").or_else(|| text.split_once("+-"));
@@ -198,11 +210,10 @@ impl FromStr for Measure {
             [value.clone(), value]
         };
         // The last unit is everybody's, the first alone is that of a percentage or of a mistake.
-        if units.first().is_some_and(Option::is_some) && units.last().is_some_and(Option::is_none) {
+        if units.first() == Some(&true) && units.last() == Some(&false) {
             return Err(Error::input(format!("{text:?}: the unit stands behind the last number")));
         }
-        let size =
-            known.map_or(BigRational::one(), |unit| BigRational::new(unit.size.0.into(), unit.size.1.into()));
+        let size = known.as_ref().map_or_else(BigRational::one, |unit| unit.size.clone());
         Ok(Measure { span: Span([lower * &size, upper * size], both.is_some()), unit: known })
     }
 }
@@ -225,8 +236,19 @@ mod tests {
         assert_eq!(ends("750rpm"), some("25/2", "25/2"));
         assert_eq!(ends("-2±50%"), some("-3", "-1"));
         assert_eq!(ends("1/3"), some("1/3", "1/3"));
-        for wrong in ["12.5Hz±0.5", "12Hz..=13", "12Hz±1kHz", "3±-1", "2..=1", "Hz", "1±%", "1±2±3", ""]
-        {
+        for wrong in [
+            "12.5Hz±0.5",
+            "12Hz..=13",
+            "12Hz±1kHz",
+            "3mm",
+            "90deg/s",
+            "3±-1",
+            "2..=1",
+            "Hz",
+            "1±%",
+            "1±2±3",
+            "",
+        ] {
             assert_eq!(ends(wrong), None, "{wrong}");
         }
         assert!("0.02Hz".parse::<Span>().unwrap_err().is_input());

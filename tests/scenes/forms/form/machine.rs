@@ -78,7 +78,7 @@ pub(super) fn machine(base: &Table) -> Option<Form> {
     form.texts = Texts::Presence;
     form.common = true;
     form.without.push("machine");
-    form.other.extend(["coefficient", "effects", "extent", "half", "proofs"]);
+    form.other.extend(["coefficient", "effects", "extent", "gap", "half", "proofs"]);
     if is_integrated(base) {
         form.other.push("criticality");
     }

@@ -100,6 +100,6 @@ pub(super) fn moving(base: &Table) -> Option<Form> {
     }
     form.view.moving = all;
     form.without.extend(["diagram", "response", "phase"]);
-    form.other.extend(["coefficient", "effects", "extent"]);
+    form.other.extend(["coefficient", "effects", "extent", "gap"]);
     Some(form)
 }

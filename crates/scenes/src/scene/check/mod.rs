@@ -58,6 +58,14 @@ impl Scene {
 
     /// What is allowed and likely to be a mistake.
     pub(crate) fn warnings(&self) -> Vec<String> {
+        let idle = self.idle.iter().map(|name| {
+            format!("the parameter {name} acts on nothing: it stands in no expression of the scene")
+        });
+        idle.chain(self.doubtful()).collect()
+    }
+
+    /// What of the stops and of a measured force is likely to be a mistake.
+    fn doubtful(&self) -> Vec<String> {
         let adds = |what: String, value: &dyn std::fmt::Display| {
             format!("the restitution of {what} is {value}, above 1: every impact there adds energy")
         };
@@ -66,7 +74,13 @@ impl Scene {
             let sides = [Side::Lower, Side::Upper].into_iter();
             let walls = sides.filter_map(|side| Some((side, system.wall(side)?.restitution)));
             let gains = walls.filter(|(_, restitution)| *restitution > 1.0);
-            return gains.map(|(side, value)| adds(format!("the {} stop", side.name()), &value)).collect();
+            return gains
+                .map(|(side, value)| {
+                    let stop = self.stops.iter().find(|stop| stop.side == Some(side));
+                    let name = stop.map_or(side.name(), |stop| &stop.name);
+                    adds(format!("{} {name}", self.format.stop()), &value)
+                })
+                .collect();
         };
         let laws = self.machine(&[]).map(|machine| machine.stops).unwrap_or_default();
         let faster = laws.iter().filter_map(|stop| {
@@ -174,10 +188,10 @@ impl Checked<'_> {
                     let at = contact.position.at(state.t)[0];
                     // A start on the wall may be behind it by rounding.
                     if contact.gap(state)[0] < -1e-12 * (1.0 + at.abs()) {
-                        let (q, side) = (state.q, contact.side.name());
+                        let (q, side, stop) = (state.q, contact.side.name(), scene.format.stop());
                         let values = scene.where_parameters();
                         let message =
-                            format!("starts at q = {q}, behind the {side} wall, which is at {at}{values}");
+                            format!("starts at q = {q}, behind the {side} {stop}, which is at {at}{values}");
                         return Err(scene.fail(&path, &message));
                     }
                 }

@@ -168,7 +168,7 @@ impl Checked<'_> {
         if let (Model::One(system), Some(side)) = (self.model, task.frame.side())
             && system.wall(side).is_none()
         {
-            return self.fail("frame", &format!("there is no {} wall", side.name()));
+            return self.fail("frame", &format!("there is no {} {}", side.name(), self.scene.format.stop()));
         }
         for (i, orbit) in (1..).zip(&task.orbits) {
             self.orbit(orbit, &format!("orbits[{i}]"))?;

@@ -12,10 +12,10 @@ pub(super) fn keep(found: &BasinsFindings, job: &Job) -> Result<Vec<String>> {
     let x = (0..frame.columns).map(|column| frame.start(column, 0)[0]).collect();
     let y = (0..frame.rows).map(|row| frame.start(0, row)[1]).collect();
     // The picture's first three classes are not attractors.
-    let others = ["behind-a-wall", "escaped", "not-periodic", "impact-limit", "not-smooth", "too-steep"];
+    let others = ["behind-a-stop", "escaped", "not-periodic", "impact-limit", "not-smooth", "too-steep"];
     let place = |basin: &BasinRow| others.iter().position(|other| *other == basin.end);
     let mut names: Vec<String> =
-        ["behind a wall", "it left every bound", "not periodic"].map(String::from).to_vec();
+        ["behind a stop", "it left every bound", "not periodic"].map(String::from).to_vec();
     let classes: Vec<usize> = found
         .basins
         .iter()

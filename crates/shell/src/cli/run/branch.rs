@@ -91,11 +91,12 @@ fn write<O: JudgedOrbit>(
         job.write(&file, |out| Ok(writeln!(out, "{text}")?))?;
         files.push(file);
     }
+    let (across, up) = (job.axis(&task.parameter), task.second.as_deref().map(|second| job.axis(second)));
     let (mut curves, axes) = match &task.second {
-        None => (all.iter().map(draw).collect::<Result<Vec<_>>>()?, [task.parameter.as_str(), axis]),
+        None => (all.iter().map(draw).collect::<Result<Vec<_>>>()?, [across.as_str(), axis]),
         Some(second) => {
             let locus = |branch: &OrbitBranch<O>| locus(branch, &named(branch));
-            (all.iter().map(locus).collect(), [task.parameter.as_str(), second.as_str()])
+            (all.iter().map(locus).collect(), [across.as_str(), up.as_deref().unwrap_or(second)])
         }
     };
     let over = |row: &BranchRow| {

@@ -16,8 +16,9 @@ use crate::{
 };
 
 pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Result<Vec<String>> {
+    let across = job.axis(&task.parameter);
     if let Some([drawn, _]) = &found.plane {
-        let axes = [task.parameter.as_str(), drawn];
+        let axes = [across.as_str(), drawn];
         let sets = scatter(found, |_| Ok(Box::new(|q| q)))?;
         figure::branches(&machine_curves(task, job)?, &sets, axes, &job.place())?;
         return Ok(job.figure().into_iter().chain(tables(found, job)?).collect());
@@ -33,7 +34,7 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
         let drawing = &drawing;
         Ok(Box::new(move |q| drawing.displacement(&oscillator, q)))
     };
-    figure::branches(&curves, &scatter(found, height)?, [&task.parameter, drawing.axis()], &job.place())?;
+    figure::branches(&curves, &scatter(found, height)?, [&across, drawing.axis()], &job.place())?;
     Ok(job.figure().into_iter().chain(tables(found, job)?).collect())
 }
 

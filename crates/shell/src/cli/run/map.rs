@@ -13,7 +13,7 @@ use crate::{
 const APART: u32 = 6;
 
 /// Classes before those of periods.
-const OTHERS: [&str; 3] = ["behind a wall", "it left every bound", "not periodic"];
+const OTHERS: [&str; 3] = ["behind a stop", "it left every bound", "not periodic"];
 
 /// The class of what was not decided, the last.
 const NOT_SETTLED: usize = OTHERS.len() + APART as usize + 1;
@@ -31,7 +31,8 @@ pub(super) fn keep(found: &MapFindings, job: &Job) -> Result<Vec<String>> {
         ends: Grid { x, y, cells: found.cells.iter().map(class).collect(), names },
         exponents: found.cells.iter().map(|cell| cell.exponent).collect(),
     };
-    figure::parameter_map(&map, [&found.varied[0], &found.varied[1]], &job.place())?;
+    let axes = found.varied.each_ref().map(|parameter| job.axis(parameter));
+    figure::parameter_map(&map, axes.each_ref().map(String::as_str), &job.place())?;
     // Row by row: there may be many.
     job.write(&format!("{}.csv", job.task.name), |out| {
         let names = ["first", "second", "end", "period", "impacts", "exponent"];

@@ -131,7 +131,14 @@ fn picture_format(text: &str) -> Result<PictureFormat> {
 
 pub(super) fn setting(text: &str) -> Result<(String, BigRational)> {
     let parts = text.split_once('=').ok_or_else(|| Error::input("write NAME=VALUE"))?;
-    Ok((parts.0.trim().to_string(), parse_rational(parts.1)?))
+    let value = parse_rational(parts.1).map_err(|error| {
+        let start = parts.1.find(char::is_alphabetic).unwrap_or(parts.1.len());
+        let unit = grazing_base::quantity::Unit::parse(&parts.1[start..]).map(|unit| unit.text);
+        let why =
+            unit.map_or(String::new(), |unit| format!("; write it in the scene's own units, without {unit}"));
+        Error::input(format!("{error}{why}"))
+    })?;
+    Ok((parts.0.trim().to_string(), value))
 }
 
 /// That no parameter is given two values.
@@ -226,6 +233,14 @@ impl Job<'_> {
     }
 
     /// Where its picture goes.
+    /// What an axis of a parameter is called: in the scene's unit, if the parameter has one.
+    fn axis(&self, parameter: &str) -> String {
+        match self.scene.unit(parameter) {
+            Some(unit) if !unit.own.is_empty() => format!("{parameter} ({})", unit.own),
+            _ => parameter.to_string(),
+        }
+    }
+
     fn place(&self) -> FigurePlace<'_> {
         let Job { folder, format, view, .. } = *self;
         FigurePlace { folder, name: &self.task.name, format, view }

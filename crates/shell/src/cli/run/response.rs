@@ -5,7 +5,7 @@ use crate::{error::Result, figure, run::ResponseFindings};
 
 pub(super) fn keep(found: &ResponseFindings, job: &Job) -> Result<Vec<String>> {
     let backbone = found.backbone.as_deref().unwrap_or_default();
-    figure::response(&found.rows, &found.peaks, backbone, &found.parameter, &job.place())?;
+    figure::response(&found.rows, &found.peaks, backbone, &job.axis(&found.parameter), &job.place())?;
     let picture = job.figure().into_iter().next();
     let mut files: Vec<String> = picture.into_iter().chain([job.csv(&found.rows, ".csv")?]).collect();
     files.push(job.csv(&found.peaks, "-peaks.csv")?);

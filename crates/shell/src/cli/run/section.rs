@@ -20,7 +20,7 @@ pub(super) fn keep(found: &SectionFindings, task: &SectionTask, job: &Job) -> Re
     };
     let mut sets: Vec<Points> = Vec::new();
     for (wall, piece) in &found.grazing_curve {
-        let name = format!("where the next period grazes the {} wall", wall.side.name());
+        let name = format!("where the next period grazes the {} stop", wall.side.name());
         sets.push(frame.points(name, Mark::Curve, piece));
     }
     for (stable, piece) in &found.manifolds {

@@ -1,0 +1,322 @@
+//! Quantities with units: a scene that has them is the scene in bare numbers, in whatever units; what is no
+//! mass is not read as one; and what else hands type.
+
+use grazing_scenes::{
+    number::parse_rational,
+    run::{Surroundings, run},
+    scene::Scene,
+};
+use num_rational::BigRational;
+use proptest::prelude::*;
+
+use crate::common;
+
+/// A machine with a touch: {…} stand for what is written in units.
+fn machine(units: &str, values: &[(&str, String)]) -> String {
+    let mut text = format!(
+        r#"format = "grazing-scene 3"
+title = "t"
+{units}
+[parameters]
+F = "<F>"
+M = "<m>"
+share = "<share>"
+[system]
+frequency = "<f>"
+mass = "M"
+damping = "<c>"
+stiffness = "<k>"
+forcing = [{{ cos = "F*(1 - share)" }}]
+[[stops]]
+side = "upper"
+offset = "<gap>"
+restitution = "<e>"
+[[tasks]]
+name = "touch"
+kind = "grazing"
+parameter = "F"
+max_period = 3
+"#
+    );
+    for (name, value) in values {
+        text = text.replace(&format!("<{name}>"), value);
+    }
+    assert!(!text.contains('<'), "{text}");
+    text
+}
+
+fn read(text: &str) -> Result<Scene, String> {
+    Scene::from_toml(text, "s.toml").map_err(|error| {
+        assert!(error.is_input() && error.to_string().lines().count() == 1, "{error}");
+        error.to_string()
+    })
+}
+
+fn rational(text: &str) -> BigRational {
+    parse_rational(text).unwrap()
+}
+
+/// Of a quantity its name, units with their sizes in SI units, and that of the unit made of t, mm and s.
+type Known = (&'static str, &'static [(&'static str, &'static str)], &'static str);
+
+const UNITS: [Known; 8] = [
+    ("F", &[("N", "1"), ("mN", "1/1000"), ("kN", "1000"), ("kg m/s^2", "1")], "1"),
+    ("m", &[("kg", "1"), ("g", "1/1000"), ("t", "1000"), ("mg", "1e-6")], "1000"),
+    ("f", &[("Hz", "1"), ("kHz", "1000"), ("rpm", "1/60"), ("/s", "1")], "1"),
+    ("c", &[("N s/m", "1"), ("kg/s", "1"), ("N*s/mm", "1000"), ("N·s/m", "1")], "1000"),
+    ("k", &[("N/m", "1"), ("N/mm", "1000"), ("kN/m", "1000"), ("MN/m", "1e6")], "1000"),
+    ("gap", &[("m", "1"), ("mm", "1/1000"), ("in", "127/5000"), ("\u{3bc}m", "1e-6")], "1/1000"),
+    ("share", &[("%", "1/100"), ("", "1"), ("%", "1/100"), ("", "1")], "1"),
+    ("e", &[("%", "1/100"), ("", "1"), ("%", "1/100"), ("", "1")], "1"),
+];
+
+/// Each quantity as it is written, as a bare number in SI units, and in t, mm and s.
+fn written(digits: &[(u32, usize)]) -> [Vec<(&'static str, String)>; 3] {
+    let mut all = [Vec::new(), Vec::new(), Vec::new()];
+    for ((name, units, other), (digits, choice)) in UNITS.into_iter().zip(digits) {
+        let (unit, size) = units[choice % units.len()];
+        let number = rational(&format!("{digits}/1000"));
+        let text = match unit {
+            "" => format!("{number}"),
+            // A unit of its own power.
+            "/s" => format!("({number})/(1 s)"),
+            unit => format!("({number}) {unit}"),
+        };
+        let si = number * rational(size);
+        for (i, text) in [text, si.to_string(), (&si / rational(other)).to_string()].into_iter().enumerate() {
+            all[i].push((name, text));
+        }
+    }
+    all
+}
+
+const SI: &str = "[units]\nlength = \"m\"\ntime = \"s\"\nmass = \"kg\"";
+const SMALL: &str = "[units]\nlength = \"mm\"\ntime = \"s\"\nmass = \"t\"";
+
+proptest! {
+    #![proptest_config(common::config())]
+
+    /// Every value is the same fraction.
+    #[test]
+    fn a_scene_with_units_is_that_in_bare_numbers(digits in prop::collection::vec((1u32..1000, 0usize..4), 8)) {
+        let [units, si, small] = written(&digits);
+        let scene = |head: &str, values: &[(&'static str, String)]| read(&machine(head, values)).unwrap();
+        for (head, bare) in [("", scene(SI, &si)), (SI, scene(SI, &si)), (SMALL, scene(SMALL, &small))] {
+            let scene = scene(head, &units);
+            prop_assert_eq!(&scene.parameters, &bare.parameters);
+            prop_assert_eq!(scene.written().unwrap(), bare.written().unwrap());
+            prop_assert_eq!(scene.units, bare.units);
+        }
+    }
+}
+
+/// Of one machine, whole reports; those of the scene with units have them in their sentences.
+#[test]
+fn reports_are_the_same() {
+    let values = |all: [&str; 8]| -> Vec<(&'static str, String)> {
+        UNITS.iter().map(|known| known.0).zip(all.map(str::to_string)).collect()
+    };
+    let report = |head: &str, all: [&str; 8]| {
+        let scene = read(&machine(head, &values(all))).unwrap();
+        let reports = run(&scene, Surroundings::default(), &mut ()).unwrap();
+        let mut report = serde_json::to_value(&reports[0]).unwrap();
+        let words = report.as_object_mut().unwrap().remove("in_words").unwrap();
+        report.as_object_mut().unwrap().remove("place").unwrap();
+        (report, words.as_str().unwrap().to_string())
+    };
+    let (units, words) = report("", ["0.4 N", "2 kg", "4 Hz", "3 N s/m", "0.8 N/mm", "1 mm", "0 %", "80 %"]);
+    let (bare, plain) = report(SI, ["0.4", "2", "4", "3", "800", "0.001", "0", "0.8"]);
+    assert_eq!(units, bare);
+    assert!(words.starts_with("At F = 0.4") && words.contains(" N the motion"), "{words}");
+    assert_eq!(
+        words.replacen(" N the motion", " the motion", 1).matches("F = ").count(),
+        plain.matches("F = ").count()
+    );
+    // Sentences keep the unit that was written, whatever the scene's are.
+    let (_, small) = report(SMALL, ["0.4 N", "2 kg", "4 Hz", "3 N s/m", "0.8 N/mm", "1 mm", "0 %", "80 %"]);
+    assert_eq!(small, words);
+    let (_, milli) = report("", ["400 mN", "2 kg", "4 Hz", "3 N s/m", "0.8 N/mm", "1 mm", "0 %", "80 %"]);
+    assert!(milli.contains(" mN the motion"), "{milli}");
+}
+
+/// A good scene, and what each change of it is told.
+#[test]
+fn what_does_not_go_together_is_told() {
+    let values = ["4 N", "2 kg", "4 Hz", "3 N s/m", "0.8 N/mm", "1 mm", "2 %", "80 %"];
+    let values: Vec<_> = UNITS.iter().map(|known| known.0).zip(values.map(str::to_string)).collect();
+    let good = machine("", &values);
+    read(&good).unwrap();
+    for (from, to, message) in [
+        (
+            "mass = \"M\"",
+            "mass = \"2 kg + 3 N\"",
+            "s.toml:10: system.mass = \"2 kg + 3 N\": adds a mass and a force",
+        ),
+        ("mass = \"M\"", "mass = \"M + F\"", "system.mass = \"M + F\": adds a mass and a force"),
+        (
+            "mass = \"M\"",
+            "mass = \"F\"",
+            "system.mass = \"F\": is a force; here stands a mass, in kg or the like",
+        ),
+        ("mass = \"M\"", "mass = \"M + 1\"", "adds a mass and a number without a unit: give it one"),
+        ("mass = \"M\"", "mass = \"2 M\"", "M at character 3 is a parameter: write 2*M"),
+        (
+            "\"4 Hz\"",
+            "\"4 hz\"",
+            "system.frequency = \"4 hz\": there is no unit \"hz\", at character 3; the nearest is \"Hz\"",
+        ),
+        ("\"4 Hz\"", "\"1/4 s\"", "…/4 s, at character 3, is read in two ways: write (…/4) s, or …/(4 s)"),
+        ("\"4 Hz\"", "\"4 s\"", "is a time; here stands a frequency, in Hz or the like"),
+        ("\"4 Hz\"", "\"4 Hz + 3 rad/s\"", "an angular frequency is 2*pi times a frequency"),
+        (
+            "\"1 mm\"",
+            "\"1 N\"",
+            "stops[1].offset = \"1 N\": is a force; here stands a length, in m or the like",
+        ),
+        ("\"1 mm\"", "\"sin(1 mm)\"", "takes sin of a length: that is of a plain number or an angle"),
+        (
+            "\"0.8 N/mm\"",
+            "\"0.8 N m\"",
+            "is an energy or a torque; here stands a stiffness, in N/m or the like",
+        ),
+        ("\"0.8 N/mm\"", "\"max(1 N/m, 2 kg)\"", "subtracts a stiffness and a mass"),
+        ("\"80 %\"", "\"80 mm\"", "is a length; here stands a plain number"),
+        ("\"4 N\"", "\"4 N + 1 m\"", "parameters.F = \"4 N + 1 m\": adds a force and a length"),
+        ("\"4 N\"", "\"4 deg\"", "pi is irrational"),
+        ("max_period = 3", "max_period = \"3 s\"", "is a time; here stands a plain number"),
+        (
+            "max_period = 3",
+            "set = { F = \"3 kg\" }",
+            "tasks[1].set.F = \"3 kg\": is a mass; here stands a force",
+        ),
+        ("max_period = 3", "tolerance = { M = \"3 N\" }", "is a force; here stands a mass"),
+    ] {
+        assert!(good.contains(from), "{from}");
+        let error = read(&good.replacen(from, to, 1)).expect_err(to);
+        assert!(error.contains(message), "{to}\n  found    {error}\n  expected {message}");
+    }
+    for (from, to) in [
+        ("mass = \"M\"", "mass = \"M + 500 g\""),
+        ("mass = \"M\"", "mass = \"F/(9.81 m/s^2)\""),
+        ("mass = \"M\"", "mass = \"2\""),
+        ("\"0.8 N/mm\"", "\"M*(20 rad/s)^2\""),
+        ("\"0.8 N/mm\"", "\"800 N/m\""),
+        ("\"4 Hz\"", "\"sqrt((800 N/m)/M)/(2*pi)\""),
+        ("\"1 mm\"", "\"0 + 1 mm\""),
+        ("max_period = 3", "set = { F = \"300 mN\", M = 3 }"),
+        ("max_period = 3", "tolerance = { M = \"20 g\", F = \"2%\" }"),
+    ] {
+        read(&good.replacen(from, to, 1)).unwrap_or_else(|error| panic!("{to}: {error}"));
+    }
+}
+
+/// The older formats have no units, and say which has.
+#[test]
+fn older_formats_name_the_one_that_has_units() {
+    for value in ["parameters.d = \"2 mm\"", "system.damping = \"2 kg/s\""] {
+        let text = format!("format = \"grazing-scene 1\"\ntitle = \"t\"\n{value}\n");
+        let error = read(&text).unwrap_err();
+        let why =
+            "has a unit, which needs format = \"grazing-scene 3\" (`grazing run --upgrade` writes that)";
+        assert!(error.starts_with("s.toml:3: ") && error.ends_with(why), "{error}");
+    }
+}
+
+/// Hertz and radians per second differ by 2π, and by no more.
+#[test]
+fn angles_per_time_become_cycles() {
+    let values = ["4 N", "2 kg", "4 Hz", "3 N s/m", "0.8 N/mm", "1 mm", "2 %", "80 %"];
+    let values: Vec<_> = UNITS.iter().map(|known| known.0).zip(values.map(str::to_string)).collect();
+    let good = machine("", &values).replacen("F = \"4 N\"", "F = \"4 N\"\nw = \"25 rad/s\"", 1);
+    let period = |text: &str| {
+        let scene =
+            read(&good.replacen("\"4 Hz\"", text, 1)).unwrap_or_else(|error| panic!("{text}: {error}"));
+        scene.machine(&[]).unwrap().period
+    };
+    let wanted = std::f64::consts::TAU / 25.0;
+    for text in ["\"25 rad/s\"", "\"w\"", "\"w/(2*pi)\"", "\"25/(2*pi) * (1 Hz)\""] {
+        assert!((period(text) - wanted).abs() < 1e-14, "{text}: {}", period(text));
+    }
+    assert!((period("\"1500 rpm\"") - 0.04).abs() < 1e-15);
+    for text in ["w/pi^2", "(4500/pi) deg/s", "w + w/(2*pi)"] {
+        let error = read(&good.replacen("4 Hz", text, 1)).expect_err(text);
+        assert!(error.contains("mixes angles and cycles"), "{text}: {error}");
+    }
+}
+
+/// What other keyboards and other programs type.
+const HANDS: [(&str, &str, &str); 20] = [
+    ("d = 0.1", "d = nan", "s.toml:4: parameters.d = nan: \"nan\" is not a number: "),
+    ("d = 0.1", "d = nan", "nan is no number here: every number is finite"),
+    ("d = 0.1", "d = inf", "inf is no number here: every number is finite"),
+    (
+        "stiffness = 1",
+        "stiffness = inf",
+        "s.toml:6: system.stiffness = inf: unknown parameter \"inf\" at character 1; inf is no number here",
+    ),
+    ("d = 0.1", "d = 0,5", "0,5 has a decimal comma: write 0.5"),
+    (
+        "d = 0.1",
+        "d = \"0,5\"",
+        "s.toml:4: parameters.d = \"0,5\": \"0,5\" is not a number: expected `+` or `-`, found ','",
+    ),
+    ("d = 0.1", "d = \"0,5\"", "0,5 has a decimal comma: write 0.5"),
+    ("stiffness = 1", "stiffness = \"2,25*d\"", "found ','; 2,25 has a decimal comma: write 2.25"),
+    ("d = 0.1", "d = \u{2212}1", "s.toml:4: "),
+    ("d = 0.1", "d = \u{2212}1", "\u{2212} (U+2212) is not the minus of a keyboard: write -"),
+    (
+        "stiffness = 1",
+        "stiffness = \"1 \u{2212} d\"",
+        "\u{2212} (U+2212) is not the minus of a keyboard: write -",
+    ),
+    ("d = 0.1", "d = \"\u{2212}1\"", "\u{2212} (U+2212) is not the minus of a keyboard: write -"),
+    ("title = \"t\"", "title = “t”", "s.toml:2: "),
+    ("title = \"t\"", "title = “t”", "“ is not one of the quotes of a keyboard: write \"…\""),
+    ("d = 0.1", "d = 4 %", "a number with a unit is a text: write d = \"4 %\""),
+    ("stiffness = 1", "stiffness = 2 N/m", "a number with a unit is a text: write stiffness = \"2 N/m\""),
+    ("stiffness = 1", "stiffness = 2*d", "a formula is a text: write stiffness = \"2*d\""),
+    (
+        "[[stops]]",
+        "[stops]",
+        "s.toml:8: stops = [stops]: is one table, not a list of them: write [[stops]] above each",
+    ),
+    ("d = 0.1", "pi = 3", "s.toml:4: parameters.pi = 3: is 3.14159… in every expression, and no parameter"),
+    ("d = 0.1", "d = \"3 \u{b5}m/\u{3bc}m\"", ""),
+];
+
+#[test]
+fn what_hands_type_is_told() {
+    let good = "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nd = 0.1\n[system]\nstiffness = 1\n\
+                damping = \"d\"\n[[stops]]\nside = \"lower\"\noffset = -1\nrestitution = 1\n[[tasks]]\nname = \"m\"\n\
+                kind = \"simulate\"\nperiods = 1\nstart = { q = 0.5 }\n";
+    let warnings = |text: &str| -> Vec<String> {
+        let reports = run(&read(text).unwrap(), Surroundings::default(), &mut ()).unwrap();
+        let report = serde_json::to_value(&reports[0]).unwrap();
+        let all = report["warnings"].as_array().unwrap();
+        all.iter().map(|one| one.as_str().unwrap().to_string()).collect()
+    };
+    assert_eq!(warnings(good), [""; 0]);
+    for (from, to, message) in HANDS {
+        assert!(good.contains(from), "{from}");
+        match read(&good.replacen(from, to, 1)) {
+            Ok(_) => assert_eq!(message, "", "{to}"),
+            Err(error) => {
+                assert!(
+                    !message.is_empty() && error.contains(message),
+                    "{to}\n  found    {error}\n  expected {message}"
+                );
+            }
+        }
+    }
+    // What is allowed and hardly meant, by both engines.
+    for period in ["", "period = 5\n"] {
+        let good = good.replacen("[system]\n", &format!("[system]\n{period}"), 1);
+        let told = warnings(&good.replacen("restitution = 1", "restitution = 1.5", 1));
+        assert!(
+            told[0].starts_with("the restitution of stop lower is ") && told[0].contains("above 1"),
+            "{told:?}"
+        );
+        let told = warnings(&good.replacen("d = 0.1", "d = 0.1\nzeta = \"4 %\"", 1));
+        assert!(told[0].starts_with("the parameter zeta acts on nothing"), "{told:?}");
+    }
+}
