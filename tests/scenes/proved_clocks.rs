@@ -1,5 +1,5 @@
-//! Proofs in every unit of time: a period that is a rational multiple of π has the certificates of 2π, any other
-//! the same verdicts and ends.
+//! Proofs in every unit of time: a period that is a rational multiple of π has the certificates of 2π, any
+//! other the same verdicts and ends.
 
 use std::{collections::BTreeMap, f64::consts::TAU};
 

@@ -1,6 +1,6 @@
 //! One question asked by several tasks, and one motion from several starts: a touch and a fold have one place
-//! each, whether a diagram, a response, a branch, an event or a grazing tells it, with any number of values, in
-//! either engine; and what a motion leads to is what it leads to some periods later.
+//! each, whether a diagram, a response, a branch, an event or a grazing tells it, with any number of values,
+//! in either engine; and what a motion leads to is what it leads to some periods later.
 
 use grazing_scenes::{
     run::{Surroundings, run},

@@ -92,12 +92,17 @@ fn drawn(i: u32, slope: f64) -> f64 {
 /// coordinate, 12 of two, stops that are never met, damping from 10⁻³ to 10⁻⁹; the rest have friction alone.
 fn loses_little(i: u32) -> (String, Option<f64>) {
     if i > 30 {
-        let w = if i % 2 == 0 { 1.05 + 0.6 * drawn(i, 0.618034) } else { 0.5 + 0.4 * drawn(i, 0.618034) };
+        let w = if i.is_multiple_of(2) {
+            1.05 + 0.6 * drawn(i, 0.618034)
+        } else {
+            0.5 + 0.4 * drawn(i, 0.618034)
+        };
         return (format!("[parameters]\nw = {w}\n{RUBBED}"), None);
     }
     let damping = 10f64.powf(-3.0 - 6.0 * drawn(i, 0.618034));
     // Away from the resonance at 1 by a tenth at least.
-    let stiffness = if i % 3 == 0 { 0.1 + 0.8 * drawn(i, 0.414214) } else { 1.1 + 9.0 * drawn(i, 0.732051) };
+    let stiffness =
+        if i.is_multiple_of(3) { 0.1 + 0.8 * drawn(i, 0.414214) } else { 1.1 + 9.0 * drawn(i, 0.732051) };
     let system = if i <= 18 {
         let engine = ["many", "one"][i as usize % 2];
         format!(

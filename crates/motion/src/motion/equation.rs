@@ -30,8 +30,8 @@ pub struct System<T> {
     pub lower: Option<Wall<T>>,
     /// The wall Q₂ above, if any.
     pub upper: Option<Wall<T>>,
-    /// Radians in a unit of the time in which velocities are shown; none where that is a radian. All else of the
-    /// system is per radian, and no motion depends on it.
+    /// Radians in a unit of the time in which velocities are shown; none where that is a radian. All else of
+    /// the system is per radian, and no motion depends on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rate: Option<T>,
 }

@@ -1,5 +1,5 @@
-//! Coefficients as functions of one parameter: quotients of polynomials over the integers, or over intervals of
-//! them where a number in it is irrational.
+//! Coefficients as functions of one parameter: quotients of polynomials over the integers, or over intervals
+//! of them where a number in it is irrational.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -21,11 +21,11 @@ const SCALE: u64 = 512;
 /// A number between two whole ones, which may be one.
 type Between = [BigInt; 2];
 
-/// (P₀ + P₁ p + …)/(Q₀ + Q₁ p + …), each exactly or between two numbers; or too large to be kept, as is then all
-/// that is made of it.
+/// (P₀ + P₁ p + …)/(Q₀ + Q₁ p + …), each exactly or between two numbers; or too large to be kept, as is then
+/// all that is made of it.
 ///
-/// Common factors of the two polynomials are kept, those of all their coefficients are not. Equality is that of
-/// what is known.
+/// Common factors of the two polynomials are kept, those of all their coefficients are not. Equality is that
+/// of what is known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quotient {
     /// Numerator and denominator by rising powers, the last of each not 0 (but for a numerator 0).

@@ -36,8 +36,8 @@ const FARTHEST: u32 = 26;
 /// # Errors
 /// An input error: a coefficient of 2³⁰ or more, or no box that the checker accepts.
 pub fn certificate(system: &motion::System<impl Bounded>, orbit: &ProvedOrbit) -> Result<String> {
-    // Version 1 names coefficients exactly; where one is too long for it, or not rational, version 2 holds all
-    // of them in intervals.
+    // Version 1 names coefficients exactly; where one is too long for it, or not rational, version 2 holds
+    // all of them in intervals.
     let (units, system) = (orbit.units, orbit.units.bounded(system));
     match converted(units, &system, &|[lo, hi]| if lo == hi { fraction(lo) } else { Err(not_exact()) }) {
         Ok(system) => accepted(system, orbit),

@@ -7,9 +7,9 @@
 //! Then for all b what R is at most or at least at both ends it is between them: a range from where every
 //! machine has passed its touch to where none is deeper than ν has depths up to ν only.
 //!
-//! Derivatives are enclosed on cells of p and b, which are halved where a sign is not certain. Of a coordinate
-//! of b whose side is too narrow for that, as that of π, the sign is not asked: R changes along it by no more
-//! than its width times the greatest slope.
+//! Derivatives are enclosed on cells of p and b, which are halved where a sign is not certain. Of a
+//! coordinate of b whose side is too narrow for that, as that of π, the sign is not asked: R changes along it
+//! by no more than its width times the greatest slope.
 
 use std::collections::BTreeMap;
 
@@ -154,7 +154,7 @@ impl MachineBox<'_> {
             let sides: Vec<FloatInterval> = cell.iter().map(float).collect();
             let mut certain = true;
             let mut here = Vec::with_capacity(sides.len());
-            for axis in 0..sides.len() {
+            for (axis, side) in whole.iter().enumerate() {
                 let variable = |i: usize| match i == axis {
                     true => Sloped::parameter(0, sides[i]),
                     false => Sloped::constant(sides[i]),
@@ -162,7 +162,7 @@ impl MachineBox<'_> {
                 let seen = Seen::of(&(self.sloped)(&(0..sides.len()).map(variable).collect::<Vec<_>>())?)?;
                 let slope = of(&seen).slope()[0];
                 let way = [slope.lo() >= 0.0, slope.hi() <= 0.0];
-                let is_asked = way == [false, false] && !(axis > 0 && is_narrow(&whole[axis]));
+                let is_asked = way == [false, false] && !(axis > 0 && is_narrow(side));
                 certain &= !is_asked && seen.mean.value().hi() < 0.0;
                 here.push((way, slope.hi().max(-slope.lo())));
             }
@@ -194,8 +194,8 @@ impl MachineBox<'_> {
         Ok(Some(ways))
     }
 
-    /// The least and the greatest value for a parameter, over the box, exactly but for what narrow sides leave
-    /// open; none if these are not known to be at corners.
+    /// The least and the greatest value for a parameter, over the box, exactly but for what narrow sides
+    /// leave open; none if these are not known to be at corners.
     fn extremes(
         &self,
         p: &Q,

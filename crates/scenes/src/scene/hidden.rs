@@ -1,5 +1,5 @@
-//! Numbers in coefficients that are not rational, as parameters known between two others: what is proved of all
-//! between them is proved of the scene's own.
+//! Numbers in coefficients that are not rational, as parameters known between two others: what is proved of
+//! all between them is proved of the scene's own.
 
 use std::{cell::RefCell, sync::Arc};
 
@@ -70,8 +70,8 @@ impl Hiding<'_> {
 }
 
 impl Scene {
-    /// The same scene with a parameter more for each number of its coefficients that is not rational, such as π,
-    /// and does not depend on `varied` nor on what has a tolerance; and the tolerances with those of these
+    /// The same scene with a parameter more for each number of its coefficients that is not rational, such as
+    /// π, and does not depend on `varied` nor on what has a tolerance; and the tolerances with those of these
     /// parameters. None where there are no such numbers.
     ///
     /// # Errors

@@ -183,8 +183,8 @@ fn in_radians(force: &SmoothForce<Expression>, radian: &Expression) -> SmoothFor
     SmoothForce { formula: Arc::new(formula), text: force.text.clone(), coefficients }
 }
 
-/// The time in which the forcing's phase goes on by a radian: T/2π, without π where that can be taken out; none
-/// where it is 1 whatever the parameters are.
+/// The time in which the forcing's phase goes on by a radian: T/2π, without π where that can be taken out;
+/// none where it is 1 whatever the parameters are.
 fn radian(keys: &SystemKeys) -> Option<Expression> {
     let two = || Formula::Number(BigRational::from_integer(2.into()));
     let quotient = |a, b| Formula::Binary(Operation::Quotient, Box::new([a, b]));
@@ -198,7 +198,7 @@ fn radian(keys: &SystemKeys) -> Option<Expression> {
         },
         (None, None) => return None,
     };
-    let over = over_pi(&above).map_or_else(|| quotient(above, Formula::Pi), |halves| halves);
+    let over = over_pi(&above).unwrap_or_else(|| quotient(above, Formula::Pi));
     let root = quotient(over, product(two(), below));
     let text = if keys.period.is_some() { format!("({key})/(2*pi)") } else { format!("1/(2*pi*({key}))") };
     Some(Expression::of(&root, &text, &key.key)).filter(|radian| !is_one(radian))

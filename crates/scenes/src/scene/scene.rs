@@ -187,8 +187,8 @@ impl Scene {
         self.mass.as_ref().map_or(Ok(1.0), |mass| self.number(mass))
     }
 
-    /// Radians of the forcing in a unit of time, where the engine is `one`: velocities divided by this are those
-    /// of its motions.
+    /// Radians of the forcing in a unit of time, where the engine is `one`: velocities divided by this are
+    /// those of its motions.
     ///
     /// # Errors
     /// Where it is not defined.
@@ -263,7 +263,8 @@ impl Scene {
     pub fn rounded(&self) -> Result<System<f64>> {
         match self.exact(&[]) {
             Ok(system) => Ok(system.rounded()),
-            // Where floats have no value either, the exact one says what is wrong, unless it is that there is none.
+            // Where floats have no value either, the exact one says what is wrong, unless it is that there is
+            // none.
             Err(error) => self.plain(&[]).map_err(|other| if self.is_rational() { error } else { other }),
         }
     }

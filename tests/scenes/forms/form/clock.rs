@@ -5,7 +5,8 @@ use toml::{Table, Value};
 use super::{Form, Level, units::in_units, upgraded::upgraded};
 use crate::forms::{report::View, scene::is_machine};
 
-/// In a unit of time that is 1/`time` of it, in which its `period` is as given: a power of two changes no digit.
+/// In a unit of time that is 1/`time` of it, in which its `period` is as given: a power of two changes no
+/// digit.
 pub(super) fn clock(
     base: &Table,
     (name, level): (&'static str, Level),
