@@ -296,6 +296,8 @@ impl Reported {
         let TaskReport { task, status, findings, warnings, effects, .. } = &self.report;
         // As it prints itself, a failed task has its line.
         let status = (status.word(), status.reason());
+        // Of a parameter that is written into the expressions it cannot be said that it stands in none.
+        let warnings: Vec<_> = warnings.iter().filter(|text| !text.contains(" acts on nothing")).collect();
         format!("{task} {status:?} {findings:?} {warnings:?} {effects:?}")
     }
 }
