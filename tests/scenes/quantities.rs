@@ -231,7 +231,7 @@ fn angles_per_time_become_cycles() {
     let period = |text: &str| {
         let scene =
             read(&good.replacen("\"4 Hz\"", text, 1)).unwrap_or_else(|error| panic!("{text}: {error}"));
-        scene.machine(&[]).unwrap().period
+        std::f64::consts::TAU / scene.rounded().unwrap().shown_rate()
     };
     let wanted = std::f64::consts::TAU / 25.0;
     for text in ["\"25 rad/s\"", "\"w\"", "\"w/(2*pi)\"", "\"25/(2*pi) * (1 Hz)\""] {

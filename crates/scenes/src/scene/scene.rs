@@ -8,7 +8,7 @@ use num_traits::ToPrimitive;
 use serde::{Serialize, Serializer};
 
 use super::{
-    expression::{self, Coefficient, Expression},
+    expression::{self, Coefficient, Expression, IRRATIONAL},
     format::SceneFormat,
     keys::StopName,
     machine::MachineScene,
@@ -265,19 +265,11 @@ impl Scene {
             Ok(system) => Ok(system.rounded()),
             // Where floats have no value either, the exact one says what is wrong, unless it is that there is
             // none.
-            Err(error) => self.plain(&[]).map_err(|other| if self.is_rational() { error } else { other }),
+            Err(error) => {
+                let is_rational = !error.to_string().contains(IRRATIONAL);
+                self.plain(&[]).map_err(|other| if is_rational { error } else { other })
+            }
         }
-    }
-
-    /// Whether each coefficient that has a value in floats has one that is rational.
-    fn is_rational(&self) -> bool {
-        let exact: Vec<BigRational> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
-        let floats: Vec<Plain> = exact.iter().map(|value| Plain::ratio(value, &())).collect();
-        let one = |x: &Expression| match (x.evaluate(&exact, &()), x.evaluate(&floats, &())) {
-            (Err(_), Ok(_)) => Err(()),
-            _ => Ok(()),
-        };
-        self.system().is_ok_and(|system| system.try_map(one).is_ok())
     }
 
     /// Two numbers between which each coefficient lies, equal for one that is rational, and the rate; with
