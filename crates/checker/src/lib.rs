@@ -203,12 +203,17 @@ pub struct Checked {
     pub lines: u64,
 }
 
-/// `proved, TITLE for n = A..=B`, or without the range, and a line for each detail.
+/// `proved, TITLE for n = A..=B`, of an orbit `of N periods`, or without both, and a line for each detail.
 impl fmt::Display for Checked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "proved, {}", self.title)?;
-        if let Some(range) = &self.range {
-            write!(f, " for n = {}..={}", range.start(), range.end())?;
+        match &self.range {
+            Some(range) if [orbit::KIND, event::KIND, branch::KIND, machine::KIND].contains(&self.kind) => {
+                let (periods, plural) = (range.start(), if *range.start() == 1 { "" } else { "s" });
+                write!(f, " of {periods} period{plural}")?;
+            }
+            Some(range) => write!(f, " for n = {}..={}", range.start(), range.end())?,
+            None => {}
         }
         self.detail.iter().try_for_each(|(name, value)| write!(f, "\n  {name}: {value}"))
     }

@@ -248,7 +248,7 @@ fn what_is_written_passes_and_is_named() {
     assert_eq!((checked.kind, checked.range.clone(), checked.statement), ("branch", Some(3..=3), STATEMENT));
     let said = checked.to_string();
     for line in [
-        "proved, branch for n = 3..=3",
+        "proved, branch of 3 periods",
         "  parameter: mu, from 0.004 to 0.008, in 24 cells",
         "  pattern: 1 impact in 3 periods, and in no fewer: lower wall, next after 3",
         "  box: in each cell the only orbit of this pattern that is so near its line",

@@ -7,7 +7,7 @@ fn what_is_written_passes_and_is_named() {
     let checked = answer(SADDLE_NODE).unwrap();
     assert_eq!((checked.kind, checked.range.clone()), ("event", Some(4..=4)));
     let expected = "\
-proved, event for n = 4..=4
+proved, event of 4 periods
   event: saddle-node: a multiplier is 1, and mu turns, nondegenerate
   parameter: mu, from -0.084338470089589203903614 to -0.084338470089589203903414
   pattern: 1 impact in 4 periods, and in no fewer: lower wall, next after 4

@@ -11,7 +11,7 @@ fn what_is_written_passes_and_is_named() {
     let checked = answer(FREE).unwrap();
     assert_eq!((checked.kind, checked.range.clone()), ("orbit", Some(1..=1)));
     let expected = "\
-proved, orbit for n = 1..=1
+proved, orbit of 1 period
   stability: stable
   pattern: no impact, period 1
   motion: q'' = -0.2 q' - 2 q + cos t

@@ -9,7 +9,7 @@ fn what_is_written_passes_and_is_named() {
     let checked = answer(ORBIT_4).unwrap();
     assert_eq!((checked.kind, checked.range.clone()), ("orbit", Some(4..=4)));
     let expected = "\
-proved, orbit for n = 4..=4
+proved, orbit of 4 periods
   stability: unstable
   pattern: 1 impact in 4 periods, and in no fewer: lower wall, next after 4
   phases: -0.143958325278224890315982
