@@ -251,6 +251,7 @@ impl Scene {
         }
         let point = || self.point(&values);
         let system = self.system()?.try_map(|expression| self.value(expression, &values, float, &point))?;
+        self.check_ratios(&values, float, &point)?;
         self.check(&system.rounded(), &point)?;
         Ok(system)
     }
@@ -319,6 +320,7 @@ impl Scene {
         let point = || self.point(&floats);
         let system = self.system()?.try_map(|expression| self.value(expression, &values, |x| x.0, &point))?;
         let system = system.try_map(|x| Ok::<f64, Error>(x.0))?;
+        self.check_ratios(&values, |x| x.0, &point)?;
         self.check(&system, &point)?;
         Ok(system)
     }
@@ -390,6 +392,23 @@ impl Scene {
         let fail = |message: &str| self.fail(&expression.key, &format!("{message}{}", point()));
         let value = expression.evaluate(values, &()).map_err(|error| fail(&error.to_string()))?;
         if float(&value).is_finite() { Ok(value) } else { Err(fail("is beyond the range of floats")) }
+    }
+
+    /// Damping ratios are at least 0.
+    pub(super) fn check_ratios<T: Coefficient<Context = ()>>(
+        &self,
+        values: &[T],
+        float: impl Fn(&T) -> f64,
+        point: &dyn Fn() -> String,
+    ) -> Result<()> {
+        for ratio in &self.whole.ratios {
+            let value = float(&self.value(ratio, values, &float, point)?);
+            if value < 0.0 {
+                let message = format!("is {value}; a damping ratio is at least 0{}", point());
+                return Err(self.fail(&ratio.key, &message));
+            }
+        }
+        Ok(())
     }
 
     fn check(&self, system: &System<f64>, point: &dyn Fn() -> String) -> Result<()> {

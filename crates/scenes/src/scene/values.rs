@@ -86,13 +86,7 @@ impl Scene {
             return Err(self
                 .fail(key, &format!("makes the period {}; it must be positive{}", machine.period, point())));
         }
-        for ratio in &scene.ratios {
-            let value = number(ratio)?;
-            if value < 0.0 {
-                let message = format!("is {value}; a damping ratio is at least 0{}", point());
-                return Err(self.fail(&ratio.key, &message));
-            }
-        }
+        self.check_ratios(&floats, |x| x.0, &point)?;
         machine.equations().map_err(|error| {
             let text = error.to_string();
             let key = ["mass", "damping_ratio", "damping", "stiffness"]
