@@ -283,9 +283,15 @@ impl Value for RangeKey {
 }
 
 impl GrazingTask {
-    /// How far to look along the branch of an oscillator from an orbit.
-    pub(crate) fn extent(&self, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
-        extent(self.reach, oscillator, orbit)
+    /// How far to look along the branch of an oscillator from an orbit; where the task does not say, so many
+    /// times as far as an event is looked for.
+    pub(crate) fn extent(&self, oscillator: &Oscillator, orbit: &Orbit, times: f64) -> SearchReach {
+        match extent(self.reach, oscillator, orbit) {
+            SearchReach::Length { reach, unit } if self.reach.is_none() => {
+                SearchReach::Length { reach: reach * times, unit }
+            }
+            given => given,
+        }
     }
 
     /// The distance |eµ| where motions have this size.

@@ -49,6 +49,9 @@ use crate::{
     },
 };
 
+/// How many times the first reach is looked for the touch of the motion without impacts, in turn.
+const REACHES: [f64; 4] = [1.0, 8.0, 64.0, 512.0];
+
 /// Closer than this to a bifurcation, rounding decides on which side of it an orbit is.
 const MARGIN: f64 = 1e-11;
 
@@ -302,12 +305,20 @@ impl<'j> Engine for Oscillators<'j> {
             return Ok(Err(format!("no admissible orbit to begin with at {} = {start}", task.parameter)));
         };
         self.job.check()?;
-        let (patterns, extent) = (Patterns::new(family, start)?, task.extent(&family.at(start)?, orbit));
-        let located =
-            match nearest(&patterns, Bifurcation::Grazing, orbit, start, extent, &task.options.checked()?)? {
-                BranchSearch::Found(found) => found,
-                BranchSearch::Nothing(why) => return Ok(Err(why.to_string())),
-            };
+        let (patterns, options) = (Patterns::new(family, start)?, task.options.checked()?);
+        // The motion without impacts may be far from its touch: farther and farther is looked, unless the task
+        // says how far.
+        let is_far = task.reach.is_none() && orbit.itinerary.strikes().is_empty();
+        let mut reaches = REACHES.into_iter().take(if is_far { REACHES.len() } else { 1 }).peekable();
+        let located = loop {
+            let times = reaches.next().unwrap_or(1.0);
+            let extent = task.extent(&family.at(start)?, orbit, times);
+            match nearest(&patterns, Bifurcation::Grazing, orbit, start, extent, &options)? {
+                BranchSearch::Found(found) => break found,
+                BranchSearch::Nothing(why) if reaches.peek().is_none() => return Ok(Err(why.to_string())),
+                BranchSearch::Nothing(_) => self.job.check()?,
+            }
+        };
         let event = locate(family, &located.orbit, located.parameter)?;
         // Two grazings in a period are the theory's business only if a symmetry makes them one.
         let half = event.half_map(&family.at(event.parameter)?);
