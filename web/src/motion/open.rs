@@ -21,7 +21,7 @@ pub fn open(request: &Request) -> Result<Value> {
         .collect();
     let (walls, coordinates) = match &scene.body {
         Body::Oscillator(_) => {
-            let walls = Contact::of(&scene.exact(&[])?.rounded())?;
+            let walls = Contact::of(&scene.rounded()?)?;
             (walls.iter().map(|wall| wall.side.name().to_string()).collect(), 0)
         }
         Body::Machine(_) => {
@@ -118,7 +118,7 @@ fn start_of(text: &str) -> Option<Value> {
 fn start_apart(scene: &Scene) -> Result<Value> {
     let mut q = 0.0f64;
     if let Body::Oscillator(_) = scene.body {
-        let walls = Contact::of(&scene.exact(&[])?.rounded())?;
+        let walls = Contact::of(&scene.rounded()?)?;
         let at = |sign: f64| {
             walls.iter().find(|wall| wall.side.sign() == sign).map(|wall| wall.position.at(0.0)[0])
         };
