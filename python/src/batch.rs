@@ -97,12 +97,15 @@ pub fn follow(
         return machines::follow(plan, points, impacts, ends, watch);
     }
     let Accuracy { tolerance, minimum_depth } = plan.scene.accuracy;
-    let (system, settings) =
-        (plan.scene.exact(&[])?.rounded(), Settings { tolerance, ..Settings::default() });
+    let (system, settings) = (plan.scene.rounded()?, Settings { tolerance, ..Settings::default() });
     let settings = match minimum_depth {
         Some(minimum_depth) => Settings { minimum_depth, ..settings },
         None => {
-            let starts = plan.starts.chunks(2).map(|start| State { t: 0.0, q: start[0], u: start[1] });
+            let starts = plan.starts.chunks(2).map(|start| State {
+                t: 0.0,
+                q: start[0],
+                u: start[1] / system.shown_rate(),
+            });
             settings.sized(&system, &starts.collect::<Vec<_>>())?
         }
     };
@@ -156,7 +159,7 @@ fn lot_of<'a>(
     for (index, end) in ends.iter_mut().enumerate() {
         let start = plan.start(first + index)?;
         // A start that is finite is refused for one reason alone.
-        match simulator(index).start(Time::new(0, phase), start[0], start[1]) {
+        match simulator(index).start(Time::new(0, phase), start[0], start[1] / simulator(index).rate()) {
             Ok(run) => {
                 runs.push((simulator(index), run));
                 places.push(index);
@@ -182,7 +185,7 @@ fn lot_of<'a>(
             if batch.end(motion) == RunEnd::Reached {
                 let [q, u] = batch.point(motion);
                 points[index * width + 2 * record] = q;
-                points[index * width + 2 * record + 1] = u;
+                points[index * width + 2 * record + 1] = u * simulator(index).rate();
             }
         }
     }
