@@ -10,7 +10,7 @@ use toml_edit::{Array, Item, Key, Table, TableLike, Value};
 
 use crate::{number::parse_rational_within, source::unknown};
 
-use super::expression::LIMIT_BITS;
+use super::grammar::LIMIT_BITS;
 
 /// A format of scenes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

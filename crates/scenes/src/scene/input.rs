@@ -11,8 +11,8 @@ use num_traits::Signed;
 use toml_edit::{Item, Table};
 
 use super::{
-    expression::is_name,
     format::{Foreign, SceneFormat, translate},
+    grammar::is_name,
     keys::{Entry, Key, Record, Scope, Seen, StopName, Value, keys},
     machine::MachineScene,
     oscillator::{Disqualified, oscillator},

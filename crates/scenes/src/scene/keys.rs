@@ -17,8 +17,9 @@ use toml_edit::{Item, TableLike};
 
 use super::{
     dimension::Measured,
-    expression::{Expression, LIMIT_BITS},
+    expression::Expression,
     format::SceneFormat,
+    grammar::LIMIT_BITS,
     quantity::{Bare, Kinds, Scale, bare, counts_cycles, has_units},
 };
 use crate::{

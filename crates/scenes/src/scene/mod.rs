@@ -22,6 +22,7 @@ mod expression;
 mod family;
 mod force;
 mod format;
+mod grammar;
 mod hidden;
 mod input;
 mod keys;

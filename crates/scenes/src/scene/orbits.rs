@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use num_traits::ToPrimitive;
 
 use super::{
-    expression::LIMIT_BITS,
+    grammar::LIMIT_BITS,
     keys::{Entry, StopName, Table, Value, keys},
     tolerance::Tolerances,
 };

@@ -9,7 +9,8 @@ use num_traits::{One, ToPrimitive, Zero, pow};
 
 use super::{
     dimension::{Measured, power_of_pi},
-    expression::{Expression, Mark, marked},
+    expression::Expression,
+    grammar::{Mark, marked},
 };
 use crate::{
     error::{Error, Result},

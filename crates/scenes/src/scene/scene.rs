@@ -8,8 +8,9 @@ use num_traits::ToPrimitive;
 use serde::{Serialize, Serializer};
 
 use super::{
-    expression::{self, Coefficient, Expression, IRRATIONAL},
+    expression::{Coefficient, Expression, IRRATIONAL},
     format::SceneFormat,
+    grammar,
     keys::StopName,
     machine::MachineScene,
     matrix::CoordinateList,
@@ -172,7 +173,7 @@ impl Scene {
     fn set(mut self, values: &[(String, BigRational)]) -> Result<Scene> {
         for (name, value) in values {
             let place = self.parameter(name)?;
-            self.parameters[place].1 = expression::checked(value.clone())
+            self.parameters[place].1 = grammar::checked(value.clone())
                 .map_err(|error| error.context(format_args!("parameter {name}")))?;
         }
         Ok(self)

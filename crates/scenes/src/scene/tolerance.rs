@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::{
-    expression::LIMIT_BITS,
+    grammar::LIMIT_BITS,
     keys::{Entry, Value},
 };
 use crate::{error::Result, number::parse_rational_within};
