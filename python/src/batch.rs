@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use grazing_scenes::{
     Error, Monitor, Result,
-    motion::{RunEnd, State, Time},
+    attractor::dynamics::Dynamics,
+    motion::{RunEnd, State},
     one::simulate::{Settings, Simulator, batch::Batch},
     scene::{Accuracy, Body, Scene},
 };
@@ -101,11 +102,7 @@ pub fn follow(
     let settings = match minimum_depth {
         Some(minimum_depth) => Settings { minimum_depth, ..settings },
         None => {
-            let starts = plan.starts.chunks(2).map(|start| State {
-                t: 0.0,
-                q: start[0],
-                u: start[1] / system.shown_rate(),
-            });
+            let starts = plan.starts.chunks(2).map(|start| State { t: 0.0, q: start[0], u: start[1] });
             settings.sized(&system, &starts.collect::<Vec<_>>())?
         }
     };
@@ -159,7 +156,7 @@ fn lot_of<'a>(
     for (index, end) in ends.iter_mut().enumerate() {
         let start = plan.start(first + index)?;
         // A start that is finite is refused for one reason alone.
-        match simulator(index).start(Time::new(0, phase), start[0], start[1] / simulator(index).rate()) {
+        match simulator(index).begin(&State { t: phase, q: start[0], u: start[1] }) {
             Ok(run) => {
                 runs.push((simulator(index), run));
                 places.push(index);
@@ -183,9 +180,9 @@ fn lot_of<'a>(
         }
         for (motion, &index) in places.iter().enumerate() {
             if batch.end(motion) == RunEnd::Reached {
-                let [q, u] = batch.point(motion);
+                let [q, u] = simulator(index).drawn(&batch.point(motion));
                 points[index * width + 2 * record] = q;
-                points[index * width + 2 * record + 1] = u * simulator(index).rate();
+                points[index * width + 2 * record + 1] = u;
             }
         }
     }

@@ -583,3 +583,31 @@ fn what_cannot_be_certified_is_an_error() {
     let (text, _) = orbit::event_certificate(&system, "µ", &event).unwrap();
     assert!(text.contains("\nparameter p -0.0843"));
 }
+
+/// What is not rational is between two numbers, closer than a certificate has digits, whatever is made of it.
+#[test]
+fn numbers_that_are_not_rational_are_between_two() {
+    let (precision, third) = (Precision::new(512), BigRational::new(1.into(), 3.into()));
+    let values = [BigRational::from_integer(2.into()), third].map(|x| Ball::ratio(&x, &precision));
+    let names = ["p".to_string(), "d".to_string()];
+    for text in [
+        "pi",
+        "1/pi",
+        "-pi^2/7",
+        "pi - pi",
+        "(1 + d)/(2*pi)^2 - 1/pi",
+        "sqrt(2)*sqrt(2)",
+        "exp(-pi)*d",
+        "1/(3 - pi)",
+        "pi/pi",
+        "sqrt(d)/pi - d/sqrt(2)",
+    ] {
+        let [lo, hi] = quotient(text).unwrap().constant().unwrap();
+        let ball = Expression::parse(text, &names).unwrap().evaluate(&values, &precision).unwrap();
+        let (from, to) = ball.exact_bounds().unwrap();
+        assert!(lo <= from && to <= hi && hi - lo < number("1e-60"), "{text}");
+    }
+    assert_eq!(quotient("1/(pi - pi)").unwrap().constant(), None);
+    assert_eq!(quotient("pi*p").unwrap().constant(), None);
+    assert!(quotient("sqrt(p)").unwrap_err().to_string().contains("no quotient of polynomials"));
+}

@@ -11,6 +11,8 @@ use grazing_scenes::{
 };
 use serde_json::Value;
 
+use crate::tasks;
+
 /// All scenes among examples and test data.
 fn files() -> Vec<(String, String)> {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
@@ -343,5 +345,30 @@ fn both_engines_read_one_grammar() {
         if let (Some(v), Some(w), Some(impulse)) = (a.velocity, a.leaving, a.impulse) {
             near(impulse, 2.0 * (w - v), "impulse");
         }
+    }
+}
+
+/// A start has the scene's velocity at every frequency that is looked at, whatever the engine counts time in:
+/// nothing damps, so that every point tells where the motion began.
+#[test]
+fn a_start_is_the_same_at_every_frequency() {
+    let points = |engine: &str| -> Vec<f64> {
+        let text = format!(
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\nengine = {engine:?}\n[parameters]\nf = 4\n[system]\n\
+             frequency = \"f\"\nstiffness = 401\nforcing = [{{ cos = 3 }}]\n"
+        );
+        let keys = "parameter = \"f\"\nrange = [3, 6]\ncount = 4\ntransient = 0\npoints = 3\n\
+                    starts = [{ q = 0.3, u = 20 }]";
+        let folder = tempfile::tempdir().unwrap();
+        let (report, code, error) = tasks::run(&text, &[tasks::task("d", "diagram", keys)], folder.path());
+        assert_eq!(code, 0, "{error} {report}");
+        let rows = std::fs::read_to_string(folder.path().join("d.csv")).unwrap();
+        let cells = rows.lines().skip(1).flat_map(|row| row.split(','));
+        cells.filter_map(|cell| cell.parse().ok()).collect()
+    };
+    let [one, many] = ["one", "many"].map(points);
+    assert!(one.len() == many.len() && one.len() >= 3 * 12, "{one:?} {many:?}");
+    for (x, y) in one.iter().zip(&many) {
+        assert!((x - y).abs() <= 1e-9 * (1.0 + y.abs()), "{one:?} {many:?}");
     }
 }

@@ -3,18 +3,24 @@
 
 use std::{collections::BTreeMap, f64::consts::TAU};
 
-use grazing_scenes::certificate;
+use grazing_scenes::{certificate, number::parse_rational};
+use num_traits::Signed;
 use serde_json::Value;
 
 use crate::tasks::{run, task};
 
-/// q″ + q′/20 + 19/30 q = F cos t below a stop at 1, in a time of which a radian takes 1/`rate`.
-fn scene(period: &str, rate: &str) -> String {
+/// q″ + q′/20 + k q = F cos t below a stop at 1, in a time of which a radian takes 1/`rate`.
+fn scene(period: &str, rate: &str, damping: &str, stiffness: &str) -> String {
     format!(
         "format = \"grazing-scene 3\"\ntitle = \"clocks\"\n[parameters]\nF = 0.3\n[system]\n{period}\n\
-         damping = \"({rate})/20\"\nstiffness = \"19/30*({rate})^2\"\nforcing = [{{ cos = \"F*({rate})^2\" }}]\n\
+         {damping}\nstiffness = \"{stiffness}*({rate})^2\"\nforcing = [{{ cos = \"F*({rate})^2\" }}]\n\
          [[stops]]\nside = \"upper\"\noffset = 1\nrestitution = 0.8\n"
     )
+}
+
+/// The same with k = 19/30: its touch is at F² = (11/30)² + 1/400.
+fn clocked(period: &str, rate: &str) -> String {
+    scene(period, rate, &format!("damping = \"({rate})/20\""), "19/30")
 }
 
 /// What is proved.
@@ -27,7 +33,7 @@ struct Found {
     certificates: BTreeMap<String, String>,
 }
 
-fn found(period: &str, rate: &str, radians: f64) -> Found {
+fn found(scene: &str, radians: f64) -> Found {
     let tasks = [
         task("orbit", "validate", "orbit = { pattern = [1] }"),
         task("touch", "validate", "orbit = { pattern = [] }\nevent = \"grazing\"\nparameter = \"F\""),
@@ -40,12 +46,12 @@ fn found(period: &str, rate: &str, radians: f64) -> Found {
         ),
     ];
     let folder = tempfile::tempdir().unwrap();
-    let (report, code, error) = run(&scene(period, rate), &tasks, folder.path());
-    assert_eq!(code, 0, "{period}: {error} {report}");
+    let (report, code, error) = run(scene, &tasks, folder.path());
+    assert_eq!(code, 0, "{scene}: {error} {report}");
     let mut found = Found::default();
     let number = |x: &Value| x.as_f64().or_else(|| x.as_str().and_then(|x| x.parse().ok()));
     for task in report["tasks"].as_array().unwrap() {
-        assert_eq!(task["engine"]["name"], "one", "{period}: {task}");
+        assert_eq!(task["engine"]["name"], "one", "{scene}: {task}");
         let rows = ["proofs", "range"].iter().filter_map(|key| task[*key].as_array()).flatten();
         for row in rows {
             found.verdicts.push(format!("{} {} {}", task["task"], row["verdict"], row["stable"]));
@@ -65,30 +71,64 @@ fn found(period: &str, rate: &str, radians: f64) -> Found {
 
 #[test]
 fn what_is_proved_is_so_in_every_unit_of_time() {
-    let own = found("", "1", 1.0);
+    let own = found(&clocked("", "1"), 1.0);
     assert!(own.certificates.len() >= 7 && own.numbers.len() >= 12, "{own:?}");
     assert!(
         own.verdicts.iter().all(|verdict| verdict.contains("proved") || verdict.contains("nothing")),
         "{own:?}"
     );
     // All that is computed is the same, to the last bit.
-    for (period, rate) in [("period = \"2*pi/7\"", "7"), ("frequency = \"3/(4*pi)\"", "3/2")] {
-        assert_eq!(
-            found(period, rate, rate.parse().unwrap_or(1.5)).certificates,
-            own.certificates,
-            "{period}"
-        );
+    for (period, rate, radians) in
+        [("period = \"2*pi/7\"", "7", 7.0), ("frequency = \"3/(4*pi)\"", "3/2", 1.5)]
+    {
+        assert_eq!(found(&clocked(period, rate), radians).certificates, own.certificates, "{period}");
     }
     for (period, rate, radians) in [
         ("frequency = 4", "8*pi", 4.0 * TAU),
         ("period = \"1/1000\"", "2000*pi", 1000.0 * TAU),
         ("period = 3", "2*pi/3", TAU / 3.0),
     ] {
-        let there = found(period, rate, radians);
+        let there = found(&clocked(period, rate), radians);
         assert_eq!(there.verdicts, own.verdicts, "{period}");
         assert_eq!(there.numbers.len(), own.numbers.len(), "{period}: {there:?} for {own:?}");
         for (x, y) in there.numbers.iter().zip(&own.numbers) {
             assert!((x - y).abs() <= 1e-9 * y.abs().max(1e-3), "{period}: {x} for {y}");
         }
+    }
+}
+
+/// c = 2 ζ √k, exactly where √k is rational.
+#[test]
+fn a_damping_ratio_is_the_damping_that_it_makes() {
+    let of = |period: &str, rate: &str, damping: &str, radians: f64| {
+        found(&scene(period, rate, damping, "16/25"), radians)
+    };
+    let own = of("", "1", "damping = \"1/20\"", 1.0);
+    assert_eq!(of("", "1", "damping_ratio = \"1/32\"", 1.0).certificates, own.certificates);
+    let there = of("frequency = 4", "8*pi", "damping_ratio = \"1/32\"", 4.0 * TAU);
+    assert_eq!(there.verdicts, own.verdicts);
+    for (x, y) in there.numbers.iter().zip(&own.numbers) {
+        assert!((x - y).abs() <= 1e-9 * y.abs().max(1e-3), "{x} for {y}");
+    }
+}
+
+/// What is printed of a touch is in the range that begins there, and as near as 17 digits are.
+#[test]
+fn a_touch_is_rounded_into_its_range() {
+    let rational = |text: &str| parse_rational(text).unwrap();
+    let square = rational("11/30") * rational("11/30") + rational("1/400");
+    for (period, rate) in [("", "1"), ("frequency = 4", "8*pi")] {
+        let folder = tempfile::tempdir().unwrap();
+        let tasks = [task("grazing", "grazing", "parameter = \"F\"\nseen = false\nrange = true")];
+        let (report, ..) = run(&clocked(period, rate), &tasks, folder.path());
+        let mut sides = BTreeMap::new();
+        for row in report["tasks"][0]["range"].as_array().unwrap() {
+            let (side, touch) = (row["side"].as_str().unwrap(), rational(row["touch"].as_str().unwrap()));
+            let off = &touch * &touch / &square - rational("1");
+            assert_eq!(off.is_negative(), side == "before", "{period}: {row}");
+            assert!(off.abs() < rational("1e-15"), "{period}: {row}");
+            sides.insert(side.to_string(), touch);
+        }
+        assert_eq!(sides.len(), 2);
     }
 }

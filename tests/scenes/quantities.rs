@@ -309,8 +309,8 @@ fn what_hands_type_is_told() {
         }
     }
     // What is allowed and hardly meant, by both engines.
-    for period in ["", "period = 5\n"] {
-        let good = good.replacen("[system]\n", &format!("[system]\n{period}"), 1);
+    for engine in ["one", "many"] {
+        let good = good.replacen("[parameters]\n", &format!("engine = {engine:?}\n[parameters]\n"), 1);
         let told = warnings(&good.replacen("restitution = 1", "restitution = 1.5", 1));
         assert!(
             told[0].starts_with("the restitution of stop lower is ") && told[0].contains("above 1"),

@@ -545,18 +545,20 @@ fn text_has_the_digits_asked_for_and_json_has_all() {
 /// A run may be asked for in the scene's unit of time, by both engines: it ends there, with a last point.
 #[test]
 fn a_duration_ends_where_it_says() {
-    let scene = |system: &str, keys: &str| {
+    let scene = |engine: &str, system: &str, keys: &str| {
         format!(
-            "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nT = 2.5\n[system]\n{system}\nstiffness = 2\n\
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\nengine = {engine:?}\n[parameters]\nT = 2.5\n[system]\n{system}\nstiffness = 2\n\
              [[tasks]]\nname = \"m\"\nkind = \"simulate\"\nsamples = 8\nstart = {{ q = 1 }}\n{keys}\n"
         )
     };
-    let [one, many] = ["damping = 0.1", "period = 3\nmass = 1\ndamping = 0.1"];
-    for (system, period) in [(one, std::f64::consts::TAU), (many, 3.0)] {
+    let [radians, other] = ["damping = 0.1", "period = 3\nmass = 1\ndamping = 0.1"];
+    for (engine, system, period) in
+        [("one", radians, std::f64::consts::TAU), ("one", other, 3.0), ("many", other, 3.0)]
+    {
         for (keys, time) in
             [("duration = \"3*T\"", 7.5), ("duration = 0.01", 0.01), ("duration = 6\ntransient = 2", 6.0)]
         {
-            let text = scene(system, keys);
+            let text = scene(engine, system, keys);
             let (code, output, error, folder) = command(&text, &[]);
             assert_eq!(code, 0, "{output} {error}");
             let rows = fs::read_to_string(folder.path().join("m.csv")).unwrap();
@@ -573,10 +575,11 @@ fn a_duration_ends_where_it_says() {
         }
         // No time twice or backwards: 0.3 of 0.1 is not 3 in floats, nor is a third of 7/3.
         for (period, duration) in [("0.1", "0.3"), ("1/3", "7/9"), ("0.1", "1.1"), ("3", "\"3 - 2^-40\"")] {
-            if system == one {
+            if system == radians {
                 continue;
             }
-            let text = scene(&format!("period = \"{period}\"\nmass = 1"), &format!("duration = {duration}"));
+            let text =
+                scene(engine, &format!("period = \"{period}\"\nmass = 1"), &format!("duration = {duration}"));
             let text = text.replace("= 7/9", "= \"7/9\"");
             let (code, output, error, folder) = command(&text, &["--format", "json"]);
             assert_eq!(code, 0, "{output} {error}");
@@ -601,7 +604,7 @@ fn a_duration_ends_where_it_says() {
             ("duration = 1e300", "more than 100000000"),
             ("duration = \"1/0\"", "divides by zero"),
         ] {
-            let (code, _, error, _folder) = command(&scene(system, keys), &[]);
+            let (code, _, error, _folder) = command(&scene(engine, system, keys), &[]);
             assert!(code == 2 && error.contains(answer) && error.contains("duration"), "{keys}: {error}");
         }
     }

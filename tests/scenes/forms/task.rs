@@ -19,12 +19,14 @@ struct Machine {
     damping: f64,
     stiffness: f64,
     restitution: f64,
+    engine: &'static str,
     /// In units of 1/2π of its period.
     radian: f64,
 }
 
 impl Machine {
-    fn drawn(random: &mut Random, engine_one: bool) -> Machine {
+    /// By an engine and with a clock that go with its number.
+    fn drawn(random: &mut Random, i: u32) -> Machine {
         let mut between = |low: f64, high: f64| low + (high - low) * random.part();
         let (damping, restitution) = (between(0.05, 0.3), between(0.4, 0.9));
         let stiffness = if between(0.0, 1.0) < 0.5 { between(0.15, 0.6) } else { between(1.8, 4.5) };
@@ -32,7 +34,8 @@ impl Machine {
             damping,
             stiffness,
             restitution,
-            radian: if engine_one { 1.0 } else { 6.0 / std::f64::consts::TAU },
+            engine: ["one", "many"][i as usize % 2],
+            radian: if i.is_multiple_of(3) { 1.0 } else { 6.0 / std::f64::consts::TAU },
         }
     }
 
@@ -46,9 +49,10 @@ impl Machine {
         let r = self.radian;
         let period = if r == 1.0 { "\"2*pi\"".to_string() } else { "6".to_string() };
         let text = format!(
-            "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nF = {drive:?}\n[system]\nperiod = {period}\n\
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\nengine = {:?}\n[parameters]\nF = {drive:?}\n[system]\nperiod = {period}\n\
              damping = {:?}\nstiffness = {:?}\nforcing = [{{ cos = \"F*{:?}\" }}]\n[[stops]]\nside = \"upper\"\noffset = 1\n\
              restitution = {:?}\n{tasks}",
+            self.engine,
             self.damping / r,
             self.stiffness / (r * r),
             1.0 / (r * r),
@@ -83,7 +87,7 @@ fn a_touch_and_a_fold_have_one_place_in_all_tasks() {
     let mut random = Random(21);
     let (mut jumped, mut folded) = (0, 0);
     for i in 0..samples(4) {
-        let machine = Machine::drawn(&mut random, i % 2 == 0);
+        let machine = Machine::drawn(&mut random, i);
         let (touch, count) = (machine.touch(), 3 + (9.0 * random.part()) as u32);
         let (low, high) = (0.6 * touch, touch * (1.1 + 0.4 * random.part()));
         let at = touch * (0.9 + 0.08 * random.part());
@@ -138,7 +142,7 @@ fn a_touch_and_a_fold_have_one_place_in_all_tasks() {
 fn a_motion_leads_where_it_leads_some_periods_later() {
     let mut random = Random(22);
     for i in 0..samples(4) {
-        let machine = Machine::drawn(&mut random, i % 2 == 0);
+        let machine = Machine::drawn(&mut random, i);
         let drive = machine.touch() * (0.7 + 0.6 * random.part());
         let mut between = |low: f64, high: f64| low + (high - low) * random.part();
         let start = [between(-2.0, 0.9), between(-2.0, 2.0)];

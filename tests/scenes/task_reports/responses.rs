@@ -55,9 +55,9 @@ fn z(row: &ResponseRow) -> C {
     Complex::from_polar(row.amplitude, -TAU * row.lag.unwrap_or(0.0))
 }
 
-/// A mass of 2 kg on a spring of 400 N/m, in hertz; and the same in radians of the drive, by the engine
-/// `one`.
-fn one_mass(damping: f64, more: &str) -> [String; 2] {
+/// A mass of 2 kg on a spring of 400 N/m, in hertz, by either engine; and the same in radians of the drive:
+/// with radians in the unit of its frequency.
+fn one_mass(damping: f64, more: &str) -> [(String, f64); 3] {
     let seconds = format!(
         "[parameters]\nf = 1\n[system]\nfrequency = \"f\"\nmass = 2\ndamping = {damping}\nstiffness = 400\n\
          forcing = [{{ cos = 5 }}]\n{more}"
@@ -66,7 +66,7 @@ fn one_mass(damping: f64, more: &str) -> [String; 2] {
         "[parameters]\nf = 1\n[system]\ndamping = \"{damping}/(2*f)\"\nstiffness = \"200/f^2\"\n\
          forcing = [{{ cos = \"5/(2*f^2)\" }}]\n{more}"
     );
-    [seconds, radians]
+    [(format!("engine = \"many\"\n{seconds}"), TAU), (seconds, TAU), (radians, 1.0)]
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn one_mass_has_its_closed_response_its_peak_and_its_half_power_points() {
         let peak = (1.0 - 2.0 * ratio * ratio).sqrt();
         let high = 1.0 / (2.0 * ratio * (1.0 - ratio * ratio).sqrt());
         let around = 2.0 * ratio * (1.0 - ratio * ratio).sqrt();
-        for (scene, unit) in one_mass(damping, "").iter().zip([TAU, 1.0]) {
+        for (scene, unit) in one_mass(damping, "") {
             let range = [0.3 * own / unit, 2.5 * own / unit];
             let found = found(&format!("{scene}{}", task("f", range, 41, "")));
             assert!(found.is_frequency && found.sweep.is_none() && found.resonant.is_empty());
@@ -108,7 +108,7 @@ fn one_mass_has_its_closed_response_its_peak_and_its_half_power_points() {
 /// however short the transient is.
 #[test]
 fn swings_are_those_of_the_orbit_and_not_of_a_motion_on_its_way() {
-    for (scene, unit) in one_mass(0.4, "").iter().zip([TAU, 1.0]) {
+    for (scene, unit) in one_mass(0.4, "") {
         let task = task("f", [5.0 / unit, 45.0 / unit], 5, "seen = true\ntransient = 5");
         let found = found(&format!("{scene}{task}"));
         assert_eq!(found.not_settled, [0.0; 0]);
@@ -148,13 +148,13 @@ fn what_grows_at_a_resonance_is_not_settled() {
 #[test]
 fn what_has_no_half_power_points_is_told_so() {
     let own = 200f64.sqrt();
-    for (scene, unit) in one_mass(0.0, "").iter().zip([TAU, 1.0]) {
+    for (scene, unit) in one_mass(0.0, "") {
         let found = found(&format!("{scene}{}", task("f", [0.5 * own / unit, 1.7 * own / unit], 8, "")));
         let [row] = &found.peaks[..] else { panic!("{:?}", found.peaks) };
         near(row.value * unit / own, 1.0, 1e-9);
         assert_eq!((row.amplitude, row.lower, row.open), (None, None, Some("undamped")));
     }
-    let [scene, _] = one_mass(3.0, "");
+    let [(scene, _), ..] = one_mass(3.0, "");
     let found = found(&format!("{scene}{}", task("f", [2.1, 2.3], 9, "")));
     assert_eq!((found.peaks.len(), found.peaks[0].open), (1, Some("beyond the range")), "{found:?}");
     let other = format!(
@@ -387,9 +387,13 @@ fn a_mass_that_rubs_swings_as_far_as_den_hartog_says() {
 }
 
 /// The same question in other units, with its signs turned, its stops exchanged, its drive a quarter of a
-/// period later.
+/// period later; asked of either engine.
 #[test]
 fn forms_of_a_response_agree() {
+    ["one", "many"].into_iter().for_each(forms_agree);
+}
+
+fn forms_agree(engine: &str) {
     let scene = |[mass, length]: [f64; 2], sign: f64, drive: &str, swapped: bool| {
         let force = mass * length;
         let stop = |name: &str, side: f64| {
@@ -402,7 +406,8 @@ fn forms_of_a_response_agree() {
         let stops = [stop("right", -1.0), stop("left", 1.0)];
         let stops = if swapped { [&stops[1], &stops[0]] } else { [&stops[0], &stops[1]] };
         format!(
-            "[parameters]\nw = 1\n[system]\nperiod = \"2*pi/w\"\nmass = {mass:?}\ndamping = {:?}\nstiffness = {mass:?}\n\
+            "engine = {engine:?}\n[parameters]\nw = 1\n[system]\nperiod = \"2*pi/w\"\nmass = {mass:?}\ndamping = {:?}\n\
+             stiffness = {mass:?}\n\
              force = {:?}\nforcing = [{{ {drive} = {:?} }}]\n{}{}{}",
             0.1 * mass,
             0.1 * force * sign,
@@ -619,29 +624,32 @@ fn the_backbone_of_a_cubic_spring_is_jacobis() {
         let rate = whole.sqrt() * agm(1.0, (1.0 - 0.1 * row.swing * row.swing / whole).sqrt());
         near(row.value, rate, 1e-13);
     }
-    // The same in other units, by the engine for formulas, about a place of rest of a constant force, too.
-    let seconds = |stiffness: &str, force: &str| {
+    // The same in other units, by the engine for formulas, too, and about a place of rest of a constant
+    // force.
+    let seconds = |engine: &str, stiffness: &str, force: &str| {
         format!(
-            "[parameters]\nf = 1\n[system]\nfrequency = \"f\"\nmass = 2\ndamping = 0.04\nstiffness = {stiffness}\n\
+            "engine = {engine:?}\n[parameters]\nf = 1\n[system]\nfrequency = \"f\"\nmass = 2\ndamping = 0.04\nstiffness = {stiffness}\n\
              cubic = 0.4\nforce = {force}\nforcing = [{{ cos = 0.12 }}]\n{}",
             task("f", [0.8 / TAU, 2.0 / TAU], 61, "backbone = true\nseen = false")
         )
     };
-    let other = self::found(&seconds("2", "0"));
-    let other = other.backbone.as_ref().unwrap();
-    assert!(other.len() > 3);
-    for row in other {
-        let same = backbone.iter().find(|known| (known.value - TAU * row.value).abs() < 1e-12).unwrap();
-        near(row.swing, same.swing, 1e-10);
+    for engine in ["one", "many"] {
+        let other = self::found(&seconds(engine, "2", "0"));
+        let other = other.backbone.as_ref().unwrap();
+        assert!(other.len() > 3);
+        for row in other {
+            let same = backbone.iter().find(|known| (known.value - TAU * row.value).abs() < 1e-12).unwrap();
+            near(row.swing, same.swing, 1e-10);
+        }
+        let pushed = self::found(&seconds(engine, "2", "0.1"));
+        let pushed = pushed.backbone.as_ref().unwrap();
+        assert!(pushed.iter().zip(other).any(|(a, b)| (a.swing - b.swing).abs() > 1e-6), "{pushed:?}");
+        let report = reports(&seconds(engine, "-2", "0")).unwrap().remove(0).to_string();
+        assert!(
+            report.contains("failed: backbone = true") && report.contains("lead away from q = 0"),
+            "{report}"
+        );
     }
-    let pushed = self::found(&seconds("2", "0.1"));
-    let pushed = pushed.backbone.as_ref().unwrap();
-    assert!(pushed.iter().zip(other).any(|(a, b)| (a.swing - b.swing).abs() > 1e-6), "{pushed:?}");
-    let report = reports(&seconds("-2", "0")).unwrap().remove(0).to_string();
-    assert!(
-        report.contains("failed: backbone = true") && report.contains("lead away from q = 0"),
-        "{report}"
-    );
     let highest = &found.highest.as_ref().unwrap()[0];
     let on = backbone.iter().find(|row| row.value == highest.value).unwrap();
     assert!((on.swing - highest.swing).abs() < 0.05 * on.swing, "{on:?} {highest:?}");

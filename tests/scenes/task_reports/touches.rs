@@ -188,3 +188,19 @@ fn sentences_are_in_si_units_where_the_scene_says_its_own() {
     let error = grazing_scenes::scene::Scene::from_toml(&wrong, "wrong.toml").unwrap_err().to_string();
     assert!(error.contains("units.length") && error.contains("\"mm\""), "{error}");
 }
+
+/// A task that does not say how far finds the touch from a thousandth of it on, in any unit of time.
+#[test]
+fn a_touch_is_found_from_far() {
+    let wanted = touch(VALUES);
+    for engine in ["one", "many"] {
+        for part in [1e-3, 0.03, 0.3, 0.999] {
+            let from = |scene: String| scene.replacen("F = 0.9", &format!("F = {:?}", part * wanted), 1);
+            let (found, ..) = grazing_found(&from(driven(engine, "")));
+            assert!((found.at.parameter / wanted - 1.0).abs() < 1e-11, "{engine} from {part}: {found:?}");
+            // The machine's own clock, by the engine for one coordinate.
+            let (found, ..) = grazing_found(&from(driven("many", "")).replacen("engine = \"many\"", "", 1));
+            assert!((found.at.parameter / wanted - 1.0).abs() < 1e-11, "from {part}: {found:?}");
+        }
+    }
+}

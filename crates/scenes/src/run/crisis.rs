@@ -4,8 +4,9 @@ use serde::Serialize;
 
 use super::{Finding, Job, Lines, Status, row};
 use crate::{
+    attractor::dynamics::Dynamics,
     error::{Error, Result},
-    motion::{State, Time},
+    motion::Time,
     one::{
         attractor::crisis::{CrisisSearch, crisis as locate},
         orbit::Family,
@@ -136,8 +137,8 @@ pub(crate) fn crisis(task: &CrisisTask, job: &Job) -> Result<CrisisFindings> {
 /// For how many periods the motion goes on having impacts.
 fn persistence(task: &CrisisTask, job: &Job, parameter: f64) -> Result<u64> {
     let simulator = job.simulator_of(&job.scene.plain(&[(&task.parameter, parameter)])?)?;
-    let State { t, q, u } = job.scene.state(&task.start)?;
-    let mut run = simulator.start(Time::new(0, t), q, u)?;
+    let start = job.scene.state(&task.start)?;
+    let (t, mut run) = (start.t, simulator.begin(&start)?);
     let (mut last, mut impacts) = (0, 0);
     for period in 1..=task.periods {
         if period.is_multiple_of(4096) {

@@ -158,11 +158,8 @@ pub trait Coefficient: Real {
     }
 }
 
-/// What is said of a value that no fraction is.
-pub(super) const IRRATIONAL: &str = "is irrational";
-
 fn irrational(what: &str) -> Error {
-    Error::input(format!("{what} {IRRATIONAL}, where an exact value is needed; write a fraction"))
+    Error::input(format!("{what} is irrational, where an exact value is needed; write a fraction"))
 }
 
 /// The elementary functions of a rung that has them.

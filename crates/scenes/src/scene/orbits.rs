@@ -223,7 +223,8 @@ keys! {
         /// the orbit that comes to graze, near the parameter's present value, at its least minimum of a gap;
         /// where the engine is `many`, the motion without impacts, of several the one near `start`
         orbit: OrbitKeys = "{}",
-        /// how far along its branch to look, both ways, as in a task `event`
+        /// how far along its branch to look, both ways, as in a task `event`; without it the motion without
+        /// impacts is followed up to 512 times as far, where the engine is `one`
         reach: Option<f64>,
         /// how the branch is followed; lengths are as those of `reach`; not where the engine is `many`
         options: Options = "{}",

@@ -8,7 +8,7 @@ use num_traits::ToPrimitive;
 use serde::{Serialize, Serializer};
 
 use super::{
-    expression::{Coefficient, Expression, IRRATIONAL},
+    expression::{Coefficient, Expression},
     format::SceneFormat,
     grammar,
     keys::StopName,
@@ -188,16 +188,6 @@ impl Scene {
         self.mass.as_ref().map_or(Ok(1.0), |mass| self.number(mass))
     }
 
-    /// Radians of the forcing in a unit of time, where the engine is `one`: velocities divided by this are
-    /// those of its motions.
-    ///
-    /// # Errors
-    /// Where it is not defined.
-    pub(crate) fn rate(&self) -> Result<f64> {
-        let Body::Oscillator(system) = &self.body else { return Ok(1.0) };
-        system.rate.as_ref().map_or(Ok(1.0), |rate| self.number(rate))
-    }
-
     /// A text of the oscillator: its parameters with their values, and its equation and walls as expressions
     /// in them, without the spaces in them. Scenes with the same text have the same motions; titles, tasks,
     /// comments and the order of keys do not matter.
@@ -265,10 +255,10 @@ impl Scene {
     pub fn rounded(&self) -> Result<System<f64>> {
         match self.exact(&[]) {
             Ok(system) => Ok(system.rounded()),
-            // Where floats have no value either, the exact one says what is wrong, unless it is that there is
-            // none.
+            // Where floats have no value either, the exact one says what is wrong, unless there may be none.
             Err(error) => {
-                let is_rational = !error.to_string().contains(IRRATIONAL);
+                let rational = |x: &Expression| if x.root.is_rational() { Ok(()) } else { Err(()) };
+                let is_rational = self.system().is_ok_and(|system| system.try_map(rational).is_ok());
                 self.plain(&[]).map_err(|other| if is_rational { error } else { other })
             }
         }
@@ -341,7 +331,7 @@ impl Scene {
         Ok(float(&exact?))
     }
 
-    /// A state to start from, rounded from its exact values; its velocity is per radian of the forcing.
+    /// A state to start from, rounded from its exact values; its velocity is in the scene's unit of time.
     ///
     /// # Errors
     /// As [`Scene::exact`].
@@ -353,7 +343,7 @@ impl Scene {
                 Err(self.fail(key, "is a list; here there is one displacement and one velocity"))
             }
         };
-        Ok(State { t: phase(&start.phase), q: one(&start.q)?, u: one(&start.u)? / self.rate()? })
+        Ok(State { t: phase(&start.phase), q: one(&start.q)?, u: one(&start.u)? })
     }
 
     /// What the axes of an oscillator's plane of starts are: two of `q`, `u` and `phase`; without names the

@@ -2,7 +2,7 @@
 //! method.
 
 use crate::{
-    attractor::detection::Detection,
+    attractor::{detection::Detection, dynamics::Dynamics},
     continuation::natural,
     error::{Error, Result},
     monitor::Monitor,
@@ -13,7 +13,7 @@ use crate::{
     },
 };
 
-/// The periodic orbit that the motion from `start` tends to.
+/// The periodic orbit that the motion from `start`, its velocity as it is shown, tends to.
 ///
 /// # Errors
 /// An input error if it tends to none that is found, or rests on a wall; those of [`find`]; the monitor's.
@@ -25,7 +25,7 @@ pub fn attracting(
     monitor: &dyn Monitor,
 ) -> Result<Orbit> {
     let simulator = Simulator::new(oscillator.system(), settings)?.counting_too(oscillator.tally());
-    let mut run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
+    let mut run = simulator.begin(&start)?;
     let cycle = detection.detect(&simulator, &mut run, monitor)?.periodic(detection)?;
     let (period, phase, [q, u]) = (cycle.period() as i64, detection.phase, cycle.points[0]);
     let mut run = simulator.start(Time::new(0, phase), q, u)?;

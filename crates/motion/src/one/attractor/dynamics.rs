@@ -68,7 +68,9 @@ impl Motion for Run<'_> {
 impl Dynamics for Simulator {
     const TOGETHER: usize = 64;
 
+    /// With the velocity as it is shown.
     type Start = State;
+    /// With the velocity per radian.
     type Point = [f64; 2];
     type Motion<'a> = Run<'a>;
     type Tangents<'a> = Carried<'a>;
@@ -78,11 +80,11 @@ impl Dynamics for Simulator {
     }
 
     fn begin(&self, start: &State) -> Result<Run<'_>> {
-        self.start(Time::new(0, start.t), start.q, start.u)
+        self.start(Time::new(0, start.t), start.q, start.u / self.rate())
     }
 
     fn in_plane(&self, [q, u]: [f64; 2], phase: f64) -> State {
-        State { t: phase, q, u: u / self.rate() }
+        State { t: phase, q, u }
     }
 
     fn drawn(&self, &[q, u]: &[f64; 2]) -> [f64; 2] {
@@ -90,7 +92,7 @@ impl Dynamics for Simulator {
     }
 
     fn at(&self, coordinates: &[f64], phase: f64) -> State {
-        State { t: phase, q: coordinates[0], u: coordinates[1] }
+        State { t: phase, q: coordinates[0], u: coordinates[1] * self.rate() }
     }
 
     fn along<'a>(&'a self, run: Run<'a>) -> Carried<'a> {
@@ -105,7 +107,7 @@ impl Dynamics for Simulator {
     }
 
     fn here(&self, run: &Run<'_>) -> State {
-        State { t: run.time().phase, ..run.state() }
+        self.as_start(State { t: run.time().phase, ..run.state() })
     }
 
     fn tangents<'a>(&'a self, run: Run<'a>, count: usize) -> Carried<'a> {

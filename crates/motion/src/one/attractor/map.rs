@@ -15,10 +15,11 @@ use crate::{
         checkpoint::Checkpoint,
         detection::{Detection, Fate, Recurrence},
         diagram::Look,
+        dynamics::Dynamics,
     },
     error::Result,
     monitor::Monitor,
-    motion::{Flow, RunEnd, State, Time, algebra::apply, flow::Free},
+    motion::{Flow, RunEnd, State, algebra::apply, flow::Free},
     one::simulate::{Event, Simulator, batch::Batch},
 };
 
@@ -152,12 +153,11 @@ impl MapPlan {
 /// What the start leads to in each of these systems.
 fn cells_of(simulators: &[Simulator], plan: &MapPlan, monitor: &dyn Monitor) -> Result<Vec<MapCell>> {
     let Look { phase, transient, points, longest } = plan.look;
-    let State { t, q, u } = plan.start;
     let nothing = MapCell { end: MapEnd::BehindAWall, impacts: 0, exponent: None };
     let mut cells = vec![nothing; simulators.len()];
     let (mut names, mut motions) = (Vec::new(), Vec::new());
     for (name, simulator) in simulators.iter().enumerate() {
-        if let Ok(run) = simulator.start(Time::new(0, t), q, u) {
+        if let Ok(run) = simulator.begin(&plan.start) {
             names.push(name);
             motions.push((simulator, run));
         }

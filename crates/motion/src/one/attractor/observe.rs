@@ -50,7 +50,8 @@ pub(super) fn observe(
     for passed in 0..=observation.transient {
         // Where they are before the last pass.
         if passed == observation.transient {
-            settled = under_way.iter().map(|&motion| batch.state(motion)).collect();
+            settled =
+                under_way.iter().map(|&motion| simulators[motion].as_start(batch.state(motion))).collect();
         }
         batch.pass();
         if passed % PAUSE == 0 {

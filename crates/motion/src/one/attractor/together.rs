@@ -4,10 +4,11 @@ use crate::{
     attractor::{
         cycle::Cycle,
         detection::{Detection, Fate, Recurrence},
+        dynamics::Dynamics,
     },
     error::Result,
     monitor::Monitor,
-    motion::{RunEnd, State, Time},
+    motion::{RunEnd, State},
     one::simulate::{Simulator, batch::Batch},
 };
 
@@ -36,7 +37,7 @@ pub(super) fn together(
     // Which start each motion of the batch has.
     let (mut names, mut motions) = (Vec::new(), Vec::new());
     for (name, start) in starts.iter().enumerate() {
-        if let Ok(run) = simulator.start(Time::new(0, start.t), start.q, start.u) {
+        if let Ok(run) = simulator.begin(start) {
             names.push(name);
             motions.push((simulator, run));
         }

@@ -98,14 +98,15 @@ const RELATIVE_DEPTH: f64 = 1e-12;
 impl Settings {
     /// The same with the minimum depth that suits motions from these starts: 10⁻¹² of the size of the gap to
     /// the nearest wall, of what the forces do in a radian and of the wall's place and motion or, where there
-    /// is none of this, of the starts. It goes with the unit of length.
+    /// is none of this, of the starts, their velocities as they are shown. It goes with the unit of length.
     ///
     /// # Errors
     /// Coefficients that are not finite.
     pub fn sized(self, system: &System<f64>, starts: &[State]) -> Result<Settings> {
         let (flow, contacts) = (Free::new(system, self.tolerance)?, Contact::of(system)?);
         let own = size::gap_size(flow.equation(), contacts.iter());
-        let start = |most: f64, start: &State| most.max(start.q.abs()).max(start.u.abs());
+        let start =
+            |most: f64, start: &State| most.max(start.q.abs()).max(start.u.abs() / system.shown_rate());
         let size = if own > 0.0 { own } else { starts.iter().fold(0.0, start) };
         let size = if size > 0.0 && size.is_finite() { size } else { 1.0 };
         Ok(Settings { minimum_depth: RELATIVE_DEPTH * size, ..self })
@@ -205,6 +206,11 @@ impl Simulator {
     /// Radians in a unit of the time in which velocities are shown.
     pub fn rate(&self) -> f64 {
         self.rate
+    }
+
+    /// A state of its motions with the velocity as it is shown.
+    pub fn as_start(&self, state: State) -> State {
+        State { u: state.u * self.rate, ..state }
     }
 
     /// How finely it simulates.

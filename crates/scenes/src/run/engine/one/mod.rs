@@ -49,8 +49,9 @@ use crate::{
     },
 };
 
-/// How many times the first reach is looked for the touch of the motion without impacts, in turn.
-const REACHES: [f64; 4] = [1.0, 8.0, 64.0, 512.0];
+/// How many times as far the touch of the motion without impacts is looked for, in turn, where a task does
+/// not say how far.
+const FARTHER: [f64; 3] = [8.0, 64.0, 512.0];
 
 /// Closer than this to a bifurcation, rounding decides on which side of it an orbit is.
 const MARGIN: f64 = 1e-11;
@@ -188,13 +189,12 @@ impl<'j> Engine for Oscillators<'j> {
             Some(start) => State { t: at.t, ..self.job.scene.state(start)? },
             None => at,
         };
-        let rate = dynamics.rate();
         let place = move |_: &Simulator, numbers: [f64; 2]| {
             let mut start = base;
             for (axis, x) in axes.into_iter().zip(numbers) {
                 match axis {
                     StartAxis::Place => start.q = x,
-                    StartAxis::Speed => start.u = x / rate,
+                    StartAxis::Speed => start.u = x,
                     StartAxis::Phase => start.t = TAU * (x - x.floor()),
                 }
             }
@@ -224,7 +224,7 @@ impl<'j> Engine for Oscillators<'j> {
     }
 
     fn numbers(&self, &State { t, q, u }: &State) -> StartNumbers {
-        (t, vec![q], vec![u * self.system.shown_rate()])
+        (t, vec![q], vec![u])
     }
 
     fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings> {
@@ -306,18 +306,21 @@ impl<'j> Engine for Oscillators<'j> {
         };
         self.job.check()?;
         let (patterns, options) = (Patterns::new(family, start)?, task.options.checked()?);
-        // The motion without impacts may be far from its touch: farther and farther is looked, unless the task
-        // says how far.
-        let is_far = task.reach.is_none() && orbit.itinerary.strikes().is_empty();
-        let mut reaches = REACHES.into_iter().take(if is_far { REACHES.len() } else { 1 }).peekable();
-        let located = loop {
-            let times = reaches.next().unwrap_or(1.0);
+        let search = |times: f64| {
             let extent = task.extent(&family.at(start)?, orbit, times);
-            match nearest(&patterns, Bifurcation::Grazing, orbit, start, extent, &options)? {
-                BranchSearch::Found(found) => break found,
-                BranchSearch::Nothing(why) if reaches.peek().is_none() => return Ok(Err(why.to_string())),
-                BranchSearch::Nothing(_) => self.job.check()?,
-            }
+            nearest(&patterns, Bifurcation::Grazing, orbit, start, extent, &options)
+        };
+        let mut found = search(1.0)?;
+        // The motion without impacts may be far from its touch.
+        let is_far = task.reach.is_none() && orbit.itinerary.strikes().is_empty();
+        let mut farther = FARTHER.iter().filter(|_| is_far);
+        while let (BranchSearch::Nothing(_), Some(times)) = (&found, farther.next()) {
+            self.job.check()?;
+            found = search(*times)?;
+        }
+        let located = match found {
+            BranchSearch::Found(found) => found,
+            BranchSearch::Nothing(why) => return Ok(Err(why.to_string())),
         };
         let event = locate(family, &located.orbit, located.parameter)?;
         // Two grazings in a period are the theory's business only if a symmetry makes them one.
@@ -369,8 +372,8 @@ impl<'j> Engine for Oscillators<'j> {
     }
 }
 
-/// A state of the orbit that grazes, half a period from the touch: followed from there, unless there are
-/// other impacts.
+/// A state of the orbit that grazes, in the scene's unit of time, half a period from the touch: followed from
+/// there, unless there are other impacts.
 fn far_from(event: &Grazing, orbit: &Orbit, oscillator: &Oscillator) -> Result<State> {
     let t = event.z[0];
     let wall = oscillator.walls().iter().find(|wall| wall.side == event.side());
@@ -381,5 +384,5 @@ fn far_from(event: &Grazing, orbit: &Orbit, oscillator: &Oscillator) -> Result<S
         }
         None => orbit.state(oscillator, t + PI)?,
     };
-    Ok(State { t: far.t.rem_euclid(TAU), ..far })
+    Ok(State { t: far.t.rem_euclid(TAU), u: far.u * oscillator.system().shown_rate(), ..far })
 }

@@ -10,6 +10,7 @@ use super::{
     Oscillators,
 };
 use crate::{
+    attractor::dynamics::Dynamics,
     error::Result,
     motion::{Contact, Event, Flow, RunEnd, Time},
     one::simulate::{self, Run},
@@ -59,7 +60,7 @@ pub(super) fn simulate(
     };
     keeper.begin(&of)?;
     job.monitor.begin(task.transient + span.ceil() as u64, "periods");
-    let run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
+    let run = simulator.begin(&start)?;
     let depth = simulator.settings().minimum_depth;
     let method = if job.is_linear() { "closed form" } else { "Taylor series" };
     let found = SimulationFindings::new(span, (&of, &vec![false; of.stops.len()]), method, depth);

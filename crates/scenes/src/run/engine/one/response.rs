@@ -2,7 +2,10 @@
 
 use super::Oscillators;
 use crate::{
-    attractor::swing::{self, Swing, Swinging},
+    attractor::{
+        dynamics::Dynamics,
+        swing::{self, Swing, Swinging},
+    },
     error::Result,
     motion::{Contact, RunEnd, State, Time},
     one::simulate::{Event, Run},
@@ -22,8 +25,7 @@ pub(super) fn swings(
     let job = engine.job;
     let simulator = job.simulator_of(&job.scene.plain(&[change])?)?;
     let stops: Vec<Contact> = simulator.contacts().cloned().collect();
-    let begin =
-        || Ok(Motion { run: simulator.start(Time::new(0, start.t), start.q, start.u)?, stops: &stops });
+    let begin = || Ok(Motion { run: simulator.begin(start)?, stops: &stops });
     let equation = simulator.flow().equation();
     let order = stops.iter().map(|stop| stop.position.order()).fold(equation.forcing.order(), u32::max);
     // The largest modulus of an eigenvalue is at most this.

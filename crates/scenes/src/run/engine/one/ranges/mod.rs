@@ -117,16 +117,23 @@ fn of_all(
     effort: RangeEffort,
     start: [BigRational; 2],
 ) -> Result<std::result::Result<Vec<SideRange>, String>> {
+    // The task need not have any.
+    let open = |why: String| match point.task.tolerance.0.is_empty() {
+        true => {
+            Ok(Err(format!("coefficients that are not rational are known as up to tolerances, and {why}")))
+        }
+        false => Ok(Err(why)),
+    };
     let all = match AllMachines::new(point)? {
         Ok(all) => all,
-        Err(why) => return Ok(Err(why)),
+        Err(why) => return open(why),
     };
     let (about, harmonics) = match all.oscillator(&start[0]) {
         Ok((about, _)) if !about[2][0].is_positive() => {
             return Ok(Err("ranges are proved for a restitution above 0".into()));
         }
         Ok(found) => found,
-        Err(error) => return Ok(Err(error.to_string())),
+        Err(error) => return open(error.to_string()),
     };
     Near {
         point,
