@@ -367,7 +367,7 @@ fn a_start_is_the_same_at_every_frequency() {
         cells.filter_map(|cell| cell.parse().ok()).collect()
     };
     let [one, many] = ["one", "many"].map(points);
-    assert!(one.len() == many.len() && one.len() >= 3 * 12, "{one:?} {many:?}");
+    assert!(one.len() == many.len() && one.len() == 24, "{one:?} {many:?}");
     for (x, y) in one.iter().zip(&many) {
         assert!((x - y).abs() <= 1e-9 * (1.0 + y.abs()), "{one:?} {many:?}");
     }

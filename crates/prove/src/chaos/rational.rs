@@ -40,7 +40,7 @@ impl RationalFunction {
     }
 
     /// Its value if it does not depend on x.
-    pub(crate) fn constant(&self) -> Option<BigRational> {
+    pub fn constant(&self) -> Option<BigRational> {
         // over = c·under, coefficient by coefficient.
         let at = self.under.iter().position(|x| !x.is_zero())?;
         let value = self.over.get(at).cloned().unwrap_or_else(BigRational::zero) / &self.under[at];

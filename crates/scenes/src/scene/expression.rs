@@ -178,7 +178,15 @@ macro_rules! elementary {
 }
 elementary! { Plain, Ball, crate::search::orbit::Jet }
 
-impl Coefficient for RationalFunction {}
+/// A root of what does not vary may be a fraction.
+impl Coefficient for RationalFunction {
+    fn call(function: Function, x: &Self, (): &()) -> Result<Self> {
+        let value = x.constant().and_then(|x| function.exactly(&x));
+        value
+            .map(|value| Self::ratio(&value, &()))
+            .ok_or_else(|| irrational(&format!("{}(…)", function.name())))
+    }
+}
 impl Coefficient for FloatInterval {}
 
 impl Coefficient for Dual {

@@ -223,8 +223,8 @@ keys! {
         /// the orbit that comes to graze, near the parameter's present value, at its least minimum of a gap;
         /// where the engine is `many`, the motion without impacts, of several the one near `start`
         orbit: OrbitKeys = "{}",
-        /// how far along its branch to look, both ways, as in a task `event`; without it the motion without
-        /// impacts is followed up to 512 times as far, where the engine is `one`
+        /// how far along its branch to look, both ways, as in a task `event`; without it, where the
+        /// engine is `one`, also from where the motion without impacts nears a stop, to first order
         reach: Option<f64>,
         /// how the branch is followed; lengths are as those of `reach`; not where the engine is `many`
         options: Options = "{}",
@@ -284,15 +284,9 @@ impl Value for RangeKey {
 }
 
 impl GrazingTask {
-    /// How far to look along the branch of an oscillator from an orbit; where the task does not say, so many
-    /// times as far as an event is looked for.
-    pub(crate) fn extent(&self, oscillator: &Oscillator, orbit: &Orbit, times: f64) -> SearchReach {
-        match extent(self.reach, oscillator, orbit) {
-            SearchReach::Length { reach, unit } if self.reach.is_none() => {
-                SearchReach::Length { reach: reach * times, unit }
-            }
-            given => given,
-        }
+    /// How far to look along the branch of an oscillator from an orbit.
+    pub(crate) fn extent(&self, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
+        extent(self.reach, oscillator, orbit)
     }
 
     /// The distance |eµ| where motions have this size.

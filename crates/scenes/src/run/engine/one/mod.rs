@@ -37,7 +37,7 @@ use crate::{
         attractor::attracting,
         branch::Patterns,
         grazing::{Grazing, locate},
-        orbit::{Admissibility, Family, Itinerary, Orbit, Oscillator},
+        orbit::{Admissibility, Family, Itinerary, Orbit, Oscillator, find},
         simulate::Simulator,
     },
     scene::{
@@ -49,9 +49,11 @@ use crate::{
     },
 };
 
-/// How many times as far the touch of the motion without impacts is looked for, in turn, where a task does
-/// not say how far.
-const FARTHER: [f64; 3] = [8.0, 64.0, 512.0];
+/// How often it is gone nearer to a touch that is not found, each time by this part of the way; and the step of
+/// differences, in the parameter's own unit.
+const NEARER: u32 = 8;
+const MOST: f64 = 0.9;
+const SMALL: f64 = 1e-6;
 
 /// Closer than this to a bifurcation, rounding decides on which side of it an orbit is.
 const MARGIN: f64 = 1e-11;
@@ -305,18 +307,24 @@ impl<'j> Engine for Oscillators<'j> {
             return Ok(Err(format!("no admissible orbit to begin with at {} = {start}", task.parameter)));
         };
         self.job.check()?;
-        let (patterns, options) = (Patterns::new(family, start)?, task.options.checked()?);
-        let search = |times: f64| {
-            let extent = task.extent(&family.at(start)?, orbit, times);
-            nearest(&patterns, Bifurcation::Grazing, orbit, start, extent, &options)
+        let options = task.options.checked()?;
+        let search = |orbit: &Orbit, at: f64| {
+            let (patterns, extent) = (Patterns::new(family, at)?, task.extent(&family.at(at)?, orbit));
+            nearest(&patterns, Bifurcation::Grazing, orbit, at, extent, &options)
         };
-        let mut found = search(1.0)?;
+        let mut found = search(orbit, start)?;
         // The motion without impacts may be far from its touch.
         let is_far = task.reach.is_none() && orbit.itinerary.strikes().is_empty();
-        let mut farther = FARTHER.iter().filter(|_| is_far);
-        while let (BranchSearch::Nothing(_), Some(times)) = (&found, farther.next()) {
+        let mut from = is_far.then(|| (orbit.clone(), start));
+        for _ in 0..NEARER {
+            let (BranchSearch::Nothing(_), Some((orbit, at))) = (&found, &from) else { break };
             self.job.check()?;
-            found = search(*times)?;
+            from = nearer(family, orbit, *at);
+            if let Some((orbit, at)) = &from
+                && let there @ BranchSearch::Found(_) = search(orbit, *at)?
+            {
+                found = there;
+            }
         }
         let located = match found {
             BranchSearch::Found(found) => found,
@@ -370,6 +378,18 @@ impl<'j> Engine for Oscillators<'j> {
     ) -> Result<()> {
         proofs::events(task, event, parameter, self, found)
     }
+}
+
+/// The motion without impacts at a value of the parameter most of the way to where its least gap closes, to
+/// first order; none where it does not close or there is no such motion.
+fn nearer(family: &SceneFamily, orbit: &Orbit, at: f64) -> Option<(Orbit, f64)> {
+    let there = |value: f64| find(&family.at(value).ok()?, &orbit.itinerary, orbit.z.clone()).ok();
+    let gap = |orbit: &Orbit| orbit.least.map(|least| least.gap);
+    let step = SMALL * family.at(at).ok()?.parameter_unit(orbit.unit);
+    let slope = (gap(&there(at + step)?)? - gap(orbit)?) / step;
+    let value = at - MOST * gap(orbit)? / slope;
+    let found = there(value).filter(|_| value.is_finite())?;
+    found.admissibility.is_admissible().then_some((found, value))
 }
 
 /// A state of the orbit that grazes, in the scene's unit of time, half a period from the touch: followed from
