@@ -49,8 +49,8 @@ use crate::{
     },
 };
 
-/// How often it is gone nearer to a touch that is not found, each time by this part of the way; and the step of
-/// differences, in the parameter's own unit.
+/// How often it is gone nearer to a touch that is not found, each time by this part of the way;
+/// and the step of differences, in the parameter's own unit.
 const NEARER: u32 = 8;
 const MOST: f64 = 0.9;
 const SMALL: f64 = 1e-6;
