@@ -42,6 +42,11 @@ impl Coefficient for Quotient {
     fn call(function: Function, x: &Self, (): &()) -> Result<Self> {
         let precision = Precision::new(PI_BITS);
         let bounds = x.constant().and_then(|[lo, hi]| {
+            if lo == hi
+                && let Some(value) = function.exactly(&lo)
+            {
+                return Some((value.clone(), value));
+            }
             let value =
                 <Ball as Coefficient>::call(function, &Ball::between(&lo, &hi, &precision), &precision);
             value.ok()?.exact_bounds()
