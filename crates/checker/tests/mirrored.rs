@@ -118,7 +118,7 @@ fn two_readers_agree() {
         let named = format!("kind {kind}");
         let wrong = forgeries().into_iter().map(|(text, _)| text).filter(|text| text.contains(&named));
         // Python takes seconds for some.
-        let wrong = wrong.step_by(one_in(9));
+        let wrong = wrong.step_by(one_in(18));
         let mut all: Vec<String> = wrong.chain(right.iter().map(|text| text.to_string())).collect();
         let count = all.len();
         if kind != "range" {

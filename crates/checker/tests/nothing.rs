@@ -145,9 +145,9 @@ fn forgeries_are_refused() {
 fn two_readers_agree() {
     let right =
         [NOTHING.to_string(), nth(NOTHING, "cell ", 2, "cell 19/100 2.3 4"), machine("1/5", "3/10", 2)];
-    let wrong = forgeries().into_iter().chain(malformed()).map(|(text, _)| text).step_by(one_in(3));
+    let wrong = forgeries().into_iter().chain(malformed()).map(|(text, _)| text).step_by(one_in(8));
     let mut random = Random(7);
-    let damaged = (0..samples::<usize>(60)).map(|_| damage(&mut random, NOTHING));
+    let damaged = (0..samples::<usize>(30)).map(|_| damage(&mut random, NOTHING));
     let all: Vec<String> = right.into_iter().chain(wrong).chain(damaged).collect();
     let Some(verdicts) = second_reader("nothing.py", &all) else { return };
     let mut accepted = 0;
@@ -156,7 +156,7 @@ fn two_readers_agree() {
         accepted += usize::from(ours.is_ok());
         assert_eq!(ours.is_ok(), line.ends_with(": proved, nothing born"), "{ours:?}, {line}\n{text}");
     }
-    assert!(accepted > samples(6), "{accepted}");
+    assert!(accepted > samples(3), "{accepted}");
 }
 
 /// A certificate's numbers, its one harmonic being a cosine.

@@ -189,12 +189,12 @@ fn forgeries_are_refused() {
 fn two_readers_agree() {
     let mut random = Random(3);
     // Python takes most of a second for a long file.
-    let some = forgeries().into_iter().step_by(one_in(15));
+    let some = forgeries().into_iter().step_by(one_in(20));
     let wrong: Vec<String> = some.chain(malformed()).map(|(text, _)| text).collect();
     let count = wrong.len();
     let small = cells(SINGLE_1, "1/100 unstable", &["0.003", "0.006", "0.009", "0.012"]);
     let changed =
-        (0..samples::<usize>(60)).map(|i| damage(&mut random, if i % 50 == 0 { SINGLE_2 } else { &small }));
+        (0..samples::<usize>(30)).map(|i| damage(&mut random, if i % 25 == 0 { SINGLE_2 } else { &small }));
     let all: Vec<String> =
         wrong.into_iter().chain([SINGLE_1, SINGLE_2, SINGLE_3].map(String::from)).chain(changed).collect();
     let Some(verdicts) = second_reader("single.py", &all) else { return };
@@ -206,7 +206,7 @@ fn two_readers_agree() {
         let close = at >= count && theirs && matches!(&ours, Err(why) if why.to_string().contains("false"));
         assert!(ours.is_ok() == theirs || close, "{ours:?}, {line}\n{text}");
     }
-    assert!(accepted > samples(4), "{accepted}");
+    assert!(accepted > samples(2), "{accepted}");
 }
 
 /// A certificate's numbers, its harmonics being known exactly.
