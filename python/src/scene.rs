@@ -9,7 +9,10 @@ use grazing_scenes::{
     scene::{Body, Scene as Inner, Task},
 };
 use numpy::{PyReadonlyArray2, PyReadwriteArray1, PyReadwriteArray3, PyUntypedArrayMethods};
-use pyo3::{prelude::*, types::PyDict};
+use pyo3::{
+    prelude::*,
+    types::{PyDict, PyString},
+};
 
 use crate::{
     arrays::{Collector, Data},
@@ -87,8 +90,8 @@ impl Scene {
     }
 
     /// The same with other values of some parameters.
-    fn with_parameters(&self, py: Python<'_>, changes: Vec<(String, Exact)>) -> PyResult<Scene> {
-        let changes = exact(changes);
+    fn with_parameters(&self, py: Python<'_>, changes: Vec<(String, Given)>) -> PyResult<Scene> {
+        let changes = self.exact(py, &changes)?;
         let inner = self.inner.with(&changes).map_err(|error| raise(py, &error))?;
         Ok(Scene { inner: Arc::new(inner), text: self.text.clone(), name: self.name.clone() })
     }
@@ -99,11 +102,11 @@ impl Scene {
         &self,
         py: Python<'py>,
         task: usize,
-        changes: Vec<(String, Exact)>,
+        changes: Vec<(String, Given)>,
         folder: Option<PathBuf>,
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Answer<'py>> {
-        let changes = exact(changes);
+        let changes = self.exact(py, &changes)?;
         let scene = self.inner.clone();
         let (report, data) = watched(py, progress.as_ref(), move |watch| {
             let around = Surroundings { changes: &changes, folder: folder.as_deref(), monitor: watch };
@@ -116,8 +119,8 @@ impl Scene {
     }
 
     /// Checks all that can be checked of a task before it runs.
-    fn check(&self, py: Python<'_>, task: usize, changes: Vec<(String, Exact)>) -> PyResult<()> {
-        let changes = exact(changes);
+    fn check(&self, py: Python<'_>, task: usize, changes: Vec<(String, Given)>) -> PyResult<()> {
+        let changes = self.exact(py, &changes)?;
         let scene = self.inner.clone();
         watched(py, None, move |_| {
             let around = Surroundings { changes: &changes, ..Surroundings::default() };
@@ -164,8 +167,25 @@ fn task_of(scene: &Inner, index: usize) -> Result<&Task> {
     scene.tasks.get(index).ok_or_else(|| Error::input(format!("there is no task {index}")))
 }
 
-fn exact(changes: Vec<(String, Exact)>) -> Vec<(String, BigRational)> {
-    changes.into_iter().map(|(name, value)| (name, value.0)).collect()
+/// A value of a parameter as it is written: the scene reads it, in its units.
+struct Given(String);
+
+impl<'a, 'py> FromPyObject<'a, 'py> for Given {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Given> {
+        match object.cast::<PyString>() {
+            Ok(text) => Ok(Given(text.to_string())),
+            Err(_) => Ok(Given(Exact::extract(object)?.0.to_string())),
+        }
+    }
+}
+
+impl Scene {
+    fn exact(&self, py: Python<'_>, changes: &[(String, Given)]) -> PyResult<Vec<(String, BigRational)>> {
+        let texts: Vec<_> = changes.iter().map(|(name, value)| (name.as_str(), value.0.as_str())).collect();
+        self.inner.values(&texts).map_err(|error| raise(py, &error))
+    }
 }
 
 fn answer<'py>(py: Python<'py>, report: &TaskReport, mut data: Data) -> PyResult<Answer<'py>> {

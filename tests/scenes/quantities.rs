@@ -139,6 +139,41 @@ fn reports_are_the_same() {
     assert!(milli.contains(" mN the motion"), "{milli}");
 }
 
+/// As `--set` and Python's `set` give values: with a unit where the scene's parameter has one.
+#[test]
+fn a_parameter_is_set_in_any_unit() {
+    let values = |all: [&str; 8]| -> Vec<(&'static str, String)> {
+        UNITS.iter().map(|known| known.0).zip(all.map(str::to_string)).collect()
+    };
+    let units = values(["4 N", "2 kg", "4 Hz", "3 N s/m", "0.8 N/mm", "1 mm", "0 %", "80 %"]);
+    let set =
+        |scene: &Scene, name: &str, text: &str| scene.values(&[(name, text)]).map(|all| all[0].1.clone());
+    for (head, ton) in [("", "1"), (SMALL, "1000")] {
+        let scene = read(&machine(head, &units)).unwrap();
+        for text in ["500 mN", "(1/2) N", "0.5 kg m/s^2", "0.5"] {
+            assert_eq!(set(&scene, "F", text).unwrap(), rational("1/2"), "{head}: {text}");
+        }
+        assert_eq!(set(&scene, "M", "3 kg").unwrap(), rational("3") / rational(ton), "{head}");
+        assert_eq!(set(&scene, "share", "5 %").unwrap(), rational("1/20"), "{head}");
+        for (name, text, told) in [
+            ("F", "3 kg", "F = \"3 kg\": is a mass, and in s.toml F is a force"),
+            ("M", "3 N + 1 kg", "adds a force and a mass"),
+            ("F", "3 Nm/kg", "is length^2 time^-2, and in s.toml F is a force"),
+            ("F", "soft", "F = \"soft\""),
+            ("F", "", "F = \"\""),
+            ("G", "1 N", "no parameter \"G\""),
+        ] {
+            let error = set(&scene, name, text).unwrap_err();
+            assert!(error.is_input() && error.to_string().contains(told), "{head}: {text}: {error}");
+        }
+        let twice = scene.values(&[("F", "1"), ("F", "2 N")]).unwrap_err().to_string();
+        assert!(twice.contains("given twice"), "{twice}");
+    }
+    let bare = read(&machine(SI, &values(["4", "2", "4", "3", "800", "0.001", "0", "0.8"]))).unwrap();
+    let error = set(&bare, "F", "5 N").unwrap_err().to_string();
+    assert!(error.contains("F has no unit"), "{error}");
+}
+
 /// A good scene, and what each change of it is told.
 #[test]
 fn what_does_not_go_together_is_told() {

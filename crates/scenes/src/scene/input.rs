@@ -211,6 +211,7 @@ impl Scene {
             accuracy: read.accuracy,
             units: si,
             written: Arc::new(written),
+            quantities: Arc::new((scale.clone(), kinds.clone())),
             idle: Arc::new(idle),
             tasks,
             format,

@@ -8,13 +8,14 @@ use num_traits::ToPrimitive;
 use serde::{Serialize, Serializer};
 
 use super::{
+    dimension::Measured,
     expression::{Coefficient, Expression},
     format::SceneFormat,
     grammar,
     keys::StopName,
     machine::MachineScene,
     matrix::CoordinateList,
-    quantity::WrittenUnit,
+    quantity::{Kinds, Scale, WrittenUnit, bare},
     sections::StartAxis,
     simulate::Start,
     system::{Accuracy, EngineKey},
@@ -26,7 +27,8 @@ use crate::{
     error::{Error, Result},
     formula::Function,
     motion::{Contact, State, System},
-    number::{Ball, Elementary, Plain, Precision, Real},
+    number::{Ball, Elementary, Plain, Precision, Real, parse_rational},
+    quantity::Dimension,
     search::{machine::Bounds, orbit::Quotient},
     source::{Source, hint},
 };
@@ -85,6 +87,8 @@ pub struct Scene {
     pub units: Option<SiUnits>,
     /// The units of parameters that are written with one.
     pub(super) written: Arc<BTreeMap<String, WrittenUnit>>,
+    /// Its units, and what its parameters measure.
+    pub(super) quantities: Arc<(Scale, Kinds)>,
     /// What to do.
     pub tasks: Vec<Task>,
     /// The format of its file.
@@ -150,10 +154,48 @@ impl Scene {
         self.clone().set(values)
     }
 
+    /// Values of parameters as a reader writes them: numbers, also with a unit where the scene's own has one.
+    ///
+    /// # Errors
+    /// An input error for a parameter that the scene does not have or that is given twice, for what is no
+    /// number, and for a unit of something else.
+    pub fn values<N: AsRef<str>>(&self, given: &[(N, N)]) -> Result<Vec<(String, BigRational)>> {
+        let mut values: Vec<(String, BigRational)> = Vec::with_capacity(given.len());
+        for (name, text) in given {
+            let (name, text) = (name.as_ref(), text.as_ref());
+            if values.iter().any(|(known, _)| known == name) {
+                return Err(Error::input(format!("{name} is given twice; leave one out")));
+            }
+            self.parameter(name)?;
+            let value = self.given(name, text);
+            values.push((
+                name.to_string(),
+                value.map_err(|error| error.context(format_args!("{name} = {text:?}")))?,
+            ));
+        }
+        Ok(values)
+    }
+
+    fn given(&self, name: &str, text: &str) -> Result<BigRational> {
+        let (scale, kinds) = &*self.quantities;
+        let plain = parse_rational(text).map_err(Error::from);
+        let (Err(error), Some(found)) = (&plain, bare(text, &[], (scale, &Kinds::new()))?) else {
+            return plain;
+        };
+        match (kinds.get(name), found.measured) {
+            (Some(kind), Measured::Known(given)) if kind.is_like(given) => found.value(),
+            (None, Measured::Known(given)) if given.is_like(Dimension::ONE) => found.value(),
+            (Some(kind), Measured::Known(given)) => {
+                Err(Error::input(format!("is {given}, and in {} {name} is {kind}", self.file.0)))
+            }
+            _ => Err(Error::input(format!("{error}; in {} {name} has no unit", self.file.0))),
+        }
+    }
+
     /// The same scene with other values of some parameters, and without its tasks, which may be many.
     pub(super) fn alone(&self, values: &[(String, BigRational)]) -> Result<Scene> {
         let Scene { title, parameters, body, engine, stops, whole, mass, accuracy, .. } = self;
-        let Scene { units, written, idle, format, file, places, files, .. } = self;
+        let Scene { units, written, quantities, idle, format, file, places, files, .. } = self;
         Scene {
             title: title.clone(),
             parameters: parameters.clone(),
@@ -165,6 +207,7 @@ impl Scene {
             accuracy: accuracy.clone(),
             units: *units,
             written: written.clone(),
+            quantities: quantities.clone(),
             idle: idle.clone(),
             tasks: Vec::new(),
             format: *format,

@@ -56,7 +56,7 @@ pub(super) struct Args {
     long_n: Option<u64>,
     /// For machine, give a parameter of the scene another value; may be repeated.
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
-    set: Vec<(String, BigRational)>,
+    set: Vec<(String, String)>,
     #[command(flatten)]
     place: Place,
     #[command(flatten)]

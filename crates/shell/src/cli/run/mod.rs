@@ -33,7 +33,7 @@ use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
     figure::{FigurePlace, PictureFormat, View},
-    number::{parse_integer, parse_rational},
+    number::parse_integer,
     output::{
         Column, Destination, FileRegistry, FileUse, LONGEST_SCENE, NamedFile, Shard, TableCell, TableFormat,
         TableWriter, make_folder, read_text, say, say_to,
@@ -71,7 +71,7 @@ pub(super) struct Args {
     only: Vec<String>,
     /// Give a parameter this value, in every task; may be repeated.
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
-    set: Vec<(String, BigRational)>,
+    set: Vec<(String, String)>,
     /// Do the I-th of N parts of the one task asked for, of kind basins or diagram, and write a shard to the
     /// file -o, for `grazing merge`.
     #[arg(long, value_name = "I/N", requires = "output", value_parser = Shard::from_str)]
@@ -129,38 +129,22 @@ fn picture_format(text: &str) -> Result<PictureFormat> {
     format.check().map(|()| format)
 }
 
-pub(super) fn setting(text: &str) -> Result<(String, BigRational)> {
+/// NAME=VALUE; the scene reads the value, in its units.
+pub(super) fn setting(text: &str) -> Result<(String, String)> {
     let parts = text.split_once('=').ok_or_else(|| Error::input("write NAME=VALUE"))?;
-    let value = parse_rational(parts.1).map_err(|error| {
-        let start = parts.1.find(char::is_alphabetic).unwrap_or(parts.1.len());
-        let unit = grazing_base::quantity::Unit::parse(&parts.1[start..]).map(|unit| unit.text);
-        let why =
-            unit.map_or(String::new(), |unit| format!("; write it in the scene's own units, without {unit}"));
-        Error::input(format!("{error}{why}"))
-    })?;
-    Ok((parts.0.trim().to_string(), value))
+    Ok((parts.0.trim().to_string(), parts.1.trim().to_string()))
 }
 
-/// That no parameter is given two values.
-fn settings_once(settings: &[(String, BigRational)]) -> Result<()> {
-    for (i, (name, _)) in settings.iter().enumerate() {
-        if settings[..i].iter().any(|(known, _)| known == name) {
-            return Err(Error::input(format!("--set {name}=…: {name} is given twice; leave one out")));
-        }
-    }
-    Ok(())
+/// What `--set` says, in the scene's units.
+fn settings(scene: &Scene, given: &[(String, String)]) -> Result<Vec<(String, BigRational)>> {
+    scene.values(given).map_err(|error| error.context("--set"))
 }
 
 /// A scene from a file, with other values of some parameters.
-pub(super) fn scene_with(
-    path: &Path,
-    settings: &[(String, BigRational)],
-    files: &FileRegistry,
-) -> Result<Scene> {
-    settings_once(settings)?;
+pub(super) fn scene_with(path: &Path, given: &[(String, String)], files: &FileRegistry) -> Result<Scene> {
     let scene = Scene::from_toml(&read_text(path, LONGEST_SCENE)?, &path.display().to_string())?;
     names::read(&scene, path, files)?;
-    scene.with(settings)
+    scene.with(&settings(&scene, given)?)
 }
 
 /// Whether a task is meant by a name: its own or its group's.
@@ -300,7 +284,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
             return Err(Error::input(format!("--only {only}: {name} has the tasks {}", names.join(", "))));
         }
     }
-    settings_once(&args.set)?;
+    let changes = settings(&scene, &args.set)?;
     let view = args.view.view()?;
     if let Some(shard) = args.shard {
         if !args.view.is_whole() {
@@ -312,7 +296,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     }
     // All tasks are checked, with the changed parameters, before the first runs.
     let bars = Bars::new(interrupt);
-    let around = Surroundings { changes: &args.set, folder: Some(&args.output), monitor: &bars };
+    let around = Surroundings { changes: &changes, folder: Some(&args.output), monitor: &bars };
     let chosen = scene
         .tasks
         .iter()

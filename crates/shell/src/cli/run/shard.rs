@@ -6,7 +6,9 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{Args, Bars, DIGITS, Job, called, list, names, tell};
+use num_rational::BigRational;
+
+use super::{Args, Bars, DIGITS, Job, called, list, names, settings, tell};
 use crate::{
     cli::{
         Outcome, in_pool,
@@ -26,9 +28,9 @@ const SCENE: &str = "SCENE";
 
 /// What shards are parts of. Scenes are told apart by their text and by all that the task's motions depend on
 /// besides (matrices, records of forces), not by their name.
-fn sharded(args: &Args, job: &Task, text: &str) -> Result<ShardedTask> {
+fn sharded(args: &Args, changes: &[(String, BigRational)], job: &Task, text: &str) -> Result<ShardedTask> {
     let mut words = ["run", SCENE, "--only", &job.task.name].map(String::from).to_vec();
-    for (name, value) in &args.set {
+    for (name, value) in changes {
         words.extend(["--set".to_string(), format!("{name}={value}")]);
     }
     if args.pictures != PictureFormat::Svg {
@@ -74,8 +76,8 @@ pub(super) fn run(
             output.display()
         )));
     }
-    let bars = Bars::new(interrupt);
-    let around = Surroundings { changes: &args.set, folder: None, monitor: &bars };
+    let (bars, changes) = (Bars::new(interrupt), settings(scene, &args.set)?);
+    let around = Surroundings { changes: &changes, folder: None, monitor: &bars };
     let job = Task::new(scene, task, around)?;
     let checkpoint = beside(output);
     files.claim("-o", output, FileUse::Write)?;
@@ -83,7 +85,7 @@ pub(super) fn run(
     if args.dry_run {
         return list(args.format.report(), files);
     }
-    let part = Part { task: sharded(args, &job, text)?, shard, file: files.named(output)? };
+    let part = Part { task: sharded(args, &changes, &job, text)?, shard, file: files.named(output)? };
     let units = units(count, shard);
     let found = in_pool(args.jobs, || parts::part(&job, units.clone(), &checkpoint));
     let written = found.and_then(|records| {
@@ -134,10 +136,10 @@ pub(in crate::cli) fn merge(
     let Some((task, (count, _))) = found else {
         return Err(Error::input(format!("the scene in the shards has no task {only:?} that has parts")));
     };
-    let bars = Bars::new(interrupt);
-    let job =
-        Task::new(&scene, task, Surroundings { changes: &args.set, folder: Some(folder), monitor: &bars })?;
-    set.expect(&sharded(&args, &job, &input.text)?)?;
+    let (bars, changes) = (Bars::new(interrupt), settings(&scene, &args.set)?);
+    let around = Surroundings { changes: &changes, folder: Some(folder), monitor: &bars };
+    let job = Task::new(&scene, task, around)?;
+    set.expect(&sharded(&args, &changes, &job, &input.text)?)?;
     for file in scene.files() {
         merged.files.read("the scene's file", file)?;
     }
