@@ -5,6 +5,7 @@ use std::{fs, path::Path};
 
 use grazing_scenes::{
     Result,
+    motion::Harmonic,
     num_rational::BigRational,
     run::{Job, Keeper, SeriesOf, SeriesPoint, StopEvent, Surroundings, run_task},
     scene::{Body, Engine, EngineKey, Scene, SceneFormat},
@@ -27,6 +28,64 @@ fn files() -> Vec<(String, String)> {
         }
     }
     all
+}
+
+/// A linear force written as a formula is its coefficients, exactly, in any form, with a mass and in any unit of
+/// time; what is not linear stays a formula.
+#[test]
+fn a_linear_formula_is_its_coefficients() {
+    let scene = |keys: &str| {
+        let text = format!(
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\na = 0.7\nF = 3\nw = 5\n[system]\n{keys}\n\
+             [[stops]]\nside = \"upper\"\noffset = 1\nrestitution = 0.8\n"
+        );
+        Scene::from_toml(&text, "s.toml").unwrap()
+    };
+    let keys =
+        "damping = 0.1\nstiffness = \"a\"\nforcing = [{ cos = \"F\", sin = 2 }, { k = 3, sin = \"-a/4\" }]";
+    for head in ["", "mass = 2\n", "period = \"2*pi/7\"\n", "period = \"2*pi/w\"\nmass = \"a\"\n"] {
+        let force = |scene: &Scene| {
+            let system = scene.exact(&[]).unwrap();
+            let mut forcing: Vec<_> =
+                system.forcing.iter().map(|all| (all.k, all.cos.clone(), all.sin.clone())).collect();
+            forcing.sort();
+            (system.damping, system.stiffness, system.force, forcing, system.rate, system.smooth.is_none())
+        };
+        let expected = force(&scene(&format!("{head}{keys}\nforce = \"w/3\"")));
+        assert!(expected.5);
+        for text in [
+            "-u/10 - a*q + F*cos(t) + 2*sin(t) - a/4*sin(3*t) + w/3",
+            "-(0.1*u + q*a) - cos(-t)*(-F) - 2*sin(-t) + a*sin(-3*t)/4 + w/3",
+            "(F*cos(t) - q*a - u/10 + w/3 - (sin(t + 2*t) - 8*sin(t)/a)*a/4)^1",
+            "q*0 - (q + u/(10*a))*a + F*cos(2*t/2) + 2*sin(t) + sin(3*(0 - t))*(a/4) + (w + 0)/3",
+        ] {
+            assert_eq!(force(&scene(&format!("{head}force = \"{text}\""))), expected, "{head}{text}");
+        }
+        // Beside the keys, which it adds to.
+        let beside = "damping = 0.05\nforcing = [{ k = 3, sin = \"-a/4\" }, { cos = 1 }]\n\
+                      force = \"-u/20 - a*q + (F - 1)*cos(t) + 2*sin(t) + w/3\"";
+        assert_eq!(force(&scene(&format!("{head}{beside}"))), expected, "{head}");
+    }
+    for text in [
+        "-q^3",
+        "q*u",
+        "cos(t)*q",
+        "cos(t)^2",
+        "sin(q)",
+        "1/(2 + q)",
+        "cos(q + t)",
+        "exp(cos(t))",
+        "q^2 - q^2",
+        "log(a)*q",
+        "tanh(a)*u",
+    ] {
+        let Body::Oscillator(system) = &scene(&format!("force = \"{text}\"")).body else { panic!("{text}") };
+        assert!(system.smooth.is_some(), "{text}");
+    }
+    // A phase has no exact cosine, and is one in floats.
+    let turned = scene("force = \"-q + 5*cos(t - 1)\"").plain(&[]).unwrap();
+    let [Harmonic { k: 1, cos, sin }] = turned.forcing[..] else { panic!("{turned:?}") };
+    assert!((cos - 5.0 * 1f64.cos()).abs() < 1e-15 && (sin - 5.0 * 1f64.sin()).abs() < 1e-15);
 }
 
 /// What a scene says, apart from the text it is read from.

@@ -95,6 +95,15 @@ impl Expression {
         Expression::of(&Formula::Binary(Operation::Product, parts), &format!("({self})*({other})"), &self.key)
     }
 
+    /// x + y, reported at the key of x.
+    pub(super) fn plus(&self, other: &Expression) -> Expression {
+        if self.is_zero() {
+            return other.clone();
+        }
+        let parts = Box::new([self.root.clone(), other.root.clone()]);
+        Expression::of(&Formula::Binary(Operation::Sum, parts), &format!("{self} + {other}"), &self.key)
+    }
+
     /// √x, reported at the key of x.
     pub(super) fn root(&self) -> Expression {
         let root = Formula::Call(Function::Sqrt, Box::new(self.root.clone()));

@@ -57,7 +57,7 @@ impl Variables {
 }
 
 /// The highest multiple of t in a sine.
-const MOST: u32 = 1000;
+pub(super) const MOST: u32 = 1000;
 
 /// What stands under `force`.
 #[derive(Debug, Clone, PartialEq)]

@@ -27,6 +27,7 @@ mod hidden;
 mod input;
 mod keys;
 mod law;
+mod linear;
 mod machine;
 mod matrix;
 mod measured;

@@ -8,12 +8,13 @@
 use std::sync::Arc;
 
 use num_rational::BigRational;
-use num_traits::One;
+use num_traits::{One, Zero};
 
 use super::{
     expression::Expression,
     force::{ForceKey, Variables},
     keys::Entry,
+    linear::LinearForce,
     machine::{name, negated},
     matrix::{CoordinateList, MatrixValue},
     restitution::RestitutionKey,
@@ -99,6 +100,10 @@ pub(super) fn oscillator(
     if smooth.as_ref().is_some_and(SmoothForce::has_kinks) {
         return not("system.force", "has a force with kinks");
     }
+    let linear = smooth.as_ref().and_then(LinearForce::of);
+    if linear.is_some() {
+        smooth = None;
+    }
     if let (Some(force), Some(radian)) = (&mut smooth, &radian) {
         *force = in_radians(force, radian);
     }
@@ -113,6 +118,9 @@ pub(super) fn oscillator(
         upper: None,
         rate: radian.as_ref().map(|radian| radian.to_the(-1)),
     };
+    if let Some(linear) = linear {
+        add(&mut system, linear, &per_radian);
+    }
     let mut sides = Vec::new();
     for (i, keys) in (1..).zip(stops) {
         let (side, wall) = match wall(file, i, keys)? {
@@ -129,6 +137,32 @@ pub(super) fn oscillator(
         sides.push(side);
     }
     Ok(Ok((sides, system)))
+}
+
+/// Adds a linear force to a system, its parts made into those of the unit of time of a radian.
+fn add(
+    system: &mut System<Expression>,
+    force: LinearForce,
+    per_radian: &impl Fn(&Expression, i32) -> Expression,
+) {
+    let LinearForce { constant, displacement, velocity, harmonics } = force;
+    let add = |to: &mut Expression, part: Option<Expression>, times: i32| {
+        if let Some(part) = part {
+            *to = to.plus(&per_radian(&part, times));
+        }
+    };
+    add(&mut system.force, constant, 2);
+    add(&mut system.stiffness, displacement.map(|part| part.negated()), 2);
+    add(&mut system.damping, velocity.map(|part| part.negated()), 1);
+    for (k, [cos, sin]) in harmonics {
+        let place = system.forcing.iter().position(|known| known.k == k).unwrap_or_else(|| {
+            let zero = Expression::of(&Formula::Number(BigRational::zero()), "0", "");
+            system.forcing.push(Harmonic { k, cos: zero.clone(), sin: zero });
+            system.forcing.len() - 1
+        });
+        add(&mut system.forcing[place].cos, cos, 2);
+        add(&mut system.forcing[place].sin, sin, 2);
+    }
 }
 
 /// Stop i, counted from 1, as a wall on one side.
