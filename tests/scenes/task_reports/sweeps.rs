@@ -182,7 +182,8 @@ fn the_grazing_of_readme_says_that_it_jumps_and_where_it_returns() {
         let seen = found["seen"].as_array().unwrap_or_else(|| panic!("{found}"));
         let what: Vec<_> =
             seen.iter().map(|row| (row["place"].as_str().unwrap(), row["what"].as_str().unwrap())).collect();
-        assert_eq!(what, [("before", "stays"), ("beyond", "jumps"), ("back", "leaves")], "{found}");
+        let expected = [("before", "stays"), ("beyond", "jumps"), ("back", "leaves"), ("rest", "hits")];
+        assert_eq!(what, expected, "{found}");
         assert!(number(&seen[0]["value"]) < touch() && number(&seen[1]["value"]) > touch(), "{found}");
         near(number(&seen[2]["value"]), fold(), 1e-10);
         let (given, absent) = if format == 0 { ("extent", "gap") } else { ("gap", "extent") };
@@ -201,6 +202,19 @@ fn the_grazing_of_readme_says_that_it_jumps_and_where_it_returns() {
             assert!((7.0..8.0).contains(&struck[1]), "{found}");
         }
         assert_eq!((&seen[0]["speed"], seen[1]["speed"].is_null()), (&Value::Null, false));
+        // Begun at rest it hits long before the touch: there and just below, by another task.
+        let from = number(&seen[3]["value"]);
+        let rest = |value: f64| {
+            let task = format!(
+                "kind = \"section\"\nset = {{ F = \"{value}\" }}\nstarts = [{{ q = 0 }}]\ntransient = 2000\npoints = 1"
+            );
+            let found = machine(format, &task);
+            number(&found["attractors"][0]["impacts"])
+        };
+        assert_eq!([rest(from), rest(from - 1e-4)], [1.0, 0.0], "{found}");
+        assert!(
+            (0.55..0.65).contains(&from) && found["in_words"].as_str().unwrap().contains("Begun at rest")
+        );
     }
 }
 
@@ -212,7 +226,7 @@ fn an_overdamped_motion_stays_near() {
     let found = report(&system, "F = 1.9", GRAZING, Surroundings::default());
     let seen = found["seen"].as_array().unwrap_or_else(|| panic!("{found}"));
     let what: Vec<_> = seen.iter().map(|row| row["what"].as_str().unwrap()).collect();
-    assert_eq!(what, ["stays", "stays"], "{found}");
+    assert_eq!(what, ["stays", "stays", "free"], "{found}");
     assert!(seen[1]["motion"].as_str().unwrap().contains("impact"), "{found}");
 }
 
@@ -231,7 +245,7 @@ fn a_mass_at_rest_before_a_moving_stop_stays_near() {
         let found = report(&system, "F = 0.9", GRAZING, Surroundings::default());
         let seen = found["seen"].as_array().unwrap_or_else(|| panic!("{found}"));
         let what: Vec<_> = seen.iter().map(|row| row["what"].as_str().unwrap()).collect();
-        assert_eq!(what, ["stays", "stays"], "{found}");
+        assert_eq!(what, ["stays", "stays", "free"], "{found}");
         near(number(&found["parameter"]), 1.0, 1e-9);
         assert!(seen[1]["motion"].as_str().unwrap().contains("impact"), "{found}");
         assert!(!seen[1]["motion"].as_str().unwrap().contains("no impact"), "{found}");
@@ -262,7 +276,7 @@ fn a_jump_between_two_stops_is_told_by_the_impacts() {
     let found = report(&mirror, "F = 0.5", GRAZING, Surroundings::default());
     let seen = found["seen"].as_array().unwrap_or_else(|| panic!("{found}"));
     let what: Vec<_> = seen.iter().map(|row| row["what"].as_str().unwrap()).collect();
-    assert_eq!(what, ["stays", "jumps", "leaves"], "{found}");
+    assert_eq!(what, ["stays", "jumps", "leaves", "hits"], "{found}");
     // At 1, where the free motion turns with the acceleration 1, an impact that grows with the root of the
     // depth has a speed of some 0.01.
     assert!(number(&seen[1]["speed"]) > 0.5, "{found}");

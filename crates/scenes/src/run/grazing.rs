@@ -274,9 +274,12 @@ impl MapNumbers {
 }
 
 impl GrazingReport {
-    /// How what was asked of ranges ended.
+    /// How what was asked of ranges ended: undecided where something is born on a side, and no range is proved
+    /// there. What else was not proved there is told in its own row.
     fn range_status(&self) -> Status {
-        let undecided = self.range.iter().flatten().find(|row| row.is_undecided());
+        let rows = self.range.as_deref().unwrap_or_default();
+        let is_proved = |side| rows.iter().any(|row| row.side == side && row.is_proved());
+        let undecided = rows.iter().find(|row| row.is_undecided() && !is_proved(row.side));
         match (&self.range_open, undecided) {
             (Some(why), _) => Status::undecided(format!("no range is proved: {why}")),
             (None, Some(RangeRow { side, reason, .. })) => Status::undecided(format!(

@@ -200,6 +200,10 @@ impl RangeRow {
         self.verdict == "undecided"
     }
 
+    pub(super) fn is_proved(&self) -> bool {
+        self.verdict == "proved"
+    }
+
     /// Whether the next row is told in one line with this: of orbits none of which is proved, for one reason.
     pub(super) fn is_told_with(&self, next: &RangeRow) -> bool {
         let open = |row: &RangeRow| row.of == ORBIT && row.is_undecided();

@@ -21,12 +21,16 @@ use crate::{
 row! {
     /// What attracts at a value of the parameter near a grazing, or on the way back from it.
     pub struct SeenRow {
-        /// `before` the touch, where the gap of the orbit that grazes is open, `beyond` it, or swept `back`.
+        /// `before` the touch, where the gap of the orbit that grazes is open, `beyond` it, swept `back`, or
+        /// before it from `rest`, q = 0.
         pub place: String,
-        /// The value of the parameter; on the way back the first one at which the motion has left.
+        /// The value of the parameter; on the way back the first one at which the motion has left; from rest
+        /// the one farthest from the touch at which it hits, or the last one looked at.
         pub value: f64,
         /// `stays` near the orbit that grazes, or `jumps` from it; on the way back it `leaves`, or it still
-        /// `stays` at the last value looked at; `lost`, if the motion leaves every bound.
+        /// `stays` at the last value looked at; `lost`, if the motion leaves every bound. From rest it `hits`
+        /// for ever at all values looked at from there to the touch, at some of them (`partly`), or is `free`
+        /// at all.
         pub what: String,
         /// What is seen there.
         pub motion: Option<String>,
@@ -72,7 +76,15 @@ pub(super) fn rows<S>(seen: &Seen<S>, of_gap: bool) -> Vec<SeenRow> {
             speed: portrait.and_then(|portrait| portrait.range.speed),
         }
     };
-    sights(seen).into_iter().map(row).collect()
+    let from_rest = seen.rest.as_ref().map(|rest| {
+        let what = match rest.hits {
+            0 => "free",
+            hits if hits == rest.decided => "hits",
+            _ => "partly",
+        };
+        ("rest", rest.parameter, what, Some(&rest.settled))
+    });
+    sights(seen).into_iter().chain(from_rest).map(row).collect()
 }
 
 /// What is proved of it.

@@ -91,6 +91,15 @@ fn sight(value: &str, row: &SeenRow) -> Option<String> {
             format!("Turned back, it stays on that until it leaves it at {value}: {motion}.")
         }
         ("back", _) => format!("Turned back, it is still on that at {value}."),
+        ("rest", "hits") => format!("Begun at rest, at q = 0, it hits for ever from {value} on: {motion}."),
+        ("rest", "partly") => {
+            format!(
+                "Begun at rest, at q = 0, it hits for ever at some values from {value} on, there: {motion}."
+            )
+        }
+        ("rest", _) => {
+            "Begun at rest, at q = 0, it hits before the touch at none of the values looked at.".into()
+        }
         (place, _) => format!("{place} the touch, at {value}, the motion leaves every bound."),
     })
 }

@@ -90,7 +90,7 @@ fn draw(cells: &[Cell], samples: &[TouchSample]) -> Canvas {
         "Two panels, beyond the touch and before it, over the frequency of the machine's free vibration in units of the \
          drive's, without its whole part, and what damping leaves of a vibration in one period of the drive. White: \
          nothing is born; grey: motions, but no chaos; yellow to dark blue: chaos. Before the touch the free motion is \
-         seen; beyond it labels say how many times as wide the motion swings.",
+         seen of a drive that is turned up slowly; beyond it labels say how many times as wide the motion swings.",
     );
     path(&mut canvas);
     key(&mut canvas, 44.0);
@@ -100,7 +100,7 @@ fn draw(cells: &[Cell], samples: &[TouchSample]) -> Canvas {
     ];
     let before = [
         "Before the touch",
-        "Seen: the free motion, wherever you are. What is born here (colours) is unstable.",
+        "Seen, the drive turned up slowly: the free motion. What is born here (colours) is unstable.",
     ];
     for (panel, titles, top) in [("beyond", beyond, HEAD), ("before", before, HEAD + PANEL)] {
         let frame = frame(top);

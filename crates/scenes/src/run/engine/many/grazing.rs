@@ -95,7 +95,9 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
         let (parameter, width) = (event.parameter, self.size()?);
         let look = Look { phase, ..look.clone() };
         let slowest = event.map.eigenvalues.first().map_or(0.0, |x| x.0.hypot(x.1));
-        let touch = Touch { parameter, e, start, periods: 1, slowest, width };
+        let still = vec![0.0; start.q.len()];
+        let rest = Some(Start { t: 0.0, q: still.clone(), u: still });
+        let touch = Touch { parameter, e, start, rest, periods: 1, slowest, width };
         touch::seen(&touch, &look, planar, self.job.monitor)
     }
 

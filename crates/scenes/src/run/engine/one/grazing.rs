@@ -131,7 +131,10 @@ impl GrazingPoint for OscillatorGrazing<'_> {
         let look = Look { phase: self.far.t, ..look.clone() };
         let (re, im) = self.event.map.eigenvalues[0];
         let (periods, slowest) = (self.event.itinerary.periods(), re.hypot(im));
-        let touch = Touch { parameter, e, start: self.far, periods, slowest, width };
+        // Of the motion without impacts, which has the touch for its only one.
+        let is_free = self.event.itinerary.strikes().len() == 1;
+        let rest = is_free.then_some(State { t: 0.0, q: 0.0, u: 0.0 });
+        let touch = Touch { parameter, e, start: self.far, rest, periods, slowest, width };
         touch::seen(&touch, &look, simulator, job.monitor)
     }
 

@@ -55,6 +55,9 @@ const NEARER: u32 = 8;
 const MOST: f64 = 0.9;
 const SMALL: f64 = 1e-6;
 
+/// How far the least gap is open, of the size of the motion, where it is come to from beyond a stop.
+const OPEN: f64 = 0.01;
+
 /// Closer than this to a bifurcation, rounding decides on which side of it an orbit is.
 const MARGIN: f64 = 1e-11;
 
@@ -303,7 +306,10 @@ impl<'j> Engine for Oscillators<'j> {
     ) -> Result<std::result::Result<OscillatorGrazing<'f>, String>> {
         let start = family.value();
         let orbits = task.orbit.orbits(&family.at(start)?, || self.job.check())?.found;
-        let Some(orbit) = orbits.iter().find(|orbit| orbit.admissibility.is_admissible()) else {
+        // Beyond its touch the motion without impacts is not admissible, and leads there all the same.
+        let is_far = |orbit: &&Orbit| task.reach.is_none() && orbit.itinerary.strikes().is_empty();
+        let admissible = orbits.iter().find(|orbit| orbit.admissibility.is_admissible());
+        let Some(orbit) = admissible.or_else(|| orbits.iter().find(is_far)) else {
             return Ok(Err(format!("no admissible orbit to begin with at {} = {start}", task.parameter)));
         };
         self.job.check()?;
@@ -312,23 +318,31 @@ impl<'j> Engine for Oscillators<'j> {
             let (patterns, extent) = (Patterns::new(family, at)?, task.extent(&family.at(at)?, orbit));
             nearest(&patterns, Bifurcation::Grazing, orbit, at, extent, &options)
         };
-        let mut found = search(orbit, start)?;
+        let mut found = admissible.map(|orbit| search(orbit, start)).transpose()?;
         // The motion without impacts may be far from its touch.
-        let is_far = task.reach.is_none() && orbit.itinerary.strikes().is_empty();
-        let mut from = is_far.then(|| (orbit.clone(), start));
+        let mut from = Some(orbit).filter(is_far).map(|orbit| (orbit.clone(), start));
         for _ in 0..NEARER {
-            let (BranchSearch::Nothing(_), Some((orbit, at))) = (&found, &from) else { break };
+            let (None | Some(BranchSearch::Nothing(_)), Some((orbit, at))) = (&found, &from) else { break };
             self.job.check()?;
             from = nearer(family, orbit, *at);
-            if let Some((orbit, at)) = &from
-                && let there @ BranchSearch::Found(_) = search(orbit, *at)?
-            {
-                found = there;
+            let Some((orbit, at)) = &from else { break };
+            if orbit.admissibility.is_admissible() {
+                let there = search(orbit, *at)?;
+                if found.is_none() || matches!(there, BranchSearch::Found(_)) {
+                    found = Some(there);
+                }
             }
         }
         let located = match found {
-            BranchSearch::Found(found) => found,
-            BranchSearch::Nothing(why) => return Ok(Err(why.to_string())),
+            Some(BranchSearch::Found(found)) => found,
+            Some(BranchSearch::Nothing(why)) => return Ok(Err(why.to_string())),
+            None => {
+                let name = &task.parameter;
+                return Ok(Err(format!(
+                    "the motion without impacts is beyond a stop at {name} = {start}, and no {name} is found from there \
+                     at which it is not"
+                )));
+            }
         };
         let event = locate(family, &located.orbit, located.parameter)?;
         // Two grazings in a period are the theory's business only if a symmetry makes them one.
@@ -381,15 +395,24 @@ impl<'j> Engine for Oscillators<'j> {
 }
 
 /// The motion without impacts at a value of the parameter most of the way to where its least gap closes, to
-/// first order; none where it does not close or there is no such motion.
+/// first order, or from beyond a stop a little farther than there; none where it does not change or there is
+/// no such motion.
 fn nearer(family: &SceneFamily, orbit: &Orbit, at: f64) -> Option<(Orbit, f64)> {
-    let there = |value: f64| find(&family.at(value).ok()?, &orbit.itinerary, orbit.z.clone()).ok();
+    let there = |value: f64, z: Vec<f64>| find(&family.at(value).ok()?, &orbit.itinerary, z).ok();
     let gap = |orbit: &Orbit| orbit.least.map(|least| least.gap);
     let step = SMALL * family.at(at).ok()?.parameter_unit(orbit.unit);
-    let slope = (gap(&there(at + step)?)? - gap(orbit)?) / step;
-    let value = at - MOST * gap(orbit)? / slope;
-    let found = there(value).filter(|_| value.is_finite())?;
-    found.admissibility.is_admissible().then_some((found, value))
+    let ahead = there(at + step, orbit.z.clone())?;
+    let slope = (gap(&ahead)? - gap(orbit)?) / step;
+    let there = |value: f64| {
+        let moved = |(z, ahead): (&f64, &f64)| z + (ahead - z) / step * (value - at);
+        there(value, orbit.z.iter().zip(&ahead.z).map(moved).collect())
+    };
+    let closed = at - gap(orbit)? / slope;
+    let value = match gap(orbit)? {
+        open if open > 0.0 => at - MOST * open / slope,
+        _ => closed + OPEN * there(closed)?.unit / slope,
+    };
+    Some((there(value).filter(|_| value.is_finite())?, value))
 }
 
 /// A state of the orbit that grazes, in the scene's unit of time, half a period from the touch: followed from
