@@ -30,8 +30,8 @@ fn files() -> Vec<(String, String)> {
     all
 }
 
-/// A linear force written as a formula is its coefficients, exactly, in any form, with a mass and in any unit of
-/// time; what is not linear stays a formula.
+/// A linear force written as a formula is its coefficients, exactly, in any form, with a mass and in any unit
+/// of time; what is not linear stays a formula.
 #[test]
 fn a_linear_formula_is_its_coefficients() {
     let scene = |keys: &str| {

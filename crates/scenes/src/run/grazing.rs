@@ -274,8 +274,8 @@ impl MapNumbers {
 }
 
 impl GrazingReport {
-    /// How what was asked of ranges ended: undecided where something is born on a side, and no range is proved
-    /// there. What else was not proved there is told in its own row.
+    /// How what was asked of ranges ended: undecided where something is born on a side, and no range is
+    /// proved there. What else was not proved there is told in its own row.
     fn range_status(&self) -> Status {
         let rows = self.range.as_deref().unwrap_or_default();
         let is_proved = |side| rows.iter().any(|row| row.side == side && row.is_proved());

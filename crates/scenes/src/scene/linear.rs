@@ -12,7 +12,7 @@ use crate::{
     motion::{SmoothForce, TIME},
 };
 
-/// constant + q·`displacement` + u·`velocity` + Σ cos kt·`harmonics`\[k\]\[0\] + sin kt·`harmonics`\[k\]\[1\].
+/// constant + q·`displacement` + u·`velocity` + Σ (a cos kt + b sin kt), `harmonics` having \[a, b\] by k.
 pub(super) struct LinearForce {
     pub constant: Option<Expression>,
     pub displacement: Option<Expression>,
@@ -147,7 +147,8 @@ impl Parts {
     }
 }
 
-/// sin or cos of kt + φ: cos(kt + φ) = cos φ cos kt − sin φ sin kt, sin(kt + φ) = sin φ cos kt + cos φ sin kt.
+/// sin or cos of kt + φ: cos(kt + φ) = cos φ cos kt − sin φ sin kt and sin(kt + φ) = sin φ cos kt +
+/// cos φ sin kt.
 fn harmonic(function: Function, angle: &Formula) -> Option<Parts> {
     let (k, phase) = angle_of(angle)?;
     let order = k.is_integer().then(|| k.to_integer().abs().to_u32()).flatten()?;
