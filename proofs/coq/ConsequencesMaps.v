@@ -87,7 +87,8 @@ Proof.
     pose proof (G1 x x' mu mu t (W _ x (Rmin_l d1 d2) Hx) (W _ x' (Rmin_l d1 d2) Hx') ltac:(lra) ltac:(lra) Ht Z) as A.
     pose proof (H2 x x' mu mu t (W _ x (Rmin_r d1 d2) Hx) (W _ x' (Rmin_r d1 d2) Hx') ltac:(lra) ltac:(lra) Ht Z) as B.
     replace (mu - mu) with 0 in A, B by ring; rewrite Rmult_0_l, Rminus_0_r in A, B; split; assumption.
-  - intros eps He; destruct (K eps He) as (d & Hd & L); exists d; split; [exact Hd|]; intros x y y' mu i Hi Hx Hy Hy' Hm.
+  - intros eps He; destruct (K eps He) as (d & Hd & L); exists d; split; [exact Hd|];
+      intros x y y' mu i Hi Hx Hy Hy' Hm.
     apply L; trivial; [|apply Rle_refl | rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; apply Rabs_pos].
     intros k _; unfold minus; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; apply Rabs_pos.
 Qed.

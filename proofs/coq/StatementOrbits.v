@@ -23,7 +23,7 @@ Definition strict (N : nat) (F : vec -> R -> R) (L : vec -> R) (l : R) : Prop :=
 Module Map. Record t := { N : nat; f : vec -> R -> vec; h : vec -> R -> R; kick : vec -> R -> R -> vec;
   A : nat -> vec; phi : vec; C : vec; eta : R; B : vec }. End Map.
 Import Map.
-(** f and h are strictly differentiable; kick * y is, for y >= 0, with derivatives B in y and 0 in x and mu. *)
+(** f and h are strictly differentiable; so is kick * y, for y >= 0, its derivatives B in y, 0 in x and mu. *)
 Definition smooth (M : Map.t) : Prop :=
   (forall i, (i < N M)%nat -> strict (N M) (fun x mu => f M x mu i) (dot (N M) (A M i)) (phi M i)) /\
   strict (N M) (h M) (dot (N M) (C M)) (eta M) /\
