@@ -19,9 +19,8 @@ Proof.
 Qed.
 
 (** |f'| <= d x on [0, rho] and f 0 = 0 give |f| <= d x^2 / 2. *)
-Lemma square f f' d rho : 0 <= d -> f 0 = 0 -> (forall x, 0 <= x <= rho -> derivable_pt_lim f x (f' x) /\ Rabs (f' x) <=
-  d * x) ->
-  forall x, 0 <= x <= rho -> Rabs (f x) <= d * (x * x) / 2.
+Lemma square f f' d rho : 0 <= d -> f 0 = 0 -> (forall x, 0 <= x <= rho -> derivable_pt_lim f x (f' x) /\
+  Rabs (f' x) <= d * x) -> forall x, 0 <= x <= rho -> Rabs (f x) <= d * (x * x) / 2.
 Proof.
   intros Hd H0 H x [[Hx | <-] Hr]; [|rewrite H0, Rabs_R0; lra].
   assert (Sq : forall s, derivable_pt_lim (fun s => d / 2 * (s * s)) s (d / 2 * (1 * s + s * 1)))
@@ -109,9 +108,8 @@ Proof.
   replace (p1 x / (2 * sqrt (p x))) with (/ (2 * sqrt (p x)) * p1 x) by (unfold Rdiv; ring); exact Q.
 Qed.
 
-Lemma speed x y : 0 < x <= rho -> 0 < y <= rho ->
-  Rabs (p1 x - c * sqrt (p x) - (p1 y - c * sqrt (p y))) <= 4 * e * Rabs (x - y) /\
-  (a - 3 * e) * Rabs (x - y) <= c * Rabs (sqrt (p x) - sqrt (p y)).
+Lemma speed x y : 0 < x <= rho -> 0 < y <= rho -> Rabs (p1 x - c * sqrt (p x) - (p1 y - c * sqrt (p y))) <= 4 * e * Rabs
+  (x - y) /\ (a - 3 * e) * Rabs (x - y) <= c * Rabs (sqrt (p x) - sqrt (p y)).
 Proof.
   assert (W : forall x y, 0 < x -> x <= y -> y <= rho -> Rabs (p1 y - c * sqrt (p y) - (p1 x - c * sqrt (p x))) <=
     4 * e * (y - x) /\ (a - 3 * e) * (y - x) <= c * (sqrt (p y) - sqrt (p x))).

@@ -57,9 +57,8 @@ Variables (c k b e s tau : R).
 Lemma D_Y t : derivable_pt_lim Y t (- sin t).
 Proof. unfold Y; eapply D_value; [apply (D_plus (fun _ => 1) cos); [apply D_const | apply derivable_pt_lim_cos] | ring].
 Qed.
-Lemma forced_C1 D : C1 D (Nonlinear.a (forced c k b e s tau)) (Nonlinear.a_t (forced c k b e s tau))
-  (Nonlinear.a_y (forced c k b e s tau))
-  (Nonlinear.a_v (forced c k b e s tau)) (Nonlinear.a_mu (forced c k b e s tau)).
+Lemma forced_C1 D : C1 D (Nonlinear.a (forced c k b e s tau)) (Nonlinear.a_t (forced c k b e s tau)) (Nonlinear.a_y
+  (forced c k b e s tau)) (Nonlinear.a_v (forced c k b e s tau)) (Nonlinear.a_mu (forced c k b e s tau)).
 Proof.
   assert (Cs : forall t, continuity_pt sin t) by (intros t; apply (D_continuous _ _ _ (derivable_pt_lim_sin t))).
   assert (Cc : forall t, continuity_pt cos t) by (intros t; apply (D_continuous _ _ _ (derivable_pt_lim_cos t))).

@@ -47,9 +47,8 @@ Lemma Ha0 t y v y' v' mu : Rabs (a t y v mu - a t y' v' mu) <= L * (Rabs (y - y'
 Proof. pose proof (Ha t y v mu t y' v' mu) as H; rewrite !Rminus_eq_0, Rabs_R0 in H; lra. Qed.
 
 (** Solutions that agree at one time of an interval agree on it. *)
-Lemma unique_on lo hi mu y v y' v' s : (forall t, lo <= t <= hi -> at_time mu y v t /\ at_time mu y' v' t) -> lo <= s <=
-  hi ->
-  y s = y' s -> v s = v' s -> forall t, lo <= t <= hi -> y t = y' t /\ v t = v' t.
+Lemma unique_on lo hi mu y v y' v' s : (forall t, lo <= t <= hi -> at_time mu y v t /\ at_time mu y' v' t) ->
+  lo <= s <= hi -> y s = y' s -> v s = v' s -> forall t, lo <= t <= hi -> y t = y' t /\ v t = v' t.
 Proof.
   intros H Hs Ey Ev t Ht. assert (Z : Rabs (y t - y' t) + Rabs (v t - v' t) <= 0).
   { destruct (Rle_dec s t) as [O|O].

@@ -27,11 +27,10 @@ Proof.
 Qed.
 
 (** For a pair whose derivatives are at most L times its norm, and e. *)
-Lemma gronwall2 p p' q q' L e T : 0 <= L -> 0 <= e ->
-  (forall x, 0 <= x <= T -> derivable_pt_lim p x (p' x) /\ derivable_pt_lim q x (q' x)) ->
-  (forall x, 0 <= x <= T -> Rabs (p' x) <= L * (Rabs (p x) + Rabs (q x)) + e /\ Rabs (q' x) <=
-    L * (Rabs (p x) + Rabs (q x)) + e) ->
-  forall t, 0 <= t <= T -> Rabs (p t) + Rabs (q t) <= 2 * (Rabs (p 0) + Rabs (q 0) + e) * exp ((2 * L + 1) * T).
+Lemma gronwall2 p p' q q' L e T : 0 <= L -> 0 <= e -> (forall x, 0 <= x <= T -> derivable_pt_lim p x (p' x) /\
+  derivable_pt_lim q x (q' x)) -> (forall x, 0 <= x <= T -> Rabs (p' x) <= L * (Rabs (p x) + Rabs (q x)) + e /\
+  Rabs (q' x) <= L * (Rabs (p x) + Rabs (q x)) + e) -> forall t, 0 <= t <= T -> Rabs (p t) + Rabs (q t) <= 2 * (Rabs (p
+  0) + Rabs (q 0) + e) * exp ((2 * L + 1) * T).
 Proof.
   intros HL He D H t Ht; set (M := 4 * L + 2). set (E x := p x * p x + q x * q x);
     set (E' x := p' x * p x + p x * p' x + (q' x * q x + q x * q' x)).
@@ -75,11 +74,10 @@ Proof.
   replace (2 * (n0 + e) * K * (2 * (n0 + e) * K)) with (4 * ((n0 + e) * (n0 + e) * (K * K))) by ring; nra.
 Qed.
 
-Lemma gronwall2_back L T f f' g g' e : 0 <= L -> 0 <= e ->
-  (forall x, 0 <= x <= T -> derivable_pt_lim f x (f' x) /\ derivable_pt_lim g x (g' x)) ->
-  (forall x, 0 <= x <= T -> Rabs (f' x) <= L * (Rabs (f x) + Rabs (g x)) + e /\ Rabs (g' x) <=
-    L * (Rabs (f x) + Rabs (g x)) + e) ->
-  forall t, 0 <= t <= T -> Rabs (f 0) + Rabs (g 0) <= 2 * (Rabs (f t) + Rabs (g t) + e) * exp ((2 * L + 1) * T).
+Lemma gronwall2_back L T f f' g g' e : 0 <= L -> 0 <= e -> (forall x, 0 <= x <= T -> derivable_pt_lim f x (f' x) /\
+  derivable_pt_lim g x (g' x)) -> (forall x, 0 <= x <= T -> Rabs (f' x) <= L * (Rabs (f x) + Rabs (g x)) + e /\
+  Rabs (g' x) <= L * (Rabs (f x) + Rabs (g x)) + e) -> forall t, 0 <= t <= T -> Rabs (f 0) + Rabs (g 0) <= 2 * (Rabs (f
+  t) + Rabs (g t) + e) * exp ((2 * L + 1) * T).
 Proof.
   intros HL He D H t Ht.
   assert (Db : forall h h' s, derivable_pt_lim h (t - s) (h' (t - s)) ->
@@ -97,8 +95,7 @@ Qed.
 
 (** [mvt] on [0, T]. *)
 Lemma mvt_on T f f' B x y : 0 <= x <= T -> 0 <= y <= T -> (forall s, 0 <= s <= T -> derivable_pt_lim f s (f' s) /\
-  Rabs (f' s) <= B) ->
-  Rabs (f x - f y) <= B * Rabs (x - y).
+  Rabs (f' s) <= B) -> Rabs (f x - f y) <= B * Rabs (x - y).
 Proof.
   intros Hx Hy H; destruct (Rtotal_order x y) as [O | [-> | O]].
   - destruct (MVT_cor2 f f' x y O) as (s & E & Hs); [intros s Hs; apply H; lra|]. rewrite <- Rabs_Ropp;

@@ -70,11 +70,9 @@ Proof.
 Qed.
 
 Lemma impulse_strict : forall eps, 0 < eps -> exists d, 0 < d <= d0 /\ forall x y mu x' y' mu' t, within 2 d x ->
-  within 2 d x' -> 0 <= y <= d ->
-  0 <= y' <= d -> Rabs mu <= d -> Rabs mu' <= d -> within 2 t (minus x x') -> Rabs (y - y') <= t -> Rabs (mu - mu') <=
-    t ->
-  ybox y /\ ybox y' /\ box x mu /\ box x' mu' /\ Rabs (impulse x y mu - impulse x' y' mu' - (1 + tau) * cg * (y - y'))
-    <= eps * t.
+  within 2 d x' -> 0 <= y <= d -> 0 <= y' <= d -> Rabs mu <= d -> Rabs mu' <= d -> within 2 t (minus x x') ->
+  Rabs (y - y') <= t -> Rabs (mu - mu') <= t -> ybox y /\ ybox y' /\ box x mu /\ box x' mu' /\
+  Rabs (impulse x y mu - impulse x' y' mu' - (1 + tau) * cg * (y - y')) <= eps * t.
 Proof.
   intros eps He; destruct tc_lip as (C & HC & Lip); pose proof cg_pos as Hc; destruct Hreb as (Ht0 & _ & _ & Reb).
   set (W := 1 + C + (1 + cg)); assert (HW : 0 < W) by (unfold W; lra).
@@ -127,10 +125,9 @@ Qed.
 
 Definition B : vec := fun i => (1 + tau) * cg * match i with O => zb 0 | _ => wb 0 end.
 Lemma kick_strict : forall eps, 0 < eps -> exists d, 0 < d <= d0 /\ forall x x' y y' mu mu' t i, (i < 2)%nat ->
-  within 2 d x ->
-  within 2 d x' -> 0 <= y <= d -> 0 <= y' <= d -> Rabs mu <= d -> Rabs mu' <= d -> within 2 t (minus x x') ->
-  Rabs (y - y') <= t -> Rabs (mu - mu') <= t -> Rabs (kick x y mu i * y - kick x' y' mu' i * y' - (y - y') * B i) <=
-    eps * t.
+  within 2 d x -> within 2 d x' -> 0 <= y <= d -> 0 <= y' <= d -> Rabs mu <= d -> Rabs mu' <= d ->
+  within 2 t (minus x x') -> Rabs (y - y') <= t -> Rabs (mu - mu') <= t -> Rabs (kick x y mu i * y - kick x' y' mu' i *
+  y' - (y - y') * B i) <= eps * t.
 Proof.
   intros eps He; destruct tc_lip as (C & HC & Lip); pose proof cg_pos as Hc; assert (Ht0 := proj1 Hreb);
     pose proof M_large as LM. set (W := 1 + C + (1 + tau) * cg);

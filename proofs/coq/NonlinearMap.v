@@ -21,12 +21,10 @@ Qed.
 Definition dz (x x' : vec) mu mu' s := (x 0%nat - x' 0%nat) * p1 s + (x 1%nat - x' 1%nat) * p2 s + (mu - mu') * p3 s.
 Definition dw (x x' : vec) mu mu' s := (x 0%nat - x' 0%nat) * q1 s + (x 1%nat - x' 1%nat) * q2 s + (mu - mu') * q3 s.
 Lemma differences eps : 0 < eps -> exists d, 0 < d <= d0 /\ forall x x' mu mu' t, within 2 d x -> within 2 d x' ->
-  Rabs mu <= d -> Rabs mu' <= d ->
-  within 2 t (minus x x') -> Rabs (mu - mu') <= t ->
-  (forall s, 0 <= s <= T -> derivable_pt_lim (dz x x' mu mu') s (dw x x' mu mu' s) /\ Rabs (dw x x' mu mu' s) <=
-    M * t) /\ forall s, 0 <= s <= T ->
-  Rabs (Y x mu s - Y x' mu' s - dz x x' mu mu' s) <= eps * t /\ Rabs (V x mu s - V x' mu' s - dw x x' mu mu' s) <=
-    eps * t.
+  Rabs mu <= d -> Rabs mu' <= d -> within 2 t (minus x x') -> Rabs (mu - mu') <= t -> (forall s, 0 <= s <= T ->
+  derivable_pt_lim (dz x x' mu mu') s (dw x x' mu mu' s) /\ Rabs (dw x x' mu mu' s) <= M * t) /\ forall s,
+  0 <= s <= T -> Rabs (Y x mu s - Y x' mu' s - dz x x' mu mu' s) <= eps * t /\ Rabs (V x mu s - V x' mu' s - dw x x' mu
+  mu' s) <= eps * t.
 Proof.
   intros He; destruct Hfund as ((F1 & I1 & J1) & (F2 & I2 & J2) & (F3 & I3 & J3)).
   destruct (S.flow_strict a T L y0 v0 kk cc ll HL Hlip Hbound Hstrict (sol_in 0 y0 v0 Horb) (eps / 3) ltac:(here; lra))
@@ -160,9 +158,8 @@ Proof.
     [lra | lra | lra].
 Qed.
 
-Theorem map_planar A11 A21 A22 gamma z w : (forall z w, lin 0 z w ->
-  z (tG + T) = A11 * z tG + gamma * w tG /\ w (tG + T) = A21 * z tG + A22 * w tG) -> gamma <> 0 ->
-  lin 1 z w -> z T = z 0 -> w T = w 0 -> z tG <> 0 ->
+Theorem map_planar A11 A21 A22 gamma z w : (forall z w, lin 0 z w -> z (tG + T) = A11 * z tG + gamma * w tG /\
+  w (tG + T) = A21 * z tG + A22 * w tG) -> gamma <> 0 -> lin 1 z w -> z T = z 0 -> w T = w 0 -> z tG <> 0 ->
   planar map (A11 + A22) (A11 * A22 - gamma * A21) ((1 + tau) * cg * gamma) (z tG) (pair (z 0) (w 0)).
 Proof.
   intros HA Hgam Hz Ez Ew Hr; assert (TG : 0 <= tG <= T) by lra; assert (TT : 0 <= T <= T) by lra;

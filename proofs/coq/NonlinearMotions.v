@@ -249,9 +249,8 @@ Definition facts (x : Z -> vec) (yy : Z -> R) : Prop := (forall j, within 2 dd (
   (forall j k, (1 <= k < n j)%nat -> 0 < Y (fl k (x j)) mu (low (fl k (x j)) mu)) /\
   (forall j i, (i < 2)%nat -> x (j + 1)%Z i = after (fl (n j) (x j)) (yy j) mu i).
 Theorem motion_orbit t y v Dm : motion mu Dm N t y v -> M * Dm <= dd -> Rabs mu <= Dm -> Dm <= r0 / 4 -> exists x yy,
-  facts x yy /\
-  forall i u, t i <= u <= t (i + 1)%Z -> y i u = Y (x i) mu (u - T * IZR (N i)) /\
-    v i u = V (x i) mu (u - T * IZR (N i)).
+  facts x yy /\ forall i u, t i <= u <= t (i + 1)%Z -> y i u = Y (x i) mu (u - T * IZR (N i)) /\
+  v i u = V (x i) mu (u - T * IZR (N i)).
 Proof.
   intros HM HD Hm HDr; pose proof Hwin as (Hr & R1 & R2 & _); pose proof M_large as LM.
   set (s i := t i - T * IZR (N i)); set (x i := origin mu (s i) (y i (t i)) (v i (t i))).
@@ -322,13 +321,10 @@ Qed.
 
 (** Two motions with the same orbit are the same. *)
 Lemma same_motion t y v t' y' v' Dm x yy x' yy' : motion mu Dm N t y v -> motion mu Dm N t' y' v' -> Dm <= r0 / 4 ->
-  facts x yy -> facts x' yy' ->
-  (forall i u, t i <= u <= t (i + 1)%Z -> y i u = Y (x i) mu (u - T * IZR (N i)) /\
-    v i u = V (x i) mu (u - T * IZR (N i))) ->
-  (forall i u, t' i <= u <= t' (i + 1)%Z -> y' i u = Y (x' i) mu (u - T * IZR (N i)) /\
-    v' i u = V (x' i) mu (u - T * IZR (N i))) ->
-  (forall j i, (i < 2)%nat -> x' j i = x j i) -> forall i, t' i = t i /\ forall u, t i <= u <= t (i + 1)%Z ->
-    y' i u = y i u /\ v' i u = v i u.
+  facts x yy -> facts x' yy' -> (forall i u, t i <= u <= t (i + 1)%Z -> y i u = Y (x i) mu (u - T * IZR (N i)) /\
+  v i u = V (x i) mu (u - T * IZR (N i))) -> (forall i u, t' i <= u <= t' (i + 1)%Z -> y' i u = Y (x' i) mu (u - T * IZR
+  (N i)) /\ v' i u = V (x' i) mu (u - T * IZR (N i))) -> (forall j i, (i < 2)%nat -> x' j i = x j i) -> forall i,
+  t' i = t i /\ forall u, t i <= u <= t (i + 1)%Z -> y' i u = y i u /\ v' i u = v i u.
 Proof.
   intros HM HM' HD F F' Leg Leg' Ex; pose proof (proj1 Hwin) as Hr.
   assert (Ey : forall i u, Y (x' i) mu u = Y (x i) mu u /\ V (x' i) mu u = V (x i) mu u) by (intros i u; apply Y_ext;
@@ -425,17 +421,15 @@ Proof.
     [intros t Ht Far; specialize (Ym t Ht Far); lra | repeat (split; [lra|]); lra].
 Qed.
 
-Theorem core A11 A21 A22 gamma z w : (forall z w, lin 0 z w ->
-  z (tG + T) = A11 * z tG + gamma * w tG /\ w (tG + T) = A21 * z tG + A22 * w tG) -> gamma <> 0 ->
-  lin 1 z w -> z T = z 0 -> w T = w 0 -> z tG <> 0 -> let a1 := A11 + A22 in let a2 := A11 * A22 - gamma * A21 in
-  forall n_max, exists d, d > 0 /\ forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\ forall (n : Z -> nat) (N : Z ->
-    Z) e s mu,
-  (forall i, (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z ->
-  sgn s * gamma > 0 -> 0 < sgn e * (z tG * mu) < mu0 ->
-  ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e s (n i) (n (i + 1)%Z)) -> exists t y v, motion mu eps N t y v /\
-    forall t' y' v', motion mu eps N t' y' v' -> forall i, t' i = t i /\ forall x, t i <= x <= t (i + 1)%Z ->
-      y' i x = y i x /\ v' i x = v i x) /\
-  ((exists i, breaks a1 a2 e s (n i) (n (i + 1)%Z)) -> forall t y v, ~ motion mu d N t y v).
+Theorem core A11 A21 A22 gamma z w : (forall z w, lin 0 z w -> z (tG + T) = A11 * z tG + gamma * w tG /\
+  w (tG + T) = A21 * z tG + A22 * w tG) -> gamma <> 0 -> lin 1 z w -> z T = z 0 -> w T = w 0 -> z tG <> 0 -> let a1 :=
+  A11 + A22 in let a2 := A11 * A22 - gamma * A21 in forall n_max, exists d, d > 0 /\ forall eps, 0 < eps <= d ->
+  exists mu0, mu0 > 0 /\ forall (n : Z -> nat) (N : Z -> Z) e s mu, (forall i, (1 <= n i <= n_max)%nat /\
+  u a1 a2 (n i) <> 0) -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn s * gamma > 0 ->
+  0 < sgn e * (z tG * mu) < mu0 -> ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e s (n i) (n (i + 1)%Z)) ->
+  exists t y v, motion mu eps N t y v /\ forall t' y' v', motion mu eps N t' y' v' -> forall i, t' i = t i /\ forall x,
+  t i <= x <= t (i + 1)%Z -> y' i x = y i x /\ v' i x = v i x) /\ ((exists i, breaks a1 a2 e s (n i) (n (i + 1)%Z)) ->
+  forall t y v, ~ motion mu d N t y v).
 Proof.
   intros HA Hgam Hz Ez Ew Hr a1 a2 n_max; pose proof (map_planar A11 A21 A22 gamma z w HA Hgam Hz Ez Ew Hr) as HP;
     fold a1 a2 in HP. pose proof cg_pos as Hc; assert (Ht0 := proj1 Hreb); pose proof M_large as LM;

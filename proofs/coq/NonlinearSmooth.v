@@ -5,9 +5,8 @@ From Grazing Require Import Derivatives StatementNonlinear.
 Import Nonlinear.
 Open Scope R_scope.
 
-Lemma near_line f f' B e c d x y : (forall s, Rabs (s - c) <= d -> derivable_pt_lim f s (f' s) /\ Rabs (f' s - B) <=
-  e) ->
-  Rabs (x - c) <= d -> Rabs (y - c) <= d -> Rabs (f x - f y - B * (x - y)) <= e * Rabs (x - y).
+Lemma near_line f f' B e c d x y : (forall s, Rabs (s - c) <= d -> derivable_pt_lim f s (f' s) /\
+  Rabs (f' s - B) <= e) -> Rabs (x - c) <= d -> Rabs (y - c) <= d -> Rabs (f x - f y - B * (x - y)) <= e * Rabs (x - y).
 Proof.
   intros H Hx Hy; pose proof (Rabs_pos (f' c - B)) as P; apply le_abs in Hx, Hy.
   assert (W : forall x y, - d <= x - c <= d -> - d <= y - c <= d -> x < y -> Rabs (f y - f x - B * (y - x)) <=
@@ -22,15 +21,11 @@ Proof.
 Qed.
 (** A C1 function is strictly differentiable. *)
 Lemma strictly D f f1 f2 f3 f4 t y v m q : C1 D f f1 f2 f3 f4 -> 0 < q -> (forall t' y' v' m', Rabs (t' - t) <= q ->
-  Rabs (y' - y) <= q ->
-  Rabs (v' - v) <= q -> Rabs (m' - m) <= q -> D t' y' v' m') -> forall eps, 0 < eps -> exists d, 0 < d /\
-    forall t1 y1 v1 m1 t2 y2 v2 m2,
-  Rabs (t1 - t) <= d -> Rabs (y1 - y) <= d -> Rabs (v1 - v) <= d -> Rabs (m1 - m) <= d -> Rabs (t2 - t) <= d ->
-    Rabs (y2 - y) <= d ->
-  Rabs (v2 - v) <= d -> Rabs (m2 - m) <= d ->
-    Rabs (f t1 y1 v1 m1 - f t2 y2 v2 m2 - (f1 t y v m * (t1 - t2) + f2 t y v m * (y1 - y2) +
-  f3 t y v m * (v1 - v2) + f4 t y v m * (m1 - m2))) <= eps * (Rabs (t1 - t2) + Rabs (y1 - y2) + Rabs (v1 - v2) +
-    Rabs (m1 - m2)).
+  Rabs (y' - y) <= q -> Rabs (v' - v) <= q -> Rabs (m' - m) <= q -> D t' y' v' m') -> forall eps, 0 < eps -> exists d,
+  0 < d /\ forall t1 y1 v1 m1 t2 y2 v2 m2, Rabs (t1 - t) <= d -> Rabs (y1 - y) <= d -> Rabs (v1 - v) <= d ->
+  Rabs (m1 - m) <= d -> Rabs (t2 - t) <= d -> Rabs (y2 - y) <= d -> Rabs (v2 - v) <= d -> Rabs (m2 - m) <= d ->
+  Rabs (f t1 y1 v1 m1 - f t2 y2 v2 m2 - (f1 t y v m * (t1 - t2) + f2 t y v m * (y1 - y2) + f3 t y v m * (v1 - v2) + f4 t
+  y v m * (m1 - m2))) <= eps * (Rabs (t1 - t2) + Rabs (y1 - y2) + Rabs (v1 - v2) + Rabs (m1 - m2)).
 Proof.
   intros [C1t C1y C1v C1m (K1 & K2 & K3 & K4)] Hq HD eps He.
   assert (HP : D t y v m) by (apply HD; rewrite Rminus_eq_0, Rabs_R0; lra).
@@ -50,9 +45,8 @@ Proof.
     lra.
 Qed.
 (** What holds near each time, holds at one distance on [0, T]. *)
-Lemma everywhere (P : R -> R -> Prop) T : 0 <= T -> (forall s d d', P s d -> 0 < d' <= d -> P s d') ->
-  (forall t, exists d, 0 < d /\ forall s, Rabs (s - t) <= d -> P s d) -> exists d, 0 < d /\ forall s, 0 <= s <= T ->
-    P s d.
+Lemma everywhere (P : R -> R -> Prop) T : 0 <= T -> (forall s d d', P s d -> 0 < d' <= d -> P s d') -> (forall t,
+  exists d, 0 < d /\ forall s, Rabs (s - t) <= d -> P s d) -> exists d, 0 < d /\ forall s, 0 <= s <= T -> P s d.
 Proof.
   intros HT Down Near; set (E x := 0 <= x <= T /\ exists d, 0 < d /\ forall s, 0 <= s <= x -> P s d). assert (E0 : E 0).
   { split; [lra|]; destruct (Near 0) as (d & Hd & H); exists d; split; [exact Hd|]; intros s Hs; apply H, Rabs_le; lra.
@@ -134,9 +128,8 @@ Qed.
 Lemma along_facts t : continuity_pt k t /\ continuity_pt c t /\ continuity_pt l t /\ k (t + T O) = k t /\
   c (t + T O) = c t /\ l (t + T O) = l t.
 Proof. destruct (along_continuous_all t) as (A & B & C); exact (conj A (conj B (conj C (along_periodic t)))). Qed.
-Lemma period : 0 < T O /\ (forall t y v mu, a O (t + T O) y v mu = a O t y v mu) /\
-  (forall t mu v, rebound O mu (t + T O) v = rebound O mu t v) /\ forall t, y0 O (t + T O) = y0 O t /\
-    v0 O (t + T O) = v0 O t.
+Lemma period : 0 < T O /\ (forall t y v mu, a O (t + T O) y v mu = a O t y v mu) /\ (forall t mu v,
+  rebound O mu (t + T O) v = rebound O mu t v) /\ forall t, y0 O (t + T O) = y0 O t /\ v0 O (t + T O) = v0 O t.
 Proof.
   destruct (has_period O HO) as [HT H]; split; [exact HT | split; [|split]].
   - intros t y v mu; apply (H t).
@@ -144,13 +137,11 @@ Proof.
   - intros t; destruct (H t) as (A & B & _); auto.
 Qed.
 (** [strictly], in the tube near the time t. *)
-Lemma strictly_near t eps : 0 < eps -> exists d, 0 < d /\ d <= 1 /\ forall t1 y1 v1 m1 t2 y2 v2 m2, Rabs (t1 - t) <=
-  d -> Rabs (t2 - t) <= d ->
-  tube O d t1 y1 v1 -> tube O d t2 y2 v2 -> Rabs m1 <= d -> Rabs m2 <= d -> Rabs (y1 - y0 O t) <= 1 /\
-    Rabs (v1 - v0 O t) <= 1 /\
-  Rabs (a O t1 y1 v1 m1 - a O t2 y2 v2 m2 - (along O (a_t O) t * (t1 - t2) + k t * (y1 - y2) + c t * (v1 - v2) + l t *
-    (m1 - m2))) <=
-  eps * (Rabs (t1 - t2) + Rabs (y1 - y2) + Rabs (v1 - v2) + Rabs (m1 - m2)).
+Lemma strictly_near t eps : 0 < eps -> exists d, 0 < d /\ d <= 1 /\ forall t1 y1 v1 m1 t2 y2 v2 m2,
+  Rabs (t1 - t) <= d -> Rabs (t2 - t) <= d -> tube O d t1 y1 v1 -> tube O d t2 y2 v2 -> Rabs m1 <= d -> Rabs m2 <= d ->
+  Rabs (y1 - y0 O t) <= 1 /\ Rabs (v1 - v0 O t) <= 1 /\ Rabs (a O t1 y1 v1 m1 - a O t2 y2 v2 m2 - (along O (a_t O) t *
+  (t1 - t2) + k t * (y1 - y2) + c t * (v1 - v2) + l t * (m1 - m2))) <= eps * (Rabs (t1 - t2) + Rabs (y1 - y2) + Rabs (v1
+  - v2) + Rabs (m1 - m2)).
 Proof.
   intros He; destruct (force_C1 O HO) as (r & Hr & HC), (steady t (r / 2) ltac:(lra)) as (q & Hq & Lq & Nq).
   assert (Far : forall x y z e e', Rabs (x - y) <= e -> Rabs (y - z) <= e' -> Rabs (x - z) <= e + e').
@@ -168,10 +159,8 @@ Proof.
 Qed.
 
 Lemma derivatives eps : 0 < eps -> exists d, 0 < d /\ forall t, 0 <= t <= T O -> forall y v mu y' v' mu',
-  tube O d t y v -> tube O d t y' v' ->
-  Rabs mu <= d -> Rabs mu' <= d -> Rabs (a O t y v mu - a O t y' v' mu' - (k t * (y - y') + c t * (v - v') + l t *
-    (mu - mu'))) <=
-  eps * (Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu')).
+  tube O d t y v -> tube O d t y' v' -> Rabs mu <= d -> Rabs mu' <= d -> Rabs (a O t y v mu - a O t y' v' mu' - (k t *
+  (y - y') + c t * (v - v') + l t * (mu - mu'))) <= eps * (Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu')).
 Proof.
   intros He;
     apply (everywhere (fun t d => forall y v mu y' v' mu', tube O d t y v -> tube O d t y' v' -> Rabs mu <= d ->
@@ -275,9 +264,8 @@ Qed.
 
 Lemma impact : 0 <= tau O /\ (forall mu t, rebound O mu t 0 = 0) /\ (forall mu t v, v < 0 -> 0 <= rebound O mu t v) /\
   forall eps, 0 < eps -> exists d, 0 < d /\ forall mu t v mu' t' v', Rabs mu <= d -> Rabs (t - tG O) <= d ->
-  Rabs v <= d -> Rabs mu' <= d -> Rabs (t' - tG O) <= d -> Rabs v' <= d ->
-  Rabs (rebound O mu t v - rebound O mu' t' v' + tau O * (v - v')) <=
-    eps * (Rabs (mu - mu') + Rabs (t - t') + Rabs (v - v')).
+  Rabs v <= d -> Rabs mu' <= d -> Rabs (t' - tG O) <= d -> Rabs v' <= d -> Rabs (rebound O mu t v - rebound O mu' t' v'
+  + tau O * (v - v')) <= eps * (Rabs (mu - mu') + Rabs (t - t') + Rabs (v - v')).
 Proof.
   destruct (law O HO) as (Ht & R0 & Rp); split; [exact Ht | split; [exact R0 | split; [exact Rp|]]]; intros eps He.
   destruct (law_C1 O HO) as (r & f1 & f2 & f3 & f4 & Hr & E3 & HC).

@@ -126,11 +126,9 @@ Proof.
       with ((low x mu - low x' mu') - (off x y mu - off x' y' mu')) by ring. eapply Rle_trans; [apply apart|]; lra.
 Qed.
 Lemma tc_speed : forall eps, 0 < eps -> exists d, 0 < d <= d0 /\ forall x y mu x' y' mu' t, within 2 d x ->
-  within 2 d x' -> 0 <= y <= d ->
-  0 <= y' <= d -> Rabs mu <= d -> Rabs mu' <= d -> within 2 t (minus x x') -> Rabs (y - y') <= t -> Rabs (mu - mu') <=
-    t ->
-  ybox y /\ ybox y' /\ box x mu /\ box x' mu' /\
-    Rabs (V x mu (tc x y mu) + cg * y - (V x' mu' (tc x' y' mu') + cg * y')) <= eps * t.
+  within 2 d x' -> 0 <= y <= d -> 0 <= y' <= d -> Rabs mu <= d -> Rabs mu' <= d -> within 2 t (minus x x') ->
+  Rabs (y - y') <= t -> Rabs (mu - mu') <= t -> ybox y /\ ybox y' /\ box x mu /\ box x' mu' /\
+  Rabs (V x mu (tc x y mu) + cg * y - (V x' mu' (tc x' y' mu') + cg * y')) <= eps * t.
 Proof.
   intros eps He; destruct acc_lip as (C & HC & H), ybox_exists as (dy & Hdy & Yb); pose proof cg_pos as Hc;
     pose proof (proj1 Hwin) as Hr. pose proof M_large as LM; assert (Hd00 : 0 < d0) by apply Hwin.

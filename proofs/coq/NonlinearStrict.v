@@ -164,17 +164,14 @@ Qed.
     to the section the jump is J times the solution zb, wb of the linearized equation that is (0, 1) at tG: B of (43).
     *)
 Theorem kick_strict zb wb : linearized 0 zb wb -> zb tG = 0 -> wb tG = 1 -> forall eps, 0 < eps -> exists d, 0 < d /\
-  forall mu mu' y1 v1 y2 v2 y1' v1' y2' v2' t t' r,
-  solution mu y1 v1 -> solution mu y2 v2 -> solution mu' y1' v1' -> solution mu' y2' v2' -> Rabs mu <= d -> Rabs mu' <=
-    d ->
-  Rabs (y1 0 - y0 0) <= d -> Rabs (v1 0 - v0 0) <= d -> Rabs (y2 0 - y0 0) <= d -> Rabs (v2 0 - v0 0) <= d ->
-  Rabs (y1' 0 - y0 0) <= d -> Rabs (v1' 0 - v0 0) <= d -> Rabs (y2' 0 - y0 0) <= d -> Rabs (v2' 0 - v0 0) <= d ->
-  0 <= t <= T -> 0 <= t' <= T -> Rabs (t - tG) <= d -> Rabs (t' - tG) <= d -> y2 t = y1 t -> y2' t' = y1' t' ->
-  let J := v2 t - v1 t in let J' := v2' t' - v1' t' in
-  Rabs (y1 0 - y1' 0) <= r -> Rabs (v1 0 - v1' 0) <= r -> Rabs (mu - mu') <= r -> Rabs (J - J') <= r -> Rabs (t - t') <=
-    r ->
-  Rabs (y2 0 - y1 0 - (y2' 0 - y1' 0) - (J - J') * zb 0) + Rabs (v2 0 - v1 0 - (v2' 0 - v1' 0) - (J - J') * wb 0) <=
-    eps * r.
+  forall mu mu' y1 v1 y2 v2 y1' v1' y2' v2' t t' r, solution mu y1 v1 -> solution mu y2 v2 -> solution mu' y1' v1' ->
+  solution mu' y2' v2' -> Rabs mu <= d -> Rabs mu' <= d -> Rabs (y1 0 - y0 0) <= d -> Rabs (v1 0 - v0 0) <= d ->
+  Rabs (y2 0 - y0 0) <= d -> Rabs (v2 0 - v0 0) <= d -> Rabs (y1' 0 - y0 0) <= d -> Rabs (v1' 0 - v0 0) <= d ->
+  Rabs (y2' 0 - y0 0) <= d -> Rabs (v2' 0 - v0 0) <= d -> 0 <= t <= T -> 0 <= t' <= T -> Rabs (t - tG) <= d ->
+  Rabs (t' - tG) <= d -> y2 t = y1 t -> y2' t' = y1' t' -> let J := v2 t - v1 t in let J' :=
+  v2' t' - v1' t' in Rabs (y1 0 - y1' 0) <= r -> Rabs (v1 0 - v1' 0) <= r -> Rabs (mu - mu') <= r ->
+  Rabs (J - J') <= r -> Rabs (t - t') <= r -> Rabs (y2 0 - y1 0 - (y2' 0 - y1' 0) - (J - J') * zb 0) + Rabs (v2 0 - v1 0
+  - (v2' 0 - v1' 0) - (J - J') * wb 0) <= eps * r.
 Proof.
   intros Zb Eb Ewb eps He; assert (Ke : 0 < K) by (unfold K; pose proof (exp_pos ((2 * L + 1) * T)); nra).
   assert (TG := HtG). set (nb := K * (Rabs (zb 0) + Rabs (wb 0))); assert (Nb : 0 <= nb).
