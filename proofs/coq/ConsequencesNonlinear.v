@@ -103,8 +103,9 @@ Lemma forced_numbers : Forced_statement -> Single_statement -> exists c k d, d >
 Proof.
   intros F S; destruct (F 5 1 (1 / 2) ltac:(lra)) as (G & _ & R);
     destruct (R 1 (1 / 4) Plus ltac:(lra) ltac:(lra)) as (c & k & gamma & HG & Hg).
-  replace (2 * PI * (1 / 4)) with (PI / 2) in HG by field; rewrite cos_PI2, Rmult_0_r, pow1 in HG; specialize (G c k 0).
-  destruct (S (Moves (forced c k 0 5 1 (1 / 2)) (1 / k)) 0 1 gamma 3%nat Plus Plus (conj G HG)) as [B _];
+  replace (2 * PI * (1 / 4)) with (PI / 2) in HG by field; rewrite cos_PI2, Rmult_0_r, pow1 in HG;
+    specialize (G c k 0 0).
+  destruct (S (Moves (forced c k 0 0 5 1 (1 / 2)) (1 / k)) 0 1 gamma 3%nat Plus Plus (conj G HG)) as [B _];
     [lia | numbers | exact Hg|]. destruct (B orbit_0_1_3) as (d & Hd & U); exists c, k, d; split; [exact Hd|];
     intros eps He; destruct (U eps He) as (mu0 & Hm & W). exists mu0; split; [exact Hm|]; intros mu Hmu;
     destruct (W mu) with (N := fun i => (3 * i)%Z) as (t & y & v & HM & _);
@@ -120,8 +121,9 @@ Proof.
 Qed.
 (** With b = e = s = 0 it is linear; it has what [matrix] says, whatever its stop. *)
 Lemma linear_again : Forced_statement -> forall k gamma, StatementOscillator.matrix 0 k Plus 0 1 gamma -> gamma <> 0 ->
-  k <> 0 -> grazing_orbit (forced 0 k 0 0 0 1) /\ generic (forced 0 k 0 0 0 1) 0 1 gamma (1 / k) /\ forall t y v mu,
-  a (forced 0 k 0 0 0 1) t y v mu = - k * y + (k * (1 + cos t) - cos t) + mu /\ rebound (forced 0 k 0 0 0 1) mu t v = -
+  k <> 0 -> grazing_orbit (forced 0 k 0 0 0 0 1) /\ generic (forced 0 k 0 0 0 0 1) 0 1 gamma (1 / k) /\ forall t y v mu,
+  a (forced 0 k 0 0 0 0 1) t y v mu = - k * y + (k * (1 + cos t) - cos t) + mu /\
+    rebound (forced 0 k 0 0 0 0 1) mu t v = -
   v.
 Proof.
   intros F k gamma HM Hg Hk; destruct (F 0 0 1 ltac:(lra)) as (A & B & _); split;

@@ -16,6 +16,12 @@ Proof. intros H t y v m _ e He; destruct (continuous_near f t e (H t) He) as (d 
 Lemma C_v f : (forall t, continuity_pt f t) -> C (fun _ _ v _ => f v).
 Proof. intros H t y v m _ e He; destruct (continuous_near f v e (H v) He) as (d & Hd & N); exists d; split; [exact Hd|];
   intros; apply N; assumption. Qed.
+Lemma C_f f : (forall t, continuity_pt f t) -> C (fun _ y _ _ => f y).
+Proof.
+  intros H t y v m _ e He; destruct (continuous_near f y e (H y) He) as (d & Hd & N); exists d; split; [exact Hd|];
+    intros;
+    apply N; assumption.
+Qed.
 Lemma C_y : C (fun _ y _ _ => y). Proof. intros t y v m _ e He; exists e; auto. Qed.
 Lemma C_plus f g : C f -> C g -> C (fun t y v m => f t y v m + g t y v m).
 Proof.
@@ -53,26 +59,29 @@ Proof.
 Qed.
 
 Section Forced.
-Variables (c k b e s tau : R).
+Variables (c k b h e s tau : R).
 Lemma D_Y t : derivable_pt_lim Y t (- sin t).
 Proof. unfold Y; eapply D_value; [apply (D_plus (fun _ => 1) cos); [apply D_const | apply derivable_pt_lim_cos] | ring].
 Qed.
-Lemma forced_C1 D : C1 D (Nonlinear.a (forced c k b e s tau)) (Nonlinear.a_t (forced c k b e s tau)) (Nonlinear.a_y
-  (forced c k b e s tau)) (Nonlinear.a_v (forced c k b e s tau)) (Nonlinear.a_mu (forced c k b e s tau)).
+Lemma forced_C1 D : C1 D (Nonlinear.a (forced c k b h e s tau)) (Nonlinear.a_t (forced c k b h e s tau)) (Nonlinear.a_y
+  (forced c k b h e s tau)) (Nonlinear.a_v (forced c k b h e s tau)) (Nonlinear.a_mu (forced c k b h e s tau)).
 Proof.
   assert (Cs : forall t, continuity_pt sin t) by (intros t; apply (D_continuous _ _ _ (derivable_pt_lim_sin t))).
   assert (Cc : forall t, continuity_pt cos t) by (intros t; apply (D_continuous _ _ _ (derivable_pt_lim_cos t))).
-  assert (CY : forall t, continuity_pt Y t) by (intros t; apply (D_continuous _ _ _ (D_Y t))). constructor; cbn;
+  assert (CY : forall t, continuity_pt Y t) by (intros t; apply (D_continuous _ _ _ (D_Y t))).
+  assert (CcY : forall t, continuity_pt (fun t => cos (Y t)) t) by (intros t; eapply D_continuous; apply D_cos, D_Y).
+  constructor; cbn;
     [intros t y v m _ .. |].
   - derive_by ltac:(apply D_Y); ring.
   - derive_by fail; ring.
   - derive_by fail; ring.
   - derive_by fail; ring.
   - repeat split;
-      repeat first [apply C_const | apply (C_t _ sin Cs) | apply (C_t _ cos Cc) | apply (C_t _ Y CY) | apply C_y |
+      repeat first [apply C_const | apply (C_t _ sin Cs) | apply (C_t _ cos Cc) | apply (C_t _ Y CY) |
+        apply (C_t _ (fun t => cos (Y t)) CcY) | apply (C_f _ cos Cc) | apply C_y |
         apply C_minus | apply C_plus | apply C_times].
 Qed.
-Theorem forced_grazes : 0 <= tau -> grazing_orbit (forced c k b e s tau).
+Theorem forced_grazes : 0 <= tau -> grazing_orbit (forced c k b h e s tau).
 Proof.
   intros Ht; pose proof PI_RGT_0 as HP;
     assert (Pc : forall t, cos (t + 2 * PI) = cos t) by (intros t; rewrite <- (cos_period t 1); f_equal; cbn; ring).
@@ -84,7 +93,7 @@ Proof.
   - cbn; intros t Ht2 Ne; unfold Y; assert (-1 < cos t); [|lra]; destruct (Rlt_le_dec t PI) as [Q|Q].
     + rewrite <- cos_PI; apply cos_decreasing_1; lra.
     + rewrite <- cos_PI; apply cos_increasing_1; lra.
-  - cbn; unfold Y; rewrite cos_PI, sin_PI; lra.
+  - cbn; replace (Y PI) with 0 by (unfold Y; rewrite cos_PI; ring). rewrite cos_PI, sin_PI, sin_0; lra.
   - exists 1; split; [lra | apply forced_C1].
   - cbn; split; [exact Ht | split; [intros; ring|]]; intros mu t v Hv; pose proof (exp_pos (s * v)).
     assert (0 <= tau * (- v * exp (s * v))) by (apply Rmult_le_pos; [exact Ht | apply Rmult_le_pos; lra]); lra.
@@ -104,7 +113,7 @@ Qed.
 End Forced.
 
 Lemma forced_generic c k e s tau a1 a2 gamma : matrix c k Plus a1 a2 gamma -> gamma <> 0 -> k <> 0 ->
-  generic (forced c k 0 e s tau) a1 a2 gamma (1 / k).
+  generic (forced c k 0 0 e s tau) a1 a2 gamma (1 / k).
 Proof.
   intros (A11 & A21 & A22 & E1 & E2 & H) Hg Hk; constructor.
   - exists A11, A21, A22; split; [exact E1 | split; [rewrite (Rmult_comm A21); exact E2|]]; intros z w Hz.
@@ -123,7 +132,7 @@ Qed.
 Theorem Forced : Forced_statement.
 Proof.
   intros e s tau Ht; split;
-    [intros c k b; apply forced_grazes, Ht | split; [intros; apply forced_generic; assumption|]]. intros r x g Hr Hx;
+    [intros c k b h; apply forced_grazes, Ht | split; [intros; apply forced_generic; assumption|]]. intros r x g Hr Hx;
     destruct (reach_3 Reach r x g Hr Hx) as (c & k & gamma & Hm & Hg); exists c, k, gamma. split; [|exact Hg];
     apply forced_generic; [exact Hm | intros ->; lra | intros ->].
   (* with k = 0 constants are free motions, and 1 is an eigenvalue *)

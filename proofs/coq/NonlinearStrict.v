@@ -24,23 +24,17 @@ Hypothesis Hstrict : forall eps, 0 < eps -> exists d, 0 < d /\ forall x y v mu y
 Hypothesis Href : solution 0 y0 v0.
 Let K := 2 * (1 + L) * exp ((2 * L + 1) * T).
 
-Lemma close mu mu' y v y' v' : solution mu y v -> solution mu' y' v' -> forall x, 0 <= x <= T ->
-  Rabs (y x - y' x) + Rabs (v x - v' x) <= K * (Rabs (y 0 - y' 0) + Rabs (v 0 - v' 0) + Rabs (mu - mu')).
+Lemma both_ways mu mu' y v y' v' : solution mu y v -> solution mu' y' v' -> forall x, 0 <= x <= T ->
+  Rabs (y x - y' x) + Rabs (v x - v' x) <= K * (Rabs (y 0 - y' 0) + Rabs (v 0 - v' 0) + Rabs (mu - mu')) /\
+  Rabs (y 0 - y' 0) + Rabs (v 0 - v' 0) <= K * (Rabs (y x - y' x) + Rabs (v x - v' x) + Rabs (mu - mu')).
 Proof.
-  intros S S' x Hx; set (m := Rabs (mu - mu')); assert (Hm : 0 <= m) by apply Rabs_pos. eapply Rle_trans;
-    [apply (gronwall2 (fun x => y x - y' x) (fun x => v x - v' x) (fun x => v x - v' x) (fun x => a x (y x) (v x) mu -
-      a x (y' x) (v' x) mu') L (L * m) T) with (5 := Hx)|].
-  - lra.
-  - nra.
-  - intros z Hz; destruct (S z Hz), (S' z Hz); split; apply derivable_pt_lim_minus; assumption.
-  - intros z Hz; pose proof (Hlip z (y z) (v z) mu (y' z) (v' z) mu' Hz) as A; fold m in A.
-    pose proof (Rabs_pos (y z - y' z)); pose proof (Rabs_pos (v z - v' z)); split; nra.
-  - unfold K; pose proof (exp_pos ((2 * L + 1) * T)); pose proof (Rabs_pos (y 0 - y' 0));
-      pose proof (Rabs_pos (v 0 - v' 0)). set (n := Rabs (y 0 - y' 0) + Rabs (v 0 - v' 0)) in *;
-      assert (0 <= n) by (unfold n; lra).
-    replace (2 * (1 + L) * exp ((2 * L + 1) * T) * (n + m)) with (2 * ((1 + L) * (n + m)) * exp ((2 * L + 1) * T))
-      by ring. apply Rmult_le_compat_r; [lra|]; nra.
+  intros S S' x Hx;
+    apply (bound L T (fun x => y x - y' x) (fun x => v x - v' x) (fun x => a x (y x) (v x) mu - a x (y' x) (v' x) mu'));
+    trivial; [apply Rabs_pos|]. intros z Hz; destruct (S z Hz), (S' z Hz); split; [|split; [|apply Hlip, Hz]];
+    apply derivable_pt_lim_minus; assumption.
 Qed.
+Definition close mu mu' y v y' v' S S' x Hx := proj1 (both_ways mu mu' y v y' v' S S' x Hx).
+Definition close_back mu mu' y v y' v' S S' x Hx := proj2 (both_ways mu mu' y v y' v' S S' x Hx).
 
 (** The flow over every time up to T is strictly differentiable, its derivative the linearized flow: as [strict] in
     StatementOrbits has it. *)
@@ -92,56 +86,22 @@ Proof.
     lra.
   - rewrite Ez, Ew, !Rminus_diag_eq, !Rabs_R0 by reflexivity; fold Q D; lra.
 Qed.
-Lemma linear_bound m z w : linearized m z w -> forall x, 0 <= x <= T ->
-  Rabs (z x) + Rabs (w x) <= K * (Rabs (z 0) + Rabs (w 0) + Rabs m).
+Lemma linear_bounds m z w : linearized m z w -> forall x, 0 <= x <= T -> Rabs (z x) + Rabs (w x) <=
+  K * (Rabs (z 0) + Rabs (w 0) + Rabs m) /\
+  Rabs (z 0) + Rabs (w 0) <= K * (Rabs (z x) + Rabs (w x) + Rabs m).
 Proof.
-  intros Z x Hx; pose proof (Rabs_pos m) as Hm. eapply Rle_trans;
-    [apply (gronwall2 z w w (fun x => k x * z x + c x * w x + l x * m) L (L * Rabs m) T) with (5 := Hx)|].
-  - lra.
-  - nra.
-  - exact Z.
-  - intros s Hs; destruct (Hbound s Hs) as (B1 & B2 & B3); pose proof (Rabs_pos (z s)); pose proof (Rabs_pos (w s)).
-    split; [nra|]; eapply Rle_trans; [apply Rabs_triang|]; rewrite Rabs_mult.
-    assert (Rabs (k s * z s + c s * w s) <= L * (Rabs (z s) + Rabs (w s))).
-    { eapply Rle_trans; [apply Rabs_triang|]; rewrite !Rabs_mult; nra. }
-    nra.
-  - unfold K; pose proof (exp_pos ((2 * L + 1) * T)); pose proof (Rabs_pos (z 0)); pose proof (Rabs_pos (w 0)).
-    set (n := Rabs (z 0) + Rabs (w 0)) in *; assert (0 <= n) by (unfold n; lra).
-    replace (2 * (1 + L) * exp ((2 * L + 1) * T) * (n + Rabs m))
-      with (2 * ((1 + L) * (n + Rabs m)) * exp ((2 * L + 1) * T)) by ring. apply Rmult_le_compat_r; [lra|]; nra.
+  intros Z x Hx; apply (bound L T z w (fun x => k x * z x + c x * w x + l x * m)); trivial; [apply Rabs_pos|];
+    intros s Hs. destruct (Z s Hs), (Hbound s Hs) as (B1 & B2 & B3); split; [assumption | split; [assumption|]].
+  pose proof (Rabs_triang (k s * z s + c s * w s) (l s * m)); pose proof (Rabs_triang (k s * z s) (c s * w s));
+    rewrite !Rabs_mult in *. pose proof (Rmult_le_compat_r _ _ _ (Rabs_pos (z s)) B1);
+    pose proof (Rmult_le_compat_r _ _ _ (Rabs_pos (w s)) B2); pose proof (Rmult_le_compat_r _ _ _ (Rabs_pos m) B3); lra.
 Qed.
-Lemma close_back mu mu' y v y' v' : solution mu y v -> solution mu' y' v' -> forall x, 0 <= x <= T ->
-  Rabs (y 0 - y' 0) + Rabs (v 0 - v' 0) <= K * (Rabs (y x - y' x) + Rabs (v x - v' x) + Rabs (mu - mu')).
-Proof.
-  intros S S' x Hx; set (m := Rabs (mu - mu')); assert (Hm : 0 <= m) by apply Rabs_pos. eapply Rle_trans;
-    [apply (gronwall2_back L T (fun x => y x - y' x) (fun x => v x - v' x) (fun x => v x - v' x)
-      (fun x => a x (y x) (v x) mu - a x (y' x) (v' x) mu') (L * m)) with (5 := Hx)|].
-  - lra.
-  - apply Rmult_le_pos; lra.
-  - intros z Hz; destruct (S z Hz), (S' z Hz); split; apply derivable_pt_lim_minus; assumption.
-  - intros z Hz; pose proof (Hlip z (y z) (v z) mu (y' z) (v' z) mu' Hz) as A; fold m in A.
-    pose proof (Rabs_pos (y z - y' z)); pose proof (Rabs_pos (v z - v' z)); split; nra.
-  - unfold K; pose proof (exp_pos ((2 * L + 1) * T)); pose proof (Rabs_pos (y x - y' x));
-      pose proof (Rabs_pos (v x - v' x)). set (n := Rabs (y x - y' x) + Rabs (v x - v' x)) in *;
-      assert (0 <= n) by (unfold n; lra).
-    replace (2 * (1 + L) * exp ((2 * L + 1) * T) * (n + m)) with (2 * ((1 + L) * (n + m)) * exp ((2 * L + 1) * T))
-      by ring. apply Rmult_le_compat_r; [lra|]; nra.
-Qed.
+Lemma linear_bound m z w : linearized m z w -> forall x, 0 <= x <= T -> Rabs (z x) + Rabs (w x) <=
+  K * (Rabs (z 0) + Rabs (w 0) + Rabs m).
+Proof. intros Z x Hx; apply (linear_bounds m z w Z x Hx). Qed.
 Lemma linear_back z w : linearized 0 z w -> forall x, 0 <= x <= T -> Rabs (z 0) + Rabs (w 0) <=
   K * (Rabs (z x) + Rabs (w x)).
-Proof.
-  intros Z x Hx; eapply Rle_trans;
-    [apply (gronwall2_back L T z w w (fun x => k x * z x + c x * w x + l x * 0) 0) with (5 := Hx)|].
-  - lra.
-  - lra.
-  - exact Z.
-  - intros s Hs; destruct (Hbound s Hs) as (B1 & B2 & _); pose proof (Rabs_pos (z s)); pose proof (Rabs_pos (w s)).
-    rewrite Rmult_0_r, !Rplus_0_r; split; [nra|]; eapply Rle_trans; [apply Rabs_triang|]; rewrite !Rabs_mult; nra.
-  - unfold K; pose proof (exp_pos ((2 * L + 1) * T)); pose proof (Rabs_pos (z x)); pose proof (Rabs_pos (w x)).
-    rewrite Rplus_0_r; set (n := Rabs (z x) + Rabs (w x)) in *; assert (0 <= n) by (unfold n; lra).
-    replace (2 * (1 + L) * exp ((2 * L + 1) * T) * n) with (2 * ((1 + L) * n) * exp ((2 * L + 1) * T)) by ring.
-    apply Rmult_le_compat_r; [lra|]; nra.
-Qed.
+Proof. intros Z x Hx; destruct (linear_bounds 0 z w Z x Hx) as [_ H]; rewrite Rabs_R0, Rplus_0_r in H; exact H. Qed.
 (** A solution of the linearized equation with any initial values. *)
 Variables (tG : R) (p1 q1 p2 q2 p3 q3 : R -> R).
 Hypothesis HtG : 0 <= tG <= T.
