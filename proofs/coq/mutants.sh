@@ -313,7 +313,7 @@ E
 mutant any-number-of-nonlinear-motions 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
 s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i : Z, True./
 E
-mutant headline-without-nonlinear-motions 'File "./ConsequencesNonlinear' --pin Headline.v <<'E'
+mutant headline-without-nonlinear-motions 'File "./Consequences' --pin Headline.v <<'E'
 s/^  | Moves osc _ => forall N, .*one_nonlinear_motion osc mu d N$/  | Moves osc _ => True/
 E
 
