@@ -65,16 +65,17 @@ Lemma quantities e x : quantity example unit n_1 (fun _ => pair_vec (-1) (-1)) (
 Proof. intros [->|(k & Hk & _)]; [ring | unfold n_1 in Hk; lia]. Qed.
 
 (** ** What the definitions say: of any map, at n = 2, and of the example *)
-Lemma smooth_means M : smooth M -> let N := Map.N M in (forall i, (i < N)%nat -> Map.f M zero 0 i = 0 /\
-  Map.kick M zero 0 0 i = Map.B M i) /\ Map.h M zero 0 = 0 /\ (forall i eps, (i < N)%nat -> eps > 0 -> exists d,
-  d > 0 /\ forall x x' mu t, within N d x -> within N d x' -> Rabs mu <= d -> within N t (minus x x') -> 0 <= t ->
+Lemma smooth_means M : smooth M -> let N := Map.N M in (forall i, (i < N)%nat -> Map.f M zero 0 i = 0) /\
+  Map.h M zero 0 = 0 /\ (forall i eps, (i < N)%nat -> eps > 0 -> exists d, d > 0 /\
+  forall x x' mu t, within N d x -> within N d x' -> Rabs mu <= d -> within N t (minus x x') -> 0 <= t ->
   Rabs (Map.f M x mu i - Map.f M x' mu i - dot N (Map.A M i) (minus x x')) <= eps * t /\
-  Rabs (Map.h M x mu - Map.h M x' mu - dot N (Map.C M) (minus x x')) <= eps * t) /\ exists l d, d > 0 /\ forall x y y',
-  within N d x -> 0 <= y <= d -> 0 <= y' <= d -> forall t, Rabs (y - y') <= t -> within N t (minus x x) ->
-  within N (l * t) (minus (Map.kick M x y 0) (Map.kick M x y' 0)).
+  Rabs (Map.h M x mu - Map.h M x' mu - dot N (Map.C M) (minus x x')) <= eps * t) /\
+  forall eps, eps > 0 -> exists d, d > 0 /\ forall x y y' mu i, (i < N)%nat -> within N d x -> 0 <= y <= d ->
+  0 <= y' <= d -> Rabs mu <= d ->
+  Rabs (Map.kick M x y mu i * y - Map.kick M x y' mu i * y' - (y - y') * Map.B M i) <= eps * Rabs (y - y').
 Proof.
-  intros (F & [H0 H] & K & l & d & Hd & L) N; split; [|split; [|split]].
-  - intros i Hi; split; [apply (F i Hi) | apply (K i Hi)].
+  intros (F & [H0 H] & K) N; split; [|split; [|split]].
+  - intros i Hi; apply (F i Hi).
   - exact H0.
   - intros i eps Hi He; destruct (F i Hi) as [_ G]; destruct (G eps He) as (d1 & Hd1 & G1), (H eps He)
       as (d2 & Hd2 & H2).
@@ -86,8 +87,10 @@ Proof.
     pose proof (G1 x x' mu mu t (W _ x (Rmin_l d1 d2) Hx) (W _ x' (Rmin_l d1 d2) Hx') ltac:(lra) ltac:(lra) Ht Z) as A.
     pose proof (H2 x x' mu mu t (W _ x (Rmin_r d1 d2) Hx) (W _ x' (Rmin_r d1 d2) Hx') ltac:(lra) ltac:(lra) Ht Z) as B.
     replace (mu - mu) with 0 in A, B by ring; rewrite Rmult_0_l, Rminus_0_r in A, B; split; assumption.
-  - exists l, d; split; [exact Hd|]; intros x y y' Hx Hy Hy' t Ht Hz; pose proof (Rabs_pos (y - y')).
-    apply L; trivial; rewrite ?Rminus_diag_eq, ?Rabs_R0; lra.
+  - intros eps He; destruct (K eps He) as (d & Hd & L); exists d; split; [exact Hd|];
+      intros x y y' mu i Hi Hx Hy Hy' Hm.
+    apply L; trivial; [|apply Rle_refl | rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; apply Rabs_pos].
+    intros k _; unfold minus; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; apply Rabs_pos.
 Qed.
 (** Two steps: no impact at the first, one at the second, within d of 0, and the word goes on from there. *)
 Lemma two_steps M mu d x : orbit_near M Z (fun i => i + 1)%Z (fun _ => 2%nat) mu d x -> forall j,

@@ -192,7 +192,8 @@ Proof.
   { intros i; unfold cyclic_letter; cbn [length]; change (Z.of_nat 2) with 2%Z; rewrite Zeven_mod.
     pose proof (Z.mod_pos_bound i 2 ltac:(lia)); assert (i mod 2 = 0 \/ i mod 2 = 1)%Z as [-> | ->] by lia;
       reflexivity. }
-  destruct S as [osc m|M rate w]; cbn [one] in *.
+  destruct S as [osc m|O rate|M rate w]; cbn [one] in *.
+  - intros N HN; apply E; intros i; rewrite L; apply HN.
   - intros N HN; apply E; intros i; rewrite L; apply HN.
   - destruct E as (x & Hx & U); exists x; split.
     + intros j; specialize (Hx j); rewrite L in Hx; exact Hx.

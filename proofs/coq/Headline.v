@@ -1,12 +1,13 @@
 (** * Headline: Theorem 1 in the plane, Theorem 2, Conjecture 1, the word theorem and chaos
 
-    Everything else in this folder is a lemma for one of these, or says more about one. They are about linear
-    oscillators between stops, from the differential equation and the law of impact, and about smooth grazing
-    maps of the plane, in one breath: [system]. Region 3 and a1 >= 2 sqrt a2 have oscillators with one stop;
-    regions 4 and 5 have none but those with two, and these with gamma < 0 alone ([Reach_statement]): what
-    else is said there is about maps. Definitions to read first, and no more:
+    Everything else in this folder is a lemma for one of these, or says more about one. They are about
+    oscillators, linear between stops or nonlinear above one, from the differential equation and the law of
+    impact, and about smooth grazing maps of the plane, in one breath: [system]. Of the linear ones, region 3
+    and a1 >= 2 sqrt a2 have some with one stop; regions 4 and 5 have none but those with two, and these with
+    gamma < 0 alone ([Reach_statement]). Definitions to read first, and no more:
     - [Defs]: u_n, b_{n,k}, c_n of (59) and (60), and signs;
     - [motion] and [grazing] in [StatementOscillator]: an oscillator and where its impacts are;
+    - [grazing_orbit], [generic] and [nonlinear_motion] in [StatementNonlinear]: the same, nonlinear;
     - [orbit_near] in [StatementOrbits], [planar] and [one_orbit] in [StatementOrbitsPlane]: maps, orbits;
     - [trace], [Farey], [interval], [outside] and [tends_to_1] in [Statement]: Theorem 2's intervals of s;
     - [member], [edge], [path], [vertices], [arrow] and [ends] in [StatementWords];
@@ -14,32 +15,37 @@
     The proofs end in [Systems], [SystemsAreas], [Conjecture1], [SystemsWords] and [Chaos], in this order. *)
 From Coq Require Import Reals ZArith List Arith.
 From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementWords StatementChaos
-  StatementOscillator.
+  StatementOscillator StatementNonlinear.
 Import ListNotations.
 Open Scope R_scope.
 
-(** ** Motions of an oscillator with stops m, orbits of a map *)
+(** ** Motions of a linear oscillator with stops m and of a nonlinear one, orbits of a map *)
 Inductive system :=
 | Oscillates (oscillator : Oscillator.t) (m : sign)
+| Moves (oscillator : Nonlinear.t) (rate : R)
 | Steps (map : Map.t) (rate : R) (w : vec).
 
 (** Its linear part has trace a1 and determinant a2; gamma is A_12 or C A B. *)
 Definition grazes (S : system) (a1 a2 gamma : R) : Prop := match S with
   | Oscillates osc m => grazing osc m a1 a2 gamma
+  | Moves osc rate => grazing_orbit osc /\ generic osc a1 a2 gamma rate
   | Steps M rate w => planar M a1 a2 gamma rate w end.
-(** e mu, where e is (26); the stop of an oscillator is measured so that e = 1. *)
+(** e mu, where e is (26); the stop of a linear oscillator is measured so that e = 1. *)
 Definition e_mu (S : system) (mu : R) : R :=
-  match S with Oscillates _ _ => mu | Steps _ rate _ => rate * mu end.
+  match S with Oscillates _ _ => mu | Moves _ rate | Steps _ rate _ => rate * mu end.
 
 (** Exactly one motion has its impacts, and no others, n i periods after one another and within d of grazing;
     none. Between two stops, m = Minus, n i counts half periods: [motion] has impact i
     within d of [turn m] (N i). *)
 Definition one (S : system) (mu d : R) (n : Z -> nat) : Prop := match S with
   | Oscillates osc m => forall N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> one_motion osc m mu d N
+  | Moves osc _ => forall N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> one_nonlinear_motion osc mu d N
   | Steps M _ _ => one_orbit M Z (fun i => i + 1)%Z n mu d end.
 Definition none (S : system) (mu d : R) (n : Z -> nat) : Prop := match S with
   | Oscillates osc m => forall N t y v, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z ->
     ~ motion osc m mu d N t y v
+  | Moves osc _ => forall N t y v, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z ->
+    ~ nonlinear_motion osc mu d N t y v
   | Steps M _ _ => forall x, ~ orbit_near M Z (fun i => i + 1)%Z n mu d x end.
 
 (** ** Theorem 1 in the plane *)

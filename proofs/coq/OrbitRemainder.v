@@ -250,52 +250,59 @@ Lemma kick_close n eps : 0 < eps -> exists d, 0 < d /\ forall k x x' y y' mu mu'
   * t.
 Proof.
   intros Heps; destruct (Lipschitz_fly n) as (l & dl & Hl & Hdl & Hfly).
-  destruct HM as (_ & _ & HB & lb0 & db & Hdb & Hb0); set (lb := Rabs lb0).
-  assert (Hlb : 0 <= lb) by apply Rabs_pos; assert (Hlbl : 0 <= lb * l) by (apply Rmult_le_pos; lra).
-  set (d := Rmin (Rmin dl (db / l)) (eps / (2 * (lb * l + 1)))).
-  assert (Hd : 0 < d /\ d <= dl /\ l * d <= db /\ lb * l * d <= eps / 2).
+  destruct (proj2 (proj2 HM) (eps / l)) as (db & Hdb & H); [apply Rdiv_lt_0_compat; lra|].
+  set (d := Rmin dl (db / l)); assert (Hd : 0 < d /\ d <= dl /\ l * d <= db).
   { assert (H1 : 0 < db / l) by (apply Rdiv_lt_0_compat; lra).
-    assert (H2 : 0 < eps / (2 * (lb * l + 1))) by (apply Rdiv_lt_0_compat; lra).
-    assert (H3 : d <= db / l) by (eapply Rle_trans; [apply Rmin_l | apply Rmin_r]).
-    assert (H4 : d <= eps / (2 * (lb * l + 1))) by apply Rmin_r. split; [repeat apply Rmin_glb_lt; assumption|].
-    split; [eapply Rle_trans; [apply Rmin_l | apply Rmin_l]|]; split.
-    - apply (Rmult_le_compat_l l) in H3; [|lra]. replace (l * (db / l)) with db in H3 by (field; lra); exact H3.
-    - apply (Rmult_le_compat_l (lb * l + 1)) in H4; [|lra].
-      replace ((lb * l + 1) * (eps / (2 * (lb * l + 1)))) with (eps / 2) in H4 by (field; lra).
-      assert (0 < d) by (repeat apply Rmin_glb_lt; assumption); lra. }
-  exists d; split; [apply Hd|]; destruct Hd as (Hd0 & Hd1 & Hd2 & Hd3).
-  intros k x x' y y' mu mu' t Hk Hx Hx' Hy Hy' Hmu Hmu' Ht Hyt Hmt i Hi. pose proof (Rabs_nonneg _ _ Hmt) as Ht0.
-  assert (Hup : forall v, v <= d -> v <= l * d).
-  { intros v Hv; apply Rle_trans with (1 * d); [lra | apply Rmult_le_compat_r; lra]. }
+    split; [apply Rmin_glb_lt; assumption|]; split; [apply Rmin_l|].
+    pose proof (Rmin_r dl (db / l)) as H3; apply (Rmult_le_compat_l l) in H3; [|lra].
+    replace (l * (db / l)) with db in H3 by (field; lra); exact H3. }
+  exists d; split; [apply Hd|]; destruct Hd as (Hd0 & Hd1 & Hd2).
+  intros k x x' y y' mu mu' t Hk Hx Hx' Hy Hy' Hmu Hmu' Ht Hyt Hmt i Hi.
+  pose proof (Rabs_nonneg _ _ Hmt) as Ht0; assert (Hld : d <= l * d).
+  { rewrite <- (Rmult_1_l d) at 1; apply Rmult_le_compat_r; lra. }
   assert (Hlt : t <= l * t) by (rewrite <- (Rmult_1_l t) at 1; apply Rmult_le_compat_r; assumption).
-  assert (Hin : forall z m, within d z -> Rabs m <= d -> within (l * d) (fly m k z)).
-  { intros z m Hz Hm j Hj; destruct (Hfly k z zero m 0 d) as [H _]; trivial; rewrite ?Rminus_0_r, ?Rabs_R0; try lra;
-      try (apply within_zero; lra).
+  assert (Hin : forall z m, within d z -> Rabs m <= d -> within db (fly m k z)).
+  { intros z m Hz Hm j Hj; destruct (Hfly k z zero m 0 d) as [G _]; trivial;
+      rewrite ?Rminus_0_r, ?Rabs_R0; try lra; try (apply within_zero; lra).
     - apply within_le with d; assumption.
     - intros s Hs; unfold minus, zero; rewrite Rminus_0_r; apply Hz, Hs.
-    - specialize (H j Hj); unfold minus in H; rewrite fly_zero, Rminus_0_r in H; assumption. }
-  assert (Hb : forall z z' p p' m m' r, within (l * d) z -> within (l * d) z' -> 0 <= p <= l * d -> 0 <= p' <= l * d ->
-    Rabs m <= l * d -> Rabs m' <= l * d -> within r (minus z z') -> Rabs (p - p') <= r -> Rabs (m - m') <= r ->
-    Rabs (kick M z p m i - kick M z' p' m' i) <= lb * r).
-  { intros z z' p p' m m' r Hz Hz' Hp Hp' Hm Hm' Hr Hpr Hmr. apply Rle_trans with (lb0 * r).
-    - apply (Hb0 z z' p p' m m' r); trivial; try lra; apply within_le with (l * d); assumption.
-    - apply Rmult_le_compat_r; [exact (Rabs_nonneg _ _ Hmr) | apply Rle_abs]. }
-  assert (Hay : forall v, Rabs v <= d -> 0 <= Rabs v <= l * d) by (intros v Hv; split;
-    [apply Rabs_pos | apply Hup, Hv]).
-  assert (HlD : 0 <= l * d) by (apply Rmult_le_pos; lra). set (z := fly mu k x) in *; set (z' := fly mu' k x') in *.
-  replace (kick M z (Rabs y) mu i * y - kick M z' (Rabs y') mu' i * y' - (y - y') * B M i)
-    with ((kick M z (Rabs y) mu i - kick M zero 0 0 i) * (y - y') + (kick M z (Rabs y) mu i - kick M z' (Rabs y') mu' i)
-    * y') by (rewrite (HB i Hi); ring).
-  apply Rle_trans with (lb * (l * d) * t + lb * (l * t) * d).
-  - apply triangle2; apply Rabs_mult_le; trivial.
-    + apply Hb; rewrite ?Rminus_0_r, ?Rabs_R0; try apply Hay; try apply Hup; try lra; try (apply Hin; assumption);
-        try (apply within_zero; lra).
-      * intros j Hj; unfold minus, zero; rewrite Rminus_0_r; apply Hin; assumption.
-      * rewrite Rabs_Rabsolu; exact Hy.
-    + apply Hb; try apply Hay; try apply Hup; trivial; try lra; try (apply Hin; assumption).
-      * apply (Hfly k x x' mu mu' t Hk); try lra; trivial; apply within_le with d; assumption.
-      * eapply Rle_trans; [apply Rabs_triang_inv2 | lra].
-  - replace (lb * (l * d) * t + lb * (l * t) * d) with ((2 * (lb * l * d)) * t) by ring. apply Rmult_le_compat_r; lra.
+    - specialize (G j Hj); unfold minus in G; rewrite fly_zero, Rminus_0_r in G by exact Hj; lra. }
+  assert (Hzz : within (l * t) (minus (fly mu k x) (fly mu' k x')))
+    by (apply (Hfly k x x' mu mu' t Hk); try lra; trivial; apply within_le with d; assumption).
+  pose proof (Hin x mu Hx Hmu) as Z1; pose proof (Hin x' mu' Hx' Hmu') as Z2.
+  set (z := fly mu k x) in *; set (z' := fly mu' k x') in *; clearbody z z'.
+  (* one y at a time, from 0 *)
+  assert (One : forall z y mu, within db z -> 0 <= y <= d -> Rabs mu <= d ->
+    Rabs (kick M z y mu i * y - y * B M i) <= eps / l * y).
+  { intros w0 s m Hw0 Hs Hm; pose proof (H w0 w0 s 0 m m s i Hi Hw0 Hw0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra))
+      as G.
+    rewrite Rmult_0_r, !Rminus_0_r, Rminus_eq_0, Rabs_R0 in G; apply G; try lra.
+    - intros j _; unfold minus; rewrite Rminus_eq_0, Rabs_R0; lra.
+    - rewrite Rabs_pos_eq; lra. }
+  assert (E : eps / l * (l * t) = eps * t) by (field; lra).
+  assert (El : eps / l <= eps) by (apply Rmult_le_reg_r with l; [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra;
+    nra).
+  pose proof (Rle_abs y); pose proof (Rle_abs y'); pose proof (Rle_abs (- y)) as NA; rewrite Rabs_Ropp in NA.
+  pose proof (Rle_abs (- y')) as NA'; rewrite Rabs_Ropp in NA'.
+  destruct (Rle_lt_dec 0 y) as [P|P], (Rle_lt_dec 0 y') as [P'|P'];
+    rewrite ?(Rabs_pos_eq y), ?(Rabs_pos_eq y'), ?(Rabs_left y), ?(Rabs_left y') in * by assumption.
+  - rewrite <- E; apply H; trivial; lra.
+  - pose proof (One z y mu Z1 ltac:(lra) Hmu) as G; pose proof (One z' (- y') mu' Z2 ltac:(lra) Hmu') as G'.
+    replace (_ - _ - _) with ((kick M z y mu i * y - y * B M i) + (kick M z' (- y') mu' i * - y' - - y' * B M i))
+      by ring.
+    rewrite (Rabs_pos_eq (y - y')) in Hyt by lra; eapply Rle_trans; [apply Rabs_triang|].
+    apply Rle_trans with (eps / l * (y - y')); [lra|]; apply Rmult_le_compat; try lra.
+    apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra].
+  - pose proof (One z (- y) mu Z1 ltac:(lra) Hmu) as G; pose proof (One z' y' mu' Z2 ltac:(lra) Hmu') as G'.
+    replace (_ - _ - _) with (- ((kick M z (- y) mu i * - y - - y * B M i) + (kick M z' y' mu' i * y' - y' * B M i)))
+      by ring.
+    rewrite (Rabs_left (y - y')) in Hyt by lra; rewrite Rabs_Ropp; eapply Rle_trans; [apply Rabs_triang|].
+    apply Rle_trans with (eps / l * (y' - y)); [lra|]; apply Rmult_le_compat; try lra.
+    apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra].
+  - rewrite <- E; replace (_ - _ - _) with
+      (- (kick M z (- y) mu i * - y - kick M z' (- y') mu' i * - y' - (- y - - y') * B M i)) by ring.
+    rewrite Rabs_Ropp; apply H; trivial; try lra.
+    replace (- y - - y') with (- (y - y')) by ring; rewrite Rabs_Ropp; lra.
 Qed.
 
 (** Everything that the fixed point argument needs, in a ball of radius d. *)

@@ -30,10 +30,45 @@ Proof.
   destruct (H eps Heps) as (d & Hd & Hs); exists d; split; [exact Hd|]. intros x x' mu mu' t; rewrite <- !E; apply Hs.
 Qed.
 
+(** A kick that is B at 0 and Lipschitz is smooth enough. *)
+Lemma kick_from_Lipschitz M : (forall i, (i < Map.N M)%nat -> Map.kick M zero 0 0 i = Map.B M i) ->
+  (exists l d, 0 < d /\ forall x x' y y' mu mu' t, within (Map.N M) d x -> within (Map.N M) d x' ->
+   0 <= y <= d -> 0 <= y' <= d -> Rabs mu <= d -> Rabs mu' <= d -> within (Map.N M) t (minus x x') ->
+   Rabs (y - y') <= t -> Rabs (mu - mu') <= t ->
+   within (Map.N M) (l * t) (minus (Map.kick M x y mu) (Map.kick M x' y' mu'))) ->
+  forall eps, 0 < eps -> exists d, 0 < d /\ forall x x' y y' mu mu' t i, (i < Map.N M)%nat -> within (Map.N M) d x ->
+  within (Map.N M) d x' -> 0 <= y <= d -> 0 <= y' <= d -> Rabs mu <= d -> Rabs mu' <= d ->
+  within (Map.N M) t (minus x x') -> Rabs (y - y') <= t -> Rabs (mu - mu') <= t ->
+  Rabs (Map.kick M x y mu i * y - Map.kick M x' y' mu' i * y' - (y - y') * Map.B M i) <= eps * t.
+Proof.
+  intros HB (l & d0 & Hd0 & H) eps He; pose proof (Rabs_pos l) as Hl; set (q := eps / (2 * (Rabs l + 1))).
+  assert (Hq : 0 < q) by (apply Rdiv_lt_0_compat; lra); exists (Rmin d0 q); split; [apply Rmin_glb_lt; assumption|].
+  pose proof (Rmin_l d0 q); pose proof (Rmin_r d0 q); set (d := Rmin d0 q) in *.
+  intros x x' y y' mu mu' t i Hi Hx Hx' Hy Hy' Hm Hm' Hxt Hyt Hmt; pose proof (Rabs_nonneg _ _ Hmt) as Ht.
+  assert (Hd : 0 <= d) by lra; assert (W : forall x, within (Map.N M) d x -> within (Map.N M) d0 x)
+    by (intros z Hz; apply (within_le _ d); [lra | exact Hz]).
+  assert (A : Rabs (Map.kick M x y mu i - Map.B M i) <= Rabs l * d).
+  { rewrite <- HB by exact Hi; apply Rle_trans with (l * d); [|apply Rmult_le_compat_r; [lra | apply Rle_abs]].
+    apply (H x zero y 0 mu 0 d); trivial; rewrite ?Rminus_0_r, ?Rabs_R0; try lra; auto.
+    - apply within_zero; lra.
+    - intros j Hj; unfold minus, zero; rewrite Rminus_0_r; apply Hx, Hj.
+    - rewrite Rabs_pos_eq; lra. }
+  assert (A' : Rabs (Map.kick M x y mu i - Map.kick M x' y' mu' i) <= Rabs l * t).
+  { apply Rle_trans with (l * t); [|apply Rmult_le_compat_r; [lra | apply Rle_abs]]; apply (H x x' y y' mu mu' t);
+      trivial; auto; lra. }
+  replace (_ - _ - _)
+    with ((Map.kick M x y mu i - Map.B M i) * (y - y') + (Map.kick M x y mu i - Map.kick M x' y' mu' i) * y') by ring.
+  apply Rle_trans with (Rabs l * d * t + Rabs l * t * d).
+  - apply triangle2; apply Rabs_mult_le; trivial; rewrite Rabs_pos_eq; lra.
+  - assert (E : 2 * ((Rabs l + 1) * q) = eps) by (unfold q; field; lra).
+    assert (Rabs l * d <= (Rabs l + 1) * q) by (apply Rmult_le_compat; lra).
+    replace (Rabs l * d * t + Rabs l * t * d) with (2 * (Rabs l * d) * t) by ring; apply Rmult_le_compat_r; lra.
+Qed.
+
 Theorem Instance : Instance_statement.
 Proof.
   intros A00 A01 A10 A11 phi0 phi1 eta beta k0 k1 k2 k3 k4 k5 w0 w1 Hw0 Hw1 He Hg; constructor; cbn.
-  - split; [|split; [|split]]; cbn.
+  - split; [|split; [|apply kick_from_Lipschitz]]; cbn.
     + intros [|[|i]] Hi; [| |lia]; cbn.
       * apply (strict_same _ (fun x mu => dot 2 (pair_vec A00 A01) x + mu * phi0 - 0 * (x 0%nat * x 0%nat)));
           [intros; cbn; ring | apply strict_quadratic; lia].

@@ -23,15 +23,14 @@ Definition strict (N : nat) (F : vec -> R -> R) (L : vec -> R) (l : R) : Prop :=
 Module Map. Record t := { N : nat; f : vec -> R -> vec; h : vec -> R -> R; kick : vec -> R -> R -> vec;
   A : nat -> vec; phi : vec; C : vec; eta : R; B : vec }. End Map.
 Import Map.
-(** f and h are strictly differentiable; kick is B at 0 and Lipschitz near 0, for y >= 0. *)
+(** f and h are strictly differentiable; so is kick * y, for y >= 0, its derivatives B in y, 0 in x and mu. *)
 Definition smooth (M : Map.t) : Prop :=
   (forall i, (i < N M)%nat -> strict (N M) (fun x mu => f M x mu i) (dot (N M) (A M i)) (phi M i)) /\
   strict (N M) (h M) (dot (N M) (C M)) (eta M) /\
-  (forall i, (i < N M)%nat -> kick M zero 0 0 i = B M i) /\
-  exists l d, 0 < d /\ forall x x' y y' mu mu' t, within (N M) d x -> within (N M) d x' ->
-  0 <= y <= d -> 0 <= y' <= d -> Rabs mu <= d -> Rabs mu' <= d -> within (N M) t (minus x x') ->
-  Rabs (y - y') <= t -> Rabs (mu - mu') <= t ->
-    within (N M) (l * t) (minus (kick M x y mu) (kick M x' y' mu')).
+  forall eps, 0 < eps -> exists d, 0 < d /\ forall x x' y y' mu mu' t i, (i < N M)%nat ->
+  within (N M) d x -> within (N M) d x' -> 0 <= y <= d -> 0 <= y' <= d -> Rabs mu <= d -> Rabs mu' <= d ->
+  within (N M) t (minus x x') -> Rabs (y - y') <= t -> Rabs (mu - mu') <= t ->
+    Rabs (kick M x y mu i * y - kick M x' y' mu' i * y' - (y - y') * B M i) <= eps * t.
 (** One step x -> g(f(x, mu), mu) of the map, (3) and (4); h in the (k+1)-st step from x. *)
 Definition step (M : Map.t) (mu : R) (x : vec) : vec :=
   let z := f M x mu in let y := sqrt (- h M z mu) in

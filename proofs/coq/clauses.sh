@@ -102,17 +102,26 @@ done
 other Headline.v e_mu 'mu for e mu in maps' <<'E'
 s/Steps _ rate _ => rate \* mu end/Steps _ rate _ => mu end/
 E
+other Headline.v e_mu 'mu for e mu in nonlinear oscillators' <<'E'
+s/Moves _ rate | Steps _ rate _ => rate/Moves _ _ => mu | Steps _ rate _ => rate/
+E
 other Headline.v one 'of motions, some N' <<'E'
 s/=> forall N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> one_motion osc m mu d N/=> exists N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z \/\\ one_motion osc m mu d N/
 E
 other Headline.v one 'of motions, nothing' <<'E'
 s/^  | Oscillates osc m => forall N, .*one_motion osc m mu d N$/  | Oscillates osc m => True/
 E
+other Headline.v one 'of nonlinear motions, nothing' <<'E'
+s/^  | Moves osc _ => forall N, .*one_nonlinear_motion osc mu d N$/  | Moves osc _ => True/
+E
 other Headline.v one 'of maps, some orbit' <<'E'
 s/  | Steps M _ _ => one_orbit M Z (fun i => i + 1)%Z n mu d end/  | Steps M _ _ => exists x, orbit_near M Z (fun i => i + 1)%Z n mu d x end/
 E
 other Headline.v none 'of motions, nothing' <<'E'
 /^  | Oscillates osc m => forall N t y v, / { N; s/=> .*/=> True/ }
+E
+other Headline.v none 'of nonlinear motions, nothing' <<'E'
+/^  | Moves osc _ => forall N t y v, / { N; s/=> .*/=> True/ }
 E
 other Headline.v none 'of maps, nothing' <<'E'
 s/^  | Steps M _ _ => forall x, ~ .* end\./  | Steps M _ _ => True end./
@@ -150,6 +159,9 @@ E
 other Headline.v exactly 'of maps alone' <<'E'
 /^Definition exactly/ s/grazes S a1 a2 gamma ->/match S with Steps _ _ _ => True | _ => False end -> &/
 E
+other Headline.v exactly 'not of nonlinear oscillators' <<'E'
+/^Definition exactly/ s/grazes S a1 a2 gamma ->/match S with Moves _ _ => False | _ => True end -> &/
+E
 other Headline.v exactly 'of one gamma' <<'E'
 /^Definition exactly/ s/grazes S a1 a2 gamma ->/sgn g * gamma > 0 -> &/
 E
@@ -158,6 +170,9 @@ other Headline.v never 'of maps alone' <<'E'
 E
 other Headline.v never 'of oscillators alone' <<'E'
 /^Definition never/ s/grazes S a1 a2 gamma ->/match S with Steps _ _ _ => False | _ => True end -> &/
+E
+other Headline.v never 'not of nonlinear oscillators' <<'E'
+/^Definition never/ s/grazes S a1 a2 gamma ->/match S with Moves _ _ => False | _ => True end -> &/
 E
 other Headline.v never 'for e mu > 0' <<'E'
 /^Definition never/ s/unborn S n e\./match e with Plus => unborn S n e | Minus => True end./
@@ -215,6 +230,15 @@ other Headline.v Conjecture_1_statement 'none in region 4 for a2 > 1/5' <<'E'
 E
 other Headline.v Conjecture_1_statement 'none in region 4 but next to it' <<'E'
 s/< a1 <= - 2 \* sqrt a2 -> Nat.Even n/< a1 < - 2 * sqrt a2 -> Nat.Even n/
+E
+other StatementNonlinear.v leg 'moves between impacts alone' <<'E'
+s/  leg_moves : forall x, t i <= x <= t j/  leg_moves : forall x, t i < x < t j/
+E
+other StatementNonlinear.v one_nonlinear_motion 'one by its times' <<'E'
+s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i, t' i = t i./
+E
+other StatementNonlinearExamples.v Forced_statement 'restitution at any speed' <<'E'
+s/ \* exp (s \* v))/)/
 E
 other StatementChaos.v chaos_motion 'a wider window' <<'E'
 s/(- mu) (6 \/ 5)/(- mu) (7 \/ 5)/

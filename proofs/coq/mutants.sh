@@ -292,6 +292,31 @@ mutant theorem-of-reach-dropped 'Reach_statement of StatementOscillator.v has no
 /^Theorem Reach :/d
 E
 
+mutant kick-merely-Lipschitz 'File "./(ConsequencesMaps|OrbitRemainder)' --pin StatementOrbits.v <<'E'
+s/(y - y') \* B M i) <= eps \* t\./(y - y') * B M i) <= 9 * t./
+E
+mutant orbit-that-meets-the-stop 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
+s/^  open_elsewhere : .*/  open_elsewhere : True;/
+E
+mutant touch-at-any-acceleration 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
+s/^  aG : 0 < a O (tG O) 0 0 0;/  aG : 0 <> a O (tG O) 0 0 0;/
+E
+mutant force-not-C1 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
+s/continuous D f3 \/\\ continuous D f4 }/continuous D f4 }/
+E
+mutant law-of-any-slope 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
+s/f3 (tG O) 0 0 0 = - tau O/f3 (tG O) 0 0 0 <= 0/
+E
+mutant linearized-elsewhere 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
+s/: R := f t (y0 O t) (v0 O t) 0\./: R := f t (y0 O t) 0 0./
+E
+mutant any-number-of-nonlinear-motions 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
+s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i : Z, True./
+E
+mutant headline-without-nonlinear-motions 'File "./Consequences' --pin Headline.v <<'E'
+s/^  | Moves osc _ => forall N, .*one_nonlinear_motion osc mu d N$/  | Moves osc _ => True/
+E
+
 # The readers of certificates: what they say, and what they decide.
 mutant reader-says-nothing 'File "./ConsequencesReaders' --pin StatementReaders.v <<'E'
 s/^    says n s t) \/\\/    True) \/\\/
