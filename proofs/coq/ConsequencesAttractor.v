@@ -12,17 +12,16 @@ Open Scope R_scope.
 Lemma derivative_double J : derivative (scale 2) (0, 0) J -> m11 J = 2 /\ m21 J = 0.
 Proof.
   intros D; assert (C : forall eps, 0 < eps -> Rabs (2 - m11 J) <= eps /\ Rabs (m21 J) <= eps).
-  { intros eps He; destruct (D eps He) as (d & Hd & HD); specialize (HD (d, 0)).
-    assert (E : norm (sub (d, 0) (0, 0)) = d).
+  { intros eps He; destruct (D eps He) as (d & Hd & HD); specialize (HD (d, 0)). assert (E : norm (sub (d, 0) (0, 0))
+      = d).
     { unfold norm, sub; cbn; rewrite !Rminus_0_r, Rabs_R0, Rabs_pos_eq, Rmax_left; lra. }
-    rewrite E in HD; specialize (HD ltac:(lra)); apply norm_le in HD; cbn in HD; destruct HD as [A B].
-    replace (2 * d - 2 * 0 - (m11 J * (d - 0) + m12 J * (0 - 0))) with ((2 - m11 J) * d) in A by ring.
-    replace (2 * 0 - 2 * 0 - (m21 J * (d - 0) + m22 J * (0 - 0))) with (- m21 J * d) in B by ring.
-    rewrite Rabs_mult, (Rabs_pos_eq d) in A by lra; rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq d) in B by lra.
-    split; apply (Rmult_le_reg_r d); lra. }
+    rewrite E in HD; specialize (HD ltac:(lra)); apply norm_le in HD; cbn in HD; destruct HD as [A B]. replace (2 * d
+      - 2 * 0 - (m11 J * (d - 0) + m12 J * (0 - 0))) with ((2 - m11 J) * d) in A by ring. replace (2 * 0 - 2 * 0 -
+      (m21 J * (d - 0) + m22 J * (0 - 0))) with (- m21 J * d) in B by ring. rewrite Rabs_mult, (Rabs_pos_eq d) in A by
+        lra; rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq d) in B by lra. split; apply (Rmult_le_reg_r d); lra. }
   assert (Z : forall x, (forall eps, 0 < eps -> Rabs x <= eps) -> x = 0).
-  { intros x H; pose proof (Rabs_pos x); destruct (Req_dec x 0) as [|N]; trivial; pose proof (Rabs_pos_lt x N).
-    specialize (H (Rabs x / 2) ltac:(lra)); lra. }
+  { intros x H; pose proof (Rabs_pos x); destruct (Req_dec x 0) as [|N]; trivial;
+      pose proof (Rabs_pos_lt x N). specialize (H (Rabs x / 2) ltac:(lra)); lra. }
   split; [assert (2 - m11 J = 0); [|lra]|]; apply Z; intros eps He; apply (C eps He).
 Qed.
 
@@ -45,12 +44,11 @@ Proof.
   intros nu Hnu; destruct (HN nu Hnu) as (N & N1 & [[K L T] G _ _] & _); split; [|split; [|split]].
   - intros x Hx; destruct (K x Hx) as [k1 k2]; lra.
   - destruct (L (1, 1)) as (n & Hn); [unfold wedge; cbn; lra|]; exists n; cbv zeta; pose proof Hn as ((w1 & w2) & w3 &
-    w4 & w5).
-    replace (((3 / 4 - 1 / 2) * 1) ^ 2) with (1 / 16) in w4 by field; unfold height in w4, w5.
+      w4 & w5). replace (((3 / 4 - 1 / 2) * 1) ^ 2) with (1 / 16) in w4 by field; unfold height in w4, w5.
     destruct (T _ Hn) as (m & Hm & Hm1 & Hm2 & Hm3); pose proof Hm1 as (_ & u3 & _); unfold height in Hm2.
-    replace (nu / (3 / 4 - 1 / 2)) with (4 * nu) in w3, u3 by field; replace (nu / (1 / 16)) with (16 * nu) in w4 by
-      field.
-    split; [lra|split; [lra|split; [lra|]]]; exists m; split; [lia|split; [lra|split; [lra|exact Hm3]]].
+    replace (nu / (3 / 4
+      - 1 / 2)) with (4 * nu) in w3, u3 by field; replace (nu / (1 / 16)) with (16 * nu) in w4 by field. split;
+      [lra|split; [lra|split; [lra|]]]; exists m; split; [lia|split; [lra|split; [lra|exact Hm3]]].
   - intros x Hx Hg; destruct (G x Hx Hg) as (v & K' & HK & HJ); exists v, K', N; split; assumption.
   - exists N; intros x Hx; destruct (T x Hx) as (m & Hm & _ & Hm2 & _); exists m; split; [lia|exact Hm2].
 Qed.
@@ -61,11 +59,11 @@ Lemma unstable_numbers : Attractor_statement -> Fixed_statement -> exists nu, nu
     m11 J * fst v + m12 J * snd v = e * fst v /\ 5 / 4 <= Rabs e) /\
   (exists r, r > 0 /\ forall eps, eps > 0 -> exists z i, norm (sub z x) < eps /\ norm (sub (iterate' nu i z) x) > r).
 Proof.
-  intros H F; destruct (H (3 / 4) (1 / 2) 1 (5 / 4)) as (nu0 & H0 & HN); try lra; exists nu0; split; [exact H0|].
-  destruct (HN nu0 ltac:(lra)) as (N & N1 & [_ _ Ei Un] & _); destruct (F (3 / 4) (1 / 2) 1 nu0) as (x & P); try lra.
-  exists x; pose proof P as [[w1 w2] _ _ E]; split; [exact E|split; [exact w1|split]].
-  - destruct (Ei x 1%nat P) as (J & v & e & D & Hv & Ev & He); exists J, v, e; split; [exact D|split; [exact Hv|]].
-    apply (f_equal fst) in Ev; cbn in Ev; split; [exact Ev|lra].
+  intros H F; destruct (H (3 / 4) (1 / 2) 1 (5 / 4)) as (nu0 & H0 & HN); try lra; exists nu0; split;
+    [exact H0|]. destruct (HN nu0 ltac:(lra)) as (N & N1 & [_ _ Ei Un] & _); destruct (F (3 / 4) (1 / 2) 1 nu0) as (x
+    & P); try lra. exists x; pose proof P as [[w1 w2] _ _ E]; split; [exact E|split; [exact w1|split]].
+  - destruct (Ei x 1%nat P) as (J & v & e & D & Hv & Ev & He); exists J, v, e; split; [exact D|split;
+      [exact Hv|]]. apply (f_equal fst) in Ev; cbn in Ev; split; [exact Ev|lra].
   - destruct (Un x 1%nat P) as (r & Hr & HU); exists r; split; [exact Hr|]; intros eps He.
     destruct (HU eps He) as (z & i & Hz & Hi); exists z, (i * 1)%nat; split; assumption.
 Qed.
@@ -75,12 +73,11 @@ Lemma cone_numbers : Attractor_statement -> exists nu0, nu0 > 0 /\ forall nu, 0 
   Rabs (1 / 2 * snd w) <= 4 * Rabs (3 / 4 * fst w - 1 / 2 * snd w).
 Proof.
   intros H; destruct (H (3 / 4) (1 / 2) 1 (5 / 4)) as (nu0 & H0 & HN); try lra; exists nu0; split; [exact H0|].
-  intros nu Hnu x Hx Hg Hh; destruct (HN nu Hnu) as (N & N1 & _ & Ex).
-  destruct (Ex x 1%nat Hx Hg (le_n 1) Hh ltac:(intros; lia)) as (J & D & HJ); exists J; split; [exact D|]; cbv zeta.
-  assert (C : cone (3 / 4) (1 / 2) (1, 1)) by (unfold cone, change; cbn; rewrite !Rabs_pos_eq; lra).
-  destruct (HJ _ C) as [C1 C2]; unfold cone, change in C1, C2; cbn [fst snd] in C1, C2.
-  replace (2 * (1 / 2) / (3 / 4 - 1 / 2)) with 4 in C1 by field; replace (3 / 4 * 1 - 1 / 2 * 1) with (1 / 4) in C2 by
-    field; rewrite (Rabs_pos_eq (1 / 4)) in C2 by lra.
+  intros nu Hnu x Hx Hg Hh; destruct (HN nu Hnu) as (N & N1 & _ & Ex). destruct (Ex x 1%nat Hx Hg (le_n 1) Hh
+    ltac:(intros; lia)) as (J & D & HJ); exists J; split; [exact D|]; cbv zeta. assert (C : cone (3 / 4) (1 / 2) (1,
+    1)) by (unfold cone, change; cbn; rewrite !Rabs_pos_eq; lra). destruct (HJ _ C) as [C1 C2];
+    unfold cone, change in C1, C2; cbn [fst snd] in C1, C2. replace (2 * (1 / 2) / (3 / 4 - 1 / 2)) with 4 in C1 by
+    field; replace (3 / 4 * 1 - 1 / 2 * 1) with (1 / 4) in C2 by field; rewrite (Rabs_pos_eq (1 / 4)) in C2 by lra.
   split; [lra|exact C1].
 Qed.
 
@@ -90,11 +87,10 @@ Lemma gap_numbers : Gaps_statement -> exists E n0, E > 1 /\ forall n nu, (n0 <= 
   never_grazes (1 / 2) (1 / 4) 1 nu x -> (1 <= m)%nat -> iterate (1 / 2) (1 / 4) 1 nu m x = x -> exists J v e,
   derivative (iterate (1 / 2) (1 / 4) 1 nu m) x J /\ v <> (0, 0) /\ apply J v = scale e v /\ Rabs e > 1.
 Proof.
-  intros H; destruct (H (1 / 2) (1 / 4) 1 (3 / 5) (7 / 10)) as (E & n0 & HE & HN); try lra; exists E, n0; split;
-    [exact HE|].
-  intros n nu Hn Hnu x m Hw Hg Hm Hx; destruct (HN n nu Hn Hnu) as (N & N1 & [_ _ Ei _]).
-  destruct (Ei x m) as (J & v & e & D & Hv & Ev & He); [constructor; assumption|].
-  exists J, v, e; split; [exact D|split; [exact Hv|split; [exact Ev|lra]]].
+  intros H; destruct (H (1 / 2) (1 / 4) 1 (3 / 5) (7 / 10)) as (E & n0 & HE & HN); try lra; exists E, n0;
+    split; [exact HE|]. intros n nu Hn Hnu x m Hw Hg Hm Hx; destruct (HN n nu Hn Hnu) as (N & N1 & [_ _ Ei _]).
+  destruct (Ei x m) as (J & v & e & D & Hv & Ev & He); [constructor; assumption|]. exists J, v, e; split;
+    [exact D|split; [exact Hv|split; [exact Ev|lra]]].
 Qed.
 Lemma window_numbers : Windows_statement -> exists n0, forall n nu, (n0 <= n)%nat ->
   4 / 5 * (1 * (1 / 2) ^ n) ^ 2 <= nu <= 19 / 10 * (1 * (1 / 2) ^ n) ^ 2 -> exists x J, 0 <= snd x <= fst x /\
@@ -102,10 +98,10 @@ Lemma window_numbers : Windows_statement -> exists n0, forall n nu, (n0 <= n)%na
   derivative (iterate (1 / 2) (1 / 4) 1 nu n) x J /\
   m11 J + m22 J < 1 + (m11 J * m22 J - m12 J * m21 J) /\ m11 J * m22 J - m12 J * m21 J < 1.
 Proof.
-  intros H; destruct (H (1 / 2) (1 / 4) 1 (4 / 5) (19 / 10)) as (n0 & HN); try lra; exists n0; intros n nu Hn Hnu.
-  destruct (HN n nu Hn Hnu) as (x & J & [[w g h p] D T S]); exists x, J.
-  split; [exact w|split; [exact g|split; [exact h|split; [exact p|split; [exact D|]]]]].
-  pose proof (Rle_abs (m11 J + m22 J)); pose proof (Rle_abs (m11 J * m22 J - m12 J * m21 J)); lra.
+  intros H; destruct (H (1 / 2) (1 / 4) 1 (4 / 5) (19 / 10)) as (n0 & HN); try lra; exists n0;
+    intros n nu Hn Hnu. destruct (HN n nu Hn Hnu) as (x & J & [[w g h p] D T S]); exists x, J. split;
+    [exact w|split; [exact g|split; [exact h|split; [exact p|split; [exact D|]]]]]. pose proof (Rle_abs (m11 J + m22
+    J)); pose proof (Rle_abs (m11 J * m22 J - m12 J * m21 J)); lra.
 Qed.
 (** nu = 1 at l1 = 1/2, l2 = 1/4, b = 3/4: y^2 + y / 2 = 1/2 ... at nu = 1/2, y = 1/2, and the fixed point is (3/4,
     1/2). *)
@@ -114,9 +110,7 @@ Lemma same_map_numbers : Same_map_statement ->
     StatementOrbits.zero /\ 2 * sqrt (1 / 2 * (1 / 4)) <= 3 / 4 /\
   forall nu x, let y := StatementOrbits.step (grazing_map (1 / 2) (1 / 4) 3) (- nu) x in
   step (1 / 2) (1 / 4) 3 nu (x 0%nat, x 1%nat) = (y 0%nat, y 1%nat).
-Proof.
-  intros H; destruct (H (1 / 2) (1 / 4) 3) as (P & B & S); try lra; split; [exact P|split; [lra|exact S]].
-Qed.
+Proof. intros H; destruct (H (1 / 2) (1 / 4) 3) as (P & B & S); try lra; split; [exact P|split; [lra|exact S]]. Qed.
 
 (** ** Overdamped oscillators: the paper's, d = 3/2, w = 8, tau = 4/5, mu = 1/10 *)
 
@@ -129,8 +123,8 @@ Lemma example_numbers : Example_statement -> 0 < alb example /\ 0 < alo example 
   stretches example (201 / 200) 100 /\ 201 / 200 > 1 /\ - half <= half <= - half + W example /\
   W example < p example /\ forall t, half < t < - half + p example -> Q example t < 0.
 Proof.
-  intros H; destruct (H (1 / 10) ltac:(lra)) as [[P B C] E S]; destruct P; fold half in *.
-  split; [exact B|split; [exact C|split; [apply S; lia|split; [apply S; lia|split; [lra|split; [exact width|]]]]]].
+  intros H; destruct (H (1 / 10) ltac:(lra)) as [[P B C] E S]; destruct P; fold half in *. split;
+    [exact B|split; [exact C|split; [apply S; lia|split; [apply S; lia|split; [lra|split; [exact width|]]]]]].
   split; [exact narrow|exact below].
 Qed.
 (** d = 5/4, w = 2: a = 1/4, b = 1, and cos t > 1/2 beyond mu = 1, for |t| < pi/3; at pi the stop is at -3. *)
@@ -141,30 +135,28 @@ Lemma paper_numbers : Paper_statement -> let M := paper (5 / 4) 2 (1 / 2) 1 in l
   (forall t, - h <= t <= h -> 1 <= - Q2 M t <= 2) /\ (forall t, Q M t <= 1) /\ exists t, Q M t = 1.
 Proof.
   intros H M h; destruct (H (5 / 4) 2 (1 / 2) 1) as (E1 & E2 & U); try lra; fold M h in E1, E2, U.
-  destruct U as [U0 U1 U2 U3 U4 U5 _ _ _ U6 U7 U8 U9]; split; [lra|split; [lra|split; [exact U0|]]].
-  split; [exact U1|split; [exact U2|split; [exact U7|split; [symmetry; apply U3|split; [exact U4|split;
-    [exact U5|]]]]]].
-  split; [intros t Ht; specialize (U6 t Ht); cbn in *; lra|split; [exact U8|exact U9]].
+  destruct U as [U0 U1 U2 U3 U4 U5 _ _ _ U6 U7 U8 U9]; split; [lra|split; [lra|split; [exact U0|]]]. split;
+    [exact U1|split; [exact U2|split; [exact U7|split; [symmetry; apply U3|split; [exact U4|split;
+    [exact U5|]]]]]]. split; [intros t Ht; specialize (U6 t Ht); cbn in *; lra|split; [exact U8|exact U9]].
 Qed.
-Lemma opens_example : Example_statement -> opens example (- half) half.
-Proof. intros H; apply (H (1 / 10)); lra. Qed.
+Lemma opens_example : Example_statement -> opens example (- half) half. Proof. intros H; apply (H (1 / 10)); lra. Qed.
 
 (** From a contact of the set the next comes after 5 at least: p - W > 5. *)
 Lemma trapped_numbers : Example_statement -> Trapped_statement -> forall t V, trapped example t V ->
   (exists t' V' x v, leg example t V t' V' x v) /\ forall t' V' x v, leg example t V t' V' x v -> t' >= t + 5 /\
   0 <= Q example t' /\ V' <= 0 /\ - Vm example <= V' /\ 0 <= zeta example t' V' <= zm example.
 Proof.
-  intros H T t V Tr; destruct (T example _ _ (opens_example H) t V Tr) as (Ex & k & Hk & All); split; [exact Ex|].
-  intros t' V' x v L; destruct (All t' V' x v L) as ((q1 & q2 & q3) & n & Hn & Pn).
-  split; [|split; [exact q1|split; [apply q2|split; [apply q2|exact q3]]]].
-  assert (B : 2 * half <= 9 / 10).
+  intros H T t V Tr; destruct (T example _ _ (opens_example H) t V Tr) as (Ex & k & Hk & All); split;
+    [exact Ex|]. intros t' V' x v L; destruct (All t' V' x v L) as ((q1 & q2 & q3) & n & Hn & Pn). split;
+    [|split; [exact q1|split; [apply q2|split; [apply q2|exact q3]]]]. assert (B : 2 * half <= 9 / 10).
   { apply Rnot_lt_le; intros F; assert (C : cos half = / (1 + 1 / 10)) by (apply cos_acos; lra).
-    destruct (acos_bound (/ (1 + 1 / 10))) as [_ b2]; fold half in b2.
-    assert (cos half < cos (9 / 20)) by (apply cos_decreasing_1; pose proof PI2_3_2; lra).
-    assert (cos (9 / 20) <= 10 / 11); [|replace (/ (1 + 1 / 10)) with (10 / 11) in C by field; lra].
-    destruct (pre_cos_bound (9 / 20) 0) as [_ U]; [lra|lra|]; unfold cos_approx, cos_term in U; cbn in U; lra. }
-  unfold in_pass in *; rewrite plus_IZR in Pn; assert (1 <= IZR n) by (apply (IZR_le 1); lia); cbn [p paper] in *.
-  pose proof PI2_3_2; assert (2 * PI * 1 <= 2 * PI * IZR n) by (apply Rmult_le_compat_l; lra); lra.
+    destruct (acos_bound (/ (1 + 1 / 10))) as [_ b2]; fold half in b2. assert (cos half < cos (9 / 20)) by (apply
+      cos_decreasing_1; pose proof PI2_3_2; lra). assert (cos (9 / 20) <= 10 / 11); [|replace (/ (1 + 1 / 10)) with
+      (10 / 11) in C by field; lra]. destruct (pre_cos_bound (9 / 20) 0) as [_ U]; [lra|lra|];
+      unfold cos_approx, cos_term in U; cbn in U; lra.
+      }
+  unfold in_pass in *; rewrite plus_IZR in Pn; assert (1 <= IZR n) by (apply (IZR_le 1); lia); cbn [p paper]
+    in *. pose proof PI2_3_2; assert (2 * PI * 1 <= 2 * PI * IZR n) by (apply Rmult_le_compat_l; lra); lra.
 Qed.
 (** The motion from there, as the law of impact and the differential equation say. *)
 Lemma exists_numbers : Example_statement -> Exists_statement -> forall t0 V0, trapped example t0 V0 ->
@@ -175,10 +167,9 @@ Lemma exists_numbers : Example_statement -> Exists_statement -> forall t0 V0, tr
   trapped example (t i) (V i).
 Proof.
   intros H T t0 V0 Tr; destruct (T example _ _ (opens_example H) t0 V0 Tr) as (N & t & V & x & v & (HM & All) & E1 &
-    E2).
-  exists t, V, x, v; split; [exact E1|split; [exact E2|]]; intros i; destruct (HM i) as [_ [F L1 L2 L3 L4 L5 L6]].
-  split; [exact L3|split; [intros s; apply F|split; [exact L1|split; [exact L2|split; [exact L5|split; [exact L6|]]]]]].
-  split; [exact L4|apply All].
+    E2). exists t, V, x, v; split; [exact E1|split; [exact E2|]]; intros i; destruct (HM i) as [_ [F L1 L2 L3 L4 L5
+    L6]]. split; [exact L3|split; [intros s; apply F|split; [exact L1|split; [exact L2|split; [exact L5|split;
+    [exact L6|]]]]]]. split; [exact L4|apply All].
 Qed.
 Lemma absorbed_numbers : Example_statement -> Absorbed_statement -> forall t V t1 V1 x v t2 V2 y u,
   let M := example in let fast := sqrt (2 * alM M * mu M) in
@@ -189,8 +180,8 @@ Lemma absorbed_numbers : Example_statement -> Absorbed_statement -> forall t V t
 Proof.
   intros H T t V t1 V1 x v t2 V2 y u M fast A1 A2 q1 q2 q3 L1 L2; destruct (opens_example H) as [P B _].
   destruct (T example _ _ (1 / 10) (3 / 10) t V t1 V1 x v t2 V2 y u P B A1 A2) as [(_ & W1 & W2) (_ & W3 & W4)];
-    [split; [exact q1|split; [exact q2|exact q3]]|exact L1|exact L2|]; fold fast in W1.
-  split; [apply W1|split; [apply W2|split; [exact W3|exact W4]]].
+    [split; [exact q1|split; [exact q2|exact q3]]|exact L1|exact L2|]; fold fast in W1. split; [apply W1|split;
+    [apply W2|split; [exact W3|exact W4]]].
 Qed.
 (** The vector (1, 0) at an impact is more than 1.005 away just before the next. *)
 Lemma cone_example : Example_statement -> Cone_statement -> forall t V t' V' x v k n, let M := example in
@@ -203,19 +194,18 @@ Proof.
   intros H T t V t' V' x v k n M Tr HV L Hk Hn Hk' d w; pose proof (H (1 / 10) ltac:(lra)) as [O _ S].
   destruct (T example _ _ O t V t' V' x v k n 1 0 (201 / 200) Tr HV L Hk Hk' (S n Hn)) as (_ & C & G).
   { left; destruct O as [[U _ _ _ _ _ _ _ _ _ _ _ _] _ _]; lra. }
-  replace (- tau example * 1) with (- (4 / 5)) in C, G by (cbn; lra).
-  replace (- tau example * 0 + jump example t V * 1 / V) with (jump M t V / V) in C, G by (fold M; unfold Rdiv; ring).
-  fold M d in G; fold M d w in C; rewrite Rabs_R1 in G; split; [lra|].
-  destruct C as [[c1 c2]|[c1 c2]]; [apply Rmult_le_pos; assumption|].
-  replace (d * (a M * d + w)) with (- d * - (a M * d + w)) by ring; apply Rmult_le_pos; lra.
+  replace (- tau example * 1) with (- (4 / 5)) in C, G by (cbn; lra). replace (- tau example * 0 + jump example t V *
+    1 / V) with (jump M t V / V) in C, G by (fold M; unfold Rdiv; ring). fold M d in G; fold M d w in C;
+    rewrite Rabs_R1 in G; split; [lra|]. destruct C as [[c1 c2]|[c1 c2]]; [apply Rmult_le_pos; assumption|].
+  replace (d * (a M
+    * d + w)) with (- d * - (a M * d + w)) by ring; apply Rmult_le_pos; lra.
 Qed.
 Lemma separate_numbers : Example_statement -> Separate_statement -> forall N t V x v t' V' x' v', let M := example in
   stays M (- half) half N t V x v -> stays M (- half) half N t' V' x' v' -> t 0%nat = 0 -> t' 0%nat = 0 ->
   0 < t 1%nat -> 0 < t' 1%nat -> x' 0%nat 0 = x 0%nat 0 -> ~ v 0%nat 0 < v' 0%nat 0.
 Proof.
-  intros H T N t V x v t' V' x' v' M S S' E1 E2 L1 L2 Ex F.
-  destruct (T example _ _ _ (H (1 / 10) ltac:(lra)) N t V x v t' V' x' v' S S' 0) as [_ E]; try lra.
-  fold M; replace (x' 0%nat 0 - x 0%nat 0) with 0 by lra; lra.
+  intros H T N t V x v t' V' x' v' M S S' E1 E2 L1 L2 Ex F. destruct (T example _ _ _ (H (1 / 10) ltac:(lra)) N t V x
+    v t' V' x' v' S S' 0) as [_ E]; try lra. fold M; replace (x' 0%nat 0 - x 0%nat 0) with 0 by lra; lra.
 Qed.
 Lemma no_stable_numbers : Example_statement -> No_stable_statement -> forall t V x v, let M := example in
   stays M (- half) half (fun i => Z.of_nat i) t V x v -> (forall i, t (S i) = t i + 2 * PI /\ V (S i) = V i) ->
@@ -225,8 +215,8 @@ Lemma no_stable_numbers : Example_statement -> No_stable_statement -> forall t V
 Proof.
   intros H T t V x v M S P; assert (E : forall i, V i = V 0%nat).
   { induction i as [|i IH]; [reflexivity|]; rewrite <- IH; apply P. }
-  destruct (T example _ _ _ (H (1 / 10) ltac:(lra)) ltac:(cbn; lra) 1%nat 1%Z _ t V x v (le_n 1) S) as (i0 & eps & e0 &
-    U).
+  destruct (T example _ _ _ (H (1 / 10) ltac:(lra)) ltac:(cbn; lra) 1%nat 1%Z _ t V x v (le_n 1) S) as (i0 & eps & e0
+    & U).
   { intros i; replace (i + 1)%nat with (Datatypes.S i) by lia; destruct (P i) as [P1 P2]; cbn [p paper].
     split; [lia|split; [lra|exact P2]]. }
   exists eps; split; [exact e0|]; intros d Hd; destruct (U d Hd) as (N' & t' & V' & x' & v' & S' & _ & B & C).
@@ -240,9 +230,8 @@ Lemma exponent_numbers : Example_statement -> Exponent_statement -> forall m, le
   forall i, (N 0%nat + 100 <= N i)%Z -> 2 <= Rabs (d i).
 Proof.
   intros H T m M Br St N t V x v d w S Neg Ret d0 w0 i Hi; destruct (opens_example H) as [U _ _];
-    destruct U as [U _ _ _ _ _ _ _ _ _ _ _ _].
-  pose proof (T example _ _ (1 / 100) m (opens_example H) Br St N t V x v d w S Neg Ret) as G.
-  rewrite d0, w0, Rabs_R1 in G; specialize (G ltac:(left; lra) i).
+    destruct U as [U _ _ _ _ _ _ _ _ _ _ _ _]. pose proof (T example _ _ (1 / 100) m (opens_example H) Br St N t V x v
+    d w S Neg Ret) as G. rewrite d0, w0, Rabs_R1 in G; specialize (G ltac:(left; lra) i).
   assert (X : 100 <= IZR (N i - N 0%nat)) by (apply (IZR_le 100); lia); pose proof (exp_ineq1_le 1).
   destruct (Req_dec (1 / 100 * IZR (N i - N 0%nat)) 1) as [Eq|Ne]; [rewrite Eq in G; lra|].
   pose proof (exp_increasing 1 (1 / 100 * IZR (N i - N 0%nat)) ltac:(lra)); lra.
@@ -254,4 +243,39 @@ Lemma range_numbers : Range_statement -> Paper_statement -> forall L m, checked 
 Proof.
   intros H P L m C Wo M; destruct (P (3 / 2) 8 (4 / 5) (1 / 20)) as (_ & _ & U); try lra.
   destruct (H L (11 / 10) m _ _ _ C U Wo) as [[_ O1 O2] _ S]; split; [exact O1|split; [exact O2|exact S]].
+Qed.
+
+(** ** Instability near grazing: l1 = 1/2, l2 = 1/4, b = 1, of the words over {1, 2}; C A B = 1/4, C A^2 B = 3/16 *)
+
+From Grazing Require Import StatementOrbits StatementOrbitsPeriodic StatementUniform StatementUnstable.
+
+Lemma unstable_words : Unstable_statement -> Same_map_statement -> let M := grazing_map (1 / 2) (1 / 4) 1 in
+  exists d, d > 0 /\ (forall mu x, Rabs mu <= d -> Rabs (x 0%nat) <= d -> Rabs (x 1%nat) <= d -> height M mu x 0 < 0 ->
+  step M mu x 0%nat = x 0%nat -> step M mu x 1%nat = x 1%nat -> exists r, r > 0 /\ forall eps, eps > 0 -> exists z i,
+  Rabs (z 0%nat - x 0%nat) <= eps /\ Rabs (z 1%nat - x 1%nat) <= eps /\ ~ within 2 r (minus (Nat.iter i (step M mu) z)
+    (Nat.iter i (step M mu) x))) /\
+  forall mu (n : bool -> nat) x, Rabs mu <= d -> (forall j, n j = 1%nat \/ n j = 2%nat) ->
+  orbit_near M bool negb n mu d x -> unstable M mu (x true).
+Proof.
+  intros H Sm M; destruct (Sm (1 / 2) (1 / 4) 1) as [[S _ _ _ _ _ Wq _] _]; try lra. assert (C1 : crossing M 1 = 1 /
+    4) by (unfold crossing, power, mult; cbn; lra). assert (C2 : crossing M 2 = 3 / 16) by (unfold crossing, power,
+    mult; cbn; lra). destruct (H M zero S Wq 2%nat (3 / 16)) as (d & Hd & HU); [lra|]; exists d; split;
+    [exact Hd|split].
+  - intros mu x Hmu x0 x1 Hh s0 s1; assert (U0 : unstable M mu x).
+    { apply (HU unit (fun j => j) (fun _ => 1%nat) mu (fun _ => x)); [| | | |exact tt].
+    + exists 1%nat, (fun _ => tt), (fun _ => 0%nat); split; [intros []; split; [lia|reflexivity]|intros k Hk; lia].
+    + intros _; rewrite C1, Rabs_pos_eq; [split; [lia|lra]|lra].
+    + exact Hmu.
+    + intros j; split; [intros [|[|i]] Hi; [exact x0|exact x1|cbn in Hi; lia]|]. split; [intros k Hk;
+        lia|split; [intros k Hk; replace k with 0%nat by lia; exact Hh|]]. intros [|[|i]] Hi;
+        [exact s0|exact s1|cbn in Hi; lia].
+        }
+    destruct U0 as (r & Hr & U); exists r; split; [exact Hr|]; intros eps He; destruct (U eps He) as (z & i & Hz &
+      Hi); exists z, i. split; [apply (Hz 0%nat); cbn; lia|split; [apply (Hz 1%nat); cbn; lia|exact Hi]].
+  - intros mu n x Hmu Hn Orb; apply (HU bool negb n mu x); trivial.
+    + exists 2%nat, (fun k => match k with O => false | _ => true end), (fun j : bool => if j then 1%nat else 0%nat);
+        split.
+      * intros []; split; [lia|reflexivity|lia|reflexivity].
+      * intros [|[|k]] Hk; [reflexivity|reflexivity|lia].
+    + intros j; destruct (Hn j) as [-> | ->]; [rewrite C1|rewrite C2]; (rewrite Rabs_pos_eq; [split; [lia|lra]|lra]).
 Qed.

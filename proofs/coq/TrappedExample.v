@@ -74,8 +74,8 @@ Lemma m_eb : mem ebI eb. Proof. apply mem_exponential, mem_times; [apply m_b|app
 
 Lemma exp_times x n : exp (INR n * x) = exp x ^ n.
 Proof.
-  induction n as [|n IH]; [rewrite Rmult_0_l; apply exp_0|].
-  rewrite S_INR; replace ((INR n + 1) * x) with (x + INR n * x) by ring; rewrite exp_plus, IH; reflexivity.
+  induction n as [|n IH]; [rewrite Rmult_0_l; apply exp_0|]. rewrite S_INR; replace ((INR n + 1) * x) with (x + INR n
+    * x) by ring; rewrite exp_plus, IH; reflexivity.
 Qed.
 Lemma parts n : exp (- a limit * (p limit * INR n - W limit)) = la ^ n * ea /\
   exp (- b limit * (p limit * INR n - W limit)) = ka ^ n * eb /\
@@ -85,27 +85,24 @@ Proof. unfold la, ka, ea, eb, Rdiv; rewrite <- !exp_times, <- !exp_Ropp, <- !exp
 Lemma m_low n : mem (lowI n) (phi12 limit (p limit * INR n - W limit)).
 Proof.
   unfold lowI, phi12; destruct (parts n) as (-> & -> & _); pose proof m_D; pose proof m_la; pose proof m_ka;
-    pose proof m_ea; pose proof m_eb.
-  contained.
+    pose proof m_ea; pose proof m_eb. contained.
 Qed.
 Lemma m_high n : mem (highI n) (phi12 limit (p limit * INR n + W limit)).
 Proof.
-  unfold highI, phi12; destruct (parts n) as (_ & _ & -> & ->); pose proof m_D; pose proof m_la;
-    pose proof m_ka; pose proof m_ea; pose proof m_eb.
-  contained.
+  unfold highI, phi12; destruct (parts n) as (_ & _ & -> & ->); pose proof m_D; pose proof m_la; pose proof m_ka;
+    pose proof m_ea; pose proof m_eb. contained.
 Qed.
 Lemma m_start n : mem (startI n) (phi11 limit (p limit * INR n - W limit)).
 Proof.
   unfold startI, phi11; destruct (parts n) as (-> & -> & _); pose proof m_D; pose proof m_la; pose proof m_ka;
-    pose proof m_ea; pose proof m_eb.
-  pose proof m_a; pose proof m_b; contained.
+    pose proof m_ea; pose proof m_eb. pose proof m_a; pose proof m_b; contained.
 Qed.
 Lemma m_zm : mem zmI (zm limit).
 Proof.
   assert (E : exp ((b limit - a limit) * (p limit - W limit)) = la * ea / (ka * eb)).
   { unfold la, ka, ea, eb, Rdiv; rewrite <- !exp_plus, <- exp_Ropp, <- exp_plus; f_equal; ring. }
-  pose proof m_D; pose proof m_la; pose proof m_ka; pose proof m_ea; pose proof m_eb.
-  unfold zm; rewrite E; unfold zmI; cbn [mu limit]; contained.
+  pose proof m_D; pose proof m_la; pose proof m_ka; pose proof m_ea; pose proof m_eb. unfold zm; rewrite E;
+    unfold zmI; cbn [mu limit]; contained.
 Qed.
 Lemma ell_first : ell limit 1 = phi12 limit (p limit * INR 1 - W limit).
 Proof.
@@ -127,8 +124,8 @@ Proof. pose proof m_la; pose proof m_V1; pose proof m_alb; unfold deep, deepI; f
 Lemma m_Vm : mem VmI (Vm limit). Proof. pose proof m_deep; pose proof m_alM; unfold Vm, VmI; contained. Qed.
 Lemma m_alo : mem aloI (alo limit).
 Proof.
-  pose proof m_zm; pose proof m_D; pose proof m_b; pose proof m_Vm; pose proof m_t.
-  unfold alo, aloI; cbn [al0 limit]; contained.
+  pose proof m_zm; pose proof m_D; pose proof m_b; pose proof m_Vm; pose proof m_t. unfold alo, aloI;
+    cbn [al0 limit]; contained.
 Qed.
 Lemma m_sigma : mem sigmaI (sigma limit).
 Proof.
@@ -139,7 +136,8 @@ Lemma m_Ql : mem QlI (Ql limit).
 Proof.
   pose proof m_zm; pose proof m_Vm; pose proof m_a; unfold Ql; rewrite Rmax_left.
   - unfold QlI; cbn [mu al0 limit]; contained.
-  - apply (below_le (times aI (constant 1 10)) (plus VmI zmI)); [vm_compute; reflexivity| |]; cbn [mu limit]; contained.
+  - apply (below_le (times aI (constant 1 10)) (plus VmI zmI)); [vm_compute; reflexivity| |];
+      cbn [mu limit]; contained.
 Qed.
 Lemma m_den : mem denI (((1 + tau limit) * Vm limit + zm limit) * Vm limit).
 Proof. pose proof m_zm; pose proof m_Vm; pose proof m_t; unfold denI; contained. Qed.
@@ -154,29 +152,27 @@ Proof.
   intros He H; apply andb_prop in H; destruct H as [H1 H2]; pose proof m_Vm; pose proof m_sigma.
   assert (V : 0 < Vm limit) by (apply (positive_lt VmI); [vm_compute; reflexivity|exact m_Vm]).
   assert (S : 0 < sigma limit) by (apply (positive_lt sigmaI); [vm_compute; reflexivity|exact m_sigma]).
-  pose proof (m_low n); pose proof (m_high n).
-  assert (X1 : E * Vm limit <= sigma limit * phi12 limit (p limit * INR n - W limit))
-    by (apply (below_le _ _ _ _ H1); contained).
-  assert (X2 : E * Vm limit <= sigma limit * phi12 limit (p limit * INR n + W limit))
-    by (apply (below_le _ _ _ _ H2); contained).
-  unfold A_, ell; apply Rmult_le_reg_r with (Vm limit); [exact V|].
-  replace (sigma limit * Rmin (phi12 limit (p limit * INR n - W limit)) (phi12 limit (p limit * INR n + W
-    limit)) / Vm limit
-    * Vm limit) with (sigma limit * Rmin (phi12 limit (p limit * INR n - W limit)) (phi12 limit (p limit * INR
-      n + W limit)))
+  pose proof (m_low n); pose proof (m_high n). assert (X1 : E * Vm limit <= sigma limit * phi12 limit (p limit * INR n
+    - W limit)) by (apply (below_le _ _ _ _ H1); contained). assert (X2 : E * Vm limit <= sigma limit * phi12 limit (p
+    limit * INR n + W limit)) by (apply (below_le _ _ _ _ H2); contained). unfold A_, ell;
+    apply Rmult_le_reg_r with (Vm limit); [exact V|]. replace (sigma limit * Rmin (phi12 limit (p limit * INR n - W
+    limit)) (phi12 limit (p limit * INR n + W limit)) / Vm limit
+    * Vm limit) with (sigma limit * Rmin (phi12 limit (p limit * INR n - W limit)) (phi12 limit (p limit * INR n + W
+        limit)))
     by (field; lra).
   unfold Rmin; destruct Rle_dec; lra.
 Qed.
 Lemma above_B e E n : mem e E -> by_B e n = true -> E <= B_ limit (INR n).
 Proof.
   intros He H1; pose proof m_den as Hd; pose proof m_sigma; pose proof m_Ql; pose proof (m_start n).
-  set (q := ((1 + tau limit) * Vm limit + zm limit) * Vm limit) in *.
-  assert (V : 0 < q) by (apply (positive_lt denI); [vm_compute; reflexivity|exact m_den]).
-  assert (X1 : E * q <= sigma limit * (Ql limit - phi11 limit (p limit * INR n - W limit) * mu limit)).
+  set (q := ((1 + tau limit) * Vm limit + zm limit) * Vm limit) in *. assert (V : 0 < q) by (apply (positive_lt denI);
+    [vm_compute; reflexivity|exact m_den]). assert (X1 : E * q <= sigma limit * (Ql limit - phi11 limit (p limit * INR
+    n - W limit)
+    * mu limit)).
   { apply (below_le _ _ _ _ H1); cbn [mu limit] in *; contained. }
-  unfold B_; fold q; apply Rmult_le_reg_r with q; [exact V|].
-  replace (sigma limit * (Ql limit - phi11 limit (p limit * INR n - W limit) * mu limit) / q * q) with
-    (sigma limit * (Ql limit - phi11 limit (p limit * INR n - W limit) * mu limit)) by (field; lra); exact X1.
+  unfold B_; fold q; apply Rmult_le_reg_r with q; [exact V|]. replace (sigma limit * (Ql limit - phi11 limit (p limit
+    * INR n - W limit) * mu limit) / q * q) with (sigma limit * (Ql limit - phi11 limit (p limit * INR n - W limit) *
+    mu limit)) by (field; lra); exact X1.
 Qed.
 Lemma limit_checked : checked limit (201 / 200) 11.
 Proof.
@@ -185,23 +181,22 @@ Proof.
   - cbn; lra.
   - apply (positive_lt albI); [vm_compute; reflexivity|exact m_alb].
   - apply (positive_lt aloI); [vm_compute; reflexivity|exact m_alo].
-  - intros n Hn; left; rewrite <- (Z2Nat.id n), <- INR_IZR_INZ by lia.
-    apply (above_A (constant 201 200)); [apply mem_constant|].
-    assert (F : forallb (by_A (constant 201 200)) (seq 1 10) = true) by (vm_compute; reflexivity).
-    rewrite forallb_forall in F; apply F, in_seq; lia.
-  - change 11%Z with (Z.of_nat 11); rewrite <- INR_IZR_INZ.
-    apply (above_B (constant 201 200)); [apply mem_constant|vm_compute; reflexivity].
+  - intros n Hn; left; rewrite <- (Z2Nat.id n), <- INR_IZR_INZ by lia. apply (above_A (constant 201 200));
+      [apply mem_constant|]. assert (F : forallb (by_A (constant 201 200)) (seq 1 10) = true) by (vm_compute;
+      reflexivity). rewrite forallb_forall in F; apply F, in_seq; lia.
+  - change 11%Z with (Z.of_nat 11); rewrite <- INR_IZR_INZ. apply (above_B (constant 201 200));
+      [apply mem_constant|vm_compute; reflexivity].
 Qed.
 
 Theorem Example : Example_statement.
 Proof.
-  intros mu Hm; apply (Range limit _ 11%Z); [exact limit_checked|apply Paper; lra|].
-  constructor; cbn; try lra. set (h := acos (/ (1 + mu))). assert (I : 10 / 11 <= / (1 + mu) <= 1).
+  intros mu Hm; apply (Range limit _ 11%Z); [exact limit_checked|apply Paper; lra|]. constructor; cbn; try lra.
+  set (h := acos (/ (1 + mu))). assert (I : 10 / 11 <= / (1 + mu) <= 1).
   { split; [replace (10 / 11) with (/ (11 / 10)) by field|rewrite <- Rinv_1]; apply Rinv_le_contravar; lra. }
   assert (C : cos h = / (1 + mu)) by (apply cos_acos; lra); destruct (acos_bound (/ (1 + mu))) as [b1 b2];
-    fold h in b1, b2.
-  assert (K : cos (43 / 100) <= 10 / 11).
+    fold h in b1, b2. assert (K : cos (43 / 100) <= 10 / 11).
   { apply (below_le (cosine (constant 43 100)) (constant 10 11)); [vm_compute; reflexivity|apply mem_cosine|];
-    apply mem_constant. }
-  apply Rnot_lt_le; intros F; pose proof PI2_3_2; assert (cos h < cos (43 / 100)); [|lra]. apply cos_decreasing_1; lra.
+      apply mem_constant. }
+  apply Rnot_lt_le; intros F; pose proof PI2_3_2; assert (cos h < cos (43 / 100)); [|lra].
+  apply cos_decreasing_1; lra.
 Qed.

@@ -30,8 +30,8 @@ Lemma return_to k t V t' V' x v z w : in_pass M lo hi k t -> within M z w t V ->
   0 <= Q t' /\ V' <= 0 /\ 0 <= zeta M t' V' <= zm M /\ (zeta M t V <= zm M -> - Vm M <= V') /\
   exists n, (1 <= n)%Z /\ in_pass M lo hi (k + n) t'.
 Proof.
-  intros Hk Hw Al [F X0 V0 N1 N2 N3 N4]; pose proof (hump_shift M lo hi H k) as Hs.
-  destruct (next_pass M _ _ Hs t V x v z w Hk Hw F X0 V0 Al t' N1 N3) as (n & Hn & Pn). repeat split.
+  intros Hk Hw Al [F X0 V0 N1 N2 N3 N4]; pose proof (hump_shift M lo hi H k) as Hs. destruct (next_pass M _ _ Hs t V x
+    v z w Hk Hw F X0 V0 Al t' N1 N3) as (n & Hn & Pn). repeat split.
   - rewrite <- N3; apply (x_pos M _ _ Hs t V x v z w Hw F X0 V0); lra.
   - apply (speed_sign M _ _ Hs t x v F t' V' N1 N2 N3 N4).
   - apply (next_zeta M _ _ Hs t V x v z w Hk Hw F X0 V0 Al t' V' N1 N3 N4).
@@ -49,31 +49,30 @@ Qed.
 
 Lemma free_from t X Y : exists x v, free (a + b) (a * b) x v /\ x t = X /\ v t = Y.
 Proof.
-  destruct (flow_exists (a + b) (a * b)) as (S & U & HF).
-  eexists; eexists; split; [apply (moved_free _ _ S U HF t X Y)|apply (moved_start _ _ S U HF t X Y)].
+  destruct (flow_exists (a + b) (a * b)) as (S & U & HF). eexists; eexists; split; [apply (moved_free _ _ S U HF t X
+    Y)|apply (moved_start _ _ S U HF t X Y)].
 Qed.
 
 Lemma next_leg t V : trapped M t V -> exists t' V' x v, leg M t V t' V' x v.
 Proof.
-  intros Hw; destruct (pass_of M lo hi H t (proj1 Hw)) as (k & Hk).
-  destruct (free_from t (Q t) (Q1 t - tau * V)) as (x & v & F & X0 & V0).
-  destruct (next_exists M _ _ (hump_shift M lo hi H k) t V x v _ _ Hk Hw F X0 V0 Ho) as (t' & V' & L).
-  exists t', V', x, v; trivial.
+  intros Hw; destruct (pass_of M lo hi H t (proj1 Hw)) as (k & Hk). destruct (free_from t (Q t) (Q1 t - tau * V)) as
+    (x & v & F & X0 & V0). destruct (next_exists M _ _ (hump_shift M lo hi H k) t V x v _ _ Hk Hw F X0 V0 Ho) as (t' &
+    V' & L). exists t', V', x, v; trivial.
 Qed.
 
 (** *** Bounds *)
 Lemma zm_pos : 0 <= zm M.
 Proof.
   destruct (positives M lo hi H), (sizes M lo hi H); unfold zm; apply Rmult_le_pos; [apply Rmult_le_pos; lra|].
-  assert (1 < exp (D * (p - W))); [rewrite <- exp_0; apply exp_increasing; apply Rmult_lt_0_compat; lra|].
-  left; apply Rinv_0_lt_compat; lra.
+  assert (1 < exp (D * (p - W))); [rewrite <- exp_0; apply exp_increasing; apply Rmult_lt_0_compat; lra|]. left;
+    apply Rinv_0_lt_compat; lra.
 Qed.
 Lemma Vm_pos : 0 < Vm M.
 Proof.
   destruct (positives M lo hi H), (sizes M lo hi H); pose proof zm_pos; apply sqrt_lt_R0. assert (0 < deep M).
-  { apply Rlt_le_trans with ((1 - exp (- a * p)) * mu); [|apply (deep_pos M Hb)].
-    apply Rmult_lt_0_compat; [|lra]; assert (exp (- a * p) < 1); [|lra].
-    rewrite <- exp_0; apply exp_increasing; assert (0 < a * p) by (apply Rmult_lt_0_compat; lra); lra. }
+  { apply Rlt_le_trans with ((1 - exp (- a * p)) * mu); [|apply (deep_pos M Hb)]. apply Rmult_lt_0_compat;
+      [|lra]; assert (exp (- a * p) < 1); [|lra]. rewrite <- exp_0; apply exp_increasing;
+      assert (0 < a * p) by (apply Rmult_lt_0_compat; lra); lra. }
   assert (0 <= zm M / D) by (apply Rmult_le_pos; [lra|left; apply Rinv_0_lt_compat; lra]).
   assert (0 <= a ^ 2 * (mu + zm M / D)) by (apply Rmult_le_pos; [apply pow2_ge_0|lra]).
   pose proof (bent _ _ _ H lo ltac:(lra)); assert (0 < alM M) by (unfold alM; lra). apply Rmult_lt_0_compat; lra.
@@ -94,14 +93,12 @@ Lemma height t V : trapped M t V -> Ql M <= Q t.
 Proof.
   intros (h1 & h2 & h3); destruct (pass_of M lo hi H t h1) as (k & Hk); pose proof (hump_shift M lo hi H k) as Hs.
   destruct (reached _ _ _ H) as (s0 & E0); destruct (positives M lo hi H) as [hmu hal].
-  destruct (pass_of M _ _ Hs s0 ltac:(lra)) as (j & Hj).
-  set (s := s0 + p * IZR (- j)); assert (Es : Q s = mu) by (unfold s; rewrite (Q_whole M lo hi H); trivial).
-  assert (Hs' : lo + p * IZR k <= s <= hi + p * IZR k) by (unfold s, in_pass in *; rewrite opp_IZR; lra).
-  assert (Dm1 : forall t, derivable_pt_lim (fun t => - Q t) t (- Q1 t)) by (intros;
-    apply derivable_pt_lim_opp, (slope _ _ _ H)).
-  assert (Dm2 : forall t, derivable_pt_lim (fun t => - Q1 t) t (- Q2 t)) by (intros;
-    apply derivable_pt_lim_opp, (bend _ _ _ H)).
-  assert (G : - Q t + - Q1 t * (s - t) + al0 M / 2 * (s - t) ^ 2 <= - Q s).
+  destruct (pass_of M _ _ Hs s0 ltac:(lra)) as (j & Hj). set (s := s0 + p * IZR (- j));
+    assert (Es : Q s = mu) by (unfold s; rewrite (Q_whole M lo hi H); trivial). assert (Hs' : lo + p * IZR k <= s <=
+    hi + p * IZR k) by (unfold s, in_pass in *; rewrite opp_IZR; lra). assert (Dm1 : forall t, derivable_pt_lim (fun t
+    => - Q t) t (- Q1 t)) by (intros; apply derivable_pt_lim_opp, (slope _ _ _ H)).
+  assert (Dm2 : forall t, derivable_pt_lim (fun t => - Q1 t) t (- Q2 t)) by (intros; apply derivable_pt_lim_opp, (bend
+    _ _ _ H)). assert (G : - Q t + - Q1 t * (s - t) + al0 M / 2 * (s - t) ^ 2 <= - Q s).
   { unfold in_pass in Hk; destruct (Rle_or_lt t s) as [L|L].
     - apply (above_right _ _ _ Dm1 Dm2); trivial; intros y Hy; apply (bent _ _ _ Hs); lra.
     - apply (above_left _ _ _ Dm1 Dm2); [lra|]; intros y Hy; apply (bent _ _ _ Hs); lra. }
@@ -109,11 +106,9 @@ Proof.
     * mu)).
   set (X := Rmax (Vm M + zm M) (a * mu)) in *. assert (B : Q1 t ^ 2 <= X ^ 2).
   { pose proof (highest _ _ _ H t); unfold zeta in h3; assert (a * Q t <= a * mu) by (apply Rmult_le_compat_l;
-    lra). assert (0 <= a * Q t) by (apply Rmult_le_pos; lra). assert (- X <= Q1 t <= X) by lra; nra. }
-  assert (mu - Q t <= X ^ 2 / (2 * al0 M)); [|lra].
-  apply Rmult_le_reg_r with (2 * al0 M); [lra|]; replace (X ^ 2 / (2 * al0 M) * (2 * al0 M)) with (X ^ 2) by
-    (field; lra).
-  pose proof (pow2_ge_0 (al0 M * (s - t) - Q1 t)); nra.
+      lra). assert (0 <= a * Q t) by (apply Rmult_le_pos; lra). assert (- X <= Q1 t <= X) by lra; nra. }
+  assert (mu - Q t <= X ^ 2 / (2 * al0 M)); [|lra]. apply Rmult_le_reg_r with (2 * al0 M); [lra|]; replace (X ^ 2 / (2
+    * al0 M) * (2 * al0 M)) with (X ^ 2) by (field; lra). pose proof (pow2_ge_0 (al0 M * (s - t) - Q1 t)); nra.
 Qed.
 Lemma apart_pass k n s t : in_pass M lo hi k s -> in_pass M lo hi (k + n) t -> p * IZR n - W <= t - s <= p *
   IZR n + W.
@@ -124,18 +119,15 @@ Lemma far' k n t V t' V' x v : (1 <= n)%Z -> in_pass M lo hi k t -> in_pass M lo
   trapped M t' V' -> free (a + b) (a * b) x v -> x t = Q t -> v t = Q1 t - tau * V -> x t' = Q t' ->
   Ql M - phi11 M (p * IZR n - W) * mu <= phi12 M (t' - t) * ((1 + tau) * Vm M + zm M).
 Proof.
-  intros Hn Hk Hk' Tr Tr' F X0 V0 N3; pose proof (height _ _ Tr') as He.
-  pose proof (apart_pass _ _ _ _ Hk Hk') as Ap; rewrite <- N3, (x_flow M Hab x v F t t'), X0, V0 in He.
-  destruct (sizes M lo hi H), (positives M lo hi H); assert (1 <= IZR n) by (apply (IZR_le 1); lia).
-  assert (p * 1 <= p * IZR n) by (apply Rmult_le_compat_l; lra).
-  destruct (phi11_down M Hab (p * IZR n - W) (t' - t) ltac:(lra)) as [P1 P2]; pose proof (phi12_pos M Hab (t'
+  intros Hn Hk Hk' Tr Tr' F X0 V0 N3; pose proof (height _ _ Tr') as He. pose proof (apart_pass _ _ _ _ Hk Hk') as Ap;
+    rewrite <- N3, (x_flow M Hab x v F t t'), X0, V0 in He. destruct (sizes M lo hi H), (positives M lo hi H);
+    assert (1 <= IZR n) by (apply (IZR_le 1); lia). assert (p * 1 <= p * IZR n) by (apply Rmult_le_compat_l;
+    lra). destruct (phi11_down M Hab (p * IZR n - W) (t' - t) ltac:(lra)) as [P1 P2]; pose proof (phi12_pos M Hab (t'
     - t) ltac:(lra)).
-  destruct Tr as (h1 & h2 & h3); pose proof (highest _ _ _ H t); unfold zeta in h3.
-  assert (phi11 M (t' - t) * Q t <= phi11 M (p * IZR n - W) * mu) by (apply Rmult_le_compat; lra).
-  assert (0 <= a * Q t) by (apply Rmult_le_pos; lra).
-  assert (tau * - V <= tau * Vm M) by (apply Rmult_le_compat_l; lra).
-  assert (phi12 M (t' - t) * (Q1 t - tau * V) <= phi12 M (t' - t) * ((1 + tau) * Vm M + zm M))
-    by (apply Rmult_le_compat_l; lra); lra.
+  destruct Tr as (h1 & h2 & h3); pose proof (highest _ _ _ H t); unfold zeta in h3. assert (phi11 M (t' - t) * Q t <=
+    phi11 M (p * IZR n - W) * mu) by (apply Rmult_le_compat; lra). assert (0 <= a * Q t) by (apply Rmult_le_pos;
+    lra). assert (tau * - V <= tau * Vm M) by (apply Rmult_le_compat_l; lra). assert (phi12 M (t' - t) * (Q1 t - tau *
+    V) <= phi12 M (t' - t) * ((1 + tau) * Vm M + zm M)) by (apply Rmult_le_compat_l; lra); lra.
 Qed.
 Lemma far k n t V t' V' x v : (1 <= n)%Z -> in_pass M lo hi k t -> in_pass M lo hi (k + n) t' ->
   trapped M t V ->
@@ -148,13 +140,13 @@ Lemma acc_forward x v t s B : free (a + b) (a * b) x v -> 0 <= x t -> 0 <= zet M
   - (b ^ 2 * B / D) <= - (a + b) * v s - a * b * x s.
 Proof.
   intros F Hx Hz L; rewrite (acc_of M Hab x v), (zet_flow M x v F t s), (eta_flow M x v F t s), (eta_zet M x v t).
-  assert (Dp : 0 <= / D) by (left; apply Rinv_0_lt_compat; lra); assert (0 <= D * x t) by (apply Rmult_le_pos; lra).
-  assert (0 <= a ^ 2 * ((zet M x v t + D * x t) * exp (- a * (s - t))) / D).
-  { apply Rmult_le_pos; trivial; apply Rmult_le_pos; [apply pow2_ge_0|apply Rmult_le_pos; [lra|left; apply exp_pos]]. }
-  assert (b ^ 2 * (zet M x v t * exp (- b * (s - t))) / D <= b ^ 2 * B / D); [|lra].
-  apply Rmult_le_compat_r; trivial; apply Rmult_le_compat_l; [apply pow2_ge_0|].
-  pose proof (exp_down b 0 (s - t) ltac:(lra) ltac:(lra)) as X; rewrite Rmult_0_r, exp_0 in X.
-  pose proof (exp_pos (- b * (s - t))); nra.
+  assert (Dp : 0 <= / D) by (left; apply Rinv_0_lt_compat; lra); assert (0 <= D * x t) by (apply Rmult_le_pos;
+    lra). assert (0 <= a ^ 2 * ((zet M x v t + D * x t) * exp (- a * (s - t))) / D).
+  { apply Rmult_le_pos; trivial; apply Rmult_le_pos; [apply pow2_ge_0|apply Rmult_le_pos; [lra|left; apply exp_pos]].
+      }
+  assert (b ^ 2 * (zet M x v t * exp (- b * (s - t))) / D <= b ^ 2 * B / D); [|lra]. apply Rmult_le_compat_r;
+    trivial; apply Rmult_le_compat_l; [apply pow2_ge_0|]. pose proof (exp_down b 0 (s - t) ltac:(lra) ltac:(lra)) as
+    X; rewrite Rmult_0_r, exp_0 in X. pose proof (exp_pos (- b * (s - t))); nra.
 Qed.
 
 Section Impact.
@@ -186,35 +178,30 @@ Proof.
   assert (Out : forall s, t1 <= s <= t2 -> alo M <= - (a + b) * X' s - a * b * X s - Q2 s).
   { intros s Hs'; apply (opening M _ _ Hs t1 U1 X X' (zm M) (Vm M) P1 Tr FX X1 X1'); unfold in_pass in *; lra.
     }
-  assert (Dx : forall s, derivable_pt_lim (fun s => x s - Q s) s (v s - Q1 s))
-    by (intros s; apply D_minus; [apply Fx|apply (slope _ _ _ H)]).
-  assert (Dv : forall s, derivable_pt_lim (fun s => v s - Q1 s) s (- (a + b) * v s - a * b * x s - Q2 s))
-    by (intros s; apply D_minus; [apply Fx|apply (bend _ _ _ H)]).
-  assert (DX : forall s, derivable_pt_lim (fun s => (X s - Q s) + tau * (x s - Q s)) s ((X' s - Q1 s) + tau *
-    (v s - Q1 s))).
+  assert (Dx : forall s, derivable_pt_lim (fun s => x s - Q s) s (v s - Q1 s)) by (intros s; apply D_minus;
+    [apply Fx|apply (slope _ _ _ H)]). assert (Dv : forall s, derivable_pt_lim (fun s => v s - Q1 s) s (- (a + b) * v
+    s - a * b * x s - Q2 s)) by (intros s; apply D_minus; [apply Fx|apply (bend _ _ _ H)]).
+  assert (DX : forall s, derivable_pt_lim (fun s => (X s - Q s) + tau * (x s - Q s)) s ((X' s - Q1 s) + tau * (v s -
+    Q1 s))).
   { intros s; apply D_plus; [apply D_minus; [apply FX|apply (slope _ _ _ H)]|apply D_scale, Dx]. }
-  assert (DV : forall s, derivable_pt_lim (fun s => (X' s - Q1 s) + tau * (v s - Q1 s)) s
-    ((- (a + b) * X' s - a * b * X s - Q2 s) + tau * (- (a + b) * v s - a * b * x s - Q2 s))).
+  assert (DV : forall s, derivable_pt_lim (fun s => (X' s - Q1 s) + tau * (v s - Q1 s)) s ((- (a + b) * X' s - a * b *
+    X s - Q2 s) + tau * (- (a + b) * v s - a * b * x s - Q2 s))).
   { intros s; apply D_plus; [apply D_minus; [apply FX|apply (bend _ _ _ H)]|apply D_scale, Dv]. }
-  assert (K2 : forall s, t1 <= s <= t2 -> sigma M <=
-    (- (a + b) * X' s - a * b * X s - Q2 s) + tau * (- (a + b) * v s - a * b * x s - Q2 s)).
-  { intros s Hs'; specialize (In s Hs'); specialize (Out s Hs'); unfold sigma.
-    assert (tau * (al0 M - b ^ 2 * zm M / D) <= tau * (- (a + b) * v s - a * b * x s - Q2 s)) by (apply
-      Rmult_le_compat_l; lra).
-    lra. }
-  pose proof (above_right _ _ _ DX DV (sigma M) t1 t2 L K2) as A; cbv beta in A.
-  pose proof (slope_right _ _ DV (sigma M) t1 t2 L K2) as S; cbv beta in S.
-  pose proof (above_right _ _ _ Dx Dv (al0 M - b ^ 2 * zm M / D) t1 t2 L In) as G; cbv beta in G.
-  assert (S2 : 0 <= (t2 - t1) ^ 2) by apply pow2_ge_0.
-  assert (G2 : 0 <= (al0 M - b ^ 2 * zm M / D) / 2 * (t2 - t1) ^ 2) by (apply Rmult_le_pos; lra).
-  assert (A2 : 0 <= sigma M / 2 * (t2 - t1) ^ 2) by (apply Rmult_le_pos; lra).
-  rewrite X1, X1', x1, <- v1 in A; rewrite X1', <- v1 in S; rewrite x1, <- v1 in G.
+  assert (K2 : forall s, t1 <= s <= t2 -> sigma M <= (- (a + b) * X' s - a * b * X s - Q2 s) + tau * (- (a + b) * v s
+    - a * b * x s - Q2 s)).
+  { intros s Hs'; specialize (In s Hs'); specialize (Out s Hs'); unfold sigma. assert (tau * (al0 M - b ^ 2 * zm M /
+      D) <= tau * (- (a + b) * v s - a * b * x s - Q2 s)) by (apply Rmult_le_compat_l; lra). lra. }
+  pose proof (above_right _ _ _ DX DV (sigma M) t1 t2 L K2) as A; cbv beta in A. pose proof (slope_right _ _ DV (sigma
+    M) t1 t2 L K2) as S; cbv beta in S. pose proof (above_right _ _ _ Dx Dv (al0 M - b ^ 2 * zm M / D) t1 t2 L In) as
+    G; cbv beta in G. assert (S2 : 0 <= (t2 - t1) ^ 2) by apply pow2_ge_0. assert (G2 : 0 <= (al0 M - b ^ 2 * zm M /
+    D) / 2 * (t2 - t1) ^ 2) by (apply Rmult_le_pos; lra). assert (A2 : 0 <= sigma M / 2 * (t2 - t1) ^ 2) by (apply
+    Rmult_le_pos; lra). rewrite X1, X1', x1, <- v1 in A; rewrite X1', <- v1 in S; rewrite x1, <- v1 in G.
   replace (Q t1 - Q t1 + tau * (Q t1 - Q t1) + (Q1 t1 - tau * U1 - Q1 t1 + tau * U1) * (t2 - t1)) with 0 in A by ring.
   replace (Q1 t1 - tau * U1 - Q1 t1 + tau * U1) with 0 in S by ring. split; [rewrite Y2, y2; lra|split].
-  - unfold zet; rewrite Y2, Y2', y2, w2.
-    assert (0 <= a * (X t2 - Q t2 + tau * (x t2 - Q t2))) by (apply Rmult_le_pos; lra); lra.
+  - unfold zet; rewrite Y2, Y2', y2, w2. assert (0 <= a * (X t2 - Q t2 + tau * (x t2 - Q t2))) by (apply Rmult_le_pos;
+      lra); lra.
   - rewrite y2; destruct Tr as (_ & h2 & _); assert (- U1 * (t2 - t1) <= Vm M * (t2 - t1)) by (apply
-    Rmult_le_compat_r; lra); lra.
+      Rmult_le_compat_r; lra); lra.
 Qed.
 End Impact.
 
@@ -231,7 +218,7 @@ Lemma keep_order x v y w s t : free (a + b) (a * b) x v -> free (a + b) (a * b) 
   0 <= y s - x s -> 0 <= zet M y w s - zet M x v s -> 0 <= y t - x t /\ 0 <= zet M y w t - zet M x v t.
 Proof.
   intros F F' L h1 h2; destruct (keep x v y w s t F F' L) as [-> ->]; pose proof (phi12_pos M Hab (t - s) ltac:(lra)).
-  pose proof (exp_pos (- a * (t - s))); pose proof (exp_pos (- b * (t - s))).
-  split; [apply Rplus_le_le_0_compat; apply Rmult_le_pos; lra|apply Rmult_le_pos; lra].
+  pose proof (exp_pos (- a * (t - s))); pose proof (exp_pos (- b * (t - s))). split;
+    [apply Rplus_le_le_0_compat; apply Rmult_le_pos; lra|apply Rmult_le_pos; lra].
 Qed.
 End Main.
