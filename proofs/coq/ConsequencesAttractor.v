@@ -103,8 +103,7 @@ Proof.
     [exact w|split; [exact g|split; [exact h|split; [exact p|split; [exact D|]]]]]. pose proof (Rle_abs (m11 J + m22
     J)); pose proof (Rle_abs (m11 J * m22 J - m12 J * m21 J)); lra.
 Qed.
-(** nu = 1 at l1 = 1/2, l2 = 1/4, b = 3/4: y^2 + y / 2 = 1/2 ... at nu = 1/2, y = 1/2, and the fixed point is (3/4,
-    1/2). *)
+(** l1 = 1/2, l2 = 1/4, b = 3: trace 3/4, gamma = 3/4. *)
 Lemma same_map_numbers : Same_map_statement ->
   StatementOrbitsPlane.planar (grazing_map (1 / 2) (1 / 4) 3) (1 / 2 + 1 / 4) (1 / 2 * (1 / 4)) (3 * (1 / 2 - 1 / 4)) 1
     StatementOrbits.zero /\ 2 * sqrt (1 / 2 * (1 / 4)) <= 3 / 4 /\
@@ -243,6 +242,28 @@ Lemma range_numbers : Range_statement -> Paper_statement -> forall L m, checked 
 Proof.
   intros H P L m C Wo M; destruct (P (3 / 2) 8 (4 / 5) (1 / 20)) as (_ & _ & U); try lra.
   destruct (H L (11 / 10) m _ _ _ C U Wo) as [[_ O1 O2] _ S]; split; [exact O1|split; [exact O2|exact S]].
+Qed.
+
+(** d = 3/2, w = 24: a < 1/60, so exp (- 2 pi a) > 4/5 and E = 2 will do. *)
+Lemma small_numbers : Small_statement -> exists mu1, mu1 > 0 /\ forall mu, 0 < mu <= mu1 ->
+  let M := paper (3 / 2) 24 (1 / 2) mu in 0 < alb M /\ 0 < alo M /\ stretches M 2 1.
+Proof.
+  intros H; destruct (H (3 / 2) 24 (1 / 2) 2) as (mu1 & H1 & HM); try lra.
+  - cbn [a paper]; replace ((3 / 2) ^ 2 - 1) with (5 / 4) by field; set (r := sqrt (5 / 4)).
+    assert (Er : r * r = 5 / 4) by (apply sqrt_sqrt; lra); assert (R0 : 0 <= r) by apply sqrt_pos.
+    assert (R1 : 11 / 10 < r) by (apply Rnot_le_lt; intros F; assert (r * r <= 11 / 10 * (11 / 10)) by
+      (apply Rmult_le_compat; lra); lra).
+    assert (R2 : r < 3 / 2) by (apply Rnot_le_lt; intros F; assert (3 / 2 * (3 / 2) <= r * r) by
+      (apply Rmult_le_compat; lra); lra).
+    set (t := (3 / 2 - r) / 24 * (2 * PI)); replace (- ((3 / 2 - r) / 24) * (2 * PI)) with (- t) by (unfold t; ring).
+    assert (T : 0 < t <= 1 / 60 * 8).
+    { pose proof PI_4; pose proof PI_RGT_0; unfold t; split; [apply Rmult_lt_0_compat; lra|apply Rmult_le_compat; lra].
+      }
+    pose proof (exp_ineq1_le (- t)); assert (exp (- t) < 1) by (rewrite <- exp_0; apply exp_increasing; lra).
+    split; [lra|]; set (l := exp (- t)) in *; apply (Rmult_lt_reg_r (2 * (1 - l))); [lra|].
+    replace (l / (2 * (1 - l)) * (2 * (1 - l))) with l by (field; lra); lra.
+  - exists mu1; split; [exact H1|]; intros mu Hmu M; destruct (HM mu Hmu) as [[_ B C] _ S].
+    split; [exact B|split; [exact C|apply S; lia]].
 Qed.
 
 (** ** Instability near grazing: l1 = 1/2, l2 = 1/4, b = 1, of the words over {1, 2}; C A B = 1/4, C A^2 B = 3/16 *)

@@ -3,7 +3,7 @@
 
 From Grazing Require Import StatementAttractor Attractor AttractorGaps AttractorWindows AttractorFixed.
 From Grazing Require StatementTrapped TrappedSeparate TrappedExists TrappedPeriodic TrappedCone TrappedAll
-  TrappedExponent TrappedRange TrappedPaper TrappedExample.
+  TrappedExponent TrappedRange TrappedPaper TrappedExample TrappedSmall.
 
 Theorem Attractor : Attractor_statement. Proof. exact Attractor.attractor. Qed.
 Theorem Gaps_and_windows : Gaps_statement /\ Windows_statement. Proof. exact (conj gaps windows). Qed.
@@ -19,5 +19,5 @@ Proof.
     TrappedExponent.Exponent))).
 Qed.
 Theorem By_numbers : StatementTrapped.Range_statement /\ StatementTrapped.Paper_statement /\
-  StatementTrapped.Example_statement.
-Proof. exact (conj TrappedRange.Range (conj TrappedPaper.Paper TrappedExample.Example)). Qed.
+  StatementTrapped.Example_statement /\ StatementTrapped.Small_statement.
+Proof. exact (conj TrappedRange.Range (conj TrappedPaper.Paper (conj TrappedExample.Example TrappedSmall.Small))). Qed.

@@ -198,3 +198,10 @@ Definition Paper_statement : Prop := forall d w tau mu, 1 < d -> 0 < w -> 0 <= t
 (** An example, by numbers: d = 3/2, w = 8, tau = 4/5, to mu = 1/10. *)
 Definition Example_statement : Prop := forall mu, 0 < mu <= 1 / 10 ->
   chaotic (paper (3 / 2) 8 (4 / 5) mu) (- acos (/ (1 + mu))) (acos (/ (1 + mu))) (201 / 200).
+
+(** ** (vi): for small mu, all E < l / (2 (1 - l)), where l is what a period leaves of a slow motion. There
+    are such E > 1 if l > 2/3 *)
+Definition Small_statement : Prop := forall d w tau E, 1 < d -> 0 < w -> 0 <= tau ->
+  let l := exp (- a (paper d w tau 1) * (2 * PI)) in 1 < E < l / (2 * (1 - l)) ->
+  exists mu1, mu1 > 0 /\ forall mu, 0 < mu <= mu1 ->
+  chaotic (paper d w tau mu) (- acos (/ (1 + mu))) (acos (/ (1 + mu))) E.
