@@ -36,7 +36,8 @@ Lemma attractor_numbers : Attractor_statement -> exists nu0, nu0 > 0 /\ forall n
     3 / 4 * (1 - 16 * nu) * nu <= 3 / 4 * fst y - 1 / 2 * snd y <= nu /\
     exists m, (1 <= m)%nat /\ 3 / 4 * fst (iterate' nu m y) - 1 / 2 * snd (iterate' nu m y) < nu /\
       snd (iterate' nu m y) <= 4 * nu /\ forall k, (1 <= k < m)%nat -> 0 <= height' nu (iterate' nu k y)) /\
-  (forall x, wedge x -> never' nu x -> exists v K N, K > 0 /\ forall k, exists J, derivative (iterate' nu k) x J /\
+  (forall x, wedge x -> never' nu x -> exists v K N, (1 <= N)%nat /\ K > 0 /\ forall k, exists J, derivative (iterate'
+    nu k) x J /\
     forall i, (N * i <= k)%nat -> norm (apply J v) >= K * (5 / 4) ^ i) /\
   (exists N, forall x, trap (3 / 4) (1 / 2) 1 nu x -> exists m, (m <= N)%nat /\ height' nu (iterate' nu m x) < 0).
 Proof.
@@ -49,7 +50,7 @@ Proof.
     replace (nu / (3 / 4
       - 1 / 2)) with (4 * nu) in w3, u3 by field; replace (nu / (1 / 16)) with (16 * nu) in w4 by field. split;
       [lra|split; [lra|split; [lra|]]]; exists m; split; [lia|split; [lra|split; [lra|exact Hm3]]].
-  - intros x Hx Hg; destruct (G x Hx Hg) as (v & K' & HK & HJ); exists v, K', N; split; assumption.
+  - intros x Hx Hg; destruct (G x Hx Hg) as (v & K' & HK & HJ); exists v, K', N; split; [exact N1|split; assumption].
   - exists N; intros x Hx; destruct (T x Hx) as (m & Hm & _ & Hm2 & _); exists m; split; [lia|exact Hm2].
 Qed.
 (** No periodic orbit is stable: an eigenvalue beyond 5/4, and some nearby point goes away. The cone of the vectors is
@@ -83,14 +84,16 @@ Qed.
 
 (** l1 = 1/2, l2 = 1/4, b = 1: 3/5 to 7/10 of 4^-n is a gap; at 4/5 to 19/10 there is a stable orbit, of period n. *)
 Lemma gap_numbers : Gaps_statement -> exists E n0, E > 1 /\ forall n nu, (n0 <= n)%nat ->
-  3 / 5 * (1 * (1 / 2) ^ n) ^ 2 <= nu <= 7 / 10 * (1 * (1 / 2) ^ n) ^ 2 -> forall x m, wedge x ->
+  3 / 5 * (1 * (1 / 2) ^ n) ^ 2 <= nu <= 7 / 10 * (1 * (1 / 2) ^ n) ^ 2 ->
+  (exists N, (1 <= N)%nat /\ exponent (1 / 2) (1 / 4) 1 nu E N) /\ forall x m, wedge x ->
   never_grazes (1 / 2) (1 / 4) 1 nu x -> (1 <= m)%nat -> iterate (1 / 2) (1 / 4) 1 nu m x = x -> exists J v e,
   derivative (iterate (1 / 2) (1 / 4) 1 nu m) x J /\ v <> (0, 0) /\ apply J v = scale e v /\ Rabs e > 1.
 Proof.
-  intros H; destruct (H (1 / 2) (1 / 4) 1 (3 / 5) (7 / 10)) as (E & n0 & HE & HN); try lra; exists E, n0;
-    split; [exact HE|]. intros n nu Hn Hnu x m Hw Hg Hm Hx; destruct (HN n nu Hn Hnu) as (N & N1 & [_ _ Ei _]).
-  destruct (Ei x m) as (J & v & e & D & Hv & Ev & He); [constructor; assumption|]. exists J, v, e; split;
-    [exact D|split; [exact Hv|split; [exact Ev|lra]]].
+  intros H; destruct (H (1 / 2) (1 / 4) 1 (3 / 5) (7 / 10)) as (E & n0 & HE & HN); try lra; exists E, n0.
+  split; [exact HE|]; intros n nu Hn Hnu; destruct (HN n nu Hn Hnu) as (N & N1 & [_ Ex Ei _]).
+  split; [exists N; split; assumption|]; intros x m Hw Hg Hm Hx.
+  destruct (Ei x m) as (J & v & e & D & Hv & Ev & He); [constructor; assumption|].
+  exists J, v, e; split; [exact D|split; [exact Hv|split; [exact Ev|lra]]].
 Qed.
 Lemma window_numbers : Windows_statement -> exists n0, forall n nu, (n0 <= n)%nat ->
   4 / 5 * (1 * (1 / 2) ^ n) ^ 2 <= nu <= 19 / 10 * (1 * (1 / 2) ^ n) ^ 2 -> exists x J, 0 <= snd x <= fst x /\
@@ -159,16 +162,18 @@ Proof.
 Qed.
 (** The motion from there, as the law of impact and the differential equation say. *)
 Lemma exists_numbers : Example_statement -> Exists_statement -> forall t0 V0, trapped example t0 V0 ->
-  exists t V (x v : nat -> R -> R), t 0%nat = t0 /\ V 0%nat = V0 /\ forall i, t i < t (S i) /\
+  exists N t V (x v : nat -> R -> R), t 0%nat = t0 /\ V 0%nat = V0 /\ forall i, t i < t (S i) /\
+  - half <= t i - 2 * PI * IZR (N i) <= half /\
   (forall s, derivable_pt_lim (x i) s (v i s)) /\ x i (t i) = Q example (t i) /\
   v i (t i) = Q1 example (t i) - 4 / 5 * V i /\ x i (t (S i)) = Q example (t (S i)) /\
   V (S i) = v i (t (S i)) - Q1 example (t (S i)) /\ (forall s, t i < s < t (S i) -> Q example s < x i s) /\
   trapped example (t i) (V i).
 Proof.
   intros H T t0 V0 Tr; destruct (T example _ _ (opens_example H) t0 V0 Tr) as (N & t & V & x & v & (HM & All) & E1 &
-    E2). exists t, V, x, v; split; [exact E1|split; [exact E2|]]; intros i; destruct (HM i) as [_ [F L1 L2 L3 L4 L5
-    L6]]. split; [exact L3|split; [intros s; apply F|split; [exact L1|split; [exact L2|split; [exact L5|split;
-    [exact L6|]]]]]]. split; [exact L4|apply All].
+    E2).
+  exists N, t, V, x, v; split; [exact E1|split; [exact E2|]]; intros i; destruct (HM i) as [P [F L1 L2 L3 L4 L5 L6]].
+  split; [exact L3|split; [unfold in_pass in P; cbn [p paper] in P; lra|split; [intros s; apply F|]]].
+  split; [exact L1|split; [exact L2|split; [exact L5|split; [exact L6|split; [exact L4|apply All]]]]].
 Qed.
 Lemma absorbed_numbers : Example_statement -> Absorbed_statement -> forall t V t1 V1 x v t2 V2 y u,
   let M := example in let fast := sqrt (2 * alM M * mu M) in
@@ -188,28 +193,33 @@ Lemma cone_example : Example_statement -> Cone_statement -> forall t V t' V' x v
   in_pass M (- half) half (k + n) t' ->
   let d := phi11 M (t' - t) * - (4 / 5) + phi12 M (t' - t) * (jump M t V / V) in
   let w := phi21 M (t' - t) * - (4 / 5) + phi22 M (t' - t) * (jump M t V / V) in
-  201 / 200 <= Rabs d /\ 0 <= d * (a M * d + w).
+  201 / 200 <= Rabs d /\ 0 <= d * (a M * d + w) /\ 0 <= - (4 / 5) * (a M * - (4 / 5) + jump M t V / V).
 Proof.
   intros H T t V t' V' x v k n M Tr HV L Hk Hn Hk' d w; pose proof (H (1 / 10) ltac:(lra)) as [O _ S].
-  destruct (T example _ _ O t V t' V' x v k n 1 0 (201 / 200) Tr HV L Hk Hk' (S n Hn)) as (_ & C & G).
+  destruct (T example _ _ O t V t' V' x v k n 1 0 (201 / 200) Tr HV L Hk Hk' (S n Hn)) as (C1 & C & G).
   { left; destruct O as [[U _ _ _ _ _ _ _ _ _ _ _ _] _ _]; lra. }
-  replace (- tau example * 1) with (- (4 / 5)) in C, G by (cbn; lra). replace (- tau example * 0 + jump example t V *
-    1 / V) with (jump M t V / V) in C, G by (fold M; unfold Rdiv; ring). fold M d in G; fold M d w in C;
-    rewrite Rabs_R1 in G; split; [lra|]. destruct C as [[c1 c2]|[c1 c2]]; [apply Rmult_le_pos; assumption|].
-  replace (d * (a M
-    * d + w)) with (- d * - (a M * d + w)) by ring; apply Rmult_le_pos; lra.
+  replace (- tau example * 1) with (- (4 / 5)) in C1, C, G by (cbn; lra).
+  replace (- tau example * 0 + jump example t V * 1 / V) with (jump M t V / V) in C1, C, G by (fold M; unfold Rdiv;
+    ring).
+  fold M d in G; fold M d w in C; fold M in C1; rewrite Rabs_R1 in G; split; [lra|].
+  assert (K : forall q r, cone M q r -> 0 <= q * (a M * q + r)).
+  { intros q r [[c1 c2]|[c1 c2]]; [apply Rmult_le_pos; assumption|].
+    replace (q * (a M * q + r)) with (- q * - (a M * q + r)) by ring; apply Rmult_le_pos; lra. }
+  split; apply K; assumption.
 Qed.
 Lemma separate_numbers : Example_statement -> Separate_statement -> forall N t V x v t' V' x' v', let M := example in
   stays M (- half) half N t V x v -> stays M (- half) half N t' V' x' v' -> t 0%nat = 0 -> t' 0%nat = 0 ->
-  0 < t 1%nat -> 0 < t' 1%nat -> x' 0%nat 0 = x 0%nat 0 -> ~ v 0%nat 0 < v' 0%nat 0.
+  0 < t 1%nat -> 0 < t' 1%nat -> x 0%nat 0 <= x' 0%nat 0 -> a M * x 0%nat 0 + v 0%nat 0 <= a M * x' 0%nat 0 + v' 0%nat 0
+    ->
+  x' 0%nat 0 = x 0%nat 0 /\ v' 0%nat 0 = v 0%nat 0.
 Proof.
-  intros H T N t V x v t' V' x' v' M S S' E1 E2 L1 L2 Ex F. destruct (T example _ _ _ (H (1 / 10) ltac:(lra)) N t V x
-    v t' V' x' v' S S' 0) as [_ E]; try lra. fold M; replace (x' 0%nat 0 - x 0%nat 0) with 0 by lra; lra.
+  intros H T N t V x v t' V' x' v' M S S' E1 E2 L1 L2 O1 O2.
+  apply (T example _ _ _ (H (1 / 10) ltac:(lra)) N t V x v t' V' x' v' S S' 0); try lra; fold M; lra.
 Qed.
 Lemma no_stable_numbers : Example_statement -> No_stable_statement -> forall t V x v, let M := example in
   stays M (- half) half (fun i => Z.of_nat i) t V x v -> (forall i, t (S i) = t i + 2 * PI /\ V (S i) = V i) ->
-  exists eps, 0 < eps /\ forall d, 0 < d -> exists N' t' V' x' v', stays M (- half) half N' t' V' x' v' /\
-  Rabs (V' 0%nat - V 0%nat) <= d /\ exists i j s, t i <= s <= t (S i) /\ t' j <= s <= t' (S j) /\
+  exists i0 eps, 0 < eps /\ forall d, 0 < d -> exists N' t' V' x' v', stays M (- half) half N' t' V' x' v' /\
+  t' 0%nat = t i0 /\ Rabs (V' 0%nat - V 0%nat) <= d /\ exists i j s, t i <= s <= t (S i) /\ t' j <= s <= t' (S j) /\
   eps < Rabs (x' j s - x i s).
 Proof.
   intros H T t V x v M S P; assert (E : forall i, V i = V 0%nat).
@@ -218,8 +228,8 @@ Proof.
     & U).
   { intros i; replace (i + 1)%nat with (Datatypes.S i) by lia; destruct (P i) as [P1 P2]; cbn [p paper].
     split; [lia|split; [lra|exact P2]]. }
-  exists eps; split; [exact e0|]; intros d Hd; destruct (U d Hd) as (N' & t' & V' & x' & v' & S' & _ & B & C).
-  rewrite E in B; exists N', t', V', x', v'; split; [exact S'|split; [exact B|exact C]].
+  exists i0, eps; split; [exact e0|]; intros d Hd; destruct (U d Hd) as (N' & t' & V' & x' & v' & S' & A & B & C).
+  rewrite E in B; exists N', t', V', x', v'; split; [exact S'|split; [exact A|split; [exact B|exact C]]].
 Qed.
 (** theta = 1/100, so a displacement doubles in 100 periods, as exp 1 > 2. *)
 Lemma exponent_numbers : Example_statement -> Exponent_statement -> forall m, let M := example in brief M m ->
@@ -244,6 +254,28 @@ Proof.
   destruct (H L (11 / 10) m _ _ _ C U Wo) as [[_ O1 O2] _ S]; split; [exact O1|split; [exact O2|exact S]].
 Qed.
 
+(** What stands in hypotheses, at numbers. *)
+Lemma hypotheses_hold : forall lo hi N t V d w m L, let M := example in (chaotic M lo hi 1 -> False) /\
+  (periodic M 3 2 N t V -> N 3%nat = (N 0%nat + 2)%Z /\ t 3%nat = t 0%nat + 4 * PI /\ V 3%nat = V 0%nat) /\
+  (returns M 6 0 (-1) 0 1 d w -> d = phi12 M 6 * - (4 / 5) /\ w = phi22 M 6 * - (4 / 5)) /\
+  (brief M m -> (1 <= m)%Z /\ b M * exp (- (b M - a M) * (2 * PI * IZR m - W M)) <= a M /\
+    phi11 M (2 * PI * IZR m - W M) / 10 + phi12 M (2 * PI * IZR m - W M) * (9 / 5 * Vm M + zm M) < 1 / 10) /\
+  (worse L M -> a L = a M /\ b L = b M /\ tau L = 4 / 5 /\ p L = 2 * PI /\ 1 / 10 <= mu L /\ W M <= W L /\ al0 L <= 1 /\
+    11 / 10 <= al1 L) /\
+  (checked L 2 m -> W L < p L /\ 0 < al0 L /\ 0 < alb L /\ 0 < alo L /\ (1 <= m)%Z /\ 2 <= B_ L (IZR m) /\
+    forall n, (1 <= n < m)%Z -> stretches L 2 n) /\ (checked L 1 m -> False).
+Proof.
+  intros lo hi N t V d w m L M; split; [intros [_ E _]; lra|split; [|split; [|split; [|split; [|split]]]]].
+  - intros P; destruct (P 0%nat) as (P1 & P2 & P3); cbn [Nat.add p paper] in *; split; [exact P1|split; [|exact P3]].
+    unfold M in P2; cbn [p paper] in P2; lra.
+  - intros [-> ->]; cbn [tau paper M]; unfold M; split; unfold Rdiv; cbn [tau paper]; ring.
+  - intros [H1 H2 H3]; unfold M in *; cbn [p mu tau paper] in *; split; [exact H1|split; [exact H2|]].
+    replace (9 / 5) with (1 + 4 / 5) by field; lra.
+  - intros [[H1 H2] [H3 H4] H5 H6 [H7 H8]]; unfold M in *; cbn [tau p mu al0 al1 paper] in *.
+    split; [symmetry; exact H1|split; [symmetry; exact H2|]]; repeat (split; [lra|]); lra.
+  - intros [H1 H2 H3 H4 _ H6 H7 H8]; repeat (split; [assumption|]); exact H7.
+  - intros [_ _ _ _ H5 _ _ _]; lra.
+Qed.
 (** d = 3/2, w = 24: a < 1/60, so exp (- 2 pi a) > 4/5 and E = 2 will do. *)
 Lemma small_numbers : Small_statement -> exists mu1, mu1 > 0 /\ forall mu, 0 < mu <= mu1 ->
   let M := paper (3 / 2) 24 (1 / 2) mu in 0 < alb M /\ 0 < alo M /\ stretches M 2 1.
