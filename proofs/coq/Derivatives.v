@@ -89,16 +89,25 @@ Proof.
   pose proof (Rle_abs (f a)); pose proof (Rle_abs (- f b)) as Y; rewrite Rabs_Ropp in Y; apply Rabs_le; lra.
 Qed.
 
-(** A function of period 2 pi, any number of periods later. *)
-Lemma whole_periods f z t : (forall t, f (t + 2 * PI) = f t) -> f (t + 2 * PI * IZR z) = f t :> R.
+(** A function of period p, any number of periods later; its derivative has the period, too. *)
+Lemma whole (f : R -> R) p : (forall t, f (t + p) = f t) -> forall z t, f (t + p * IZR z) = f t.
 Proof.
-  intros H; assert (P : forall j t, f (t + 2 * PI * INR j) = f t).
+  intros H z t; assert (P : forall j t, f (t + p * INR j) = f t).
   { induction j as [|j IH]; intros y; [cbn; f_equal; ring|].
-    rewrite <- (IH y), <- (H (y + 2 * PI * INR j)), S_INR; f_equal; ring. }
+    rewrite <- (IH y), <- (H (y + p * INR j)), S_INR; f_equal; ring. }
   destruct (Z_le_gt_dec 0 z) as [L|L].
   - replace (IZR z) with (INR (Z.to_nat z)) by (rewrite INR_IZR_INZ, Z2Nat.id by lia; reflexivity); apply P.
-  - rewrite <- (P (Z.to_nat (- z)) (t + 2 * PI * IZR z)), INR_IZR_INZ, Z2Nat.id, opp_IZR by lia; f_equal; ring.
+  - rewrite <- (P (Z.to_nat (- z)) (t + p * IZR z)), INR_IZR_INZ, Z2Nat.id, opp_IZR by lia; f_equal; ring.
 Qed.
+Lemma periodic_slope (f f1 : R -> R) p : (forall t, f (t + p) = f t) -> (forall t, derivable_pt_lim f t (f1 t)) ->
+  forall t, f1 (t + p) = f1 t.
+Proof.
+  intros P Df t; apply (uniqueness_limite f t); [|apply Df].
+  apply (D_ext (fun y => f (y + p)) _ _ (f1 (t + p) * 1)); [|exact P|ring].
+  apply (D_of (fun y => y + p) f); [derive_by fail; ring | apply Df].
+Qed.
+Lemma whole_periods f z t : (forall t, f (t + 2 * PI) = f t) -> f (t + 2 * PI * IZR z) = f t :> R.
+Proof. intros H; apply whole, H. Qed.
 Lemma cos_periods z t : cos (t + 2 * PI * IZR z) = cos t.
 Proof. apply whole_periods; intros y; rewrite <- (cos_period y 1); f_equal; cbn; ring. Qed.
 Lemma sin_periods z t : sin (t + 2 * PI * IZR z) = sin t.

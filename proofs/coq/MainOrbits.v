@@ -2,11 +2,13 @@
 
 From Grazing Require Import StatementOrbits Orbits StatementOrbitsPeriodic PeriodicOrbits StatementOrbitsInstance
   OrbitsInstance StatementSystems Systems SystemsAreas SystemsWords.
+From Grazing Require StatementUnstable OrbitsUnstable.
 
 Theorem Theorem1 : Theorem1_statement. Proof. exact Orbits.Theorem1. Qed.
 Theorem Theorem1_periodic : Theorem1_statement_periodic /\ Symmetry_statement.
 Proof. exact (conj PeriodicOrbits.Theorem1_periodic Symmetry). Qed.
 Theorem Instance : Instance_statement. Proof. exact OrbitsInstance.Instance. Qed.
+Theorem Unstable : StatementUnstable.Unstable_statement. Proof. exact OrbitsUnstable.Unstable. Qed.
 
 (** The theorems about signs, about motions and orbits. *)
 Theorem Single : Single_statement. Proof. exact Systems.Single. Qed.

@@ -384,5 +384,67 @@ mutant supremum-not-approached 'File "./ConsequencesNumbers' --pin StatementSupr
 s/forall h', h' < h -> exists a1 K/forall h', h' < h \/ 2 -> exists a1 K/
 E
 
+# Beyond a touch in region 2: weaker, and a consequence notices; too strong, and a proof does.
+mutant attractor-for-l1-above-4/5 'File "./ConsequencesAttractor' --pin StatementAttractor.v <<'E'
+/^Definition Attractor_statement/ s/2 \/ 3 < l1 < 1/4 \/ 5 < l1 < 1/
+E
+mutant attractor-that-grows-too-fast 'File "./Attractor.v' --pin StatementAttractor.v <<'E'
+s/1 < E < l1 \/ (2 \* (1 - l1)) ->/1 < E < l1 \/ (1 - l1) ->/
+E
+mutant attractor-in-a-narrow-cone 'File "./(Consequences)?Attractor' --pin StatementAttractor.v <<'E'
+s/<= 2 \* l2 \/ (l1 - l2) \* Rabs (change v)/<= l2 \/ (l1 - l2) * Rabs (change v)/
+E
+mutant gaps-of-a-half 'File "./ConsequencesAttractor' --pin StatementAttractor.v <<'E'
+s/g1 <= g2 < 3 \/ 4 ->/g1 <= g2 < 13 \/ 20 ->/
+E
+mutant gaps-into-the-windows 'File "./AttractorGaps' --pin StatementAttractor.v <<'E'
+s/g1 <= g2 < 3 \/ 4 ->/g1 <= g2 < 4 \/ 5 ->/
+E
+mutant windows-of-a-half 'File "./ConsequencesAttractor' --pin StatementAttractor.v <<'E'
+s/g1 <= g2 < (1 - l1) \/ l1 ^ 2/g1 <= g2 < 1/
+E
+mutant windows-into-the-gaps 'File "./AttractorWindows' --pin StatementAttractor.v <<'E'
+s/  3 \/ 4 < g1 -> g1 <= g2 < (1/  2 \/ 3 < g1 -> g1 <= g2 < (1/
+E
+mutant trapped-at-half-the-speed 'File "./Trapped' --pin StatementTrapped.v <<'E'
+s/sqrt (2 \* alM \* deep)/sqrt (alM * deep \/ 2)/
+E
+mutant trapped-without-a-bend 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/al0 M <= - Q2 M t <= al1 M/- Q2 M t <= al1 M/
+E
+mutant trapped-at-any-width 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/^  narrow : W M < p M;/  narrow : W M <= p M;/
+E
+mutant stable-motions-of-one-contact 'File "./ConsequencesAttractor' --pin StatementTrapped.v <<'E'
+s/forall K P N t V x v, (1 <= K)%nat ->/forall K P N t V x v, (2 <= K)%nat ->/
+E
+mutant stable-motions-without-a-bounce 'File "./TrappedAll' --pin StatementTrapped.v <<'E'
+/^Definition No_stable_statement/ s/chaotic M lo hi E -> 0 < tau M ->/chaotic M lo hi E -> 0 <= tau M ->/
+E
+mutant exponent-but-for-the-first-pass 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/(forall n, (1 <= n <= m)%Z -> stretches M (exp/(forall n, (2 <= n <= m)%Z -> stretches M (exp/
+E
+mutant checked-but-for-the-first-pass 'File "./TrappedRange' --pin StatementTrapped.v <<'E'
+s/first_ones : forall n, (1 <= n < m)%Z/first_ones : forall n, (2 <= n < m)%Z/
+E
+mutant worse-but-for-its-width 'File "./TrappedRange' --pin StatementTrapped.v <<'E'
+s/  more_W : W M <= W L;/  more_W : W M <= W L + 1;/
+E
+mutant example-that-grows-too-fast 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/(acos (\/ (1 + mu))) (201 \/ 200)\./(acos (\/ (1 + mu))) (203 \/ 200)./
+E
+mutant example-of-small-mu 'File "./ConsequencesAttractor' --pin StatementTrapped.v <<'E'
+/^Definition Example_statement/ s/0 < mu <= 1 \/ 10/0 < mu <= 1 \/ 11/
+E
+mutant unstable-for-large-kicks 'File "./ConsequencesAttractor' --pin StatementUnstable.v <<'E'
+s/kappa > 0 -> exists d/kappa > 1 -> exists d/
+E
+mutant unstable-without-a-kick 'File "./OrbitsUnstable' --pin StatementUnstable.v <<'E'
+s/Rabs (crossing M (n j)) >= kappa/Rabs (crossing M (n j)) >= 0/
+E
+mutant unstable-without-end 'File "./(Consequences|OrbitsUnstable)' --pin StatementUnstable.v <<'E'
+s/finite J ->$/True ->/
+E
+
 if [ "$survived" ]; then echo "mutants.sh: not refused:$survived" >&2; exit 1; fi
 echo "all $total mutants refused"

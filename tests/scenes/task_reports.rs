@@ -55,6 +55,7 @@ restitution = 0.8
 name = "g"
 kind = "grazing"
 parameter = "F"
+reach = 0.5
 [[tasks]]
 name = "after"
 kind = "simulate"

@@ -25,7 +25,6 @@ use std::{
 };
 
 use clap::Parser;
-use num_rational::BigRational;
 use serde_json::json;
 
 use super::{Outcome, PrintFormat, ReportFormat, in_pool, reported, view::ViewArgs};
@@ -135,16 +134,11 @@ pub(super) fn setting(text: &str) -> Result<(String, String)> {
     Ok((parts.0.trim().to_string(), parts.1.trim().to_string()))
 }
 
-/// What `--set` says, in the scene's units.
-fn settings(scene: &Scene, given: &[(String, String)]) -> Result<Vec<(String, BigRational)>> {
-    scene.values(given).map_err(|error| error.context("--set"))
-}
-
 /// A scene from a file, with other values of some parameters.
 pub(super) fn scene_with(path: &Path, given: &[(String, String)], files: &FileRegistry) -> Result<Scene> {
     let scene = Scene::from_toml(&read_text(path, LONGEST_SCENE)?, &path.display().to_string())?;
     names::read(&scene, path, files)?;
-    scene.with(&settings(&scene, given)?)
+    scene.with(&scene.values(given)?)
 }
 
 /// Whether a task is meant by a name: its own or its group's.
@@ -284,7 +278,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
             return Err(Error::input(format!("--only {only}: {name} has the tasks {}", names.join(", "))));
         }
     }
-    let changes = settings(&scene, &args.set)?;
+    let changes = scene.values(&args.set)?;
     let view = args.view.view()?;
     if let Some(shard) = args.shard {
         if !args.view.is_whole() {

@@ -8,7 +8,7 @@ use std::{
 
 use num_rational::BigRational;
 
-use super::{Args, Bars, DIGITS, Job, called, list, names, settings, tell};
+use super::{Args, Bars, DIGITS, Job, called, list, names, tell};
 use crate::{
     cli::{
         Outcome, in_pool,
@@ -76,7 +76,7 @@ pub(super) fn run(
             output.display()
         )));
     }
-    let (bars, changes) = (Bars::new(interrupt), settings(scene, &args.set)?);
+    let (bars, changes) = (Bars::new(interrupt), scene.values(&args.set)?);
     let around = Surroundings { changes: &changes, folder: None, monitor: &bars };
     let job = Task::new(scene, task, around)?;
     let checkpoint = beside(output);
@@ -136,7 +136,7 @@ pub(in crate::cli) fn merge(
     let Some((task, (count, _))) = found else {
         return Err(Error::input(format!("the scene in the shards has no task {only:?} that has parts")));
     };
-    let (bars, changes) = (Bars::new(interrupt), settings(&scene, &args.set)?);
+    let (bars, changes) = (Bars::new(interrupt), scene.values(&args.set)?);
     let around = Surroundings { changes: &changes, folder: Some(folder), monitor: &bars };
     let job = Task::new(&scene, task, around)?;
     set.expect(&sharded(&args, &changes, &job, &input.text)?)?;

@@ -1,0 +1,24 @@
+(** * Statement: near grazing no periodic orbit with impacts is stable, if no C A^n B of its flights is 0
+
+    Of smooth maps in any dimension, whatever the word. (35), (36): a small change of the state after an
+    impact becomes one along B at the next, and is multiplied there by about - C A^n B / (2 y), n steps on, y
+    the small speed of the impact. No derivative is needed away from 0, where [smooth] asks for none. Read
+    [orbit_near] in [StatementOrbits], [finite] in [StatementOrbitsPeriodic] and [crossing] in
+    [StatementUniform] first. *)
+
+From Coq Require Import Reals.
+From Grazing Require Import Defs StatementOrbits StatementOrbitsPeriodic StatementUniform.
+Open Scope R_scope.
+
+(** Some points as near to x as one likes go away from its orbit, to the distance r. *)
+Definition unstable (M : Map.t) (mu : R) (x : vec) : Prop := exists r, r > 0 /\ forall eps, eps > 0 ->
+  exists z i, within (Map.N M) eps (minus z x) /\
+  ~ within (Map.N M) r (minus (Nat.iter i (step M mu) z) (Nat.iter i (step M mu) x)).
+
+(** So no orbit that is born by Theorem 1 is stable, where C A^n B <> 0 for its letters n: in the plane with C
+    B = 0 that is u_n <> 0. *)
+Definition Unstable_statement : Prop := forall M w, smooth M ->
+  (forall i, (i < Map.N M)%nat -> w i = mult (Map.N M) (Map.A M) w i + Map.phi M i) ->
+  forall n_max kappa, kappa > 0 -> exists d, d > 0 /\ forall J next n mu x, finite J ->
+  (forall j, (1 <= n j <= n_max)%nat /\ Rabs (crossing M (n j)) >= kappa) -> Rabs mu <= d ->
+  orbit_near M J next n mu d x -> forall j, unstable M mu (x j).

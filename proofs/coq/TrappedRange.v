@@ -1,0 +1,247 @@
+(** * (v): where the numbers are no worse, the constants are no worse; B_n rises with n *)
+From Coq Require Import Reals ZArith Lra Lia.
+From Grazing Require Import StatementTrapped TrappedFlow TrappedReturn TrappedMain.
+Open Scope R_scope.
+
+Lemma div_mono x y c d : 0 <= x <= y -> 0 < d <= c -> x / c <= y / d.
+Proof. intros; apply Rmult_le_compat; try lra; [left; apply Rinv_0_lt_compat; lra|apply Rinv_le_contravar; lra]. Qed.
+Lemma mult_mono x y u v : 0 <= x <= y -> 0 <= u <= v -> x * u <= y * v. Proof. intros; apply Rmult_le_compat; lra. Qed.
+Lemma pow2_mono x y : 0 <= x <= y -> x ^ 2 <= y ^ 2. Proof. intros; apply pow_incr; lra. Qed.
+
+(** ** The constants, divided by mu or its root *)
+Section Hats.
+Variable M : machine.
+Notation a := (a M). Notation b := (b M). Notation tau := (tau M). Notation p := (p M). Notation W := (W M).
+Notation mu := (mu M). Notation al0 := (al0 M). Notation al1 := (al1 M).
+Definition zh : R := (b - a) / (exp ((b - a) * (p - W)) - 1).
+Definition V1h : R := / ((1 + tau) * ell M 1).
+Definition deeph : R := (1 - exp (- a * p)) + exp (- a * p) * (tau ^ 2 * V1h ^ 2 * mu / (2 * alb M)).
+Definition vh : R := sqrt (2 * alM M * deeph).
+Definition topped : R := Rmax (vh + sqrt mu * zh) (a * sqrt mu) ^ 2 / (2 * al0).
+
+(** What a machine's numbers are like. *)
+Record usable : Prop := { u_ab : 0 < a < b; u_tau : 0 <= tau; u_mu : 0 < mu; u_W : 0 <= W < p;
+  u_al : 0 < al0 <= al1 }.
+Hypothesis U : usable.
+Hypothesis Hb : 0 < alb M.
+Lemma flow_ab : 0 < a < b. Proof. apply U. Qed.
+Lemma rise : 0 < exp ((b - a) * (p - W)) - 1.
+Proof.
+  destruct U; assert (0 < (b - a) * (p - W)) by (apply Rmult_lt_0_compat; lra). pose proof (exp_increasing 0 ((b - a)
+    * (p - W)) ltac:(lra)); rewrite exp_0 in *; lra.
+Qed.
+Lemma zh_pos : 0 < zh. Proof. destruct U; apply Rdiv_lt_0_compat; [lra|apply rise]. Qed.
+Lemma zm_hat : zm M = mu * zh. Proof. unfold zm, zh; pose proof rise; field; lra. Qed.
+Lemma ell_pos n : 1 <= n -> 0 < ell M n.
+Proof.
+  intros Hn; destruct U; assert (p * 1 <= p * n) by (apply Rmult_le_compat_l; lra). unfold ell;
+    apply Rmin_glb_lt; apply Rdiv_lt_0_compat; try lra; apply Rlt_Rminus, exp_increasing;
+    [assert (0 < (b - a) * (p * n - W)) by (apply Rmult_lt_0_compat; lra)| assert (0 < (b - a) * (p * n + W)) by
+    (apply Rmult_lt_0_compat; lra)]; lra.
+Qed.
+Lemma V1h_pos : 0 < V1h. Proof. destruct U; apply Rinv_0_lt_compat, Rmult_lt_0_compat; [lra|apply ell_pos; lra]. Qed.
+Lemma V1_hat : V1 M = mu * V1h. Proof. reflexivity. Qed.
+Lemma alM_pos : al1 <= alM M.
+Proof.
+  pose proof zh_pos; destruct U; unfold alM; rewrite zm_hat; assert (0 <= a ^ 2 * (mu + mu * zh / (b - a)));
+    [|lra]. apply Rmult_le_pos; [apply pow2_ge_0|]; assert (0 < mu * zh / (b - a)) by (apply Rdiv_lt_0_compat;
+    [apply Rmult_lt_0_compat|]; lra); lra.
+Qed.
+Lemma decay_1 : 0 < exp (- a * p) < 1.
+Proof.
+  destruct U; split; [apply exp_pos|rewrite <- exp_0; apply exp_increasing].
+  assert (0 < a * p) by (apply Rmult_lt_0_compat; lra); lra.
+Qed.
+Lemma deeph_pos : 0 < deeph.
+Proof.
+  pose proof decay_1; destruct U; unfold deeph; assert (0 <= exp (- a * p) * (tau ^ 2 * V1h ^ 2 * mu / (2 * alb M)));
+    [|lra]. apply Rmult_le_pos; [lra|]; apply Rmult_le_pos; [|left; apply Rinv_0_lt_compat; lra].
+  apply Rmult_le_pos; [apply Rmult_le_pos; apply pow2_ge_0|lra].
+Qed.
+Lemma vh_pos : 0 < vh.
+Proof. pose proof alM_pos; pose proof deeph_pos; destruct U; apply sqrt_lt_R0, Rmult_lt_0_compat; lra. Qed.
+Lemma Vm_hat : Vm M = sqrt mu * vh.
+Proof.
+  pose proof alM_pos; pose proof deeph_pos; destruct U; unfold Vm, vh; rewrite <- sqrt_mult; [|lra|].
+  - f_equal; unfold deep, deeph; rewrite V1_hat; field; lra.
+  - apply Rmult_le_pos; lra.
+Qed.
+Lemma root_pos : 0 < sqrt mu /\ sqrt mu * sqrt mu = mu.
+Proof. destruct U; split; [apply sqrt_lt_R0; lra|apply sqrt_sqrt; lra]. Qed.
+Lemma Ql_hat : Ql M = mu * (1 - topped).
+Proof.
+  pose proof root_pos as [r0 rr]; pose proof vh_pos; pose proof zh_pos; destruct U; unfold Ql, topped.
+  rewrite Vm_hat, zm_hat; set (r := sqrt mu) in *. replace (r * vh + mu * zh) with (r * (vh + r * zh)) by (rewrite <-
+    rr; ring). replace (a * mu) with (r * (a * r)) by (rewrite <- rr; ring); rewrite RmaxRmult by lra.
+  replace ((r * Rmax (vh + r
+    * zh) (a * r)) ^ 2) with (r * r * Rmax (vh + r * zh) (a * r) ^ 2) by ring. rewrite rr; field; lra.
+Qed.
+Lemma Vm_0 : 0 < Vm M. Proof. rewrite Vm_hat; apply Rmult_lt_0_compat; [apply root_pos|apply vh_pos]. Qed.
+Lemma sigma_0 : 0 < alo M -> 0 < sigma M.
+Proof.
+  intros Ho; pose proof Vm_0; pose proof zh_pos; destruct U; unfold sigma, alo in *. assert (0 <= al0 - b ^ 2 * zm M /
+    (b - a)); [|assert (0 <= tau * (al0 - b ^ 2 * zm M / (b - a))) by (apply Rmult_le_pos; lra); lra].
+  assert (b ^ 2 * zm M / (b - a) <= b ^ 2 * (zm M + (1 + tau) * Vm M) / (b - a)); [|lra].
+  apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; lra|apply Rmult_le_compat_l; [apply pow2_ge_0|]].
+  assert (0 <= (1 + tau) * Vm M) by (apply Rmult_le_pos; lra); lra.
+Qed.
+Lemma B_hat n : B_ M n = sigma M * (1 - topped - phi11 M (p * n - W)) / (((1 + tau) * vh + sqrt mu * zh) *
+  vh).
+Proof.
+  pose proof root_pos as [r0 rr]; pose proof vh_pos; pose proof zh_pos; destruct U; unfold B_;
+    rewrite Ql_hat, Vm_hat, zm_hat. set (r := sqrt mu) in *; rewrite <- rr; field; assert (0 <= tau * vh) by (apply
+    Rmult_le_pos; lra). assert (0 < r * zh) by (apply Rmult_lt_0_compat; lra). assert (0 < r * ((1 + tau) * vh + r *
+    zh)) by (apply Rmult_lt_0_compat; lra); repeat split; lra.
+Qed.
+Lemma B_rises n m : 0 < alo M -> 1 <= n <= m -> B_ M n <= B_ M m.
+Proof.
+  intros Ho Hn; pose proof root_pos as [r0 rr]; pose proof vh_pos; pose proof zh_pos; pose proof (sigma_0 Ho);
+    rewrite !B_hat. destruct U; assert (0 <= tau * vh) by (apply Rmult_le_pos; lra);
+    assert (0 < sqrt mu * zh) by (apply Rmult_lt_0_compat; lra). apply Rmult_le_compat_r; [left;
+    apply Rinv_0_lt_compat, Rmult_lt_0_compat; lra|apply Rmult_le_compat_l; [lra|]]. assert (p * 1 <= p * n) by (apply
+    Rmult_le_compat_l; lra); assert (p * n <= p * m) by (apply Rmult_le_compat_l; lra).
+  destruct (phi11_down M flow_ab (p * n - W) (p * m - W) ltac:(lra)) as [P _]; lra.
+Qed.
+End Hats.
+
+Section Worse.
+Variables L M : machine.
+Hypothesis UL : usable L.
+Hypothesis UM : usable M.
+Hypothesis Wo : worse L M.
+Hypothesis Hb : 0 < alb L.
+Hypothesis Ho : 0 < alo L.
+Let Hab := flow_ab L UL.
+Ltac same := destruct Wo as [[Ea Eb] [Et Ep] Wmu WW [W0 W1]]; rewrite ?Ea, ?Eb, ?Et, ?Ep.
+
+Lemma phis T : phi11 M T = phi11 L T /\ phi12 M T = phi12 L T.
+Proof. unfold phi11, phi12; same; split; reflexivity. Qed.
+Lemma zh_less : zh M <= zh L.
+Proof.
+  pose proof (rise L UL); destruct UL as [? ? ? [? ?] ?]; unfold zh; same; apply div_mono; [lra|]. split;
+    [lra|]; apply Rplus_le_compat_r. destruct (Req_dec (W L) (W M)) as [->|N]; [lra|left;
+    apply exp_increasing, Rmult_lt_compat_l; lra].
+Qed.
+Lemma zm_less : 0 <= zm M <= zm L.
+Proof.
+  rewrite (zm_hat L UL), (zm_hat M UM); pose proof (zh_pos M UM); pose proof zh_less; destruct UM, UL; same.
+  split; [apply Rmult_le_pos; lra|apply mult_mono; lra].
+Qed.
+Lemma ell_more n : 1 <= n -> ell L n <= ell M n.
+Proof.
+  intros Hn; destruct UM as [? ? ? [? ?] ?]; unfold ell at 2; destruct (phis (p M * n - W M)) as [_ ->], (phis (p M *
+    n + W M)) as [_ ->]. same; unfold ell; apply Rmin_glb; apply (phi12_between L Hab); lra.
+Qed.
+Lemma V1h_less : 0 < V1h M <= V1h L.
+Proof.
+  split; [apply V1h_pos; exact UM|]; pose proof (ell_more 1 ltac:(lra)); pose proof (ell_pos L UL 1 ltac:(lra)).
+  destruct UL; unfold V1h; same; apply Rinv_le_contravar; [apply Rmult_lt_0_compat; lra|apply Rmult_le_compat_l; lra].
+Qed.
+Lemma V1_less : 0 <= V1 M <= V1 L.
+Proof.
+  rewrite !V1_hat; pose proof V1h_less; destruct UM, UL; same; split; [apply Rmult_le_pos; lra|apply mult_mono; lra].
+Qed.
+Lemma alM_less : alM M <= alM L.
+Proof.
+  pose proof zm_less; destruct UM, UL; unfold alM; same; apply Rplus_le_compat; [lra|].
+  apply Rmult_le_compat_l; [apply pow2_ge_0|]; apply Rplus_le_compat; [lra|apply div_mono; lra].
+Qed.
+Lemma alb_more : alb L <= alb M.
+Proof.
+  pose proof zm_less; pose proof V1_less; destruct UM, UL; unfold alb; same. assert (0 <= (1 + tau L) * V1 M <= (1 +
+    tau L) * V1 L) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra]).
+  assert (exp (b L * W M) <= exp (b L * W L)).
+  { destruct (Req_dec (W L) (W M)) as [->|N]; [lra|left; apply exp_increasing, Rmult_lt_compat_l; lra]. }
+  pose proof (exp_pos (b L * W M)); pose proof (pow2_ge_0 (b L)). assert (b L ^ 2 * exp (b L * W M) * (zm M + (1 + tau
+    L) * V1 M) / (b L - a L) <= b L ^ 2 * exp (b L * W L) * (zm L + (1 + tau L) * V1 L) / (b L - a L)); [|lra].
+  apply div_mono; [|lra]; split; [apply Rmult_le_pos; [apply Rmult_le_pos; lra|lra]|]. apply mult_mono; [|lra];
+    split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra].
+Qed.
+Let HbM : 0 < alb M. Proof. pose proof alb_more; lra. Qed.
+Lemma deeph_less : deeph M <= deeph L.
+Proof.
+  pose proof V1h_less; pose proof alb_more; pose proof (decay_1 L UL); destruct UM, UL; unfold deeph; same.
+  apply Rplus_le_compat_l, Rmult_le_compat_l; [lra|]; pose proof (pow2_ge_0 (tau L)); pose proof (pow2_ge_0 (V1h M)).
+  apply div_mono; [|lra]; split; [apply Rmult_le_pos; [apply Rmult_le_pos; lra|lra]|]. apply mult_mono; [|lra];
+    split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; [lra|apply pow2_mono; lra]].
+Qed.
+Lemma vh_less : 0 < vh M <= vh L.
+Proof.
+  pose proof deeph_less; pose proof (deeph_pos M UM HbM); pose proof alM_less; pose proof (alM_pos M UM);
+    destruct UM. split; [apply vh_pos; trivial|]; apply sqrt_le_1_alt, mult_mono; lra.
+Qed.
+Lemma root_less : 0 < sqrt (mu M) <= sqrt (mu L).
+Proof. destruct UM; same; split; [apply sqrt_lt_R0; lra|apply sqrt_le_1_alt; lra]. Qed.
+Lemma speed_less : 0 <= (1 + tau M) * Vm M <= (1 + tau L) * Vm L.
+Proof.
+  rewrite (Vm_hat M UM HbM), (Vm_hat L UL Hb); pose proof vh_less; pose proof root_less; destruct UL; same.
+  assert (0 <= sqrt (mu M) * vh M) by (apply Rmult_le_pos; lra). assert (sqrt (mu M) * vh M <= sqrt (mu L) * vh L) by
+    (apply mult_mono; lra). split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra].
+Qed.
+Lemma alo_more : alo L <= alo M.
+Proof.
+  pose proof speed_less; pose proof zm_less; destruct UL; unfold alo; pose proof (pow2_ge_0 (b L)); revert H;
+    same; intros H. assert (b L ^ 2 * (zm M + (1 + tau L) * Vm M) / (b L - a L) <= b L ^ 2 * (zm L + (1 + tau L) * Vm
+    L) / (b L
+    - a L)); [|lra].
+  apply div_mono; [|lra]; split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra].
+Qed.
+Lemma sigma_more : sigma L <= sigma M.
+Proof.
+  pose proof alo_more; pose proof zm_less; destruct UL; unfold sigma; pose proof (pow2_ge_0 (b L)); same.
+  apply Rplus_le_compat; [apply Rmult_le_compat_l; [lra|]|lra]. assert (b L ^ 2 * zm M / (b L - a L) <= b L ^ 2 * zm L
+    / (b L - a L)); [|lra]. apply div_mono; [|lra]; split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra].
+Qed.
+Lemma topped_less : topped M <= topped L.
+Proof.
+  pose proof vh_less; pose proof root_less; pose proof zh_less; pose proof (zh_pos M UM); destruct UL;
+    unfold topped; same. assert (0 <= sqrt (mu M) * zh M) by (apply Rmult_le_pos; lra).
+  assert (sqrt (mu M) * zh M <= sqrt (mu L) * zh L) by (apply mult_mono; lra). assert (a L * sqrt (mu M) <= a L * sqrt
+    (mu L)) by (apply Rmult_le_compat_l; lra). apply div_mono; [|lra]; split; [apply pow2_ge_0|];
+    apply pow2_mono; split.
+  - eapply Rle_trans; [|apply Rmax_l]; lra.
+  - apply Rmax_lub; [eapply Rle_trans; [|apply Rmax_l]; lra|eapply Rle_trans; [|apply Rmax_r]; lra].
+Qed.
+Lemma A_more n : 1 <= n -> A_ L n <= A_ M n.
+Proof.
+  intros Hn; pose proof (ell_more n Hn); pose proof (ell_pos L UL n Hn); pose proof (sigma_0 L UL Hb Ho);
+    pose proof sigma_more. pose proof (Vm_0 M UM HbM); unfold A_; apply div_mono; [split;
+    [apply Rmult_le_pos; lra|apply mult_mono; lra]|split; trivial]. rewrite (Vm_hat M UM HbM), (Vm_hat L UL Hb);
+    pose proof vh_less; pose proof root_less; apply mult_mono; lra.
+Qed.
+Lemma B_more n : 1 <= n -> 0 < B_ L n -> B_ L n <= B_ M n.
+Proof.
+  intros Hn; rewrite (B_hat L UL Hb), (B_hat M UM HbM); intros Pos; pose proof (sigma_0 L UL Hb Ho) as S0;
+    pose proof sigma_more. pose proof topped_less; pose proof vh_less; pose proof root_less; pose proof zh_less;
+    pose proof (zh_pos M UM). destruct (phis (p M * n - W M)) as [-> _]. assert (0 <= (1 + tau L) * vh M <= (1 + tau
+    L) * vh L).
+  { destruct UL; split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra]. }
+  assert (0 < sqrt (mu M) * zh M) by (apply Rmult_lt_0_compat; lra). assert (sqrt (mu M) * zh M <= sqrt (mu L) * zh L)
+    by (apply mult_mono; lra). set (q := 1 - topped L - phi11 L (p L * n - W L)) in *; set (q' := 1 - topped M - phi11
+    L (p M * n - W M)). assert (Q' : q <= q').
+  { unfold q, q'; destruct UL as [? ? ? [? ?] ?]; same; assert (p L * 1 <= p L * n) by (apply Rmult_le_compat_l;
+      lra). destruct (phi11_down L Hab (p L * n - W L) (p L * n - W M) ltac:(lra)) as [P _]; lra. }
+  set (c := ((1 + tau L) * vh L + sqrt (mu L) * zh L) * vh L) in *. assert (C0 : 0 < c) by (apply Rmult_lt_0_compat;
+    lra). assert (Q0 : 0 < q).
+  { apply Rnot_le_lt; intros F; assert (0 <= sigma L * - q) by (apply Rmult_le_pos; lra).
+    assert (0 <= sigma L * - q / c) by (apply Rmult_le_pos; [trivial|left; apply Rinv_0_lt_compat; lra]).
+    replace (sigma L * - q / c) with (- (sigma L * q / c)) in * by (field; lra); lra. }
+  apply div_mono; [split; [apply Rmult_le_pos; lra|apply mult_mono; lra]|]. same; split;
+    [apply Rmult_lt_0_compat; lra|apply mult_mono; lra].
+Qed.
+End Worse.
+
+Theorem Range : Range_statement.
+Proof.
+  intros L E m M lo hi [w0 a0 Hb Ho HE Hm HA HB] H Wo. assert (UM : usable M).
+  { destruct H; destruct reached as (t & Et); assert (al0 M <= al1 M) by (pose proof (bent lo ltac:(lra));
+      lra); split; lra. }
+  assert (UL : usable L). { destruct UM, Wo as [[? ?] [? ?] ? ? [? ?]]; split; lra.
+  } assert (Hm1 : 1 <= IZR m) by (apply (IZR_le 1); lia). constructor; [constructor| |]; trivial.
+  - pose proof (alb_more L M UL UM Wo); lra.
+  - pose proof (alo_more L M UL UM Wo Hb); lra.
+  - intros n Hn; assert (Hn1 : 1 <= IZR n) by (apply (IZR_le 1); lia). assert (S : stretches L E n).
+    { destruct (Z_lt_le_dec n m) as [C|C]; [apply HA; lia|right]; apply Rle_trans with (1 := HB).
+      apply (B_rises L UL Hb); trivial; split; trivial; apply IZR_le; lia. }
+    destruct S as [S|S]; [left|right]; apply Rle_trans with (1 := S); [apply A_more|apply B_more]; trivial; lra.
+Qed.
