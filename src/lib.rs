@@ -37,8 +37,8 @@
 //! bifurcation gives birth to, or for exact Farey arithmetic. To simulate an oscillator with impacts, follow
 //! its orbits, or prove something of them, use `grazing-scenes`, which has all of this, too. Do not use it
 //! for maps with more than one square-root direction. Nordmark's Theorem 1, which turns signs into orbits, is
-//! proved for maps in `proofs/`, and its conclusion for linear oscillators from their differential equation.
-//! That a nonlinear oscillator near grazing has such a map is the paper's section 3.1, not proved.
+//! proved for maps in `proofs/`, and its conclusion for oscillators, linear or not, from their differential
+//! equation: of nonlinear ones, the paper's section 3.1, with one stop and no other impact on the orbit.
 //!
 //! # Map
 //!
