@@ -167,7 +167,8 @@ impl Search<'_> {
             }
             step *= 0.5;
             if let Some(why) = failed.filter(|_| step < (LAST * phase).max(SMALLEST)) {
-                return Ok(RangeEnd::Refused(why));
+                // What was ended before it was done refuses nothing.
+                return Ok(if budget.is_spent() { RangeEnd::Work } else { RangeEnd::Refused(why) });
             }
         }
     }
