@@ -249,3 +249,23 @@ fn a_touch_of_any_size_is_named() {
         assert!((0.01..0.1).contains(&share), "{unit}: {rows:?}");
     }
 }
+
+/// Of a damping of 1/2 not all that is born before the touch has a range, but an orbit has: that side is
+/// decided as far as was asked. Without work no side is.
+#[test]
+fn the_exit_code_is_3_only_where_a_side_has_no_range() {
+    let with = |effort: u32| {
+        let keys = format!("set = {{ d = 0.5 }}\nrange = {{ effort = {effort} }}");
+        let (found, code) = asked(&stop("upper", 1), &keys);
+        let rows = found.range.unwrap();
+        let verdicts = |side: &str| -> Vec<&str> {
+            rows.iter().filter(|row| row.side == side).map(|row| row.verdict).collect()
+        };
+        (verdicts("before").join(" "), verdicts("beyond").join(" "), code)
+    };
+    let (before, beyond, code) = with(20_000);
+    assert!(before.contains("undecided") && before.contains("proved"), "{before}; {beyond}");
+    assert_eq!(code, 0, "{before}; {beyond}");
+    let (before, beyond, code) = with(1);
+    assert!(!before.contains("proved") && code == 3, "{before}; {beyond}");
+}
