@@ -92,10 +92,12 @@ pub struct FromRest<S> {
     pub parameter: f64,
     /// What it is on there.
     pub settled: OnAttractor<S>,
-    /// At how many values it hits, and at how many it was decided; from `parameter` to the touch.
+    /// At how many of the values looked at from there to the touch it hits.
     pub hits: u32,
-    /// See `hits`.
-    pub decided: u32,
+    /// How many these are.
+    pub looked: u32,
+    /// At how many of them it is not decided, or leaves every bound, or begins behind a stop.
+    pub open: u32,
 }
 
 impl<S> Touch<S> {
@@ -213,24 +215,26 @@ fn from_rest<D: Attraction>(
         Ok(settled.filter(|settled| !settled.portrait.undecided))
     };
     let hits = |settled: &OnAttractor<D::Start>| settled.portrait.range.speed.is_some();
-    let mut all = Vec::new();
-    for i in 0..RESTS {
-        let part = (f64::from(i) + 0.5) * STEP;
-        all.extend(at(part)?.map(|settled| (part, settled)));
-    }
-    let Some(farthest) = all.iter().rposition(|(_, settled)| hits(settled)) else {
-        let decided = all.len() as u32;
-        return Ok(all.pop().map(|(part, settled)| FromRest {
-            parameter: touch.at(part),
-            settled,
-            hits: 0,
-            decided,
-        }));
+    let all = (0..RESTS)
+        .map(|i| (f64::from(i) + 0.5) * STEP)
+        .map(|part| Ok((part, at(part)?)))
+        .collect::<Result<Vec<_>>>()?;
+    let count = |all: &[(f64, Option<OnAttractor<D::Start>>)],
+                 what: &dyn Fn(&OnAttractor<D::Start>) -> bool| {
+        all.iter().filter(|(_, settled)| settled.as_ref().is_some_and(what)).count() as u32
     };
-    let beyond = all.get(farthest + 1).map(|free| free.0);
-    all.truncate(farthest + 1);
-    let (count, decided) = (all.iter().filter(|(_, settled)| hits(settled)).count() as u32, all.len() as u32);
-    let (mut part, mut settled) = all.swap_remove(farthest);
+    let Some(farthest) = all.iter().rposition(|(_, settled)| settled.as_ref().is_some_and(hits)) else {
+        let open = RESTS - count(&all, &|_| true);
+        let last = all.into_iter().rev().find_map(|(part, settled)| Some((part, settled?)));
+        let row =
+            |(part, settled)| FromRest { parameter: touch.at(part), settled, hits: 0, looked: RESTS, open };
+        return Ok(last.map(row));
+    };
+    let beyond = all.get(farthest + 1).filter(|free| free.1.is_some()).map(|free| free.0);
+    let near = &all[..=farthest];
+    let (looked, open) = (near.len() as u32, near.len() as u32 - count(near, &|_| true));
+    let number = count(near, &hits);
+    let Some((mut part, Some(mut settled))) = all.into_iter().nth(farthest) else { return Ok(None) };
     if let Some(mut free) = beyond {
         for _ in 0..HALVED {
             let middle = part.midpoint(free);
@@ -240,5 +244,5 @@ fn from_rest<D: Attraction>(
             }
         }
     }
-    Ok(Some(FromRest { parameter: touch.at(part), settled, hits: count, decided }))
+    Ok(Some(FromRest { parameter: touch.at(part), settled, hits: number, looked, open }))
 }

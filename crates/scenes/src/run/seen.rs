@@ -30,7 +30,7 @@ row! {
         /// `stays` near the orbit that grazes, or `jumps` from it; on the way back it `leaves`, or it still
         /// `stays` at the last value looked at; `lost`, if the motion leaves every bound. From rest it `hits`
         /// for ever at all values looked at from there to the touch, at some of them (`partly`), or is `free`
-        /// at all.
+        /// at all; at none that is decided, and some are `open`.
         pub what: String,
         /// What is seen there.
         pub motion: Option<String>,
@@ -78,8 +78,9 @@ pub(super) fn rows<S>(seen: &Seen<S>, of_gap: bool) -> Vec<SeenRow> {
     };
     let from_rest = seen.rest.as_ref().map(|rest| {
         let what = match rest.hits {
+            0 if rest.open > 0 => "open",
             0 => "free",
-            hits if hits == rest.decided => "hits",
+            hits if hits == rest.looked => "hits",
             _ => "partly",
         };
         ("rest", rest.parameter, what, Some(&rest.settled))

@@ -91,14 +91,21 @@ fn sight(value: &str, row: &SeenRow) -> Option<String> {
             format!("Turned back, it stays on that until it leaves it at {value}: {motion}.")
         }
         ("back", _) => format!("Turned back, it is still on that at {value}."),
-        ("rest", "hits") => format!("Begun at rest, at q = 0, it hits for ever from {value} on: {motion}."),
+        ("rest", "hits") => {
+            let at = "at all values looked at";
+            format!("Begun at rest, at q = 0, it is seen to hit for ever {at} from {value} on: {motion}.")
+        }
         ("rest", "partly") => {
-            format!(
-                "Begun at rest, at q = 0, it hits for ever at some values from {value} on, there: {motion}."
-            )
+            let at = "at some of the values looked at";
+            format!("Begun at rest, at q = 0, it is seen to hit for ever {at} from {value} on, there: {motion}.")
+        }
+        ("rest", "free") => {
+            "Begun at rest, at q = 0, it is seen to hit for ever at none of the values looked at before the touch."
+                .into()
         }
         ("rest", _) => {
-            "Begun at rest, at q = 0, it hits before the touch at none of the values looked at.".into()
+            "Begun at rest, at q = 0, it is not decided at some values before the touch whether it hits for ever."
+                .into()
         }
         (place, _) => format!("{place} the touch, at {value}, the motion leaves every bound."),
     })
