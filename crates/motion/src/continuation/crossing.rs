@@ -20,9 +20,9 @@ pub(crate) struct Crossing {
     pub other: Vec<f64>,
 }
 
-/// The step of central differences of J, whose error then is of the order of 10⁻¹⁰: it slows Newton's method,
-/// and moves no root.
-const DIFFERENCE: f64 = 6e-6;
+/// The step of central differences, the cube root of the rounding error: their error then is of the order of
+/// 10⁻¹⁰. Of J it slows Newton's method, and moves no root.
+pub(super) const DIFFERENCE: f64 = 6e-6;
 
 /// A crossing is this near to where it was looked for.
 const NEAR: f64 = 1e-2;

@@ -17,6 +17,10 @@ use crate::{
     },
 };
 
+/// A gap smaller than this part of the size of the motion, where another is zero, is zero too: some thousand
+/// times what Newton's method leaves.
+pub(crate) const TWICE: f64 = 1e-11;
+
 /// The local map of a touch, velocities per radian of the forcing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LocalMap {

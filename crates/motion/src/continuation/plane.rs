@@ -4,6 +4,7 @@
 use super::{
     Bifurcation, Degeneracy, OrbitCurve, Singularity,
     criticality::Estimate,
+    crossing::DIFFERENCE,
     curve::{Curve, CurvePoint, Equations},
     follow::{Followed, Settled},
     orbits::changes_sign,
@@ -96,9 +97,6 @@ fn one_sided(here: &[f64], shifted: impl Fn(f64) -> Result<Vec<f64>>, sign: f64)
     let (near, far) = (shifted(sign * DIFFERENCE)?, shifted(2.0 * sign * DIFFERENCE)?);
     Ok(here.iter().zip(near).zip(far).map(|((here, near), far)| 4.0 * near - far - 3.0 * here).collect())
 }
-
-/// The cube root of the rounding error, where central differences are best.
-const DIFFERENCE: f64 = 6e-6;
 
 impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
     type View = P::Orbit;

@@ -105,6 +105,9 @@ pub trait FollowedOrbit: Clone {
     fn is_at(&self, bifurcation: Bifurcation) -> bool;
 }
 
+/// Slower than this, in units of the motion, an impact's speed is rounding's.
+pub(crate) const STILL: f64 = 1e-10;
+
 /// Closer to the unit circle than this part of the largest multiplier, rounding decides on which side one is.
 const NEUTRAL: f64 = 1e-12;
 

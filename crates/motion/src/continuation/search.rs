@@ -22,6 +22,10 @@ const AGAIN: usize = 16;
 /// Most such rounds.
 const ROUNDS: u32 = 8;
 
+/// Closer than this, in radians and relative to the largest speed or the size of the motion, two solutions
+/// are one.
+pub const NEAR: f64 = 1e-7;
+
 /// What came of the starts of a search: `starts` is the sum of what the first round found, `again`, `others`,
 /// `endless` and `lost`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]

@@ -24,19 +24,16 @@ use super::{
 use crate::{
     continuation::{
         Bifurcation, Degeneracy, EventCurve, FollowedOrbit, Linearised, OrbitBranch, PatternFamily,
-        PatternPlane, Root,
+        PatternPlane, Root, STILL,
     },
     error::{Error, Result},
     many::LinearFlow,
-    motion::EffectTally,
+    motion::{EffectTally, minimum::RELATIVE_DEPTH},
 };
 /// The orbits of one pattern of a machine at which one event happens, over two parameters.
 pub type Events<'a> = EventCurve<'a, Plane<'a>>;
 /// A branch of orbits of a machine.
 pub type Branch = OrbitBranch<Orbit>;
-
-/// Gaps within this of their motion's size are contact without impact, unless a depth is given.
-pub(super) const RELATIVE_DEPTH: f64 = 1e-12;
 
 /// What all orbits that are followed have in common.
 #[derive(Debug, Clone)]
@@ -310,9 +307,6 @@ impl FollowedOrbit for Orbit {
         }
     }
 }
-
-/// Slower than this, in units of the motion, an impact's speed is rounding's.
-const STILL: f64 = 1e-10;
 
 /// A machine at both of two values.
 type AtBoth<'a> = dyn Fn([f64; 2]) -> Result<Machine<f64>> + 'a;

@@ -17,7 +17,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{
     Machine, RealMatrix, RealVector,
-    branch::{RELATIVE_DEPTH, Solved},
+    branch::Solved,
     orbit::{Change, Image, Orbit, StopEquations, Surface},
 };
 use crate::{
@@ -25,6 +25,7 @@ use crate::{
         Bifurcation, Cubic, DOUBLE, Estimate, FollowedOrbit, NOT_SMOOTH, NoForm, NormalForm, Sense, UNKNOWN,
     },
     error::Error,
+    motion::minimum::RELATIVE_DEPTH,
 };
 
 type ComplexVector = DVector<Complex<f64>>;

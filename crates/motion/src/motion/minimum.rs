@@ -8,6 +8,12 @@
 //! minima within δ of 0 are tangencies. Intervals too narrow to tell the cases apart hold z to better than δ
 //! and are taken as monotone between their ends.
 
+/// Gaps within this of their motion's size are contact without impact, unless a depth is given.
+pub(crate) const RELATIVE_DEPTH: f64 = 1e-12;
+
+/// What rounding may move the place of an event by.
+pub(crate) const NUDGE: f64 = 1e-12;
+
 /// What ends a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Hit {

@@ -6,11 +6,8 @@ use crate::{
     error::Result,
     monitor::Monitor,
     motion::{RunEnd, Time},
-    scene::simulate::SimulateTask,
+    scene::{simulate::SimulateTask, values::ROUNDED},
 };
-
-/// An end so near a sample's time, relative to the whole, is there.
-pub(super) const EVEN: f64 = 4.0 * f64::EPSILON;
 
 /// A motion whose points and events are kept.
 pub(super) trait SampledMotion {
@@ -53,9 +50,9 @@ pub(super) fn follow<M: SampledMotion>(
     }
     let samples = u64::from(task.samples);
     let asked = span * samples as f64;
-    let whole = (asked * (1.0 + EVEN)).floor();
+    let whole = (asked * (1.0 + ROUNDED)).floor();
     // The last point is where the motion ends, at a sample's time or between two.
-    let last = (asked - whole > EVEN * asked).then_some(asked);
+    let last = (asked - whole > ROUNDED * asked).then_some(asked);
     for sample in (0..=whole as u64).map(|sample| sample as f64).chain(last) {
         if end != RunEnd::Reached {
             break;

@@ -5,13 +5,12 @@ use serde::Serialize;
 use super::{
     Finding, Job, Keeper, Lines, SeriesOf, SeriesPoint, Status, StopEvent, Tabular,
     engine::{Engine, by_engine},
-    follow::EVEN,
     row, small_motion,
 };
 use crate::{
     error::Result,
     motion::{RunEnd, Time},
-    scene::simulate::SimulateTask,
+    scene::{simulate::SimulateTask, values::ROUNDED},
 };
 
 row! {
@@ -415,7 +414,7 @@ impl SimulationFindings {
         };
         let moved = &mut self.moved;
         let since = |rest: f64| event.time.periods() - self.begin - rest / moved.period;
-        let late = EVEN * event.time.periods();
+        let late = ROUNDED * event.time.periods();
         if event.rest.is_some_and(|rest| row.impacts == 0 && since(rest) <= late) {
             return false;
         }

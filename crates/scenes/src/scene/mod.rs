@@ -50,7 +50,7 @@ pub(crate) mod tolerated;
 pub mod units;
 mod upgrade;
 pub mod validate;
-mod values;
+pub(crate) mod values;
 mod walls;
 mod wanted;
 

@@ -31,8 +31,8 @@ pub struct WrittenMachine {
     pub measured: Option<String>,
 }
 
-/// A duration so near whole periods, relative to itself, is of whole ones.
-const ROUNDED: f64 = 4.0 * f64::EPSILON;
+/// A duration so near whole periods, or whole samples, relative to itself, is of whole ones.
+pub(crate) const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
 impl Scene {
     /// How many forcing periods of a motion are written, in whole ones or not.

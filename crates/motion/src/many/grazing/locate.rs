@@ -8,7 +8,7 @@ use super::{
     local_map::local_map,
 };
 use crate::{
-    continuation::{LeadingImpact, LocalMap, pattern_of},
+    continuation::{LeadingImpact, LocalMap, TWICE, pattern_of},
     error::{Error, Result},
     many::{
         Family, Periodic, State,
@@ -70,9 +70,6 @@ pub enum Search {
 
 /// Values of the parameter that are tried each way.
 const STEPS: u32 = 200;
-
-/// A gap smaller than this, relative to the gaps' motion, where another is zero, is zero too.
-const TWICE: f64 = 1e-11;
 
 /// How far a parameter is looked through that has this value, where nothing else is said: half of it, or the
 /// change that moves a gap, to first order, by the size of the gaps' motion, the larger; 1/2 where neither is

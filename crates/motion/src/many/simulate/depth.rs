@@ -4,10 +4,8 @@ use super::{Settings, Simulator, looks};
 use crate::{
     error::Result,
     many::{Machine, State, contact::StopContact},
+    motion::minimum::RELATIVE_DEPTH,
 };
-
-/// Gaps within this of their motion's size are contact without impact, unless the scene says otherwise.
-const RELATIVE_DEPTH: f64 = 1e-12;
 
 impl Simulator {
     /// A simulator of a machine. The minimum depth is the one that is given, or

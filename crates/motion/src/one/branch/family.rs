@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 use crate::{
     continuation::{
         Bifurcation, Degeneracy, Derivatives, FollowedOrbit, Linearised, Multipliers, PatternFamily,
-        PatternPlane, Root,
+        PatternPlane, Root, STILL,
     },
     error::{Error, Result},
     motion::Side,
@@ -33,9 +33,6 @@ impl<F: Fn([f64; 2]) -> Result<Oscillator> + Sync> TwoParameterFamily for F {
         self(parameters)
     }
 }
-
-/// Slower than this, in units of the motion, an impact's speed is rounding's.
-const STILL: f64 = 1e-10;
 
 /// What lengths and speeds are measured by along curves of orbits, by the walls that a pattern strikes.
 #[derive(Debug, Clone, Copy)]

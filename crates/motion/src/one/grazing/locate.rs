@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::local_map::local_map;
 use crate::{
-    continuation::{KnownOrbits, Linearised, LocalMap, newton},
+    continuation::{KnownOrbits, Linearised, LocalMap, TWICE, newton},
     error::{Error, Result},
     motion::Side,
     one::orbit::{Family, Itinerary, Minimum, Orbit, Oscillator, Strike, Unknowns, check, linearise},
@@ -30,10 +30,6 @@ pub struct Grazing {
     /// The map there.
     pub map: LocalMap,
 }
-
-/// A gap smaller than this part of the size of the motion, where another is zero, is zero too: some thousand
-/// times what Newton's method leaves.
-const TWICE: f64 = 1e-11;
 
 impl Grazing {
     /// The wall that is grazed.

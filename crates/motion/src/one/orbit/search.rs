@@ -7,7 +7,7 @@ use super::{
     solution::{find_beside, obstacle},
 };
 use crate::{
-    continuation::{OrbitSearch, Starts, search_all},
+    continuation::{NEAR, OrbitSearch, Starts, search_all},
     error::{Error, Result},
     motion::State,
 };
@@ -82,9 +82,6 @@ fn begin(oscillator: &Oscillator, itinerary: &Itinerary, speed: f64) -> Starts {
         wall.acceleration(oscillator.flow(), State { t, q, u })
     })
 }
-
-/// Closer than this, in radians and in the size of the motion, two solutions are one.
-const NEAR: f64 = 1e-7;
 
 /// Whether b is a with impact `shift` called the first.
 fn same(a: &Orbit, b: &Orbit, shift: usize) -> bool {

@@ -10,12 +10,9 @@ use crate::{
     motion::{
         Counter, Effect, RunEnd, State, Time,
         event::{Impact, Release, Stick, Tangency},
-        minimum::{Gap, Hit, ROUNDING, clear, norm},
+        minimum::{Gap, Hit, NUDGE, ROUNDING, clear, norm},
     },
 };
-
-/// What rounding may move a place by.
-const NUDGE: f64 = 1e-12;
 
 /// A run with its kind of flow and of walls forgotten.
 pub(super) trait Engine: Send {

@@ -66,6 +66,7 @@ use crate::{
     motion::{
         Contact, Counter, EffectTally, RunEnd, Share, Side, State, System, Time,
         flow::{Free, Taylor},
+        minimum::RELATIVE_DEPTH,
     },
 };
 
@@ -91,9 +92,6 @@ pub struct Settings {
     /// A run ends after this many impacts. Default: no limit.
     pub impact_limit: u64,
 }
-
-/// Gaps within this part of their size are contact without impact, unless a depth is given.
-const RELATIVE_DEPTH: f64 = 1e-12;
 
 impl Settings {
     /// The same with the minimum depth that suits motions from these starts: 10⁻¹² of the size of the gap to

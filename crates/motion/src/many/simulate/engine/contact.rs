@@ -2,7 +2,7 @@
 
 use std::{f64::consts::TAU, sync::Arc};
 
-use super::{Found, MOST_CHANGES, NUDGE, Run};
+use super::{Found, MOST_CHANGES, Run};
 use crate::{
     error::Result,
     many::{
@@ -15,7 +15,7 @@ use crate::{
     motion::{
         Effect, Time,
         event::{Impact, Release, Shock, Stick, Tangency, Touch},
-        minimum::Hit,
+        minimum::{Hit, NUDGE},
     },
 };
 

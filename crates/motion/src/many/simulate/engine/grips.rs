@@ -13,7 +13,7 @@
 //! is rested on a part of what is decided (`many::lean`). Then there may be no answer, or one for which the
 //! stop's force would have to pull (Painlevé's paradox): the run ends and says so.
 
-use super::{NUDGE, Run};
+use super::Run;
 use crate::{
     error::Result,
     many::{
@@ -28,6 +28,7 @@ use crate::{
     motion::{
         Time,
         event::{Release, Reversal, Stick},
+        minimum::NUDGE,
     },
 };
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Found, NUDGE, Run};
+use super::{Found, Run};
 use crate::{
     error::Result,
     many::{
@@ -12,7 +12,7 @@ use crate::{
     motion::{
         Effect, RunEnd, Time,
         flow::MOST_STEPS,
-        minimum::{clear, head},
+        minimum::{NUDGE, clear, head},
     },
 };
 

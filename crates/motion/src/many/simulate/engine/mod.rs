@@ -22,9 +22,6 @@ use crate::{
     },
 };
 
-/// What rounding may move a place by.
-const NUDGE: f64 = 1e-12;
-
 /// More changes of what is rested on than this at one place would be a loop.
 const MOST_CHANGES: u32 = 1000;
 

@@ -25,7 +25,7 @@ use super::{
         Analysed, Complex, Job, Judgement, Keeper, SectionFindings, SimulationFindings, StartNumbers,
         ValidateFindings, rest::RestsHere,
     },
-    Engine, JudgedOrbit, Prover, RangeProver, StartPlane,
+    Engine, JudgedOrbit, MARGIN, Prover, RangeProver, StartPlane,
 };
 use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, dynamics::Dynamics, swing::Swing},
@@ -49,9 +49,6 @@ use crate::{
     },
     search::machine::listed,
 };
-
-/// Closer to the unit circle than this, rounding decides.
-const MARGIN: f64 = 1e-11;
 
 impl JudgedOrbit for Orbit {
     fn stable(&self, at: Option<Bifurcation>) -> Judgement {

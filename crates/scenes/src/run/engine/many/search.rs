@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::super::super::Job;
 use crate::{
-    continuation::{OrbitSearch, Starts, search_all},
+    continuation::{NEAR, OrbitSearch, Starts, search_all},
     error::{Error, Result},
     many::{
         Machine, RealVector, State,
@@ -13,9 +13,6 @@ use crate::{
     },
     scene::orbits::OrbitKeys,
 };
-
-/// Closer than this, relative to the largest speed and to a radian, two solutions are one.
-const NEAR: f64 = 1e-7;
 
 /// The orbits of the keys: the one that Newton's method finds from `start`, or those of a search.
 pub(crate) fn machine_orbits(

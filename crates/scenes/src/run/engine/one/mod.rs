@@ -24,7 +24,7 @@ use super::{
         ValidateFindings,
         rest::{RestsHere, all_rests},
     },
-    Engine, JudgedOrbit, Prover, RangeProver, StartPlane,
+    Engine, JudgedOrbit, MARGIN, Prover, RangeProver, StartPlane,
 };
 use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, swing::Swing},
@@ -57,9 +57,6 @@ const SMALL: f64 = 1e-6;
 
 /// How far the least gap is open, of the size of the motion, where it is come to from beyond a stop.
 const OPEN: f64 = 0.01;
-
-/// Closer than this to a bifurcation, rounding decides on which side of it an orbit is.
-const MARGIN: f64 = 1e-11;
 
 impl JudgedOrbit for Orbit {
     fn stable(&self, at: Option<Bifurcation>) -> Judgement {
