@@ -14,7 +14,11 @@ use grazing_check::{nothing, range, single};
 fn what_is_written_passes_and_says_of_which_machine() {
     for (text, statement, named) in [
         (RANGE_MIRRORED, range::STATEMENT_3, "1: 1 half period, then 1 or 2; 2: 2 half periods, then 1"),
-        (RANGE_MIRRORED_BEFORE, range::STATEMENT_4, "with the wall's speed <= nu S/2 at all impacts"),
+        (
+            RANGE_MIRRORED_BEFORE,
+            range::STATEMENT_4,
+            "only within 1.2 of multiples of pi where |w'|, at the upper wall half a period before, <= nu S/2",
+        ),
         (RANGE_MIRRORED_BEYOND, range::STATEMENT_4, "per half period between log 1.61803398874 and log"),
         (SINGLE_MIRRORED_2, single::STATEMENT_2, "one impact every 2 half periods pi, at the lower wall"),
         (SINGLE_MIRRORED_3, single::STATEMENT_2, "every 3 half periods pi, at the other wall each time"),

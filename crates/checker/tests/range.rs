@@ -21,7 +21,7 @@ fn what_is_written_passes_and_is_named() {
   restitution: 4/5
   depth: every nu with 0 < nu <= 1/10, in 6 cells, linked
   letters: 1: 1 period, then 1
-  impacts: g' = nu s/2, between letters 1, 1: from 2.081727 to 2.397615
+  impacts: g' = nu s/2, in each cell the part that it lists, between letters 1, 1: from 2.081727 to 2.397615
   window: impacts within 1.2 of multiples of 2 pi
   contraction: at most 0.999
   entropy: per period between log 1 and log 1.00000000001

@@ -211,6 +211,7 @@ fn a_range_begins_where_a_fraction_is_the_touch() {
     let scene = Scene::from_toml(&paper.replacen("kind = \"grazing\"\n", asked, 1), "paper.toml").unwrap();
     let task = scene.tasks.iter().find(|task| task.name == "grazing").unwrap();
     let report = run_task(&Job::new(&scene, task, Surroundings::default()).unwrap(), &mut ());
+    let text = report.to_string();
     let Some(Findings::Grazing(found)) = report.findings else { panic!("{report}") };
     let GrazingFindings::Found(found) = *found else { panic!("nothing") };
     let rows = found.range.as_ref().unwrap();
@@ -220,6 +221,15 @@ fn a_range_begins_where_a_fraction_is_the_touch() {
         assert_eq!((row.touch.as_deref(), row.share, row.whole), (Some("0"), None, true), "{row:?}");
         assert_eq!(row.periods, periods);
     }
+    // Of which motions, and which others are none, is said as in the certificates.
+    assert!(
+        text.contains("is exactly one motion, with its impacts within 1.2 radians of the phase of the touch"),
+        "{text}"
+    );
+    assert!(
+        text.contains("meets the wall and has no last impact, only within 1.2 of multiples of 2 pi"),
+        "{text}"
+    );
     // There is nothing else near beyond it, over all of that; before it over nearly all.
     assert_eq!(beyond.alone, beyond.end);
     let alone = number(&before.alone).to_f64().unwrap();

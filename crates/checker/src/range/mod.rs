@@ -153,6 +153,7 @@ use super::{
     },
 };
 
+pub use self::words::Among;
 pub use text::{Alone, Cell, Certificate, Decimal, Edge, Fraction, Harmonic, Letter, Others, Range};
 
 /// The word in the header.

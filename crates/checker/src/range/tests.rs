@@ -5,7 +5,7 @@ use super::{
     legs::leg,
     others::Room,
     proof,
-    text::{Certificate, read},
+    text::{Certificate, Fraction, read},
 };
 use crate::{
     lines::Lines,
@@ -22,6 +22,50 @@ const RANGE_MIRRORED_BEYOND: &str = include_str!("../../tests/data/range-mirrore
 
 fn ratio(p: i128, q: i128) -> Interval {
     Interval::ratio(p, q)
+}
+
+/// Each part of what is claimed of other motions is in its words: without damping, on the other side, with a
+/// second wall, in another window, of another strength they are others.
+#[test]
+fn which_motions_are_excluded_is_said_in_full() {
+    let read = |text: &str| {
+        let text = text.lines().skip(2).collect::<Vec<_>>().join("\n") + "\n";
+        read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false), 2).unwrap()
+    };
+    let own = read(RANGE_BEFORE);
+    let (depth, among) = own.among().unwrap();
+    let said = among.to_string();
+    assert!(
+        said.starts_with("every bounded motion that meets the wall and has no last impact, only within "),
+        "{said}"
+    );
+    let mut changed = [(); 6].map(|()| own.clone());
+    changed[0].ranges[0][0] = Fraction::ZERO;
+    changed[1].behind = true;
+    changed[2].mirrored = true;
+    changed[3].window = own.cells[0].edges[0].weight;
+    changed[4].cells[0].others.as_mut().unwrap().strength = own.window;
+    (changed[5].behind, changed[5].ranges[0][0]) = (true, Fraction::ZERO);
+    let mut all: Vec<String> = changed.iter().map(|one| one.among().unwrap().1.to_string()).collect();
+    assert!(
+        all[0].contains("at arbitrarily early and late times") && !all[1].contains("last impact"),
+        "{all:?}"
+    );
+    assert!(all[5].starts_with("every motion that meets the wall at arbitrarily early"), "{all:?}");
+    all.push(said);
+    all.sort();
+    all.dedup();
+    assert_eq!(all.len(), 7, "{all:?}");
+    // Of two certificates it is what both exclude; and it ends with the cells that exclude others.
+    let [less, more] = [&changed[4], &own].map(|one| one.among().unwrap().1);
+    assert_eq!([less.and(more), more.and(less)], [less, less]);
+    assert_eq!(depth, own.cells[0].depth);
+    let mut several = read(RANGE_ALONE);
+    assert!(several.cells.len() > 1 && several.among().unwrap().0 != several.cells[0].depth);
+    several.cells[1].others = None;
+    assert_eq!(several.among().unwrap().0, several.cells[0].depth);
+    several.cells[0].others = None;
+    assert!(several.among().is_none());
 }
 
 /// With a wall of two harmonics and damping, a and p move with s, s′ and ν as their derivatives say.

@@ -1,5 +1,7 @@
 //! What a certificate speaks of, in words: all that its statement leaves to its lines.
 
+use std::fmt;
+
 use super::text::{Certificate, Decimal, Fraction, RANGES};
 use crate::touch::text::{plain, wall_in_words};
 
@@ -49,21 +51,81 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     all
 }
 
-/// Up to which depth there are none, in the cells from the touch on, with the least S.
+/// Up to which depth there are none, and which.
 fn others(certificate: &Certificate) -> String {
-    let claimed = certificate.cells.iter().map_while(|cell| Some((cell.depth, cell.others?.strength)));
-    let less = |one: Decimal, other: Decimal| if other.parts() < one.parts() { other } else { one };
-    match claimed.reduce(|(_, one), (depth, other)| (depth, less(one, other))) {
+    match certificate.among() {
         None => "not excluded: there may be other orbits near".into(),
-        Some((depth, strength)) => {
-            let which = if certificate.behind { "" } else { " that is bounded and has no last impact," };
-            let speed = if certificate.mirrored { "the wall's speed" } else { "|g'|" };
-            format!(
-                "none near for nu <= {}: none{which} with {speed} <= nu S/2 at all impacts, S = {strength} or more",
-                plain(depth)
-            )
+        Some((depth, among)) => format!("none near for nu <= {}: {among}", plain(depth)),
+    }
+}
+
+/// Which motions are among those of a certificate's paths, in words wherever it is quoted: those that meet
+/// the wall near enough, and slowly enough.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Among {
+    /// Two walls: versions 3 and 4.
+    mirrored: bool,
+    /// σ = 1.
+    behind: bool,
+    /// Whether c and k are positive.
+    damped: bool,
+    /// W.
+    window: Decimal,
+    /// S: no cell has less.
+    strength: Decimal,
+}
+
+impl Certificate {
+    /// In the cells from the touch on that exclude other motions: the greatest ν, and which motions are among
+    /// these; none if the first cell does not.
+    pub fn among(&self) -> Option<(Fraction, Among)> {
+        let claimed = self.cells.iter().map_while(|cell| Some((cell.depth, cell.others?.strength)));
+        let (depth, strength) = claimed.reduce(|(_, one), (depth, other)| (depth, less(one, other)))?;
+        let [[damping, _], [stiffness, _], ..] = self.ranges;
+        let damped = damping.p > 0 && stiffness.p > 0;
+        let among =
+            Among { mirrored: self.mirrored, behind: self.behind, damped, window: self.window, strength };
+        Some((depth, among))
+    }
+}
+
+impl Among {
+    /// Of two certificates of one oscillator, which motions are among those of both.
+    pub fn and(self, other: Among) -> Among {
+        Among {
+            damped: self.damped && other.damped,
+            window: less(self.window, other.window),
+            strength: less(self.strength, other.strength),
+            ..self
         }
     }
+}
+
+impl fmt::Display for Among {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Among { mirrored, behind, damped, window, strength } = self;
+        // Where c and k are positive the statement has a word for motions that meet the wall so once.
+        let (which, when) = match (damped, behind) {
+            (true, true) => ("bounded motion", ","),
+            (true, false) => ("bounded motion", " and has no last impact,"),
+            (false, true) => ("motion", " at arbitrarily early and late times,"),
+            (false, false) => ("bounded motion", " at arbitrarily early and late times,"),
+        };
+        let (wall, turn, speed) = match mirrored {
+            false => ("the wall", "2 pi", "|g'|"),
+            true => ("a wall", "pi", "|w'|, at the upper wall half a period before,"),
+        };
+        write!(
+            f,
+            "every {which} that meets {wall}{when} only within {window} of multiples of {turn} where {speed} <= nu S/2, \
+             S = {strength}, is one of these"
+        )
+    }
+}
+
+/// The less of two.
+fn less(one: Decimal, other: Decimal) -> Decimal {
+    if other.parts() < one.parts() { other } else { one }
 }
 
 /// For each edge, between which numbers s lies at any depth.
@@ -76,5 +138,6 @@ fn strengths(certificate: &Certificate) -> String {
         let said = all.map(|[lo, hi]| format!("from {lo} to {hi}")).unwrap_or_default();
         format!("{}, {}: {said}", u + 1, v + 1)
     });
-    format!("g' = nu s/2, between letters {}", each.collect::<Vec<_>>().join("; "))
+    let cells = if certificate.cells.len() > 1 { ", in each cell the part that it lists" } else { "" };
+    format!("g' = nu s/2{cells}, between letters {}", each.collect::<Vec<_>>().join("; "))
 }

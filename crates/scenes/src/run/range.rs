@@ -39,8 +39,15 @@ row! {
         pub share: Option<f64>,
         /// ν there is at most this, exactly.
         pub depth: Option<String>,
+        /// Between which times, in radians of the forcing after the phase of the touch, with two stops of
+        /// either stop's, the impacts are that make a motion the only one of its path; absent where cells
+        /// differ.
+        pub window: Option<[String; 2]>,
         /// Up to where there are no other motions near, exactly: rounded inwards.
         pub alone: Option<String>,
+        /// Which motions are none, up to there: in the words of the certificate and its units, t from the
+        /// touch.
+        pub others: Option<String>,
         /// Where nothing is born: within so many periods of the forcing every motion, in whatever state it
         /// begins, meets the stop farther from the touch than `zone`.
         pub leaves: Option<u64>,
@@ -129,7 +136,9 @@ impl RangeRow {
             end: None,
             share: None,
             depth: None,
+            window: None,
             alone: None,
+            others: None,
             leaves: None,
             zone: None,
             reason,
@@ -258,9 +267,12 @@ impl RangeRow {
         let what = self.what(half);
         lines.say(
             "range",
-            format!("{side} the touch, proved for {above}{part}: {what} is exactly one motion"),
+            format!(
+                "{side} the touch, proved for {above}{part}: {what} is exactly one motion{}",
+                self.near(half)
+            ),
         );
-        self.further_lines((varied, half), lines);
+        self.further_lines(varied, lines);
     }
 
     /// Where no motion stays near, in which sense.
@@ -288,6 +300,19 @@ impl RangeRow {
         format!("every path of the graph of the {half}periods {periods}{which}")
     }
 
+    /// Where its impacts are.
+    fn near(&self, half: bool) -> String {
+        let phase = if half { "the phase of a touch" } else { "the phase of the touch" };
+        match self.window.as_ref().map(|[from, to]| [from.as_str(), to]) {
+            None => ", with its impacts where the certificates say".into(),
+            Some(["0", to]) => format!(", with its impacts within {to} radians after {phase}"),
+            Some([from, "0"]) => {
+                format!(", with its impacts within {} radians before {phase}", from.trim_start_matches('-'))
+            }
+            Some([_, to]) => format!(", with its impacts within {to} radians of {phase}"),
+        }
+    }
+
     /// Of all machines within tolerances.
     fn lines_of_all(&self, touches: &[String; 2], depth: &str, varied: &str, lines: &mut Lines) {
         let (side, [lower, upper]) = (self.side, touches);
@@ -307,7 +332,7 @@ impl RangeRow {
             parse_rational(depth).map_or_else(|_| depth.to_string(), |depth| decimal_or_fraction(&depth));
         let what = match self.leaving(false) {
             Some(leaving) => format!("nothing is born, and {leaving}"),
-            None => format!("{} is exactly one motion", self.what(false)),
+            None => format!("{} is exactly one motion{}", self.what(false), self.near(false)),
         };
         lines.say(
             "range",
@@ -316,20 +341,15 @@ impl RangeRow {
                  to the depth nu = {depth}, {common}: {what}"
             ),
         );
-        self.further_lines((varied, false), lines);
+        self.further_lines(varied, lines);
     }
 
     /// What else is proved, and why it ends.
-    fn further_lines(&self, (varied, half): (&str, bool), lines: &mut Lines) {
+    fn further_lines(&self, varied: &str, lines: &mut Lines) {
         let reason = self.reason.as_deref().unwrap_or_default();
-        if let Some(alone) = &self.alone {
+        if let (Some(alone), Some(others)) = (&self.alone, &self.others) {
             let way = if self.ends_above() { "<=" } else { ">=" };
-            let stop = if half { "a stop" } else { "the stop" };
-            let others = match self.side {
-                "beyond" => "no other motion stays as near as these".into(),
-                _ => format!("no other bounded motion meets {stop} as near as these again and again"),
-            };
-            lines.say("alone", format!("for {varied} {way} {alone} {others}"));
+            lines.say("alone", format!("for {varied} {way} {alone}: {others}"));
         }
         if !self.stability.is_empty() {
             lines.say("stability", self.stability_in_words(varied));

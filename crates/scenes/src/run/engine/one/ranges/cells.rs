@@ -55,10 +55,12 @@ pub(super) trait Deep {
     fn ends_by(&mut self, end: RangeEnd);
     /// The certificate.
     fn text(&self) -> &str;
+    /// Between which times after the touch the impacts are that make a motion the only one.
+    fn window(&self) -> Option<[String; 2]>;
 }
 
 macro_rules! deep {
-    ($($proof:ty),+) => {$(
+    ($($proof:ty: $window:expr),+) => {$(
         impl Deep for $proof {
             fn depth(&self) -> &BigRational {
                 &self.depth
@@ -72,10 +74,24 @@ macro_rules! deep {
             fn text(&self) -> &str {
                 &self.text
             }
+            fn window(&self) -> Option<[String; 2]> {
+                $window(self)
+            }
         }
     )+};
 }
-deep!(RangeProof, SingleProof, NothingProof);
+deep!(
+    RangeProof: |proof: &RangeProof| {
+        let window = proof.certificate.window;
+        Some([format!("-{window}"), window.to_string()])
+    },
+    SingleProof: |proof: &SingleProof| {
+        let last = proof.certificate.cells.last()?;
+        let zero = String::from("0");
+        Some(if proof.certificate.forward { [zero, last.to_string()] } else { [format!("-{last}"), zero] })
+    },
+    NothingProof: |_| None
+);
 
 impl Near<'_> {
     /// What is proved as far as it goes, and of which machines.

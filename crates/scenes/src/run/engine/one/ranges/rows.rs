@@ -15,7 +15,7 @@ use super::{
     functions,
 };
 use crate::{
-    certificate::single::Word,
+    certificate::{range::Among, single::Word},
     error::{Error, Result},
     number::parse_rational,
     search::{
@@ -155,8 +155,9 @@ impl Near<'_> {
         found: Reached<Cells<RangeProof>>,
     ) -> Result<SideRange> {
         let (mut side, cells) = self.side_of(behind, found, &|end| why(end, self.effort))?;
+        let mut others: Option<Among> = None;
         for (i, (proof, machines)) in cells.iter().enumerate() {
-            let Some(depth) = &proof.alone else { break };
+            let (Some(depth), Some((_, among))) = (&proof.alone, proof.certificate.among()) else { break };
             let alone = self.over(behind, depth, machines, String::new())?.end;
             let whole = side.row.cells.get(i).map(|cell| &cell.to);
             let is_all = whole.is_some() && alone.as_ref() == whole;
@@ -164,10 +165,12 @@ impl Near<'_> {
                 break;
             }
             side.row.alone = alone;
+            others = Some(others.map_or(among, |others| others.and(among)));
             if !is_all {
                 break;
             }
         }
+        side.row.others = others.map(|others| others.to_string());
         (side.row.of, side.row.periods, side.row.whole) = (of, graph.letters.clone(), whole);
         Ok(side)
     }
@@ -212,6 +215,9 @@ impl Near<'_> {
         if ends.len() > 1 {
             row.cells = ends;
         }
+        let windows: Vec<_> = cells.iter().map(|(proof, _)| proof.window()).collect();
+        row.window =
+            windows.first().cloned().flatten().filter(|_| windows.windows(2).all(|two| two[0] == two[1]));
         let texts = cells.iter().map(|(proof, _)| proof.text().to_string()).collect();
         Ok((SideRange { row, texts }, cells))
     }
