@@ -131,7 +131,7 @@ fn stick_and_slip_on_a_belt_is_closed() {
 /// stops against the second solver: every event, every time, the state at the end.
 #[test]
 fn random_machines_with_friction_agree_with_a_second_solver() {
-    let trials: u32 = samples(30);
+    let trials: u32 = samples(10);
     let mut random = numbers(88_172_645_463_325_252);
     let mut words: BTreeMap<&str, u32> = BTreeMap::new();
     let mut worst = 0.0f64;

@@ -6,6 +6,8 @@ use grazing_scenes::{
     many::section::{PlanarMachine, PlaneAxis},
 };
 
+use crate::samples::samples;
+
 use super::{
     second::{extrapolated, pair_with},
     *,
@@ -370,7 +372,8 @@ fn random_forces_with_kinks_agree_with_the_second_integrator() {
     };
     let kinds = ["abs", "max", "min", "power", "nested", "sign"];
     let (mut compared, mut slid, mut crossed, mut worst) = (0, 0, 0, 0.0f64);
-    for case in 0..60 {
+    let trials = samples(20);
+    for case in 0..trials {
         let mut force = || {
             let term = |random: &mut dyn FnMut(f64, f64) -> f64| {
                 let kind = kinds[(random(0.0, 5.999)).floor() as usize];
@@ -399,7 +402,7 @@ fn random_forces_with_kinks_agree_with_the_second_integrator() {
         (compared, crossed) = (compared + 1, crossed + kinks);
     }
     println!("{compared} forces with {crossed} kinks: off by at most {worst:e}; {slid} slide");
-    assert!(compared > 40 && crossed > 300, "{compared} {crossed} {slid}");
+    assert!(compared * 3 > trials * 2 && crossed > trials * 5, "{compared} {crossed} {slid}");
 }
 
 /// From rest a drive reaches the third mass, which friction holds, only later: the force that holds it, and

@@ -3,16 +3,16 @@
 
 use super::*;
 
-fn folder(name: &str, rows: &str) -> std::path::PathBuf {
-    let folder = std::env::temp_dir().join(format!("grazing-recorded-{}-{name}", std::process::id()));
-    fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join("force.csv"), format!("time,force\n{rows}")).unwrap();
+/// A folder with a record, which goes when it is dropped.
+fn folder(rows: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("force.csv"), format!("time,force\n{rows}")).unwrap();
     folder
 }
 
-fn scene(folder: &Path, system: &str, rest: &str) -> grazing_scenes::Result<Scene> {
+fn scene(folder: &tempfile::TempDir, system: &str, rest: &str) -> grazing_scenes::Result<Scene> {
     let text = format!("format = \"grazing-scene 2\"\ntitle = \"recorded\"\n[system]\n{system}\n{rest}");
-    Scene::from_toml(&text, folder.join("scene.toml").to_str().unwrap())
+    Scene::from_toml(&text, folder.path().join("scene.toml").to_str().unwrap())
 }
 
 /// q″ + 2ζω q′ + ω² q = a + bt from (q, u): a particular solution that is straight, and a decaying cosine.
@@ -33,7 +33,7 @@ fn a_run_under_a_record_moves_in_closed_form_from_sample_to_sample() {
     let force: Vec<f64> = (0..60u32).map(|i| f64::from(i * i * 37 % 101) / 20.0 - 2.0).collect();
     let rows: String =
         (0..60u32).map(|i| format!("{},{}\n", 4.0 + step * f64::from(i), force[i as usize])).collect();
-    let folder = folder("closed", &rows);
+    let folder = folder(&rows);
     let system = format!(
         "mass = 2\nstiffness = {}\ndamping = {}\nmeasured = {{ file = \"force.csv\", once = true }}",
         2.0 * omega * omega,
@@ -93,7 +93,7 @@ fn a_fine_record_of_a_harmonic_is_that_harmonic() {
                 format!("{t:e},{:e}\n", 3.0 * (TAU * t).sin())
             })
             .collect();
-        folder(&format!("fine{n}"), &rows)
+        folder(&rows)
     };
     let body = "mass = [[1, 0], [0, 0.5]]\nstiffness = [[50, -20], [-20, 60]]\n";
     let walls = "[[walls]]\nrow = [0, -1]\noffset = -0.02\nrestitution = 0";
@@ -128,12 +128,12 @@ fn a_fine_record_of_a_harmonic_is_that_harmonic() {
 #[test]
 fn a_record_taken_once_is_for_one_run() {
     let rows: String = (0..50).map(|i| format!("{},{}\n", 0.1 * f64::from(i), i % 7)).collect();
-    let folder = folder("refused", &rows);
-    let uneven = self::folder("uneven", "0,1\n0.1,2\n0.2,1\n0.4,0\n0.5,0\n");
+    let folder = folder(&rows);
+    let uneven = self::folder("0,1\n0.1,2\n0.2,1\n0.4,0\n0.5,0\n");
     let system = "mass = 1\nstiffness = 1\nmeasured = { file = \"force.csv\", once = true }";
     let task = |task: &str| format!("[[tasks]]\nname = \"task\"\n{task}");
     let simulate = |more: &str| task(&format!("kind = \"simulate\"\nstart = {{ q = 0 }}\n{more}"));
-    let check = |folder: &Path, system: &str, rest: &str| {
+    let check = |folder: &tempfile::TempDir, system: &str, rest: &str| {
         let scene = scene(folder, system, rest)?;
         scene.for_task(&scene.tasks[0], &[]).map(drop)
     };
@@ -221,7 +221,7 @@ fn exponents_under_a_record_are_those_of_the_same_force() {
         many::section::{PlanarMachine, PlaneAxis, Start},
     };
     let rows: String = (0..101).map(|i| format!("{},5\n", 0.1 * f64::from(i))).collect();
-    let folder = folder("exponents", &rows);
+    let folder = folder(&rows);
     let body = "period = 0.5\nmass = 2\nstiffness = 3\ndamping = 0.2\n";
     let found = [
         format!("{body}force = \"-40*q^3 - 3*u^3\"\nmeasured = {{ file = \"force.csv\", once = true }}"),

@@ -487,7 +487,7 @@ fn a_search_that_finds_nothing_says_how_far_it_looked() {
 fn orbits_that_rest_and_rub_have_the_multipliers_of_differences() {
     let mut random = Random(43);
     let (mut orbits, mut sticks, mut low, mut apart) = (0, 0, 0, 0.0f64);
-    for draw in 0..samples(60) {
+    for draw in 0..samples(30) {
         let machine = Table::drawn(&mut random, 2, false);
         let mut between = |lo: f64, hi: f64| lo + (hi - lo) * random.uniform();
         let row = [between(-1.0, 1.0), between(0.3, 1.0)];
@@ -569,7 +569,7 @@ fn orbits_that_rest_and_rub_have_the_multipliers_of_differences() {
         }
     }
     println!("{orbits} orbits, {sticks} that stick, {low} with a low flight, multipliers to {apart:e}");
-    assert!(orbits >= 6 && sticks > 0 && low * 4 <= orbits, "{orbits} {sticks} {low}");
+    assert!(orbits >= 3 && sticks > 0 && low * 4 <= orbits, "{orbits} {sticks} {low}");
 }
 
 /// Beside one that runs away nothing attracts: the orbit is found, and that motions were lost is said.
