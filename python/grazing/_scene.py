@@ -52,6 +52,8 @@ class TaskReport:
     outcome: Outcome
     #: The parameters' values, exactly.
     parameters: Mapping[str, Fraction]
+    #: What the numbers of ``findings`` are in, by their names, as ``units["fastest"]``; empty without units.
+    units: Mapping[str, str] = field(repr=False)
     #: Named numbers and tables, as in the command line's JSON (docs/formats.md).
     findings: Record = field(repr=False)
     #: Arrays, by kind of task; times are in forcing periods. simulate: ``time``, ``q``, ``u`` (T,), of
@@ -316,7 +318,7 @@ def _again(text: str, name: str, parameters: tuple[tuple[str, Fraction], ...]) -
 
 
 #: In a report's JSON, what does not belong to the findings.
-_COMMON = tuple("task kind status reason io engine place parameters warnings effects files".split())
+_COMMON = tuple("task kind status reason io engine place parameters units warnings effects files".split())
 
 _PROOFS = ("validate", "chaos")
 
@@ -337,6 +339,7 @@ def _report(
         engine=Record(report["engine"]),
         outcome=_outcome(report, failed),
         parameters={name: Fraction(value) for name, value in report["parameters"].items()},
+        units=report["units"],
         findings=findings,
         data=Record(arrays),
         certificates=dict(certificates),

@@ -122,6 +122,7 @@ fn reports_are_the_same() {
         let mut report = serde_json::to_value(&reports[0]).unwrap();
         let words = report.as_object_mut().unwrap().remove("in_words").unwrap();
         report.as_object_mut().unwrap().remove("place").unwrap();
+        report["units"].as_object_mut().unwrap().retain(|_, unit| unit != "N");
         (report, words.as_str().unwrap().to_string())
     };
     let (units, words) = report("", ["0.4 N", "2 kg", "4 Hz", "3 N s/m", "0.8 N/mm", "1 mm", "0 %", "80 %"]);
@@ -137,6 +138,91 @@ fn reports_are_the_same() {
     assert_eq!(small, words);
     let (_, milli) = report("", ["400 mN", "2 kg", "4 Hz", "3 N s/m", "0.8 N/mm", "1 mm", "0 %", "80 %"]);
     assert!(milli.contains(" mN the motion"), "{milli}");
+}
+
+/// Tables for a reader have their units in their heads, the parameter in the one in which it is written; JSON
+/// says which are the scene's.
+#[test]
+fn reports_name_their_units() {
+    let values = |all: [&str; 8]| -> Vec<(&'static str, String)> {
+        UNITS.iter().map(|known| known.0).zip(all.map(str::to_string)).collect()
+    };
+    let given = values(["400 mN", "2 kg", "4 Hz", "3 N s/m", "0.8 N/mm", "1 mm", "0 %", "80 %"]);
+    let tasks = "range = { effort = 20000 }\n[[tasks]]\nname = \"motion\"\nkind = \"simulate\"\nperiods = 3\nstart = { q = 0 }\n";
+    let reports = |text: &str| run(&read(text).unwrap(), Surroundings::default(), &mut ()).unwrap();
+    let both = reports(&(machine("", &given) + tasks));
+    let [touch, motion] = &both[..] else { panic!("{both:?}") };
+    let (text, json) = (format!("{touch:.6}"), serde_json::to_value(touch).unwrap());
+    for wanted in ["F = 400 mN, M = 2 kg, share = 0\n", "value (mN)", "fastest (m/s)", "strongest (N s)"] {
+        assert!(text.contains(wanted), "{wanted}: {text}");
+    }
+    let grazing = text.lines().find(|line| line.trim().starts_with("grazing")).unwrap();
+    let told = grazing.strip_suffix(" mN").unwrap_or_else(|| panic!("{grazing}"));
+    let told: f64 = told.rsplit(' ').next().unwrap().parse().unwrap();
+    assert!((told - 1000.0 * json["parameter"].as_f64().unwrap()).abs() < 1e-3, "{told} {json}");
+    assert_eq!(
+        ["parameter", "fastest", "acceleration", "gap", "touch"]
+            .map(|column| json["units"][column].as_str().unwrap()),
+        ["N", "m/s", "m/s^2", "m", "N"]
+    );
+    // Ends of what is proved, exactly.
+    let range = json["range"].as_array().unwrap().iter().find(|row| row["end"].is_string()).unwrap();
+    for end in ["touch", "end"] {
+        let milli = rational(range[end].as_str().unwrap()) * rational("1000");
+        let is_told = |word: &str| parse_rational(word).is_ok_and(|found| found == milli);
+        assert!(text.split_whitespace().any(is_told), "{milli}: {text}");
+    }
+    let text = format!("{motion:.6}");
+    assert!(text.contains("extent") && text.contains(" m\n") && text.contains("dissipated (J)"), "{text}");
+    // What turns has angles; without units there are none.
+    let turning = values(["4 Nm", "2 kg m^2", "4 Hz", "3 Nm s", "800 Nm", "1 mrad", "0 %", "80 %"]);
+    let turning = reports(&machine("", &turning));
+    let json = serde_json::to_value(&turning[0]).unwrap();
+    assert_eq!(["fastest", "gap"].map(|column| json["units"][column].as_str().unwrap()), ["rad/s", "rad"]);
+    let words = json["in_words"].as_str().unwrap();
+    assert!(words.contains(" rad/s, an impulse of up to ") && words.contains(" N m s"), "{words}");
+    let bare = values(["4", "2", "4", "3", "800", "0.001", "0", "0.8"]);
+    let bare = serde_json::to_value(&reports(&machine("", &bare))[0]).unwrap();
+    assert_eq!(bare["units"], serde_json::json!({}));
+}
+
+/// Newtons where millinewtons are the scene's, and the like.
+#[test]
+fn another_order_of_magnitude_is_noted_beside_the_touch() {
+    let words = |force: &str, gap: &str| {
+        let values = [force, "2 kg", "4 Hz", "3 N s/m", "0.8 N/mm", gap, "0 %", "80 %"];
+        let values: Vec<_> = UNITS.iter().map(|known| known.0).zip(values.map(str::to_string)).collect();
+        let reports = run(&read(&machine("", &values)).unwrap(), Surroundings::default(), &mut ()).unwrap();
+        serde_json::to_value(&reports[0]).unwrap()["in_words"].as_str().unwrap().to_string()
+    };
+    let noted = words("400 N", "1 mm");
+    assert!(
+        noted.contains("In the scene F = 400 N, ") && noted.contains(" times the touch: check"),
+        "{noted}"
+    );
+    assert!(words("400 mN", "1 m").contains("In the scene F = 400 mN, "));
+    for (force, gap) in [("400 mN", "1 mm"), ("5 N", "1 mm"), ("40", "0.001")] {
+        assert!(!words(force, gap).contains("In the scene"), "{force} {gap}");
+    }
+}
+
+/// Chaos is proved where damping and stiffness alone are not rational, and what to write is said elsewhere.
+#[test]
+fn chaos_is_proved_in_hertz() {
+    let text = include_str!("../../examples/scenes/nordmark-2001-chaos.toml");
+    let end = text.find("# And while mu").unwrap();
+    let hertz = text[..end]
+        .replace("damping = \"2*d/w\"", "frequency = 4\ndamping = \"2*d/w*8*pi\"")
+        .replace("stiffness = \"1/w^2\"", "stiffness = \"64*pi^2/w^2\"");
+    let reports = run(&read(&hertz).unwrap(), Surroundings::default(), &mut ()).unwrap();
+    let json = serde_json::to_value(&reports[0]).unwrap();
+    assert_eq!((&json["proved"], &json["alphabet"]), (&true.into(), &serde_json::json!([1, 2])));
+    let forced = hertz.replace("[[stops]]", "forcing = [{ cos = 1 }]\n[[stops]]");
+    let error = read(&forced).unwrap_err();
+    assert!(
+        error.contains("is not rational where the period is") && error.contains("write period = "),
+        "{error}"
+    );
 }
 
 /// As `--set` and Python's `set` give values: with a unit where the scene's parameter has one.
@@ -280,7 +366,7 @@ fn angles_per_time_become_cycles() {
 }
 
 /// What other keyboards and other programs type.
-const HANDS: [(&str, &str, &str); 20] = [
+const HANDS: [(&str, &str, &str); 34] = [
     ("d = 0.1", "d = nan", "s.toml:4: parameters.d = nan: \"nan\" is not a number: "),
     ("d = 0.1", "d = nan", "nan is no number here: every number is finite"),
     ("d = 0.1", "d = inf", "inf is no number here: every number is finite"),
@@ -317,6 +403,32 @@ const HANDS: [(&str, &str, &str); 20] = [
     ),
     ("d = 0.1", "pi = 3", "s.toml:4: parameters.pi = 3: is 3.14159… in every expression, and no parameter"),
     ("d = 0.1", "d = \"3 \u{b5}m/\u{3bc}m\"", ""),
+    ("d = 0.1", "d = \"1.000,5\"", "1.000,5 has a decimal comma: write 1000.5"),
+    ("d = 0.1", "d = \"1,000.5\"", "1,000.5 has a comma between thousands: write 1000.5"),
+    ("d = 0.1", "d = \"400 000 mN\"", "400 000 has spaces between its digits: write 400000"),
+    ("d = 0.1", "d = \"4·10^2\"", "· is no product of numbers here: write *"),
+    ("d = 0.1", "d = \"½\"", "½ is one character: write 1/2"),
+    ("d = 0.1", "d = \"0.1", "the closing quote is missing: write d = \"0.1\""),
+    ("d = 0.1", "δ = 0.1", "a name is a letter from a to z, then letters, digits and _"),
+    ("stiffness = 1", "stiffness = \"3 N-s/m\"", "as a unit s stands behind a number, or behind a space"),
+    (
+        "stiffness = 1",
+        "stiffness = 1\nfrequency = 0",
+        "system.frequency = 0: makes no period: it must be positive",
+    ),
+    (
+        "stiffness = 1",
+        "stiffness = 1\nforcing = { cos = 1 }",
+        "is one table, not a list of them: write [{ cos = 1 }]",
+    ),
+    (
+        "stiffness = 1",
+        "stiffness = 1\nforcing = [{ k = 2, cos = d }]",
+        "a formula is a text: write cos = \"d\"",
+    ),
+    ("stiffness = 1", "stiffness = 1\nforcing = [{ cos = 0,5 }]", "0,5 has a decimal comma: write 0.5"),
+    ("stiffness = 1", "stiffness = 1\nforcing = [{ k = 2, cos = 100, sin = 200 }]", ""),
+    ("restitution = 1", "restitution = 80 %", "a number with a unit is a text: write restitution = \"80 %\""),
 ];
 
 #[test]

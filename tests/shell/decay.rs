@@ -63,6 +63,8 @@ fn what_is_wrong_with_a_record_is_said_with_its_line() {
         (String::new(), "", "record.csv:1: holds no samples"),
         ("time,displacement\n0,1\n".into(), "", "record.csv:1: has 1 samples"),
         (with("nan,"), "", "record.csv:22: \"nan\" is not a finite number"),
+        (example().replace(',', ";").replace('.', ","), "", "has a decimal comma: write 0."),
+        (with("0.1 s,"), "", "write the number alone"),
         (with("0.095,"), "", "record.csv:22: the time 0.095 stands in line 21, too"),
         (with("0.01,"), "", "sort the lines by time"),
         (with("0.1,3,"), "", "record.csv:22: has 3 cells; the first line has 2"),

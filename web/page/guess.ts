@@ -9,6 +9,9 @@ export type Found = { check: string } | { panel: "plane" | "motion"; state: Reco
 /** Reads an exact number as the command line does. */
 export type Read = (text: string) => Promise<Exact>;
 
+/** The scene of a machine, by names and texts with units, as a scene reads them. */
+export type Build = (named: Record<string, string>) => Promise<string>;
+
 /** What may be typed, said where nothing was understood. */
 export const KINDS =
   "a point (a1 = -1/4, a2 = 1/2, or r = 0.99, s = 3/8), a matrix of two rows (0.5 1; -0.2 0), a machine " +
@@ -17,7 +20,7 @@ export const KINDS =
 const NUMBER = "[-+]?(?:\\d|\\.\\d)[\\d.^/eE+-]*";
 
 /** Finds out what a text is. */
-export async function guess(text: string, read: Read): Promise<Found> {
+export async function guess(text: string, read: Read, build: Build): Promise<Found> {
   const bare = text.replace(/^\ufeff/, "").trim();
   // A mark before a certificate is the checker's to refuse.
   if (/^grazing-(certificate|shard)\b/.test(bare)) return { check: text };
@@ -27,7 +30,10 @@ export async function guess(text: string, read: Read): Promise<Found> {
   }
   const plain = hyphens(bare);
   const named = names(plain);
-  if (named.size > 0) return named.has("k") || named.has("m") ? machine(named, read) : point(named, read);
+  if (named.has("k") || named.has("m")) {
+    return { panel: "motion", state: { scene: await build(Object.fromEntries(named)), name: "machine.toml" } };
+  }
+  if (named.size > 0) return point(named, read);
   const rows = rowsOf(plain);
   if (rows.length === 1 && rows[0]!.length === 2) return at(await read(rows[0]![0]!), await read(rows[0]![1]!));
   if (rows.length > 1) return matrix(plain, read);
@@ -61,99 +67,24 @@ const MEANINGS: Record<string, string> = {
   force: "F", restitution: "e",
 };
 
-/** Units by what they are units of: the power of ten, or another factor. */
-const UNITS: Record<string, Record<string, number | Exact>> = {
-  m: { kg: 0, g: -3, mg: -6, t: 3 },
-  k: { "N/m": 0, "kN/m": 3, "N/mm": 3, "MN/m": 6 },
-  c: { "Ns/m": 0, "kg/s": 0, "kNs/m": 3, "Ns/mm": 3 },
-  f: { Hz: 0, kHz: 3, mHz: -3, rpm: Exact.ratio(1n, 60n) },
-  gap: { m: 0, cm: -2, mm: -3, "µm": -6, "μm": -6, um: -6, nm: -9 },
-  F: { N: 0, kN: 3, mN: -3, "µN": -6, "μN": -6, uN: -6 },
-};
-
 /** Names with their numbers and units, as `m = 2 kg`. */
-function names(text: string): Map<string, { number: string; unit: string }> {
-  const found = new Map<string, { number: string; unit: string }>();
+function names(text: string): Map<string, string> {
+  const found = new Map<string, string>();
   const pattern = new RegExp(`([\\p{L}][\\p{L}\\d₁₂_]*)\\s*[=:]\\s*(${NUMBER})[ \\t]*([^=:,;\\n]*?)\\s*(?=$|[,;\\n]|\\s[\\p{L}][\\p{L}\\d₁₂_]*\\s*[=:])`, "gu");
   for (const [, name, number, unit] of text.matchAll(pattern)) {
-    found.set(MEANINGS[name!] ?? name!, { number: number!, unit: unit!.replace(/[\s·*]/g, "") });
+    found.set(MEANINGS[name!] ?? name!, `${number} ${unit}`.trim());
   }
+  const left = text.replace(pattern, "").replace(/^[\s,;]+|[\s,;]+$/g, "");
+  if (found.size > 0 && left !== "") throw new Failure(`“${left}” is not understood: write each as name = number unit, numbers as 0.5.`);
   return found;
 }
 
-type Named = ReturnType<typeof names>;
-
-async function point(named: Named, read: Read): Promise<Found> {
+async function point(named: Map<string, string>, read: Read): Promise<Found> {
   for (const [first, second] of [["a1", "a2"], ["r", "s"]] as const) {
     const [x, y] = [named.get(first), named.get(second)];
     if (!x || !y) continue;
-    const state = { [first]: (await read(x.number)).toString(), [second]: (await read(y.number)).toString() };
+    const state = { [first]: (await read(x)).toString(), [second]: (await read(y)).toString() };
     return { panel: "plane", state: { ...state, chart: first === "a1" ? "plane" : "strip" } };
   }
   throw new Failure(`${[...named.keys()].join(", ")}: a point has a1 and a2, or r and s; a machine has m, k, c, f and gap.`);
-}
-
-/** A number in SI units, as a scene has it: in decimals where it can. */
-async function inUnits(name: string, { number, unit }: { number: string; unit: string }, read: Read): Promise<[string, Exact]> {
-  const value = await read(number);
-  const units = UNITS[name] ?? { "": 0 };
-  const factor = unit === "" ? 0 : units[unit];
-  if (factor === undefined) throw new Failure(`${name} = ${number} ${unit}: its units are ${Object.keys(units).join(", ")}`);
-  if (typeof factor !== "number") {
-    const product = value.mul(factor);
-    return [`"${product}"`, product];
-  }
-  const product = value.mul(Exact.power(10n, factor));
-  if (!/^[\d.]+$/.test(number)) return [`"${product}"`, product];
-  return [factor === 0 ? number : `${number}e${factor}`, product];
-}
-
-/** A driven mass between a spring, a damper and a stop, as a scene: driven to nine tenths of what touches. */
-async function machine(named: Named, read: Read): Promise<Found> {
-  const damping = named.has("ζ") ? "ζ" : "c";
-  const wanted = ["m", "k", damping, "f", "gap"];
-  const missing = wanted.filter((name) => !named.has(name));
-  if (missing.length > 0) {
-    throw new Failure(
-      `${missing.join(", ")}: missing. A machine has its mass m, stiffness k, damping c (or ζ), the frequency f of the drive and its gap.`,
-    );
-  }
-  const unknown = [...named.keys()].find((name) => ![...wanted, "F", "e"].includes(name));
-  if (unknown) throw new Failure(`${unknown}: a machine has m, k, c or ζ, f, gap, F and e (restitution)`);
-  const values = new Map<string, [string, Exact]>();
-  for (const [name, given] of named) values.set(name, await inUnits(name, given, read));
-  const text = (name: string) => values.get(name)![0];
-  const size = (name: string) => values.get(name)![1].toNumber();
-  const [m, k, w] = [size("m"), size("k"), 2 * Math.PI * size("f")];
-  const c = damping === "c" ? size("c") : 2 * size("ζ") * Math.sqrt(k * m);
-  const touch = Number((0.9 * size("gap") * Math.hypot(k - m * w * w, c * w)).toPrecision(3));
-  const scene = `format = "grazing-scene 3"
-title = "A driven mass and a stop, in SI units"
-
-[parameters]
-m = ${text("m")}    # mass, kg
-k = ${text("k")}    # stiffness, N/m
-${damping === "c" ? "c" : "zeta"} = ${text(damping)}    # ${damping === "c" ? "damping, N s/m" : "damping ratio"}
-F = ${values.has("F") ? text("F") : touch}    # amplitude of the force, N
-f = ${text("f")}    # its frequency, Hz
-gap = ${text("gap")}    # from rest to the stop, m
-
-[system]                     # m q'' + c q' + k q = F cos 2πft
-frequency = "f"
-mass = "m"
-${damping === "c" ? 'damping = "c"' : 'damping_ratio = "zeta"'}
-stiffness = "k"
-forcing = [{ cos = "F" }]
-
-[[stops]]
-side = "upper"
-offset = "gap"
-restitution = ${values.has("e") ? text("e") : "0.8"}
-
-[[tasks]]
-name = "first-touch"
-kind = "grazing"
-parameter = "F"
-`;
-  return { panel: "motion", state: { scene, name: "machine.toml" } };
 }

@@ -28,6 +28,7 @@ import { type Layer, Plot, type Point, type View } from "./plot";
 interface Parameter {
   name: string;
   value: string;
+  unit: string | null;
   about: string;
   range: [number, number];
   named_here: boolean;
@@ -408,7 +409,7 @@ class MotionPanel implements Panel {
       typed();
     });
     const note = about || (parameter.named_here ? "" : "parameter of the scene");
-    return element("div", { class: "motion-slider" }, element("span", { class: "motion-name", title: note }, name), range, exact, element("span", { class: "muted motion-about" }, note));
+    return element("div", { class: "motion-slider" }, element("span", { class: "motion-name", title: note }, parameter.unit ? `${name} (${parameter.unit})` : name), range, exact, element("span", { class: "muted motion-about" }, note));
   }
 
   /** Gives a parameter a value, as by its slider. */
@@ -577,6 +578,8 @@ class MotionPanel implements Panel {
   private axes(): { xLabel: string; yLabel: string; description: string } {
     const { scene, parts } = this;
     const parameter = parts.parameter.value;
+    const unit = scene?.parameters.find(({ name }) => name === parameter)?.unit;
+    const along = unit ? `${parameter} (${unit})` : parameter;
     const seen = parts.seen.value;
     const isGap = seen.startsWith("gap ");
     const quantity = scene?.machine ? seen || "q1" : "q";
@@ -588,8 +591,8 @@ class MotionPanel implements Panel {
       time: ["time in forcing periods", quantity, "The motion over time, with stops and impacts"],
       plane: [quantity, rate, "The motion in the phase plane, impacts as jumps"],
       section: [x, y, `The state once per forcing period, at the phase ${scene?.phase ?? "0"}`],
-      attractor: [parameter, x, `What motions tend to over ${parameter}`],
-      born: [parameter, "impact speed", `Impact speeds of the orbits born at the grazing, over ${parameter}: predicted, computed and simulated`],
+      attractor: [along, x, `What motions tend to over ${parameter}`],
+      born: [along, "impact speed", `Impact speeds of the orbits born at the grazing, over ${parameter}: predicted, computed and simulated`],
       tasks: ["", "", ""],
     };
     const [xLabel, yLabel, description] = axes[this.view];

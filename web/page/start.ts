@@ -293,7 +293,12 @@ class StartPanel implements Panel {
   private async take(text: string): Promise<void> {
     this.parts.problem.hidden = true;
     try {
-      const found = await guess(text, async (number) => Exact.parse((await this.context.compute("number", number)).exact));
+      const { compute } = this.context;
+      const found = await guess(
+        text,
+        async (number) => Exact.parse((await compute("number", number)).exact),
+        async (named) => (await compute("machine", JSON.stringify(named))).scene,
+      );
       if ("check" in found) this.context.openCheck(found.check);
       else this.context.go(found.panel, found.state);
     } catch (failed) {

@@ -6,6 +6,7 @@
 
 pub mod answer;
 pub mod check;
+pub mod machine;
 pub mod motion;
 pub mod plane;
 pub mod theory;
@@ -48,6 +49,12 @@ pub fn overflow() -> String {
 #[wasm_bindgen]
 pub fn number(text: &str) -> String {
     theory::number(text)
+}
+
+/// [`machine::machine`].
+#[wasm_bindgen]
+pub fn machine(named: &str) -> String {
+    machine::machine(named)
 }
 
 /// [`theory::classify`].

@@ -26,7 +26,8 @@ use grazing_scenes::{Error, Result, scene::Scene};
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-pub use request::Request;
+pub use document::{in_unit, quoted};
+pub use request::{Request, toml};
 
 use crate::answer::{Fault, requested};
 

@@ -8,9 +8,9 @@
 //! | [`error`], [`outcome`] | what goes wrong; how work ends |
 //! | [`processor`], [`profile`], [`monitor`] | time and threads; where time goes; how a long job reports and is ended |
 //! | [`random`] | the same choices on every machine |
-//! | [`output`] | files that are whole or absent, saved states, shards, tables |
 //! | [`quantity`] | units and what they are units of |
 //! | [`typed`] | what hands type where numbers are wanted |
+//! | [`output`] | files that are whole or absent, saved states, shards, tables |
 //! | [`source`] | errors that name file, line and key |
 
 // They panic once nobody reads; `output` has what does not.

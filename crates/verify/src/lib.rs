@@ -12,7 +12,7 @@ pub mod cli;
 
 // The library's chapters, under the names that they have there.
 use grazing::{certificate, existence, farey, local, number, pattern, rows, search, symbol, tolerance, word};
-use grazing_base::{error, monitor, outcome, output, printable, processor, profile, quantity};
+use grazing_base::{error, monitor, outcome, output, printable, processor, profile, quantity, source, typed};
 
 #[doc(hidden)]
 pub use cli::{Commands, Theory, main};

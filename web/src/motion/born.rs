@@ -67,8 +67,10 @@ pub fn born(request: &Request) -> Result<Value> {
     let own = changeable.scene.parameters.iter().find(|(name, _)| name == parameter);
     let own = own.and_then(|(_, value)| document::float(value)).map_or(0.0, f64::abs);
     let size = size("from").max(size("to")).max(own);
+    let unit = changeable.parameters.iter().find(|known| known.name == parameter);
+    let unit = unit.and_then(|known| known.unit.as_ref()).map_or(String::new(), |unit| format!(" {unit}"));
     Ok(json!({
-        "sentences": theory::sentences(&json, most, size),
+        "sentences": theory::sentences(&json, most, size, &unit),
         "place": theory::place(&json),
         "slopes": predicted,
         "report": json,

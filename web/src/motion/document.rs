@@ -17,8 +17,10 @@ use toml_edit::{Document, DocumentMut, Item, Value};
 pub struct Parameter {
     /// Its name, the scene's own or the page's.
     pub name: String,
-    /// Its value in the scene, as it is written there.
+    /// Its value in the scene, as it is written there; with a unit, in the scene's own for that.
     pub value: String,
+    /// That unit, if it has one.
+    pub unit: Option<String>,
     /// What it is: the comment beside it in the scene, or where it stands.
     pub about: String,
     /// The ends of the slider.
@@ -67,13 +69,19 @@ impl Changeable {
         let mut parameters = Vec::new();
         for (name, value) in &scene.parameters {
             let item = root.get("parameters").and_then(|all| all.get(name));
-            let text = item.map_or_else(|| value.to_string(), |item| written(item).unwrap_or_default());
-            let about = item.and_then(|item| comment(item, document.raw()));
+            let unit = scene.unit(name).map(|unit| unit.own.clone());
+            let text = match (item, &unit) {
+                (Some(item), None) => written(item).unwrap_or_default(),
+                _ => in_decimals(value),
+            };
+            let unit = unit.filter(|unit| !unit.is_empty());
+            let about = item.and_then(|item| comment(item, document.raw())).unwrap_or_default();
             let range = range(&scene, name, value);
             parameters.push(Parameter {
                 name: name.clone(),
                 value: text,
-                about: about.unwrap_or_default(),
+                about,
+                unit,
                 range,
                 place: None,
             });
@@ -87,7 +95,7 @@ impl Changeable {
                 name.push('_');
             }
             let range = default_range(&name, &number);
-            parameters.push(Parameter { name, value, about, range, place: Some(place) });
+            parameters.push(Parameter { name, value, unit: None, about, range, place: Some(place) });
         }
         let (name, text) = (name.to_string(), text.to_string());
         Ok(Changeable { name, text, scene, parameters })
@@ -121,7 +129,11 @@ impl Changeable {
             let Some(place) = &parameter.place else {
                 let item = root.get_mut("parameters").and_then(|all| all.get_mut(&parameter.name));
                 if let (Some(item), Some(new)) = (item, new) {
-                    replace(item, &new);
+                    let is_bare = parse_rational(&new).is_ok();
+                    match parameter.unit.as_deref().filter(|_| is_bare) {
+                        Some(unit) => replace_by(item, Value::from(in_unit(&new, unit))),
+                        None => replace(item, &new),
+                    }
                 }
                 continue;
             };
@@ -152,7 +164,7 @@ impl Changeable {
         for parameter in &self.parameters {
             let Some(new) = self.checked(values, &parameter.name)? else { continue };
             match &parameter.place {
-                None => changes.push((parameter.name.clone(), parse_rational(&new)?)),
+                None => changes.extend(self.scene.values(&[(&parameter.name, &new)])?),
                 Some(place) => {
                     if let Some(span) = at(document.as_item(), place).and_then(Item::span) {
                         edits.push((span, number(&new).to_string()));
@@ -171,9 +183,13 @@ impl Changeable {
     /// The new value of a parameter, if it has one that differs from the scene's.
     fn checked(&self, values: &[(String, String)], name: &str) -> Result<Option<String>> {
         let Some((_, new)) = values.iter().find(|(known, _)| known == name) else { return Ok(None) };
-        let value = parse_rational(new)
-            .map_err(|error| Error::from(error).context(format_args!("parameter {name}")))?;
         let old = self.parameters.iter().find(|known| known.name == name);
+        // Its own parameters are read as by `--set`, in any unit.
+        let value = match (parse_rational(new), old) {
+            (Ok(value), _) => value,
+            (Err(_), Some(Parameter { unit: Some(_), .. })) => self.scene.values(&[(name, new)])?.remove(0).1,
+            (Err(error), _) => return Err(Error::from(error).context(format_args!("parameter {name}"))),
+        };
         let same = old.is_some_and(|old| parse_rational(&old.value).is_ok_and(|old| old == value));
         Ok((!same).then(|| new.trim().to_string()))
     }
@@ -394,6 +410,19 @@ fn default_range(name: &str, value: &BigRational) -> [f64; 2] {
         positive if positive > 0.0 => [0.0, 2.0 * positive],
         negative => [2.0 * negative, 0.0],
     }
+}
+
+/// An exact number: in decimals where these are few, else a fraction.
+fn in_decimals(value: &BigRational) -> String {
+    let decimals = float(value).map(|value| value.to_string());
+    let decimals = decimals.filter(|text| parse_rational(text).is_ok_and(|same| same == *value));
+    decimals.unwrap_or_else(|| value.to_string())
+}
+
+/// A number in a unit.
+pub fn in_unit(number: &str, unit: &str) -> String {
+    let plain = number.chars().all(|c| c.is_ascii_digit() || matches!(c, '.' | '-'));
+    if plain { format!("{number} {unit}") } else { format!("({number}) {unit}") }
 }
 
 /// A name as TOML has it between quotes.

@@ -52,6 +52,7 @@ fn described(parameter: &Parameter) -> Value {
     json!({
         "name": parameter.name,
         "value": parameter.value,
+        "unit": parameter.unit,
         "about": parameter.about,
         "range": parameter.range,
         "named_here": parameter.place.is_some(),

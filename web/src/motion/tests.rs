@@ -153,6 +153,49 @@ periods = 3
     }
 }
 
+/// Sliders are in the scene's units, and values may be typed in any.
+#[test]
+fn parameters_with_units_can_be_changed() {
+    let text = r#"
+format = "grazing-scene 3"
+title = "t"
+[parameters]
+F = "400 mN"    # amplitude
+m = "2 kg"
+z = "2 %"
+[system]
+frequency = "4 Hz"
+mass = "m + 50 g"
+damping_ratio = "z"
+stiffness = "0.8 N/mm"
+forcing = [{ cos = "F" }]
+[[stops]]
+side = "upper"
+offset = "1 mm"
+restitution = "80 %"
+"#;
+    let found = ask(super::motion_open(&request(text, "s.toml", json!({}))));
+    let read: Vec<[&Value; 3]> = found["parameters"].as_array().unwrap()[..3]
+        .iter()
+        .map(|parameter| ["name", "value", "unit"].map(|key| &parameter[key]))
+        .collect();
+    let wanted = [json!(["F", "0.4", "N"]), json!(["m", "2", "kg"]), json!(["z", "0.02", null])];
+    assert_eq!(json!(read), json!(wanted));
+    let changeable = Changeable::new(text, "s.toml").unwrap();
+    for (given, exact) in [("1/2", "1/2"), ("300 mN", "3/10"), ("0.4", "2/5")] {
+        let values = [("F".to_string(), given.to_string()), ("z".into(), "1/3".into())];
+        let scene = Scene::from_toml(&changeable.with(&values, "").unwrap(), "s.toml").unwrap();
+        let (_, changes) = changeable.in_place(&values).unwrap();
+        assert_eq!(scene.parameters[0].1.to_string(), exact);
+        assert_eq!(changeable.scene.with(&changes).unwrap().parameters, scene.parameters);
+    }
+    let error = changeable.with(&[("F".into(), "3 kg".into())], "").unwrap_err().to_string();
+    assert!(error.contains("is a mass, and in s.toml F is a force"), "{error}");
+    let words = ask(super::motion_born(&request(text, "s.toml", json!({ "parameter": "F", "max_period": 2 }))));
+    let first = words["sentences"][0].as_str().unwrap();
+    assert!(first.contains(" N the motion without impacts grazes"), "{first}");
+}
+
 #[test]
 fn errors_have_the_line_and_the_key_of_the_command_line() {
     let broken = super::PAPER.replace("stiffness = \"1/w^2\"", "stiffnes = \"1/w^2\"");

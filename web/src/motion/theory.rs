@@ -169,8 +169,9 @@ fn letters([a1, a2]: [f64; 2], positive: bool) -> Option<String> {
 }
 
 /// The report of a task of kind `grazing` with patterns up to the period `most`, in sentences; empty for one
-/// that found nothing. `size` is that of the parameter's values, the largest one looked at.
-pub fn sentences(report: &Value, most: u64, size: f64) -> Vec<String> {
+/// that found nothing. `size` is that of the parameter's values, the largest one looked at; `unit` is what it
+/// is in, after a blank, or empty.
+pub fn sentences(report: &Value, most: u64, size: f64, unit: &str) -> Vec<String> {
     let Some(parameter) = report["parameter"].as_f64() else { return Vec::new() };
     let name = report["varied"].as_str().unwrap_or_default();
     let wall = match report["stop"].as_str() {
@@ -179,7 +180,7 @@ pub fn sentences(report: &Value, most: u64, size: f64) -> Vec<String> {
         None => "a stop".to_string(),
     };
     let parameter = digits(located(parameter, size), 9);
-    let mut all = vec![format!("At {name} = {parameter} the motion without impacts grazes {wall}.")];
+    let mut all = vec![format!("At {name} = {parameter}{unit} the motion without impacts grazes {wall}.")];
     if let (Some(a1), Some(a2)) = (report["a1"].as_f64(), report["a2"].as_f64()) {
         let region = match report["region"].as_str() {
             Some("line") => ", on the line between two regions".to_string(),
@@ -231,17 +232,20 @@ pub fn sentences(report: &Value, most: u64, size: f64) -> Vec<String> {
     if open > 0 {
         all.push(format!("{open} of the patterns looked at are open: a sign is too close to zero."));
     }
-    all.extend(seen(report, name));
+    all.extend(seen(report, name, unit));
     all
 }
 
 /// What attracts beside the grazing, in sentences.
-fn seen(report: &Value, name: &str) -> Option<String> {
+fn seen(report: &Value, name: &str, unit: &str) -> Option<String> {
     let rows = report["seen"].as_array()?;
     let row = |row: &Value| {
-        let at =
-            row["value"].as_f64().map_or(String::new(), |value| format!("{name} = {}", digits(value, 6)));
+        let at = row["value"]
+            .as_f64()
+            .map_or(String::new(), |value| format!("{name} = {}{unit}", digits(value, 6)));
         let from = match row["place"].as_str()? {
+            "rest" if row["motion"].is_null() => return None,
+            "rest" => "begun at rest, from",
             "before" => "just before, at",
             "beyond" => "just beyond, at",
             _ => "taken back from there, at",
@@ -250,6 +254,8 @@ fn seen(report: &Value, name: &str) -> Option<String> {
             "stays" => "the motion stays",
             "jumps" => "it jumps away",
             "leaves" => "it leaves again",
+            "hits" => "on it hits for ever",
+            "partly" => "on it hits for ever at some of the values looked at",
             _ => return Some(format!("{from} {at}, it leaves every bound")),
         };
         let ends = |key: &str| {
@@ -309,8 +315,8 @@ mod tests {
             "seen": [{ "value": 1.0001e-20, "place": "before", "what": "stays", "motion": "period 1",
                 "gap": [-1e-20, 1e-20] }],
         });
-        let all = sentences(&report, 4, 2e-20).join(" ");
-        for text in ["At gap = 1e-20 the", "a₁ = 1e-9,", "at gap = 1.0001e-20,", "a gap from -1e-20 to 1e-20"]
+        let all = sentences(&report, 4, 2e-20, " m").join(" ");
+        for text in ["At gap = 1e-20 m the", "a₁ = 1e-9,", "at gap = 1.0001e-20 m,", "a gap from -1e-20 to 1e-20"]
         {
             assert!(all.contains(text), "{text}: {all}");
         }

@@ -1,5 +1,7 @@
 //! Samples over time, from a text with two columns among others.
 
+use crate::typed::in_number;
+
 /// A line of the file, a time and a value.
 pub type SampleLine = (usize, f64, f64);
 /// What is wrong and in which line.
@@ -60,13 +62,14 @@ pub fn samples(
         let number = |place: usize| {
             let value = cells[place].parse::<f64>().ok().filter(|value| value.is_finite());
             value.ok_or_else(|| {
-                (
-                    line,
-                    format!(
-                        "{:?} is not a finite number, written with a point: take the line out",
-                        cells[place]
-                    ),
-                )
+                let what = format!("{:?} is not a finite number, written with a point", cells[place]);
+                let begins = cells[place].starts_with(|c: char| c.is_ascii_digit());
+                let meant = match in_number(&cells[place]) {
+                    Some(meant) if begins => meant,
+                    _ if begins => "write the number alone, its unit into the first line".to_string(),
+                    _ => "take the line out".to_string(),
+                };
+                (line, format!("{what}: {meant}"))
             })
         };
         let (t, x) = (number(time)?, number(value)?);

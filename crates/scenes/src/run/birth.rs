@@ -1,7 +1,7 @@
 //! Whether chaos is born at a grazing bifurcation, and how much of it: the word theorem at the local map as
 //! computed.
 
-use super::row;
+use super::{Lines, row};
 use crate::{
     error::Result,
     monitor::Monitor,
@@ -39,13 +39,12 @@ row! {
 
 impl ChaosRow {
     /// The rows in words; `half` if periods are counted in halves.
-    pub(super) fn sentences(rows: &[ChaosRow], half: bool) -> String {
+    pub(super) fn sentences(rows: &[ChaosRow], half: bool, lines: &Lines) -> String {
         let per = if half { "half period" } else { "period" };
-        rows.iter().map(|row| row.sentence(per)).collect::<Vec<_>>().join("; ")
+        rows.iter().map(|row| row.sentence(&lines.side(&row.side), per)).collect::<Vec<_>>().join("; ")
     }
 
-    fn sentence(&self, per: &str) -> String {
-        let side = &self.side;
+    fn sentence(&self, side: &str, per: &str) -> String {
         let at_least = if self.at_least { "at least " } else { "" };
         match (self.chaos, &self.entropy) {
             (Some(true), Some(entropy)) => {

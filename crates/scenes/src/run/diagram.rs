@@ -330,7 +330,8 @@ pub(super) fn sweep_steps<E: Engine>(
     ways: &[(bool, u32)],
 ) -> Result<Swept<E>> {
     let states = engine.states(&task.starts)?;
-    let plane = engine.plane(&task.plane).map_or(String::new(), |names| names.join(", "));
+    let plane = engine.plane(&task.plane);
+    let drawn = plane.as_ref().map_or("q", |[first, _]| first);
     let dynamics = |value| engine.dynamics(&states, Some((&task.parameter, value)), &task.plane);
     let values = ways.iter().map(|&(_, i)| value(&task.range, i, task.count)).collect();
     let plan = DiagramPlan { values, ..plan(task, engine.begun(&states), 0..0) };
@@ -339,7 +340,8 @@ pub(super) fn sweep_steps<E: Engine>(
         Journal::discard(file)?;
     }
     job.monitor.begin(plan.values.len() as u64, "values");
-    let identity = format!("{} {}{plane}", job.identity()?, task.parameter);
+    let names = plane.as_ref().map_or(String::new(), |names| names.join(", "));
+    let identity = format!("{} {}{names}", job.identity()?, task.parameter);
     let steps = diagram::swept(&plan, dynamics, &identity, job.keep(file.as_deref()), job.monitor)?;
     let upwards = ways.iter().filter(|(up, _)| *up).count();
     let mut legs = Vec::new();
@@ -349,7 +351,7 @@ pub(super) fn sweep_steps<E: Engine>(
             legs.push(Leg { up, steps, jumps });
         }
     }
-    let found = SweepFindings::of(&legs);
+    let found = SweepFindings::of(&legs, drawn);
     drop(legs);
     Ok((steps, found, plan.look))
 }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use num_traits::ToPrimitive;
 use serde::Serialize;
 
 use super::{
@@ -83,7 +84,7 @@ impl Finding for GrazingFindings {
         match self {
             GrazingFindings::Found(found) => found.lines(lines),
             GrazingFindings::Nothing { varied, start, .. } => {
-                lines.say("start", format!("{varied} = {start:?}"));
+                lines.say("start", format!("{varied} = {}", lines.told("start", *start)));
             }
         }
     }
@@ -316,7 +317,7 @@ impl GrazingReport {
     fn lines(&self, lines: &mut Lines) {
         let at = &self.at;
         lines.say("in_words", self.in_words.as_str());
-        lines.say("grazing", format!("{} = {}", at.varied, lines.set(at.parameter)));
+        lines.say("grazing", format!("{} = {}", at.varied, lines.told("parameter", at.parameter)));
         lines.say_known("orbit", &at.orbit);
         lines.say("stop", at.stop.as_str());
         if at.half {
@@ -326,7 +327,7 @@ impl GrazingReport {
         lines.say("admissible", at.admissible);
         lines.say_known("open", &at.open);
         if let Some(rows) = &self.chaos {
-            lines.say("chaos", ChaosRow::sentences(rows, at.half));
+            lines.say("chaos", ChaosRow::sentences(rows, at.half, lines));
         }
         if let Some(reason) = &self.chaos_open {
             lines.say("chaos", format!("not decided: {reason}"));
@@ -422,9 +423,11 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
     let (tolerance, tolerance_open) = asked_for_tolerances(task, job, &point, &at)?;
     let of_gap = matches!(job.scene.body, Body::Machine(_));
     let seen = seen.as_ref().map(|seen| seen::rows(seen, of_gap));
+    let given = job.scene.parameters[job.scene.parameter(&at.varied)?].1.to_f64().unwrap_or(f64::NAN);
+    let units = (job.scene.units, job.scene.turns);
     let in_words = told::sentences(
         &at,
-        (job.model.period(), job.scene.units, job.scene.unit(&at.varied)),
+        (job.model.period(), units, job.scene.unit(&at.varied), given),
         seen.as_deref().unwrap_or_default(),
         hits.as_deref().unwrap_or_default(),
         influence.as_deref().unwrap_or_default(),

@@ -4,8 +4,10 @@
 
 use std::fmt::Write;
 
-use super::{Row, Shown, Tabular};
-use crate::{local::Region, printable::Printable};
+use num_traits::One;
+
+use super::{ColumnUnit, Row, Shown, Tabular};
+use crate::{local::Region, number::parse_rational, printable::Printable, quantity::exact_text};
 
 /// Names of lines end here.
 const NAMES: usize = 16;
@@ -41,6 +43,34 @@ fn in_words(column: &str, cell: String) -> String {
     }
 }
 
+/// Whether a cell has numbers alone, and no counts.
+fn has_numbers(cell: &str) -> bool {
+    cell.split(", ").all(|part| part.contains(['.', 'e', '/']) && parse_rational(part).is_ok())
+}
+
+impl ColumnUnit {
+    /// The unit in which a reader is told it.
+    fn name(&self) -> &str {
+        self.written.as_ref().map_or(&self.own, |unit| &unit.text)
+    }
+
+    fn converts(&self) -> bool {
+        self.written.as_ref().is_some_and(|unit| !unit.size.is_one())
+    }
+
+    /// The numbers of a cell in that unit, which has all digits and is told with some: what is told with all
+    /// is converted exactly.
+    fn converted(&self, cell: &str, (told, digits): (&str, Option<usize>)) -> String {
+        let Some(unit) = self.written.as_ref().filter(|_| self.converts()) else { return told.to_string() };
+        let one = |part: &str| match (part.parse::<f64>(), parse_rational(part)) {
+            (Ok(x), _) if cell != told => unit.of(x).set(digits),
+            (_, Ok(exact)) => exact_text(&(exact / &unit.size)).trim_matches(['(', ')']).to_string(),
+            _ => part.to_string(),
+        };
+        cell.split(", ").map(one).collect::<Vec<_>>().join(", ")
+    }
+}
+
 /// The lines of a report: name and value, or a table under its name.
 #[derive(Debug, Default)]
 pub(crate) struct Lines {
@@ -49,12 +79,44 @@ pub(crate) struct Lines {
     digits: Option<usize>,
     /// How wide they may be, in characters.
     width: Option<usize>,
+    /// What columns are in.
+    units: Vec<ColumnUnit>,
 }
 
 impl Lines {
     /// Lines of at most this width, where a word is no wider, with floats of so many significant digits.
     pub fn new(digits: Option<usize>, width: Option<usize>) -> Lines {
-        Lines { text: String::new(), digits, width }
+        Lines { text: String::new(), digits, width, units: Vec::new() }
+    }
+
+    /// The same, with units.
+    pub fn in_units(self, units: &[ColumnUnit]) -> Lines {
+        Lines { units: units.to_vec(), ..self }
+    }
+
+    fn unit(&self, column: &str) -> Option<&ColumnUnit> {
+        self.units.iter().find(|unit| unit.column == column)
+    }
+
+    /// A number of a column in the unit in which it is told, which stands behind it.
+    pub fn told(&self, column: &str, number: impl Shown) -> String {
+        match self.unit(column) {
+            Some(unit) => {
+                let told = unit.converted(&number.set(None), (&number.set(self.digits), self.digits));
+                format!("{told} {}", unit.name()).trim_end().to_string()
+            }
+            None => number.set(self.digits),
+        }
+    }
+
+    /// A side of a value of the parameter, as in `F < 0.5`, in its unit.
+    pub fn side(&self, side: &str) -> String {
+        let told = |sign: &str| {
+            let (name, value) = side.split_once(sign)?;
+            let unit = self.unit("parameter").and(value.parse::<f64>().ok());
+            Some(format!("{name}{sign}{}", self.told("parameter", unit?)))
+        };
+        told(" < ").or_else(|| told(" > ")).unwrap_or_else(|| side.to_string())
     }
 
     /// From here on floats have all their digits: bounds are not to be rounded.
@@ -69,7 +131,8 @@ impl Lines {
 
     /// A line.
     pub fn say(&mut self, name: &str, value: impl Shown) {
-        let value = in_words(name, self.set(value));
+        let text = self.set(&value);
+        let value = if has_numbers(&text) { self.told(name, value) } else { in_words(name, text) };
         self.line(&format!("  {name:<NAMES$} "), &value);
     }
 
@@ -91,9 +154,28 @@ impl Lines {
     /// A table, columns aligned to the right, what matters first, without those that are empty; where it is
     /// too wide, a block for each row, with what is not empty; "none" if there are no rows.
     pub fn table<T: Tabular>(&mut self, name: &str, table: &T) {
-        let (names, rows) = (table.columns(), table.cells(self.digits));
+        let (names, mut rows) = (table.columns(), table.cells(self.digits));
         if rows.is_empty() {
             return self.say(name, "none");
+        }
+        let mut heads: Vec<String> = names.iter().map(ToString::to_string).collect();
+        let all = if self.units.is_empty() { Vec::new() } else { table.cells(None) };
+        if let Some(i) = names.iter().position(|name| *name == "side") {
+            rows.iter_mut().for_each(|row| row[i] = self.side(&row[i]));
+        }
+        for (i, head) in heads.iter_mut().enumerate() {
+            let Some(unit) = self.unit(names[i]).filter(|_| all.iter().any(|row| has_numbers(&row[i])))
+            else {
+                continue;
+            };
+            if !unit.name().is_empty() {
+                *head = format!("{head} ({})", unit.name());
+            }
+            if unit.converts() {
+                rows.iter_mut()
+                    .zip(&all)
+                    .for_each(|(row, all)| row[i] = unit.converted(&all[i], (&row[i], self.digits)));
+            }
         }
         let _ = writeln!(self.text, "  {name}");
         let told = |&i: &usize| rows.iter().any(|row| !row[i].is_empty());
@@ -103,11 +185,11 @@ impl Lines {
         let shown = |row: &Vec<String>, i: usize| Printable(&in_words(names[i], row[i].clone())).to_string();
         let cells: Vec<Vec<String>> =
             rows.iter().map(|row| order.iter().map(|&i| shown(row, i)).collect()).collect();
-        let heads: Vec<String> = order.iter().map(|&i| names[i].to_string()).collect();
+        let heads: Vec<String> = order.iter().map(|&i| heads[i].clone()).collect();
         let widths: Vec<usize> = (0..heads.len())
             .map(|i| {
                 let widest = cells.iter().map(|row| row[i].chars().count()).max().unwrap_or(0);
-                widest.max(heads[i].len())
+                widest.max(heads[i].chars().count())
             })
             .collect();
         let whole = 4 + widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1);
@@ -123,7 +205,7 @@ impl Lines {
 
     /// Each row's names and values under its number.
     fn blocks(&mut self, heads: &[String], cells: &[Vec<String>]) {
-        let names = heads.iter().map(String::len).max().unwrap_or(0);
+        let names = heads.iter().map(|head| head.chars().count()).max().unwrap_or(0);
         for (index, row) in cells.iter().enumerate() {
             let number = (index + 1).to_string();
             let known = heads.iter().zip(row).filter(|(_, cell)| !cell.is_empty());

@@ -59,6 +59,7 @@ mod swept;
 mod table;
 mod told;
 mod tolerance;
+mod units;
 mod validate;
 
 use std::{f64::consts::TAU, path::Path, sync::Arc};
@@ -116,6 +117,7 @@ pub(crate) use table::row;
 pub use table::{Complex, Judgement, Tabular};
 pub(crate) use table::{Row, Shown};
 pub use tolerance::{ParameterValue, ToleranceReport, ToleranceSide, ToleratedParameter};
+pub use units::ColumnUnit;
 pub(crate) use validate::validate;
 pub use validate::{ProofRow, Proved, UnprovedRow, ValidateFindings};
 

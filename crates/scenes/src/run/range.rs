@@ -250,6 +250,7 @@ impl RangeRow {
             };
             return lines.say("range", format!("{side} the touch, {why}"));
         };
+        let [touch, end] = [touch, end].map(|value| lines.told("end", value));
         let above = if self.ends_above() {
             format!("{touch} < {varied} <= {end}")
         } else {
@@ -315,13 +316,13 @@ impl RangeRow {
 
     /// Of all machines within tolerances.
     fn lines_of_all(&self, touches: &[String; 2], depth: &str, varied: &str, lines: &mut Lines) {
-        let (side, [lower, upper]) = (self.side, touches);
+        let (side, [lower, upper]) = (self.side, touches.each_ref().map(|touch| lines.told("end", touch)));
         let part = self.share.map_or(String::new(), |share| format!(" ({:.2} %)", 100.0 * share));
         let (at, sign) = match lower == upper {
             true => (format!("{varied} = {lower}"), "<"),
             false => (format!("{lower} <= {varied} <= {upper}"), "<="),
         };
-        let common = match &self.end {
+        let common = match self.end.as_ref().map(|end| lines.told("end", end)) {
             Some(end) if self.ends_above() => {
                 format!("and so of all of them for {upper} {sign} {varied} <= {end}{part}")
             }
@@ -348,11 +349,12 @@ impl RangeRow {
     fn further_lines(&self, varied: &str, lines: &mut Lines) {
         let reason = self.reason.as_deref().unwrap_or_default();
         if let (Some(alone), Some(others)) = (&self.alone, &self.others) {
+            let alone = lines.told("end", alone);
             let way = if self.ends_above() { "<=" } else { ">=" };
             lines.say("alone", format!("for {varied} {way} {alone}: {others}"));
         }
         if !self.stability.is_empty() {
-            lines.say("stability", self.stability_in_words(varied));
+            lines.say("stability", self.stability_in_words(varied, lines));
         }
         lines.say("range_ends", reason);
         self.certificate_lines(varied, lines);
@@ -364,8 +366,9 @@ impl RangeRow {
             return lines.say_known("certificate", &self.certificate);
         }
         let way = if self.ends_above() { "<=" } else { ">=" };
+        let to = |cell: &CellRow| lines.told("end", &cell.to);
         let cell =
-            |cell: &CellRow| Some(format!("{} to {varied} {way} {}", cell.certificate.as_ref()?, cell.to));
+            |cell: &CellRow| Some(format!("{} to {varied} {way} {}", cell.certificate.as_ref()?, to(cell)));
         let all: Vec<String> = self.cells.iter().filter_map(cell).collect();
         if !all.is_empty() {
             lines.say("certificates", all.join("; "));
@@ -373,14 +376,17 @@ impl RangeRow {
     }
 
     /// Where the orbit is stable, as inequalities, from the touch on.
-    fn stability_in_words(&self, varied: &str) -> String {
+    fn stability_in_words(&self, varied: &str, lines: &Lines) -> String {
         let above = self.ends_above();
-        let part = |StabilityRow { word, from, to }: &StabilityRow| match (from, above) {
-            (None, true) => format!("{word} for {varied} <= {to}"),
-            (None, false) => format!("{word} for {varied} >= {to}"),
-            (Some(from), true) => format!("{word} for {from} <= {varied} <= {to}"),
-            (Some(from), false) => format!("{word} for {to} <= {varied} <= {from}"),
-        };
+        let told = |value: &String| lines.told("end", value);
+        let part =
+            |StabilityRow { word, from, to }: &StabilityRow| match (from.as_ref().map(told), told(to), above)
+            {
+                (None, to, true) => format!("{word} for {varied} <= {to}"),
+                (None, to, false) => format!("{word} for {varied} >= {to}"),
+                (Some(from), to, true) => format!("{word} for {from} <= {varied} <= {to}"),
+                (Some(from), to, false) => format!("{word} for {to} <= {varied} <= {from}"),
+            };
         self.stability.iter().map(part).collect::<Vec<_>>().join("; ")
     }
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
-use super::{Findings, Job, Lines, Place, Status};
+use super::{ColumnUnit, Findings, Job, Lines, Place, Status, units};
 use crate::{
     error::{Error, Result},
     scene::Engine,
@@ -27,6 +27,12 @@ pub struct TaskReport {
     /// The exact values of the parameters.
     #[serde(serialize_with = "as_map")]
     pub parameters: Vec<(String, String)>,
+    /// These as a reader is told them.
+    #[serde(skip)]
+    pub told: Vec<String>,
+    /// What its numbers are in, by their columns, as far as the scene has units.
+    #[serde(serialize_with = "as_units")]
+    pub units: Vec<ColumnUnit>,
     /// What it found, unless it failed.
     #[serde(flatten)]
     pub findings: Option<Findings>,
@@ -50,6 +56,12 @@ fn as_map<K: Serialize, V: Serialize, S: Serializer>(
     map.end()
 }
 
+/// The scene's own units.
+fn as_units<S: Serializer>(all: &[ColumnUnit], serializer: S) -> std::result::Result<S::Ok, S::Error> {
+    let own = all.iter().map(|unit| (unit.column, &unit.own)).filter(|(_, own)| !own.is_empty());
+    as_map(&own.collect::<Vec<_>>(), serializer)
+}
+
 impl TaskReport {
     fn new(job: &Job, status: Status) -> TaskReport {
         let parameters = job.scene.parameters.iter();
@@ -61,6 +73,8 @@ impl TaskReport {
             engine: job.scene.engine.clone(),
             place: job.place(),
             parameters: parameters.map(|(name, value)| (name.clone(), value.to_string())).collect(),
+            told: job.scene.parameters.iter().map(|(name, value)| job.scene.told(name, value)).collect(),
+            units: units::columns(&job.scene, &job.task.kind),
             findings: None,
             warnings: job.scene.warnings(),
             effects: counted.filter(|&(_, count)| count > 0).collect(),
@@ -132,13 +146,12 @@ fn told(files: &[String]) -> Vec<String> {
 /// floats have, where they are no bounds; a width, as in `{:80}`, how wide lines may be.
 impl fmt::Display for TaskReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut lines = Lines::new(f.precision(), f.width());
+        let mut lines = Lines::new(f.precision(), f.width()).in_units(&self.units);
         lines.say("kind", self.kind);
         lines.say("status", self.status.to_string());
         lines.say("engine", format!("{}: {}", self.engine.name.word(), self.engine.reason));
         if !self.parameters.is_empty() {
-            let all = self.parameters.iter().map(|(name, value)| format!("{name} = {value}"));
-            lines.say("parameters", all.collect::<Vec<_>>().join(" "));
+            lines.say("parameters", self.told.join(if self.units.is_empty() { " " } else { ", " }));
         }
         if let Some(findings) = &self.findings {
             findings.lines(&mut lines);

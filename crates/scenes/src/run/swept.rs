@@ -44,14 +44,18 @@ row! {
         pub left: f64,
         /// What it was on.
         pub before: String,
-        /// Its least and greatest displacement; of a machine, of the first number of `plane`.
-        pub extent_before: Vec<f64>,
+        /// Its least and greatest displacement; of a machine, if that is the first number of `plane`.
+        pub extent_before: Option<Vec<f64>>,
+        /// The least and the greatest gap, if a gap is.
+        pub gap_before: Option<Vec<f64>>,
         /// The fastest impact on it.
         pub speed_before: Option<f64>,
         /// What it comes to.
         pub after: String,
-        /// Its least and greatest displacement.
-        pub extent_after: Vec<f64>,
+        /// Its least and greatest displacement, as before.
+        pub extent_after: Option<Vec<f64>>,
+        /// The least and the greatest gap, as before.
+        pub gap_after: Option<Vec<f64>>,
         /// The fastest impact on it.
         pub speed_after: Option<f64>,
     }
@@ -120,8 +124,11 @@ impl<S> Leg<'_, S> {
         rows
     }
 
-    fn jumps(&self) -> impl Iterator<Item = JumpRow> {
-        self.jumps.iter().map(|Jump { stays, left, ends, before, after }| {
+    fn jumps(&self, drawn: &str) -> impl Iterator<Item = JumpRow> {
+        let of = |begin: &str, portrait: &Portrait| {
+            drawn.starts_with(begin).then(|| portrait.range.extent.to_vec())
+        };
+        self.jumps.iter().map(move |Jump { stays, left, ends, before, after }| {
             let (before, after) = (&before.portrait, &after.portrait);
             JumpRow {
                 sweep: self.way(),
@@ -129,10 +136,12 @@ impl<S> Leg<'_, S> {
                 stays: *stays,
                 left: *left,
                 before: before.words(),
-                extent_before: before.range.extent.to_vec(),
+                extent_before: of("q", before),
+                gap_before: of("gap ", before),
                 speed_before: before.range.speed,
                 after: after.words(),
-                extent_after: after.range.extent.to_vec(),
+                extent_after: of("q", after),
+                gap_after: of("gap ", after),
                 speed_after: after.range.speed,
             }
         })
@@ -145,14 +154,15 @@ pub(super) fn way(up: bool) -> &'static str {
 }
 
 impl SweepFindings {
-    pub(super) fn of<S>(legs: &[Leg<'_, S>]) -> SweepFindings {
+    /// Of motions of which `drawn` is told.
+    pub(super) fn of<S>(legs: &[Leg<'_, S>], drawn: &str) -> SweepFindings {
         let leg = |up: bool| legs.iter().find(|leg| leg.up == up).map(|leg| leg.steps);
         let lost = |leg: &Leg<'_, S>| -> Vec<f64> {
             leg.steps.iter().filter(|step| step.settled.is_none()).map(|step| step.value).collect()
         };
         SweepFindings {
             windows: legs.iter().flat_map(Leg::windows).collect(),
-            jumps: legs.iter().flat_map(Leg::jumps).collect(),
+            jumps: legs.iter().flat_map(|leg| leg.jumps(drawn)).collect(),
             hysteresis: leg(true).zip(leg(false)).map(|(up, down)| hysteresis(up, down)),
             lost: legs.iter().flat_map(lost).collect(),
         }

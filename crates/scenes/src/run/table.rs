@@ -40,6 +40,12 @@ macro_rules! shown_as_written {
 }
 shown_as_written! { u32 u64 usize i32 i64 String &str }
 
+impl<T: Shown> Shown for &T {
+    fn set(&self, digits: Option<usize>) -> String {
+        (*self).set(digits)
+    }
+}
+
 impl<T: Shown> Shown for Option<T> {
     fn set(&self, digits: Option<usize>) -> String {
         self.as_ref().map_or(String::new(), |value| value.set(digits))

@@ -23,15 +23,23 @@ enum Dimension {
 
 use Dimension::{Energy, Force, Impulse, Speed, Time};
 
+/// What a scene's numbers are in: its units, and whether its coordinates are angles, if that is known.
+type Units = (Option<SiUnits>, Option<bool>);
+
 /// A number in SI units, or without units as it stands.
-fn told(x: f64, dimension: Dimension, units: Option<SiUnits>) -> String {
+fn told(x: f64, dimension: Dimension, (units, turns): Units) -> String {
     let Some(SiUnits { length, time, mass }) = units else { return Short(x).to_string() };
-    let (factor, word) = match dimension {
-        Time => (time, "s"),
-        Speed => (length / time, "m/s"),
-        Impulse => (mass * length / time, "N s"),
-        Force => (mass * length / (time * time), "N"),
-        Energy => (mass * (length / time) * (length / time), "J"),
+    let energy = mass * (length / time) * (length / time);
+    let (factor, word) = match (dimension, turns) {
+        (Time, _) => (time, "s"),
+        (Energy, _) => (energy, "J"),
+        (_, None) => return Short(x).to_string(),
+        (Speed, Some(false)) => (length / time, "m/s"),
+        (Impulse, Some(false)) => (mass * length / time, "N s"),
+        (Force, Some(false)) => (mass * length / (time * time), "N"),
+        (Speed, Some(true)) => (1.0 / time, "rad/s"),
+        (Impulse, Some(true)) => (energy * time, "N m s"),
+        (Force, Some(true)) => (energy, "N m"),
     };
     format!("{} {word}", Short(x * factor))
 }
@@ -40,22 +48,23 @@ fn told(x: f64, dimension: Dimension, units: Option<SiUnits>) -> String {
 fn parameter(at: &GrazingMap, value: f64, unit: Option<&WrittenUnit>) -> String {
     match unit {
         Some(unit) if !unit.text.is_empty() => {
-            format!("{} = {} {}", at.varied, Short(value / unit.size), unit.text)
+            format!("{} = {} {}", at.varied, Short(unit.of(value)), unit.text)
         }
         _ => format!("{} = {}", at.varied, Short(value)),
     }
 }
 
-/// The sentences; `period` is that of the forcing, `unit` that of the parameter.
+/// The sentences; `period` is that of the forcing; of the parameter the unit and the value in the scene.
 pub(super) fn sentences(
     at: &GrazingMap,
-    (period, units, unit): (f64, Option<SiUnits>, Option<&WrittenUnit>),
+    (period, units, unit, given): (f64, Units, Option<&WrittenUnit>, f64),
     seen: &[SeenRow],
     hits: &[HitRow],
     influence: &[InfluenceRow],
 ) -> String {
     let value = |value: f64| parameter(at, value, unit);
     let mut all = vec![first(at, &value(at.parameter), &told(at.phase * period, Time, units))];
+    all.extend(unit.and_then(|_| far(at, given, &value(given))));
     for row in seen {
         all.extend(sight(&value(row.value), row));
         all.extend(blows(hits, &row.place, units));
@@ -74,6 +83,19 @@ fn first(at: &GrazingMap, value: &str, after: &str) -> String {
         at.stop,
         Short(at.phase)
     )
+}
+
+/// A value that is this many times the touch, or the touch that many times it, is hardly meant.
+const FAR: f64 = 100.0;
+
+/// What a value of another order of magnitude, as of another unit, is told.
+fn far(at: &GrazingMap, given: f64, value: &str) -> Option<String> {
+    let times = given / at.parameter;
+    let is_far = times.is_finite() && times != 0.0 && !(1.0 / FAR..=FAR).contains(&times.abs());
+    is_far.then(|| {
+        let begin = format!("In the scene {value}, {} times the touch", Short(times));
+        format!("{begin}: check that its unit, and those of masses, stiffnesses and gaps, are meant.")
+    })
 }
 
 /// What is seen at a value of the parameter.
@@ -112,7 +134,7 @@ fn sight(value: &str, row: &SeenRow) -> Option<String> {
 }
 
 /// How hard what is seen at a place hits.
-fn blows(hits: &[HitRow], place: &str, units: Option<SiUnits>) -> Option<String> {
+fn blows(hits: &[HitRow], place: &str, units: Units) -> Option<String> {
     let each: Vec<String> = hits
         .iter()
         .filter(|row| row.place == place)

@@ -365,6 +365,11 @@ impl<'a> Parser<'a> {
         let is_state = matches!(name.trim_end_matches(|c: char| c.is_ascii_digit()), "q" | "u" | "t");
         let hint = match in_number(name) {
             Some(meant) => meant,
+            None if Unit::symbol(name).is_some() => {
+                format!(
+                    "{hint}; as a unit {name} stands behind a number, or behind a space, * or / after another unit"
+                )
+            }
             None if is_state => format!("{hint}; q, u and t stand only in `force`"),
             None => hint,
         };

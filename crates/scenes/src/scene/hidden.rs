@@ -78,10 +78,10 @@ impl Scene {
     /// Where the engine is `many`.
     pub(crate) fn with_hidden(
         &self,
-        varied: &str,
+        varied: Option<&str>,
         Tolerances(given): &Tolerances,
     ) -> Result<Option<(Scene, Tolerances)>> {
-        let names = given.iter().map(|(name, _)| name.as_str()).chain([varied]);
+        let names = given.iter().map(|(name, _)| name.as_str()).chain(varied);
         let free = names.map(|name| self.parameter(name)).collect::<Result<Vec<_>>>()?;
         let varies = |place: usize| free.contains(&place);
         let hiding = Hiding { scene: self, varies: &varies, found: RefCell::default() };

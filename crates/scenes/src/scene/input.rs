@@ -188,12 +188,13 @@ impl Scene {
         };
         let measured = seen.measured.take();
         // A scene of plain numbers has no dimensions, whatever percentages are in it.
+        let is_inertia = |(path, kind): &(String, Dimension)| {
+            path.starts_with("system.mass") && kind.is_like(Dimension::of(2, 0, 1))
+        };
+        let several = whole.machine.points() != 1;
+        let turns = measured.iter().any(is_inertia);
         if seen.scaled.get() {
-            let turns = |(path, kind): &(String, Dimension)| {
-                path.starts_with("system.mass") && kind.is_like(Dimension::of(2, 0, 1))
-            };
-            let coordinates =
-                Coordinates { several: whole.machine.points() != 1, turns: measured.iter().any(turns) };
+            let coordinates = Coordinates { several, turns };
             let named = |path: &str, key: &str| named(&root, path, key);
             wanted::check(&file, &measured, (&scale, &kinds), coordinates, &named)?;
         }
@@ -210,6 +211,7 @@ impl Scene {
             mass,
             accuracy: read.accuracy,
             units: si,
+            turns: Some(turns).filter(|turns| !(several && *turns)),
             written: Arc::new(written),
             quantities: Arc::new((scale.clone(), kinds.clone())),
             idle: Arc::new(idle),

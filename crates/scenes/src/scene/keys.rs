@@ -295,6 +295,10 @@ impl<'a> Entry<'a> {
                     self.fail(&format!("is one table, not a list of them: write [[{name}]] above each"))
                 );
             }
+            Item::Value(toml_edit::Value::InlineTable(table)) => {
+                let table = table.to_string();
+                return Err(self.fail(&format!("is one table, not a list of them: write [{}]", table.trim())));
+            }
             _ => return Err(self.fail("is not a list […]")),
         };
         let one = |(i, item)| Entry::new(self.scope, format!("{}[{i}]", self.path), self.span.clone(), item);

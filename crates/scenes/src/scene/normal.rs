@@ -5,8 +5,10 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::{
-    chaos::{Alphabet, ChaosTask, LONGEST, Periods},
+    chaos::{Alphabet, ChaosTask, LONGEST, ParameterCell, Periods},
+    hidden::is_hidden,
     scene::Scene,
+    tolerance::{Tolerance, Tolerances},
 };
 use crate::{
     error::{Error, Result},
@@ -87,6 +89,15 @@ impl ChaosTask {
     }
 
     fn normal_form(&self, scene: &Scene) -> Result<Normal> {
+        let given = self.cell.0.iter().map(|(name, range)| (name.clone(), Tolerance::Between(range.clone())));
+        // Numbers that are not rational are parameters of the cell.
+        if let Some((scene, Tolerances(all))) =
+            scene.with_hidden(self.parameter.as_deref(), &Tolerances(given.collect()))?
+        {
+            let about = |(name, range): (String, Tolerance)| (name, range.about(&BigRational::zero()));
+            let cell = ParameterCell(all.into_iter().map(about).collect());
+            return ChaosTask { cell, ..self.clone() }.normal_form(&scene);
+        }
         let cell = &self.cell.0;
         let in_cell = |name: &String| cell.iter().find(|(other, _)| other == name).map(|(_, range)| range);
         let varies = |name: &String| self.parameter.as_ref() == Some(name);
@@ -121,6 +132,12 @@ impl ChaosTask {
             .chain(walls.map(|wall| &wall.offset))
             .chain([&system.force, &system.cubic]);
         if let Some(expression) = others.find(|expression| expression.mentions(&ranged)) {
+            if expression.mentions(&|index| is_hidden(&scene.parameters[index].0)) {
+                return Err(Error::input(format!(
+                    "{expression} is not rational where the period is 2π; only damping, stiffness and restitution may be \
+                     such. A force in hertz is: write period = \"2*pi/w\" with an angular frequency w"
+                )));
+            }
             return Err(Error::input(format!(
                 "{expression} depends on a parameter of the cell; only damping, stiffness and restitution may"
             )));

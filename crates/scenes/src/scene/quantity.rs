@@ -50,7 +50,8 @@ impl Scale {
 
     /// The scene's unit of a dimension, by a name of its own where it has one; empty for plain numbers.
     pub(super) fn name(&self, dimension: Dimension) -> String {
-        const NAMED: [&str; 11] = ["N", "mN", "uN", "kN", "N/m", "N/mm", "N s/m", "N s/mm", "Hz", "J", "mJ"];
+        const NAMED: [&str; 13] =
+            ["N", "mN", "uN", "kN", "N/m", "N/mm", "N s/m", "N s/mm", "N s", "mN s", "Hz", "J", "mJ"];
         let wanted = self.of(dimension);
         let named = NAMED.into_iter().filter_map(Unit::parse);
         let mut named = named.filter(|unit| unit.dimension == dimension && unit.size == wanted);
@@ -66,24 +67,41 @@ impl Scale {
             )
             .collect()
         };
+        let turns = dimension.angle == 1 && dimension.length == 0 && dimension.mass == 0;
         match (part(1).join(" "), part(-1)) {
-            (over, under) if under.is_empty() => over,
-            (over, under) => format!("{}/{}", if over.is_empty() { "1" } else { &over }, under.join("/")),
+            (over, under) if under.is_empty() => {
+                if turns {
+                    "rad".into()
+                } else {
+                    over
+                }
+            }
+            (over, under) => {
+                let none = if turns { "rad" } else { "1" };
+                format!("{}/{}", if over.is_empty() { none } else { &over }, under.join("/"))
+            }
         }
     }
 }
 
-/// A unit in which a reader wrote a parameter.
+/// A unit in which a reader wrote a parameter; of several in one expression it is the scene's own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WrittenUnit {
     /// As it was written.
     pub text: String,
     /// How many of the scene's units it is.
-    pub size: f64,
+    pub size: BigRational,
     /// What it is a unit of.
     pub dimension: Dimension,
     /// The scene's own unit for that.
     pub own: String,
+}
+
+impl WrittenUnit {
+    /// A value in the scene's units, in this one.
+    pub fn of(&self, value: f64) -> f64 {
+        value / self.size.to_f64().unwrap_or(f64::NAN)
+    }
 }
 
 /// A text in bare numbers of the scene, and what it is.
@@ -91,7 +109,7 @@ pub struct WrittenUnit {
 pub(super) struct Bare {
     pub text: String,
     pub measured: Measured,
-    /// The unit, if there is one alone.
+    /// The unit that it is written in, if it has any.
     pub unit: Option<WrittenUnit>,
     /// Whether it has a unit that is not that of a plain number or an angle.
     pub scaled: bool,
@@ -127,12 +145,16 @@ pub(super) fn bare(text: &str, names: &[String], (scale, kinds): (&Scale, &Kinds
         (None, None) => Measured::Any,
     };
     let measured = Measured::of(&found.root, &variable)?;
-    let unit = match &found.marks[..] {
-        [only] if only.unit.pi == 0 => Some(WrittenUnit {
-            text: only.unit.text.clone(),
-            size: scale.size(&only.unit).to_f64().unwrap_or(f64::NAN),
-            dimension: only.unit.dimension,
-            own: scale.name(only.unit.dimension),
+    let unit = match measured {
+        Measured::Known(dimension) => Some({
+            let own = scale.name(dimension);
+            let (text, size) = match &found.marks[..] {
+                [Mark { unit, .. }] if unit.pi == 0 && unit.dimension == dimension => {
+                    (unit.text.clone(), scale.size(unit))
+                }
+                _ => (own.clone(), BigRational::one()),
+            };
+            WrittenUnit { text, size, dimension, own }
         }),
         _ => None,
     };
@@ -311,5 +333,7 @@ mod tests {
         let name = |length, time, mass| Scale::new(None).name(Dimension::of(length, time, mass));
         assert_eq!([name(1, -2, 1), name(1, -1, 0), name(0, 0, 0)], ["N", "m/s", ""]);
         assert_eq!([name(0, -1, 0), name(2, 0, 1)], ["Hz", "kg m^2"]);
+        let turning = |time| Scale::new(None).name(Dimension::ANGLE.times(Dimension::of(0, time, 0)));
+        assert_eq!([turning(0), turning(-1), turning(-2)], ["rad", "rad/s", "rad/s^2"]);
     }
 }

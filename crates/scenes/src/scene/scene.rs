@@ -28,7 +28,7 @@ use crate::{
     formula::Function,
     motion::{Contact, State, System},
     number::{Ball, Elementary, Plain, Precision, Real, parse_rational},
-    quantity::Dimension,
+    quantity::{Dimension, exact_text},
     search::{machine::Bounds, orbit::Quotient},
     source::{Source, hint},
 };
@@ -85,6 +85,8 @@ pub struct Scene {
     pub accuracy: Accuracy,
     /// What a unit of its numbers is, if it says so, or has units written out.
     pub units: Option<SiUnits>,
+    /// Whether its coordinates are angles, as far as its masses tell; none where some may be.
+    pub(crate) turns: Option<bool>,
     /// The units of parameters that are written with one.
     pub(super) written: Arc<BTreeMap<String, WrittenUnit>>,
     /// Its units, and what its parameters measure.
@@ -195,7 +197,7 @@ impl Scene {
     /// The same scene with other values of some parameters, and without its tasks, which may be many.
     pub(super) fn alone(&self, values: &[(String, BigRational)]) -> Result<Scene> {
         let Scene { title, parameters, body, engine, stops, whole, mass, accuracy, .. } = self;
-        let Scene { units, written, quantities, idle, format, file, places, files, .. } = self;
+        let Scene { units, turns, written, quantities, idle, format, file, places, files, .. } = self;
         Scene {
             title: title.clone(),
             parameters: parameters.clone(),
@@ -206,6 +208,7 @@ impl Scene {
             mass: mass.clone(),
             accuracy: accuracy.clone(),
             units: *units,
+            turns: *turns,
             written: written.clone(),
             quantities: quantities.clone(),
             idle: idle.clone(),
@@ -254,6 +257,19 @@ impl Scene {
         self.written.get(parameter)
     }
 
+    /// A parameter with an exact value, in the unit in which it is written.
+    pub(crate) fn told(&self, name: &str, value: &BigRational) -> String {
+        match self.unit(name) {
+            Some(unit) => format!("{name} = {} {}", exact_text(&(value / &unit.size)), unit.text),
+            None => format!("{name} = {value}"),
+        }
+    }
+
+    /// The scene's unit of a dimension, if it has units.
+    pub(crate) fn unit_name(&self, dimension: Dimension) -> Option<String> {
+        self.units.map(|_| self.quantities.0.name(dimension))
+    }
+
     /// The place of a parameter in the list.
     ///
     /// # Errors
@@ -289,10 +305,22 @@ impl Scene {
             values[self.parameter(name)?].clone_from(value);
         }
         let point = || self.point(&values);
-        let system = self.system()?.try_map(|expression| self.value(expression, &values, float, &point))?;
+        let system = self.system()?.try_map(|expression| self.value(expression, &values, float, &point));
+        let plain = || values.iter().map(|value| Plain::ratio(value, &())).collect::<Vec<_>>();
+        let system = system.map_err(|error| self.without_period(&plain()).unwrap_or(error))?;
         self.check_ratios(&values, float, &point)?;
         self.check(&system.rounded(), &point)?;
         Ok(system)
+    }
+
+    /// That there is no period, which every coefficient needs.
+    fn without_period(&self, values: &[Plain]) -> Option<Error> {
+        let rate = self.system().ok()?.rate.as_ref()?;
+        let is_positive = rate.evaluate(values, &()).is_ok_and(|rate| rate.0 > 0.0);
+        (!is_positive).then(|| {
+            let values: Vec<f64> = values.iter().map(|value| value.0).collect();
+            self.fail(&rate.key, &format!("makes no period: it must be positive{}", self.point(&values)))
+        })
     }
 
     /// The system in floats: each coefficient rounded from its exact value, or computed in floats where some
@@ -357,7 +385,8 @@ impl Scene {
         }
         let floats: Vec<f64> = values.iter().map(|value| value.0).collect();
         let point = || self.point(&floats);
-        let system = self.system()?.try_map(|expression| self.value(expression, &values, |x| x.0, &point))?;
+        let system = self.system()?.try_map(|expression| self.value(expression, &values, |x| x.0, &point));
+        let system = system.map_err(|error| self.without_period(&values).unwrap_or(error))?;
         let system = system.try_map(|x| Ok::<f64, Error>(x.0))?;
         self.check_ratios(&values, |x| x.0, &point)?;
         self.check(&system, &point)?;

@@ -95,6 +95,35 @@ macro_rules! kinds {
     };
 }
 
+impl Kind {
+    /// The parameter that it varies, if it varies one.
+    pub fn parameter(&self) -> Option<&str> {
+        match self {
+            Kind::OrbitTask(task) => task.parameter.as_deref(),
+            Kind::EventTask(task) => Some(&task.parameter),
+            Kind::GrazingTask(task) => Some(&task.parameter),
+            Kind::BranchTask(task) => Some(&task.parameter),
+            Kind::DiagramTask(task) => Some(&task.parameter),
+            Kind::ResponseTask(task) => Some(&task.parameter),
+            Kind::MapTask(task) => Some(&task.parameter),
+            Kind::CrisisTask(task) => Some(&task.parameter),
+            Kind::RestTask(task) => task.parameter.as_deref(),
+            Kind::ValidateTask(task) => task.parameter.as_deref(),
+            Kind::ChaosTask(task) => task.parameter.as_deref(),
+            Kind::SimulateTask(_) | Kind::SectionTask(_) | Kind::BasinsTask(_) => None,
+        }
+    }
+
+    /// Another that varies beside it.
+    pub fn second(&self) -> Option<&str> {
+        match self {
+            Kind::BranchTask(task) => task.second.as_deref(),
+            Kind::MapTask(task) => Some(&task.second),
+            _ => None,
+        }
+    }
+}
+
 kinds! {
     "simulate" SimulateTask,
     "section" SectionTask,

@@ -102,7 +102,9 @@ fn columns(names: &[String], wanted: Option<&str>) -> std::result::Result<Sample
         *name == "t" || name.strip_prefix("time").is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
     };
     let time = names.iter().position(|name| is_time(&name));
-    let time = time.ok_or_else(|| format!("has no column \"time\" or \"t\"; here are {here}"))?;
+    let time = time.ok_or_else(|| {
+        format!("has no column \"time\" or \"t\"; here are {here}: call that of the times so")
+    })?;
     let others: Vec<usize> = (0..names.len()).filter(|&i| i != time).collect();
     let value = match (wanted, &others[..]) {
         (Some(wanted), _) => others.iter().copied().find(|&i| names[i] == wanted.trim().to_lowercase()),

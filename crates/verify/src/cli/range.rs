@@ -10,6 +10,8 @@ use crate::{
     error::{Error, Result},
     number::{parse_integer, parse_rational},
     quantity::{self, Dimension},
+    source::nearest,
+    typed::in_number,
 };
 
 /// A parser of whole numbers in a range, for clap.
@@ -148,6 +150,26 @@ impl Unit {
     }
 }
 
+/// An exact number; what hands type is told with what to write.
+fn read(text: &str) -> Result<BigRational> {
+    parse_rational(text).map_err(|error| {
+        let unit = text.trim_start_matches(|c: char| !c.is_alphabetic());
+        let near = nearest(unit, FREQUENCIES)
+            .map(|near| format!("there is no unit {unit:?}; the nearest is {near:?}"));
+        match in_number(text).or(near) {
+            Some(meant) => Error::input(format!("{error}; {meant}")),
+            None => error.into(),
+        }
+    })
+}
+
+/// Units of frequency.
+const FREQUENCIES: [&str; 5] = ["Hz", "mHz", "kHz", "rpm", "rad/s"];
+
+fn hundred() -> BigRational {
+    BigRational::from_integer(100.into())
+}
+
 /// A closed interval with a unit or without one, in the first unit of its kind.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Measure {
@@ -179,16 +201,13 @@ impl FromStr for Measure {
                 )));
             }
             known = known.take().or(unit);
-            Ok(parse_rational(digits)?)
+            read(digits)
         };
         let both = text.split_once("±").or_else(|| text.split_once("+-"));
         let [lower, upper] = if let Some((middle, by)) = both {
             let middle = number(middle)?;
             let by = match by.trim().strip_suffix('%') {
-                Some(percent) => {
-                    let part = parse_rational(percent.trim_end())? / BigRational::from_integer(100.into());
-                    part * middle.abs()
-                }
+                Some(percent) => read(percent.trim_end())? / hundred() * middle.abs(),
                 None => number(by)?,
             };
             if by.is_negative() {
@@ -206,7 +225,11 @@ impl FromStr for Measure {
             }
             ends
         } else {
-            let value = number(text)?;
+            // A share: of nothing it would be a tolerance.
+            let value = match text.trim().strip_suffix('%') {
+                Some(percent) => read(percent.trim_end())? / hundred(),
+                None => number(text)?,
+            };
             [value.clone(), value]
         };
         // The last unit is everybody's, the first alone is that of a percentage or of a mistake.
@@ -252,5 +275,16 @@ mod tests {
             assert_eq!(ends(wrong), None, "{wrong}");
         }
         assert!("0.02Hz".parse::<Span>().unwrap_err().is_input());
+        assert_eq!((ends("4 %"), ends("-2%")), (some("1/25", "1/25"), some("-1/50", "-1/50")));
+        for (typed, told) in [
+            ("3,7Hz", "3,7 has a decimal comma: write 3.7"),
+            ("\u{2212}3.7 Hz", "is not the minus of a keyboard: write -"),
+            ("3.7hz", "there is no unit \"hz\"; the nearest is \"Hz\""),
+            ("nan", "every number is finite"),
+            ("0.1+/-20%", "+/- is written ± or +-"),
+        ] {
+            let error = typed.parse::<Measure>().unwrap_err().to_string();
+            assert!(error.contains(told), "{typed}: {error}");
+        }
     }
 }

@@ -276,7 +276,7 @@ impl Reader<'_> {
                 for (column, value) in columns {
                     let name = format!("{table} {i} {column}");
                     match &**column {
-                        "extent_before" | "extent_after" => {
+                        "extent_before" | "extent_after" | "gap_before" | "gap_after" => {
                             let ends = numbers(value);
                             let width = ends.last().zip(ends.first()).map(|(to, from)| to - from);
                             self.number(&name, &width.map_or(Value::Null, Value::from), LENGTH, cells);

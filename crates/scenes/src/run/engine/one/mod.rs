@@ -349,7 +349,7 @@ impl<'j> Engine for Oscillators<'j> {
         let far = far_from(&event, &located.orbit, &there)?;
         let rate = there.system().shown_rate();
         let own = || (job.scene.clone(), task.tolerance.clone());
-        let tolerated = job.scene.with_hidden(&task.parameter, &task.tolerance)?.unwrap_or_else(own);
+        let tolerated = job.scene.with_hidden(Some(&task.parameter), &task.tolerance)?.unwrap_or_else(own);
         Ok(Ok(OscillatorGrazing { task, job, family, event, half, orbit, far, rate, tolerated }))
     }
 

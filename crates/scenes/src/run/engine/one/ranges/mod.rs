@@ -118,9 +118,20 @@ fn of_all(
     start: [BigRational; 2],
 ) -> Result<std::result::Result<Vec<SideRange>, String>> {
     // The task need not have any.
+    let scene = &point.job.scene;
+    let hertz = scene.system()?.rate.as_ref().is_some_and(|rate| {
+        let exact: Vec<BigRational> = scene.parameters.iter().map(|(_, value)| value.clone()).collect();
+        rate.evaluate(&exact, &()).is_err()
+    });
+    let instead = if hertz {
+        "; with period = \"2*pi/w\", w an angular frequency, the period leaves them rational"
+    } else {
+        ""
+    };
     let open = |why: String| match point.task.tolerance.0.is_empty() {
         true => {
-            Ok(Err(format!("coefficients that are not rational are known as up to tolerances, and {why}")))
+            let known = "coefficients that are not rational are known as up to tolerances";
+            Ok(Err(format!("{known}, and {why}{instead}")))
         }
         false => Ok(Err(why)),
     };
