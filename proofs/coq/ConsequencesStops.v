@@ -1,7 +1,7 @@
 (** * What follows, worked out by hand, from the definitions and statements about oscillators between two stops *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs StatementOscillator StatementNonlinear StatementStops StatementNonlinearExamples
-  Headline StatementSystems Derivatives.
+  Headline Derivatives ConsequencesSystems.
 Import Stops.
 Open Scope R_scope.
 
@@ -127,25 +127,25 @@ Proof.
   - unfold M, W; rewrite cos_PI, Cpi; destruct s; cbn [sgn]; lra.
 Qed.
 
-Lemma negative_ratio x y : x < 0 -> y < 0 -> x / y > 0.
-Proof. intros X Y; replace (x / y) with (- x / - y) by (field; lra); apply Rdiv_lt_0_compat; lra. Qed.
-(** Near (0, 1) period 3 is in (+,+). *)
-Lemma orbit_about a1 a2 : Rabs (a1 - 0) <= 1 / 10 -> Rabs (a2 - 1) <= 1 / 10 -> orbit a1 a2 3 Plus Plus.
+(** Duffing's oscillator and a pendulum in one, driven gently. *)
+Lemma gentle_numbers : Driven_statement -> forall c k gamma, matrix c (k + 3) Plus 0 1 gamma -> gamma <> 0 -> k + 3 <> 0
+  -> exists A0, A0 > 0 /\ forall A, 0 < A <= A0 -> exists a1 a2 gamma' rate, generic (measured (driven (M Plus) (W Plus)
+    PI A c k 7 3
+  0 0 1) Plus) a1 a2 gamma' rate /\ - (1 / 100) <= a1 <= 1 / 100 /\ 99 / 100 <= a2 <= 101 / 100 /\ gamma - 1 / 100 <=
+    gamma' <=
+  gamma + 1 / 100 /\ 1 / (k + 3) - 1 / 100 <= rate <= 1 / (k + 3) + 1 / 100.
 Proof.
-  intros A B; apply le_abs in A, B; assert (a1 * a1 <= 1 / 100) by nra; assert (- (11 / 100) <= a1 * a2 <= 11 / 100) by
-    nra.
-  assert (81 / 100 <= a2 * a2) by nra; assert (U3 : u a1 a2 3 < 0) by (unfold u; cbn; lra).
-  assert (0 < a2 * (a2 * a2)) by (apply Rmult_lt_0_compat; lra); assert (a1 * (a1 * a1) <= 1 / 100) by nra.
-  split; [lra | split].
-  - intros k Hk; assert (k = 1 \/ k = 2)%nat as [->| ->] by lia; unfold b; cbn [sgn]; rewrite Rmult_1_l; apply
-      negative_ratio; try exact U3; unfold u; cbn; lra.
-  - unfold c; cbn [sgn]; rewrite !Rmult_1_l; apply negative_ratio; [|exact U3]; unfold v, u; cbn; lra.
+  intros Dr c k gamma HM Hg Hk; destruct (driven_gently _ _ _ _ (Dr _ _ _ _ (sample Plus)) c k 7 3 0 0 1 0 1 gamma (1 /
+    100)) as (A0 & HA0 & Near); [lra | exact HM | exact Hg | exact Hk | lra | lra|]; exists A0; split; [exact HA0|];
+      intros A HA.
+  destruct (Near A HA) as (a1 & a2 & gamma' & rate & HG & K1 & K2 & K3 & K4); exists a1, a2, gamma', rate; split; [exact
+    HG|]; cbn [sgn] in K4; apply le_abs in K1, K2, K3, K4; repeat split; lra.
 Qed.
 
 (** A pendulum that is driven gently, of restitution exp (- |v|) / 2, at the lower stop and at the upper: a motion of
     three periods, with impacts near pi and 7 pi and none between. *)
-Lemma pendulum_numbers : Reach_statement -> Driven_statement -> Stops_statement -> Single_statement -> forall s, exists
-  c h A0, A0 > 0 /\ forall A, 0 < A <= A0 -> exists rate d, Rabs (rate - sgn s / h) <= 1 / 10 /\ d > 0 /\ forall eps,
+Lemma pendulum_numbers : Reach_statement -> Driven_statement -> Stops_statement -> forall s, exists
+  c h A0, A0 > 0 /\ forall A, 0 < A <= A0 -> exists rate d, rate * (sgn s * h) > 0 /\ d > 0 /\ forall eps,
   0 < eps <= d -> exists mu0, mu0 > 0 /\ forall mu, 0 < rate * mu < mu0 -> exists t0 t1 q u u1, Rabs (t0 - PI) <= eps /\
   Rabs (t1 - 7 * PI) <= eps /\ q t0 = - (sgn s * A * (1 + (1 - cos (2 * t0)) / 10)) /\
   q t1 = - (sgn s * A * (1 + (1 - cos (2 * t1)) / 10)) /\ (let v := u t1 + sgn s * A * sin (2 * t1) / 5 in
@@ -155,26 +155,22 @@ Lemma pendulum_numbers : Reach_statement -> Driven_statement -> Stops_statement 
     +
   (- (sgn s * A * cos x) - c * (sgn s * A * sin x) + h * sin (A * (sgn s * cos x))) + mu).
 Proof.
-  intros Rch Dr St Si s; destruct (reach_3 Rch 1 (1 / 4) Plus ltac:(lra) ltac:(lra)) as (c & h & gamma & HM & Hg).
+  intros Rch Dr St s; destruct (reach_3 Rch 1 (1 / 4) Plus ltac:(lra) ltac:(lra)) as (c & h & gamma & HM & Hg).
   replace (2 * PI * (1 / 4)) with (PI / 2) in HM by field; rewrite cos_PI2, Rmult_0_r, pow1 in HM; cbn [sgn] in Hg.
   assert (Hh : h <> 0).
   { intros ->; destruct HM as (A11 & A21 & A22 & E1 & E2 & HA); destruct (HA (fun _ => 1) (fun _ => 0)) as [F1 F2];
       [intros t; split; [apply D_const | eapply D_value; [apply D_const | ring]] | cbn in F1, F2].
     assert (A11 = 1) by lra; assert (A21 = 0) by lra; subst A11 A21; lra. }
-  destruct (two_least (1 / 10) (gamma / 2) ltac:(lra) ltac:(lra)) as (e & He & L1 & L2).
-  destruct (driven_gently _ _ _ _ (Dr _ _ _ _ (sample s)) c 0 0 h 0 1 (1 / 2) 0 1 gamma e) as (A0 & HA0 & Near);
-    [lra | rewrite Rplus_0_l; exact HM | lra | lra | lra | exact He|]. exists c, h, A0; split; [exact HA0|]; intros A
-      HA; rewrite Rplus_0_l in Near.
-  destruct (Near A HA) as (a1 & a2 & gamma' & rate & HG & K1 & K2 & K3 & K4); set (P := driven (M s) (W s) PI A c 0 0 h
-    0 1 (1 / 2)) in *. pose proof (all_graze _ _ _ _ (Dr _ _ _ _ (sample s)) A c 0 0 h 0 1 (1 / 2) ltac:(lra)
-      ltac:(lra)) as HP;
-    fold P in HP; destruct (St P s HP) as (HO & r & Hr & Same).
-  assert (Ho : orbit a1 a2 3 Plus Plus) by (apply orbit_about; lra); apply le_abs in K3.
-  destruct (Si (Moves (measured P s) rate) a1 a2 gamma' 3%nat Plus Plus (conj HO HG)) as [B _]; [lia | apply Ho | cbn;
-    lra|].
-  destruct (B Ho) as (d & Hd & V), (two_least d r Hd Hr) as (d' & Hd' & L3 & L4); exists rate, d'; split; [lra | split;
+  destruct (gentle_periods _ _ _ _ (Dr _ _ _ _ (sample s)) c 0 0 h 0 1 (1 / 2) 0 1 gamma 3%nat Plus Plus) as (A0 & HA0 &
+    Near); [lra | rewrite Rplus_0_l; exact HM | lra | lra | lia | exact orbit_0_1_3 | cbn; lra|]. exists c, h, A0;
+      split; [exact
+    HA0|]; intros A HA; rewrite Rplus_0_l in Near; destruct (Near A HA) as (rate & Hs & d & Hd & V).
+  set (P := driven (M s) (W s) PI A c 0 0 h 0 1 (1 / 2)) in *.
+  pose proof (all_graze _ _ _ _ (Dr _ _ _ _ (sample s)) A c 0 0 h 0 1 (1 / 2) ltac:(lra) ltac:(lra)) as HP; fold P in
+    HP; destruct (St P s HP) as (HO & r & Hr & Same).
+  destruct (two_least d r Hd Hr) as (d' & Hd' & L3 & L4); exists rate, d'; split; [exact Hs | split;
     [exact Hd'|]]; intros eps Heps; destruct (V eps ltac:(lra)) as (mu0 & Hm & X).
-  assert (Hrate : 0 < Rabs rate) by (apply Rabs_pos_lt, (rate_not_0 _ _ _ _ _ HG)).
+  assert (Hrate : 0 < Rabs rate) by (apply Rabs_pos_lt; intros Z; rewrite Z in Hs; lra).
   destruct (two_least mu0 (Rabs rate * r) Hm ltac:(apply Rmult_lt_0_compat; lra)) as (mu1 & Hmu1 & L5 & L6); exists mu1;
     split; [exact Hmu1|]; intros mu Hmu. assert (Hmr : Rabs mu <= r).
   { apply Rmult_le_reg_l with (Rabs rate); [exact Hrate|]; rewrite <- Rabs_mult, Rabs_pos_eq; lra. }

@@ -1,9 +1,9 @@
 (** * Proof that the oscillators of [StatementNonlinearExamples] graze, that region 3 has all of them, and that those
       driven gently are near linear ones *)
 From Coq Require Import Reals Lra Lia FunctionalExtensionality.
-From Grazing Require Import Defs Derivatives StatementOscillator StatementNonlinear StatementStops
-  StatementNonlinearExamples OscillatorUses NonlinearChain NonlinearStops NonlinearGeneric NonlinearSmooth
-    NonlinearTube.
+From Grazing Require Import Defs Derivatives Finite Algebra Headline Systems StatementOscillator StatementNonlinear
+  StatementStops StatementNonlinearExamples OscillatorUses NonlinearChain NonlinearStops NonlinearGeneric
+    NonlinearSmooth NonlinearTube.
 Open Scope R_scope.
 
 Section Driven.
@@ -108,46 +108,122 @@ Proof.
   - apply Rmult_integral_contrapositive; split; [destruct s; cbn; lra | apply Rinv_neq_0_compat, Hk].
 Qed.
 End Driven.
+(** The signs of (52), (53) are the same near (a1, a2). *)
+Lemma orbit_open a1 a2 n i g : orbit a1 a2 n i g -> exists d, 0 < d /\ forall a1' a2', Rabs (a1' - a1) <= d ->
+  Rabs (a2' - a2) <= d -> orbit a1' a2' n i g.
+Proof.
+  intros (Hu & Hb & Hc); set (D := fun _ _ _ _ : R => True); assert (Ct : continuous D (fun t _ _ _ => t)) by (apply
+    (C_t D (fun t => t)); intros t; apply (D_continuous _ _ _ (D_id t))). pose proof (C_y D) as Cy; pose proof (C_const
+      D) as Cc.
+  assert (Cu : forall k, continuous D (fun t y _ _ => u t y k)).
+  { assert (Two : forall k, continuous D (fun t y _ _ => u t y k) /\ continuous D (fun t y _ _ => u t y (S k))); [|apply
+    Two]. induction k as [|k [A B]]; [exact (conj (Cc 0) (Cc 1)) | split; [exact B|]]; intros t y v m HD e He.
+    destruct (C_minus D _ _ (C_times D _ _ Ct B) (C_times D _ _ Cy A) t y v m HD e He) as (d & Hd & N); exists d; split;
+      [exact Hd|]; intros t' y' v' m' A1 A2 A3 A4; rewrite !u_SS; exact (N t' y' v' m' A1 A2 A3 A4). }
+  assert (Cp : forall k, continuous D (fun _ y _ _ => y ^ k)) by (induction k as [|k IH]; [exact (Cc 1) | apply (C_times
+    D (fun _ y _ _ => y)); assumption]).
+  assert (Open : forall f, continuous D f -> 0 < f a1 a2 0 0 -> exists d, 0 < d /\ forall a1' a2', Rabs (a1' - a1) <= d
+    -> Rabs (a2' - a2) <= d -> 0 < f a1' a2' 0 0).
+  { intros f Cf Pf; destruct (Cf a1 a2 0 0 I (f a1 a2 0 0 / 2) ltac:(lra)) as (d & Hd & N); exists d; split; [exact
+      Hd|]; intros a1' a2' A B; specialize (N a1' a2' 0 0 A B); rewrite Rminus_eq_0, Rabs_R0 in N; specialize (N
+        ltac:(lra) ltac:(lra));
+      apply le_abs in N; lra. }
+  (* the numerators, times u_n *)
+  assert (Sign : forall q p w, w <> 0 -> (q * (p / w) > 0 <-> 0 < q * (p * w))).
+  { intros q p w Hw; assert (0 < w * w) by (apply Rsqr_pos_lt in Hw; exact Hw); replace (q * (p * w)) with (q * (p / w)
+      * (w * w)) by (field; exact Hw); split; intros P; [apply Rmult_lt_0_compat; assumption | apply Rmult_lt_reg_r with
+        (w * w); lra]. }
+  destruct (Open (fun t y _ _ => u t y n * u t y n)) as (d1 & D1 & N1); [apply C_times; apply Cu | apply Rsqr_pos_lt in
+    Hu; exact Hu|].
+  destruct (Open (fun t y _ _ => sgn i * sgn g * (- (1 - v t y n + y ^ n) * u t y n))) as (d2 & D2 & N2); [|apply Sign;
+    assumption|].
+  { apply (C_times D (fun _ _ _ _ => sgn i * sgn g)); [apply Cc|]; apply (C_times D (fun t y _ _ => - (1 - v t y n + y ^
+      n))); [|apply Cu]. assert (Cv : continuous D (fun t y _ _ => v t y n)) by (apply (C_minus D (fun t y _ _ => 2 * u
+        t y (S n)));
+      [apply (C_times D (fun _ _ _ _ => 2)); [apply Cc | apply Cu] | apply (C_times D (fun t _ _ _ => t)); [exact Ct |
+        apply Cu]]).
+    intros t y w m HD e He; destruct (C_plus D _ _ (C_minus D _ _ (Cc 1) Cv) (Cp n) t y w m HD e He) as (d & Hd & N);
+      exists d; split; [exact Hd|]; intros t' y' v' m' A1 A2 A3 A4; specialize (N t' y' v' m' A1 A2 A3 A4); apply le_abs
+        in N; apply Rabs_le; lra. }
+  destruct (common_bound (fun k d => (1 <= k <= n - 1)%nat -> forall a1' a2', Rabs (a1' - a1) <= d -> Rabs (a2' - a2) <=
+    d -> 0 < sgn i * ((u a1' a2' n - u a1' a2' k - a2' ^ k * u a1' a2' (n - k)) * u a1' a2' n)) n) as (d3 & D3 & N3).
+  - intros k d d' H Hd Hk a1' a2' A B; apply H; lra || exact Hk.
+  - intros k Hk; destruct (Nat.eq_dec k 0) as [->|K0]; [exists 1; split; [lra | intros [L _]; inversion L]|].
+    destruct (Open (fun t y _ _ => sgn i * ((u t y n - u t y k - y ^ k * u t y (n - k)) * u t y n))) as (d & Hd & N).
+    + repeat first [apply Cc | apply Cu | apply Cp | apply (C_times D (fun _ _ _ _ => sgn i)) | apply C_minus | apply
+      C_times].
+    + apply Sign; [exact Hu | apply Hb; lia].
+    + exists d; split; [exact Hd | intros _; exact N].
+  - destruct (two_least d1 d2 D1 D2) as (d4 & D4 & L1 & L2), (two_least d3 d4 D3 D4) as (d & Hd & L3 & L4); exists d;
+      split; [exact Hd|]; intros a1' a2' A B. assert (Hu' : u a1' a2' n <> 0) by (intros Z; pose proof (N1 a1' a2'
+        ltac:(lra)
+      ltac:(lra)) as P; cbv beta in P; rewrite Z in P; lra).
+    split; [exact Hu' | split]; [intros k Hk; apply Sign; [exact Hu' | apply N3; lia || lra] | apply Sign; [exact Hu' |
+      apply N2; lra]].
+Qed.
+
 Theorem Driven : Driven_statement.
 Proof.
-  intros M W t0 s H; constructor; [intros; apply driven_grazes; assumption | intros; apply driven_linear; assumption |
-    |].
+  intros M W t0 s H; assert (Near : forall c k b h e x tau a1 a2 gamma eps, 0 <= tau -> matrix c (k + h) Plus a1 a2
+    gamma -> gamma <> 0 -> k + h <> 0 -> a1 <> a2 + 1 -> 0 < eps -> exists A0, 0 < A0 /\ forall A, 0 < A <= A0 ->
+    exists a1' a2' gamma' rate, generic (measured (driven M W t0 A c k b h e x tau) s) a1' a2' gamma' rate /\
+    Rabs (a1' - a1) <= eps /\ Rabs (a2' - a2) <= eps /\ Rabs (gamma' - gamma) <= eps /\
+    Rabs (rate - sgn s / (k + h)) <= eps).
+  { intros c k b h e x tau a1 a2 gamma eps Ht HM Hg Hk H1 He; destruct (near_linear c (k + h) a1 a2 gamma eps HM Hg Hk
+      H1 He) as (d & Hd & Near); pose proof PI_RGT_0 as HP.
+    destruct (periodic_bounded (M 0%nat) (2 * PI) ltac:(lra) (fun t => proj1 (continuous_shapes M W t0 s H 0 t
+      ltac:(lia))) (fun t => proj1 (shape_period _ _ _ _ H 0%nat t))) as (B & HB & Bd).
+    pose proof (Rabs_pos b); pose proof (Rabs_pos h); set (S := 3 * Rabs b * (B * B) + Rabs h * B + 1).
+    assert (P1 : 0 <= 3 * Rabs b * (B * B)) by (repeat apply Rmult_le_pos; lra); assert (P2 : 0 <= Rabs h * B)
+      by (apply Rmult_le_pos; lra). assert (HS : 1 <= S) by (unfold S; lra).
+    destruct (two_least 1 (d / S) ltac:(lra) ltac:(apply Rdiv_lt_0_compat; lra)) as (A0 & HA & L1 & L2); exists A0;
+      split; [exact HA|]; intros A [A1 A2]; apply Near.
+    - exact (measured_grazes _ s (driven_grazes M W t0 s H A c k b h e x tau A1 Ht)).
+    - reflexivity.
+    - destruct s; cbn; unfold Rabs; destruct Rcase_abs; lra.
+    - intros t; destruct (driven_along M W t0 s A c k b h e x tau t) as (K1 & K2 & K3); cbv zeta in *; rewrite K1;
+      split; [|split; assumption]. set (m := A * M 0%nat t); assert (Bm : Rabs m <= A * B) by (unfold m; apply product;
+        [rewrite Rabs_pos_eq; lra | apply Bd]).
+      assert (Cm : Rabs (cos m - 1) <= A * B).
+      { pose proof (mvt cos (fun y => - sin y) m 0 1 derivable_pt_lim_cos) as K; rewrite cos_0, Rminus_0_r in K; eapply
+          Rle_trans; [apply K; intros y _; rewrite Rabs_Ropp; pose proof (SIN_bound y); apply Rabs_le; lra | lra]. }
+      pose proof (product _ _ _ _ (Rle_refl (Rabs h)) Cm) as Q1; pose proof (product _ _ _ _ Bm Bm) as Q2;
+        pose proof (product _ _ _ _ (Rle_refl (Rabs (3 * b))) Q2) as Q3. rewrite (Rabs_mult 3), (Rabs_pos_eq 3) in Q3 by
+          lra.
+      assert (Q4 : 3 * Rabs b * (A * B * (A * B)) <= A * (3 * Rabs b * (B * B))).
+      { replace (3 * Rabs b * (A * B * (A * B))) with (A * (A * (3 * Rabs b * (B * B)))) by ring; apply
+          Rmult_le_compat_l; [lra|]; rewrite <- (Rmult_1_l (3 * Rabs b * (B * B))) at 2; apply Rmult_le_compat_r; lra. }
+      assert (Q5 : A * S <= d) by (apply Rle_trans with (d / S * S); [apply Rmult_le_compat_r; lra | right; field;
+        lra]).
+      unfold S in Q5; apply le_abs in Q1, Q3; apply Rabs_le; lra. }
+  constructor; [intros; apply driven_grazes; assumption | intros; apply driven_linear; assumption | | | exact Near].
   - intros A e x tau r y g Hr Hx; destruct (reach_3 Reach r y g Hr Hx) as (c & k & gamma & Hm & Hg); exists c, k, gamma.
-  split; [exact Hg|]; apply driven_linear; [exact H | exact Hm | intros ->; lra | intros ->].
-  (* with k = 0 constants are free motions, and 1 is an eigenvalue *)
-  destruct Hm as (A11 & A21 & A22 & E1 & E2 & HA); destruct (HA (fun _ => 1) (fun _ => 0)) as [F1 F2].
-  { intros t; split; [apply D_const | eapply D_value; [apply D_const | ring]]. }
-  cbn in F1, F2; assert (A11 = 1) by lra; assert (A21 = 0) by lra; subst A11 A21. pose proof PI_RGT_0 as HP;
-    assert (Sp : 0 < sin (2 * PI * y)) by (apply sin_gt_0; nra). pose proof (sin2_cos2 (2 * PI * y)) as Q;
-    unfold Rsqr in Q; set (p := cos (2 * PI * y)) in *; set (q := sin (2 * PI * y)) in *.
-  assert (E3 : A22 = r * r) by lra; assert (E4 : 2 * r * p = 1 + r * r) by lra;
-    assert (P1 : 0 < r * r * (q * q)) by (apply Rmult_lt_0_compat; apply Rmult_lt_0_compat; assumption).
-  assert (E5 : (2 * r * p) * (2 * r * p) = 4 * (r * r) - 4 * (r * r * (q * q))) by (replace (q * q) with (1 - p * p)
-    by lra; ring). rewrite E4 in E5; pose proof (Rle_0_sqr (1 - r * r)) as U; unfold Rsqr in U; lra.
-  - intros c k b h e x tau a1 a2 gamma eps Ht HM Hg Hk H1 He; destruct (near_linear c (k + h) a1 a2 gamma eps HM Hg Hk
-    H1 He) as (d & Hd & Near); pose proof PI_RGT_0 as HP.
-  destruct (periodic_bounded (M 0%nat) (2 * PI) ltac:(lra) (fun t => proj1 (continuous_shapes M W t0 s H 0 t
-    ltac:(lia))) (fun t => proj1 (shape_period _ _ _ _ H 0%nat t))) as (B & HB & Bd).
-  pose proof (Rabs_pos b); pose proof (Rabs_pos h); set (S := 3 * Rabs b * (B * B) + Rabs h * B + 1).
-  assert (P1 : 0 <= 3 * Rabs b * (B * B)) by (repeat apply Rmult_le_pos; lra); assert (P2 : 0 <= Rabs h * B)
-    by (apply Rmult_le_pos; lra). assert (HS : 1 <= S) by (unfold S; lra).
-  destruct (two_least 1 (d / S) ltac:(lra) ltac:(apply Rdiv_lt_0_compat; lra)) as (A0 & HA & L1 & L2); exists A0; split;
-    [exact HA|]; intros A [A1 A2]; apply Near.
-  + exact (measured_grazes _ s (driven_grazes M W t0 s H A c k b h e x tau A1 Ht)).
-  + reflexivity.
-  + destruct s; cbn; unfold Rabs; destruct Rcase_abs; lra.
-  + intros t; destruct (driven_along M W t0 s A c k b h e x tau t) as (K1 & K2 & K3); cbv zeta in *; rewrite K1; split;
-    [|split; assumption]. set (m := A * M 0%nat t); assert (Bm : Rabs m <= A * B) by (unfold m; apply product; [rewrite
-      Rabs_pos_eq; lra | apply Bd]).
-    assert (Cm : Rabs (cos m - 1) <= A * B).
-    { pose proof (mvt cos (fun y => - sin y) m 0 1 derivable_pt_lim_cos) as K; rewrite cos_0, Rminus_0_r in K; eapply
-        Rle_trans; [apply K; intros y _; rewrite Rabs_Ropp; pose proof (SIN_bound y); apply Rabs_le; lra | lra]. }
-    pose proof (product _ _ _ _ (Rle_refl (Rabs h)) Cm) as Q1; pose proof (product _ _ _ _ Bm Bm) as Q2;
-      pose proof (product _ _ _ _ (Rle_refl (Rabs (3 * b))) Q2) as Q3. rewrite (Rabs_mult 3), (Rabs_pos_eq 3) in Q3 by
-        lra.
-    assert (Q4 : 3 * Rabs b * (A * B * (A * B)) <= A * (3 * Rabs b * (B * B))).
-    { replace (3 * Rabs b * (A * B * (A * B))) with (A * (A * (3 * Rabs b * (B * B)))) by ring; apply Rmult_le_compat_l;
-        [lra|]; rewrite <- (Rmult_1_l (3 * Rabs b * (B * B))) at 2; apply Rmult_le_compat_r; lra. }
-    assert (Q5 : A * S <= d) by (apply Rle_trans with (d / S * S); [apply Rmult_le_compat_r; lra | right; field; lra]).
-    unfold S in Q5; apply le_abs in Q1, Q3; apply Rabs_le; lra.
+    split; [exact Hg|]; apply driven_linear; [exact H | exact Hm | intros ->; lra | intros ->].
+    (* with k = 0 constants are free motions, and 1 is an eigenvalue *)
+    destruct Hm as (A11 & A21 & A22 & E1 & E2 & HA); destruct (HA (fun _ => 1) (fun _ => 0)) as [F1 F2].
+    { intros t; split; [apply D_const | eapply D_value; [apply D_const | ring]]. }
+    cbn in F1, F2; assert (A11 = 1) by lra; assert (A21 = 0) by lra; subst A11 A21. pose proof PI_RGT_0 as HP;
+      assert (Sp : 0 < sin (2 * PI * y)) by (apply sin_gt_0; nra). pose proof (sin2_cos2 (2 * PI * y)) as Q;
+      unfold Rsqr in Q; set (p := cos (2 * PI * y)) in *; set (q := sin (2 * PI * y)) in *.
+    assert (E3 : A22 = r * r) by lra; assert (E4 : 2 * r * p = 1 + r * r) by lra;
+      assert (P1 : 0 < r * r * (q * q)) by (apply Rmult_lt_0_compat; apply Rmult_lt_0_compat; assumption).
+    assert (E5 : (2 * r * p) * (2 * r * p) = 4 * (r * r) - 4 * (r * r * (q * q))) by (replace (q * q) with (1 - p * p)
+      by lra; ring). rewrite E4 in E5; pose proof (Rle_0_sqr (1 - r * r)) as U; unfold Rsqr in U; lra.
+  - intros c k b h e x tau a1 a2 gamma n i g Ht HM Hk H1 Hn Ho Hg; destruct (orbit_open a1 a2 n i g Ho) as (d & Hd &
+      Open); assert (G0 : gamma <> 0) by (intros Z; rewrite Z in Hg; lra); assert (Pg : 0 < Rabs gamma) by (apply
+        Rabs_pos_lt, G0);
+      assert (Pk : 0 < Rabs (k + h)) by (apply Rabs_pos_lt, Hk).
+    destruct (two_least d (Rabs gamma / 2) Hd ltac:(lra)) as (e1 & E1 & L1 & L2), (two_least e1 (/ Rabs (k + h) / 2) E1
+      ltac:(apply Rinv_0_lt_compat in Pk; lra)) as (eps & He & L3 & L4).
+    destruct (Near c k b h e x tau a1 a2 gamma eps Ht HM G0 Hk H1 He) as (A0 & HA & K); exists A0; split; [exact HA|];
+      intros A HA'. destruct (K A HA') as (a1' & a2' & gamma' & rate & HG & K1 & K2 & K3 & K4); exists rate; split.
+    + set (q := k + h) in *; replace (rate * (sgn s * q)) with (1 + (rate - sgn s / q) * (sgn s * q)) by (destruct s;
+        cbn [sgn]; field; exact Hk). assert (B : Rabs ((rate - sgn s / q) * (sgn s * q)) <= / 2); [|apply le_abs in B;
+          lra].
+      rewrite Rabs_mult, sgn_abs; apply Rle_trans with (/ Rabs q / 2 * Rabs q); [apply Rmult_le_compat_r; lra | right;
+        field; lra].
+    + assert (Ho' := Open a1' a2' ltac:(lra) ltac:(lra)); apply (Single (Moves (measured (driven M W t0 A c k b h e x
+        tau) s) rate) a1' a2' gamma' n i g); trivial; [split; [apply measured_grazes, driven_grazes; tauto || assumption
+          | exact HG] | apply Ho'|].
+      apply le_abs in K3; destruct g; cbn [sgn] in *; unfold Rabs in *; destruct (Rcase_abs gamma); lra.
 Qed.

@@ -5,7 +5,7 @@
     - tau v exp (x v): the restitution tau exp (- x |v|) depends on the speed. Duffing's oscillator has h = e = 0,
     a pendulum k = b = e = 0, a linear oscillator b = h = e = x = 0. *)
 From Coq Require Import Reals.
-From Grazing Require Import Defs StatementOscillator StatementNonlinear StatementStops.
+From Grazing Require Import Defs StatementOscillator StatementNonlinear StatementStops Headline.
 Open Scope R_scope.
 
 (** M 0, the motion, and W z 0, stop z, of period 2 pi; M n and W z n are their n-th derivatives. At t0, and then
@@ -35,13 +35,17 @@ Definition driven (M : nat -> R -> R) (W : sign -> nat -> R -> R) (t0 A c k b h 
 
 (** All of them graze. Where b = h = 0 the linearized equation is that of a linear oscillator, and for every (a1, a2)
     of region 3 and both signs of gamma there is one. And whatever b and h are, driven gently enough it is as near
-    as one likes to that of the linear oscillator of stiffness k + h. *)
+    as one likes to that of the linear oscillator of stiffness k + h, and has each period n that this one has. *)
 Record driven_facts (M : nat -> R -> R) (W : sign -> nat -> R -> R) (t0 : R) (s : sign) : Prop := {
   all_graze : forall A c k b h e x tau, 0 < A -> 0 <= tau -> grazing_at (driven M W t0 A c k b h e x tau) s;
   as_linear : forall A c k e x tau a1 a2 gamma, matrix c k Plus a1 a2 gamma -> gamma <> 0 -> k <> 0 ->
     generic (measured (driven M W t0 A c k 0 0 e x tau) s) a1 a2 gamma (sgn s / k);
   all_region_3 : forall A e x tau r y g, 0 < r -> 0 < y < 1 / 2 -> exists c k gamma, sgn g * gamma > 0 /\
     generic (measured (driven M W t0 A c k 0 0 e x tau) s) (2 * r * cos (2 * PI * y)) (r ^ 2) gamma (sgn s / k);
+  gentle_periods : forall c k b h e x tau a1 a2 gamma n i g, 0 <= tau -> matrix c (k + h) Plus a1 a2 gamma ->
+    k + h <> 0 -> a1 <> a2 + 1 -> (1 <= n)%nat -> orbit a1 a2 n i g -> sgn g * gamma > 0 -> exists A0, 0 < A0 /\
+    forall A, 0 < A <= A0 -> exists rate, rate * (sgn s * (k + h)) > 0 /\
+    born (Moves (measured (driven M W t0 A c k b h e x tau) s) rate) n i;
   driven_gently : forall c k b h e x tau a1 a2 gamma eps, 0 <= tau -> matrix c (k + h) Plus a1 a2 gamma ->
     gamma <> 0 -> k + h <> 0 -> a1 <> a2 + 1 -> 0 < eps -> exists A0, 0 < A0 /\ forall A, 0 < A <= A0 ->
     exists a1' a2' gamma' rate, generic (measured (driven M W t0 A c k b h e x tau) s) a1' a2' gamma' rate /\

@@ -240,8 +240,8 @@ E
 other StatementNonlinearExamples.v driven 'restitution at any speed' <<'E'
 s/ \* exp (x \* (sgn z \* (u - w z 1%nat t))))/)/
 E
-other StatementNonlinearExamples.v driven_facts 'of small rate' <<'E'
-s/^    Rabs (rate - sgn s \/ (k + h)) <= eps }/    True }/
+other StatementNonlinearExamples.v driven_facts 'periods from 4 on' <<'E'
+s/(1 <= n)%nat -> orbit/(4 <= n)%nat -> orbit/
 E
 other StatementStops.v flight 'moves between impacts alone' <<'E'
 s/  flight_moves : forall x, t i <= x <= t j/  flight_moves : forall x, t i < x < t j/

@@ -469,6 +469,18 @@ E
 mutant unstable-without-end 'File "./(Consequences|OrbitsUnstable)' --pin StatementUnstable.v <<'E'
 s/finite J ->$/True ->/
 E
+mutant eigenvalue-of-half-the-speed 'File "./ConsequencesAttractor' --pin StatementUnstable.v <<'E'
+s/Rabs (lambda j \* (2 \* y) + crossing/Rabs (lambda j * y + crossing/
+E
+mutant eigenvalue-by-a-rough-derivative 'File "./ConsequencesAttractor' --pin StatementUnstable.v <<'E'
+s/: Prop := forall eps, eps > 0 ->$/: Prop := forall eps, eps > 1 ->/
+E
+mutant eigenvalue-without-a-kick 'File "./OrbitsEigenvalue' --pin StatementUnstable.v <<'E'
+/^Definition Eigenvalue_statement/,$ s/Rabs (crossing M (n j)) >= kappa/Rabs (crossing M (n j)) >= 0/
+E
+mutant eigenvector-anywhere 'File "./ConsequencesAttractor' --pin StatementUnstable.v <<'E'
+s/forall j, within (Map.N M) eps (minus (V j) (Map.B M)) \/\\$/forall j, True \/\\/
+E
 
 if [ "$survived" ]; then echo "mutants.sh: not refused:$survived" >&2; exit 1; fi
 echo "all $total mutants refused"
