@@ -41,7 +41,6 @@ Proof.
 Qed.
 Lemma apply_mul P Q x : apply (mul P Q) x = apply P (apply Q x). Proof. unfold apply, mul; simpl. f_equal; ring. Qed.
 Lemma mul_assoc P Q T : mul P (mul Q T) = mul (mul P Q) T. Proof. unfold mul; simpl. f_equal; ring. Qed.
-Lemma mul_one P : mul P one = P. Proof. destruct P. unfold mul, one; simpl. f_equal; ring. Qed.
 
 (** ** The chain rule *)
 Lemma chain F G x P Q : derivative F x P -> derivative G (F x) Q -> derivative (fun z => G (F z)) x (mul Q P).

@@ -131,16 +131,7 @@ Proof.
 Qed.
 
 Lemma between' x z h : (0 < z)%Z -> (0 < snd h)%Z -> (x * snd h < fst h * z)%Z <-> IZR x / IZR z < fraction h.
-Proof.
-  intros Hz Hh; apply IZR_lt in Hz, Hh; destruct h as [a b]; unfold fraction; cbn [fst snd] in *.
-  assert (E : IZR a / IZR b - IZR x / IZR z = (IZR (a * z) - IZR (x * b)) / (IZR z * IZR b)) by (rewrite !mult_IZR;
-    field; lra).
-  assert (P : 0 < IZR z * IZR b) by (apply Rmult_lt_0_compat; assumption); split; intros H.
-  - apply IZR_lt in H; apply Rminus_gt_0_lt; rewrite E; apply Rdiv_lt_0_compat; lra.
-  - apply lt_IZR; apply Rlt_Rminus in H; rewrite E in H.
-    apply (Rmult_lt_compat_r (IZR z * IZR b)) in H; [|exact P]; unfold Rdiv in H.
-    rewrite Rmult_0_l, Rmult_assoc, Rinv_l in H; lra.
-Qed.
+Proof. intros Hz Hh; exact (between (fst h) (snd h) (x, z) Hh Hz). Qed.
 
 Lemma same_sign_eq e g : same_sign e g = true <-> e = g. Proof. destruct e, g; cbn; split; congruence. Qed.
 

@@ -300,7 +300,7 @@ Qed.
 
 (** ** Instability near grazing: l1 = 1/2, l2 = 1/4, b = 1, of the words over {1, 2}; C A B = 1/4, C A^2 B = 3/16 *)
 
-From Grazing Require Import StatementOrbits StatementOrbitsPeriodic StatementUniform StatementUnstable.
+From Grazing Require Import StatementOrbits StatementOrbitsPeriodic StatementUniform StatementUnstable Derivatives.
 
 Lemma unstable_words : Unstable_statement -> Same_map_statement -> let M := grazing_map (1 / 2) (1 / 4) 1 in
   exists d, d > 0 /\ (forall mu x, Rabs mu <= d -> Rabs (x 0%nat) <= d -> Rabs (x 1%nat) <= d -> height M mu x 0 < 0 ->
@@ -331,4 +331,51 @@ Proof.
       * intros []; split; [lia|reflexivity|lia|reflexivity].
       * intros [|[|k]] Hk; [reflexivity|reflexivity|lia].
     + intros j; destruct (Hn j) as [-> | ->]; [rewrite C1|rewrite C2]; (rewrite Rabs_pos_eq; [split; [lia|lra]|lra]).
+Qed.
+
+(** The derivative of one flight and the next has an eigenvalue near (C A^n B) (C A^n' B) / (4 y y'), and nearly B for
+    an eigenvector. *)
+Lemma derivative_at_means g l x : derivative_at 1 (fun z _ => g (z 0%nat)) (fun _ _ => l) (fun _ => x) ->
+  derivable_pt_lim g x l.
+Proof.
+  intros H eps He; destruct (H (eps / 2) ltac:(lra)) as (r & Hr & K); exists (mkposreal r Hr); intros h h0 Hh; cbn in
+    Hh.
+  pose proof (Rabs_pos_lt h h0) as Ph; specialize (K (fun _ => x + h) (Rabs h) ltac:(lra)).
+  assert (W : within 1 (Rabs h) (minus (fun _ => x + h) (fun _ => x))) by (intros i _; unfold minus; right; f_equal;
+    ring).
+  specialize (K W 0%nat ltac:(lia)); unfold mult, minus in K; cbn in K.
+  replace (g (x + h) - g x - (0 + l * (x + h - x))) with (((g (x + h) - g x) / h - l) * h) in K by (field; exact h0).
+  rewrite Rabs_mult in K; apply Rmult_le_reg_r in K; lra.
+Qed.
+Lemma eigenvalue_words : Eigenvalue_statement -> Same_map_statement -> let M := grazing_map (1 / 2) (1 / 4) 1 in
+  exists d, d > 0 /\ forall mu (n : bool -> nat) x D, Rabs mu <= d -> (forall j, n j = 1%nat \/ n j = 2%nat) ->
+  orbit_near M bool negb n mu d x -> (forall j, derivative_at 2 (Nat.iter (n j) (step M mu)) (D j) (x j)) ->
+  exists v lambda y y', Rabs (v 0%nat - Map.B M 0%nat) <= 1 / 100 /\ Rabs (v 1%nat - Map.B M 1%nat) <= 1 / 100 /\
+  (forall i, (i < 2)%nat -> mult 2 (D false) (mult 2 (D true) v) i = lambda * v i) /\ 0 < y /\ 0 < y' /\
+  y * y = - height M mu (x true) (n true - 1) /\ y' * y' = - height M mu (x false) (n false - 1) /\
+  3 / 100 <= lambda * (2 * y * (2 * y')) <= 7 / 100.
+Proof.
+  intros H Sm M; destruct (Sm (1 / 2) (1 / 4) 1) as [[S _ _ _ _ _ Wq _] _]; try lra. assert (C1 : crossing M 1 = 1 /
+    4) by (unfold crossing, power, mult; cbn; lra). assert (C2 : crossing M 2 = 3 / 16) by (unfold crossing, power,
+    mult; cbn; lra). destruct (H M zero S Wq 2%nat (3 / 16) (1 / 100)) as (d & Hd & HU); [lra | lra|]; exists d; split;
+    [exact Hd|]; intros mu n x D Hmu Hn Orb Der.
+  destruct (HU bool negb negb n mu x D) as (V & lambda & HV); trivial.
+  - intros []; auto.
+  - intros j; destruct (Hn j) as [-> | ->]; [rewrite C1 | rewrite C2]; rewrite Rabs_pos_eq by lra; split; lia || lra.
+  - destruct (HV true) as (W1 & E1 & Y1 & L1), (HV false) as (_ & E2 & Y2 & L2); cbn [negb Map.N M grazing_map] in *.
+    set (y := sqrt (- height M mu (x true) (n true - 1))) in *; set (y' := sqrt (- height M mu (x false) (n false - 1)))
+      in *.
+    assert (Sq : forall t, sqrt t > 0 -> sqrt t * sqrt t = t) by (intros t Ht; apply sqrt_sqrt, Rnot_lt_le; intros Z;
+      rewrite (sqrt_neg_0 t) in Ht; lra).
+    exists (V true), (lambda true * lambda false), y, y'; split; [apply (W1 0%nat); cbn; lia | split; [apply (W1 1%nat);
+      cbn; lia | split; [|split; [exact Y1 | split; [exact Y2 | split; [apply Sq, Y1 | split; [apply Sq, Y2|]]]]]]].
+    + intros i Hi; unfold mult at 1; cbn [dot]; rewrite !E1 by (cbn; lia).
+      specialize (E2 i Hi); unfold mult in E2; cbn [dot] in E2; rewrite Rmult_assoc, <- E2; ring.
+    + assert (Cr : forall j, 3 / 16 <= crossing M (n j) <= 1 / 4) by (intros j; destruct (Hn j) as [-> | ->]; [rewrite
+        C1 | rewrite C2]; lra). pose proof (Cr true); pose proof (Cr false); apply le_abs in L1, L2.
+      set (p := lambda true * (2 * y)) in *; set (q := lambda false * (2 * y')) in *.
+      replace (lambda true * lambda false * (2 * y * (2 * y'))) with (- p * - q) by (unfold p, q; ring).
+      assert (A1 : 177 / 1000 <= - p <= 26 / 100) by lra; assert (A2 : 177 / 1000 <= - q <= 26 / 100) by lra; split.
+      * apply Rle_trans with (177 / 1000 * (177 / 1000)); [lra | apply Rmult_le_compat; lra].
+      * apply Rle_trans with (26 / 100 * (26 / 100)); [apply Rmult_le_compat; lra | lra].
 Qed.

@@ -1,7 +1,6 @@
 (** * What follows, worked out by hand, from the definitions and statements about nonlinear oscillators *)
 From Coq Require Import Reals ZArith Lra Lia.
-From Grazing Require Import Defs StatementNonlinear StatementNonlinearExamples Headline StatementSystems.
-From Grazing Require Import ConsequencesSystems.
+From Grazing Require Import Defs StatementNonlinear Headline.
 Import Nonlinear.
 Open Scope R_scope.
 
@@ -90,43 +89,4 @@ Proof.
   intros H O gamma rate HO HG Hg; destruct (H (Moves O rate) gamma (conj HO HG)) as [B _];
     destruct (B Hg) as (d & Hd & U). exists d; split; [exact Hd|]; intros eps He; destruct (U eps He) as (mu0 & Hm & W);
     exists mu0; split; [exact Hm|]. intros mu N Hmu HN; apply (W mu); [cbn; lra | exact HN].
-Qed.
-
-(** ** A restitution exp (- |v|) / 2 and a force with the square of y - 1 - cos t, at (a1, a2) = (0, 1), where period 3
-    is in (+,+): for small mu of the sign of k there is a motion with impacts near pi and 7 pi and none between. *)
-Lemma forced_numbers : Forced_statement -> Single_statement -> exists c k d, d > 0 /\ forall eps, 0 < eps <= d ->
-  exists mu0, mu0 > 0 /\ forall mu, 0 < mu / k < mu0 -> exists t0 t1 y v u, Rabs (t0 - PI) <= eps /\
-  Rabs (t1 - 7 * PI) <= eps /\ y t0 = 0 /\ y t1 = 0 /\ v t1 < 0 /\ u t1 = - (1 / 2) * (v t1 * exp (1 * v t1)) /\
-  (forall x, t0 < x < t1 -> y x > 0) /\ forall x, t0 <= x <= t1 -> Rabs (y x - (1 + cos x)) <= eps /\
-  derivable_pt_lim y x (v x) /\ derivable_pt_lim v x (- c * v x - k * y x - 5 * ((y x - (1 + cos x)) * (y x - (1 + cos
-  x))) + (k * (1 + cos x) - cos x - c * sin x) + mu).
-Proof.
-  intros F S; destruct (F 5 1 (1 / 2) ltac:(lra)) as (G & _ & R);
-    destruct (R 1 (1 / 4) Plus ltac:(lra) ltac:(lra)) as (c & k & gamma & HG & Hg).
-  replace (2 * PI * (1 / 4)) with (PI / 2) in HG by field; rewrite cos_PI2, Rmult_0_r, pow1 in HG;
-    specialize (G c k 0 0).
-  destruct (S (Moves (forced c k 0 0 5 1 (1 / 2)) (1 / k)) 0 1 gamma 3%nat Plus Plus (conj G HG)) as [B _];
-    [lia | numbers | exact Hg|]. destruct (B orbit_0_1_3) as (d & Hd & U); exists c, k, d; split; [exact Hd|];
-    intros eps He; destruct (U eps He) as (mu0 & Hm & W). exists mu0; split; [exact Hm|]; intros mu Hmu;
-    destruct (W mu) with (N := fun i => (3 * i)%Z) as (t & y & v & HM & _);
-    [cbn [e_mu sgn]; replace (1 * (1 / k * mu)) with (mu / k) by (unfold Rdiv; ring); exact Hmu | intros; lia|].
-  destruct (HM 0%Z 1%Z eq_refl) as [A1 A2 A3 A4 A5 A6 A7 A8 A9], (HM 1%Z 2%Z eq_refl) as [_ B2 _ _ _ _ _ _ _]; cbn in *.
-  exists (t 0%Z), (t 1%Z), (y 0%Z), (v 0%Z), (v 1%Z); split;
-    [replace (t 0%Z - PI) with (t 0%Z - (PI + 2 * PI * 0)) by ring; exact A2|]. split;
-    [replace (t 1%Z - 7 * PI) with (t 1%Z - (PI + 2 * PI * 3)) by ring; exact B2|]; split;
-    [exact A5 | split; [exact A6 | split; [exact A8 | split; [exact A9 | split; [exact A7|]]]]]. intros x Hx;
-    destruct (A3 x Hx) as [D1 D2], (A4 x Hx) as [N _]; cbn in D2, N; split; [exact N | split; [exact D1|]].
-  match type of D2 with derivable_pt_lim _ _ ?l => match goal with |- derivable_pt_lim _ _ ?m => replace m with l
-    by (unfold Y; ring) end end; exact D2.
-Qed.
-(** With b = e = s = 0 it is linear; it has what [matrix] says, whatever its stop. *)
-Lemma linear_again : Forced_statement -> forall k gamma, StatementOscillator.matrix 0 k Plus 0 1 gamma -> gamma <> 0 ->
-  k <> 0 -> grazing_orbit (forced 0 k 0 0 0 0 1) /\ generic (forced 0 k 0 0 0 0 1) 0 1 gamma (1 / k) /\ forall t y v mu,
-  a (forced 0 k 0 0 0 0 1) t y v mu = - k * y + (k * (1 + cos t) - cos t) + mu /\
-    rebound (forced 0 k 0 0 0 0 1) mu t v = -
-  v.
-Proof.
-  intros F k gamma HM Hg Hk; destruct (F 0 0 1 ltac:(lra)) as (A & B & _); split;
-    [apply A | split; [apply B; assumption|]]. intros t y v mu; cbn; unfold Y; replace (0 * v) with 0 by ring;
-    rewrite exp_0; split; ring.
 Qed.

@@ -33,6 +33,15 @@ Lemma D_cos f x l : derivable_pt_lim f x l -> derivable_pt_lim (fun y => cos (f 
 Proof. intros H; apply (D_of f cos); [exact H | apply derivable_pt_lim_cos]. Qed.
 Lemma D_value f x l l' : derivable_pt_lim f x l -> l = l' -> derivable_pt_lim f x l'.
 Proof. intros H <-; exact H. Qed.
+Lemma D_back f f' s t : derivable_pt_lim f (s - t) f' -> derivable_pt_lim (fun t => f (s - t)) t (- f').
+Proof. intros H; eapply D_value; [apply (D_of (fun t => s - t) f); [apply D_minus; [apply D_const | apply D_id] | exact
+  H] | ring]. Qed.
+Lemma D_later f f' s t : derivable_pt_lim f (t + s) f' -> derivable_pt_lim (fun t => f (t + s)) t f'.
+Proof. intros H; eapply D_value; [apply (D_of (fun t => t + s) f); [apply D_plus; [apply D_id | apply D_const] | exact
+  H] | ring]. Qed.
+Lemma D_on f f' s t : derivable_pt_lim f (s + t) f' -> derivable_pt_lim (fun t => f (s + t)) t f'.
+Proof. rewrite Rplus_comm; intros H; apply (D_ext _ _ _ _ _ (D_later f f' s t H)); [intros; f_equal; ring |
+  reflexivity]. Qed.
 (** The derivative of an expression, whose parts [close] knows; [ring] or [field] puts it in order. *)
 Ltac derive_by close := eapply D_value;
   [repeat first [close | apply D_const | apply D_id | apply D_minus | apply D_plus

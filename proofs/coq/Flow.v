@@ -21,10 +21,6 @@ Proof. unfold e11; derive_by ltac:(first [apply D_S | apply D_V]); unfold e21; r
 Lemma D_e21 x : derivable_pt_lim e21 x (- k * V x). Proof. apply D_scale, D_S. Qed.
 Lemma D_at f l t0 t : derivable_pt_lim f (t - t0) l -> derivable_pt_lim (fun y => f (y - t0)) t l.
 Proof. intros H; eapply D_ext; [apply (D_of (fun y => y - t0) f); [apply D_shift | exact H] | reflexivity | ring]. Qed.
-Lemma D_back f l t y : derivable_pt_lim f (t - y) l -> derivable_pt_lim (fun y => f (t - y)) y (- l).
-Proof.
-  intros H; apply (D_value _ _ (l * -1)); [apply (D_of (fun y => t - y) f); [|exact H] | ring]. derive_by fail; ring.
-Qed.
 Lemma moved_free t0 x w : free c k (moved t0 x w) (moving t0 x w).
 Proof.
   intros t; unfold moved, moving; split.

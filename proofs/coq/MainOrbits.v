@@ -2,13 +2,14 @@
 
 From Grazing Require Import StatementOrbits Orbits StatementOrbitsPeriodic PeriodicOrbits StatementOrbitsInstance
   OrbitsInstance StatementSystems Systems SystemsAreas SystemsWords.
-From Grazing Require StatementUnstable OrbitsUnstable.
+From Grazing Require StatementUnstable OrbitsUnstable OrbitsEigenvalue.
 
 Theorem Theorem1 : Theorem1_statement. Proof. exact Orbits.Theorem1. Qed.
 Theorem Theorem1_periodic : Theorem1_statement_periodic /\ Symmetry_statement.
 Proof. exact (conj PeriodicOrbits.Theorem1_periodic Symmetry). Qed.
 Theorem Instance : Instance_statement. Proof. exact OrbitsInstance.Instance. Qed.
 Theorem Unstable : StatementUnstable.Unstable_statement. Proof. exact OrbitsUnstable.Unstable. Qed.
+Theorem Eigenvalue : StatementUnstable.Eigenvalue_statement. Proof. exact OrbitsEigenvalue.Eigenvalue. Qed.
 
 (** The theorems about signs, about motions and orbits. *)
 Theorem Single : Single_statement. Proof. exact Systems.Single. Qed.

@@ -1,10 +1,11 @@
 (** * The theorems about oscillators near grazing, by name *)
 
 From Grazing Require Import StatementOscillator StatementNordmark OscillatorUses Nordmark.
-From Grazing Require Import StatementNonlinearExamples NonlinearExamples.
+From Grazing Require Import StatementStops StatementNonlinearExamples NonlinearStops NonlinearExamples.
 
 Theorem Periodic_oscillator : Periodic_oscillator_statement. Proof. exact OscillatorUses.Periodic_oscillator. Qed.
 Theorem Reach : Reach_statement. Proof. exact OscillatorUses.Reach. Qed.
 Theorem Oscillators_exist : Nordmark_statement /\ Harmonics_statement.
 Proof. exact (conj Nordmark_oscillator Harmonics). Qed.
-Theorem Forced : Forced_statement. Proof. exact NonlinearExamples.Forced. Qed.
+Theorem Two_stops : Stops_statement. Proof. exact NonlinearStops.Two_stops. Qed.
+Theorem Driven : Driven_statement. Proof. exact NonlinearExamples.Driven. Qed.

@@ -7,22 +7,6 @@ From Grazing Require NonlinearStrict.
 Module S := NonlinearStrict.
 Open Scope R_scope.
 
-Lemma D_back f f' s t : derivable_pt_lim f (s - t) f' -> derivable_pt_lim (fun t => f (s - t)) t (- f').
-Proof.
-  intros H; eapply D_value;
-    [apply (D_of (fun t => s - t) f); [apply D_minus; [apply D_const | apply D_id] | exact H] | ring].
-Qed.
-Lemma D_on f f' s t : derivable_pt_lim f (s + t) f' -> derivable_pt_lim (fun t => f (s + t)) t f'.
-Proof.
-  intros H; eapply D_value;
-    [apply (D_of (fun t => s + t) f); [apply D_plus; [apply D_const | apply D_id] | exact H] | ring].
-Qed.
-Lemma D_later f f' s t : derivable_pt_lim f (t + s) f' -> derivable_pt_lim (fun t => f (t + s)) t f'.
-Proof.
-  intros H; eapply D_value;
-    [apply (D_of (fun t => t + s) f); [apply D_plus; [apply D_id | apply D_const] | exact H] | ring].
-Qed.
-
 (** A solution at the time t. *)
 Definition moves (a : R -> R -> R -> R -> R) mu (y v : R -> R) t :=
   derivable_pt_lim y t (v t) /\ derivable_pt_lim v t (a t (y t) (v t) mu).

@@ -10,24 +10,15 @@ Context {the_force : force} {the_touch : touch the_force} {the_window : near the
 Let HT := HT. Let HL := HL. Let HtG := HtG. Let Hg := Hg. Let Hd0 := Hd0.
 Notation at_time := (moves a). Notation sol := (runs a).
 Notation lin := (solves kk cc ll).
-Lemma periods (F : R -> R) z t : (forall t, F (t + T) = F t) -> F (t + T * IZR z) = F t.
-Proof.
-  intros H; assert (P : forall j t, F (t + T * INR j) = F t).
-  { induction j as [|j IH]; intros s; [cbn; f_equal; ring|]; rewrite S_INR;
-      replace (s + T * (INR j + 1)) with (s + T * INR j + T) by ring; rewrite H; apply IH. }
-  destruct (Z_le_gt_dec 0 z) as [L0|L0].
-  - replace (IZR z) with (INR (Z.to_nat z)) by (rewrite INR_IZR_INZ, Z2Nat.id by lia; reflexivity); apply P.
-  - rewrite <- (P (Z.to_nat (- z)) (t + T * IZR z)), INR_IZR_INZ, Z2Nat.id, opp_IZR by lia; f_equal; ring.
-Qed.
 Lemma y0_periods z t : y0 (t + T * IZR z) = y0 t /\ v0 (t + T * IZR z) = v0 t.
-Proof. split; apply periods; intros s; apply Hyper. Qed.
+Proof. split; apply whole; intros s; apply Hyper. Qed.
 Lemma shifted x mu z : sol mu (fun t => Y x mu (t - T * IZR z)) (fun t => V x mu (t - T * IZR z)).
 Proof.
   intros t; destruct (flow x mu) as (A & _); destruct (A (t - T * IZR z)) as [D1 D2]. split;
     [eapply D_value; [apply (D_of (fun t => t - T * IZR z) (Y x mu)); [apply D_shift | exact D1] | ring]|].
   eapply D_value; [apply (D_of (fun t => t - T * IZR z) (V x mu)); [apply D_shift | exact D2]|].
-  pose proof (periods (fun s => a s (Y x mu (t - T * IZR z)) (V x mu (t - T * IZR z)) mu) z (t - T * IZR z)
-    (fun s => Hper _ _ _ _)) as E; cbv beta in E. rewrite <- E; replace (t - T * IZR z + T * IZR z) with t by ring;
+  pose proof (whole (fun s => a s (Y x mu (t - T * IZR z)) (V x mu (t - T * IZR z)) mu) T (fun s => Hper _ _ _ _) z
+    (t - T * IZR z)) as E; cbv beta in E. rewrite <- E; replace (t - T * IZR z + T * IZR z) with t by ring;
     ring.
 Qed.
 
@@ -238,8 +229,8 @@ Proof.
   - assert (Ev : legv i (at_ (i + 1)) = V (fl (n i) (x i)) mu (hit i)) by (rewrite Eend, (proj2 (Loc _)), <- F2;
       reflexivity). rewrite Ev, Ej; unfold legv.
     replace (T * IZR (N (i + 1)%Z) + hit i - T * IZR (N (i + 1)%Z)) with (hit i) by ring; rewrite E2'.
-    pose proof (periods (fun t => rebound mu t (V (fl (n i) (x i)) mu (hit i))) (N (i + 1)%Z) (hit i)
-      (fun t => Hrper t mu _)) as P; cbv beta in P. rewrite Rplus_comm; symmetry; exact P.
+    pose proof (whole (fun t => rebound mu t (V (fl (n i) (x i)) mu (hit i))) T (fun t => Hrper t mu _) (N (i + 1)%Z)
+      (hit i)) as P; cbv beta in P. rewrite Rplus_comm; symmetry; exact P.
 Qed.
 End FromOrbit.
 
@@ -314,7 +305,7 @@ Proof.
   - intros i k Hk; fold (z i); unfold after; rewrite Tc; destruct (End i) as (_ & _ & E1 & E2 & _); rewrite E1, E2.
     destruct (HM i _ eq_refl) as (_ & _ & _ & _ & _ & _ & _ & Im);
       destruct (HM (i + 1)%Z _ eq_refl) as (_ & _ & _ & Z & _). unfold x; rewrite Z, Im.
-    pose proof (periods (fun u => rebound mu u (v i (t (i + 1)%Z))) (N (i + 1)%Z) (s (i + 1)%Z) (fun u => Hrper u mu _))
+    pose proof (whole (fun u => rebound mu u (v i (t (i + 1)%Z))) T (fun u => Hrper u mu _) (N (i + 1)%Z) (s (i + 1)%Z))
       as P; cbv beta in P. replace (s (i + 1)%Z + T * IZR (N (i + 1)%Z)) with (t (i + 1)%Z) in P by (unfold s; ring);
       rewrite P; reflexivity.
 Qed.

@@ -65,15 +65,6 @@ Proof.
   apply Up in Em; assert (T <= m) by (revert Em; unfold Rmin; destruct Rle_dec; lra). exists d'; split; [exact Hd'|];
     intros s Hs; apply R; split; [lra | apply Rmin_glb; lra].
 Qed.
-Lemma periods (F : R -> R) T z t : (forall t, F (t + T) = F t) -> F (t + T * IZR z) = F t.
-Proof.
-  intros H; assert (P : forall j t, F (t + T * INR j) = F t).
-  { induction j as [|j IH]; intros s; [cbn; f_equal; ring|]; rewrite S_INR;
-      replace (s + T * (INR j + 1)) with (s + T * INR j + T) by ring; rewrite H; apply IH. }
-  destruct (Z_le_gt_dec 0 z) as [L0|L0].
-  - replace (IZR z) with (INR (Z.to_nat z)) by (rewrite INR_IZR_INZ, Z2Nat.id by lia; reflexivity); apply P.
-  - rewrite <- (P (Z.to_nat (- z)) (t + T * IZR z)), INR_IZR_INZ, Z2Nat.id, opp_IZR by lia; f_equal; ring.
-Qed.
 Lemma in_one_period T t : 0 < T -> exists z, 0 <= t - T * IZR z <= T.
 Proof.
   intros HT; destruct (archimed (t / T)) as [A1 A2]; exists (up (t / T) - 1)%Z; rewrite minus_IZR;
@@ -233,7 +224,7 @@ Proof.
   - assert (Per : forall z t, y0 O (t + T O * IZR z) = y0 O t /\ v0 O (t + T O * IZR z) = v0 O t /\ forall y v mu,
       a O (t + T O * IZR z) y v mu = a O t y v mu).
     { intros z t; split; [|split; [|intros y v mu]];
-        [apply (periods (y0 O)) | apply (periods (v0 O)) | apply (periods (fun t => a O t y v mu))]; intros s; apply HP.
+        [apply (whole (y0 O)) | apply (whole (v0 O)) | apply (whole (fun t => a O t y v mu))]; intros s; apply HP.
       }
     assert (All : forall s, P s d).
     { intros s; destruct (in_one_period (T O) s HT) as (z & Hz); specialize (H _ Hz);

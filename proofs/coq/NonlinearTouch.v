@@ -141,7 +141,6 @@ Qed.
 Definition ybox y := 0 <= y /\ 32 * (y * y) < 3 * g * (r0 * r0).
 Definition off (x : vec) y mu := the (fun s => 0 <= s <= r0 / 2 /\ Y x mu (low x mu + -1 * s) - Y x mu (low x mu) = y *
   y).
-Definition before x mu e r d := bowls e r d x mu (-1).
 Lemma off_spec x y mu : box x mu -> ybox y -> let s := off x y mu in 0 <= s <= r0 / 2 /\
   Y x mu (low x mu + -1 * s) - Y x mu (low x mu) = y * y /\ (y <> 0 -> 0 < s) /\ forall s', 0 <= s' <= r0 / 2 ->
   Y x mu (low x mu + -1 * s') - Y x mu (low x mu) = y * y -> s' = s.

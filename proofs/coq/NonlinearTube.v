@@ -24,7 +24,7 @@ Lemma periodic_bounded f T : 0 < T -> (forall t, continuity_pt f t) -> (forall t
 Proof.
   intros HT C P; destruct (continuous_bounded f T HT C) as (B & HB & H); exists B; split; [exact HB|]; intros t;
     destruct (in_one_period T t HT) as (z & Hz). replace t with (t - T * IZR z + T * IZR z) by ring;
-    rewrite periods by exact P; apply H, Rabs_le; lra.
+    rewrite whole by exact P; apply H, Rabs_le; lra.
 Qed.
 
 Section Main.

@@ -280,6 +280,33 @@ Proof.
       (field; lra); lra.
 Qed.
 
+(** Points near an orbit near grazing have its flights. *)
+Lemma there M w n_max eps small : smooth M -> (forall i, (i < N M)%nat -> w i = mult (N M) (A M) w i + phi M i) -> 0 <
+  eps -> 0 < small -> exists d1 d, 0 < d <= d1 /\ remainder M w (dot (N M) (C M) w + eta M) n_max eps d1 /\ forall J
+    next n mu x,
+  (forall j, (1 <= n j <= n_max)%nat) -> Rabs mu <= d -> orbit_near M J next n mu d x -> forall j, exists r, 0 < r /\
+  forall p, within (N M) r (minus p (x j)) -> slow M n_max small d1 mu (n j) p /\
+  forall i, (i < N M)%nat -> Nat.iter (n j) (step M mu) p i = go M mu (n j) p i.
+Proof.
+  intros HM Hw Hep Hsm; set (e := dot (N M) (C M) w + eta M).
+  destruct (remainder_exists M w e HM Hw eq_refl n_max eps) as (dr & dr0 & HR); [lra|].
+  destruct (Lipschitz_fly M w e HM Hw eq_refl n_max) as (l & dl & l1 & dl0 & HL). destruct (two_least dr dl dr0 dl0)
+    as (d1 & d10 & d1r & d1l). destruct (two_least ((small / 2) ^ 2) (d1 ^ 2)) as (sq & s0 & s1 & s2);
+    [apply pow_lt; lra|apply pow_lt; lra|]. destruct (small_enough sq l s0 ltac:(lra)) as (d2 & d20 & d21).
+  destruct (two_least d1 d2 d10 ltac:(lra)) as (d & d0 & da & db). assert (HL1 : forall k x x' mu mu' t, (k <=
+    n_max)%nat -> within (N M) d1 x -> within (N M) d1 x' -> Rabs mu <= d1 -> Rabs mu' <= d1 -> within (N M) t (minus
+    x x') -> Rabs (mu - mu') <= t -> within (N M) (l * t) (minus (fly M mu k x) (fly M mu' k x')) /\ Rabs (h M (fly M
+    mu k x) mu - h M (fly M mu' k x') mu') <= l * t).
+  { intros k x x' mu mu' t K X X' Mu Mu' T T'; apply HL; trivial; try lra; apply within_le with d1; trivial; lra. }
+  assert (Ld : l * d <= sq) by (apply Rle_trans with (2 := d21); apply Rmult_le_compat_l; lra). exists d1, (d / 2);
+    split; [lra | split; [apply (remainder_down M w e n_max eps dr); trivial|]]; intros J next n mu x Hn Hmu Orb j.
+  assert (HnJ : forall j, (1 <= n j)%nat) by (intros j'; apply Hn).
+  destruct (orbit_zero M mu J next n HnJ (d / 2) x Orb) as [Z S].
+  apply (near_there M w e HM Hw eq_refl n_max l d1 d small mu l1 HL1); try lra; try apply Hn; [apply Orb|apply S|].
+  destruct (proj1 (zero_meaning M mu J next n x (speed M mu J n x)) Z j) as [Eh _]; rewrite Eh. destruct (S j) as [Pos
+    _]; assert (0 < speed M mu J n x j * speed M mu J n x j) by (apply Rmult_lt_0_compat; exact Pos); lra.
+Qed.
+
 Theorem Unstable : Unstable_statement.
 Proof.
   intros M w HM Hw n_max kappa Hk; set (e := dot (N M) (C M) w + eta M). destruct (power_bound (N M) (A M) n_max) as
@@ -296,32 +323,18 @@ Proof.
   assert (Eta2 : (m + 1) * (b + 1) * (2 * eta' / kappa) <= theta / 2).
   { replace ((m + 1) * (b + 1) * (2 * eta' / kappa)) with ((m + 1) * (b + 1) * (2 / kappa) * eta') by (field;
       lra). apply Rle_trans with (2 := q5); apply Rmult_le_compat_l; lra. }
-  destruct (remainder_exists M w e HM Hw eq_refl n_max eps) as (dr & dr0 & HR); [lra|].
-  destruct (Lipschitz_fly M w e HM Hw eq_refl n_max) as (l & dl & l1 & dl0 & HL). destruct (two_least dr dl dr0 dl0)
-    as (d1 & d10 & d1r & d1l). destruct (two_least ((eta' / 2) ^ 2) (d1 ^ 2)) as (sq & s0 & s1 & s2);
-    [apply pow_lt; lra|apply pow_lt; lra|]. destruct (small_enough sq l s0 ltac:(lra)) as (d2 & d20 & d21).
-  destruct (two_least d1 d2 d10 ltac:(lra)) as (d & d0 & da & db). assert (HL1 : forall k x x' mu mu' t, (k <=
-    n_max)%nat -> within (N M) d1 x -> within (N M) d1 x' -> Rabs mu <= d1 -> Rabs mu' <= d1 -> within (N M) t (minus
-    x x') -> Rabs (mu - mu') <= t -> within (N M) (l * t) (minus (fly M mu k x) (fly M mu' k x')) /\ Rabs (h M (fly M
-    mu k x) mu - h M (fly M mu' k x') mu') <= l * t).
-  { intros k x x' mu mu' t K X X' Mu Mu' T T'; apply HL; trivial; try lra; apply within_le with d1; trivial; lra. }
-  assert (Ld : l * d <= sq) by (apply Rle_trans with (2 := d21); apply Rmult_le_compat_l; lra). exists (d / 2);
-    split; [lra|]; intros J next n mu x (cnt & at_ & index & Fin & _) Hn Hmu Orb. assert (HnJ : forall j, (1 <= n
-    j)%nat) by (intros j; apply Hn). destruct (common_bound (fun c r => forall p, within (N M) r (minus p (x (at_ c)))
-    -> slow M n_max eta' d1 mu (n (at_ c)) p /\ forall i, (i < N M)%nat -> Nat.iter (n (at_ c)) (step M mu) p i = go M
-    mu (n (at_ c)) p i) cnt) as (r & r0 & Hr).
+  destruct (there M w n_max eps eta' HM Hw ltac:(lra) e0) as (d1 & d & Hd & HR & There); exists d; split; [lra|];
+    intros J next n mu x (cnt & at_ & index & Fin & _) Hn Hmu Orb.
+  destruct (common_bound (fun c r => forall p, within (N M) r (minus p (x (at_ c))) -> slow M n_max eta' d1 mu (n (at_
+    c)) p /\ forall i, (i < N M)%nat -> Nat.iter (n (at_ c)) (step M mu) p i = go M mu (n (at_ c)) p i) cnt) as (r & r0
+      & Hr).
   - intros c a a' H Ha p Hp; apply H, within_le with a'; trivial; lra.
-  - intros c _; set (j := at_ c); destruct (orbit_zero M mu J next n HnJ (d / 2) x Orb) as [Z S].
-    apply (near_there M w e HM Hw eq_refl n_max l d1 d eta' mu l1 HL1); try lra; try apply Hn;
-      [apply Orb|apply S|]. destruct (proj1 (zero_meaning M mu J next n x (speed M mu J n x)) Z j) as [Eh _];
-      rewrite Eh. destruct (S j) as [Pos _]; assert (0 < speed M mu J n x j * speed M mu J n x j) by (apply
-      Rmult_lt_0_compat; exact Pos); lra.
+  - intros c _; apply (There J next n mu x (fun j => proj1 (Hn j)) Hmu Orb).
   - apply (goes_away M w e n_max kappa m mc b theta eps eta' d1 mu) with (next := next) (n := n) (r := r);
       trivial; try lra.
     + split; [exact m1|]; intros k t v; apply Pw.
     + split; trivial.
     + split; trivial.
-    + apply (remainder_down M w e n_max eps dr); trivial.
     + intros j p Hp; destruct (Fin j) as [F1 F2]; specialize (Hr (index j) F1); rewrite F2 in Hr; apply Hr, Hp.
     + intros j i Hi; apply Orb; exact Hi.
 Qed.

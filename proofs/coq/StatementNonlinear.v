@@ -2,9 +2,9 @@
 
     Definitions for [Headline], where Theorem 1 is stated. Place y and velocity v are measured from the stop,
     which may move, and change with mu: y' = v, v' = a (t, y, v, mu) while y > 0. For the paper's (37), (38)
-    and the lower stop Q1, q = y + Q1 and u = v + Q1', and this a is the paper's a (q, u, t) - Q1''; for the
-    upper stop Q2, q = Q2 - y, u = Q2' - v, and a is Q2'' - a (q, u, t). All of it has period T in t. Complete
-    on this page. *)
+    and the lower stop Q1, q = y + Q1 and u = v + Q1', and this a is the paper's a (q, u, t) - Q1'':
+    [StatementStops] says so, and the same of the upper stop. All of it has period T in t. Complete on this
+    page. *)
 From Coq Require Import Reals ZArith.
 Open Scope R_scope.
 

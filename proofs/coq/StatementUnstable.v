@@ -22,3 +22,21 @@ Definition Unstable_statement : Prop := forall M w, smooth M ->
   forall n_max kappa, kappa > 0 -> exists d, d > 0 /\ forall J next n mu x, finite J ->
   (forall j, (1 <= n j <= n_max)%nat /\ Rabs (crossing M (n j)) >= kappa) -> Rabs mu <= d ->
   orbit_near M J next n mu d x -> forall j, unstable M mu (x j).
+
+(** The derivative of F at x has the matrix D. *)
+Definition derivative_at (N : nat) (F : vec -> vec) (D : nat -> vec) (x : vec) : Prop := forall eps, eps > 0 ->
+  exists r, r > 0 /\ forall z t, 0 <= t <= r -> within N t (minus z x) ->
+  within N (eps * t) (fun i => F z i - F x i - mult N D (minus z x) i).
+
+(** (35), (36): where each flight has a derivative, B is nearly an eigenvector of what they make together, and the
+    eigenvalue is the product over the impacts of numbers lambda, each nearly - C A^n B / (2 y). *)
+Definition Eigenvalue_statement : Prop := forall M w, smooth M ->
+  (forall i, (i < Map.N M)%nat -> w i = mult (Map.N M) (Map.A M) w i + Map.phi M i) ->
+  forall n_max kappa eps, kappa > 0 -> eps > 0 -> exists d, d > 0 /\ forall J next prev n mu x D,
+  (forall j : J, prev (next j) = j /\ next (prev j) = j) ->
+  (forall j, (1 <= n j <= n_max)%nat /\ Rabs (crossing M (n j)) >= kappa) -> Rabs mu <= d ->
+  orbit_near M J next n mu d x ->
+  (forall j, derivative_at (Map.N M) (Nat.iter (n j) (step M mu)) (D j) (x j)) ->
+  exists V lambda, forall j, within (Map.N M) eps (minus (V j) (Map.B M)) /\
+  (forall i, (i < Map.N M)%nat -> mult (Map.N M) (D j) (V j) i = lambda j * V (next j) i) /\
+  let y := sqrt (- height M mu (x j) (n j - 1)) in y > 0 /\ Rabs (lambda j * (2 * y) + crossing M (n j)) <= eps.

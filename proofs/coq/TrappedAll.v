@@ -16,17 +16,7 @@ Notation D := (StatementTrapped.b M - StatementTrapped.a M).
 
 Lemma no_level t : Q t = 0 -> Q1 t <> 0.
 Proof.
-  intros Z0 Z1; destruct (pass_of M lo hi H t ltac:(lra)) as (k & Hk); pose proof (hump_shift M lo hi H k) as Hs.
-  destruct (reached _ _ _ H) as (s0 & E0); destruct (positives M _ _ H) as [hmu hal].
-  destruct (pass_of M _ _ Hs s0 ltac:(lra)) as (j & Hj). set (s := s0 + p * IZR (- j));
-    assert (Es : Q s = mu) by (unfold s; rewrite (Q_whole M lo hi H); trivial). assert (Hs' : lo + p * IZR k <= s <=
-    hi + p * IZR k) by (unfold s, in_pass in *; rewrite opp_IZR; lra). assert (Dm1 : forall t, derivable_pt_lim (fun t
-    => - Q t) t (- Q1 t)) by (intros; apply derivable_pt_lim_opp, (slope _ _ _ H)).
-  assert (Dm2 : forall t, derivable_pt_lim (fun t => - Q1 t) t (- Q2 t)) by (intros; apply derivable_pt_lim_opp, (bend
-    _ _ _ H)). assert (G : - Q t + - Q1 t * (s - t) + al0 M / 2 * (s - t) ^ 2 <= - Q s).
-  { unfold in_pass in Hk; destruct (Rle_or_lt t s) as [L|L].
-    - apply (above_right _ _ _ Dm1 Dm2); trivial; intros y Hy; apply (bent _ _ _ Hs); lra.
-    - apply (above_left _ _ _ Dm1 Dm2); [lra|]; intros y Hy; apply (bent _ _ _ Hs); lra. }
+  intros Z0 Z1; destruct (parabola M lo hi H t ltac:(lra)) as (s & Es & G), (positives M lo hi H) as [hmu hal].
   assert (0 <= al0 M / 2 * (s - t) ^ 2) by (apply Rmult_le_pos; [lra|apply pow2_ge_0]); rewrite Z0, Z1, Es in G; lra.
 Qed.
 

@@ -88,20 +88,25 @@ Proof.
   pose proof al_in; unfold sigma; assert (0 <= tau * (al0 M - b ^ 2 * zm M / D)) by (apply Rmult_le_pos; lra); lra.
 Qed.
 
-(** Ql: how high a contact is. *)
-Lemma height t V : trapped M t V -> Ql M <= Q t.
+(** Below its highest value the stop lies over a parabola. *)
+Lemma parabola t : 0 <= Q t -> exists s, Q s = mu /\ - Q t + - Q1 t * (s - t) + al0 M / 2 * (s - t) ^ 2 <= - Q s.
 Proof.
-  intros (h1 & h2 & h3); destruct (pass_of M lo hi H t h1) as (k & Hk); pose proof (hump_shift M lo hi H k) as Hs.
+  intros h1; destruct (pass_of M lo hi H t h1) as (k & Hk); pose proof (hump_shift M lo hi H k) as Hs.
   destruct (reached _ _ _ H) as (s0 & E0); destruct (positives M lo hi H) as [hmu hal].
   destruct (pass_of M _ _ Hs s0 ltac:(lra)) as (j & Hj). set (s := s0 + p * IZR (- j));
     assert (Es : Q s = mu) by (unfold s; rewrite (Q_whole M lo hi H); trivial). assert (Hs' : lo + p * IZR k <= s <=
     hi + p * IZR k) by (unfold s, in_pass in *; rewrite opp_IZR; lra). assert (Dm1 : forall t, derivable_pt_lim (fun t
     => - Q t) t (- Q1 t)) by (intros; apply derivable_pt_lim_opp, (slope _ _ _ H)).
   assert (Dm2 : forall t, derivable_pt_lim (fun t => - Q1 t) t (- Q2 t)) by (intros; apply derivable_pt_lim_opp, (bend
-    _ _ _ H)). assert (G : - Q t + - Q1 t * (s - t) + al0 M / 2 * (s - t) ^ 2 <= - Q s).
-  { unfold in_pass in Hk; destruct (Rle_or_lt t s) as [L|L].
-    - apply (above_right _ _ _ Dm1 Dm2); trivial; intros y Hy; apply (bent _ _ _ Hs); lra.
-    - apply (above_left _ _ _ Dm1 Dm2); [lra|]; intros y Hy; apply (bent _ _ _ Hs); lra. }
+    _ _ _ H)). exists s; split; [exact Es|].
+  unfold in_pass in Hk; destruct (Rle_or_lt t s) as [L|L].
+  - apply (above_right _ _ _ Dm1 Dm2); trivial; intros y Hy; apply (bent _ _ _ Hs); lra.
+  - apply (above_left _ _ _ Dm1 Dm2); [lra|]; intros y Hy; apply (bent _ _ _ Hs); lra.
+Qed.
+(** Ql: how high a contact is. *)
+Lemma height t V : trapped M t V -> Ql M <= Q t.
+Proof.
+  intros (h1 & h2 & h3); destruct (parabola t h1) as (s & Es & G); destruct (positives M lo hi H) as [hmu hal].
   rewrite Es in G; unfold Ql; pose proof (Rmax_l (Vm M + zm M) (a * mu)); pose proof (Rmax_r (Vm M + zm M) (a
     * mu)).
   set (X := Rmax (Vm M + zm M) (a * mu)) in *. assert (B : Q1 t ^ 2 <= X ^ 2).

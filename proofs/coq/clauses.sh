@@ -237,8 +237,23 @@ E
 other StatementNonlinear.v one_nonlinear_motion 'one by its times' <<'E'
 s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i, t' i = t i./
 E
-other StatementNonlinearExamples.v Forced_statement 'restitution at any speed' <<'E'
-s/ \* exp (s \* v))/)/
+other StatementNonlinearExamples.v driven 'restitution at any speed' <<'E'
+s/ \* exp (x \* (sgn z \* (u - w z 1%nat t))))/)/
+E
+other StatementNonlinearExamples.v driven_facts 'periods from 4 on' <<'E'
+s/(1 <= n)%nat -> orbit/(4 <= n)%nat -> orbit/
+E
+other StatementStops.v flight 'moves between impacts alone' <<'E'
+s/  flight_moves : forall x, t i <= x <= t j/  flight_moves : forall x, t i < x < t j/
+E
+other StatementStops.v one_between 'one by its times' <<'E'
+s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i, t' i = t i./
+E
+other StatementStops.v Stops_statement 'of one motion alone' <<'E'
+/^  ((exists t q u, motion_between/,/^   exists/d; s/^  (one_between P s mu d N <-> one_nonlinear_motion (measured P s) mu d N) ..$/  (one_between P s mu d N <-> one_nonlinear_motion (measured P s) mu d N)./
+E
+other StatementStops.v measured 'that the velocity is taken as it is' <<'E'
+s/Nonlinear.v0 := fun t => rel P s 0 t (u0 P t)/Nonlinear.v0 := u0 P/
 E
 other StatementChaos.v chaos_motion 'a wider window' <<'E'
 s/(- mu) (6 \/ 5)/(- mu) (7 \/ 5)/

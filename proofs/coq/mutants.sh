@@ -316,6 +316,30 @@ E
 mutant headline-without-nonlinear-motions 'File "./Consequences' --pin Headline.v <<'E'
 s/^  | Moves osc _ => forall N, .*one_nonlinear_motion osc mu d N$/  | Moves osc _ => True/
 E
+mutant other-stop-anywhere 'File "./ConsequencesStops' --pin StatementStops.v <<'E'
+s/~ (t = tG P \/\\ z = s) -> 0 < off P z 0 t/~ t = tG P -> z = s -> 0 < off P z 0 t/
+E
+mutant touch-from-outside 'File "./ConsequencesStops' --pin StatementStops.v <<'E'
+s/^  a_G : 0 < sgn s \* /  a_G : 0 <> sgn s * /
+E
+mutant stops-not-smooth 'File "./ConsequencesStops' --pin StatementStops.v <<'E'
+s/forall z k, (k <= 2)%nat -> C1/forall z k, (k <= 1)%nat -> C1/
+E
+mutant law-at-rest-only 'File "./ConsequencesStops' --pin StatementStops.v <<'E'
+s/^  law_at : 0 <= tau P \/\\ (forall mu t, U P s mu t (Q P s 1 t mu) = Q P s 1 t mu) \/\\/  law_at : 0 <= tau P \/\\/
+E
+mutant upper-stop-seen-from-above 'File "./(ConsequencesStops|NonlinearStops|NonlinearExamples)' --pin StatementStops.v <<'E'
+s/^Definition off .*/Definition off (P : Stops.t) (s : sign) (mu t q : R) : R := q - Q P s 0 t mu./
+E
+mutant any-number-between-stops 'File "./ConsequencesStops' --pin StatementStops.v <<'E'
+s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i : Z, True./
+E
+mutant shapes-that-meet 'File "./ConsequencesStops' --pin StatementNonlinearExamples.v <<'E'
+s/^  shape_open : .*/  shape_open : True;/
+E
+mutant driven-near-no-linear-one 'File "./ConsequencesStops' --pin StatementNonlinearExamples.v <<'E'
+s/^    Rabs (a1' - a1) <= eps/    True/
+E
 
 # The readers of certificates: what they say, and what they decide.
 mutant reader-says-nothing 'File "./ConsequencesReaders' --pin StatementReaders.v <<'E'
@@ -444,6 +468,18 @@ s/Rabs (crossing M (n j)) >= kappa/Rabs (crossing M (n j)) >= 0/
 E
 mutant unstable-without-end 'File "./(Consequences|OrbitsUnstable)' --pin StatementUnstable.v <<'E'
 s/finite J ->$/True ->/
+E
+mutant eigenvalue-of-half-the-speed 'File "./ConsequencesAttractor' --pin StatementUnstable.v <<'E'
+s/Rabs (lambda j \* (2 \* y) + crossing/Rabs (lambda j * y + crossing/
+E
+mutant eigenvalue-by-a-rough-derivative 'File "./ConsequencesAttractor' --pin StatementUnstable.v <<'E'
+s/: Prop := forall eps, eps > 0 ->$/: Prop := forall eps, eps > 1 ->/
+E
+mutant eigenvalue-without-a-kick 'File "./OrbitsEigenvalue' --pin StatementUnstable.v <<'E'
+/^Definition Eigenvalue_statement/,$ s/Rabs (crossing M (n j)) >= kappa/Rabs (crossing M (n j)) >= 0/
+E
+mutant eigenvector-anywhere 'File "./ConsequencesAttractor' --pin StatementUnstable.v <<'E'
+s/forall j, within (Map.N M) eps (minus (V j) (Map.B M)) \/\\$/forall j, True \/\\/
 E
 
 if [ "$survived" ]; then echo "mutants.sh: not refused:$survived" >&2; exit 1; fi
