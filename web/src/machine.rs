@@ -54,8 +54,12 @@ fn scene(named: &Value) -> Result<String> {
     }
     let all = named.as_object().into_iter().flatten().map(|(name, _)| name.as_str());
     let other = if damping == "c" { "ζ" } else { "c" };
-    if let Some(name) = all.into_iter().find(|name| *name == other || PARTS.iter().all(|part| part.0 != *name)) {
-        return Err(Error::input(format!("{name}: a machine has m, k, c or ζ, f, gap, F and e (restitution)")));
+    if let Some(name) =
+        all.into_iter().find(|name| *name == other || PARTS.iter().all(|part| part.0 != *name))
+    {
+        return Err(Error::input(format!(
+            "{name}: a machine has m, k, c or ζ, f, gap, F and e (restitution)"
+        )));
     }
     let without = text(named, damping, "1 N");
     let scene = Scene::from_toml(&without, NAME.trim_end_matches(':'))?;
@@ -139,12 +143,18 @@ mod tests {
             ("ζ", "2 %", "c: a machine has m, k, c or ζ"),
             ("lambda", "2", "lambda: a machine has m, k, c or ζ"),
         ] {
-            let mut named = json!({ "m": "2 kg", "k": "800 N/m", "c": "3 N s/m", "f": "4 Hz", "gap": "1 mm" });
+            let mut named =
+                json!({ "m": "2 kg", "k": "800 N/m", "c": "3 N s/m", "f": "4 Hz", "gap": "1 mm" });
             named[name] = value.into();
             let found = ask(named);
             let message = found["error"]["message"].as_str().unwrap_or_else(|| panic!("{found}"));
             assert!(message.contains(told) && !message.contains(".toml"), "{message}");
         }
-        assert!(ask(json!({ "m": "2 kg" }))["error"]["message"].as_str().unwrap().starts_with("k, c, f, gap: missing"));
+        assert!(
+            ask(json!({ "m": "2 kg" }))["error"]["message"]
+                .as_str()
+                .unwrap()
+                .starts_with("k, c, f, gap: missing")
+        );
     }
 }

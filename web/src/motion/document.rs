@@ -77,14 +77,7 @@ impl Changeable {
             let unit = unit.filter(|unit| !unit.is_empty());
             let about = item.and_then(|item| comment(item, document.raw())).unwrap_or_default();
             let range = range(&scene, name, value);
-            parameters.push(Parameter {
-                name: name.clone(),
-                value: text,
-                about,
-                unit,
-                range,
-                place: None,
-            });
+            parameters.push(Parameter { name: name.clone(), value: text, about, unit, range, place: None });
         }
         let mut taken: BTreeSet<String> = RESERVED.iter().map(ToString::to_string).collect();
         taken.extend(parameters.iter().map(|known| known.name.clone()));

@@ -191,7 +191,8 @@ restitution = "80 %"
     }
     let error = changeable.with(&[("F".into(), "3 kg".into())], "").unwrap_err().to_string();
     assert!(error.contains("is a mass, and in s.toml F is a force"), "{error}");
-    let words = ask(super::motion_born(&request(text, "s.toml", json!({ "parameter": "F", "max_period": 2 }))));
+    let words =
+        ask(super::motion_born(&request(text, "s.toml", json!({ "parameter": "F", "max_period": 2 }))));
     let first = words["sentences"][0].as_str().unwrap();
     assert!(first.contains(" N the motion without impacts grazes"), "{first}");
 }

@@ -316,7 +316,8 @@ mod tests {
                 "gap": [-1e-20, 1e-20] }],
         });
         let all = sentences(&report, 4, 2e-20, " m").join(" ");
-        for text in ["At gap = 1e-20 m the", "a₁ = 1e-9,", "at gap = 1.0001e-20 m,", "a gap from -1e-20 to 1e-20"]
+        for text in
+            ["At gap = 1e-20 m the", "a₁ = 1e-9,", "at gap = 1.0001e-20 m,", "a gap from -1e-20 to 1e-20"]
         {
             assert!(all.contains(text), "{text}: {all}");
         }
