@@ -432,20 +432,23 @@ pub(crate) fn why_single(end: &RangeEnd, effort: RangeEffort) -> String {
     }
 }
 
-/// A number of so many digits from an end of a range towards its inner side, as a decimal; the end itself, as
-/// a fraction, where that would leave the range.
+/// A number of so many digits from an end of a range towards its inner side, as a decimal; of more digits where
+/// that would leave the range, and the end itself, as a fraction, where so many are not enough.
 pub(crate) fn inwards(end: &BigRational, inner: &BigRational, digits: i32) -> String {
+    const MOST: i32 = 40;
     let size = end.abs().to_f64().filter(|size| *size > 0.0 && size.is_finite()).map_or(0.0, f64::log10);
-    let places = digits - 1 - size.floor() as i32;
     let ten = |power: i32| BigRational::from(BigInt::from(10).pow(power.unsigned_abs()));
-    let scaled = if places >= 0 { end * ten(places) } else { end / ten(places) };
-    let whole = if inner > end { scaled.ceil() } else { scaled.floor() };
-    let value = if places >= 0 { &whole / ten(places) } else { &whole * ten(places) };
-    let within = if inner > end { value < *inner } else { value > *inner };
-    if !within {
-        return end.to_string();
+    for digits in (digits..=MOST.max(digits)).step_by(4) {
+        let places = digits - 1 - size.floor() as i32;
+        let scaled = if places >= 0 { end * ten(places) } else { end / ten(places) };
+        let whole = if inner > end { scaled.ceil() } else { scaled.floor() };
+        let value = if places >= 0 { &whole / ten(places) } else { &whole * ten(places) };
+        let within = if inner > end { value < *inner } else { value > *inner };
+        if within {
+            return decimal(&value, places);
+        }
     }
-    decimal(&value, places)
+    end.to_string()
 }
 
 /// A number of at most so many places after the point; a small one by its exponent.
@@ -482,7 +485,13 @@ mod tests {
             ("200000/3", "0", "66600"),
             ("1/8", "1", "0.125"),
             // What is left between the two has more digits.
-            ("2/3", "2001/3001", "2/3"),
+            ("2/3", "2001/3001", "0.6666667"),
+            (
+                "2/3",
+                "200000000000000000000000000000000000000000001/300000000000000000000000000000000000000000001",
+                "2/3",
+            ),
+            ("2/3", "2/3", "2/3"),
             ("0", "1", "0"),
             ("1/3000000", "1", "3.34e-7"),
             ("-1/3000000", "1", "-3.33e-7"),
