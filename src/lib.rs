@@ -38,7 +38,7 @@
 //! its orbits, or prove something of them, use `grazing-scenes`, which has all of this, too. Do not use it
 //! for maps with more than one square-root direction. Nordmark's Theorem 1, which turns signs into orbits, is
 //! proved for maps in `proofs/`, and its conclusion for oscillators, linear or not, from their differential
-//! equation: of nonlinear ones, the paper's section 3.1, with one stop and no other impact on the orbit.
+//! equation: of nonlinear ones, the paper's section 3.1, with a touch of either stop and no other impact.
 //!
 //! # Map
 //!

@@ -432,8 +432,8 @@ pub(crate) fn why_single(end: &RangeEnd, effort: RangeEffort) -> String {
     }
 }
 
-/// A number of so many digits from an end of a range towards its inner side, as a decimal; of more digits where
-/// that would leave the range, and the end itself, as a fraction, where so many are not enough.
+/// A number of so many digits from an end of a range towards its inner side, as a decimal; of more digits
+/// where that would leave the range, and the end itself, as a fraction, where so many are not enough.
 pub(crate) fn inwards(end: &BigRational, inner: &BigRational, digits: i32) -> String {
     const MOST: i32 = 40;
     let size = end.abs().to_f64().filter(|size| *size > 0.0 && size.is_finite()).map_or(0.0, f64::log10);
