@@ -8,6 +8,8 @@ use crate::quantity::Unit;
 /// use grazing_base::typed::in_number;
 /// assert_eq!(in_number("0,5").as_deref(), Some("0,5 has a decimal comma: write 0.5"));
 /// assert_eq!(in_number("1.000,5").as_deref(), Some("1.000,5 has a decimal comma: write 1000.5"));
+/// let meant = in_number("1,000,000").unwrap();
+/// assert_eq!(meant, "1,000,000 has a comma between thousands: write 1000000");
 /// assert_eq!(in_number("4·10^2").as_deref(), Some("· is no product of numbers here: write *"));
 /// assert_eq!(in_number("0.5"), None);
 /// ```
@@ -28,8 +30,8 @@ fn in_numbers(text: &str) -> Option<String> {
         return Some(format!("{sign} (U+{:04X}) is not the minus of a keyboard: write -", u32::from(sign)));
     }
     if let Some((found, meant)) = decimal_comma(text) {
-        let comma =
-            if found.rfind(',') > found.rfind('.') { "a decimal comma" } else { "a comma between thousands" };
+        let is_decimal = found.rfind(',') > found.rfind('.') && found.matches(',').count() == 1;
+        let comma = if is_decimal { "a decimal comma" } else { "a comma between thousands" };
         return Some(format!("{found} has {comma}: write {meant}"));
     }
     if let Some((sign, _)) = text.char_indices().find(|&(i, c)| {
@@ -59,9 +61,11 @@ fn decimal_comma(text: &str) -> Option<(String, String)> {
         let part = part.trim_matches([',', '.']);
         part.contains(',').then_some(part)
     })?;
-    // The last sign is the decimal one.
+    // The last sign is the decimal one, unless there are several of it.
     let (whole, part) = found.rsplit_once([',', '.'])?;
-    Some((found.to_string(), format!("{}.{part}", whole.replace([',', '.'], ""))))
+    let last = &found[whole.len()..found.len() - part.len()];
+    let point = if whole.contains(last) { "" } else { "." };
+    Some((found.to_string(), format!("{}{point}{part}", whole.replace([',', '.'], ""))))
 }
 
 /// A number with spaces between its thousands, and without.
