@@ -35,12 +35,10 @@ const periods = ([first, last]: [number, number]): string =>
   first === last ? `period n = ${first}` : `every period n from ${first} to ${last}`;
 const several = (count: number): string => (count === 1 ? "1 period" : `${count} periods`);
 
-/** What a range says of other motions, in a sentence. */
+/** What a range says of other motions, in the words of the certificate. */
 const near = (others: string): string => {
-  if (!others.startsWith("none near")) return "";
-  return others.includes("bounded")
-    ? " No other bounded motion meets the wall near again and again."
-    : " No other motions are near.";
+  const none = /^none near for (nu <= \S+): (.*)$/.exec(others);
+  return none ? ` For ${none[1]}, ${none[2]}.` : "";
 };
 
 /** What each kind proves, in a sentence. */
@@ -63,7 +61,7 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
     return title === "chaos" ? `The oscillator is chaotic. ${each}` : `${each} That it is chaotic is not proved.`;
   },
   range: (_, detail, title) =>
-    `From the touch to the depth listed, each path of its letters is exactly one motion of the oscillator${title === "range of chaos" ? ", and it is chaotic" : ""}.` +
+    `From the touch to the depth listed, each path of its letters is exactly one motion of the oscillator with ${detail.get("window") ?? "impacts where it says"}${title === "range of chaos" ? ", and it is chaotic" : ""}.` +
     near(detail.get("others") ?? ""),
   nothing: (_, detail) =>
     `Beyond its touch, to the depth listed, nothing is born, and no motion of the oscillator stays near: ${detail.get("leaves") ?? ""}.`,
