@@ -431,28 +431,34 @@ fn printed_is_checked(samples: &[String], every: usize) {
     assert!(checked > 10, "only {checked} words are checked");
 }
 
-/// Whether a word says how a thing is proved and not what, so that nothing that is printed need change with
-/// it: in how many parts, by which matrices, weights and witnesses. All other words are claims. Of cells what
-/// they have in common is printed, and that each lists its own.
-fn is_work(kind: &str, line: &str, word: usize) -> bool {
-    let name = line.split(' ').next().unwrap();
-    let kind = kind.strip_prefix("kind ").unwrap().split(' ').next().unwrap();
-    match (kind, name) {
-        (_, "pieces" | "row" | "flight" | "until" | "scales") => true,
-        ("theorem2", "stretch") | ("word" | "word-by-theorem", "absent") => true,
-        ("cover", _) => line.contains([';', ',']),
-        ("entropy", "bound" | "ends") => true,
-        ("orbit" | "event" | "branch" | "machine", "at" | "radius" | "box") => true,
-        ("chaos", "cells") => true,
-        // Weights, the growth vector, parts.
+/// Whether a word of a line says how a thing is proved and not what, so that nothing that is printed need
+/// change with it: in how many parts, where cells meet, by which matrices, weights and witnesses. All other
+/// words are claims. Of cells what they have in common is printed, and that each lists its own.
+fn is_work(lines: &[&str], line: usize, word: usize) -> bool {
+    let own = lines[line];
+    let name = own.split(' ').next().unwrap();
+    let kind = lines[1].strip_prefix("kind ").unwrap();
+    let is_last = || !lines[line + 1..].iter().any(|other| other.split(' ').next() == Some(name));
+    match (kind.split(' ').next().unwrap(), name) {
+        (_, "pieces" | "row" | "flight" | "until") => true,
+        // All j b together being 0, the b of one harmonic is 0 whatever its range.
+        (_, "harmonic") => own.starts_with("harmonic 1 1/1 1/1 0/1 ") && is_last(),
+        ("theorem2", "stretch") | ("word", "absent") => true,
+        ("theorem2", "point") => word > 2,
+        ("cover", _) => own.contains([';', ',']),
+        ("share", name) => name.starts_with(|c: char| c.is_ascii_digit()),
+        ("entropy", "bound" | "ends") | ("branch", "at" | "radius") | ("chaos", "cells") => true,
+        // Of version 2 the units in which powers of the flow shrink.
+        ("machine-orbit", "scales") => kind.ends_with(" 2"),
+        // Weights, the growth vector, parts; what is claimed of other motions is S.
         ("chaos", "letter") => word > 5,
+        ("chaos", "complete") => word > 1,
         ("range", "letter") => word == 2,
-        ("range", "edge") => true,
-        ("range", "cell") => word > 1,
+        ("range", "edge" | "longest" | "rounds") => true,
         // Of all cells the least S is printed.
         ("range", "others") => true,
+        ("range" | "single", "cell") => word > 1 || !is_last(),
         ("nothing", "cell") => word > 2,
-        ("share", _) => true,
         _ => false,
     }
 }
@@ -461,11 +467,11 @@ fn is_work(kind: &str, line: &str, word: usize) -> bool {
 fn printed_of(text: &str, every: usize) -> usize {
     let lines: Vec<&str> = text.lines().collect();
     let (mut printed, mut checked) = (0, 0);
+    let mut unsaid = Vec::new();
     for ((i, j), fate) in fates(text, every) {
         checked += usize::from(fate.refused);
-        if let Some(change) = &fate.silent {
-            let line = lines[i];
-            assert!(is_work(lines[1], line, j), "{}: claimed and not printed: {line} -> {change}", lines[1]);
+        if let Some(change) = fate.silent.filter(|_| !is_work(&lines, i, j)) {
+            unsaid.push(format!("{} -> {change}", lines[i]));
         }
         let Some(change) = fate.printed else { continue };
         printed += 1;
@@ -483,6 +489,7 @@ fn printed_of(text: &str, every: usize) -> usize {
         assert!(fate.refused || free, "{}: free to choose: {line} -> {change}", lines[1]);
     }
     println!("{}: {checked} words are checked, {printed} of them may be said otherwise", lines[1]);
+    assert!(unsaid.is_empty(), "{}: claimed and not printed: {unsaid:#?}", lines[1]);
     assert!(every > 1 || checked > 4, "{}: only {checked} words are checked", lines[1]);
     checked
 }
