@@ -121,7 +121,7 @@ fn what_is_doubtful_is_said() {
 
 #[test]
 fn the_example_maps_are_read() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/maps");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/maps");
     let mut count = 0;
     for file in std::fs::read_dir(folder).unwrap() {
         let path = file.unwrap().path();
