@@ -209,16 +209,58 @@ Proof.
     apply (not_regular 2 1 1 1) in N; [destruct N as [N _]; apply N; reflexivity | lra | ring].
 Qed.
 
-(** Maps: at s = 1/4, n = 4 there is none; at s = 1/8 there is none if gamma < 0. *)
-Lemma no_orbits : Maps_statement -> forall M gamma rate w, (planar M (trace (1 / 2) (1 / 4)) ((1 / 2) ^ 2) gamma rate
-  w \/
-  planar M (trace (1 / 2) (1 / 8)) ((1 / 2) ^ 2) gamma rate w /\ gamma < 0) ->
-  exists d, 0 < d /\ forall mu x, - d <= mu <= d -> ~ orbit_near M unit (fun j => j) (fun _ => 4%nat) mu d x.
+(** Maps, n = 2: one number has two signs, and the slope is - C A^2 V / e. *)
+Lemma curve_2 : Curve_statement -> forall M w V rate, smooth M -> (forall i, (i < Map.N M)%nat ->
+  w i = mult (Map.N M) (Map.A M) w i + Map.phi M i) -> rate = dot (Map.N M) (Map.C M) w + Map.eta M -> rate <> 0 ->
+  (forall x, (forall i, (i < Map.N M)%nat -> x i = power M 2 x i) -> forall i, (i < Map.N M)%nat -> x i = 0) ->
+  (forall i, (i < Map.N M)%nat -> V i = power M 2 V i + Map.B M i) -> exists d, 0 < d /\
+  (across M V 1 < across M V 2 -> forall mu x, - d <= mu <= d -> ~ single M 2 mu d x) /\
+  (across M V 2 < across M V 1 -> exists r, 0 < r /\ forall y, 0 < y < r -> exists mu x, - d <= mu <= d /\
+   single M 2 mu d x /\ speed_of M 2 mu x = y /\ forall mu' x', - d <= mu' <= d -> single M 2 mu' d x' ->
+   speed_of M 2 mu' x' = y -> mu' = mu /\ forall i, (i < Map.N M)%nat -> x' tt i = x tt i) /\
+  exists r, 0 < r /\ forall mu x, Rabs mu <= d -> single M 2 mu d x -> speed_of M 2 mu x < r ->
+   Rabs (mu + across M V 2 / rate * speed_of M 2 mu x) <= 1 / 10 * speed_of M 2 mu x /\ forall i, (i < Map.N M)%nat ->
+   Rabs (x tt i - mu * w i - speed_of M 2 mu x * V i) <= 1 / 10 * speed_of M 2 mu x.
 Proof.
-  intros S M gamma rate w H; assert (E : exists d, 0 < d /\ forall mu x, Rabs mu <= d ->
-    ~ orbit_near M unit (fun j => j) (fun _ => 4%nat) mu d x).
-  { destruct H as [H|[H Hg]].
-    - apply (S M (1 / 2) (1 / 4) 4%nat 2%nat gamma rate w); cbn [INR]; try lra; try lia; exact H.
-    - apply (S M (1 / 2) (1 / 8) 4%nat 1%nat gamma rate w); cbn [INR]; try lra; try lia; exact H. }
-  destruct E as (d & Hd & N); exists d; split; [exact Hd|]; intros mu x Hm; apply N, Rabs_le, Hm.
+  intros S M w V rate HM Hw He Ne HD HV; destruct (S M w V rate 2%nat HM Hw He Ne ltac:(lia) HD HV) as (d & Hd & [No
+    One Sl]).
+  exists d; split; [exact Hd|]; split; [|split].
+  - intros L mu x Hmu; apply No; [exists 1%nat; split; [lia | exact L] | apply Rabs_le, Hmu].
+  - intros L; destruct One as (r & Hr & H); [intros k Hk; replace k with 1%nat by lia; exact L|]; exists r; split;
+    [exact Hr|].
+    intros y Hy; destruct (H y Hy) as (mu & x & Hmu & Ho & Ey & U); exists mu, x; split; [apply le_abs, Hmu|].
+    split; [exact Ho|]; split; [exact Ey|]; intros mu' x' Hmu'; apply U, Rabs_le, Hmu'.
+  - destruct (Sl (1 / 10) ltac:(lra)) as (r & Hr & H); exists r; split; [exact Hr|]; intros mu x Hmu Ho Hy.
+    destruct (H mu x Hmu Ho Hy) as [H1 H2]; split; [exact H1 | exact H2].
+Qed.
+
+(** In the plane: at s = 1/4, n = 4 there is none; at s = 1/8 none if gamma < 0,
+  and if gamma > 0 one at each small speed. *)
+Lemma no_orbits : Plane_statement -> forall M gamma rate w, (planar M (trace (1 / 2) (1 / 4)) ((1 / 2) ^ 2) gamma
+  rate w \/
+  planar M (trace (1 / 2) (1 / 8)) ((1 / 2) ^ 2) gamma rate w /\ gamma < 0) ->
+  exists d, 0 < d /\ forall mu x, - d <= mu <= d -> ~ single M 4 mu d x.
+Proof.
+  intros S M gamma rate w [H|[H Hg]].
+  - destruct (S M (1 / 2) (1 / 4) 4%nat 2%nat gamma rate w) as (V & d & Hd & _ & _ & _ & No); cbn [INR]; try lra;
+    try lia;
+      [exact H|]; exists d; split; [exact Hd|]; intros mu x Hm; apply No; [left; lia | apply Rabs_le, Hm].
+  - destruct (S M (1 / 2) (1 / 8) 4%nat 1%nat gamma rate w) as (V & d & Hd & _ & _ & _ & No); cbn [INR]; try lra;
+    try lia;
+      [exact H|]; exists d; split; [exact Hd|]; intros mu x Hm; apply No; [right; exact Hg | apply Rabs_le, Hm].
+Qed.
+Lemma one_each : Plane_statement -> forall M gamma rate w, planar M (trace (1 / 2) (1 / 8)) ((1 / 2) ^ 2) gamma rate
+  w ->
+  0 < gamma -> exists d r, 0 < d /\ 0 < r /\ forall y, 0 < y < r -> exists mu x, single M 4 mu d x /\
+  speed_of M 4 mu x = y /\ Rabs mu <= 1 / 1000 * y.
+Proof.
+  intros S M gamma rate w H Hg; destruct (S M (1 / 2) (1 / 8) 4%nat 1%nat gamma rate w) as (V & d & Hd & [_ One Sl] &
+    Z & Pos & _);
+    cbn [INR]; try lra; try lia; [exact H|].
+  destruct One as (r & Hr & H1); [intros k Hk; rewrite Z; apply Pos; [reflexivity | exact Hg | exact Hk]|].
+  destruct (Sl (1 / 1000) ltac:(lra)) as (r' & Hr' & H2).
+  exists d, (Rmin r r'); split; [exact Hd|]; split; [apply Rmin_glb_lt; assumption|]; intros y [Y1 Y2].
+  pose proof (Rmin_l r r'); pose proof (Rmin_r r r'); destruct (H1 y ltac:(lra)) as (mu & x & Hmu & Ho & Ey & _).
+  exists mu, x; split; [exact Ho|]; split; [exact Ey|]; destruct (H2 mu x Hmu Ho) as [B _]; [lra|].
+  rewrite Z, Ey in B; replace (mu + 0 / rate * y) with mu in B; [exact B | unfold Rdiv; ring].
 Qed.

@@ -16,4 +16,5 @@ Theorem At_resonance : StatementResonance.Exact_statement /\ StatementResonance.
   StatementResonance.Stable_statement /\ StatementResonance.Birth_statement.
 Proof. exact (conj ResonanceExact.Exact (conj ResonanceStable.Multipliers (conj ResonanceStable.Stable
   ResonanceBirth.Birth))). Qed.
-Theorem Maps_at_resonance : StatementResonance.Maps_statement. Proof. exact ResonanceMaps.Maps. Qed.
+Theorem Maps_at_resonance : StatementResonance.Curve_statement /\ StatementResonance.Plane_statement.
+Proof. exact (conj ResonanceMaps.Curve ResonanceMaps.Plane). Qed.

@@ -71,8 +71,8 @@ Definition Multipliers_statement : Prop := forall O n m mu d t y v, any_stop O -
   let a := - Oscillator.tau O * q O n m in
   exists F e, returns O n mu (t 0%Z, v 0%Z (t 0%Z)) F (Mat a 0 e a).
 
-(** So wherever it exists, the motion is asymptotically stable: one that starts near it goes on for ever, stays
-    near and comes as near as one likes; there is no other with that start. *)
+(** So wherever it exists, the motion is asymptotically stable: one that starts near it goes on for ever,
+    stays near and comes as near as one likes; there is no other with that start. *)
 Definition forward (O : Oscillator.t) (n : nat) (mu d : R) (t : Z -> R) (y v : Z -> R -> R) : Prop :=
   forall i j, (0 <= i)%Z -> j = (i + 1)%Z -> swing O Plus mu d (fun i => Z.of_nat n * i)%Z t y v i j.
 Definition near (t t' : Z -> R) (v v' : Z -> R -> R) (eps : R) (i : Z) : Prop :=
@@ -88,8 +88,8 @@ Definition Stable_statement : Prop := forall O n m mu d t y v, any_stop O -> res
 
 (** ** Birth: where the stop only touches for mu = 0
 
-    It then reaches the height nu > 0 for mu = - nu. For n >= 2 the one motion is born if theta is pi / n up to
-    whole turns, and none at the other resonances; for n = 1 at both. *)
+    For mu = - nu it then reaches the height nu > 0. For n >= 2 the one motion is born if theta is pi / n up
+    to whole turns, and none is at the other resonances; for n = 1 it is at both. *)
 Definition births (O : Oscillator.t) (n m : nat) : Prop :=
   regular O n m /\ (n = 1%nat \/ m mod (2 * n) = 1)%nat.
 Record birth (O : Oscillator.t) (n m : nat) (nu eps : R) : Prop := {
@@ -101,8 +101,37 @@ Record birth (O : Oscillator.t) (n m : nat) (nu eps : R) : Prop := {
 Definition Birth_statement : Prop := forall O n m, touching O -> resonant O n m -> forall eps, 0 < eps ->
   exists mu0, 0 < mu0 /\ forall nu, 0 < nu < mu0 -> birth O n m nu eps.
 
-(** ** Maps of the plane: at the other resonances no orbit of period n with one impact is near grazing, on
-    either side of mu = 0, whatever the second order *)
-Definition Maps_statement : Prop := forall M r s n m gamma rate w, 0 < r < 1 -> 0 < s < 1 / 2 ->
-  (1 <= n)%nat -> INR n * s = INR m / 2 -> planar M (trace r s) (r ^ 2) gamma rate w -> (2 <= m)%nat \/ gamma < 0 ->
-  exists d, 0 < d /\ forall mu x, Rabs mu <= d -> ~ orbit_near M unit (fun j => j) (fun _ => n) mu d x.
+(** ** Maps: where det (I - A^n) <> 0, whatever C A^n B is, the orbits of period n with one impact are one
+    curve near grazing: exactly one for each small speed y of the impact, or none
+
+    It begins with the slope - C A^n V / e in mu and the direction V = (I - A^n)^-1 B. Where that slope is not
+    0, this is Theorem 1; here it may be 0. *)
+Definition single (M : Map.t) (n : nat) (mu d : R) (x : unit -> vec) : Prop :=
+  orbit_near M unit (fun j => j) (fun _ => n) mu d x.
+Definition speed_of (M : Map.t) (n : nat) (mu : R) (x : unit -> vec) : R :=
+  sqrt (- StatementOrbits.height M mu (x tt) (n - 1)).
+Definition across (M : Map.t) (V : vec) (k : nat) : R := dot (Map.N M) (Map.C M) (power M k V).
+Record curve (M : Map.t) (w V : vec) (rate : R) (n : nat) (d : R) : Prop := {
+  curve_none : (exists k, (0 < k < n)%nat /\ across M V k < across M V n) ->
+    forall mu x, Rabs mu <= d -> ~ single M n mu d x;
+  curve_one : (forall k, (0 < k < n)%nat -> across M V n < across M V k) -> exists r, 0 < r /\
+    forall y, 0 < y < r -> exists mu x, Rabs mu <= d /\ single M n mu d x /\ speed_of M n mu x = y /\
+    forall mu' x', Rabs mu' <= d -> single M n mu' d x' -> speed_of M n mu' x' = y ->
+    mu' = mu /\ forall i, (i < Map.N M)%nat -> x' tt i = x tt i;
+  curve_slope : forall eps, 0 < eps -> exists r, 0 < r /\ forall mu x, Rabs mu <= d -> single M n mu d x ->
+    let y := speed_of M n mu x in y < r -> Rabs (mu + across M V n / rate * y) <= eps * y /\
+    StatementOrbits.within (Map.N M) (eps * y) (fun i => x tt i - mu * w i - y * V i) }.
+Definition Curve_statement : Prop := forall M w V rate n, smooth M -> let N := Map.N M in
+  (forall i, (i < N)%nat -> w i = mult N (Map.A M) w i + Map.phi M i) ->
+  rate = dot N (Map.C M) w + Map.eta M -> rate <> 0 -> (1 <= n)%nat ->
+  (forall x, (forall i, (i < N)%nat -> x i = power M n x i) -> forall i, (i < N)%nat -> x i = 0) ->
+  (forall i, (i < N)%nat -> V i = power M n V i + Map.B M i) -> exists d, 0 < d /\ curve M w V rate n d.
+
+(** In the plane at resonance the slope is 0. For m = 1, gamma > 0 there is the curve. At the other resonances
+    no orbit of period n with one impact is near grazing, on either side of mu = 0, whatever the second
+    order. *)
+Definition Plane_statement : Prop := forall M r s n m gamma rate w, 0 < r < 1 -> 0 < s < 1 / 2 ->
+  (1 <= n)%nat -> INR n * s = INR m / 2 -> planar M (trace r s) (r ^ 2) gamma rate w ->
+  exists V d, 0 < d /\ curve M w V rate n d /\ across M V n = 0 /\
+  (m = 1%nat -> 0 < gamma -> forall k, (0 < k < n)%nat -> 0 < across M V k) /\
+  ((2 <= m)%nat \/ gamma < 0 -> forall mu x, Rabs mu <= d -> ~ single M n mu d x).

@@ -499,8 +499,11 @@ E
 mutant resonance-born-at-any-angle 'File "./(Consequences)?Resonance' --pin StatementResonance.v <<'E'
 s/(n = 1%nat \\\/ m mod (2 \* n) = 1)%nat/(1 <= n)%nat/
 E
-mutant resonance-of-maps-at-every-angle 'File "./ResonanceMaps' --pin StatementResonance.v <<'E'
-/^Definition Maps_statement/,/^$/ s/ -> (2 <= m)%nat \\\/ gamma < 0 ->/ ->/
+mutant resonance-of-maps-at-every-angle 'File "./(Consequences)?Resonance' --pin StatementResonance.v <<'E'
+s/^  ((2 <= m)%nat \\\/ gamma < 0 -> forall mu x/  (forall mu x/
+E
+mutant resonance-curve-of-another-slope 'File "./(Consequences)?Resonance' --pin StatementResonance.v <<'E'
+s/Rabs (mu + across M V n/Rabs (mu - across M V n/
 E
 
 if [ "$survived" ]; then echo "mutants.sh: not refused:$survived" >&2; exit 1; fi
