@@ -1,7 +1,7 @@
 (** * Near an impact that comes again, from one impact to the next: a map, and its derivative *)
 From Coq Require Import Reals Lra.
 From Grazing Require Import Defs StatementPlane StatementAttractor StatementOscillator Derivatives Flow.
-From Grazing Require Import AttractorDerivative ResonanceHop ResonanceLimits.
+From Grazing Require Import Contraction AttractorDerivative ResonanceHop ResonanceLimits.
 Open Scope R_scope.
 
 Section Return.
@@ -31,29 +31,11 @@ Notation b := (Q1 s0 - q * w0).
 Definition depth s w x : R := Q (s + x) - q * place s w x.
 Lemma D_depth s w x : derivable_pt_lim (depth s w) x (Q1 (s + x) - q * velocity s w x).
 Proof. apply D_minus; [apply D_on, D1 | apply D_scale, (D_place c k S V HS)]. Qed.
-Lemma depth_continuous s w : continuity (depth s w).
-Proof. intros x; exact (D_continuous _ _ _ (D_depth s w x)). Qed.
-Definition root (h s w : R) : R := match Rlt_dec (- h) h, Rlt_dec (depth s w (- h)) 0, Rlt_dec 0 (depth s w h) with
-  | left L, left A, left B => proj1_sig (IVT (depth s w) (- h) h (depth_continuous s w) L A B)
-  | _, _, _ => 0 end.
-Lemma root_is h s w : 0 < h -> depth s w (- h) < 0 -> 0 < depth s w h ->
-  - h <= root h s w <= h /\ depth s w (root h s w) = 0.
-Proof.
-  intros Hh A B; unfold root; destruct (Rlt_dec (- h) h) as [L|]; [|lra].
-  destruct (Rlt_dec (depth s w (- h)) 0) as [A'|]; [|lra]; destruct (Rlt_dec 0 (depth s w h)) as [B'|]; [|lra].
-  destruct (IVT _ _ _ _ L A' B') as (z & H); exact H.
-Qed.
+Definition root (h s w : R) : R := the (fun x => - h <= x <= h /\ depth s w x = 0).
 
 (** ** Near (s0, w0) *)
-Definition size3 (z : R * R * R) : R := let '(x, s, w) := z in Rmax (Rabs x) (Rmax (Rabs (s - s0)) (Rabs (w - w0))).
+Definition size3 (z : R * R * R) : R := Rabs (fst (fst z)) + Rabs (snd (fst z) - s0) + Rabs (snd z - w0).
 Definition size2 (z : R * R) : R := norm (sub z (s0, w0)).
-Lemma size3_le x s w d : size3 (x, s, w) <= d <-> Rabs x <= d /\ Rabs (s - s0) <= d /\ Rabs (w - w0) <= d.
-Proof.
-  cbn; split; [intros H | intros (H1 & H2 & H3); repeat apply Rmax_lub; assumption].
-  pose proof (Rmax_l (Rabs x) (Rmax (Rabs (s - s0)) (Rabs (w - w0)))).
-  pose proof (Rmax_r (Rabs x) (Rmax (Rabs (s - s0)) (Rabs (w - w0)))).
-  pose proof (Rmax_l (Rabs (s - s0)) (Rabs (w - w0))); pose proof (Rmax_r (Rabs (s - s0)) (Rabs (w - w0))); lra.
-Qed.
 Lemma size2_le s w d : size2 (s, w) <= d <-> Rabs (s - s0) <= d /\ Rabs (w - w0) <= d.
 Proof. apply (norm_le (s - s0, w - w0)). Qed.
 Lemma continuous_at f f' x : (forall x, derivable_pt_lim f x (f' x)) -> continuity_pt f x.
@@ -61,28 +43,21 @@ Proof. intros H; exact (D_continuous _ _ _ (H x)). Qed.
 Let cQ := continuous_at _ _ s0 D1.
 Let cQ1 := continuous_at _ _ s0 D2.
 
-Lemma joint : tends _ size3 (fun '(x, s, w) => velocity s w x) w0 /\
-  tends _ size3 (fun '(x, s, w) => Q1 (s + x)) (Q1 s0).
+Lemma joint : tends _ size3 (fun z => velocity (snd (fst z)) (snd z) (fst (fst z))) w0 /\
+  tends _ size3 (fun z => Q1 (snd (fst z) + fst (fst z))) (Q1 s0).
 Proof.
-  assert (tx : tends _ size3 (fun '(x, s, w) => x) 0).
-  { apply tends_size; intros [[x s] w]; rewrite Rminus_0_r.
-    apply (proj1 (size3_le x s w _) (Rle_refl _)). }
-  assert (ts : tends _ size3 (fun '(x, s, w) => s) s0) by (apply tends_size; intros [[x s] w];
-    apply (proj1 (size3_le x s w _) (Rle_refl _))).
-  assert (tw : tends _ size3 (fun '(x, s, w) => w) w0) by (apply tends_size; intros [[x s] w];
-    apply (proj1 (size3_le x s w _) (Rle_refl _))).
-  assert (ext : forall f g l, (forall x s w, f (x, s, w) = g (x, s, w)) -> tends _ size3 f l -> tends _ size3 g l).
-  { intros f g l E H eps He; destruct (H eps He) as (d & Hd & P); exists d; split; [exact Hd|]; intros [[x s] w] Hz.
-    rewrite <- E; apply P, Hz. }
-  split.
+  assert (ok : forall z, Rabs (fst (fst z) - 0) <= size3 z /\ Rabs (snd (fst z) - s0) <= size3 z /\
+    Rabs (snd z - w0) <= size3 z).
+  { intros z; unfold size3; rewrite Rminus_0_r; pose proof (Rabs_pos (fst (fst z)));
+    pose proof (Rabs_pos (snd (fst z) - s0)).
+    pose proof (Rabs_pos (snd z - w0)); lra. }
+  pose proof (tends_size _ size3 _ _ (fun z => proj1 (ok z))) as tx; pose proof (tends_size _ size3 _ _ (fun z =>
+    proj1 (proj2 (ok z)))) as ts; pose proof (tends_size _ size3 _ _ (fun z => proj2 (proj2 (ok z)))) as tw; split.
   - pose proof (tends_of _ _ _ _ _ (continuous_at _ _ 0 (D_e21 c k S V HS)) tx) as A.
     pose proof (tends_of _ _ _ _ _ (continuous_at _ _ 0 (D_V c k S V HS)) tx) as B.
-    pose proof (tends_plus _ _ _ _ _ _ (tends_mult _ _ _ _ _ _ A (tends_of _ _ _ _ _ cQ ts))
-      (tends_mult _ _ _ _ _ _ B tw)) as H.
-    eapply ext, (tends_at _ _ _ _ _ H); [intros; reflexivity|].
-    rewrite Z0, (flow_V _ _ _ _ HS); ring.
-  - pose proof (tends_plus _ _ _ _ _ _ ts tx) as H; rewrite Rplus_0_r in H.
-    eapply ext, (tends_of _ _ _ _ _ cQ1 H); intros; reflexivity.
+    refine (tends_at _ _ _ _ _ (tends_plus _ _ _ _ _ _ (tends_mult _ _ _ _ _ _ A (tends_of _ _ _ _ _ cQ ts))
+      (tends_mult _ _ _ _ _ _ B tw)) _); rewrite Z0, (flow_V _ _ _ _ HS); ring.
+  - pose proof (tends_plus _ _ _ _ _ _ ts tx) as H; rewrite Rplus_0_r in H; exact (tends_of _ _ _ _ _ cQ1 H).
 Qed.
 
 (** A neighbourhood in which the motion leaves and comes back at speeds of at least a/2 and b/2. *)
@@ -98,11 +73,11 @@ Lemma close_exists : exists h B, close h B.
 Proof.
   destruct joint as [J1 J2]; destruct (two_least _ _ A0 B0) as (e & He & E1 & E2).
   destruct (J1 (e / 4) ltac:(lra)) as (d & Hd & P), (J2 (e / 4) ltac:(lra)) as (d' & Hd' & P').
-  destruct (two_least d d' Hd Hd') as (h1 & H1 & L1 & L2), (two_least h1 (T / 2) H1 ltac:(lra)) as (h & Hh & L3 & L4).
+  destruct (two_least d d' Hd Hd') as (h1 & H1 & L1 & L2), (two_least (h1 / 3) (T / 2) ltac:(lra) ltac:(lra))
+    as (h & Hh & L3 & L4).
   assert (P1 : forall s w x, Rabs (s - s0) <= h -> Rabs (w - w0) <= h -> Rabs x <= h ->
     Rabs (velocity s w x - w0) <= e / 4 /\ Rabs (Q1 (s + x) - Q1 s0) <= e / 4).
-  { intros s w x Hs Hw Hx; specialize (P (x, s, w)); specialize (P' (x, s, w)); cbv beta iota in *.
-    split; [apply P | apply P']; apply size3_le; lra. }
+  { intros s w x Hs Hw Hx; split; [apply (P (x, s, w)) | apply (P' (x, s, w))]; unfold size3; cbn [fst snd]; lra. }
   exists h, (Rabs (Q1 s0) + e); constructor; [lra | pose proof (Rabs_pos (Q1 s0)); lra | | |].
   - intros x Hx; destruct (P1 s0 w0 x) as [_ A]; rewrite ?Rminus_eq_0, ?Rabs_R0; try lra; apply from in A; lra.
   - intros s w x Hs Hw Hx; destruct (P1 s w x Hs Hw Hx) as [A B]; apply le_abs in A, B; lra.
@@ -151,7 +126,14 @@ Proof.
   apply Rabs_def2 in F.
   pose proof (rises s w 0 h ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as U.
   pose proof (rises s w (- h) 0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as U'.
-  destruct (root_is h s w ltac:(lra) ltac:(lra) ltac:(lra)) as [I Z]; split; [exact I|]; split; [exact Z|].
+  destruct (IVT (depth s w) (- h) h) as (x & I & Z); [intros x;
+    exact (D_continuous _ _ _ (D_depth s w x)) | lra | lra | lra|].
+  assert (E0 : sigma s w = x) by (apply the_spec; [auto|]; intros x' [I' Z'];
+    destruct (Rtotal_order x' x) as [O|[O|O]];
+    [pose proof (rises s w x' x) as X | exact O | pose proof (rises s w x x') as X];
+      specialize (X ltac:(lra) ltac:(lra)
+    ltac:(lra) O ltac:(lra)); nra).
+  rewrite <- E0 in I, Z; split; [exact I|]; split; [exact Z|].
   apply le_abs in E; unfold Rabs at 1; destruct (Rcase_abs (sigma s w)) as [N|N].
   - pose proof (rises s w (sigma s w) 0 ltac:(lra) ltac:(lra) ltac:(lra) N ltac:(lra)); lra.
   - destruct N as [N|N]; [|rewrite N, Rmult_0_r; pose proof (Rabs_pos (s - s0)); nra].
