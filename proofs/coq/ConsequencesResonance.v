@@ -86,14 +86,12 @@ Proof.
   intros S nu d Hnu; destruct (is_six (1 / 2) ltac:(lra)) as [HR Eq].
   assert (HN : regular (paper 6 (1 / 2)) 3 1) by (apply is_regular; cbn; lra).
   destruct (S _ 3%nat 1%nat (- nu) d (any_paper 0 6 (1 / 2)) HR) as [Iff Arc _ _]; specialize (Iff HN);
-    specialize (Arc HN).
-  assert (Eo : omega (paper 6 (1 / 2)) = 1 / 6) by (apply (omega_is 0 6 (1 / 2)); lra).
+    specialize (Arc HN). assert (Eo : omega (paper 6 (1 / 2)) = 1 / 6) by (apply (omega_is 0 6 (1 / 2)); lra).
   assert (Ea : forall t0 s, arc (paper 6 (1 / 2)) (after (paper 6 (1 / 2)) 3 1 (- nu) t0) s = - 18 * (1 + nu) * sin
     t0 * sin (s / 6)).
   { intros t0 s; unfold arc, after; rewrite Eq, Eo, (proj2 (stop_is 0 6 (1 / 2) nu t0)); cbn [Nordmark Oscillator.c
       Oscillator.tau]; replace (- (2 * 0 / 6) / 2 * s) with 0 by field; rewrite exp_0.
-    replace (1 / 6 * s) with (s / 6) by field; field. }
-  split.
+    replace (1 / 6 * s) with (s / 6) by field; field. } split.
   - intros t y v H V; destruct (proj1 (Iff (t 0%Z)) (ex_intro _ t (ex_intro _ y (ex_intro _ v (conj H eq_refl)))))
       as (_ & Z & P & _); rewrite (proj1 (stop_is _ _ _ _ _)) in Z; rewrite (proj2 (stop_is _ _ _ _ _)) in P.
     destruct (Arc t y v H 4%Z) as [EV Ey]; change (4 + 1)%Z with 5%Z in EV; fold V in EV.
@@ -115,8 +113,7 @@ Lemma no_motion : Exact_statement -> forall nu d t y v, ~ once (paper 3 (1 / 2))
 Proof.
   intros S nu d t y v; split.
   - assert (HR : resonant (paper 3 (1 / 2)) 3 2) by (apply (at_resonance 0 3 (1 / 2) (1 / 3)); cbn [INR]; try lra;
-    lia).
-    destruct (S _ 3%nat 2%nat (- nu) d (any_paper 0 3 (1 / 2)) HR) as [_ _ E _].
+    lia). destruct (S _ 3%nat 2%nat (- nu) d (any_paper 0 3 (1 / 2)) HR) as [_ _ E _].
     apply E; rewrite q_undamped by lra; ring.
   - intros Hnu H; destruct (is_six 1 ltac:(lra)) as [HR Eq].
     destruct (S _ 3%nat 1%nat (- nu) d (any_paper 0 6 1) HR) as [_ _ _ E].
@@ -133,9 +130,7 @@ Lemma half : Multipliers_statement -> forall nu d t y v, once (paper 6 (1 / 2)) 
 Proof.
   intros S nu d t y v H z; destruct (is_six (1 / 2) ltac:(lra)) as [HR Eq].
   destruct (S _ 3%nat 1%nat (- nu) d t y v (any_paper 0 6 (1 / 2)) HR) as (F & e & [N Fx D]); [apply is_regular;
-    cbn; lra |
-    cbn; lra | exact H|].
-  exists F, e; split; [exact Fx|]; split; [|exact N].
+    cbn; lra | cbn; lra | exact H|]. exists F, e; split; [exact Fx|]; split; [|exact N].
   rewrite Eq in D; cbn [Nordmark Oscillator.tau] in D; replace (- (1 / 2) * -1) with (1 / 2) in D by field; exact D.
 Qed.
 Lemma attracts : Stable_statement -> forall nu t y v, once (paper 6 (1 / 2)) 3 (- nu) 1 t y v ->
@@ -149,8 +144,7 @@ Lemma attracts : Stable_statement -> forall nu t y v, once (paper 6 (1 / 2)) 3 (
 Proof.
   intros S nu t y v H; destruct (is_six (1 / 2) ltac:(lra)) as [HR Eq].
   destruct (S _ 3%nat 1%nat (- nu) 1 t y v (any_paper 0 6 (1 / 2)) HR) with (eps := 1) as (delta & Hd & A);
-    [apply is_regular; cbn; lra | cbn; lra | exact H | lra|].
-  exists delta; split; [exact Hd|]; intros s w Hs Hw.
+    [apply is_regular; cbn; lra | cbn; lra | exact H | lra|]. exists delta; split; [exact Hd|]; intros s w Hs Hw.
   destruct (A s w) as (t' & y' & v' & Fw & E1 & E2 & Nr & Cv & Un); [apply Rabs_le; lra | apply Rabs_le; lra|].
   exists t', y', v'; replace (1 + 1) with 2 in Fw by ring; split; [exact Fw|]; split; [exact E1|]; split; [exact E2|].
   destruct (Nr 7%Z ltac:(lia)) as [N1 N2]; split; [apply le_abs in N1; lra|]; split; [exact N2|]; split.
@@ -223,8 +217,7 @@ Lemma curve_2 : Curve_statement -> forall M w V rate, smooth M -> (forall i, (i 
    Rabs (x tt i - mu * w i - speed_of M 2 mu x * V i) <= 1 / 10 * speed_of M 2 mu x.
 Proof.
   intros S M w V rate HM Hw He Ne HD HV; destruct (S M w V rate 2%nat HM Hw He Ne ltac:(lia) HD HV) as (d & Hd & [No
-    One Sl]).
-  exists d; split; [exact Hd|]; split; [|split].
+    One Sl]). exists d; split; [exact Hd|]; split; [|split].
   - intros L mu x Hmu; apply No; [exists 1%nat; split; [lia | exact L] | apply Rabs_le, Hmu].
   - intros L; destruct One as (r & Hr & H); [intros k Hk; replace k with 1%nat by lia; exact L|]; exists r; split;
     [exact Hr|].
@@ -243,8 +236,7 @@ Lemma no_orbits : Plane_statement -> forall M gamma rate w, (planar M (trace (1 
 Proof.
   intros S M gamma rate w [H|[H Hg]].
   - destruct (S M (1 / 2) (1 / 4) 4%nat 2%nat gamma rate w) as (V & d & Hd & _ & _ & _ & No); cbn [INR]; try lra;
-    try lia;
-      [exact H|]; exists d; split; [exact Hd|]; intros mu x Hm; apply No; [left; lia | apply Rabs_le, Hm].
+    try lia; [exact H|]; exists d; split; [exact Hd|]; intros mu x Hm; apply No; [left; lia | apply Rabs_le, Hm].
   - destruct (S M (1 / 2) (1 / 8) 4%nat 1%nat gamma rate w) as (V & d & Hd & _ & _ & _ & No); cbn [INR]; try lra;
     try lia;
       [exact H|]; exists d; split; [exact Hd|]; intros mu x Hm; apply No; [right; exact Hg | apply Rabs_le, Hm].
@@ -255,8 +247,7 @@ Lemma one_each : Plane_statement -> forall M gamma rate w, planar M (trace (1 / 
   speed_of M 4 mu x = y /\ Rabs mu <= 1 / 1000 * y.
 Proof.
   intros S M gamma rate w H Hg; destruct (S M (1 / 2) (1 / 8) 4%nat 1%nat gamma rate w) as (V & d & Hd & [_ One Sl] &
-    Z & Pos & _);
-    cbn [INR]; try lra; try lia; [exact H|].
+    Z & Pos & _); cbn [INR]; try lra; try lia; [exact H|].
   destruct One as (r & Hr & H1); [intros k Hk; rewrite Z; apply Pos; [reflexivity | exact Hg | exact Hk]|].
   destruct (Sl (1 / 1000) ltac:(lra)) as (r' & Hr' & H2).
   exists d, (Rmin r r'); split; [exact Hd|]; split; [apply Rmin_glb_lt; assumption|]; intros y [Y1 Y2].

@@ -67,8 +67,7 @@ Proof. unfold gap, gap1; derive_by ltac:(first [apply (D_S c k S V HS) | apply D
 Lemma D_gap2 x : derivable_pt_lim gap1 x (gap2 x).
 Proof.
   apply (D_ext (fun x => V x * w + Oscillator.G1 O (- nu) (t0 + x)) _ x (gap2 x)); [|intros; unfold gap1, stop1;
-    ring |
-    reflexivity].
+    ring | reflexivity].
   unfold gap2; derive_by ltac:(first [apply (D_V c k S V HS) | apply D_on, (bend _ HO)]); ring.
 Qed.
 Lemma bent x z : Rabs x <= T + 1 -> Rabs (t0 + x - 2 * PI * IZR z) <= r -> 0 < gap2 x.
@@ -79,24 +78,20 @@ Proof.
     apply (periodic_slope (Oscillator.G1 O (- nu))); [|apply (bend _ HO)].
     apply (periodic_slope (Oscillator.G O (- nu))); [apply (period _ HO) | apply (slope _ HO)]. }
   rewrite E in P; unfold gap2; assert (Rabs ((- c * V x - k * S x) * w) <= C * w).
-  { rewrite Rabs_mult, (Rabs_pos_eq w) by lra; apply Rmult_le_compat_r; lra. }
-  pose proof (le_abs _ _ H); lra.
+  { rewrite Rabs_mult, (Rabs_pos_eq w) by lra; apply Rmult_le_compat_r; lra. } pose proof (le_abs _ _ H); lra.
 Qed.
 Lemma clear x : 0 < x < T -> Q (t0 + x) < S x * w.
 Proof.
   intros Hx; pose proof PI2_3_2 as HP; assert (N1 : 1 <= INR n) by (apply (le_INR 1), (res_periods _ _ _ HR)).
   assert (HT6 : 6 <= T) by nra; cut (0 < gap x); [unfold gap; lra|].
-  destruct (nearest (t0 + x)) as [z Hz]; set (p := t0 + x - 2 * PI * IZR z) in *.
-  assert (EQ : Q (t0 + x) = Q p).
+  destruct (nearest (t0 + x)) as [z Hz]; set (p := t0 + x - 2 * PI * IZR z) in *. assert (EQ : Q (t0 + x) = Q p).
   { destruct (stop_later O (- nu) HA z p) as [E _]; rewrite <- E; f_equal; unfold p; ring. }
   destruct (Rle_lt_dec r (Rabs p)) as [L|L].
   - pose proof (shaped_away _ _ _ _ _ _ _ HT p (conj L Hz)); destruct (HC x) as [B _]; [apply Rabs_le; lra|].
     assert (B' : Rabs (S x * w) <= C * w) by (rewrite Rabs_mult, (Rabs_pos_eq w) by lra; apply Rmult_le_compat_r;
-      lra).
-    apply le_abs in B'; unfold gap; rewrite EQ; lra.
+      lra). apply le_abs in B'; unfold gap; rewrite EQ; lra.
   - assert (Lp : - r <= p <= r) by (apply le_abs; lra); unfold p in Lp; set (P := 2 * PI) in *.
-    assert (HPP : 6 <= P) by (unfold P; lra).
-    assert (Zr : (0 <= z <= Z.of_nat n)%Z).
+    assert (HPP : 6 <= P) by (unfold P; lra). assert (Zr : (0 <= z <= Z.of_nat n)%Z).
     { split; apply Z.lt_succ_r; apply lt_IZR; rewrite succ_IZR, <- ?INR_IZR_INZ; apply Rnot_le_lt; intros Y.
       - assert (P * IZR z <= P * -1) by (apply Rmult_le_compat_l; lra); lra.
       - assert (P * 1 <= P * (IZR z - INR n)) by (apply Rmult_le_compat_l; lra); lra. }
@@ -112,13 +107,11 @@ Proof.
       apply (convex_left gap gap1 gap2 D_gap1 D_gap2 (T - r - t0) T); [| | |lra].
       * unfold gap; rewrite ES, FQ, Z0; lra.
       * unfold gap1; rewrite EV, FQ1, Rmult_1_r; lra.
-      * intros y Hy; apply (bent y (Z.of_nat n)); [apply Rabs_le; lra|]; rewrite <- INR_IZR_INZ.
-        apply Rabs_le; lra.
+      * intros y Hy; apply (bent y (Z.of_nat n)); [apply Rabs_le; lra|]; rewrite <- INR_IZR_INZ. apply Rabs_le; lra.
     + assert (Hj : (0 < Z.to_nat z < n)%nat) by lia; specialize (Hkap (Z.to_nat z) x Hj).
       rewrite INR_IZR_INZ, Z2Nat.id in Hkap by lia; specialize (Hkap ltac:(fold P; apply Rabs_le; lra)).
       pose proof (shaped_top _ _ _ _ _ _ _ HT p ltac:(lra)); assert (kap * w <= S x * w) by (apply Rmult_le_compat_r;
-        lra).
-      unfold gap; rewrite EQ; lra.
+        lra). unfold gap; rewrite EQ; lra.
 Qed.
 End Clear.
 
@@ -153,8 +146,7 @@ Proof.
   { intros x; destruct (stop_later O (- nu) HA z (s + x)) as [<- <-]; split; f_equal; unfold s; ring. }
   destruct (F 0) as [F0 F1]; rewrite !Rplus_0_r in F0, F1; rewrite F0 in Z; rewrite F1 in P, W.
   exists s, (v 0%Z (t 0%Z)); destruct (zero_is O HO a r g d e nu Ha Hr Hnu HT s Hz Z) as [D [(D1 & _)|(_ & D1)]];
-    [|lra].
-  split; [lra|]; split; [|split; [exact Z|]].
+    [|lra]. split; [lra|]; split; [|split; [exact Z|]].
   - rewrite W; apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat|]; lra.
   - intros x Hx; rewrite <- (proj1 (F x)); apply C, Hx.
 Qed.
@@ -180,12 +172,10 @@ Proof.
     ((2 <= n)%nat -> (m mod (2 * n) <> 1)%nat -> S (2 * PI) = 0 \/ exists j, (0 < j < n)%nat /\
     forall x, Rabs (x - 2 * PI * INR j) <= kap -> S x < 0)).
   { destruct (common_bound (fun j d => (m mod (2 * n) = 1)%nat -> (0 < j)%nat ->
-    forall x, Rabs (x - 2 * PI * INR j) <= d ->
-      d <= S x) n) as (d1 & Hd1 & P1).
+    forall x, Rabs (x - 2 * PI * INR j) <= d -> d <= S x) n) as (d1 & Hd1 & P1).
     - intros j d d' H Hd' E Hj x Hx; specialize (H E Hj x ltac:(lra)); lra.
     - intros j Hj; destruct (Nat.eq_dec (m mod (2 * n)) 1) as [E|E]; [|exists 1; split; [lra | intros;
-      contradiction]].
-      destruct (Nat.eq_dec j 0) as [->|J]; [exists 1; split; [lra | intros; lia]|].
+      contradiction]]. destruct (Nat.eq_dec j 0) as [->|J]; [exists 1; split; [lra | intros; lia]|].
       destruct (S_turns j) as (b & Hb & Eb); destruct (S_near j 1) as (d & Hd & P).
       { rewrite Rmult_1_l, Eb; apply Rmult_lt_0_compat; [exact Hb | apply Pos; [exact E | lia]]. }
       exists d; split; [exact Hd|]; intros _ _ x Hx; rewrite <- (Rmult_1_l (S x)); apply P, Hx.
@@ -205,18 +195,15 @@ Proof.
       + intros _ _; right; exists j; split; [exact Hj|]; intros x Hx; specialize (P x ltac:(lra)); lra. }
   destruct Kap as (kap & Hkap & Kpos & Kneg).
   destruct (continuous_bounded S (T + 1) ltac:(lra) (fun x => D_continuous _ _ _ (D_S c k S V HS x))) as (C1 & PC1 &
-    HC1).
-  destruct (continuous_bounded (fun x => - c * V x - k * S x) (T + 1)) as (C2 & PC2 & HC2); [lra| |].
+    HC1). destruct (continuous_bounded (fun x => - c * V x - k * S x) (T + 1)) as (C2 & PC2 & HC2); [lra| |].
   { intros x; apply (D_continuous _ (- c * (- c * V x - k * S x) - k * V x)).
     apply D_minus; apply D_scale; [apply (D_V c k S V HS) | apply (D_S c k S V HS)]. }
   set (C := C1 + C2 + 1); assert (HC : forall x, Rabs x <= T + 1 -> Rabs (S x) <= C /\
     Rabs (- c * V x - k * S x) <= C) by (intros x Hx; specialize (HC1 x Hx); specialize (HC2 x Hx); unfold C; lra).
   destruct (two_least r0 (kap / 2) ltac:(lra) ltac:(lra)) as (r1 & Hr1 & L1 & L2), (two_least r1 eps Hr1 He)
-    as (r & Hr & L3 & L4).
-  destruct (Sh r ltac:(lra)) as (g & Hg & Sh').
+    as (r & Hr & L3 & L4). destruct (Sh r ltac:(lra)) as (g & Hg & Sh').
   assert (Dec : regular O n m \/ ~ regular O n m).
-  { unfold regular; destruct (Req_dec q 1), (Req_dec (tau * q) (-1)); tauto. }
-  destruct Dec as [HN|HN].
+  { unfold regular; destruct (Req_dec q 1), (Req_dec (tau * q) (-1)); tauto. } destruct Dec as [HN|HN].
   2:{ destruct (Sh' r 1 ltac:(lra) ltac:(lra)) as (mu0 & M0 & Sp); exists mu0; split; [exact M0|]; intros nu Hnu.
     specialize (Sp nu Hnu); constructor; [exact (not_before nu (shaped_before _ _ _ _ _ _ _ Sp))| |].
     - intros [N _]; contradiction.
@@ -225,18 +212,14 @@ Proof.
   set (A := (1 + tau) / (1 + tau * q)); assert (HA0 : 0 < A) by (apply Rdiv_lt_0_compat; lra).
   assert (HC0 : 0 < C) by (unfold C; lra); assert (HCA : 0 < C * A) by (apply Rmult_lt_0_compat; assumption).
   destruct (two_least r (kap * A / 4) Hr) as (d & Hd & L5 & L6); [assert (0 < kap * A) by (apply Rmult_lt_0_compat;
-    assumption); lra|].
-  destruct (two_least a g Ha Hg) as (h & Hh & L7 & L8); set (e := h / (2 * (C * A))).
+    assumption); lra|]. destruct (two_least a g Ha Hg) as (h & Hh & L7 & L8); set (e := h / (2 * (C * A))).
   assert (He0 : 0 < e) by (apply Rdiv_lt_0_compat; lra); assert (He1 : C * A * e = h / 2) by (unfold e; field; lra).
   destruct (Sh' d e ltac:(lra) He0) as (mu0 & M0 & Sp); exists mu0; split; [exact M0|]; intros nu Hnu.
   specialize (Sp nu Hnu); constructor; [exact (not_before nu (shaped_before _ _ _ _ _ _ _ Sp))| |].
   - intros [_ Hb]; destruct (rising_exists O HO a r g d e nu Ha ltac:(lra) Hg ltac:(lra) Sp ltac:(lra)) as (t0 & I0 &
-    Z0).
-    destruct (zero_is O HO a r g d e nu Ha ltac:(lra) ltac:(lra) Sp t0 ltac:(apply Rabs_le; lra) Z0)
-      as [_ [(_ & S1 & S2)|(X & _)]]; [|lra].
-    set (s1 := stop1 O (- nu) t0) in *; assert (P1 : 0 < s1) by nra.
-    assert (W0 : 0 < A * s1) by (apply Rmult_lt_0_compat; assumption).
-    assert (W1 : C * (A * s1) < h).
+    Z0). destruct (zero_is O HO a r g d e nu Ha ltac:(lra) ltac:(lra) Sp t0 ltac:(apply Rabs_le; lra) Z0)
+      as [_ [(_ & S1 & S2)|(X & _)]]; [|lra]. set (s1 := stop1 O (- nu) t0) in *; assert (P1 : 0 < s1) by nra.
+    assert (W0 : 0 < A * s1) by (apply Rmult_lt_0_compat; assumption). assert (W1 : C * (A * s1) < h).
     { assert (C * A * s1 <= C * A * e) by (apply Rmult_le_compat_l; lra); lra. }
     assert (EW : (1 + tau * q) * (A * s1) = (1 + tau) * s1) by (unfold A; field; lra).
     assert (EA : forall t, (1 + tau) / (1 + tau * q) * t = A * t) by reflexivity; destruct HN as [N1 N2].
@@ -282,8 +265,7 @@ Proof.
       assert (2 * PI * 1 <= 2 * PI * INR j <= 2 * PI * (INR n - 1)) by (split; apply Rmult_le_compat_l; lra).
       specialize (Cl (2 * PI * INR j - s) ltac:(lra)); specialize (Ng (2 * PI * INR j - s)).
       replace (2 * PI * INR j - s - 2 * PI * INR j) with (- s) in Ng by ring; specialize (Ng ltac:(apply Rabs_le;
-        lra)).
-      destruct (stop_later O (- nu) HA (Z.of_nat j) 0) as [E _]; rewrite <- INR_IZR_INZ, Rplus_0_l in E.
+        lra)). destruct (stop_later O (- nu) HA (Z.of_nat j) 0) as [E _]; rewrite <- INR_IZR_INZ, Rplus_0_l in E.
       replace (s + (2 * PI * INR j - s)) with (2 * PI * INR j) in Cl by ring.
       rewrite E, (stop_0 O HO) in Cl; assert (S (2 * PI * INR j - s) * w < 0); [|lra].
       apply Ropp_lt_cancel; rewrite Ropp_0, <- Ropp_mult_distr_l_reverse; apply Rmult_lt_0_compat; lra.

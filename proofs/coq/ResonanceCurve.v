@@ -41,8 +41,7 @@ Qed.
 Lemma left_ext x y : (forall i, (i < S N)%nat -> x i = y i) -> forall i, (i < S N)%nat -> left x i = left y i.
 Proof.
   intros H; assert (P : forall i, (i < N)%nat -> pow n (hat x) i = pow n (hat y) i) by (apply power_ext; intros;
-    apply H; lia).
-  intros [|i] Hi; unfold left, rows, minus.
+    apply H; lia). intros [|i] Hi; unfold left, rows, minus.
   - rewrite (dot_ext N _ _ _ P), H by lia; reflexivity.
   - rewrite P by lia; unfold hat at 1 3; rewrite H by lia; reflexivity.
 Qed.
@@ -66,18 +65,15 @@ Proof.
   destruct (linear_map_bounded (S N) left) as (K & HK & H); [intros;
     apply left_comb | exact left_ext | exact left_kernel|].
   assert (U : forall Q x y, (forall k, (k < S N)%nat -> left x k = Q k) -> (forall k, (k < S N)%nat ->
-    left y k = Q k) ->
-    forall i, (i < S N)%nat -> y i = x i).
+    left y k = Q k) -> forall i, (i < S N)%nat -> y i = x i).
   { intros Q x y Hx Hy i Hi; apply Rminus_diag_uniq; change (y i - x i) with (minus y x i); revert i Hi;
-    apply left_kernel.
-    intros i Hi; rewrite minus_comb, left_comb, Hy, Hx by exact Hi; ring. }
+    apply left_kernel. intros i Hi; rewrite minus_comb, left_comb, Hy, Hx by exact Hi; ring. }
   exists (1 + K); split; [lra|]; split.
   - intros t x Ht Hx; destruct (H (left x) t Hx Ht) as (y & Hy & E); intros i Hi.
     rewrite (U (left x) y x E (fun _ _ => eq_refl) i Hi); apply (Rle_trans _ (K * t)); [apply Hy, Hi | lra].
   - intros Q x Hx; destruct (within_exists (S N) Q) as (t & Ht & HQ), (H Q t HQ Ht) as (y & _ & E); intros k Hk.
     rewrite (left_ext x y); [apply E, Hk | | exact Hk]; intros i Hi; rewrite Hx by exact Hi; apply the_spec;
-      [exists y; auto|].
-    intros a (x' & E' & ->); apply (U Q); assumption.
+      [exists y; auto|]. intros a (x' & E' & ->); apply (U Q); assumption.
 Qed.
 
 (** ** (19) at the speed y *)
@@ -124,8 +120,7 @@ Proof.
   assert (D1 : (1 + W) * d <= d1) by (apply (Rmult_le_compat_l (1 + W)) in Hd'; [|lra];
     replace ((1 + W) * (d1 / (1 + W))) with d1 in Hd' by (field; lra); exact Hd').
   assert (Up : forall t, 0 <= t -> t <= (1 + W) * t) by (intros t Ht; assert (0 <= W * t) by (apply Rmult_le_pos;
-    lra); lra).
-  pose proof (Up d ltac:(lra)) as Ud; assert (Pt := fun z t => point_within W z t Wb).
+    lra); lra). pose proof (Up d ltac:(lra)) as Ud; assert (Pt := fun z t => point_within W z t Wb).
   assert (Two : forall y y' z z' t, 0 <= y <= d -> 0 <= y' <= d -> within (S N) d z -> within (S N) d z' -> 0 <= t ->
     within (S N) t (minus z z') -> Rabs (y - y') <= t ->
     within (S N) (eps * t) (minus (minus (right y z) (kicked y)) (minus (right y' z') (kicked y'))) /\
@@ -133,8 +128,7 @@ Proof.
       (z O - z' O) * e) <= eps * t).
   { intros y y' z z' t Hy Hy' Hz Hz' Ht Hzz Hyy.
     assert (Ep : forall i, minus (point z) (point z') i = point (minus z z') i) by (intros i;
-      unfold point, minus, comb, hat;
-      ring).
+      unfold point, minus, comb, hat; ring).
     pose proof (Hz O ltac:(lia)) as ZN; pose proof (Hz' O ltac:(lia)) as ZN'; pose proof (Hzz O ltac:(lia)) as ZZ.
     pose proof (Up t Ht) as Ut; assert (Wd : forall z, within (S N) d z -> within N d1 (point z)) by (intros u Hu;
       apply (within_le N _ _ _ D1), Pt, Hu).
@@ -150,14 +144,12 @@ Proof.
       assert (Ed : C (pow k (minus (point z) (point z'))) = C (pow k (hat (minus z z'))) + (z O - z' O) * C (pow k
         w)).
       { rewrite (dot_ext N _ _ (pow k (point (minus z z')))) by (apply power_ext; intros; apply Ep).
-        unfold point; rewrite power_comb, dot_comb; unfold minus at 2; ring. }
-      rewrite Ed in R3; same_as R3. }
+        unfold point; rewrite power_comb, dot_comb; unfold minus at 2; ring. } rewrite Ed in R3; same_as R3. }
   constructor.
   - intros y z z' t Hy Hz Hz' Ht Hzz; destruct (Two y y z z' t Hy Hy Hz Hz' Ht Hzz ltac:(rewrite Rminus_eq_0, Rabs_R0;
       exact Ht)) as [B _]; intros i Hi; specialize (B i Hi); unfold minus in *; same_as B.
   - intros y z t Hy Hz Htz Hyt; assert (P0 : point zero = zero) by (extensionality i; unfold point, comb, hat, zero;
-    ring).
-    destruct (Two y 0 z zero t Hy ltac:(lra) Hz ltac:(apply within_zero; lra) ltac:(lra)) as [B1 B2];
+    ring). destruct (Two y 0 z zero t Hy ltac:(lra) Hz ltac:(apply within_zero; lra) ltac:(lra)) as [B1 B2];
       [intros i Hi; unfold minus, zero; rewrite Rminus_0_r; apply Htz, Hi | rewrite Rminus_0_r, Rabs_pos_eq; lra|].
     rewrite P0 in B2; change (zero O) with 0 in B2; split.
     + assert (Z : forall i, (i < S N)%nat -> minus (right 0 zero) (kicked 0) i = 0).
@@ -199,8 +191,7 @@ Proof.
     assert (Ht : 0 < t) by (apply Rdiv_lt_0_compat; lra); specialize (Two y z z' t Hy Hz Hz' ltac:(lra) IH).
     replace (2 * d / 2 ^ S m) with (t / 2) by (unfold t; cbn [Rpow_def.pow]; field; lra).
     apply (within_le _ (K * (eps0 * t))); [assert (K * eps0 * t <= 1 / 2 * t) by (apply Rmult_le_compat_r; lra);
-      lra|].
-    apply KB; [apply Rmult_le_pos; lra|]; intros i Hi; rewrite minus_comb, left_comb, S1, S2 by exact Hi.
+      lra|]. apply KB; [apply Rmult_le_pos; lra|]; intros i Hi; rewrite minus_comb, left_comb, S1, S2 by exact Hi.
     specialize (Two i Hi); unfold minus in Two; same_as Two. }
   intros i Hi; apply Rminus_diag_uniq, Rabs_zero, (squeeze _ 0 (2 * d)); intros m; specialize (H m i Hi);
     unfold minus in H; lra.
@@ -233,28 +224,23 @@ Proof.
   assert (Hmm : 0 <= mc * m) by (apply Rmult_le_pos; lra); set (H := P * (K + 1 + K * (mc * m + Rabs e))).
   assert (HH : 0 < H /\ P * K <= H).
   { assert (0 <= K * (mc * m + Rabs e)) by (apply Rmult_le_pos; lra); unfold H; split; [apply Rmult_lt_0_compat;
-    lra|].
-    apply Rmult_le_compat_l; lra. }
+    lra|]. apply Rmult_le_compat_l; lra. }
   destruct (small_exists W (proj1 HW) (proj2 HW) (eps / H)) as (d' & Hd' & Sm); [apply Rdiv_lt_0_compat; lra|].
   destruct (two_least d d' Hd Hd') as (d2 & Hd2 & L1 & L2); exists (d2 / P); split; [apply Rdiv_lt_0_compat; lra|].
   intros y z Hy Hyd Hz HS; pose proof (size y z ltac:(lra) Hz HS) as Sz; assert (0 <= P * y) by (apply Rmult_le_pos;
-    lra).
-  assert (Y : P * y <= d2) by (destruct Hy as [_ Hy]; apply (Rmult_lt_compat_l P) in Hy; [|lra];
+    lra). assert (Y : P * y <= d2) by (destruct Hy as [_ Hy]; apply (Rmult_lt_compat_l P) in Hy; [|lra];
     replace (P * (d2 / P)) with d2 in Hy by (field; lra); lra).
   assert (Y' : y <= P * y) by (rewrite <- (Rmult_1_l y) at 1; apply Rmult_le_compat_r; lra).
   destruct (small_one _ _ _ (Sm d2 ltac:(lra)) y z (P * y) ltac:(lra) (within_le _ _ _ _ Y Sz) Sz Y') as [B1 B2].
   set (t := eps / H * (P * y)) in *; assert (Ht : 0 <= t) by (apply Rmult_le_pos; [left; apply Rdiv_lt_0_compat;
-    lra | lra]).
-  assert (Et : H * t = eps * (P * y)) by (unfold t; field; lra).
-  assert (Kt : K * t <= eps * y).
+    lra | lra]). assert (Et : H * t = eps * (P * y)) by (unfold t; field; lra). assert (Kt : K * t <= eps * y).
   { apply (Rmult_le_reg_l P); [lra|]; replace (P * (eps * y)) with (H * t) by lra.
     replace (P * (K * t)) with (P * K * t) by ring; apply Rmult_le_compat_r; lra. }
   assert (LL : forall i, (i < S N)%nat -> left (line y) i = kicked y i).
   { assert (EL : hat (line y) = comb y 0 V V) by (extensionality i; unfold hat, line, rows, comb; ring).
     intros [|i] Hi; unfold left, kicked, rows; rewrite EL, power_comb.
     - rewrite dot_comb; unfold line, rows; field; exact Ne.
-    - unfold minus, comb; rewrite (HV i) by lia; ring. }
-  assert (B3 : within (S N) (K * t) (minus z (line y))).
+    - unfold minus, comb; rewrite (HV i) by lia; ring. } assert (B3 : within (S N) (K * t) (minus z (line y))).
   { apply KB; [exact Ht|]; intros i Hi; rewrite minus_comb, left_comb, HS, LL by exact Hi; specialize (B1 i Hi);
       unfold minus in B1; same_as B1. }
   split; [exact (within_le _ _ _ _ Kt B3)|]; intros k Hk; specialize (B2 k Hk); apply within_S in B3;

@@ -36,8 +36,7 @@ Qed.
 Lemma flow_turned x : S (T + x) = q * S x /\ V (T + x) = q * V x.
 Proof.
   assert (E : exp (- c / 2 * (T + x)) = exp (- PI * c * INR n) * exp (- c / 2 * x)) by (rewrite <- exp_plus; f_equal;
-    field).
-  assert (A : om * (T + x) = INR m * PI + om * x) by (rewrite <- (res_angle _ _ _ HR); ring).
+    field). assert (A : om * (T + x) = INR m * PI + om * x) by (rewrite <- (res_angle _ _ _ HR); ring).
   unfold S, V, damped_S, damped_V, StatementResonance.q; rewrite E, A; destruct (half_turns m (om * x)) as [-> ->].
   split; ring.
 Qed.
@@ -68,7 +67,6 @@ Let HS := is_flow.
 Let HT := period_pos O n m HR.
 Let HQ : forall x, Q (x + T) = Q x := fun x => proj1 (turn_1 O n mu HO x).
 
-Lemma next_is i : ((i + 1) - 1)%Z = i. Proof. lia. Qed.
 Lemma once_hop d t y v : once O n mu d t y v -> let s := t 0%Z in let w := v 0%Z s in
   hops s w s w /\ Rabs s <= d /\
   forall i x, y i (t i + x) = place c S V Q s w x /\ v i (t i + x) = velocity k S V Q s w x.
@@ -95,8 +93,7 @@ Qed.
 
 Theorem exact_at d : exact O n m mu d.
 Proof.
-  pose proof (res_law _ _ _ HR) as L; pose proof q_range as [B N0]; pose proof flow_turned as Hq.
-  constructor.
+  pose proof (res_law _ _ _ HR) as L; pose proof q_range as [B N0]; pose proof flow_turned as Hq. constructor.
   - intros [N1 N2] t0; pose proof (hop_again c k S V HS Q Q1 T q tau HT Hq t0 (after O n m mu t0) L B N1 N2) as I;
     split.
     + intros (t & y & v & H & <-); destruct (once_hop d t y v H) as (A & D & _).

@@ -57,8 +57,7 @@ Proof.
   - intros [_ C To Hits Back]; rewrite F0 in To; rewrite F1 in Hits, Back.
     assert (Z : Q s = 0) by (apply (Rmult_eq_reg_l (1 - q)); lra).
     assert (W : w = (1 + tau) / (1 + tau * q) * Q1 s).
-    { apply (Rmult_eq_reg_l (1 + tau * q)); [|lra]; field_simplify; lra. }
-    repeat split; trivial.
+    { apply (Rmult_eq_reg_l (1 + tau * q)); [|lra]; field_simplify; lra. } repeat split; trivial.
     + apply (Rmult_lt_reg_l (1 - q)); [lra|]; apply (Rmult_lt_compat_l (1 + tau * q)) in Hits; [|exact P].
       rewrite W in Hits; replace ((1 + tau * q) * (q * _)) with (q * (1 + tau) * Q1 s) in Hits by (field; lra); lra.
     + intros x Hx; specialize (C x ltac:(lra)); unfold place in C; rewrite Z in C; lra.
@@ -136,8 +135,7 @@ Lemma swing_hop d t y v i : swing O Plus mu d N t y v i (i + 1) ->
   forall x, y i (t i + x) = Y (s i) (w i) x /\ v i (t i + x) = U (s i) (w i) x.
 Proof.
   intros [Hf Hn Hon H0 H1 Hc Hh Hb] s w; rewrite gap_is in H0, H1; rewrite speed_is in Hh; rewrite !speed_is in Hb.
-  rewrite near_is in Hn; fold (s i) in Hn.
-  assert (Es : forall j, Q (t j) = Q (s j) /\ Q1 (t j) = Q1 (s j)).
+  rewrite near_is in Hn; fold (s i) in Hn. assert (Es : forall j, Q (t j) = Q (s j) /\ Q1 (t j) = Q1 (s j)).
   { intros j; unfold s; destruct (turns j (t j - T * IZR j)) as [<- <-]; split; f_equal; ring. }
   assert (E : forall x, y i (t i + x) = Y (s i) (w i) x /\ v i (t i + x) = U (s i) (w i) x).
   { intros x; destruct (free_moved c k S V HS (y i) (v i) (t i) (t i + x) Hf) as [-> ->].
@@ -171,8 +169,7 @@ Proof.
     Q1 (times j) = Q1 (s j)).
   { intros j; destruct (flight_is j 0) as [A B], (place_0 c k S V HS Q (s j) (w j)) as [C D].
     rewrite Rplus_0_r in A, B; rewrite A, B, C, D; destruct (turns j (s j)) as [F G]; unfold times; rewrite F, G;
-      auto. }
-  destruct (flight_is i (T + s (i + 1)%Z - s i)) as [A B].
+      auto. } destruct (flight_is i (T + s (i + 1)%Z - s i)) as [A B].
   replace (times i + (T + s (i + 1)%Z - s i)) with (times (i + 1)) in A, B by (unfold times; rewrite plus_IZR; ring).
   destruct (E0 i) as (F1 & F2 & F3 & F4), (E0 (i + 1)%Z) as (G1 & G2 & G3 & G4).
   constructor; rewrite ?gap_is, ?speed_is; try lra.

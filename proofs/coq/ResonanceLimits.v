@@ -42,8 +42,7 @@ Qed.
 Lemma tends_minus f g l m : tends f l -> tends g m -> tends (fun z => f z - g z) (l - m).
 Proof.
   intros F G; assert (H : tends (fun z => - g z) (- m)) by (apply (tends_of Ropp); [apply continuity_pt_opp,
-    derivable_continuous_pt, derivable_pt_id | exact G]).
-  exact (tends_plus _ _ _ _ F H).
+    derivable_continuous_pt, derivable_pt_id | exact G]). exact (tends_plus _ _ _ _ F H).
 Qed.
 Lemma tends_over f g l m : m <> 0 -> tends f l -> tends g m -> tends (fun z => f z / g z) (l / m).
 Proof.

@@ -44,8 +44,7 @@ Proof.
     - intros ?; split; [exact Hy | intros k Hkn; apply Hk; lia]. }
   split; [exact Ho|]; destruct (Ho tt) as (_ & Hf & _); unfold speed_of.
   rewrite (heights M (z O) (x tt) n Hf) by lia; replace (S (n - 1)) with n by lia; unfold x;
-    rewrite (proj1 Hs), Ropp_involutive.
-  apply sqrt_square; lra.
+    rewrite (proj1 Hs), Ropp_involutive. apply sqrt_square; lra.
 Qed.
 
 Theorem curves : exists d, 0 < d /\ curve M w V e n d.
@@ -68,15 +67,12 @@ Proof.
   assert (D1 : (1 + W) * d <= d0) by (apply (Rle_trans _ ((1 + W) * (d0 / (1 + W)))); [apply Rmult_le_compat_l; lra |
     right; field; lra]).
   assert (D2 : l * d <= h * h) by (apply (Rle_trans _ (l * (h * h / l))); [apply Rmult_le_compat_l; lra | right;
-    field;
-    lra]).
-  assert (Dd : d <= d0) by (assert (0 <= W * d) by (apply Rmult_le_pos; lra); lra).
+    field; lra]). assert (Dd : d <= d0) by (assert (0 <= W * d) by (apply Rmult_le_pos; lra); lra).
   assert (Orb : forall mu x, Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in
     0 < y <= h /\ within (S N) d0 (of w mu (x tt)) /\ solves y (of w mu (x tt)) /\
     forall k, (0 < k < n)%nat -> 0 < hit k mu (x tt)).
   { intros mu x Hmu Ho y; destruct (orbit_solution mu d x Ho) as (Hy & Hs & Hk); fold y in Hy, Hs;
-    destruct (Ho tt) as (Hx & _).
-    split; [split; [exact Hy|]|split; [|auto]].
+    destruct (Ho tt) as (Hx & _). split; [split; [exact Hy|]|split; [|auto]].
     - destruct (Lip n (x tt) zero mu 0 d (Nat.le_refl n)) as [_ B]; rewrite ?Rminus_0_r, ?Rabs_R0; try lra;
         try (apply within_zero; lra); [apply within_le with d; [lra | exact Hx] | intros i Hi; unfold minus, zero;
         rewrite Rminus_0_r; apply Hx, Hi|].
@@ -90,8 +86,7 @@ Proof.
   exists d; split; [exact Hd|]; constructor.
   - intros (k & Hk & Neg) mu x Hmu Ho; destruct (Orb mu x Hmu Ho) as (Hy & Hz & Hs & Pos); specialize (Pos k Hk).
     set (y := speed_of M n mu x) in *; destruct (Near0 y _ ltac:(lra) ltac:(lra) Hz Hs) as [_ B];
-      specialize (B k ltac:(lia)).
-    rewrite point_of in B; change (of w mu (x tt) O) with mu in B.
+      specialize (B k ltac:(lia)). rewrite point_of in B; change (of w mu (x tt) O) with mu in B.
     change (dot N (Map.C M) (pow k V)) with (across M V k) in B;
       change (dot N (Map.C M) (pow n V)) with (across M V n) in B.
     specialize (Mg k 0%nat ltac:(lia) ltac:(lia) ltac:(lra)); rewrite Rabs_left in Mg by lra; apply le_abs in B.
@@ -101,8 +96,7 @@ Proof.
     set (B := K * (beta + eps0)); assert (HB : 0 < B) by (apply Rmult_lt_0_compat; lra).
     destruct (two_least h (d0 / (2 * B)) Hh) as (r1 & Hr1 & M1 & M2); [apply Rdiv_lt_0_compat; lra|].
     destruct (two_least r1 (d / ((1 + W) * P K beta)) Hr1) as (r & Hr & M3 & M4).
-    { apply Rdiv_lt_0_compat; [|apply Rmult_lt_0_compat]; lra. }
-    exists r; split; [exact Hr|]; intros y Hy.
+    { apply Rdiv_lt_0_compat; [|apply Rmult_lt_0_compat]; lra. } exists r; split; [exact Hr|]; intros y Hy.
     assert (Y : P K beta * y * (1 + W) <= d).
     { apply (Rle_trans _ ((1 + W) * P K beta * (d / ((1 + W) * P K beta)))); [|right; field; lra].
       replace (P K beta * y * (1 + W)) with ((1 + W) * P K beta * y) by ring; apply Rmult_le_compat_l;
@@ -114,8 +108,7 @@ Proof.
     destruct (contraction nat (fun i => (i < S N)%nat) T d0) as (z & Hz & Fz & _); [lra| | |].
     + intros t z z' Hz Hz' Hzz; assert (Ht : 0 <= t) by (eapply Rle_trans; [apply Rabs_pos | apply (Hzz O); lia]).
       assert (B1 : forall u, near nat (fun i => (i < S N)%nat) d0 u (fun _ => 0) ->
-        within (S N) d0 u) by (intros u Hu i Hi;
-        specialize (Hu i Hi); rewrite Rminus_0_r in Hu; exact Hu).
+        within (S N) d0 u) by (intros u Hu i Hi; specialize (Hu i Hi); rewrite Rminus_0_r in Hu; exact Hu).
       intros i Hi; change (T z i - T z' i) with (minus (T z) (T z') i); apply (Rle_trans _ (K * (eps0 * t))).
       * revert i Hi; apply KB; [apply Rmult_le_pos; lra|]; intros i Hi;
         rewrite minus_comb, left_comb, !TL by exact Hi.
@@ -136,9 +129,7 @@ Proof.
       assert (HK' : inverse_bound M e n K) by (split; [exact K1 | split; [exact KB | exact KS]]).
       pose proof (size M w e n K W eps0 d0 beta HK' Hd0 He0 Sm Bd y z Hyd Wz Hs) as Sz.
       pose proof (point_within M w W z _ Wb Sz) as Pz; replace ((1 + W) * (P K beta * y)) with (P K beta * y * (1 +
-        W))
-        in Pz by ring.
-      assert (Z0 : Rabs (z O) <= d).
+        W)) in Pz by ring. assert (Z0 : Rabs (z O) <= d).
       { assert (0 <= P K beta * y * W) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra).
         eapply Rle_trans; [apply (Sz O); lia | lra]. }
       destruct (solution_orbit z y d ltac:(lra) Hs (within_le _ _ _ _ Y Pz)) as [Ho Ey].
@@ -187,8 +178,7 @@ Proof.
   assert (Un : uu n = 0).
   { apply (Rmult_eq_reg_r (r * sin th)); [|lra]; rewrite Ek, Rmult_0_l.
     replace (PI * (INR n * INR m / INR n)) with (INR m * PI + 0) by (field; lra).
-    destruct (ResonanceExact.half_turns m 0) as [-> _]; rewrite sin_0; ring. }
-  assert (Uz : 0 < 1 - uu (S n)).
+    destruct (ResonanceExact.half_turns m 0) as [-> _]; rewrite sin_0; ring. } assert (Uz : 0 < 1 - uu (S n)).
   { pose proof (v_polar r th (proj1 Hr) Hth n) as Ev; change (2 * r * cos th) with (trace r s) in Ev.
     unfold v in Ev; fold uu in Ev; rewrite Un in Ev; pose proof (COS_bound (INR n * th)).
     assert (r ^ n < 1) by (apply pow_lt_1_compat; [lra | lia]); pose proof (pow_lt r n (proj1 Hr)).
@@ -203,10 +193,8 @@ Proof.
   set (V := comb (/ (1 - z)) 0 (Map.B M) (Map.B M)).
   assert (Ac : forall k, across M V k = / (1 - z) * (gamma * uu k)).
   { intros k; unfold across, power, V; rewrite N2, power_comb, dot_comb; pose proof (Ru k (Map.B M)) as E;
-    rewrite B0, B1 in E.
-    unfold row in E; rewrite E; ring. }
-  assert (Pz : 0 < / (1 - z)) by (apply Rinv_0_lt_compat, Uz).
-  destruct (is_rate _ _ _ _ _ _ HP) as [Er Er0].
+    rewrite B0, B1 in E. unfold row in E; rewrite E; ring. }
+  assert (Pz : 0 < / (1 - z)) by (apply Rinv_0_lt_compat, Uz). destruct (is_rate _ _ _ _ _ _ HP) as [Er Er0].
   destruct (Curve M w V e n (is_smooth _ _ _ _ _ _ HP)) as (d & Hd & Cv); trivial.
   - rewrite N2; apply (is_w _ _ _ _ _ _ HP).
   - rewrite N2; exact Er.

@@ -49,8 +49,7 @@ Proof.
   assert (ok : forall z, Rabs (fst (fst z) - 0) <= size3 z /\ Rabs (snd (fst z) - s0) <= size3 z /\
     Rabs (snd z - w0) <= size3 z).
   { intros z; unfold size3; rewrite Rminus_0_r; pose proof (Rabs_pos (fst (fst z)));
-    pose proof (Rabs_pos (snd (fst z) - s0)).
-    pose proof (Rabs_pos (snd z - w0)); lra. }
+    pose proof (Rabs_pos (snd (fst z) - s0)). pose proof (Rabs_pos (snd z - w0)); lra. }
   pose proof (tends_size _ size3 _ _ (fun z => proj1 (ok z))) as tx; pose proof (tends_size _ size3 _ _ (fun z =>
     proj1 (proj2 (ok z)))) as ts; pose proof (tends_size _ size3 _ _ (fun z => proj2 (proj2 (ok z)))) as tw; split.
   - pose proof (tends_of _ _ _ _ _ (continuous_at _ _ 0 (D_e21 c k S V HS)) tx) as A.
@@ -74,8 +73,7 @@ Proof.
   destruct joint as [J1 J2]; destruct (two_least _ _ A0 B0) as (e & He & E1 & E2).
   destruct (J1 (e / 4) ltac:(lra)) as (d & Hd & P), (J2 (e / 4) ltac:(lra)) as (d' & Hd' & P').
   destruct (two_least d d' Hd Hd') as (h1 & H1 & L1 & L2), (two_least (h1 / 3) (T / 2) ltac:(lra) ltac:(lra))
-    as (h & Hh & L3 & L4).
-  assert (P1 : forall s w x, Rabs (s - s0) <= h -> Rabs (w - w0) <= h -> Rabs x <= h ->
+    as (h & Hh & L3 & L4). assert (P1 : forall s w x, Rabs (s - s0) <= h -> Rabs (w - w0) <= h -> Rabs x <= h ->
     Rabs (velocity s w x - w0) <= e / 4 /\ Rabs (Q1 (s + x) - Q1 s0) <= e / 4).
   { intros s w x Hs Hw Hx; split; [apply (P (x, s, w)) | apply (P' (x, s, w))]; unfold size3; cbn [fst snd]; lra. }
   exists h, (Rabs (Q1 s0) + e); constructor; [lra | pose proof (Rabs_pos (Q1 s0)); lra | | |].
@@ -122,8 +120,7 @@ Proof.
     replace (Q s - q * Q s) with ((1 - q) * Q s) by ring; apply product; [apply Rabs_le; lra | exact L]. }
   assert (B * Rabs (s - s0) <= B * reach) by (apply Rmult_le_compat_l; lra).
   assert (F : Rabs (depth s w 0) < b * h / 2).
-  { assert (0 < b * h) by (apply Rmult_lt_0_compat; lra); lra. }
-  apply Rabs_def2 in F.
+  { assert (0 < b * h) by (apply Rmult_lt_0_compat; lra); lra. } apply Rabs_def2 in F.
   pose proof (rises s w 0 h ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as U.
   pose proof (rises s w (- h) 0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as U'.
   destruct (IVT (depth s w) (- h) h) as (x & I & Z); [intros x;
@@ -131,8 +128,7 @@ Proof.
   assert (E0 : sigma s w = x) by (apply the_spec; [auto|]; intros x' [I' Z'];
     destruct (Rtotal_order x' x) as [O|[O|O]];
     [pose proof (rises s w x' x) as X | exact O | pose proof (rises s w x x') as X];
-      specialize (X ltac:(lra) ltac:(lra)
-    ltac:(lra) O ltac:(lra)); nra).
+      specialize (X ltac:(lra) ltac:(lra) ltac:(lra) O ltac:(lra)); nra).
   rewrite <- E0 in I, Z; split; [exact I|]; split; [exact Z|].
   apply le_abs in E; unfold Rabs at 1; destruct (Rcase_abs (sigma s w)) as [N|N].
   - pose proof (rises s w (sigma s w) 0 ltac:(lra) ltac:(lra) ltac:(lra) N ltac:(lra)); lra.
@@ -146,8 +142,7 @@ Definition F (z : R * R) : R * R := let '(s, w) := z in
 Lemma F_fixed : F (s0, w0) = (s0, w0).
 Proof.
   destruct reach_is as (R1 & _); destruct (sigma_is s0 w0) as (_ & _ & E); rewrite ?Rminus_eq_0, ?Rabs_R0 in *;
-    try lra.
-  rewrite Rmult_0_r in E; pose proof (Rabs_pos (sigma s0 w0)).
+    try lra. rewrite Rmult_0_r in E; pose proof (Rabs_pos (sigma s0 w0)).
   assert (Z : Rabs (sigma s0 w0) = 0) by nra; unfold F; assert (sigma s0 w0 = 0) as ->.
   { destruct (Req_dec (sigma s0 w0) 0) as [|N]; [assumption | exfalso; exact (Rabs_no_R0 _ N Z)]. }
   rewrite Rplus_0_r, (proj2 (place_0 c k S V HS Q s0 w0)), <- W0; reflexivity.
@@ -161,8 +156,7 @@ Proof.
   destruct (continuous_bounded (e11 c S V) (T + 1) ltac:(lra) (fun x => continuous_at _ _ x (D_e11 c k S V HS)))
     as (K1 & P1 & H1).
   destruct (continuous_bounded S (T + 1) ltac:(lra) (fun x => continuous_at _ _ x (D_S c k S V HS))) as (K2 & P2 &
-    H2).
-  pose proof (Rabs_pos s0) as Ps; destruct (continuous_bounded Q1 (Rabs s0 + h + T + 1) ltac:(lra)
+    H2). pose proof (Rabs_pos s0) as Ps; destruct (continuous_bounded Q1 (Rabs s0 + h + T + 1) ltac:(lra)
     (fun x => continuous_at _ _ x D2)) as (K3 & P3 & H3).
   assert (Mid : exists kap, 0 < kap /\ forall x, h <= x <= T - h -> kap <= S x * w0 - Q (s0 + x)).
   { destruct (Rle_lt_dec h (T - h)) as [L|L]; [|exists 1; split; [lra | intros; lra]].
@@ -179,14 +173,12 @@ Proof.
   - lra.
   - intros x Hx; destruct (Rle_lt_dec x h) as [X1|X1]; [|destruct (Rle_lt_dec x (T - h)) as [X2|X2]].
     + destruct (MVT_cor2 (fun x => place s w x - Q (s + x)) (fun x => velocity s w x - Q1 (s + x)) 0 x) as (y & E &
-      Hy);
-        [lra | intros; apply D_minus; [apply (D_place c k S V HS) | apply D_on, D1]|]; cbv beta in E.
+      Hy); [lra | intros; apply D_minus; [apply (D_place c k S V HS) | apply D_on, D1]|]; cbv beta in E.
       rewrite Rplus_0_r, Y0, Rminus_eq_0, !Rminus_0_r in E; specialize (Hout s w y ltac:(lra) ltac:(lra)
         ltac:(apply Rabs_le; lra)).
       assert (0 < (velocity s w y - Q1 (s + y)) * x) by (apply Rmult_lt_0_compat; lra); lra.
     + specialize (Mid x ltac:(lra)); unfold place; pose proof (low s ltac:(lra)) as Lo.
-      assert (Rabs x <= T + 1) by (apply Rabs_le; lra).
-      assert (E1 : Rabs (e11 c S V x * Q s) <= K1 * (B * r)).
+      assert (Rabs x <= T + 1) by (apply Rabs_le; lra). assert (E1 : Rabs (e11 c S V x * Q s) <= K1 * (B * r)).
       { apply product; [apply H1; assumption|]; eapply Rle_trans; [exact Lo | apply Rmult_le_compat_l; lra]. }
       assert (E2 : Rabs (S x * (w - w0)) <= K2 * r) by (apply product; [apply H2|]; assumption).
       assert (E3 : Rabs (Q (s + x) - Q (s0 + x)) <= K3 * Rabs (s + x - (s0 + x))).
@@ -195,8 +187,7 @@ Proof.
       replace (s + x - (s0 + x)) with (s - s0) in E3 by ring.
       assert (E4 : K3 * Rabs (s - s0) <= K3 * r) by (apply Rmult_le_compat_l; lra).
       assert (E5 : K * r <= kap / 2) by (apply (Rle_trans _ (K * (kap / (2 * K)))); [apply Rmult_le_compat_l; lra |
-        right; field; lra]).
-      apply le_abs in E1, E2, E3; unfold K in E5; lra.
+        right; field; lra]). apply le_abs in E1, E2, E3; unfold K in E5; lra.
     + replace x with (T + (x - T)) by ring; rewrite (place_later c S V Q T q Hq).
       pose proof (rises s w (x - T) g ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as U.
       assert (0 < b / 2 * (g - (x - T))) by (apply Rmult_lt_0_compat; lra); rewrite Z in U; unfold depth in U.
@@ -224,13 +215,11 @@ Proof.
   { intros eps He; destruct (two_least reach (b * eps / (4 * B)) R1) as (d & Hd & L1 & L2).
     { apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra. }
     exists d; split; [exact Hd|]; intros [s w] Hz; apply size2_le in Hz; destruct (sigma_is s w) as (_ & _ & E);
-      try lra.
-    rewrite Rminus_0_r; unfold sg; cbn [fst snd]; apply (Rmult_le_reg_l b); [lra|].
+      try lra. rewrite Rminus_0_r; unfold sg; cbn [fst snd]; apply (Rmult_le_reg_l b); [lra|].
     apply (Rle_trans _ (4 * B * (b * eps / (4 * B)))); [|right; field; lra].
     eapply Rle_trans; [exact E | apply Rmult_le_compat_l; lra]. }
   assert (tsg : tends _ size2 (fun z => fst z + sg z) s0) by (eapply tends_at; [apply (tends_plus _ _ _ _ _ _ ts tg) |
-    ring]).
-  pose proof (tends_of _ _ _ _ _ CQ ts) as tQ; pose proof (tends_of _ _ _ _ _ CQ tsg) as tQ'.
+    ring]). pose proof (tends_of _ _ _ _ _ CQ ts) as tQ; pose proof (tends_of _ _ _ _ _ CQ tsg) as tQ'.
   pose proof (tends_of _ _ _ _ _ CP tsg) as tP; pose proof (tends_of _ _ _ _ _ CS tg) as tS.
   pose proof (tends_of _ _ _ _ _ CV tg) as tV; pose proof (tends_of _ _ _ _ _ CE tg) as tE.
   pose proof (tends_const (R * R) size2 q) as tq.
@@ -253,8 +242,7 @@ Proof.
   assert (te : exists e, tends _ size2 ee e).
   { pose proof (tends_const (R * R) size2) as tc; eexists; unfold ee.
     apply tends_minus; [apply tends_mult; [apply tc | apply tends_mult; [apply tends_plus; [apply tc | exact tr] |
-      exact tP]]|].
-    apply tends_mult; [apply tc|]; apply tends_mult; [exact tq|]; apply tends_plus.
+      exact tP]]|]. apply tends_mult; [apply tc|]; apply tends_mult; [exact tq|]; apply tends_plus.
     - apply tends_mult; [apply tc | apply tends_mult; [exact tg | apply tends_mult; [exact tS | exact tQ]]].
     - apply tends_mult; [exact tr | apply tends_mult; [exact tV | exact tw]]. }
   destruct te as (e & te); exists e; intros eps He.

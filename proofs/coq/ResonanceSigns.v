@@ -31,12 +31,10 @@ Lemma over_half n x : (2 <= n)%nat -> (x < 2 * n)%nat -> x <> 1%nat ->
   x = 0%nat \/ x = n \/ exists k, (0 < k < n)%nat /\ (n < k * x < 2 * n)%nat.
 Proof.
   intros Hn Hx N1; destruct (Nat.eq_dec x 0) as [|N0]; [auto|]; destruct (Nat.eq_dec x n) as [|Nn]; [auto|right;
-    right].
-  destruct (Nat.lt_ge_cases n x) as [L|L]; [exists 1%nat; lia|].
+    right]. destruct (Nat.lt_ge_cases n x) as [L|L]; [exists 1%nat; lia|].
   exists (S (n / x)); pose proof (Nat.div_mod n x N0) as E; pose proof (Nat.mod_upper_bound n x N0) as U.
   set (y := (n / x)%nat) in *; set (z := (n mod x)%nat) in *; assert (Hy : (2 * y <= x * y)%nat) by (apply
-    Nat.mul_le_mono_r; lia); split; [|lia]; split; [lia|].
-  destruct (Nat.le_gt_cases y 1) as [Ly|Ly]; [lia|]; lia.
+    Nat.mul_le_mono_r; lia); split; [|lia]; split; [lia|]. destruct (Nat.le_gt_cases y 1) as [Ly|Ly]; [lia|]; lia.
 Qed.
 
 (** For n theta = m pi: the signs of sin (k theta). *)

@@ -39,12 +39,10 @@ Proof.
   assert (E : eps * (1 + weight) = (1 - Rabs a) / 4) by (unfold eps; field; lra).
   assert (L1 : Rabs (s' - s0) <= Rabs a * Rabs x + eps * t).
   { replace (s' - s0) with (a * x + (s' - s0 - (a * x + 0 * y))) by ring; eapply Rle_trans; [apply Rabs_triang|].
-    rewrite Rabs_mult; lra. }
-  assert (L2 : Rabs (w' - w0) <= Rabs e * Rabs x + Rabs a * Rabs y + eps * t).
+    rewrite Rabs_mult; lra. } assert (L2 : Rabs (w' - w0) <= Rabs e * Rabs x + Rabs a * Rabs y + eps * t).
   { replace (w' - w0) with (e * x + a * y + (w' - w0 - (e * x + a * y))) by ring.
     eapply Rle_trans; [apply Rabs_triang|]; pose proof (Rabs_triang (e * x) (a * y)) as T; rewrite !Rabs_mult in T;
-      lra. }
-  pose proof (Rabs_pos x) as Px; pose proof (Rabs_pos y) as Py.
+      lra. } pose proof (Rabs_pos x) as Px; pose proof (Rabs_pos y) as Py.
   assert (L3 : Rabs e * Rabs x <= (1 - Rabs a) / 4 * (weight * Rabs x)).
   { rewrite <- Rmult_assoc; apply Rmult_le_compat_r; [exact Px|]; unfold weight.
     replace ((1 - Rabs a) / 4 * _) with ((1 - Rabs a) / 4 + Rabs e) by (field; lra); lra. }
@@ -56,8 +54,7 @@ Qed.
 Lemma iterates r : 0 < r -> (forall z, size z <= r -> size (F z) <= lam * size z) -> forall z, size z <= r ->
   forall i, size (Nat.iter i F z) <= lam ^ i * size z /\ size (Nat.iter i F z) <= size z.
 Proof.
-  intros Hr H z Hz; pose proof (Rabs_pos a); assert (L : 0 <= lam <= 1) by lra.
-  assert (P : forall z, 0 <= size z).
+  intros Hr H z Hz; pose proof (Rabs_pos a); assert (L : 0 <= lam <= 1) by lra. assert (P : forall z, 0 <= size z).
   { intros [s w]; destruct (size_norm (s, w)) as [N _]; pose proof (norm_pos (sub (s, w) (s0, w0))); lra. }
   induction i as [|i [I1 I2]]; [cbn; lra|]; cbn [Nat.iter nat_rect]; change (nat_rect _ _ _ i) with (Nat.iter i F z).
   specialize (H _ (Rle_trans _ _ _ I2 Hz)); pose proof (P (Nat.iter i F z)); split.
@@ -145,8 +142,7 @@ Proof.
   destruct (contracts F s0 w0 a e Fix D Ha) as (r1 & Hr1 & Con); pose proof (weight_1 a e Ha) as W.
   set (M := weight a e) in *; set (size := size s0 w0 a e) in *.
   destruct (two_least r r1 Hr Hr1) as (r2 & Hr2 & L1 & L2), (two_least r2 eps Hr2 He) as (r3 & Hr3 & L3 & L4).
-  exists (r3 / (2 * M)); split; [apply Rdiv_lt_0_compat; lra|]; intros s w Hs Hw.
-  assert (Sz : size (s, w) <= r3).
+  exists (r3 / (2 * M)); split; [apply Rdiv_lt_0_compat; lra|]; intros s w Hs Hw. assert (Sz : size (s, w) <= r3).
   { apply (Rle_trans _ (2 * M * norm (sub (s, w) (s0, w0)))); [apply (size_norm s0 w0 a e Ha)|].
     apply (Rle_trans _ (2 * M * (r3 / (2 * M)))); [|right; field; lra]; apply Rmult_le_compat_l; [lra|].
     apply norm_le; split; assumption. }
@@ -182,8 +178,7 @@ Proof.
     exists (Z.of_nat K); intros i Hi; apply Near; specialize (HK (Z.to_nat i) ltac:(lia)).
     eapply Rle_trans; [apply (proj1 (It i))|]; rewrite Rabs_pos_eq in HK by (apply pow_le; lra).
     apply (Rle_trans _ (eta / r3 * r3)); [apply Rmult_le_compat_r; lra | right; field; lra].
-  - intros h t2 y2 v2 Fw E0 E1 i x Hi.
-    assert (Same : forall j : nat, t2 (Z.of_nat j) = times n s' (Z.of_nat j) /\
+  - intros h t2 y2 v2 Fw E0 E1 i x Hi. assert (Same : forall j : nat, t2 (Z.of_nat j) = times n s' (Z.of_nat j) /\
       v2 (Z.of_nat j) (t2 (Z.of_nat j)) = w' (Z.of_nat j)).
     { induction j as [|j [I1 I2]]; [change (Z.of_nat 0) with 0%Z; rewrite E0, E1; split; [congruence | reflexivity]|].
       destruct (swing_hop O n S V mu HO HS h t2 y2 v2 _ (Fw (Z.of_nat j) _ ltac:(lia) eq_refl)) as (A & _).

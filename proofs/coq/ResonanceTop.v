@@ -39,13 +39,11 @@ Proof.
   exists mu0; split; [exact M0|]; intros nu Hnu; assert (Xn : K * nu + nu < b).
   { replace (K * nu + nu) with (X * nu) by (unfold X; ring); apply (Rlt_le_trans _ (X * (b / X))).
     - apply Rmult_lt_compat_l; lra.
-    - right; field; lra. }
-  assert (0 <= K * nu) by (apply Rmult_le_pos; lra).
+    - right; field; lra. } assert (0 <= K * nu) by (apply Rmult_le_pos; lra).
   assert (An : forall s, s = nu \/ s = - nu -> Rabs s = nu).
   { intros s [->| ->]; rewrite ?Rabs_Ropp; apply Rabs_pos_eq; lra. }
   assert (St' : forall s t, s = nu \/ s = - nu -> Rabs (G s t - G 0 t) <= K * nu /\
-    Rabs (G1 s t - G1 0 t) <= K * nu /\
-    Rabs (G2 s t - G2 0 t) <= K * nu).
+    Rabs (G1 s t - G1 0 t) <= K * nu /\ Rabs (G2 s t - G2 0 t) <= K * nu).
   { intros s t Hs; pose proof (An s Hs) as E; specialize (St s t ltac:(lra)); rewrite E in St; exact St. }
   assert (Kr : K * nu * r <= nu).
   { replace (K * nu * r) with (nu * (K * r)) by ring; rewrite <- (Rmult_1_r nu) at 2; apply Rmult_le_compat_l; [lra|].
@@ -103,8 +101,7 @@ Proof.
   intros Ht Z; destruct (shaped_zero _ _ _ _ _ _ HS t Ht Z) as [D E]; apply le_abs in D, E; split; [exact D|].
   pose proof stop_0 as T; destruct (Rtotal_order t 0) as [L|[->|L]]; [left|lra|right]; split; trivial.
   - destruct (MVT_cor2 Q Q1 t 0 L (fun x _ => D_stop x)) as (x & F & Hx); pose proof (falls t x ltac:(lra) ltac:(lra)
-      ltac:(lra)) as P.
-    assert (Q1 x * - t < Q1 t * - t) by (apply Rmult_lt_compat_r; lra); lra.
+      ltac:(lra)) as P. assert (Q1 x * - t < Q1 t * - t) by (apply Rmult_lt_compat_r; lra); lra.
   - destruct (MVT_cor2 Q Q1 0 t L (fun x _ => D_stop x)) as (x & F & Hx); pose proof (falls x t ltac:(lra) ltac:(lra)
       ltac:(lra)) as P.
     assert (Q1 x < 0); [|lra]; apply Rnot_le_lt; intros N; assert (0 <= Q1 x * (t - 0)) by (apply Rmult_le_pos;
