@@ -45,7 +45,7 @@ Proof.
   split; [reflexivity|]; rewrite (hop_back _ _ _ _ H1), (hop_back _ _ _ _ H2); reflexivity.
 Qed.
 
-(** One that comes again: (1.1) and (1.2). *)
+(** One that comes again. *)
 Lemma hop_again s w : 0 <= tau <= 1 -> -1 <= q <= 1 -> q <> 1 -> tau * q <> -1 -> hop s w s w <->
   Q s = 0 /\ 0 < Q1 s /\ w = (1 + tau) / (1 + tau * q) * Q1 s /\ forall x, 0 < x < T -> Q (s + x) < S x * w.
 Proof.
