@@ -2,6 +2,7 @@
 
 From Grazing Require Import StatementOscillator StatementNordmark OscillatorUses Nordmark.
 From Grazing Require Import StatementStops StatementNonlinearExamples NonlinearStops NonlinearExamples.
+From Grazing Require StatementResonance ResonanceExact ResonanceStable ResonanceBirth ResonanceMaps.
 
 Theorem Periodic_oscillator : Periodic_oscillator_statement. Proof. exact OscillatorUses.Periodic_oscillator. Qed.
 Theorem Reach : Reach_statement. Proof. exact OscillatorUses.Reach. Qed.
@@ -9,3 +10,11 @@ Theorem Oscillators_exist : Nordmark_statement /\ Harmonics_statement.
 Proof. exact (conj Nordmark_oscillator Harmonics). Qed.
 Theorem Two_stops : Stops_statement. Proof. exact NonlinearStops.Two_stops. Qed.
 Theorem Driven : Driven_statement. Proof. exact NonlinearExamples.Driven. Qed.
+
+(** At resonance. *)
+Theorem At_resonance : StatementResonance.Exact_statement /\ StatementResonance.Multipliers_statement /\
+  StatementResonance.Stable_statement /\ StatementResonance.Birth_statement.
+Proof. exact (conj ResonanceExact.Exact (conj ResonanceStable.Multipliers (conj ResonanceStable.Stable
+  ResonanceBirth.Birth))). Qed.
+Theorem Maps_at_resonance : StatementResonance.Curve_statement /\ StatementResonance.Plane_statement.
+Proof. exact (conj ResonanceMaps.Curve ResonanceMaps.Plane). Qed.

@@ -282,6 +282,24 @@ E
 other Headline.v Chaos_statement 'alternating words' <<'E'
 /^Definition Chaos_statement/,/^$/ s/one_or_two N ->/& (N 1 <> N 0 + 2)%Z ->/
 E
+other StatementResonance.v Birth_statement 'a mu0 for each nu' <<'E'
+s/^  exists mu0, 0 < mu0 \/\\ forall nu, 0 < nu < mu0 -> birth O n m nu eps/  forall nu, exists mu0, 0 < mu0 \/\\ (0 < nu < mu0 -> birth O n m nu eps)/
+E
+other StatementResonance.v birth 'one of those near the touch' <<'E'
+s/once O n (- nu) PI t' y' v' ->/once O n (- nu) eps t' y' v' ->/
+E
+other StatementResonance.v exact_iff 'only from the motion to the arc' <<'E'
+s/t 0%Z = t0) <->/t 0%Z = t0) ->/
+E
+other StatementResonance.v births 'n >= 2 alone' <<'E'
+s/(n = 1%nat \\\/ m mod/(m mod/
+E
+other StatementResonance.v curve_one 'at one small speed' <<'E'
+s/^    forall y, 0 < y < r -> exists mu x, Rabs mu <= d/    exists y, 0 < y < r \/\\ exists mu x, Rabs mu <= d/
+E
+other StatementResonance.v Plane_statement 'only by the sign of gamma' <<'E'
+s/^  ((2 <= m)%nat \\\/ gamma < 0 -> forall mu x/  (gamma < 0 -> forall mu x/
+E
 
 if [ "$survived" != 0 ]; then echo "clauses.sh: $survived of $total changes not noticed" >&2; exit 1; fi
 echo "all $total changes are noticed"

@@ -481,6 +481,30 @@ E
 mutant eigenvector-anywhere 'File "./ConsequencesAttractor' --pin StatementUnstable.v <<'E'
 s/forall j, within (Map.N M) eps (minus (V j) (Map.B M)) \/\\$/forall j, True \/\\/
 E
+mutant resonance-of-any-angle 'File "./(Consequences)?Resonance' --pin StatementResonance.v <<'E'
+s/^  res_angle : .*/  res_angle : True }./
+E
+mutant resonance-with-an-arc-of-another-height 'File "./(Consequences)?Resonance' --pin StatementResonance.v <<'E'
+s/^  (1 + Oscillator.tau O) \/ (1 + Oscillator.tau O/  (1 - Oscillator.tau O) \/ (1 + Oscillator.tau O/
+E
+mutant resonance-without-its-exceptions 'File "./(Consequences)?Resonance' --pin StatementResonance.v <<'E'
+/^Definition regular/,/^$/ s/q O n m <> 1 \/\\ Oscillator.tau O \* q O n m <> -1/True/
+E
+mutant resonance-with-other-multipliers 'File "./(Consequences)?Resonance' --pin StatementResonance.v <<'E'
+s/  let a := - Oscillator.tau O \* q O n m in/  let a := Oscillator.tau O * q O n m in/
+E
+mutant resonance-stable-without-a-bounce 'File "./(Consequences)?Resonance' --pin StatementResonance.v <<'E'
+/^Definition Stable_statement/,/^$/ s/0 < Oscillator.tau O -> //
+E
+mutant resonance-born-at-any-angle 'File "./(Consequences)?Resonance' --pin StatementResonance.v <<'E'
+s/(n = 1%nat \\\/ m mod (2 \* n) = 1)%nat/(1 <= n)%nat/
+E
+mutant resonance-of-maps-at-every-angle 'File "./(Consequences)?Resonance' --pin StatementResonance.v <<'E'
+s/^  ((2 <= m)%nat \\\/ gamma < 0 -> forall mu x/  (forall mu x/
+E
+mutant resonance-curve-of-another-slope 'File "./(Consequences)?Resonance' --pin StatementResonance.v <<'E'
+s/Rabs (mu + across M V n/Rabs (mu - across M V n/
+E
 
 if [ "$survived" ]; then echo "mutants.sh: not refused:$survived" >&2; exit 1; fi
 echo "all $total mutants refused"
