@@ -121,7 +121,8 @@ fn the_truth_is_not_refuted() {
 #[test]
 fn earlier_findings_are_decided_again() {
     let text =
-        fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/fuzz_regressions.txt")).unwrap();
+        fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/fuzz_regressions.txt"))
+            .unwrap();
     let ladder = Ladder::default();
     let lines: Vec<&str> = text.lines().filter(|line| !line.starts_with('#')).collect();
     assert!(lines.len() >= 3);

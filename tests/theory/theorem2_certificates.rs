@@ -38,8 +38,7 @@ fn the_example_in_the_documentation_is_the_block_of_period_4() {
     let text = written(4, 4);
     let block: Vec<&str> = text.lines().skip(5).collect();
     let source =
-        fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../checker/src/theorem2/mod.rs"))
-            .unwrap();
+        fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../checker/src/theorem2/mod.rs")).unwrap();
     let start = source.find("//! n 4 9").unwrap();
     let shown: Vec<&str> = source[start..]
         .lines()

@@ -67,6 +67,11 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
     `Beyond its touch, to the depth listed, nothing is born, and no motion of the oscillator stays near: ${detail.get("leaves") ?? ""}.`,
   single: (_, detail) =>
     `From its touch to the depth listed, the oscillator has exactly one orbit of this kind: ${detail.get("orbit") ?? "one impact in the periods listed"}. Where it is stable is listed below.`,
+  parameter: (range, detail, title) => {
+    const inner = title === "nothing born" ? "nothing" : title === "orbit of one impact" ? "single" : "range";
+    const seen = `This is proved of the machine below, ${detail.get("parameter") ?? "over the range listed"}, seen from its motion without walls.`;
+    return `${SENTENCES[inner]?.(range, detail, title) ?? ""} ${seen}`;
+  },
   share: (_, detail) => {
     const [percent, holds] = [detail.get("share") ?? "the share listed of the box", detail.get("holds there") ?? "what is listed holds"];
     return `In ${percent.split(", ")[0]}, ${holds}.`;

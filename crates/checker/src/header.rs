@@ -55,7 +55,7 @@ impl Header {
             let reason = format!("{body} lines follow the header, so this should be \"lines {body}\"");
             return Err(Rejection::Malformed { line: self.claimed_at, reason });
         }
-        Ok(Proved { title: None, range: Some(self.range()), detail: Vec::new() })
+        Ok(Proved::plain(Some(self.range()), Vec::new()))
     }
 }
 

@@ -45,6 +45,7 @@
 //! | `range`, `range 2`, `range 3`, `range 4` | the motions that are born where an oscillator touches its wall, for every bi-infinite path of a graph, from the touch to a distance; 2, 4: and that no others are near; 3, 4: between mirrored walls | [`range`] |
 //! | `nothing`, `nothing 2` | that beyond the touch nothing is born and no motion stays near, to a distance; 2: between mirrored walls | [`nothing`] |
 //! | `single`, `single 2` | an orbit of one impact along its curve, from the touch where it is born to a distance, past its flips, and where it is stable; 2: between mirrored walls | [`single`] |
+//! | `parameter`, `parameter 2` | that a certificate of kind `range`, `nothing` or `single`, which follows in the same file, is of a machine over a range of its own parameter; 2: for all coefficients in intervals | [`parameter`] |
 //! | `share` | in which share of a box of parameters a period or a word occurs, or chaos is born | [`share`], one by hand |
 //! | `entropy` | by the word theorem, for all r ≤ 1, s and eµ > 0: the least upper bounds of the entropy | [`entropy`], a line by hand |
 //! | `machine-orbit`, `machine-orbit 2` | that a periodic orbit of a machine with any number of coordinates and stops exists, is unique in a box, admissible, stable or not; 2: the same of the motion without impacts | [`machine`] |
@@ -89,6 +90,7 @@ pub mod machine;
 mod motion;
 pub mod nothing;
 pub mod orbit;
+pub mod parameter;
 pub mod range;
 mod rejection;
 mod sha256;
@@ -105,12 +107,13 @@ pub use rejection::Rejection;
 pub use sha256::{Hashed, Sha256};
 
 use lines::Lines;
+use touch::about::About;
 
 /// The first line of every certificate this version reads and writes.
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 24] = [
+const KINDS: [Kind; 26] = [
     Kind::first(theorem2::KIND, theorem2::STATEMENT, theorem2::check),
     Kind::first(cover::KIND, cover::STATEMENT, cover::check),
     Kind::first(orbit::KIND, orbit::STATEMENT, orbit::check::<orbit::Fraction>),
@@ -135,6 +138,9 @@ const KINDS: [Kind; 24] = [
     Kind::first(machine::KIND, machine::STATEMENT, machine::check),
     Kind::first(orbit::KIND, orbit::STATEMENT_3, orbit::check_free).version(" 3"),
     Kind::first(machine::KIND, machine::STATEMENT_2, machine::check_free).version(" 2"),
+    Kind::first(parameter::KIND, parameter::STATEMENT, parameter::check::<event::Quotient>),
+    Kind::first(parameter::KIND, parameter::STATEMENT_2, parameter::check::<event::RangeQuotient>)
+        .version(" 2"),
 ];
 
 /// The kind lines that were proved once and are refused now, with the reason.
@@ -184,6 +190,15 @@ struct Proved {
     /// The periods n that it is proved for, if that is all of a range.
     range: Option<RangeInclusive<u64>>,
     detail: Vec<(&'static str, String)>,
+    /// Of which oscillator near a touch it is, for a certificate that holds this one.
+    about: Option<About>,
+}
+
+impl Proved {
+    /// What is a kind of its own, in its own word.
+    fn plain(range: Option<RangeInclusive<u64>>, detail: Vec<(&'static str, String)>) -> Proved {
+        Proved { title: None, range, detail, about: None }
+    }
 }
 
 /// What a certificate that passed the check has proved.
@@ -252,7 +267,7 @@ pub fn check_until(input: &mut dyn BufRead, stop: &mut dyn FnMut() -> bool) -> R
         let names = KINDS.map(|kind| format!("{:?}", kind.line()));
         return Err(lines.malformed(format!("expected a line {}", names.join(" or "))));
     };
-    let Proved { title, range, detail } = (kind.check)(&mut lines)?;
+    let Proved { title, range, detail, .. } = (kind.check)(&mut lines)?;
     let (kind, statement, lines) = (kind.name, kind.statement, lines.number());
     Ok(Checked { kind, title: title.unwrap_or(kind), statement, range, detail, lines })
 }

@@ -113,7 +113,7 @@ impl<'a> Lines<'a> {
     }
 
     /// The latest line, which is this, led by its name.
-    fn read<T>(
+    pub fn read<T>(
         &self,
         text: &str,
         name: &str,
@@ -163,12 +163,7 @@ impl<'a> Lines<'a> {
 
     /// What is wrong with the latest line.
     pub fn rejection(&self, fault: Fault) -> Rejection {
-        let line = self.number;
-        match fault {
-            Fault::Malformed(reason) => Rejection::Malformed { line, reason },
-            Fault::False(reason) => Rejection::False { line, reason },
-            Fault::Interrupted => Rejection::Interrupted { line },
-        }
+        fault.on(self.number)
     }
 
     /// A rejection of the latest line's form.
@@ -198,7 +193,7 @@ impl<'a> Words<'a> {
     }
 
     /// The word that a line begins with.
-    fn name(&mut self, name: &str) -> Result<(), String> {
+    pub fn name(&mut self, name: &str) -> Result<(), String> {
         if self.word(name)? == name { Ok(()) } else { Err(format!("expected a line \"{name} …\"")) }
     }
 

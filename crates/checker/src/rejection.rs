@@ -58,6 +58,15 @@ impl Fault {
         }
     }
 
+    /// The same, its line known.
+    pub fn on(self, line: u64) -> Rejection {
+        match self {
+            Fault::Malformed(reason) => Rejection::Malformed { line, reason },
+            Fault::False(reason) => Rejection::False { line, reason },
+            Fault::Interrupted => Rejection::Interrupted { line },
+        }
+    }
+
     /// Its reason.
     pub fn reason(self) -> String {
         match self {

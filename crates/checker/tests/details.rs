@@ -18,9 +18,9 @@ use std::{
 
 use crate::common::{
     BRANCH, CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, FREE, FREE_MACHINE, GRAZING, NOTHING,
-    NOTHING_MIRRORED, ORBIT_4, RANGE_1, RANGE_ALONE, RANGE_MIRRORED, RANGE_MIRRORED_BEYOND, SADDLE_NODE,
-    SHARE, SHARE_POLAR, SINGLE_1, SINGLE_MIRRORED_1, THEOREM2, WORD, WORD_BY_THEOREM, answer, first_cells,
-    float, resealed, with,
+    NOTHING_MIRRORED, ORBIT_4, PARAMETER, PARAMETER_HERTZ, RANGE_1, RANGE_ALONE, RANGE_MIRRORED,
+    RANGE_MIRRORED_BEYOND, SADDLE_NODE, SHARE, SHARE_POLAR, SINGLE_1, SINGLE_MIRRORED_1, THEOREM2, WORD,
+    WORD_BY_THEOREM, answer, first_cells, float, resealed, with,
 };
 use crate::share::is_likely;
 use grazing_check::{Checked, Rejection, kinds};
@@ -51,6 +51,8 @@ fn samples() -> [Vec<String>; 3] {
         owned(&[
             RANGE_1,
             RANGE_ALONE,
+            PARAMETER,
+            PARAMETER_HERTZ,
             NOTHING,
             SINGLE_1,
             &first_cells(RANGE_MIRRORED, 1),
@@ -335,6 +337,13 @@ fn follows(sample: &Checked, changed: &Checked, mirrored: bool) -> bool {
                 && from - room < *new_from
                 && *new_to < to + room
         }
+        // Whether the machine is at these depths is looked at in `parameter.rs`.
+        "parameter" => {
+            let same = ["motion", "letters", "machine", "lower wall"];
+            let same = same.iter().all(|name| detail(changed, name) == detail(sample, name));
+            let born = || changed.title != "range of orbits" || is_born(changed);
+            same && changed.title == sample.title && born()
+        }
         // Whether the orbit is there, and stable, is looked at in `single.rs`.
         "single" => {
             let same = ["motion", "orbit"];
@@ -437,7 +446,8 @@ fn printed_is_checked(samples: &[String], every: usize) {
 fn is_work(lines: &[&str], line: usize, word: usize) -> bool {
     let own = lines[line];
     let name = own.split(' ').next().unwrap();
-    let kind = lines[1].strip_prefix("kind ").unwrap();
+    // Of a certificate in another its own kind.
+    let kind = lines[..=line].iter().rev().find_map(|line| line.strip_prefix("kind ")).unwrap_or("");
     let is_last = || !lines[line + 1..].iter().any(|other| other.split(' ').next() == Some(name));
     match (kind.split(' ').next().unwrap(), name) {
         (_, "pieces" | "row" | "flight" | "until") => true,
@@ -480,7 +490,9 @@ fn printed_of(text: &str, every: usize) -> usize {
         // equations are linear in is unique at any scale.
         let line = lines[i];
         let ends = ["parameter ", "depth 0/1 ", "restitution "];
-        let named = ends.iter().any(|start| line.starts_with(start)) && j == 1;
+        // A root is in every wider interval, too.
+        let wider = line.starts_with("touch ");
+        let named = wider || ends.iter().any(|start| line.starts_with(start)) && j == 1;
         // Every rate above 1 is an upper bound of one orbit's.
         let single = line.starts_with("growth 1 ") && j == 2;
         // That nothing is born does not depend on the restitution, nor do these small depths.

@@ -17,6 +17,7 @@ mod machine;
 mod mirrored;
 mod nothing;
 mod orbit;
+mod parameter;
 mod range;
 mod range_damage;
 mod reference;

@@ -110,5 +110,5 @@ pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     proof::cells(&certificate, 0..certificate.cells.len(), &mut || lines.go_on())
         .map_err(|fault| lines.rejection(fault))?;
     let periods: u64 = certificate.strikes.iter().map(|strike| strike.periods).sum();
-    Ok(Proved { title: None, range: Some(periods..=periods), detail: words::detail(&certificate) })
+    Ok(Proved::plain(Some(periods..=periods), words::detail(&certificate)))
 }

@@ -198,5 +198,5 @@ pub(super) fn check<const MIRRORED: bool>(lines: &mut Lines) -> Result<Proved, R
     grows(&letters.collect::<Vec<_>>(), certificate.growth).map_err(|reason| lines.false_claim(reason))?;
     proof::run(&certificate, lines)?;
     let title = if certificate.is_chaos() { KIND } else { "orbits" };
-    Ok(Proved { title: Some(title), range: None, detail: words::detail(&certificate) })
+    Ok(Proved { title: Some(title), ..Proved::plain(None, words::detail(&certificate)) })
 }

@@ -155,7 +155,7 @@ pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
             (true, Some(_)) => return Err(lines.malformed("the file goes on after its last bound")),
         }
     }
-    Ok(Proved { title: None, range: None, detail })
+    Ok(Proved::plain(None, detail))
 }
 
 /// Reads `root P/Q P/Q`.

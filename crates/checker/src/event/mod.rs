@@ -154,5 +154,5 @@ pub(super) fn check<C: Version>(lines: &mut Lines) -> Result<Proved, Rejection> 
     let periods: u64 = certificate.impacts.iter().map(|impact| impact.periods).sum::<u64>().max(1);
     let proof = proof::Proof::new(&certificate);
     proof.run(&mut || lines.go_on()).map_err(|fault| lines.rejection(fault))?;
-    Ok(Proved { title: None, range: Some(periods..=periods), detail: words::detail(&certificate) })
+    Ok(Proved::plain(Some(periods..=periods), words::detail(&certificate)))
 }

@@ -53,7 +53,7 @@ pub(in super::super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     let claim = certificate.claim.said().to_string();
     let orbit = [("stability", claim), ("pattern", "no impact, period 1".to_string())];
     let detail = orbit.into_iter().chain(machine(&certificate.machine)).collect();
-    Ok(Proved { title: None, range: Some(1..=1), detail })
+    Ok(Proved::plain(Some(1..=1), detail))
 }
 
 /// Reads everything after the kind line.

@@ -141,5 +141,5 @@ pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     proof::Proof::new(&certificate, go_on)
         .and_then(|proof| proof.run(go_on))
         .map_err(|fault| lines.rejection(fault))?;
-    Ok(Proved { title: None, range: Some(periods..=periods), detail: words::detail(&certificate) })
+    Ok(Proved::plain(Some(periods..=periods), words::detail(&certificate)))
 }

@@ -145,6 +145,16 @@ impl<N: Number> Oscillator<N> {
         [rest + response - position, slope - speed, curvature - bend].map(|x| side.inward(x))
     }
 
+    /// The same gap as a sum of harmonics: its mean, then the coefficients of cos and sin, first of the
+    /// forcing's orders, then of the wall's; constants among these are no part of the mean.
+    pub fn free_series(&self, side: Side) -> (N, Vec<[N; 2]>) {
+        let (wall, rest) = (self.wall(side), self.steady(N::ZERO).start[0]);
+        let answers = self.response.iter().map(|&(_, a, b)| [a, b]);
+        let moves = wall.motion.iter().map(|&(_, a, b)| [-a, -b]);
+        let terms = answers.chain(moves).map(|both| both.map(|x| side.inward(x)));
+        (side.inward(rest - wall.offset), terms.collect())
+    }
+
     /// Whether no other motion without impacts comes back after 2π: 1 is no multiplier of it.
     pub fn is_alone(&self) -> bool {
         let turn = self.ring.exp(N::constant(Interval::PI + Interval::PI));

@@ -3,9 +3,10 @@
 use std::fmt;
 
 use super::{
+    super::decimal::gcd,
     Interval, Words,
     number::Number,
-    text::{Coefficient, DIGITS, Decimal},
+    text::{Coefficient, DIGITS, Decimal, Fraction},
     words::Spoken,
 };
 
@@ -30,6 +31,14 @@ impl Range {
         read().ok_or_else(|| {
             format!("expected LOWER..UPPER, decimals of at most {DIGITS} digits between -2^30 and 2^30, the lower first")
         })
+    }
+
+    /// The number that it is, if it is one.
+    pub(crate) fn number(&self) -> Option<Fraction> {
+        let Decimal { digits: p, places } = self.lower;
+        let q = 10i128.pow(places);
+        let common = gcd(p.unsigned_abs(), q.unsigned_abs()) as i128;
+        (self.lower == self.upper).then(|| Fraction { p: p / common, q: q / common })
     }
 
     pub(crate) fn interval(&self) -> Interval {

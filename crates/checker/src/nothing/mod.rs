@@ -85,6 +85,7 @@ use super::{
     rejection::{Fault, unless},
     touch::{
         Interval,
+        about::About,
         text::{plain, wall_in_words},
     },
 };
@@ -141,7 +142,11 @@ pub(super) fn check<const MIRRORED: bool>(lines: &mut Lines) -> Result<Proved, R
     let certificate = text::read(lines, MIRRORED)?;
     let all = 0..certificate.cells.len();
     proof::cells(&certificate, all, &mut || lines.go_on()).map_err(|fault| lines.rejection(fault))?;
-    Ok(Proved { title: Some("nothing born"), range: None, detail: detail(&certificate) })
+    let detail = detail(&certificate);
+    let Certificate { mirrored, ranges, harmonics, .. } = certificate;
+    let depth = certificate.cells.last().map_or(Fraction::ZERO, |last| last.depth);
+    let about = Some(About { mirrored, ranges, behind: true, harmonics, depth });
+    Ok(Proved { title: Some("nothing born"), about, ..Proved::plain(None, detail) })
 }
 
 /// All that the statement leaves to the lines, in words.

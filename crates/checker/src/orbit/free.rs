@@ -51,7 +51,7 @@ pub(in super::super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     let FreeCertificate { system: own, claim, .. } = &certificate;
     let orbit = [("stability", claim.said().to_string()), ("pattern", "no impact, period 1".to_string())];
     let detail = orbit.into_iter().chain(system(own, own.digest(), "")).collect();
-    Ok(Proved { title: None, range: Some(1..=1), detail })
+    Ok(Proved::plain(Some(1..=1), detail))
 }
 
 /// Reads everything after the kind line.

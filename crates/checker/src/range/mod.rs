@@ -149,6 +149,7 @@ use super::{
     rejection::{Fault, unless},
     touch::{
         Interval,
+        about::About,
         graph::{Vertex, grows},
     },
 };
@@ -273,5 +274,9 @@ pub(super) fn check<const VERSION: u8>(lines: &mut Lines) -> Result<Proved, Reje
     grows(&letters.collect::<Vec<_>>(), certificate.growth).map_err(|reason| lines.false_claim(reason))?;
     proof::run(&certificate, lines)?;
     let title = if certificate.is_chaos() { "range of chaos" } else { "range of orbits" };
-    Ok(Proved { title: Some(title), range: None, detail: words::detail(&certificate) })
+    let detail = words::detail(&certificate);
+    let Certificate { mirrored, ranges, harmonics, .. } = certificate;
+    let depth = certificate.cells.last().map_or(Fraction::ZERO, |last| last.depth);
+    let about = Some(About { mirrored, ranges, behind: certificate.behind, harmonics, depth });
+    Ok(Proved { title: Some(title), about, ..Proved::plain(None, detail) })
 }

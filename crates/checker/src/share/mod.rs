@@ -177,5 +177,5 @@ pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
         ("holds there", claim.to_string()),
         ("box", area.to_string()),
     ];
-    Ok(Proved { title: None, range: None, detail })
+    Ok(Proved::plain(None, detail))
 }

@@ -113,7 +113,7 @@ use super::{
     Proved, Rejection,
     lines::Lines,
     rejection::{Fault, unless},
-    touch::Interval,
+    touch::{Interval, about::About},
 };
 
 pub use proof::Found;
@@ -168,5 +168,9 @@ pub fn cell_holds(
 pub(super) fn check<const MIRRORED: bool>(lines: &mut Lines) -> Result<Proved, Rejection> {
     let certificate = text::read(lines, MIRRORED)?;
     proof::run(&certificate, &mut || lines.go_on()).map_err(|fault| lines.rejection(fault))?;
-    Ok(Proved { title: Some("orbit of one impact"), range: None, detail: words::detail(&certificate) })
+    let detail = words::detail(&certificate);
+    let Certificate { mirrored, ranges, harmonics, .. } = certificate;
+    let depth = certificate.parts.last().map_or(Fraction::ZERO, |last| last.depth);
+    let about = Some(About { mirrored, ranges, behind: certificate.behind, harmonics, depth });
+    Ok(Proved { title: Some("orbit of one impact"), about, ..Proved::plain(None, detail) })
 }

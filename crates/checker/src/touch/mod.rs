@@ -5,6 +5,7 @@
 //! `graph`, what motions near the touch can do `near` and, before it, `settled`; `text` reads what the kinds
 //! write alike. What is proved of all this is said and done by the kinds.
 
+pub(crate) mod about;
 pub(crate) mod carry;
 pub(crate) mod flow;
 pub(crate) mod graph;

@@ -45,7 +45,7 @@ impl<'a, 'b> Desk<'a, 'b> {
         }
         let last = words.iter().map(|word| word.last).min().unwrap_or(1);
         let detail = [self.shown].into_iter().chain(words.iter().map(Word::detail)).collect();
-        Ok(Proved { title: None, range: Some(1..=last), detail })
+        Ok(Proved::plain(Some(1..=last), detail))
     }
 
     /// Whether a letter is U.

@@ -51,7 +51,7 @@ pub use quotient::Quotient;
 pub use solution::{ExpectedImpact, ProvedOrbit, Stability, orbit, solution_in};
 pub use units::Units;
 pub use write::{certificate, event_certificate, free_certificate};
-pub(crate) use write::{decimal, range_of};
+pub(crate) use write::{decimal, in_quotients, in_ranges, range_of};
 
 use crate::error::Result;
 

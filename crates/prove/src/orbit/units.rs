@@ -87,7 +87,7 @@ impl Units {
     ///
     /// # Errors
     /// Those of the family.
-    pub(super) fn along(
+    pub(crate) fn along(
         family: impl Fn(&Jet) -> Result<System<Jet>>,
         met: impl Iterator<Item = Side>,
         at: &BigRational,
@@ -157,7 +157,7 @@ impl Units {
     }
 
     /// A value of the parameter, in its unit.
-    pub(super) fn parameter(self, value: &BigRational) -> BigRational {
+    pub(crate) fn parameter(self, value: &BigRational) -> BigRational {
         value * ten(-self.parameter)
     }
 

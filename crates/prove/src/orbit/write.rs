@@ -274,6 +274,22 @@ pub(crate) fn range_of(lo: &BigRational, hi: &BigRational) -> Result<Range> {
     Ok(Range { lower: end(lo, BigRational::floor)?, upper: end(hi, BigRational::ceil)? })
 }
 
+/// A system in these units with exact quotients, if all are, and are short.
+pub(crate) fn in_quotients(
+    units: Units,
+    system: &motion::System<Quotient>,
+) -> Result<System<event::Quotient>> {
+    converted(units, &units.function(system), &quotient)
+}
+
+/// The same with quotients of ranges.
+pub(crate) fn in_ranges(
+    units: Units,
+    system: &motion::System<Quotient>,
+) -> Result<System<event::RangeQuotient>> {
+    converted(units, &units.function(system), &range_quotient)
+}
+
 /// A quotient divided by the greatest magnitude in its denominator, in intervals.
 pub(super) fn range_quotient(x: &Quotient) -> Result<event::RangeQuotient> {
     let too_large = || Error::input("a coefficient is too large an expression of the parameter");

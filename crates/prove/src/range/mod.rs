@@ -37,6 +37,7 @@ mod nothing;
 mod others;
 mod parameter;
 mod parts;
+mod said;
 mod single;
 mod tolerated;
 mod write;
@@ -49,6 +50,7 @@ pub use self::{
     nothing::{NothingProblem, NothingProof, prove_nothing},
     parameter::{ParameterRange, SystemOver, Touching, is_as_deep, parameter_range},
     parts::{prove_farther, single_orbits},
+    said::Said,
     single::{SingleProblem, SingleProof, prove_single},
     tolerated::{MachineBox, SystemOf, ToleratedRange},
 };

@@ -77,7 +77,7 @@ impl Touching {
 const DIGITS: f64 = 11.0;
 const PLACES: f64 = 14.0;
 
-/// One number as it is, two with few digits and no less between them.
+/// One number as it is, two with few digits and more between them: whoever encloses an end finds it inside.
 pub(super) fn outwards([lo, hi]: [BigRational; 2]) -> [BigRational; 2] {
     if lo == hi {
         return [lo, hi];
@@ -85,7 +85,8 @@ pub(super) fn outwards([lo, hi]: [BigRational; 2]) -> [BigRational; 2] {
     let size = lo.abs().max(hi.abs()).to_f64().unwrap_or(f64::INFINITY);
     let places = (DIGITS - 1.0 - size.log10().floor()).clamp(0.0, PLACES);
     let scale = BigRational::from_integer(BigInt::from(10).pow(places as u32));
-    [(lo * &scale).floor() / &scale, (hi * &scale).ceil() / scale]
+    let one = BigRational::one();
+    [((lo * &scale).ceil() - &one) / &scale, ((hi * &scale).floor() + one) / scale]
 }
 
 fn fail(message: &str) -> Error {

@@ -57,6 +57,9 @@ row! {
         pub reason: Option<String>,
         /// Of an orbit of one impact where it is stable, part by part from the touch.
         pub stability: Vec<StabilityRow>,
+        /// Why a certificate speaks of ν alone, and that the parameter has its depths is left to the program;
+        /// absent where it speaks of the parameter.
+        pub left: Option<String>,
         /// The file of its certificate; where that has several cells, of the first.
         pub certificate: Option<String>,
         /// Where damping, stiffness or restitution change with the parameter and one certificate does not
@@ -143,6 +146,7 @@ impl RangeRow {
             zone: None,
             reason,
             stability: Vec::new(),
+            left: None,
             certificate: None,
             cells: Vec::new(),
         }
@@ -362,6 +366,12 @@ impl RangeRow {
 
     /// Its certificate, or whose which cell is.
     fn certificate_lines(&self, varied: &str, lines: &mut Lines) {
+        if let Some(why) = &self.left {
+            lines.say(
+                "left",
+                format!("the certificate is of nu, that {varied} has its depths is not in it: {why}"),
+            );
+        }
         if self.cells.is_empty() {
             return lines.say_known("certificate", &self.certificate);
         }

@@ -178,7 +178,7 @@ pub(super) fn events(
 }
 
 /// The oscillator at a value of a parameter, of whatever numbers.
-fn system_at<R: scene::Coefficient>(
+pub(super) fn system_at<R: scene::Coefficient>(
     job: &Job,
     name: &str,
     parameter: &R,

@@ -10,6 +10,7 @@ use crate::{
     scene::{Coefficient, tolerated::ToleratedMachines},
     search::{
         chaos::Term,
+        orbit::Quotient,
         range::{Born, MachineBox, ToleratedRange, born_of},
     },
     tolerance::Sloped,
@@ -63,6 +64,18 @@ impl<'a> AllMachines<'a> {
         }
         let system = scene.system()?.in_radians();
         system.try_map(|expression| expression.evaluate(&values, &()))
+    }
+
+    /// The system as a function of the parameter, of all of them.
+    ///
+    /// # Errors
+    /// As a function of no numbers, the system's own.
+    pub fn functions(&self) -> Result<System<Quotient>> {
+        let own = &self.point.task.parameter;
+        let others = self.machines.parameters.iter().filter(|one| one.name != *own);
+        let others = others.map(|one| Quotient::between(one.bounds.each_ref()));
+        let at: Vec<Quotient> = std::iter::once(Quotient::parameter()).chain(others).collect();
+        self.system(&at)
     }
 
     /// Asks something of the box.

@@ -55,12 +55,14 @@ pub(super) trait Deep {
     fn ends_by(&mut self, end: RangeEnd);
     /// The certificate.
     fn text(&self) -> &str;
+    /// Depths up to which more is said of the motions.
+    fn marks(&self) -> Vec<BigRational>;
     /// Between which times after the touch the impacts are that make a motion the only one.
     fn window(&self) -> Option<[String; 2]>;
 }
 
 macro_rules! deep {
-    ($($proof:ty: $window:expr),+) => {$(
+    ($($proof:ty: $window:expr, $marks:expr);+) => {$(
         impl Deep for $proof {
             fn depth(&self) -> &BigRational {
                 &self.depth
@@ -74,6 +76,9 @@ macro_rules! deep {
             fn text(&self) -> &str {
                 &self.text
             }
+            fn marks(&self) -> Vec<BigRational> {
+                $marks(self)
+            }
             fn window(&self) -> Option<[String; 2]> {
                 $window(self)
             }
@@ -84,13 +89,13 @@ deep!(
     RangeProof: |proof: &RangeProof| {
         let window = proof.certificate.window;
         Some([format!("-{window}"), window.to_string()])
-    },
+    }, |proof: &RangeProof| proof.alone.iter().cloned().collect();
     SingleProof: |proof: &SingleProof| {
         let last = proof.certificate.cells.last()?;
         let zero = String::from("0");
         Some(if proof.certificate.forward { [zero, last.to_string()] } else { [format!("-{last}"), zero] })
-    },
-    NothingProof: |_| None
+    }, |proof: &SingleProof| proof.parts.iter().map(|(depth, _)| depth.clone()).collect();
+    NothingProof: |_| None, |_| Vec::new()
 );
 
 impl Near<'_> {

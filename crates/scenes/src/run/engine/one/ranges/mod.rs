@@ -2,6 +2,7 @@
 
 mod cells;
 mod rows;
+mod said;
 
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};

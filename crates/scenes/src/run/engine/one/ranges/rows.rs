@@ -218,7 +218,19 @@ impl Near<'_> {
         let windows: Vec<_> = cells.iter().map(|(proof, _)| proof.window()).collect();
         row.window =
             windows.first().cloned().flatten().filter(|_| windows.windows(2).all(|two| two[0] == two[1]));
-        let texts = cells.iter().map(|(proof, _)| proof.text().to_string()).collect();
+        let mut texts = Vec::new();
+        for (i, cell) in cells.iter().enumerate() {
+            let own = row.cells.get(i).map(|own| (own.from.as_deref(), own.to.as_str()));
+            let ends = own.or_else(|| row.end.as_deref().map(|end| (None, end)));
+            match self.said(behind, cell, ends) {
+                Ok(text) => texts.push(text),
+                Err(error) if error.is_interrupted() => return Err(error),
+                Err(why) => {
+                    row.left = Some(why.to_string());
+                    texts.push(cell.0.text().to_string());
+                }
+            }
+        }
         Ok((SideRange { row, texts }, cells))
     }
 
