@@ -1,5 +1,6 @@
-//! Certificates of kind parameter: what passes, what must be refused, and whether the machine is at the depths
-//! that those say that pass, also the damaged ones: in floats, the least gap being looked for over a period.
+//! Certificates of kind parameter: what passes, what must be refused, and whether the machine is at the
+//! depths that those say that pass, also the damaged ones: in floats, the least gap being looked for over a
+//! period.
 
 use std::f64::consts::TAU;
 

@@ -1,10 +1,10 @@
 //! Certificates of kind `parameter`: a certificate about an oscillator near a touch, said in the parameter of
 //! a machine, in the machine's own units of length.
 //!
-//! Kinds `range`, `single` and `nothing` speak of an oscillator as it is seen from the motion without walls, in
-//! units of the wall's own motion, at depths ν. This kind has the machine's coefficients as functions of its
-//! parameter p, and a certificate of one of those kinds after them; what is checked is that at every listed p
-//! the machine is that oscillator, at a depth that the certificate has.
+//! Kinds `range`, `single` and `nothing` speak of an oscillator as it is seen from the motion without walls,
+//! in units of the wall's own motion, at depths ν. This kind has the machine's coefficients as functions of
+//! its parameter p, and a certificate of one of those kinds after them; what is checked is that at every
+//! listed p the machine is that oscillator, at a depth that the certificate has.
 //!
 //! # Form
 //!
@@ -27,38 +27,38 @@
 //! …
 //! ```
 //!
-//! NU is a fraction as in the certificate, J and K are whole, the rest decimals, in the listed units. Version 2
-//! has for every integer of a quotient a range LOWER..UPPER, as version 2 of kind `event`.
+//! NU is a fraction as in the certificate, J and K are whole, the rest decimals, in the listed units. Version
+//! 2 has for every integer of a quotient a range LOWER..UPPER, as version 2 of kind `event`.
 //!
 //! # Rules
 //!
-//! Let h be the motion without walls, the sum of harmonics that answers to force and forcing, d(t) how far it is
-//! from the wall, M the mean of d, a_j and b_j its coefficients. With two walls it is the lower one, and the
-//! certificate is of mirrored walls: then the force is 0, all orders of the forcing are odd, the walls do not
-//! move, their places are opposite numbers and their restitutions one number; else there is one wall and the
-//! certificate is of one.
+//! Let h be the motion without walls, the sum of harmonics that answers to force and forcing, d(t) how far it
+//! is from the wall, M the mean of d, a_j and b_j its coefficients. With two walls it is the lower one, and
+//! the certificate is of mirrored walls: then the force is 0, all orders of the forcing are odd, the walls do
+//! not move, their places are opposite numbers and their restitutions one number; else there is one wall and
+//! the certificate is of one.
 //!
 //! - P1, one harmonic: a₁ and b₁ are all there are, H² = a₁² + b₁², and the certificate's g(t) = cos t.
-//! - P1, several: every coefficient of a harmonic that is not 0 is q pᵐ with numbers q and one m, pᵐ > 0 in the
-//!   range, and c and k do not contain p. At pᵐ = 1 d′ < 0 at the beginning of `top`, d′ > 0 at its end and
-//!   d″ > 0 in it. For every T there, H = pᵐ H₁, H₁ = M − d(T), and the coefficients −(a_j cos jT + b_j sin jT)/H₁,
-//!   −(b_j cos jT − a_j sin jT)/H₁ lie in the certificate's ranges of order j; it has no other orders but with
-//!   ranges around 0.
-//! - P2: in every piece H and M are positive, c, k and τ lie in the certificate's ranges, and ν = σ(1 − M/H) has a
-//!   derivative of one sign, by that of M/H or, of one harmonic, of its square: it increases with the distance from
-//!   the touch.
-//! - P3: ν < 0 at the end of `touch` that is farther from the depths, ν > 0 at the other, or at `from`: by M/H or its
-//!   square, which is 1 at the touch.
-//! - P4: at each listed P ν is at most NU, below 1 if σ = 1, by the same; the last NU is at most the certificate's
-//!   greatest.
+//! - P1, several: every coefficient of a harmonic that is not 0 is q pᵐ with numbers q and one m, pᵐ > 0 in
+//!   the range, and c and k do not contain p. At p = 1 d′ < 0 at the beginning of `top`, d′ > 0 at its end
+//!   and d″ > 0 in it. For every T there, H = pᵐ H₁, H₁ = M − d(T), and the coefficients −(a_j cos jT + b_j
+//!   sin jT)/H₁, −(b_j cos jT − a_j sin jT)/H₁ lie in the certificate's ranges of order j; it has no other
+//!   orders but with ranges around 0.
+//! - P2: in every piece H and M are positive, c, k and τ lie in the certificate's ranges, and ν = σ(1 − M/H)
+//!   has a derivative of one sign, by that of M/H or, of one harmonic, of its square: it increases with the
+//!   distance from the touch.
+//! - P3: ν < 0 at the end of `touch` that is farther from the depths, ν > 0 at the other, or at `from`: by
+//!   M/H or its square, which is 1 at the touch.
+//! - P4: at each listed P ν is at most NU, below 1 if σ = 1, by the same; the last NU is at most the
+//!   certificate's greatest.
 //!
-//! All is evaluated in intervals, derivatives by the rules of calculus along p. A number that is exact, here and
-//! in the certificate, is compared exactly.
+//! All is evaluated in intervals, derivatives by the rules of calculus along p. A number that is exact, here
+//! and in the certificate, is compared exactly.
 //!
-//! Of P1 to P4 the statement follows: x = ±(q − h)/H at the time T + t satisfies x″ = −c x′ − k x, its wall is at
-//! (M − d(T + t) − M)/H = σν − 1 + g(t), with g(0) = 1 and g′(0) = 0, and a law of impact that scales with the speed
-//! is the same. With `top` T is a smooth function of p, of constant value there. By P2 and P3 ν has one zero in
-//! `touch`, and is positive beyond it, by P4 up to NU.
+//! Of P1 to P4 the statement follows: x = ±(q − h)/H at the time T + t satisfies x″ = −c x′ − k x, its wall
+//! is at −d(T + t)/H = σν − 1 + g(t), with g(0) = 1 and g′(0) = 0, and a law of impact that scales
+//! with the speed is the same. With `top` T is a smooth function of p, of constant value there. By P2 and P3
+//! ν has one zero in `touch`, and is positive beyond it, by P4 up to NU.
 //!
 //! # Cost
 //!
@@ -166,8 +166,8 @@ impl Version for RangeQuotient {
     }
 }
 
-/// Whether the wall's top is later than a time t, by the sign of d′ where the parameter is 1; `None` where it is
-/// not known. For a search.
+/// Whether the wall's top is later than a time t, by the sign of d′ where the parameter is 1; `None` where it
+/// is not known. For a search.
 pub fn rises_after<C: Version>(certificate: &Certificate<C>, time: Decimal) -> Option<bool> {
     proof::falls(certificate, time)
 }

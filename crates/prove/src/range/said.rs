@@ -38,7 +38,8 @@ pub struct Said<'a> {
 const PIECES: [u64; 4] = [1, 8, 64, 1000];
 /// Digits of the touch; of several harmonics, of which the top is known to fewer.
 const DIGITS: [i32; 2] = [20, 18];
-/// Decimals of the time of the top, and how far from a float's it is looked for: few enough for a second reader.
+/// Decimals of the time of the top, and how far from a float's it is looked for: few enough for a second
+/// reader.
 const PLACES: u32 = 20;
 const NEAR: f64 = 1e-7;
 /// Of the balls that units are chosen by.

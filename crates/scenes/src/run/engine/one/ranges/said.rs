@@ -20,8 +20,8 @@ use crate::{
 const BITS: u32 = 128;
 
 impl Near<'_> {
-    /// The certificate around one of a proof, which is said from a value of the parameter, or from the touch, to
-    /// an end.
+    /// The certificate around one of a proof, which is said from a value of the parameter, or from the touch,
+    /// to an end.
     ///
     /// # Errors
     /// Why there is none; an interruption.
