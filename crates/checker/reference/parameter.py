@@ -252,7 +252,7 @@ class File(chaos.File):
                              zip(rest, (self.damping, self.stiffness, wall[1]), self.inner.ranges))
                 need(inside, "c, k or tau (P2)")
                 # Of a square the sign of the derivative is that of M/H while M > 0.
-                need(not squared or mean.at.lo > 0, "the sign of the mean (P2)")
+                need(mean.at.lo > 0, "the sign of the mean (P2)")
                 by = found.by if self.above else -found.by
                 by = -by if sigma > 0 else by
                 need(by.lo > 0, "nu may not increase (P2)")
@@ -271,8 +271,6 @@ class File(chaos.File):
             need(found.lo > 1 if sigma > 0 else found.hi < 1, "nu before the touch (P3)")
         need(past(ratio(self.inner_end)[0].at, 0), "nu after the touch (P3)")
         for nu, p in self.depths:
-            # Beyond the top itself the square says nothing.
-            need(not (squared and sigma > 0 and nu >= 1), "a depth of 1")
             need(short(ratio(p)[0].at, nu), "nu is greater (P4)")
         need(self.depths[-1][0] <= self.deepest, "the certificate does not go so deep (P4)")
         return title
@@ -299,7 +297,6 @@ class File(chaos.File):
         fixed = all(len(x[1]) == 1 and all(y.is_zero() for y in x[0][1:]) for x in (self.damping, self.stiffness))
         need(len(powers) == 1 and fixed, "the form of the wall's motion changes (P1)")
         m, = powers
-        need(m % 2 == 0 or min(self.outer, self.depths[-1][1]) > 0, "a negative power (P1)")
         _, waves, _ = self.seen(constant(1), wall, lower)
 
         def turned(t):

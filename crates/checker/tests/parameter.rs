@@ -5,8 +5,8 @@
 use std::f64::consts::TAU;
 
 use crate::common::{
-    PARAMETER, PARAMETER_FREQUENCY, PARAMETER_HERTZ, PARAMETER_MIRRORED, PARAMETER_SEVERAL, Random, answer,
-    are_refused, damage, damaged_so_are_true, float, nth, rejected, resealed, second_reader, with,
+    NOTHING, PARAMETER, PARAMETER_FREQUENCY, PARAMETER_HERTZ, PARAMETER_MIRRORED, PARAMETER_SEVERAL, Random,
+    answer, are_refused, damage, damaged_so_are_true, float, nth, rejected, resealed, second_reader, with,
 };
 use crate::samples::samples;
 use grazing_check::parameter::{STATEMENT, STATEMENT_2};
@@ -80,7 +80,7 @@ fn lie(text: &str) -> Option<String> {
     };
     let side: f64 = words("side").first().map_or(1.0, |side| float(side[0]));
     let ranges = ["damping", "stiffness", "restitution"].map(|name| {
-        let line = words(name).into_iter().rev().next().unwrap();
+        let line = words(name).into_iter().next_back().unwrap();
         [float(line[0]), float(line[1])]
     });
     let start = words("touch").first().map_or_else(|| float(words("from")[0][0]), |ends| float(ends[0]));
@@ -134,7 +134,12 @@ fn the_example_is_right_by_hand() {
 
 #[test]
 fn weaker_claims_pass() {
+    // A machine beyond its touch among those of a range.
+    let (head, _) = PARAMETER.rsplit_once("\nkind ").unwrap();
+    let among = with(NOTHING, "damping", "damping 99/1000 101/1000");
+    let among = format!("{head}\n{}", among.split_once('\n').unwrap().1);
     for text in [
+        nth(&among, "depth ", 0, "depth 1/5 0.88388"),
         nth(PARAMETER, "depth ", 0, "depth 1/10 0.65"),
         nth(PARAMETER, "depths ", 0, "depths 2\ndepth 1/20 0.68"),
         with(PARAMETER, "touch", "touch 0.70710678 0.70710679"),
@@ -157,6 +162,23 @@ fn forged_claims_are_refused() {
         "" => format!("{}\n{}", inner.0, other.split_once('\n').unwrap().1),
         kind => format!("{}\nkind {kind}{other}", inner.0),
     };
+    // A machine of one harmonic around an oscillator of two, no deeper than that is proved.
+    let inside = PARAMETER_SEVERAL.rsplit_once("\nkind ").unwrap().1;
+    let two = nth(&format!("{}\nkind {inside}", inner.0), "depth ", 0, "depth 1/50 0.7");
+    let line = "harmonic 2 0/1 0,1/3\n";
+    let third =
+        PARAMETER_SEVERAL.replace(line, &format!("{line}harmonic 3 0,1/10000000000000000000000 0/1\n"));
+    let third = resealed(&third.replace("forcing 2", "forcing 3"));
+    // Both by a little, so that the top is still 1.
+    let shifted = PARAMETER_SEVERAL
+        .replace(
+            "4862220235889/5000000000000 9724440471779/10000000000000",
+            "486222023589/500000000000 9724440471781/10000000000000",
+        )
+        .replace(
+            "275559528221/10000000000000 137779764111/5000000000000",
+            "137779764109/5000000000000 275559528219/10000000000000",
+        );
     let forged = [
         // One digit too far; a depth below the one there.
         (nth(PARAMETER, "depth ", 0, "depth 1/10 0.64282434653"), "(P4)"),
@@ -179,7 +201,7 @@ fn forged_claims_are_refused() {
         (head("harmonic", "harmonic 2 0,1/1 0/1"), "several harmonics"),
         (head("force", "force 1/10"), "(P3)"),
         (head("lower none", "lower -2/1 4/5 0"), "the walls are not those"),
-        (head("harmonic", "harmonic 0 0,1/1 0/1"), "the wall may not move (P2)"),
+        (head("harmonic", "harmonic 0 0,1/1 0/1"), "M or H not be positive"),
         // Several harmonics: another top, or none; a form that changes; one more.
         (with(PARAMETER_SEVERAL, "top", "top none"), "several harmonics"),
         (with(PARAMETER_SEVERAL, "top", "top 0.1 0.2"), "no top of the wall"),
@@ -190,6 +212,15 @@ fn forged_claims_are_refused() {
         (mirrored("upper", "upper 1001/1000 4/5 0"), "mirror images"),
         (mirrored("force", "force 1/1000"), "mirror images"),
         (mirrored("harmonic", "harmonic 2 0,1/1 0/1"), "mirror images"),
+        (mirrored("upper", "upper 1/1 79/100 0"), "mirror images"),
+        (mirrored("upper", "upper 1/1 4/5 1\nharmonic 1 1/1000 0/1"), "mirror images"),
+        // The mean of the wall is on the other side, as far off; a motion that grows with the other sign.
+        (head("upper", "upper -1/1 4/5 0"), "M or H not be positive"),
+        (two.clone(), "not of one harmonic"),
+        (with(PARAMETER_SEVERAL, "top", "top 2 4"), "no top of the wall"),
+        (with(PARAMETER_SEVERAL, "top", "top 2.8853630863259576 2.8853630863259577"), "no top of the wall"),
+        (third, "harmonic 3 may leave"),
+        (shifted, "harmonic 1 may leave"),
         (with(PARAMETER, "side", "side 1"), ""),
         (
             around(PARAMETER_MIRRORED.split_once("\nkind range").unwrap().1, "range"),

@@ -39,18 +39,16 @@
 //! the certificate is of one.
 //!
 //! - P1, one harmonic: a₁ and b₁ are all there are, H² = a₁² + b₁², and the certificate's g(t) = cos t.
-//! - P1, several: every coefficient of a harmonic that is not 0 is q pᵐ with numbers q and one m, pᵐ > 0 in
-//!   the range, and c and k do not contain p. At p = 1 d′ < 0 at the beginning of `top`, d′ > 0 at its end
-//!   and d″ > 0 in it. For every T there, H = pᵐ H₁, H₁ = M − d(T), and the coefficients −(a_j cos jT + b_j
-//!   sin jT)/H₁, −(b_j cos jT − a_j sin jT)/H₁ lie in the certificate's ranges of order j; it has no other
-//!   orders but with ranges around 0.
-//! - P2: in every piece H and M are positive, c, k and τ lie in the certificate's ranges, and ν = σ(1 − M/H)
-//!   has a derivative of one sign, by that of M/H or, of one harmonic, of its square: it increases with the
+//! - P1, several: every coefficient of a harmonic that is not 0 is q pᵐ with numbers q and one m, and c and k
+//!   do not contain p. At p = 1 d′ < 0 at the beginning of `top`, d′ > 0 at its end and d″ > 0 in it. For every
+//!   T there, H = pᵐ H₁, H₁ = M − d(T), and the coefficients −(a_j cos jT + b_j sin jT)/H₁, −(b_j cos jT − a_j
+//!   sin jT)/H₁ lie in the certificate's ranges of order j; it has no other orders but with ranges around 0.
+//! - P2: in every piece M and H are positive, c, k and τ lie in the certificate's ranges, and ν = σ(1 − M/H) has
+//!   a derivative of one sign, by that of M/H or, of one harmonic, of its square: it increases with the
 //!   distance from the touch.
-//! - P3: ν < 0 at the end of `touch` that is farther from the depths, ν > 0 at the other, or at `from`: by
-//!   M/H or its square, which is 1 at the touch.
-//! - P4: at each listed P ν is at most NU, below 1 if σ = 1, by the same; the last NU is at most the
-//!   certificate's greatest.
+//! - P3: ν < 0 at the end of `touch` that is farther from the depths, ν > 0 at the other, or at `from`: by M/H
+//!   or its square, which is 1 at the touch.
+//! - P4: at each listed P ν is at most NU, by the same; the last NU is at most the certificate's greatest.
 //!
 //! All is evaluated in intervals, derivatives by the rules of calculus along p. A number that is exact, here
 //! and in the certificate, is compared exactly.

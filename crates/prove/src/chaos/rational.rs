@@ -5,9 +5,10 @@
 //! end from + x. A quotient of polynomials without negative coefficients is positive for every x > 0: that is
 //! the only test of signs here, and it never errs.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero, pow};
 
@@ -52,13 +53,6 @@ impl RationalFunction {
 
     /// Whether it is certainly ≥ 0 for every x > 0.
     pub(crate) fn is_nonnegative(&self) -> bool {
-        let sign = |list: &[BigRational]| {
-            let (up, down) = (list.iter().any(Signed::is_positive), list.iter().any(Signed::is_negative));
-            match (up, down) {
-                (true, true) => None,
-                (up, down) => Some(i32::from(up) - i32::from(down)),
-            }
-        };
         sign(&self.over).zip(sign(&self.under)).is_some_and(|(over, under)| over * under >= 0 && under != 0)
     }
 
@@ -69,20 +63,21 @@ impl RationalFunction {
 
     /// Whether it certainly increases, or certainly decreases, with x > 0.
     pub(crate) fn runs_one_way(&self) -> bool {
-        let slope = |list: &[BigRational]| -> Vec<BigRational> {
-            let terms = list.iter().enumerate().skip(1);
-            terms.map(|(i, x)| x * BigRational::from_integer(i.into())).collect()
+        // In whole numbers: as fractions each would be reduced, which takes a hundred times as long.
+        let [over, under] = [&self.over, &self.under].map(|list| whole(list));
+        let slope = |list: &[BigInt]| -> Vec<BigInt> {
+            list.iter().enumerate().skip(1).map(|(i, x)| x * BigInt::from(i)).collect()
         };
-        let [over, under] = [slope(&self.over), slope(&self.under)];
-        let times = |a: &[BigRational], b: &[BigRational]| {
+        let times = |a: &[BigInt], b: &[BigInt]| {
             if a.is_empty() || b.is_empty() { Vec::new() } else { product(a, b) }
         };
-        let back: Vec<BigRational> = times(&self.over, &under).into_iter().map(|x| -x).collect();
-        let slope = RationalFunction {
-            over: sum(&times(&over, &self.under), &back),
-            under: product(&self.under, &self.under),
+        let back: Vec<BigInt> = times(&over, &slope(&under)).into_iter().map(|x| -x).collect();
+        let above = sum(&times(&slope(&over), &under), &back);
+        let one = |list: &[BigInt]| match sign(list) {
+            Some(sign) => sign != 0,
+            None => false,
         };
-        slope.is_positive() || (-slope).is_positive()
+        one(&above) && one(&product(&under, &under))
     }
 
     /// Its limits as x → 0 and x → ∞, where they are finite.
@@ -149,13 +144,31 @@ pub(super) fn root(x: &BigRational, up: bool) -> BigRational {
     BigRational::new(if up { floor + 1 } else { floor }, scale)
 }
 
-fn sum(a: &[BigRational], b: &[BigRational]) -> Vec<BigRational> {
-    let get = |list: &[BigRational], i: usize| list.get(i).cloned().unwrap_or_else(BigRational::zero);
+/// 1 or −1 if no coefficient has the other sign, 0 if all are 0.
+fn sign(list: &[impl Signed]) -> Option<i32> {
+    let (up, down) = (list.iter().any(Signed::is_positive), list.iter().any(Signed::is_negative));
+    match (up, down) {
+        (true, true) => None,
+        (up, down) => Some(i32::from(up) - i32::from(down)),
+    }
+}
+
+/// The coefficients times a positive number that makes them whole.
+fn whole(list: &[BigRational]) -> Vec<BigInt> {
+    let scale = list.iter().fold(BigInt::one(), |scale, x| scale.lcm(x.denom()));
+    list.iter().map(|x| x.numer() * (&scale / x.denom())).collect()
+}
+
+fn sum<T: Clone + Zero>(a: &[T], b: &[T]) -> Vec<T> {
+    let get = |list: &[T], i: usize| list.get(i).cloned().unwrap_or_else(T::zero);
     (0..a.len().max(b.len())).map(|i| get(a, i) + get(b, i)).collect()
 }
 
-fn product(a: &[BigRational], b: &[BigRational]) -> Vec<BigRational> {
-    let mut all = vec![BigRational::zero(); a.len() + b.len() - 1];
+fn product<T: Clone + Zero + AddAssign>(a: &[T], b: &[T]) -> Vec<T>
+where
+    for<'t> &'t T: Mul<Output = T>,
+{
+    let mut all = vec![T::zero(); a.len() + b.len() - 1];
     for (i, a) in a.iter().enumerate() {
         for (j, b) in b.iter().enumerate() {
             all[i + j] += a * b;
