@@ -5,7 +5,7 @@
 //! end from + x. A quotient of polynomials without negative coefficients is positive for every x > 0: that is
 //! the only test of signs here, and it never errs.
 
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -18,25 +18,47 @@ use crate::{
     number::{Real, Sign},
 };
 
-/// A quotient of polynomials, coefficients from the constant one on.
+/// A quotient of polynomials in whole numbers without a common divisor, coefficients from the constant one on:
+/// as fractions each of them would be reduced, which takes a hundred times as long.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RationalFunction {
-    over: Vec<BigRational>,
-    under: Vec<BigRational>,
+    over: Vec<BigInt>,
+    under: Vec<BigInt>,
 }
 
 impl RationalFunction {
+    fn new(mut over: Vec<BigInt>, mut under: Vec<BigInt>) -> RationalFunction {
+        let mut divisor = BigInt::zero();
+        for x in over.iter().chain(&under) {
+            divisor = divisor.gcd(x);
+            if divisor.is_one() {
+                return RationalFunction { over, under };
+            }
+        }
+        if !divisor.is_zero() {
+            over.iter_mut().chain(&mut under).for_each(|x| *x /= &divisor);
+        }
+        RationalFunction { over, under }
+    }
+
     /// The function that runs through the numbers above `from`, up to `to` where that is given; the number
     /// itself if both are one.
     pub fn range(from: &BigRational, to: Option<&BigRational>) -> RationalFunction {
-        let one = BigRational::one();
+        let whole = |x: &BigRational, scale: &BigInt| x.numer() * (scale / x.denom());
         match to {
             // As a quotient of polynomials it would grow by each operation.
-            Some(to) if to == from => RationalFunction { over: vec![from.clone()], under: vec![one] },
+            Some(to) if to == from => RationalFunction::ratio(from, &()),
             Some(to) => {
-                RationalFunction { over: vec![from.clone(), to.clone()], under: vec![one.clone(), one] }
+                let scale = from.denom().lcm(to.denom());
+                RationalFunction::new(
+                    vec![whole(from, &scale), whole(to, &scale)],
+                    vec![scale.clone(), scale],
+                )
             }
-            None => RationalFunction { over: vec![from.clone(), one.clone()], under: vec![one] },
+            None => {
+                let (p, q) = (from.numer().clone(), from.denom().clone());
+                RationalFunction::new(vec![p, q.clone()], vec![q])
+            }
         }
     }
 
@@ -44,11 +66,12 @@ impl RationalFunction {
     pub fn constant(&self) -> Option<BigRational> {
         // over = c·under, coefficient by coefficient.
         let at = self.under.iter().position(|x| !x.is_zero())?;
-        let value = self.over.get(at).cloned().unwrap_or_else(BigRational::zero) / &self.under[at];
-        let zero = BigRational::zero();
+        let zero = BigInt::zero();
+        let get = |list: &'_ [BigInt], i: usize| list.get(i).cloned().unwrap_or_else(|| zero.clone());
+        let (p, q) = (get(&self.over, at), get(&self.under, at));
         let longest = self.over.len().max(self.under.len());
-        let get = |list: &[BigRational], i: usize| list.get(i).cloned().unwrap_or_else(|| zero.clone());
-        (0..longest).all(|i| get(&self.over, i) == &value * get(&self.under, i)).then_some(value)
+        let holds = (0..longest).all(|i| get(&self.over, i) * &q == get(&self.under, i) * &p);
+        holds.then(|| BigRational::new(p, q))
     }
 
     /// Whether it is certainly ≥ 0 for every x > 0.
@@ -63,31 +86,29 @@ impl RationalFunction {
 
     /// Whether it certainly increases, or certainly decreases, with x > 0.
     pub(crate) fn runs_one_way(&self) -> bool {
-        // In whole numbers: as fractions each would be reduced, which takes a hundred times as long.
-        let [over, under] = [&self.over, &self.under].map(|list| whole(list));
         let slope = |list: &[BigInt]| -> Vec<BigInt> {
             list.iter().enumerate().skip(1).map(|(i, x)| x * BigInt::from(i)).collect()
         };
         let times = |a: &[BigInt], b: &[BigInt]| {
             if a.is_empty() || b.is_empty() { Vec::new() } else { product(a, b) }
         };
-        let back: Vec<BigInt> = times(&over, &slope(&under)).into_iter().map(|x| -x).collect();
-        let above = sum(&times(&slope(&over), &under), &back);
+        let back: Vec<BigInt> = times(&self.over, &slope(&self.under)).into_iter().map(|x| -x).collect();
+        let above = sum(&times(&slope(&self.over), &self.under), &back);
         let one = |list: &[BigInt]| match sign(list) {
             Some(sign) => sign != 0,
             None => false,
         };
-        one(&above) && one(&product(&under, &under))
+        one(&above) && one(&product(&self.under, &self.under))
     }
 
     /// Its limits as x → 0 and x → ∞, where they are finite.
     pub(crate) fn ends(&self) -> Option<[BigRational; 2]> {
-        let limit = |over: &mut dyn Iterator<Item = &BigRational>,
-                     under: &mut dyn Iterator<Item = &BigRational>| {
+        let limit = |over: &mut dyn Iterator<Item = &BigInt>, under: &mut dyn Iterator<Item = &BigInt>| {
             loop {
                 let (over, under) = (over.next(), under.next()?);
                 if !under.is_zero() {
-                    return Some(over.map_or_else(BigRational::zero, |over| over / under));
+                    let quotient = |over: &BigInt| BigRational::new(over.clone(), under.clone());
+                    return Some(over.map_or_else(BigRational::zero, quotient));
                 }
                 if over.is_some_and(|over| !over.is_zero()) {
                     return None;
@@ -96,9 +117,9 @@ impl RationalFunction {
         };
         // As x → ∞ the highest coefficients count: both lists are made as long as the longer.
         let longest = self.over.len().max(self.under.len());
-        let padded = |list: &[BigRational]| {
+        let padded = |list: &[BigInt]| {
             let mut list = list.to_vec();
-            list.resize(longest, BigRational::zero());
+            list.resize(longest, BigInt::zero());
             list.reverse();
             list
         };
@@ -153,22 +174,21 @@ fn sign(list: &[impl Signed]) -> Option<i32> {
     }
 }
 
-/// The coefficients times a positive number that makes them whole.
-fn whole(list: &[BigRational]) -> Vec<BigInt> {
-    let scale = list.iter().fold(BigInt::one(), |scale, x| scale.lcm(x.denom()));
-    list.iter().map(|x| x.numer() * (&scale / x.denom())).collect()
+/// p and q with q times the first the same as p times the second, if there are such numbers.
+fn alike(a: &[BigInt], b: &[BigInt]) -> Option<[BigInt; 2]> {
+    let at = a.iter().position(|x| !x.is_zero())?;
+    let (p, q) = (&a[at], b.get(at)?);
+    let same = a.len() == b.len() && !q.is_zero() && a.iter().zip(b).all(|(a, b)| a * q == b * p);
+    same.then(|| [p.clone(), q.clone()])
 }
 
-fn sum<T: Clone + Zero>(a: &[T], b: &[T]) -> Vec<T> {
-    let get = |list: &[T], i: usize| list.get(i).cloned().unwrap_or_else(T::zero);
+fn sum(a: &[BigInt], b: &[BigInt]) -> Vec<BigInt> {
+    let get = |list: &[BigInt], i: usize| list.get(i).cloned().unwrap_or_default();
     (0..a.len().max(b.len())).map(|i| get(a, i) + get(b, i)).collect()
 }
 
-fn product<T: Clone + Zero + AddAssign>(a: &[T], b: &[T]) -> Vec<T>
-where
-    for<'t> &'t T: Mul<Output = T>,
-{
-    let mut all = vec![T::zero(); a.len() + b.len() - 1];
+fn product(a: &[BigInt], b: &[BigInt]) -> Vec<BigInt> {
+    let mut all = vec![BigInt::zero(); a.len() + b.len() - 1];
     for (i, a) in a.iter().enumerate() {
         for (j, b) in b.iter().enumerate() {
             all[i + j] += a * b;
@@ -189,11 +209,14 @@ impl Add<&RationalFunction> for RationalFunction {
     type Output = Self;
 
     fn add(self, other: &Self) -> Self {
-        if self.under == other.under {
-            return RationalFunction { over: sum(&self.over, &other.over), under: self.under };
+        // With divisors that are multiples of each other by a number the powers do not grow.
+        if let Some([p, q]) = alike(&self.under, &other.under) {
+            let times = |list: &[BigInt], by: &BigInt| list.iter().map(|x| x * by).collect::<Vec<_>>();
+            let over = sum(&times(&self.over, &q), &times(&other.over, &p));
+            return RationalFunction::new(over, times(&self.under, &q));
         }
         let over = sum(&product(&self.over, &other.under), &product(&other.over, &self.under));
-        RationalFunction { over, under: product(&self.under, &other.under) }
+        RationalFunction::new(over, product(&self.under, &other.under))
     }
 }
 
@@ -209,7 +232,7 @@ impl Mul<&RationalFunction> for RationalFunction {
     type Output = Self;
 
     fn mul(self, other: &Self) -> Self {
-        RationalFunction { over: product(&self.over, &other.over), under: product(&self.under, &other.under) }
+        RationalFunction::new(product(&self.over, &other.over), product(&self.under, &other.under))
     }
 }
 
@@ -217,7 +240,7 @@ impl Div<&RationalFunction> for RationalFunction {
     type Output = Self;
 
     fn div(self, other: &Self) -> Self {
-        RationalFunction { over: product(&self.over, &other.under), under: product(&self.under, &other.over) }
+        RationalFunction::new(product(&self.over, &other.under), product(&self.under, &other.over))
     }
 }
 
@@ -225,7 +248,7 @@ impl Real for RationalFunction {
     type Context = ();
 
     fn ratio(value: &BigRational, (): &()) -> Self {
-        RationalFunction { over: vec![value.clone()], under: vec![BigRational::one()] }
+        RationalFunction { over: vec![value.numer().clone()], under: vec![value.denom().clone()] }
     }
 
     fn integer(value: i32, (): &()) -> Self {
