@@ -248,8 +248,8 @@ class File(chaos.File):
         def away(lo, hi, depth):
             try:
                 found, mean, rest = ratio(lo, hi)
-                inside = all(self.within(value.at, quotient, ends) for value, quotient, ends in
-                             zip(rest, (self.damping, self.stiffness, wall[1]), self.inner.ranges))
+                ranges = zip(rest, self.inner.ranges)
+                inside = all(ends[0] <= value.at.lo and value.at.hi <= ends[1] for value, ends in ranges)
                 need(inside, "c, k or tau (P2)")
                 # Of a square the sign of the derivative is that of M/H while M > 0.
                 need(mean.at.lo > 0, "the sign of the mean (P2)")
@@ -274,12 +274,6 @@ class File(chaos.File):
             need(short(ratio(p)[0].at, nu), "nu is greater (P4)")
         need(self.depths[-1][0] <= self.deepest, "the certificate does not go so deep (P4)")
         return title
-
-    def within(self, value, quotient, ends):
-        known = exact(quotient)
-        if known is not None and ends[0] == ends[1]:
-            return known == ends[0]
-        return ends[0] <= value.lo and value.hi <= ends[1]
 
     def one(self, wall):
         need(all(n <= 1 for n, _, _ in self.forcing + wall[2]), "several harmonics (P1)")

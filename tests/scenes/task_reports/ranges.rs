@@ -33,8 +33,8 @@ fn stop(side: &str, offset: i32) -> String {
     format!("[[stops]]\nside = \"{side}\"\noffset = {offset}\nrestitution = 0.8\n")
 }
 
-/// The certificate about an oscillator that one about the machine holds, which has passed the check and says of
-/// F what the report does.
+/// The certificate about an oscillator that one about the machine holds, which has passed the check and says
+/// of F what the report does.
 fn inner<'t>(text: &'t str, end: Option<&String>) -> &'t str {
     let checked = certificate::check(&mut text.as_bytes()).unwrap_or_else(|why| panic!("{why}"));
     let ("parameter", range) = &checked.detail[0] else { panic!("{checked}") };

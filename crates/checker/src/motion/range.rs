@@ -33,12 +33,13 @@ impl Range {
         })
     }
 
-    /// The number that it is, if it is one.
-    pub(crate) fn number(&self) -> Option<Fraction> {
-        let Decimal { digits: p, places } = self.lower;
-        let q = 10i128.pow(places);
-        let common = gcd(p.unsigned_abs(), q.unsigned_abs()) as i128;
-        (self.lower == self.upper).then(|| Fraction { p: p / common, q: q / common })
+    /// The ends, in lowest terms.
+    pub(crate) fn bounds(&self) -> [Fraction; 2] {
+        [self.lower, self.upper].map(|Decimal { digits: p, places }| {
+            let q = 10i128.pow(places);
+            let common = gcd(p.unsigned_abs(), q.unsigned_abs()) as i128;
+            Fraction { p: p / common, q: q / common }
+        })
     }
 
     pub(crate) fn interval(&self) -> Interval {

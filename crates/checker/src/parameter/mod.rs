@@ -40,18 +40,19 @@
 //!
 //! - P1, one harmonic: a₁ and b₁ are all there are, H² = a₁² + b₁², and the certificate's g(t) = cos t.
 //! - P1, several: every coefficient of a harmonic that is not 0 is q pᵐ with numbers q and one m, and c and k
-//!   do not contain p. At p = 1 d′ < 0 at the beginning of `top`, d′ > 0 at its end and d″ > 0 in it. For every
-//!   T there, H = pᵐ H₁, H₁ = M − d(T), and the coefficients −(a_j cos jT + b_j sin jT)/H₁, −(b_j cos jT − a_j
-//!   sin jT)/H₁ lie in the certificate's ranges of order j; it has no other orders but with ranges around 0.
-//! - P2: in every piece M and H are positive, c, k and τ lie in the certificate's ranges, and ν = σ(1 − M/H) has
-//!   a derivative of one sign, by that of M/H or, of one harmonic, of its square: it increases with the
+//!   do not contain p. At p = 1 d′ < 0 at the beginning of `top`, d′ > 0 at its end and d″ > 0 in it. For
+//!   every T there, H = pᵐ H₁, H₁ = M − d(T), and the coefficients −(a_j cos jT + b_j sin jT)/H₁, −(b_j cos
+//!   jT − a_j sin jT)/H₁ lie in the certificate's ranges of order j; it has no other orders but with ranges
+//!   around 0.
+//! - P2: in every piece M and H are positive, c, k and τ lie in the certificate's ranges, and ν = σ(1 − M/H)
+//!   has a derivative of one sign, by that of M/H or, of one harmonic, of its square: it increases with the
 //!   distance from the touch.
-//! - P3: ν < 0 at the end of `touch` that is farther from the depths, ν > 0 at the other, or at `from`: by M/H
-//!   or its square, which is 1 at the touch.
+//! - P3: ν < 0 at the end of `touch` that is farther from the depths, ν > 0 at the other, or at `from`: by
+//!   M/H or its square, which is 1 at the touch.
 //! - P4: at each listed P ν is at most NU, by the same; the last NU is at most the certificate's greatest.
 //!
-//! All is evaluated in intervals, derivatives by the rules of calculus along p. A number that is exact, here
-//! and in the certificate, is compared exactly.
+//! All is evaluated in intervals, derivatives by the rules of calculus along p. What does not depend on
+//! p is compared with the certificate's ranges exactly, where its digits allow.
 //!
 //! Of P1 to P4 the statement follows: x = ±(q − h)/H at the time T + t satisfies x″ = −c x′ − k x, its wall
 //! is at −d(T + t)/H = σν − 1 + g(t), with g(0) = 1 and g′(0) = 0, and a law of impact that scales
@@ -116,8 +117,9 @@ pub trait Version: Coefficient + Spoken + Eq {
     /// What passing proves.
     const STATEMENT: &str;
 
-    /// The number that it is, if it is one whatever the parameter is.
-    fn number(&self) -> Option<Fraction>;
+    /// The least and the greatest number that it may be, exactly, if that is the same whatever the parameter
+    /// is.
+    fn bounds(&self) -> Option<[Fraction; 2]>;
 
     /// m, if it is q pᵐ with a number q, of which bounds may be known only.
     fn power(&self) -> Option<usize>;
@@ -134,9 +136,9 @@ impl Version for Quotient {
     const HEAD: &str = "kind parameter";
     const STATEMENT: &str = STATEMENT;
 
-    fn number(&self) -> Option<Fraction> {
+    fn bounds(&self) -> Option<[Fraction; 2]> {
         match (&self.numerator[..], &self.denominator[..]) {
-            (&[p], &[q]) => Some(Fraction { p, q }),
+            (&[p], &[q]) => Some([Fraction { p, q }; 2]),
             _ => None,
         }
     }
@@ -151,9 +153,9 @@ impl Version for RangeQuotient {
     const HEAD: &str = "kind parameter 2";
     const STATEMENT: &str = STATEMENT_2;
 
-    fn number(&self) -> Option<Fraction> {
+    fn bounds(&self) -> Option<[Fraction; 2]> {
         match (&self.numerator[..], &self.denominator[..]) {
-            ([x], [one]) if one.number() == Some(ONE) => x.number(),
+            ([x], [one]) if one.bounds() == [ONE; 2] => Some(x.bounds()),
             _ => None,
         }
     }

@@ -27,8 +27,9 @@ fn side<C: Version>(certificate: &Certificate<C>, mirrored: bool) -> Result<(Sid
             let odd = system.forcing.iter().all(|harmonic| harmonic.k % 2 == 1);
             let rests = lower.harmonics.is_empty() && upper.harmonics.is_empty();
             claim(system.force.is_zero() && odd && rests, "the walls are not seen to be mirror images (P1)")?;
+            let number = |x: &C| x.bounds().and_then(|[lo, hi]| (lo == hi).then_some(lo));
             let [below, above] =
-                [lower, upper].map(|wall| wall.offset.number().zip(wall.restitution.number()));
+                [lower, upper].map(|wall| number(&wall.offset).zip(number(&wall.restitution)));
             let opposite = below.zip(above).is_some_and(|((place, law), (other, same))| {
                 place.p == -other.p && place.q == other.q && law == same
             });
@@ -99,12 +100,16 @@ impl Height {
     }
 }
 
-/// Whether a number lies in a range: one that is exact, exactly in an exact one.
-fn lies(value: Interval, exact: Option<Fraction>, [lo, hi]: [Fraction; 2]) -> bool {
-    if lo == hi && exact.is_some() {
-        return exact == Some(lo);
-    }
-    lo.enclosed().is_up_to(value) && value.is_up_to(hi.enclosed())
+/// Whether the first is at most the second; not where that has too many digits.
+fn is_up_to(one: Fraction, other: Fraction) -> bool {
+    let products = one.p.checked_mul(other.q).zip(other.p.checked_mul(one.q));
+    products.is_some_and(|(one, other)| one <= other)
+}
+
+/// Whether a number lies in a range: by its exact bounds, if there are such, or by what encloses it.
+fn lies(value: Interval, bounds: Option<[Fraction; 2]>, [lo, hi]: [Fraction; 2]) -> bool {
+    let exactly = bounds.is_some_and(|[least, greatest]| is_up_to(lo, least) && is_up_to(greatest, hi));
+    exactly || lo.enclosed().is_up_to(value) && value.is_up_to(hi.enclosed())
 }
 
 /// All that is to be shown, for a certificate that speaks of this.
@@ -125,9 +130,9 @@ pub(super) fn run<C: Version>(certificate: &Certificate<C>, about: &About, go_on
         // H > 0, too, as their quotient is.
         let holds = distance.mean.value.is_positive()
             && ratio.value.is_positive()
-            && lies(ring.damping.value, system.damping.number(), damping)
-            && lies(ring.stiffness.value, system.stiffness.number(), stiffness)
-            && lies(oscillator.restitution(side).value, wall.1.restitution.number(), restitution);
+            && lies(ring.damping.value, system.damping.bounds(), damping)
+            && lies(ring.stiffness.value, system.stiffness.bounds(), stiffness)
+            && lies(oscillator.restitution(side).value, wall.1.restitution.bounds(), restitution);
         Ok((ratio, holds))
     };
     let above = certificate.is_above();

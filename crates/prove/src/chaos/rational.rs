@@ -18,8 +18,8 @@ use crate::{
     number::{Real, Sign},
 };
 
-/// A quotient of polynomials in whole numbers without a common divisor, coefficients from the constant one on:
-/// as fractions each of them would be reduced, which takes a hundred times as long.
+/// A quotient of polynomials in whole numbers without a common divisor, coefficients from the constant one
+/// on: as fractions each of them would be reduced, which takes a hundred times as long.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RationalFunction {
     over: Vec<BigInt>,

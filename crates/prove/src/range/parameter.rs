@@ -59,9 +59,9 @@ impl Touching {
         let Touch { mirrored, parameters, ratio, top, harmonics } = Touch::of(system, side)?;
         let [damping, stiffness, restitution] = &parameters;
         let parameters = [
-            outwards(damping.bounded("the damping")?),
-            outwards(stiffness.bounded("the stiffness")?),
-            outwards(restitution.bounded("the restitution")?),
+            beyond(damping.bounded("the damping")?),
+            beyond(stiffness.bounded("the stiffness")?),
+            beyond(restitution.bounded("the restitution")?),
         ];
         Ok(Touching { mirrored, parameters, ratio, top, harmonics })
     }
@@ -77,16 +77,28 @@ impl Touching {
 const DIGITS: f64 = 11.0;
 const PLACES: f64 = 14.0;
 
-/// One number as it is, two with few digits and more between them: whoever encloses an end finds it inside.
-pub(super) fn outwards([lo, hi]: [BigRational; 2]) -> [BigRational; 2] {
+/// One number as it is, two with few digits and no less between them.
+pub(super) fn outwards(ends: [BigRational; 2]) -> [BigRational; 2] {
+    rounded(ends, |x| x.floor(), |x| x.ceil())
+}
+
+/// The same with more between them: whoever encloses an end finds it inside.
+fn beyond(ends: [BigRational; 2]) -> [BigRational; 2] {
+    rounded(ends, |x| x.ceil() - BigRational::one(), |x| x.floor() + BigRational::one())
+}
+
+fn rounded(
+    [lo, hi]: [BigRational; 2],
+    down: impl Fn(BigRational) -> BigRational,
+    up: impl Fn(BigRational) -> BigRational,
+) -> [BigRational; 2] {
     if lo == hi {
         return [lo, hi];
     }
     let size = lo.abs().max(hi.abs()).to_f64().unwrap_or(f64::INFINITY);
     let places = (DIGITS - 1.0 - size.log10().floor()).clamp(0.0, PLACES);
     let scale = BigRational::from_integer(BigInt::from(10).pow(places as u32));
-    let one = BigRational::one();
-    [((lo * &scale).ceil() - &one) / &scale, ((hi * &scale).floor() + one) / scale]
+    [down(lo * &scale) / &scale, up(hi * &scale) / scale]
 }
 
 fn fail(message: &str) -> Error {
