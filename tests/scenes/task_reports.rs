@@ -15,6 +15,7 @@ use tempfile::TempDir;
 
 mod attractors;
 mod decided;
+mod linear_touches;
 mod ranges;
 mod responses;
 mod sweeps;

@@ -9,7 +9,7 @@ use grazing_scenes::{
 use super::grazing_found;
 
 /// m q″ + c q′ + k q = F cos wt below a stop at `gap`; `more` are further keys of the task.
-fn driven(engine: &str, more: &str) -> String {
+pub(super) fn driven(engine: &str, more: &str) -> String {
     let system = match engine {
         "one" => "mass = \"m*w^2\"\ndamping = \"c*w\"\nstiffness = \"k\"",
         _ => "period = \"2*pi/w\"\nmass = \"m\"\ndamping = \"c\"\nstiffness = \"k\"",

@@ -19,7 +19,7 @@ use crate::{
 };
 
 /// A machine at a value of a parameter, and the derivatives of its coefficients.
-pub(crate) type AtValue<'f> = &'f dyn Fn(f64) -> Result<[Machine<f64>; 2]>;
+pub type AtValue<'f> = &'f dyn Fn(f64) -> Result<[Machine<f64>; 2]>;
 
 /// The linear response at a value.
 pub struct FreeResponse {
@@ -337,8 +337,8 @@ fn between([mut from, mut to]: [f64; 2], of: &dyn Fn(f64) -> Result<Option<f64>>
     }
 }
 
-/// Values at and beside each at which a mode resonates with the harmonic.
-fn near_resonances(
+/// Values at and beside each at which a mode resonates with the harmonic, within those given, which ascend.
+pub(super) fn near_resonances(
     family: AtValue,
     values: &[f64],
     k: u32,

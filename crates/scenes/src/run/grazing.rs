@@ -21,6 +21,7 @@ use crate::{
     attractor::diagram::Look,
     continuation::LocalMap,
     error::{Error, Result},
+    many::grazing::LinearTouch,
     pattern::{Pattern, PatternExistence, Patterns, Report as Verdict},
     scene::{Body, orbits::GrazingTask},
     search::{range::RangeEffort, touch::InTheory as _},
@@ -51,6 +52,30 @@ row! {
         pub admissible: Option<Judgement>,
         /// Why it is none, or why nothing is decided.
         pub reason: Option<String>,
+    }
+}
+
+row! {
+    /// A touch of the motion without impacts.
+    pub struct TouchRow {
+        /// The parameter.
+        pub parameter: f64,
+        /// The stop.
+        pub stop: String,
+        /// The phase, as a fraction of the period.
+        pub phase: f64,
+        /// How fast the gap opens with the parameter.
+        pub e: f64,
+        /// The gap there, which rounding leaves.
+        pub gap: f64,
+    }
+}
+
+impl TouchRow {
+    fn of(touch: &LinearTouch) -> TouchRow {
+        let LinearTouch { parameter, at, rate, stop, .. } = touch;
+        let phase = at.phase / TAU;
+        TouchRow { parameter: *parameter, stop: stop.clone(), phase, e: *rate, gap: at.gap }
     }
 }
 
@@ -161,6 +186,8 @@ pub struct GrazingReport {
     /// The bifurcation.
     #[serde(flatten)]
     pub at: GrazingMap,
+    /// All touches within the values that were asked for, the nearest first.
+    pub touches: Option<Vec<TouchRow>>,
     /// Whether chaos is born, on either side, by all patterns together; absent where no word decides.
     pub chaos: Option<Vec<ChaosRow>>,
     /// Why it is not decided whether chaos is born.
@@ -326,6 +353,9 @@ impl GrazingReport {
         lines.say("phase", format!("{} of the period", lines.set(at.phase)));
         lines.say("admissible", at.admissible);
         lines.say_known("open", &at.open);
+        if let Some(rows) = &self.touches {
+            lines.table("touches", rows);
+        }
         if let Some(rows) = &self.chaos {
             lines.say("chaos", ChaosRow::sentences(rows, at.half, lines));
         }
@@ -432,9 +462,11 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
         hits.as_deref().unwrap_or_default(),
         influence.as_deref().unwrap_or_default(),
     );
+    let touches = task.within().map(|_| point.touches().iter().map(TouchRow::of).collect());
     Ok(GrazingFindings::Found(Box::new(GrazingReport {
         in_words,
         at,
+        touches,
         chaos,
         chaos_open,
         born,

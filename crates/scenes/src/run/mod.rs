@@ -86,7 +86,7 @@ pub use engine::{JudgedOrbit, MachineSource, OrbitSource, OscillatorSource, form
 pub(crate) use event::event;
 pub use event::{EventFindings, EventRow, WithoutRow};
 pub(crate) use grazing::grazing;
-pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport, MapNumbers};
+pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport, MapNumbers, TouchRow};
 pub use hit::HitRow;
 pub(crate) use hit::StartNumbers;
 pub use influence::InfluenceRow;

@@ -18,7 +18,7 @@ use crate::{
     error::Result,
     many::{
         Family, Machine, State, StopLaw,
-        grazing::{FreeMotion, Grazing},
+        grazing::{FreeMotion, Grazing, LinearTouch},
         orbit::{Itinerary, find_from},
         section::{PlanarMachine, PlaneAxis, Start},
         simulate::Simulator,
@@ -41,10 +41,16 @@ pub(crate) struct MachineGrazingPoint<'f> {
     pub machine: Machine<f64>,
     /// How far it was looked for.
     pub reach: f64,
+    /// All touches that are known.
+    pub touches: Vec<LinearTouch>,
 }
 
 impl GrazingPoint for MachineGrazingPoint<'_> {
     type Start = Start;
+
+    fn touches(&self) -> &[LinearTouch] {
+        &self.touches
+    }
 
     fn report(&self) -> GrazingMap {
         let (event, machine) = (&self.event, &self.machine);

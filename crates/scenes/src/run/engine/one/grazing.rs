@@ -16,6 +16,7 @@ use crate::{
     },
     continuation::LocalMap,
     error::{Error, Result},
+    many::grazing::LinearTouch,
     motion::State,
     number::parse_rational,
     one::{
@@ -40,6 +41,8 @@ pub(crate) struct OscillatorGrazing<'f> {
     pub far: State,
     /// Radians in the scene's unit of time, at the touch.
     pub rate: f64,
+    /// All touches that are known.
+    pub touches: Vec<LinearTouch>,
     /// The scene as its tolerances are asked of, and they, those of numbers that are not rational included.
     pub tolerated: (Scene, Tolerances),
 }
@@ -81,6 +84,10 @@ impl OscillatorGrazing<'_> {
 
 impl GrazingPoint for OscillatorGrazing<'_> {
     type Start = State;
+
+    fn touches(&self) -> &[LinearTouch] {
+        &self.touches
+    }
 
     fn report(&self) -> GrazingMap {
         let (event, half) = (&self.event, &self.half);
