@@ -14,6 +14,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 mod attractors;
+mod bands;
 mod decided;
 mod linear_touches;
 mod ranges;

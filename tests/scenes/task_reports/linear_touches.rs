@@ -236,7 +236,7 @@ fn a_touch_at_resonance_is_found_by_event_and_grazing_however_little_damps() {
         ("one", 0.01, 0.99),
         ("one", 1e-4, 0.5),
         ("many", 0.1, 0.99),
-        ("many", 1e-4, 0.5),
+        ("many", 0.01, 0.5),
     ];
     for (engine, c, part) in cases {
         let scene = |task: &str| {

@@ -6,7 +6,8 @@
 //! (`pattern`).
 
 use super::{
-    diagram::{Jump, Look, SweepStep, arrive, jump},
+    diagram::{Jump, Look, SweepStep},
+    hitting::{Hitting, STEP, back, hitting},
     observe::{Attraction, Observation},
     portrait::{OnAttractor, Portrait, range, settle},
 };
@@ -19,22 +20,18 @@ const NEAR: f64 = 1e-4;
 const NEARER: f64 = 16.0;
 
 /// A motion whose extent and impacts differ by less than this part of the size of motions has stayed.
-const STAYS: f64 = 0.1;
+pub(super) const STAYS: f64 = 0.1;
 
 /// The motion settles until what is left of a small disturbance is this part of it, or for this many periods.
 const LEFT_OVER: f64 = 1e-9;
 const LONGEST: f64 = 20_000.0;
 
-/// Steps back: in each the least gap opens by 1/64 of the motion's width.
-const STEPS: u32 = 63;
-const STEP: f64 = 1.0 / 64.0;
-
-/// Values before the touch at which a motion is begun at rest, as far apart as the steps back: as far as the
+/// Values before the touch at which a motion is begun at rest, two steps of a way back apart: as far as the
 /// least gap is open by half of the width, where the parameter is the drive to none of it.
-const RESTS: u32 = 32;
+pub(super) const RESTS: u32 = 16;
 
 /// How often the last two of them are halved.
-const HALVED: u32 = 8;
+const HALVED: u32 = 9;
 
 /// A touch, as what moves there is followed.
 #[derive(Debug, Clone)]
@@ -47,6 +44,8 @@ pub struct Touch<S> {
     pub start: S,
     /// A start at rest; none where it is not asked for.
     pub rest: Option<S>,
+    /// Starts of other motions that may hit before the touch; none where they are not asked for.
+    pub others: Vec<S>,
     /// Its period, in forcing periods.
     pub periods: u32,
     /// The largest modulus of its multipliers.
@@ -78,11 +77,14 @@ pub struct Seen<S> {
     /// Of a jump, where the motion that it leads to is left as the parameter goes back; none if it is not, so
     /// far as looked.
     pub back: Option<Jump<S>>,
-    /// Of a jump, the last value looked at, and what is seen there.
+    /// Of a jump, the last value looked at, or the first at which the motion hits no more, and what is seen
+    /// there.
     pub back_to: Option<(f64, Option<OnAttractor<S>>)>,
     /// Where motions that begin at rest hit, before the touch; none where that was not asked for or is not
     /// decided at any value.
     pub rest: Option<FromRest<S>>,
+    /// How far before the touch a motion that hits was found; none where that was not asked for.
+    pub hitting: Option<Hitting<S>>,
 }
 
 /// Where motions that begin at rest hit for ever, of the values looked at before a touch.
@@ -108,7 +110,7 @@ impl<S> Touch<S> {
     }
 
     /// The parameter at which the least gap is this part of the motion's width.
-    fn at(&self, part: f64) -> f64 {
+    pub(super) fn at(&self, part: f64) -> f64 {
         self.parameter + part * self.width / self.e
     }
 
@@ -158,7 +160,7 @@ pub fn beside<D: Attraction>(
 }
 
 /// What is seen at a touch, where the way back ends, and from where on a motion that begins at rest hits.
-/// Cost: that of [`beside`], and of a jump up to 80 times `settle` more; from rest 40 times.
+/// Cost: that of [`beside`], and of a jump up to 80 times `settle` more; from rest and from other starts 40 times.
 ///
 /// # Errors
 /// As [`beside`].
@@ -171,31 +173,17 @@ pub fn seen<D: Attraction>(
     let [before, beyond] = beside(touch, look, &dynamics, monitor)?;
     let look = touch.looks(look);
     let observation = observation(&look);
-    let step = SweepStep { value: beyond.parameter, settled: beyond.settled.clone(), anew: true };
+    let step = SweepStep { value: beyond.parameter, settled: beyond.settled.clone(), anew: false };
     let rest = from_rest(touch, &observation, &dynamics, monitor)?;
-    let mut seen = Seen { look, before, beyond, back: None, back_to: None, rest };
-    if seen.beyond.near || seen.beyond.settled.is_none() {
-        return Ok(seen);
+    let mut seen = Seen { look, before, beyond, back: None, back_to: None, rest, hitting: None };
+    let jumps = !seen.beyond.near && seen.beyond.settled.is_some();
+    let far = jumps.then(|| back(touch, (step, 1), &observation, &dynamics, monitor)).transpose()?;
+    if touch.rest.is_some() {
+        let rest = seen.rest.as_ref().map(|rest| (rest.parameter, &rest.settled));
+        seen.hitting = Some(hitting(touch, (far.as_ref(), rest), &observation, &dynamics, monitor)?);
     }
-    let mut last = step;
-    for i in 1..=STEPS {
-        monitor.advance(0)?;
-        let value = touch.at(f64::from(i) * STEP);
-        let Some(from) = last.settled.as_ref() else { break };
-        let settled = arrive(from, [last.value, value], &observation, &dynamics, monitor)?;
-        let next = SweepStep { value, settled, anew: false };
-        seen.back_to = Some((value, next.settled.clone()));
-        let pair = [last, next];
-        let changed = match (&pair[0].settled, &pair[1].settled) {
-            (Some(a), Some(b)) => a.portrait.apart(&b.portrait) > STAYS,
-            _ => true,
-        };
-        if changed && let Some(found) = jump(&pair, &observation, &dynamics, monitor)? {
-            seen.back = Some(found);
-            break;
-        }
-        let [_, next] = pair;
-        last = next;
+    if let Some(far) = far {
+        (seen.back_to, seen.back) = (far.end(), far.jump);
     }
     Ok(seen)
 }
@@ -216,7 +204,7 @@ fn from_rest<D: Attraction>(
     };
     let hits = |settled: &OnAttractor<D::Start>| settled.portrait.range.speed.is_some();
     let all = (0..RESTS)
-        .map(|i| (f64::from(i) + 0.5) * STEP)
+        .map(|i| (2.0 * f64::from(i) + 1.0) * STEP)
         .map(|part| Ok((part, at(part)?)))
         .collect::<Result<Vec<_>>>()?;
     let count = |all: &[(f64, Option<OnAttractor<D::Start>>)],

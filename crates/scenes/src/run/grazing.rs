@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 use serde::Serialize;
 
 use super::{
-    Analysed, AttractorProofs, ChaosRow, Complex, Finding, Job, Judgement, Lines, Status,
+    Analysed, AttractorProofs, BandRow, ChaosRow, Complex, Finding, Job, Judgement, Lines, Status, bands,
     birth::all_patterns,
     engine::{Engine, GrazingPoint, by_engine},
     hit::{HitRow, hits},
@@ -198,6 +198,9 @@ pub struct GrazingReport {
     pub seen: Option<Vec<SeenRow>>,
     /// Why it was not.
     pub seen_open: Option<&'static str>,
+    /// What motions do over the parameter; absent if nothing was looked for, and where another orbit than the
+    /// motion without impacts touches.
+    pub bands: Option<Vec<BandRow>>,
     /// How hard what is seen hits; absent if nothing was looked for.
     pub hits: Option<Vec<HitRow>>,
     /// By how much parameters move the touch; absent if it was not asked for.
@@ -382,6 +385,9 @@ impl GrazingReport {
         if let Some(why) = self.seen_open {
             lines.say("seen", format!("not looked for: {why}"));
         }
+        if let Some(rows) = &self.bands {
+            lines.table("bands", rows);
+        }
         if let Some(rows) = self.hits.as_ref().filter(|rows| !rows.is_empty()) {
             lines.table("hits", rows);
         }
@@ -452,13 +458,14 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
     let (range, range_open, certificates) = asked_for_ranges(task, job, &point, &at)?;
     let (tolerance, tolerance_open) = asked_for_tolerances(task, job, &point, &at)?;
     let of_gap = matches!(job.scene.body, Body::Machine(_));
+    let bands = seen.as_ref().and_then(|seen| bands::rows(&at, seen));
     let seen = seen.as_ref().map(|seen| seen::rows(seen, of_gap));
     let given = job.scene.parameters[job.scene.parameter(&at.varied)?].1.to_f64().unwrap_or(f64::NAN);
     let units = (job.scene.units, job.scene.turns);
     let in_words = told::sentences(
         &at,
         (job.model.period(), units, job.scene.unit(&at.varied), given),
-        seen.as_deref().unwrap_or_default(),
+        (seen.as_deref().unwrap_or_default(), bands.as_deref().unwrap_or_default()),
         hits.as_deref().unwrap_or_default(),
         influence.as_deref().unwrap_or_default(),
     );
@@ -472,6 +479,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
         born,
         seen,
         seen_open,
+        bands,
         hits,
         influence,
         proofs,

@@ -27,6 +27,7 @@
 //! names.
 
 mod analysed;
+mod bands;
 mod basins;
 mod birth;
 mod branch;
@@ -68,6 +69,7 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 pub use analysed::Analysed;
+pub use bands::BandRow;
 pub(crate) use basins::basins;
 pub use basins::{BasinRow, BasinsFindings};
 pub use birth::ChaosRow;

@@ -2,7 +2,7 @@
 //! those of the report, in the scene's names, and in SI units where the scene says what its units are; the
 //! task's parameter is in the unit in which the scene has it.
 
-use super::{GrazingMap, HitRow, InfluenceRow, SeenRow};
+use super::{BandRow, GrazingMap, HitRow, InfluenceRow, SeenRow, bands};
 use crate::{
     many::elements::Short,
     scene::{WrittenUnit, units::SiUnits},
@@ -58,7 +58,7 @@ fn parameter(at: &GrazingMap, value: f64, unit: Option<&WrittenUnit>) -> String 
 pub(super) fn sentences(
     at: &GrazingMap,
     (period, units, unit, given): (f64, Units, Option<&WrittenUnit>, f64),
-    seen: &[SeenRow],
+    (seen, bands): (&[SeenRow], &[BandRow]),
     hits: &[HitRow],
     influence: &[InfluenceRow],
 ) -> String {
@@ -69,6 +69,7 @@ pub(super) fn sentences(
         all.extend(sight(&value(row.value), row));
         all.extend(blows(hits, &row.place, units));
     }
+    all.extend(bands::sentence(bands, &value));
     all.extend(influences(influence));
     all.join(" ")
 }

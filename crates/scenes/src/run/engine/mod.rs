@@ -443,6 +443,10 @@ pub trait OrbitSource {
     fn named(&self, pattern: &PatternOf<Self::Orbit>) -> String;
 }
 
+/// What the velocity of the motion that touches, far from the stop, is changed by along the stop's normal, in
+/// sizes of that motion per radian: other motions that may hit.
+const KICKS: [f64; 4] = [-4.0, -1.0, 1.0, 4.0];
+
 /// What the local theory says of a pattern.
 pub(crate) type Theory<'m> = Box<dyn Fn(&[u64]) -> Report + 'm>;
 

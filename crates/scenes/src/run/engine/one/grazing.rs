@@ -3,7 +3,7 @@
 use super::{
     super::{
         super::{Analysed, GrazingMap, Job, Judgement, MapNumbers, range::SideRange},
-        GrazingPoint, Theory,
+        GrazingPoint, KICKS, Theory,
     },
     analysed,
     ranges::ranges,
@@ -141,7 +141,9 @@ impl GrazingPoint for OscillatorGrazing<'_> {
         // Of the motion without impacts, which has the touch for its only one.
         let is_free = self.event.itinerary.strikes().len() == 1;
         let rest = is_free.then_some(State { t: 0.0, q: 0.0, u: 0.0 });
-        let touch = Touch { parameter, e, start: self.far, rest, periods, slowest, width };
+        let kicked = |part: f64| State { u: self.far.u + part * width * self.rate, ..self.far };
+        let others = KICKS.map(kicked).to_vec();
+        let touch = Touch { parameter, e, start: self.far, rest, others, periods, slowest, width };
         touch::seen(&touch, &look, simulator, job.monitor)
     }
 
