@@ -328,23 +328,26 @@ fn listed(text: &str) -> (Vec<f64>, String) {
 
 #[test]
 fn all_touches_in_any_parameter_are_the_zeros_of_its_formula() {
-    for damping in [0.3, 1e-4] {
-        let values = [0.9, 2.0, damping, 0.6, 1.1, 0.7];
+    // The last force reaches the stop beside the resonance alone, in a ten-thousandth of the parameter.
+    for (damping, force) in [(0.3, 0.9), (1e-4, 5e-5)] {
+        let values = [force, 2.0, damping, 0.6, 1.1, 0.7];
         let names = ["F", "m", "c", "k", "w", "gap"];
-        for (engine, parts) in [("one", [1.0, 30.0]), ("many", [0.01, 1.0])] {
+        for (engine, parts) in [("one", &[1.0, 30.0][..]), ("many", &[0.01][..])] {
             for (place, name) in names.into_iter().enumerate() {
                 let mut wanted = formula(name, values);
-                for start in parts.map(|part| part * values[place]) {
+                for start in parts.iter().map(|part| part * values[place]) {
                     let text = driven(
                         engine,
                         &format!("seen = false\nmax_period = 1\nset = {{ {name} = {start:?} }}\n"),
                     );
-                    let text = text.replace("c = 0.3", &format!("c = {damping:?}"));
+                    let text = text
+                        .replace("c = 0.3", &format!("c = {damping:?}"))
+                        .replace("F = 0.9", &format!("F = {force:?}"));
                     let text = text.replace("parameter = \"F\"", &format!("parameter = {name:?}"));
                     wanted.sort_by(|a, b| (a - start).abs().total_cmp(&(b - start).abs()));
                     let within = format!("{text}within = [{:?}, 1000.0]\n", 1e-7);
                     let (own, shown) = listed(&within);
-                    let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-10;
+                    let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-9;
                     let same =
                         own.len() == wanted.len() && own.iter().zip(&wanted).all(|(a, b)| near(*a, *b));
                     assert!(same, "{engine} {name} from {start}: {own:?}, not {wanted:?}\n{shown}");

@@ -8,9 +8,11 @@ use super::{
     diagram::{Jump, SweepStep, arrive, jump},
     observe::{Attraction, Observation},
     portrait::{OnAttractor, Portrait, settle},
-    touch::{RESTS, STAYS, Touch},
 };
 use crate::{error::Result, monitor::Monitor};
+
+/// A motion whose extent and impacts differ by less than this part of the size of motions has stayed.
+pub(super) const STAYS: f64 = 0.1;
 
 /// Steps back: in each the least gap opens by 1/64 of the motion's width.
 const STEPS: u32 = 63;
@@ -23,21 +25,55 @@ const TRIED: [f64; 3] = [0.25, 2.0, 12.0];
 /// Halvings of a step in which a motion ceases to hit, and is not seen to jump.
 const HALVINGS: u32 = 4;
 
+/// A touch, as what moves there is followed.
+#[derive(Debug, Clone)]
+pub struct Touch<S> {
+    /// The parameter's value.
+    pub parameter: f64,
+    /// How fast the least gap opens with the parameter: positive if the touch is reached from above.
+    pub e: f64,
+    /// A state of the orbit that touches, at a phase at which it is not near a stop.
+    pub start: S,
+    /// A start at rest; none where it is not asked for.
+    pub rest: Option<S>,
+    /// Starts of other motions that may hit before the touch; none where they are not asked for.
+    pub others: Vec<S>,
+    /// Its period, in forcing periods.
+    pub periods: u32,
+    /// The largest modulus of its multipliers.
+    pub slowest: f64,
+    /// The width of that orbit, in the unit of gaps.
+    pub width: f64,
+}
+
+impl<S> Touch<S> {
+    /// The parameter at which the least gap is this part of the motion's width.
+    pub(super) fn at(&self, part: f64) -> f64 {
+        self.parameter + part * self.width / self.e
+    }
+}
+
 /// What was found of motions that hit before a touch.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Hitting<S> {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hitting {
     /// The first value, farthest from the touch, at which the last of them has left; none if none was found.
     pub left: Option<f64>,
     /// Whether it still hits at the last value looked at, which is `left` then.
     pub stays: bool,
-    /// That motion, as it was last seen to hit.
-    pub last: Option<OnAttractor<S>>,
     /// How many motions were begun: from beyond, at rest and from the other starts.
     pub starts: u32,
-    /// How many different motions that hit were swept back.
-    pub motions: u32,
     /// How many of the starts it was not decided of what they lead to.
     pub open: u32,
+}
+
+/// What is known before other starts are tried.
+pub(super) struct Known<'k, S> {
+    /// The motion beyond, swept back.
+    pub beyond: Option<&'k Back<S>>,
+    /// A value at which a motion from rest settled, and on what.
+    pub rest: Option<(f64, &'k OnAttractor<S>)>,
+    /// How many motions these are of.
+    pub starts: u32,
 }
 
 /// A motion swept back from a touch.
@@ -48,8 +84,8 @@ pub(super) struct Back<S> {
     pub jump: Option<Jump<S>>,
     /// The first value at which it hits no more.
     left: Option<f64>,
-    /// What it was on before.
-    hits: Option<OnAttractor<S>>,
+    /// Whether it hits at all.
+    hits: bool,
 }
 
 impl<S> Back<S> {
@@ -74,7 +110,8 @@ fn alike(one: &Portrait, other: &Portrait) -> bool {
     one.period.is_none() && other.period.is_none() || one.apart(other) <= STAYS
 }
 
-/// Sweeps a motion back from `first`, the next step being number `next`, until it hits no more. Cost: up to 80 times `settle`.
+/// Sweeps a motion back from `first`, the next step being number `next`, until it hits no more. Cost: up
+/// to 80 times `settle`.
 pub(super) fn back<D: Attraction>(
     touch: &Touch<D::Start>,
     (first, next): (SweepStep<D::Start>, u32),
@@ -82,8 +119,8 @@ pub(super) fn back<D: Attraction>(
     dynamics: &impl Fn(f64) -> Result<D>,
     monitor: &dyn Monitor,
 ) -> Result<Back<D::Start>> {
-    let on = first.settled.clone().filter(hits);
-    let mut found = Back { steps: vec![first], jump: None, left: None, hits: on };
+    let is_hitting = first.settled.as_ref().is_some_and(hits);
+    let mut found = Back { steps: vec![first], jump: None, left: None, hits: is_hitting };
     for i in next..=STEPS {
         monitor.advance(0)?;
         let value = touch.at(f64::from(i) * STEP);
@@ -100,12 +137,12 @@ pub(super) fn back<D: Attraction>(
             _ => true,
         };
         let jumped = if changed { jump(pair, observation, dynamics, monitor)? } else { None };
-        match (pair[1].settled.clone().filter(hits), &jumped, &pair[0].settled) {
-            (Some(here), ..) => found.hits = Some(here),
-            (None, None, Some(on)) => {
+        match (pair[1].settled.as_ref().is_some_and(hits), &jumped, &pair[0].settled) {
+            (true, ..) => {}
+            (false, None, Some(on)) => {
                 found.left = Some(fades((last, on), value, observation, dynamics, monitor)?);
             }
-            (None, jumped, _) => found.left = Some(jumped.as_ref().map_or(value, |jump| jump.left)),
+            (false, jumped, _) => found.left = Some(jumped.as_ref().map_or(value, |jump| jump.left)),
         }
         found.jump = found.jump.take().or(jumped);
         // Of an orbit with impacts it is asked where it is left, not where nothing hits.
@@ -140,13 +177,14 @@ fn fades<D: Attraction>(
 /// that of `back` for each motion that is another.
 pub(super) fn hitting<D: Attraction>(
     touch: &Touch<D::Start>,
-    (beyond, rest): (Option<&Back<D::Start>>, Option<(f64, &OnAttractor<D::Start>)>),
+    known: &Known<D::Start>,
     observation: &Observation,
     dynamics: &impl Fn(f64) -> Result<D>,
     monitor: &dyn Monitor,
-) -> Result<Hitting<D::Start>> {
+) -> Result<Hitting> {
     let mut others: Vec<Back<D::Start>> = Vec::new();
-    let (mut starts, mut open) = (1 + RESTS, 0);
+    let &Known { beyond, rest, mut starts } = known;
+    let mut open = 0;
     // A step is known by its number, and a value between two by the one before.
     let step = |value: f64| ((value - touch.parameter) * touch.e / touch.width / STEP).max(0.0);
     let is_known = |others: &[Back<D::Start>], at: f64, on: &OnAttractor<D::Start>| {
@@ -182,18 +220,15 @@ pub(super) fn hitting<D: Attraction>(
     if let Some((value, on)) = rest {
         further(&mut others, value, on.clone())?;
     }
-    let all: Vec<&Back<D::Start>> =
-        beyond.into_iter().chain(&others).filter(|back| back.hits.is_some()).collect();
+    let all: Vec<&Back<D::Start>> = beyond.into_iter().chain(&others).filter(|back| back.hits).collect();
     let end = |back: &&&Back<D::Start>| {
         back.left.or(back.steps.last().map(|step| step.value)).unwrap_or(touch.parameter)
     };
     let farthest = all.iter().max_by(|a, b| step(end(a)).total_cmp(&step(end(b))));
     Ok(Hitting {
-        left: farthest.as_ref().map(|back| end(back)),
+        left: farthest.as_ref().map(end),
         stays: farthest.is_some_and(|back| back.left.is_none()),
-        last: farthest.and_then(|back| back.hits.clone()),
         starts,
-        motions: all.len() as u32,
         open,
     })
 }

@@ -5,9 +5,10 @@
 //! following motions: evidence, not proof. Not here: what is born
 //! (`pattern`).
 
+pub use super::hitting::Touch;
 use super::{
     diagram::{Jump, Look, SweepStep},
-    hitting::{Hitting, STEP, back, hitting},
+    hitting::{Hitting, Known, STAYS, STEP, back, hitting},
     observe::{Attraction, Observation},
     portrait::{OnAttractor, Portrait, range, settle},
 };
@@ -19,40 +20,16 @@ const NEAR: f64 = 1e-4;
 /// The second look is this many times nearer. What grows with the root of the distance falls to a quarter.
 const NEARER: f64 = 16.0;
 
-/// A motion whose extent and impacts differ by less than this part of the size of motions has stayed.
-pub(super) const STAYS: f64 = 0.1;
-
 /// The motion settles until what is left of a small disturbance is this part of it, or for this many periods.
 const LEFT_OVER: f64 = 1e-9;
 const LONGEST: f64 = 20_000.0;
 
 /// Values before the touch at which a motion is begun at rest, two steps of a way back apart: as far as the
 /// least gap is open by half of the width, where the parameter is the drive to none of it.
-pub(super) const RESTS: u32 = 16;
+const RESTS: u32 = 16;
 
 /// How often the last two of them are halved.
 const HALVED: u32 = 9;
-
-/// A touch, as what moves there is followed.
-#[derive(Debug, Clone)]
-pub struct Touch<S> {
-    /// The parameter's value.
-    pub parameter: f64,
-    /// How fast the least gap opens with the parameter: positive if the touch is reached from above.
-    pub e: f64,
-    /// A state of the orbit that touches, at a phase at which it is not near a stop.
-    pub start: S,
-    /// A start at rest; none where it is not asked for.
-    pub rest: Option<S>,
-    /// Starts of other motions that may hit before the touch; none where they are not asked for.
-    pub others: Vec<S>,
-    /// Its period, in forcing periods.
-    pub periods: u32,
-    /// The largest modulus of its multipliers.
-    pub slowest: f64,
-    /// The width of that orbit, in the unit of gaps.
-    pub width: f64,
-}
 
 /// What is seen on one side.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,7 +61,7 @@ pub struct Seen<S> {
     /// decided at any value.
     pub rest: Option<FromRest<S>>,
     /// How far before the touch a motion that hits was found; none where that was not asked for.
-    pub hitting: Option<Hitting<S>>,
+    pub hitting: Option<Hitting>,
 }
 
 /// Where motions that begin at rest hit for ever, of the values looked at before a touch.
@@ -107,11 +84,6 @@ impl<S> Touch<S> {
     fn settling(&self) -> u64 {
         let rounds = LEFT_OVER.ln() / self.slowest.ln();
         if rounds > 0.0 { (rounds * f64::from(self.periods)).min(LONGEST) as u64 } else { 0 }
-    }
-
-    /// The parameter at which the least gap is this part of the motion's width.
-    pub(super) fn at(&self, part: f64) -> f64 {
-        self.parameter + part * self.width / self.e
     }
 
     /// Looked at for longer than `look` says where damping is weak.
@@ -160,7 +132,8 @@ pub fn beside<D: Attraction>(
 }
 
 /// What is seen at a touch, where the way back ends, and from where on a motion that begins at rest hits.
-/// Cost: that of [`beside`], and of a jump up to 80 times `settle` more; from rest and from other starts 40 times.
+/// Cost: that of [`beside`], and of a jump up to 80 times `settle` more; from rest and from other starts 40
+/// times.
 ///
 /// # Errors
 /// As [`beside`].
@@ -180,7 +153,8 @@ pub fn seen<D: Attraction>(
     let far = jumps.then(|| back(touch, (step, 1), &observation, &dynamics, monitor)).transpose()?;
     if touch.rest.is_some() {
         let rest = seen.rest.as_ref().map(|rest| (rest.parameter, &rest.settled));
-        seen.hitting = Some(hitting(touch, (far.as_ref(), rest), &observation, &dynamics, monitor)?);
+        let known = Known { beyond: far.as_ref(), rest, starts: 1 + RESTS };
+        seen.hitting = Some(hitting(touch, &known, &observation, &dynamics, monitor)?);
     }
     if let Some(far) = far {
         (seen.back_to, seen.back) = (far.end(), far.jump);

@@ -39,7 +39,7 @@ type End = Option<(f64, &'static str)>;
 
 /// The bands, coming from where nothing hits; none where it was not looked.
 pub(super) fn rows<S>(at: &GrazingMap, seen: &Seen<S>) -> Option<Vec<BandRow>> {
-    let Hitting { left, stays, starts, open, .. } = *seen.hitting.as_ref()?;
+    let Hitting { left, stays, starts, open, .. } = seen.hitting?;
     let (touch, rises) = (Some((at.parameter, "located")), at.map.e < 0.0);
     let row = |band: &str, from: End, to: End, known: Option<[u32; 2]>| {
         let [least, most] = if rises { [from, to] } else { [to, from] };

@@ -129,7 +129,7 @@ fn of<E: Engine>(task: &EventTask, job: &Job, engine: &E) -> Result<EventFinding
     for (orbit, extent) in orbits.iter().zip(extents) {
         let mut search = nearest(source.family(), task.event, orbit, start, extent, &options);
         if let (Ok(BranchSearch::Nothing(_)), Some(touch)) = (&search, touch) {
-            // Where little damps, the motion is many times the size of its forces, in which steps are measured.
+            // Steps are measured by the size of the forces: where little damps, the motion is larger.
             let long = Options { most_step: f64::from(u32::MAX), ..options.clone() };
             search = nearest(source.family(), task.event, orbit, start, SearchReach::to(touch, start), &long);
         }

@@ -60,7 +60,7 @@ type Check<'c> = &'c mut dyn FnMut() -> Result<()>;
 /// of some hundreds, and of a thousand where nothing is found.
 ///
 /// # Errors
-/// Where the family is not defined at `start`; no periodic motion there; no stop; those of `check`.
+/// Where the family is not defined at `start`; those of `check`.
 pub fn touches(family: AtValue, start: f64, within: Option<[f64; 2]>, check: Check) -> Result<LinearTouches> {
     let mut search = Search { family, check, found: Vec::new(), least: None };
     let [_, slope] = family(start)?;
@@ -176,7 +176,8 @@ impl Search<'_, '_> {
             self.keep(end)?;
         }
         Ok(match (self.found.is_empty(), within) {
-            (true, _) => "no value of the parameter brings the motion without impacts to a stop".into(),
+            (true, _) => "no value of the parameter brings the motion without impacts to a stop: vary another, such as the drive"
+                .into(),
             (false, Some([lo, hi])) => {
                 let all: Vec<String> =
                     self.found.iter().map(|touch| format!("{:?}", touch.parameter)).collect();
@@ -200,10 +201,11 @@ impl Search<'_, '_> {
                 self.along(values.into_iter(), true)?;
             }
             None => {
-                self.look(start)?;
+                // At a resonance without damping there is no motion, beside it there is.
+                let own = self.look(start).is_ok().then_some(start);
                 for up in [true, false] {
                     let before = self.found.len();
-                    let steps = std::iter::once(start).chain(ladder(start, up));
+                    let steps = own.into_iter().chain(ladder(start, up));
                     let end = self.along(steps, false)?;
                     if self.found.len() == before {
                         ends.extend(end);
@@ -212,7 +214,9 @@ impl Search<'_, '_> {
             }
         }
         let range = within.map_or_else(|| "both ways".into(), |[lo, hi]| format!("within [{lo:?}, {hi:?}]"));
-        let mut why = format!("no touch of the motion without impacts was found {range}");
+        let mut why = format!(
+            "no touch of the motion without impacts was found {range}: vary another parameter, such as the drive"
+        );
         if let Some(Sight { value, gap, .. }) = self.least {
             why += &format!("; nearest to 0 of the values looked at, its least gap is {gap:e} at {value:?}");
         }

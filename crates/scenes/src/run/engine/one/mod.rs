@@ -438,8 +438,8 @@ impl<'j> Oscillators<'j> {
 }
 
 /// The motion without impacts at a value of the parameter most of the way to where its least gap closes, to
-/// first order, or half as far again and again, or from beyond a stop a little farther than there; none where it does not change or there is
-/// no such motion.
+/// first order, or half as far again and again, or from beyond a stop a little farther than there; none where
+/// it does not change or there is no such motion.
 fn nearer(family: &SceneFamily, orbit: &Orbit, at: f64) -> Option<(Orbit, f64)> {
     let there = |value: f64, z: Vec<f64>| find(&family.at(value).ok()?, &orbit.itinerary, z).ok();
     let gap = |orbit: &Orbit| orbit.least.map(|least| least.gap);
