@@ -257,10 +257,8 @@ impl Search<'_, '_> {
     fn beside_resonances(&mut self, from: Sight, to: Sight, all: bool) -> Result<()> {
         let ends = [from.value.min(to.value), from.value.max(to.value)];
         let [machine, _] = (self.family)(from.value)?;
-        let mut cuts = Vec::new();
-        for k in machine.forcing.iter().map(|load| load.k) {
-            cuts.extend(near_resonances(self.family, &ends, k, self.check)?);
-        }
+        let ks: Vec<u32> = machine.forcing.iter().map(|load| load.k).collect();
+        let mut cuts = near_resonances(self.family, &ends, &ks, self.check)?;
         cuts.sort_by(f64::total_cmp);
         if from.value > to.value {
             cuts.reverse();
