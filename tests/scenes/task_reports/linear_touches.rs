@@ -361,3 +361,23 @@ fn all_touches_in_any_parameter_are_the_zeros_of_its_formula() {
         }
     }
 }
+
+#[test]
+fn touches_within_are_of_a_linear_motion_without_impacts() {
+    let refused = |text: &str| Scene::from_toml(text, "t.toml").unwrap_err().to_string();
+    let turned = refused(&driven("one", "within = [2, 1]\n"));
+    assert!(turned.contains("within") && turned.contains("the smaller first"), "{turned}");
+    let reached = refused(&driven("many", "within = [0.1, 1]\nreach = 1\n"));
+    assert!(reached.contains("goes without `reach`"), "{reached}");
+    let bent =
+        driven("one", "within = [0.1, 1]\n").replace("stiffness = \"k\"", "stiffness = \"k\"\ncubic = 1");
+    let report =
+        run(&Scene::from_toml(&bent, "t.toml").unwrap(), Surroundings::default(), &mut ()).unwrap().remove(0);
+    assert!(
+        report.to_string().contains("`within` is for a motion without impacts that is linear"),
+        "{report}"
+    );
+    // None is there, and where they are is said.
+    let (own, shown) = listed(&driven("one", "within = [5, 6]\nseen = false\n"));
+    assert!(own.is_empty() && shown.contains("none is within [5.0, 6.0]"), "{shown}");
+}
