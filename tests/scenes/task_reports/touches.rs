@@ -206,3 +206,20 @@ fn a_touch_is_found_from_far() {
         }
     }
 }
+
+/// What is small beside a drive of 10³⁰⁰ is not small at the touch.
+#[test]
+fn what_is_seen_at_a_touch_does_not_depend_on_how_far_it_was_looked_from() {
+    let at = |force: &str| {
+        let text =
+            driven("one", "max_period = 1\n").replace("c = 0.3", "c = 0.22").replace("k = 0.6", "k = 0.726");
+        let (found, ..) = grazing_found(&text.replacen("F = 0.9", &format!("F = {force}"), 1));
+        let seen = found.seen.unwrap();
+        seen.into_iter().map(|row| (row.place, row.what, row.motion)).collect::<Vec<_>>()
+    };
+    let near = at("0.9");
+    assert!(near.iter().any(|row| row.1 == "jumps"), "{near:?}");
+    for force in ["1e300", "1e6", "0", "1e-300"] {
+        assert_eq!(at(force), near, "from {force}");
+    }
+}

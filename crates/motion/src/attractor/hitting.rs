@@ -18,8 +18,8 @@ pub(super) const STAYS: f64 = 0.1;
 const STEPS: u32 = 63;
 pub(super) const STEP: f64 = 1.0 / 64.0;
 
-/// Where the other starts are tried, in steps: beside the touch, and where the gap is open by an eighth of the
-/// width.
+/// Where the other starts are tried, in steps: beside the touch, and where the gap is open by an eighth of
+/// the width.
 const TRIED: [f64; 2] = [0.25, 8.0];
 
 /// Halvings of a step in which a motion ceases to hit, and is not seen to jump.

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use serde::Serialize;
 
@@ -420,18 +421,43 @@ const NEEDS: &str = "that needs a2 > 0 and gamma, e other than 0";
 /// # Errors
 /// Those of the orbit's search, of the branch and of the local theory; an interruption.
 pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
-    by_engine!(job, engine => of(task, job, &engine))
+    let value = &job.scene.parameters[job.scene.parameter(&task.parameter)?].1;
+    let given = value.to_f64().unwrap_or(f64::NAN);
+    match by_engine!(job, engine => of(task, job, &engine, given))? {
+        Reached::Whole(found) => Ok(found),
+        Reached::Far(touch) => {
+            let there = job.with(&[(task.parameter.clone(), touch)])?;
+            match by_engine!(&there, engine => of(task, &there, &engine, given))? {
+                Reached::Whole(found) => Ok(found),
+                Reached::Far(_) => Err(Error::input("the touch is found at another value from beside it")),
+            }
+        }
+    }
 }
 
-fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFindings> {
+/// What a task came to.
+enum Reached {
+    /// All.
+    Whole(GrazingFindings),
+    /// The touch, which is so far below the scene's own value that what is small there is not small here:
+    /// motions are to be followed with the scene's value there.
+    Far(BigRational),
+}
+
+fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Result<Reached> {
     let family = engine.family(&task.parameter)?;
     let point = match engine.grazing(task, &family)? {
         Ok(point) => point,
         Err(reason) => {
             let (varied, start) = (task.parameter.clone(), E::value(&family));
-            return Ok(GrazingFindings::Nothing { varied, start, reason });
+            return Ok(Reached::Whole(GrazingFindings::Nothing { varied, start, reason }));
         }
     };
+    let far = |touch: &&LinearTouch| (E::value(&family) / touch.parameter).abs() > told::FAR;
+    let touch = point.touches().first().filter(far).map(|touch| touch.parameter);
+    if let Some(touch) = touch.filter(|touch| *touch != 0.0).and_then(BigRational::from_float) {
+        return Ok(Reached::Far(touch));
+    }
     let (at, mut born, mut undecided) = (point.report(), Vec::new(), 0);
     let (mut chaos, mut chaos_open) = (None, None);
     if at.open.is_none() {
@@ -460,7 +486,6 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
     let of_gap = matches!(job.scene.body, Body::Machine(_));
     let bands = seen.as_ref().and_then(|seen| bands::rows(&at, seen));
     let seen = seen.as_ref().map(|seen| seen::rows(seen, of_gap));
-    let given = job.scene.parameters[job.scene.parameter(&at.varied)?].1.to_f64().unwrap_or(f64::NAN);
     let units = (job.scene.units, job.scene.turns);
     let in_words = told::sentences(
         &at,
@@ -470,7 +495,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
         influence.as_deref().unwrap_or_default(),
     );
     let touches = task.within().map(|_| point.touches().iter().map(TouchRow::of).collect());
-    Ok(GrazingFindings::Found(Box::new(GrazingReport {
+    Ok(Reached::Whole(GrazingFindings::Found(Box::new(GrazingReport {
         in_words,
         at,
         touches,
@@ -489,7 +514,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
         tolerance_open,
         certificates,
         undecided,
-    })))
+    }))))
 }
 
 /// Why what attracts beside the touch is not looked for.

@@ -87,7 +87,7 @@ fn first(at: &GrazingMap, value: &str, after: &str) -> String {
 }
 
 /// A value that is this many times the touch, or the touch that many times it, is hardly meant.
-const FAR: f64 = 100.0;
+pub(super) const FAR: f64 = 100.0;
 
 /// What a value of another order of magnitude, as of another unit, is told.
 fn far(at: &GrazingMap, given: f64, value: &str) -> Option<String> {
