@@ -14,7 +14,9 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 mod attractors;
+mod bands;
 mod decided;
+mod linear_touches;
 mod ranges;
 mod responses;
 mod sweeps;

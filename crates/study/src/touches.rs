@@ -60,6 +60,7 @@ fn sample(ratio: f64, remains: f64, monitor: &dyn Monitor) -> Result<[TouchSampl
         e: -1.0 / amplitude,
         start: State { t: far, q: -1.0, u: 0.0 },
         rest: None,
+        others: Vec::new(),
         periods: 1,
         slowest: remains,
         width: 1.0,

@@ -9,7 +9,7 @@ use grazing_scenes::{
 use super::grazing_found;
 
 /// m q″ + c q′ + k q = F cos wt below a stop at `gap`; `more` are further keys of the task.
-fn driven(engine: &str, more: &str) -> String {
+pub(super) fn driven(engine: &str, more: &str) -> String {
     let system = match engine {
         "one" => "mass = \"m*w^2\"\ndamping = \"c*w\"\nstiffness = \"k\"",
         _ => "period = \"2*pi/w\"\nmass = \"m\"\ndamping = \"c\"\nstiffness = \"k\"",
@@ -204,5 +204,22 @@ fn a_touch_is_found_from_far() {
             let (found, ..) = grazing_found(&from(driven("many", "")).replacen("engine = \"many\"", "", 1));
             assert!((found.at.parameter / wanted - 1.0).abs() < 1e-11, "from {part}: {found:?}");
         }
+    }
+}
+
+/// What is small beside a drive of 10³⁰⁰ is not small at the touch.
+#[test]
+fn what_is_seen_at_a_touch_does_not_depend_on_how_far_it_was_looked_from() {
+    let at = |force: &str| {
+        let text =
+            driven("one", "max_period = 1\n").replace("c = 0.3", "c = 0.22").replace("k = 0.6", "k = 0.726");
+        let (found, ..) = grazing_found(&text.replacen("F = 0.9", &format!("F = {force}"), 1));
+        let seen = found.seen.unwrap();
+        seen.into_iter().map(|row| (row.place, row.what, row.motion)).collect::<Vec<_>>()
+    };
+    let near = at("0.9");
+    assert!(near.iter().any(|row| row.1 == "jumps"), "{near:?}");
+    for force in ["1e300", "1e6", "0", "1e-300"] {
+        assert_eq!(at(force), near, "from {force}");
     }
 }

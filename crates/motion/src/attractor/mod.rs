@@ -29,6 +29,7 @@ pub mod cycle;
 pub mod detection;
 pub mod diagram;
 pub mod dynamics;
+pub mod hitting;
 pub mod lyapunov;
 pub mod observe;
 pub mod portrait;

@@ -5,8 +5,10 @@
 //! following motions: evidence, not proof. Not here: what is born
 //! (`pattern`).
 
+pub use super::hitting::Touch;
 use super::{
-    diagram::{Jump, Look, SweepStep, arrive, jump},
+    diagram::{Jump, Look, SweepStep},
+    hitting::{Hitting, Known, STAYS, STEP, back, hitting},
     observe::{Attraction, Observation},
     portrait::{OnAttractor, Portrait, range, settle},
 };
@@ -18,42 +20,16 @@ const NEAR: f64 = 1e-4;
 /// The second look is this many times nearer. What grows with the root of the distance falls to a quarter.
 const NEARER: f64 = 16.0;
 
-/// A motion whose extent and impacts differ by less than this part of the size of motions has stayed.
-const STAYS: f64 = 0.1;
-
 /// The motion settles until what is left of a small disturbance is this part of it, or for this many periods.
 const LEFT_OVER: f64 = 1e-9;
 const LONGEST: f64 = 20_000.0;
 
-/// Steps back: in each the least gap opens by 1/64 of the motion's width.
-const STEPS: u32 = 63;
-const STEP: f64 = 1.0 / 64.0;
-
-/// Values before the touch at which a motion is begun at rest, as far apart as the steps back: as far as the
+/// Values before the touch at which a motion is begun at rest, two steps of a way back apart: as far as the
 /// least gap is open by half of the width, where the parameter is the drive to none of it.
-const RESTS: u32 = 32;
+const RESTS: u32 = 16;
 
 /// How often the last two of them are halved.
-const HALVED: u32 = 8;
-
-/// A touch, as what moves there is followed.
-#[derive(Debug, Clone)]
-pub struct Touch<S> {
-    /// The parameter's value.
-    pub parameter: f64,
-    /// How fast the least gap opens with the parameter: positive if the touch is reached from above.
-    pub e: f64,
-    /// A state of the orbit that touches, at a phase at which it is not near a stop.
-    pub start: S,
-    /// A start at rest; none where it is not asked for.
-    pub rest: Option<S>,
-    /// Its period, in forcing periods.
-    pub periods: u32,
-    /// The largest modulus of its multipliers.
-    pub slowest: f64,
-    /// The width of that orbit, in the unit of gaps.
-    pub width: f64,
-}
+const HALVED: u32 = 9;
 
 /// What is seen on one side.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,11 +54,14 @@ pub struct Seen<S> {
     /// Of a jump, where the motion that it leads to is left as the parameter goes back; none if it is not, so
     /// far as looked.
     pub back: Option<Jump<S>>,
-    /// Of a jump, the last value looked at, and what is seen there.
+    /// Of a jump, the last value looked at, or the first at which the motion hits no more, and what is seen
+    /// there.
     pub back_to: Option<(f64, Option<OnAttractor<S>>)>,
     /// Where motions that begin at rest hit, before the touch; none where that was not asked for or is not
     /// decided at any value.
     pub rest: Option<FromRest<S>>,
+    /// How far before the touch a motion that hits was found; none where that was not asked for.
+    pub hitting: Option<Hitting>,
 }
 
 /// Where motions that begin at rest hit for ever, of the values looked at before a touch.
@@ -105,11 +84,6 @@ impl<S> Touch<S> {
     fn settling(&self) -> u64 {
         let rounds = LEFT_OVER.ln() / self.slowest.ln();
         if rounds > 0.0 { (rounds * f64::from(self.periods)).min(LONGEST) as u64 } else { 0 }
-    }
-
-    /// The parameter at which the least gap is this part of the motion's width.
-    fn at(&self, part: f64) -> f64 {
-        self.parameter + part * self.width / self.e
     }
 
     /// Looked at for longer than `look` says where damping is weak.
@@ -158,7 +132,8 @@ pub fn beside<D: Attraction>(
 }
 
 /// What is seen at a touch, where the way back ends, and from where on a motion that begins at rest hits.
-/// Cost: that of [`beside`], and of a jump up to 80 times `settle` more; from rest 40 times.
+/// Cost: that of [`beside`], and of a jump up to 80 times `settle` more; from rest and from other starts 40
+/// times.
 ///
 /// # Errors
 /// As [`beside`].
@@ -171,31 +146,18 @@ pub fn seen<D: Attraction>(
     let [before, beyond] = beside(touch, look, &dynamics, monitor)?;
     let look = touch.looks(look);
     let observation = observation(&look);
-    let step = SweepStep { value: beyond.parameter, settled: beyond.settled.clone(), anew: true };
+    let step = SweepStep { value: beyond.parameter, settled: beyond.settled.clone(), anew: false };
     let rest = from_rest(touch, &observation, &dynamics, monitor)?;
-    let mut seen = Seen { look, before, beyond, back: None, back_to: None, rest };
-    if seen.beyond.near || seen.beyond.settled.is_none() {
-        return Ok(seen);
+    let mut seen = Seen { look, before, beyond, back: None, back_to: None, rest, hitting: None };
+    let jumps = !seen.beyond.near && seen.beyond.settled.is_some();
+    let far = jumps.then(|| back(touch, (step, 1), &observation, &dynamics, monitor)).transpose()?;
+    if touch.rest.is_some() {
+        let rest = seen.rest.as_ref().map(|rest| (rest.parameter, &rest.settled));
+        let known = Known { beyond: far.as_ref(), rest, starts: 1 + RESTS };
+        seen.hitting = Some(hitting(touch, &known, &observation, &dynamics, monitor)?);
     }
-    let mut last = step;
-    for i in 1..=STEPS {
-        monitor.advance(0)?;
-        let value = touch.at(f64::from(i) * STEP);
-        let Some(from) = last.settled.as_ref() else { break };
-        let settled = arrive(from, [last.value, value], &observation, &dynamics, monitor)?;
-        let next = SweepStep { value, settled, anew: false };
-        seen.back_to = Some((value, next.settled.clone()));
-        let pair = [last, next];
-        let changed = match (&pair[0].settled, &pair[1].settled) {
-            (Some(a), Some(b)) => a.portrait.apart(&b.portrait) > STAYS,
-            _ => true,
-        };
-        if changed && let Some(found) = jump(&pair, &observation, &dynamics, monitor)? {
-            seen.back = Some(found);
-            break;
-        }
-        let [_, next] = pair;
-        last = next;
+    if let Some(far) = far {
+        (seen.back_to, seen.back) = (far.end(), far.jump);
     }
     Ok(seen)
 }
@@ -216,7 +178,7 @@ fn from_rest<D: Attraction>(
     };
     let hits = |settled: &OnAttractor<D::Start>| settled.portrait.range.speed.is_some();
     let all = (0..RESTS)
-        .map(|i| (f64::from(i) + 0.5) * STEP)
+        .map(|i| (2.0 * f64::from(i) + 1.0) * STEP)
         .map(|part| Ok((part, at(part)?)))
         .collect::<Result<Vec<_>>>()?;
     let count = |all: &[(f64, Option<OnAttractor<D::Start>>)],

@@ -57,6 +57,12 @@ pub enum SearchReach {
 }
 
 impl SearchReach {
+    /// From `start` to a value of the parameter, and a little farther.
+    pub fn to(value: f64, start: f64) -> SearchReach {
+        let way = (value - start).abs();
+        SearchReach::Parameter { unit: way, reach: way + way / 8.0 }
+    }
+
     /// How far.
     fn reach(self) -> f64 {
         match self {

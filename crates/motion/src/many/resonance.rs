@@ -19,7 +19,7 @@ use crate::{
 };
 
 /// A machine at a value of a parameter, and the derivatives of its coefficients.
-pub(crate) type AtValue<'f> = &'f dyn Fn(f64) -> Result<[Machine<f64>; 2]>;
+pub type AtValue<'f> = &'f dyn Fn(f64) -> Result<[Machine<f64>; 2]>;
 
 /// The linear response at a value.
 pub struct FreeResponse {
@@ -223,7 +223,7 @@ pub fn peaks(
         Ok(Some(Sample { value, squares: found.harmonics(k).into_iter().enumerate().map(square).collect() }))
     };
     let mut all = values.to_vec();
-    all.extend(near_resonances(family, values, k, check)?);
+    all.extend(near_resonances(family, values, &[k], check)?);
     all.sort_by(f64::total_cmp);
     all.dedup();
     let mut samples = Vec::new();
@@ -337,20 +337,21 @@ fn between([mut from, mut to]: [f64; 2], of: &dyn Fn(f64) -> Result<Option<f64>>
     }
 }
 
-/// Values at and beside each at which a mode resonates with the harmonic.
-fn near_resonances(
+/// Values at and beside each at which a mode resonates with a harmonic, within those given, which ascend.
+pub(super) fn near_resonances(
     family: AtValue,
     values: &[f64],
-    k: u32,
+    ks: &[u32],
     check: &mut dyn FnMut() -> Result<()>,
 ) -> Result<Vec<f64>> {
-    let (mut found, k) = (Vec::new(), f64::from(k));
+    let mut found = Vec::new();
     let mut before: Option<(f64, Vec<(f64, f64)>)> = None;
     for &value in values {
         check()?;
         let here = modes(family, value)?;
         if let Some((last, known)) = before.as_ref().filter(|(_, known)| known.len() == here.len()) {
-            for j in (0..here.len()).filter(|&j| (known[j].0 > k) != (here[j].0 > k)) {
+            let pairs = ks.iter().flat_map(|&k| (0..here.len()).map(move |j| (f64::from(k), j)));
+            for (k, j) in pairs.filter(|&(k, j)| (known[j].0 > k) != (here[j].0 > k)) {
                 let (mut low, mut high) = (*last, value);
                 for _ in 0..HALVINGS {
                     let middle = low + (high - low) / 2.0;

@@ -4,11 +4,11 @@ use serde::Serialize;
 
 use super::{
     Analysed, Finding, Job, Judgement, Lines, Status,
-    engine::{AnalysedEvent, Engine, OrbitSource, by_engine},
+    engine::{AnalysedEvent, Engine, OrbitSource, by_engine, linear_touches},
     row,
 };
 use crate::{
-    continuation::{Bifurcation, BranchSearch, Located, nearest},
+    continuation::{Bifurcation, BranchSearch, Located, Options, SearchReach, nearest},
     error::Result,
     scene::orbits::EventTask,
 };
@@ -40,7 +40,8 @@ row! {
         /// e, how fast the least gap opens with the parameter; of the engine `one`.
         pub e: Option<f64>,
         /// How far along the branch, in the norm of times, of states and speeds in units of the motion, and
-        /// of the parameter, of a machine in units of its own reach.
+        /// of the parameter, of a machine in units of its own reach; of a touch beyond a reach that was not
+        /// given, in units of the way.
         pub length: f64,
     }
 }
@@ -123,8 +124,15 @@ fn of<E: Engine>(task: &EventTask, job: &Job, engine: &E) -> Result<EventFinding
     let (mut found, mut without) = (Vec::new(), Vec::new());
     let mut known: Vec<f64> = Vec::new();
     job.monitor.begin(orbits.len() as u64, "orbits");
+    let touch = task.is_of_free_motion().then(|| linear_touches(engine, &family, None, job)).transpose()?;
+    let touch = touch.flatten().and_then(|all| Some(all.found.first()?.parameter));
     for (orbit, extent) in orbits.iter().zip(extents) {
-        let search = nearest(source.family(), task.event, orbit, start, extent, &options);
+        let mut search = nearest(source.family(), task.event, orbit, start, extent, &options);
+        if let (Ok(BranchSearch::Nothing(_)), Some(touch)) = (&search, touch) {
+            // Steps are measured by the size of the forces: where little damps, the motion is larger.
+            let long = Options { most_step: f64::from(u32::MAX), ..options.clone() };
+            search = nearest(source.family(), task.event, orbit, start, SearchReach::to(touch, start), &long);
+        }
         job.monitor.advance(1)?;
         let reason = match search {
             Ok(BranchSearch::Found(located)) => {

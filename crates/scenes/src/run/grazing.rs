@@ -2,11 +2,12 @@
 
 use std::f64::consts::TAU;
 
+use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use serde::Serialize;
 
 use super::{
-    Analysed, AttractorProofs, ChaosRow, Complex, Finding, Job, Judgement, Lines, Status,
+    Analysed, AttractorProofs, BandRow, ChaosRow, Complex, Finding, Job, Judgement, Lines, Status, bands,
     birth::all_patterns,
     engine::{Engine, GrazingPoint, by_engine},
     hit::{HitRow, hits},
@@ -21,6 +22,7 @@ use crate::{
     attractor::diagram::Look,
     continuation::LocalMap,
     error::{Error, Result},
+    many::grazing::LinearTouch,
     pattern::{Pattern, PatternExistence, Patterns, Report as Verdict},
     scene::{Body, orbits::GrazingTask},
     search::{range::RangeEffort, touch::InTheory as _},
@@ -51,6 +53,30 @@ row! {
         pub admissible: Option<Judgement>,
         /// Why it is none, or why nothing is decided.
         pub reason: Option<String>,
+    }
+}
+
+row! {
+    /// A touch of the motion without impacts.
+    pub struct TouchRow {
+        /// The parameter.
+        pub parameter: f64,
+        /// The stop.
+        pub stop: String,
+        /// The phase, as a fraction of the period.
+        pub phase: f64,
+        /// How fast the gap opens with the parameter.
+        pub e: f64,
+        /// The gap there, which rounding leaves.
+        pub gap: f64,
+    }
+}
+
+impl TouchRow {
+    fn of(touch: &LinearTouch) -> TouchRow {
+        let LinearTouch { parameter, at, rate, stop, .. } = touch;
+        let phase = at.phase / TAU;
+        TouchRow { parameter: *parameter, stop: stop.clone(), phase, e: *rate, gap: at.gap }
     }
 }
 
@@ -161,6 +187,8 @@ pub struct GrazingReport {
     /// The bifurcation.
     #[serde(flatten)]
     pub at: GrazingMap,
+    /// All touches within the values that were asked for, the nearest first.
+    pub touches: Option<Vec<TouchRow>>,
     /// Whether chaos is born, on either side, by all patterns together; absent where no word decides.
     pub chaos: Option<Vec<ChaosRow>>,
     /// Why it is not decided whether chaos is born.
@@ -171,6 +199,9 @@ pub struct GrazingReport {
     pub seen: Option<Vec<SeenRow>>,
     /// Why it was not.
     pub seen_open: Option<&'static str>,
+    /// What motions do over the parameter; absent if nothing was looked for, and where another orbit than the
+    /// motion without impacts touches.
+    pub bands: Option<Vec<BandRow>>,
     /// How hard what is seen hits; absent if nothing was looked for.
     pub hits: Option<Vec<HitRow>>,
     /// By how much parameters move the touch; absent if it was not asked for.
@@ -326,6 +357,9 @@ impl GrazingReport {
         lines.say("phase", format!("{} of the period", lines.set(at.phase)));
         lines.say("admissible", at.admissible);
         lines.say_known("open", &at.open);
+        if let Some(rows) = &self.touches {
+            lines.table("touches", rows);
+        }
         if let Some(rows) = &self.chaos {
             lines.say("chaos", ChaosRow::sentences(rows, at.half, lines));
         }
@@ -351,6 +385,9 @@ impl GrazingReport {
         }
         if let Some(why) = self.seen_open {
             lines.say("seen", format!("not looked for: {why}"));
+        }
+        if let Some(rows) = &self.bands {
+            lines.table("bands", rows);
         }
         if let Some(rows) = self.hits.as_ref().filter(|rows| !rows.is_empty()) {
             lines.table("hits", rows);
@@ -384,18 +421,43 @@ const NEEDS: &str = "that needs a2 > 0 and gamma, e other than 0";
 /// # Errors
 /// Those of the orbit's search, of the branch and of the local theory; an interruption.
 pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
-    by_engine!(job, engine => of(task, job, &engine))
+    let value = &job.scene.parameters[job.scene.parameter(&task.parameter)?].1;
+    let given = value.to_f64().unwrap_or(f64::NAN);
+    match by_engine!(job, engine => of(task, job, &engine, given))? {
+        Reached::Whole(found) => Ok(found),
+        Reached::Far(touch) => {
+            let there = job.with(&[(task.parameter.clone(), touch)])?;
+            match by_engine!(&there, engine => of(task, &there, &engine, given))? {
+                Reached::Whole(found) => Ok(found),
+                Reached::Far(_) => Err(Error::input("the touch is found at another value from beside it")),
+            }
+        }
+    }
 }
 
-fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFindings> {
+/// What a task came to.
+enum Reached {
+    /// All.
+    Whole(GrazingFindings),
+    /// The touch, which is so far below the scene's own value that what is small there is not small here:
+    /// motions are to be followed with the scene's value there.
+    Far(BigRational),
+}
+
+fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Result<Reached> {
     let family = engine.family(&task.parameter)?;
     let point = match engine.grazing(task, &family)? {
         Ok(point) => point,
         Err(reason) => {
             let (varied, start) = (task.parameter.clone(), E::value(&family));
-            return Ok(GrazingFindings::Nothing { varied, start, reason });
+            return Ok(Reached::Whole(GrazingFindings::Nothing { varied, start, reason }));
         }
     };
+    let far = |touch: &&LinearTouch| (E::value(&family) / touch.parameter).abs() > told::FAR;
+    let touch = point.touches().first().filter(far).map(|touch| touch.parameter);
+    if let Some(touch) = touch.filter(|touch| *touch != 0.0).and_then(BigRational::from_float) {
+        return Ok(Reached::Far(touch));
+    }
     let (at, mut born, mut undecided) = (point.report(), Vec::new(), 0);
     let (mut chaos, mut chaos_open) = (None, None);
     if at.open.is_none() {
@@ -422,24 +484,27 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
     let (range, range_open, certificates) = asked_for_ranges(task, job, &point, &at)?;
     let (tolerance, tolerance_open) = asked_for_tolerances(task, job, &point, &at)?;
     let of_gap = matches!(job.scene.body, Body::Machine(_));
+    let bands = seen.as_ref().and_then(|seen| bands::rows(&at, seen));
     let seen = seen.as_ref().map(|seen| seen::rows(seen, of_gap));
-    let given = job.scene.parameters[job.scene.parameter(&at.varied)?].1.to_f64().unwrap_or(f64::NAN);
     let units = (job.scene.units, job.scene.turns);
     let in_words = told::sentences(
         &at,
         (job.model.period(), units, job.scene.unit(&at.varied), given),
-        seen.as_deref().unwrap_or_default(),
+        (seen.as_deref().unwrap_or_default(), bands.as_deref().unwrap_or_default()),
         hits.as_deref().unwrap_or_default(),
         influence.as_deref().unwrap_or_default(),
     );
-    Ok(GrazingFindings::Found(Box::new(GrazingReport {
+    let touches = task.within().map(|_| point.touches().iter().map(TouchRow::of).collect());
+    Ok(Reached::Whole(GrazingFindings::Found(Box::new(GrazingReport {
         in_words,
         at,
+        touches,
         chaos,
         chaos_open,
         born,
         seen,
         seen_open,
+        bands,
         hits,
         influence,
         proofs,
@@ -449,7 +514,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
         tolerance_open,
         certificates,
         undecided,
-    })))
+    }))))
 }
 
 /// Why what attracts beside the touch is not looked for.

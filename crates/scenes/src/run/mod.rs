@@ -27,6 +27,7 @@
 //! names.
 
 mod analysed;
+mod bands;
 mod basins;
 mod birth;
 mod branch;
@@ -68,6 +69,7 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 pub use analysed::Analysed;
+pub use bands::BandRow;
 pub(crate) use basins::basins;
 pub use basins::{BasinRow, BasinsFindings};
 pub use birth::ChaosRow;
@@ -86,7 +88,7 @@ pub use engine::{JudgedOrbit, MachineSource, OrbitSource, OscillatorSource, form
 pub(crate) use event::event;
 pub use event::{EventFindings, EventRow, WithoutRow};
 pub(crate) use grazing::grazing;
-pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport, MapNumbers};
+pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport, MapNumbers, TouchRow};
 pub use hit::HitRow;
 pub(crate) use hit::StartNumbers;
 pub use influence::InfluenceRow;

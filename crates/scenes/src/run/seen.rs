@@ -54,7 +54,11 @@ pub(super) fn sights<S>(seen: &Seen<S>) -> Vec<Sight<'_, S>> {
     });
     let back = match (&seen.back, &seen.back_to) {
         (Some(Jump { left, after, .. }), _) => Some(("back", *left, "leaves", Some(after))),
-        (None, Some((value, last))) => Some(("back", *value, "stays", last.as_ref())),
+        (None, Some((value, last))) => {
+            let hits = |on: Option<&OnAttractor<S>>| on.is_some_and(|on| on.portrait.range.speed.is_some());
+            let left = hits(seen.beyond.settled.as_ref()) && !hits(last.as_ref());
+            Some(("back", *value, if left { "leaves" } else { "stays" }, last.as_ref()))
+        }
         (None, None) => None,
     };
     beside.into_iter().chain(back).collect()

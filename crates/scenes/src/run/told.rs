@@ -2,7 +2,7 @@
 //! those of the report, in the scene's names, and in SI units where the scene says what its units are; the
 //! task's parameter is in the unit in which the scene has it.
 
-use super::{GrazingMap, HitRow, InfluenceRow, SeenRow};
+use super::{BandRow, GrazingMap, HitRow, InfluenceRow, SeenRow, bands};
 use crate::{
     many::elements::Short,
     scene::{WrittenUnit, units::SiUnits},
@@ -58,7 +58,7 @@ fn parameter(at: &GrazingMap, value: f64, unit: Option<&WrittenUnit>) -> String 
 pub(super) fn sentences(
     at: &GrazingMap,
     (period, units, unit, given): (f64, Units, Option<&WrittenUnit>, f64),
-    seen: &[SeenRow],
+    (seen, bands): (&[SeenRow], &[BandRow]),
     hits: &[HitRow],
     influence: &[InfluenceRow],
 ) -> String {
@@ -69,6 +69,7 @@ pub(super) fn sentences(
         all.extend(sight(&value(row.value), row));
         all.extend(blows(hits, &row.place, units));
     }
+    all.extend(bands::sentence(bands, &value));
     all.extend(influences(influence));
     all.join(" ")
 }
@@ -86,7 +87,7 @@ fn first(at: &GrazingMap, value: &str, after: &str) -> String {
 }
 
 /// A value that is this many times the touch, or the touch that many times it, is hardly meant.
-const FAR: f64 = 100.0;
+pub(super) const FAR: f64 = 100.0;
 
 /// What a value of another order of magnitude, as of another unit, is told.
 fn far(at: &GrazingMap, given: f64, value: &str) -> Option<String> {

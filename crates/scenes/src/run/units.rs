@@ -53,7 +53,7 @@ const COLUMNS: &[(What, &[&str], &[&str])] = &[
     (
         Parameter,
         &["grazing"],
-        &["parameter", "start", "value", "found_at", "change", "touch", "touches", "end"],
+        &["parameter", "start", "value", "found_at", "change", "touch", "touches", "end", "least", "most"],
     ),
     (Parameter, &["event"], &["parameter", "start"]),
     (Parameter, &["crisis", "validate"], &["parameter"]),

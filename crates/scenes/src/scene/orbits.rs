@@ -195,11 +195,18 @@ keys! {
         /// motion's size and of the parameter; where the engine is `many`, in the parameter; without it 0.5,
         /// the parameter in units of what changes a force or a stop by its own size, where the engine is
         /// `many` half of the parameter's value, or what moves a gap by the size of the gaps' motion, the
-        /// larger
+        /// larger; and to the grazing of a motion without impacts that is linear, however far it is
         reach: Option<f64>,
         /// how the branch is followed; lengths are as those of `reach`; where the engine is `many` in units
         /// of the gaps' motion, and of what `reach` is if it is not given
         options: Options = "{}",
+    }
+}
+
+impl EventTask {
+    /// Whether a touch is asked for that a linear motion without impacts has at all.
+    pub(crate) fn is_of_free_motion(&self) -> bool {
+        self.event == Bifurcation::Grazing && self.orbit.pattern.is_empty() && self.reach.is_none()
     }
 }
 
@@ -223,9 +230,13 @@ keys! {
         /// the orbit that comes to graze, near the parameter's present value, at its least minimum of a gap;
         /// where the engine is `many`, the motion without impacts, of several the one near `start`
         orbit: OrbitKeys = "{}",
-        /// how far along its branch to look, both ways, as in a task `event`; without it, where the
-        /// engine is `one`, also from where the motion without impacts nears a stop, to first order
+        /// how far along its branch to look, both ways, as in a task `event`; without it the touch of a
+        /// motion without impacts that is linear is found however far it is; of another motion, where the
+        /// engine is `one`, also from where it nears a stop, to first order
         reach: Option<f64>,
+        /// two values of the parameter, between which all touches are listed, the nearest being looked at;
+        /// of a motion without impacts that is linear
+        within: Vec<f64> = "[]",
         /// how the branch is followed; lengths are as those of `reach`; not where the engine is `many`
         options: Options = "{}",
         /// the largest period of the patterns, in periods of that orbit
@@ -284,6 +295,16 @@ impl Value for RangeKey {
 }
 
 impl GrazingTask {
+    /// Whether touches are asked for that a linear motion without impacts has at all.
+    pub(crate) fn is_of_free_motion(&self) -> bool {
+        self.orbit.pattern.is_empty() && self.reach.is_none()
+    }
+
+    /// Between which values they are.
+    pub(crate) fn within(&self) -> Option<[f64; 2]> {
+        <[f64; 2]>::try_from(&self.within[..]).ok()
+    }
+
     /// How far to look along the branch of an oscillator from an orbit.
     pub(crate) fn extent(&self, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
         extent(self.reach, oscillator, orbit)

@@ -8,6 +8,7 @@ use crate::{
     many::{
         LinearEquations, Machine, Periodic, RealVector, Slope, State,
         contact::{Contacts, StopContact},
+        response::Refined,
         simulate::Stage,
     },
     motion::{EffectTally, Series, minimum_within},
@@ -41,7 +42,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// Those of [`Machine::equations`], [`Machine::contacts`], [`Slope::new`] and
-    /// `LinearEquations::response`; where forces are formulas, no periodic motion found by Newton's method.
+    /// `LinearEquations::refined`; where forces are formulas, no periodic motion found by Newton's method.
     pub fn new(machine: &Machine<f64>, slope: &Machine<f64>) -> Result<FreeMotion> {
         FreeMotion::near(machine, slope, None, None)
     }
@@ -62,10 +63,9 @@ impl FreeMotion {
         machine.check_no_friction()?;
         let contacts = Contacts::new(&equations, machine.contacts()?, Vec::new());
         let (motion, drift, stage) = match found {
-            Some(found) => (found.motion, found.drift, Some(found.stage)),
+            Some(found) => (Refined::of(found.motion), Refined::of(found.drift), Some(found.stage)),
             None => {
-                let motion = equations.response()?;
-                let drift = equations.response_slope(&motion, &slope)?;
+                let [motion, drift] = equations.refined(&slope)?;
                 (motion, drift, None)
             }
         };
@@ -75,7 +75,7 @@ impl FreeMotion {
             Ok([gap, Series::combination(&parts)])
         };
         let gaps = contacts.all().iter().zip(&slope.stops).map(gap).collect::<Result<_>>()?;
-        Ok(FreeMotion { equations, contacts, motion, gaps, stage })
+        Ok(FreeMotion { equations, contacts, motion: motion.motion, gaps, stage })
     }
 
     /// The motion's displacements over a period.

@@ -36,6 +36,35 @@ pub struct Grazing {
 }
 
 impl Grazing {
+    /// The grazing of the motion without impacts of a linear machine at a touch that is known.
+    ///
+    /// # Errors
+    /// Where the family is not defined there; no stop; det(I − A) = 0.
+    pub fn at(family: &dyn Family, touch: f64) -> Result<Grazing> {
+        let (machine, slope) = family.at(touch)?;
+        Grazing::of(touch, &FreeMotion::new(&machine, &slope)?)
+    }
+
+    /// The grazing beside a value of the parameter, of the motion beside a state at phase 0.
+    ///
+    /// # Errors
+    /// As [`locate`].
+    pub fn near(family: &dyn Family, parameter: f64, state: &State) -> Result<Grazing> {
+        let look = look_along(family, Some(state));
+        let parameter = polish(&look, parameter)?;
+        Grazing::of(parameter, &look(parameter)?.0)
+    }
+
+    fn of(parameter: f64, motion: &FreeMotion) -> Result<Grazing> {
+        let at = motion.least().ok_or_else(|| Error::input("there is no stop that could be grazed"))?;
+        let scale = motion.scale();
+        let tiny = TWICE * scale;
+        let mut others = motion.minima();
+        others.retain(|other| other.gap.abs() <= tiny && *other != at);
+        let (map, half) = (local_map(motion, &at, TAU)?, HalfPeriod::new(motion, &at, &others)?);
+        Ok(Grazing { parameter, at, scale, others, motion: motion.motion().clone(), map, half })
+    }
+
     /// The map that the local theory is asked about: of half a period if two stops that mirror each other are
     /// grazed, and then patterns count halves.
     pub fn local(&self) -> &LocalMap {
@@ -95,15 +124,7 @@ pub fn own_reach(family: &dyn Family, value: f64, near: Option<&State>) -> Resul
 /// # Errors
 /// Where the family is not defined at `start`; no periodic motion there; det(I − A) = 0 at the grazing.
 pub fn locate(family: &dyn Family, start: f64, reach: f64, near: Option<&State>) -> Result<Search> {
-    let last: RefCell<Option<State>> = RefCell::new(near.cloned());
-    let look = |parameter: f64| -> Result<(FreeMotion, LeastGap, f64)> {
-        let (machine, slope) = family.at(parameter)?;
-        let motion = FreeMotion::near(&machine, &slope, last.borrow().as_ref(), family.tally())?;
-        last.replace(Some(motion.motion().state(0.0)));
-        let least = motion.least().ok_or_else(|| Error::input("there is no stop that could be grazed"))?;
-        let rate = motion.rate(&least);
-        Ok((motion, least, rate))
-    };
+    let look = look_along(family, near);
     let (motion, least, rate) = look(start)?;
     let tiny = TWICE * motion.scale();
     if least.gap < -tiny {
@@ -157,14 +178,23 @@ pub fn locate(family: &dyn Family, start: f64, reach: f64, near: Option<&State>)
         return Ok(Search::Nothing(reason));
     };
     let parameter = polish(&look, near)?;
-    let (motion, at, _) = look(parameter)?;
-    let scale = motion.scale();
-    let tiny = TWICE * scale;
-    let mut others = motion.minima();
-    others.retain(|other| other.gap.abs() <= tiny && *other != at);
-    let (map, half) = (local_map(&motion, &at, TAU)?, HalfPeriod::new(&motion, &at, &others)?);
-    let motion = motion.motion().clone();
-    Ok(Search::Found(Box::new(Grazing { parameter, at, scale, others, motion, map, half })))
+    Ok(Search::Found(Box::new(Grazing::of(parameter, &look(parameter)?.0)?)))
+}
+
+/// The motion at a value of the parameter that is nearest to the one looked at before.
+fn look_along<'f>(
+    family: &'f dyn Family,
+    near: Option<&State>,
+) -> impl Fn(f64) -> Result<(FreeMotion, LeastGap, f64)> + 'f {
+    let last: RefCell<Option<State>> = RefCell::new(near.cloned());
+    move |parameter: f64| {
+        let (machine, slope) = family.at(parameter)?;
+        let motion = FreeMotion::near(&machine, &slope, last.borrow().as_ref(), family.tally())?;
+        last.replace(Some(motion.motion().state(0.0)));
+        let least = motion.least().ok_or_else(|| Error::input("there is no stop that could be grazed"))?;
+        let rate = motion.rate(&least);
+        Ok((motion, least, rate))
+    }
 }
 
 type Look<'l> = &'l dyn Fn(f64) -> Result<(FreeMotion, LeastGap, f64)>;

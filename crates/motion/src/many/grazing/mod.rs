@@ -2,9 +2,9 @@
 //! local map there.
 //!
 //! The motion is known in closed form (`LinearEquations::response`), and
-//! so is its gap to each stop, a trigonometric sum. [`locate`] follows the least gap from one value of the
-//! parameter both ways and finds where it is zero first. The map there is the paper's, with the state x = (q,
-//! q′) less that of the motion, at the phase t_G of grazing, 2n numbers:
+//! so is its gap to each stop, a trigonometric sum. Of a linear machine [`touches`] finds where the least gap
+//! is zero; of others [`locate`] follows it from one value of the parameter both ways. The map there is the
+//! paper's, with the state x = (q, q′) less that of the motion, at the phase t_G of grazing, 2n numbers:
 //!
 //! - A = the flow over one period, (2);
 //! - C = (w, 0): the gap is C x + eµ to first order, (5), (26);
@@ -17,11 +17,13 @@
 
 pub(in crate::many) mod free;
 mod half;
+mod linear;
 mod local_map;
 mod locate;
 mod smooth;
 
 pub use free::{FreeMotion, LeastGap};
 pub use half::HalfPeriod;
+pub use linear::{LinearTouch, LinearTouches, touches};
 pub use locate::own_reach;
 pub use locate::{Grazing, Search, locate};

@@ -4,14 +4,14 @@
 //! Derivatives with respect to the parameter come with those of the system's coefficients: no differences are
 //! taken.
 
-use std::{f64::consts::TAU, sync::Arc};
+use std::{collections::BTreeSet, f64::consts::TAU, sync::Arc};
 
 use super::{super::size, Itinerary, Leg, Touch};
 use crate::{
     error::{Error, Result},
     motion::{
         Contact, Effect, EffectTally, Flow, Harmonic, Series, Side, State, System, Wall,
-        algebra::{IDENTITY, Matrix2, apply, product},
+        algebra::{IDENTITY, Matrix2, apply, divide, product},
         flow::{Free, GAUSS, Gradient, Obstacle, Program, Scalar, too_many},
     },
 };
@@ -149,6 +149,56 @@ impl Oscillator {
         });
         let most = forces.chain(walls).filter(|x| x.is_finite()).fold(0.0, f64::max);
         if most > 0.0 { 1.0 / most } else { 1.0 }
+    }
+
+    /// (q, u) at t = 0 of the periodic motion without impacts, where the forces are linear and damping or
+    /// distance from resonance holds it.
+    pub(super) fn response(&self) -> Option<Vec<f64>> {
+        let equation = self.flow.equation();
+        let (damping, stiffness, mean) = (equation.damping, equation.stiffness, equation.forcing.mean());
+        let rest = if mean == 0.0 { 0.0 } else { mean / stiffness };
+        let motion = equation.forcing.harmonics().iter().fold([rest, 0.0], |[q, u], harmonic| {
+            let k = f64::from(harmonic.k);
+            let [re, im] = divide([harmonic.cos, -harmonic.sin], [stiffness - k * k, damping * k]);
+            [q + re, u - k * im]
+        });
+        (equation.is_linear() && motion.iter().all(|x| x.is_finite())).then(|| motion.to_vec())
+    }
+
+    /// The system and the rates of its coefficients, where the forces are linear, as keys or as a formula.
+    pub fn linear(&self) -> Option<[System<f64>; 2]> {
+        let (equation, slope) = (self.flow.equation(), self.slope.as_ref()?);
+        if !equation.is_linear() || slope.cubic != 0.0 || slope.smooth.is_some() {
+            return None;
+        }
+        let of = |series: &Series, k: u32| {
+            let known = series.harmonics().iter().find(|known| known.k == k);
+            known.map_or(Harmonic { k, cos: 0.0, sin: 0.0 }, Clone::clone)
+        };
+        let both = equation.forcing.harmonics().iter().chain(slope.forcing.harmonics());
+        let ks: BTreeSet<u32> = both.map(|known| known.k).collect();
+        let keys = |damping: f64, stiffness: f64, forcing: &Series| System {
+            damping,
+            stiffness,
+            cubic: 0.0,
+            force: forcing.mean(),
+            forcing: ks.iter().map(|&k| of(forcing, k)).collect(),
+            smooth: None,
+            ..self.system.clone()
+        };
+        let [lower, upper] = slope.walls.each_ref().map(|wall| {
+            let (place, restitution) = wall.as_ref()?;
+            Some(Wall {
+                offset: place.mean(),
+                harmonics: place.harmonics().to_vec(),
+                restitution: *restitution,
+            })
+        });
+        let rates = keys(slope.damping, slope.stiffness, &slope.forcing);
+        Some([
+            keys(equation.damping, equation.stiffness, &equation.forcing),
+            System { lower, upper, ..rates },
+        ])
     }
 
     /// The motion without walls.

@@ -28,7 +28,10 @@ pub fn search_while(
 ) -> Result<OrbitSearch<Orbit>> {
     let m = itinerary.strikes().len();
     if m == 0 {
-        return Ok(OrbitSearch::of_one(find(oscillator, itinerary, vec![0.0; 2])));
+        // Newton's method goes no farther than 60 sizes of the forces: at a resonance the motion is there.
+        let found = find(oscillator, itinerary, vec![0.0; 2])
+            .or_else(|error| oscillator.response().map_or(Err(error), |z| find(oscillator, itinerary, z)));
+        return Ok(OrbitSearch::of_one(found));
     }
     let begin = begin(oscillator, itinerary, speed);
     let periods = whole_periods(itinerary);

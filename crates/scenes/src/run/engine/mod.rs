@@ -17,8 +17,8 @@ use num_rational::BigRational;
 use serde::{Serialize, de::DeserializeOwned};
 
 use super::{
-    Analysed, GrazingMap, Judgement, Keeper, ProofRow, SectionFindings, SimulationFindings, StartNumbers,
-    ValidateFindings, range::SideRange, rest::RestsHere,
+    Analysed, GrazingMap, Job, Judgement, Keeper, ProofRow, SectionFindings, SimulationFindings,
+    StartNumbers, ValidateFindings, range::SideRange, rest::RestsHere,
 };
 use crate::{
     attractor::{
@@ -29,8 +29,11 @@ use crate::{
         Bifurcation, FollowedOrbit, Label, LocalMap, Located, NoForm, NormalForm, OrbitBranch, OrbitSearch,
         PatternFamily, PatternOf, SearchReach,
     },
-    error::Result,
-    many::Machine,
+    error::{Error, Result},
+    many::{
+        Machine,
+        grazing::{LinearTouch, LinearTouches, touches},
+    },
     pattern::{Map, Report},
     scene::{
         BasinsTask, SectionTask,
@@ -189,6 +192,9 @@ pub(crate) trait Engine {
     /// What is cubic of an oscillator is left out.
     fn machines(&self, family: &Self::Family, value: f64) -> Result<[Machine<f64>; 2]>;
 
+    /// The same where the motion without impacts is linear; none where it is not.
+    fn linear(&self, family: &Self::Family, value: f64) -> Result<Option<[Machine<f64>; 2]>>;
+
     /// The coefficient of the displacement cubed at a value of the family's parameter.
     fn cubic(&self, family: &Self::Family, value: f64) -> Result<f64>;
 
@@ -266,6 +272,57 @@ pub(crate) trait Engine {
         parameter: &str,
         found: &mut ValidateFindings,
     ) -> Result<()>;
+}
+
+/// The touches of the motion without impacts, of a scene that is linear without them; none of another, and
+/// where that motion is not known at the scene's own value.
+///
+/// # Errors
+/// An interruption.
+pub(crate) fn linear_touches<E: Engine>(
+    engine: &E,
+    family: &E::Family,
+    within: Option<[f64; 2]>,
+    job: &Job,
+) -> Result<Option<LinearTouches>> {
+    let start = E::value(family);
+    if !matches!(engine.linear(family, start), Ok(Some(_))) {
+        return Ok(None);
+    }
+    let machines = |value: f64| {
+        let linear = engine.linear(family, value)?;
+        linear.ok_or_else(|| Error::input(format!("the motion is not linear at {value:?}")))
+    };
+    match touches(&machines, start, within, &mut || job.check()) {
+        Err(error) if error.is_interrupted() => Err(error),
+        found => Ok(found.ok()),
+    }
+}
+
+/// Those that a task asks for, the nearest first, or why there are none; nothing where they are not known at
+/// all.
+///
+/// # Errors
+/// An interruption; `within` of a motion that is not linear.
+pub(crate) fn asked_touches<E: Engine>(
+    engine: &E,
+    family: &E::Family,
+    task: &GrazingTask,
+    job: &Job,
+) -> Result<Option<std::result::Result<Vec<LinearTouch>, String>>> {
+    let all = match task.is_of_free_motion() {
+        true => linear_touches(engine, family, task.within(), job)?,
+        false => None,
+    };
+    match all {
+        Some(LinearTouches { found, why }) if found.is_empty() => Ok(Some(Err(why))),
+        Some(LinearTouches { found, .. }) => Ok(Some(Ok(found))),
+        None if task.within.is_empty() => Ok(None),
+        None => Err(Error::input(
+            "`within` is for a motion without impacts that is linear and known at the parameter's own value; `reach` says how \
+             far another is followed",
+        )),
+    }
 }
 
 /// The start of a system with two numbers in the plane.
@@ -386,6 +443,10 @@ pub trait OrbitSource {
     fn named(&self, pattern: &PatternOf<Self::Orbit>) -> String;
 }
 
+/// What the velocity of the motion that touches, far from the stop, is changed by along the stop's normal, in
+/// sizes of that motion per radian: other motions that may hit.
+const KICKS: [f64; 4] = [-4.0, -1.0, 1.0, 4.0];
+
 /// What the local theory says of a pattern.
 pub(crate) type Theory<'m> = Box<dyn Fn(&[u64]) -> Report + 'm>;
 
@@ -393,6 +454,9 @@ pub(crate) type Theory<'m> = Box<dyn Fn(&[u64]) -> Report + 'm>;
 pub(crate) trait GrazingPoint {
     /// A state that a motion starts from.
     type Start;
+
+    /// All touches that were found, the nearest to the start first, of a linear machine without impacts.
+    fn touches(&self) -> &[LinearTouch];
 
     /// Where it is and its local map; `open` says why the local theory does not apply, if it does not.
     fn report(&self) -> GrazingMap;

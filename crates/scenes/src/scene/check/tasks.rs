@@ -250,6 +250,12 @@ impl Checked<'_> {
         self.parameter(&task.parameter)?;
         self.reach(task.reach, &task.options)?;
         self.within("max_period", task.max_period, 1, 12)?;
+        if !task.within.is_empty() {
+            self.range(("parameter", &task.parameter), ("within", &task.within))?;
+            if !task.is_of_free_motion() {
+                return self.fail("within", "is for the motion without impacts, and goes without `reach`");
+            }
+        }
         self.stops()?;
         self.scene.check_tolerances(&task.tolerance, &task.parameter, &self.key("tolerance"))?;
         if task.prove {

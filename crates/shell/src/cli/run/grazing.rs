@@ -7,6 +7,9 @@ use crate::{error::Result, run::GrazingReport};
 pub(super) fn keep(found: &GrazingReport, job: &Job) -> Result<Vec<String>> {
     let mut files = vec![job.csv(&found.born, ".csv")?];
     files.extend(job.certificates(&found.certificates)?);
+    if let Some(touches) = &found.touches {
+        files.push(job.csv(touches, "-touches.csv")?);
+    }
     if let Some(seen) = &found.seen {
         files.push(job.csv(seen, "-seen.csv")?);
     }

@@ -55,6 +55,7 @@ fn endings(kind: &Kind) -> &'static [Ending] {
         Kind::OrbitTask(_) | Kind::EventTask(_) => &[Fixed(".csv")],
         Kind::GrazingTask(task) if task.prove || task.range.0.is_some() => &[
             Fixed(".csv"),
+            Fixed("-touches.csv"),
             Fixed("-seen.csv"),
             Fixed("-hits.csv"),
             Fixed("-influence.csv"),
@@ -69,9 +70,13 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             Numbered("-beyond-cell", ".certificate"),
             Numbered("", ".certificate"),
         ],
-        Kind::GrazingTask(_) => {
-            &[Fixed(".csv"), Fixed("-seen.csv"), Fixed("-hits.csv"), Fixed("-influence.csv")]
-        }
+        Kind::GrazingTask(_) => &[
+            Fixed(".csv"),
+            Fixed("-touches.csv"),
+            Fixed("-seen.csv"),
+            Fixed("-hits.csv"),
+            Fixed("-influence.csv"),
+        ],
         Kind::BranchTask(task) if task.prove => &[
             Fixed(".json"),
             Numbered("", ".json"),

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use super::{
     super::{
         super::{Analysed, GrazingMap, Job, Judgement, MapNumbers, range::SideRange},
-        GrazingPoint, Theory,
+        GrazingPoint, KICKS, Theory,
     },
     analysed,
 };
@@ -18,7 +18,7 @@ use crate::{
     error::Result,
     many::{
         Family, Machine, State, StopLaw,
-        grazing::{FreeMotion, Grazing},
+        grazing::{FreeMotion, Grazing, LinearTouch},
         orbit::{Itinerary, find_from},
         section::{PlanarMachine, PlaneAxis, Start},
         simulate::Simulator,
@@ -41,10 +41,16 @@ pub(crate) struct MachineGrazingPoint<'f> {
     pub machine: Machine<f64>,
     /// How far it was looked for.
     pub reach: f64,
+    /// All touches that are known.
+    pub touches: Vec<LinearTouch>,
 }
 
 impl GrazingPoint for MachineGrazingPoint<'_> {
     type Start = Start;
+
+    fn touches(&self) -> &[LinearTouch] {
+        &self.touches
+    }
 
     fn report(&self) -> GrazingMap {
         let (event, machine) = (&self.event, &self.machine);
@@ -86,18 +92,26 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
         let phase = (event.at.phase + PI).rem_euclid(TAU);
         let (machine, slope) = self.family.at(event.parameter)?;
         let motion = FreeMotion::near(&machine, &slope, Some(&event.motion.state(0.0)), None)?;
-        let start = motion.motion().state(phase).start(machine.rate());
+        let state = motion.motion().state(phase);
+        let (parameter, width) = (event.parameter, self.size()?);
+        let simulator = self.job.machine_simulator(&machine, &[])?;
+        let contacts = simulator.contacts();
+        let kicked = |part: f64| {
+            let mut state = state.clone();
+            state.u.axpy(part * width / contacts.mobility(stop), contacts.push(stop), 1.0);
+            state.start(machine.rate())
+        };
+        let (start, others) = (state.start(machine.rate()), KICKS.map(kicked).to_vec());
         let planar = |value| {
             let (machine, _): (Machine<f64>, _) = self.family.at(value)?;
             let simulator = self.job.machine_simulator(&machine, &[])?;
             PlanarMachine::new(&machine, simulator, &[PlaneAxis::Gap(stop), PlaneAxis::Rate(stop)])
         };
-        let (parameter, width) = (event.parameter, self.size()?);
         let look = Look { phase, ..look.clone() };
         let slowest = event.map.eigenvalues.first().map_or(0.0, |x| x.0.hypot(x.1));
         let still = vec![0.0; start.q.len()];
         let rest = Some(Start { t: 0.0, q: still.clone(), u: still });
-        let touch = Touch { parameter, e, start, rest, periods: 1, slowest, width };
+        let touch = Touch { parameter, e, start, rest, others, periods: 1, slowest, width };
         touch::seen(&touch, &look, planar, self.job.monitor)
     }
 

@@ -25,16 +25,16 @@ use super::{
         Analysed, Complex, Job, Judgement, Keeper, SectionFindings, SimulationFindings, StartNumbers,
         ValidateFindings, rest::RestsHere,
     },
-    Engine, JudgedOrbit, MARGIN, Prover, RangeProver, StartPlane,
+    Engine, JudgedOrbit, MARGIN, OrbitSource as _, Prover, RangeProver, StartPlane, asked_touches,
 };
 use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, dynamics::Dynamics, swing::Swing},
-    continuation::{Bifurcation, FollowedOrbit, OrbitSearch, counted},
+    continuation::{Bifurcation, BranchSearch, FollowedOrbit, OrbitSearch, SearchReach, counted, nearest},
     error::{Error, Result},
     many::{
         Family, Machine, State,
         attracting::attracting,
-        grazing::{Search, locate, own_reach},
+        grazing::{Grazing, Search, locate, own_reach},
         orbit::{Admissibility, Itinerary, Orbit},
         section::{self, PlanarMachine, Point},
         simulate::Simulator,
@@ -231,6 +231,12 @@ impl<'j> Engine for Machines<'j> {
         Ok([machine, slope])
     }
 
+    fn linear(&self, family: &MachineSceneFamily, value: f64) -> Result<Option<[Machine<f64>; 2]>> {
+        let (machine, slope) = family.at(value)?;
+        let is_linear = !machine.is_smooth() && machine.friction.is_empty();
+        Ok(is_linear.then_some([machine, slope]))
+    }
+
     fn cubic(&self, _: &MachineSceneFamily, _: f64) -> Result<f64> {
         Ok(0.0)
     }
@@ -282,14 +288,27 @@ impl<'j> Engine for Machines<'j> {
     ) -> Result<std::result::Result<MachineGrazingPoint<'f>, String>> {
         let start = family.value();
         let near = search::state(&task.orbit, self.machine)?;
-        let reach = task.reach.map_or_else(|| own_reach(family, start, near.as_ref()), Ok)?;
-        let event = match locate(family, start, reach, near.as_ref())? {
-            Search::Found(found) => *found,
-            Search::Nothing(reason) => return Ok(Err(reason)),
+        let touches = match asked_touches(self, family, task, self.job)? {
+            Some(Err(why)) => return Ok(Err(why)),
+            Some(Ok(touches)) => touches,
+            None => Vec::new(),
+        };
+        let from = touches.first().map_or(start, |nearest| nearest.parameter);
+        let reach = task.reach.map_or_else(|| own_reach(family, from, near.as_ref()), Ok)?;
+        let event = match touches.first() {
+            Some(nearest) => Grazing::at(family, nearest.parameter)?,
+            None => match locate(family, start, reach, near.as_ref())? {
+                Search::Found(found) => *found,
+                Search::Nothing(reason) if !self.machine.is_smooth() => return Ok(Err(reason)),
+                Search::Nothing(reason) => match self.along_branch(task, family, reach)? {
+                    Ok(found) => found,
+                    Err(why) => return Ok(Err(format!("{reason}; {why}"))),
+                },
+            },
         };
         self.job.check()?;
         let (machine, _) = family.at(event.parameter)?;
-        Ok(Ok(MachineGrazingPoint { task, job: self.job, family, event, machine, reach }))
+        Ok(Ok(MachineGrazingPoint { task, job: self.job, family, event, machine, reach, touches }))
     }
 
     fn attracting(
@@ -337,5 +356,28 @@ impl<'j> Engine for Machines<'j> {
     ) -> Result<()> {
         // Refused when the scene was read.
         Err(Error::input("bifurcations of machines are not proved"))
+    }
+}
+
+impl<'j> Machines<'j> {
+    /// The touch of the motion without impacts along its branch, through folds in which the parameter turns;
+    /// the inner error is why there is none.
+    fn along_branch(
+        &self,
+        task: &GrazingTask,
+        family: &MachineSceneFamily<'j>,
+        reach: f64,
+    ) -> Result<std::result::Result<Grazing, String>> {
+        let (source, start) = (self.source(family)?, family.value());
+        let orbits = source.present(&task.orbit)?;
+        let Some(orbit) = orbits.first() else {
+            return Ok(Err(format!("no admissible orbit to follow at {} = {start}", task.parameter)));
+        };
+        let extent = SearchReach::Parameter { unit: reach, reach };
+        let options = task.options.checked()?;
+        Ok(match nearest(source.family(), Bifurcation::Grazing, orbit, start, extent, &options)? {
+            BranchSearch::Found(found) => Ok(Grazing::near(family, found.parameter, &found.orbit.state)?),
+            BranchSearch::Nothing(why) => Err(format!("followed as a branch: {why}")),
+        })
     }
 }

@@ -3,7 +3,7 @@
 use super::{
     super::{
         super::{Analysed, GrazingMap, Job, Judgement, MapNumbers, range::SideRange},
-        GrazingPoint, Theory,
+        GrazingPoint, KICKS, Theory,
     },
     analysed,
     ranges::ranges,
@@ -16,6 +16,7 @@ use crate::{
     },
     continuation::LocalMap,
     error::{Error, Result},
+    many::grazing::LinearTouch,
     motion::State,
     number::parse_rational,
     one::{
@@ -40,6 +41,8 @@ pub(crate) struct OscillatorGrazing<'f> {
     pub far: State,
     /// Radians in the scene's unit of time, at the touch.
     pub rate: f64,
+    /// All touches that are known.
+    pub touches: Vec<LinearTouch>,
     /// The scene as its tolerances are asked of, and they, those of numbers that are not rational included.
     pub tolerated: (Scene, Tolerances),
 }
@@ -81,6 +84,10 @@ impl OscillatorGrazing<'_> {
 
 impl GrazingPoint for OscillatorGrazing<'_> {
     type Start = State;
+
+    fn touches(&self) -> &[LinearTouch] {
+        &self.touches
+    }
 
     fn report(&self) -> GrazingMap {
         let (event, half) = (&self.event, &self.half);
@@ -134,7 +141,9 @@ impl GrazingPoint for OscillatorGrazing<'_> {
         // Of the motion without impacts, which has the touch for its only one.
         let is_free = self.event.itinerary.strikes().len() == 1;
         let rest = is_free.then_some(State { t: 0.0, q: 0.0, u: 0.0 });
-        let touch = Touch { parameter, e, start: self.far, rest, periods, slowest, width };
+        let kicked = |part: f64| State { u: self.far.u + part * width * self.rate, ..self.far };
+        let others = KICKS.map(kicked).to_vec();
+        let touch = Touch { parameter, e, start: self.far, rest, others, periods, slowest, width };
         touch::seen(&touch, &look, simulator, job.monitor)
     }
 

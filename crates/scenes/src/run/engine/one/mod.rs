@@ -24,13 +24,13 @@ use super::{
         ValidateFindings,
         rest::{RestsHere, all_rests},
     },
-    Engine, JudgedOrbit, MARGIN, Prover, RangeProver, StartPlane,
+    Engine, JudgedOrbit, MARGIN, Prover, RangeProver, StartPlane, asked_touches,
 };
 use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, swing::Swing},
     continuation::{Bifurcation, BranchSearch, OrbitSearch, nearest},
     error::Result,
-    many::Machine,
+    many::{Machine, grazing::LinearTouch},
     motion::{Flow, Side, State, System},
     number::Precision,
     one::{
@@ -49,7 +49,8 @@ use crate::{
     },
 };
 
-/// How often it is gone nearer to a touch that is not found, each time by this part of the way;
+/// How often it is gone nearer to a touch that is not found, each time by this part of the way, which is
+/// halved as often where there is no motion;
 /// and the step of differences, in the parameter's own unit.
 const NEARER: u32 = 8;
 const MOST: f64 = 0.9;
@@ -247,11 +248,16 @@ impl<'j> Engine for Oscillators<'j> {
     }
 
     fn machines(&self, family: &SceneFamily, value: f64) -> Result<[Machine<f64>; 2]> {
-        let names = [Side::Lower, Side::Upper].map(|side| self.job.stop(side));
-        let [lower, upper] = names.each_ref().map(String::as_str);
-        let [system, slope] = family.systems(value)?;
-        Ok([(system, 1.0), (slope, 0.0)]
-            .map(|(system, unit)| Machine::of_oscillator(&system, [lower, upper], unit)))
+        Ok(self.as_machines(&family.systems(value)?))
+    }
+
+    fn linear(&self, family: &SceneFamily, value: f64) -> Result<Option<[Machine<f64>; 2]>> {
+        let systems = family.systems(value)?;
+        let linear = match &systems {
+            [system, _] if system.smooth.is_some() => family.at(value)?.linear(),
+            [system, slope] => (system.cubic == 0.0 && slope.cubic == 0.0).then_some(systems),
+        };
+        Ok(linear.map(|systems| self.as_machines(&systems)))
     }
 
     fn cubic(&self, family: &SceneFamily, value: f64) -> Result<f64> {
@@ -302,6 +308,11 @@ impl<'j> Engine for Oscillators<'j> {
         family: &'f SceneFamily<'j>,
     ) -> Result<std::result::Result<OscillatorGrazing<'f>, String>> {
         let start = family.value();
+        match asked_touches(self, family, task, self.job)? {
+            Some(Err(why)) => return Ok(Err(why)),
+            Some(Ok(touches)) => return self.at_touch(task, family, touches).map(Ok),
+            None => {}
+        }
         let orbits = task.orbit.orbits(&family.at(start)?, || self.job.check())?.found;
         // Beyond its touch the motion without impacts is not admissible, and leads there all the same.
         let is_far = |orbit: &&Orbit| task.reach.is_none() && orbit.itinerary.strikes().is_empty();
@@ -342,15 +353,7 @@ impl<'j> Engine for Oscillators<'j> {
             }
         };
         let event = locate(family, &located.orbit, located.parameter)?;
-        // Two grazings in a period are the theory's business only if a symmetry makes them one.
-        let half = event.half_map(&family.at(event.parameter)?);
-        let (job, orbit) = (self.job, named(&orbit.itinerary, self.job));
-        let there = family.at(event.parameter)?;
-        let far = far_from(&event, &located.orbit, &there)?;
-        let rate = there.system().shown_rate();
-        let own = || (job.scene.clone(), task.tolerance.clone());
-        let tolerated = job.scene.with_hidden(Some(&task.parameter), &task.tolerance)?.unwrap_or_else(own);
-        Ok(Ok(OscillatorGrazing { task, job, family, event, half, orbit, far, rate, tolerated }))
+        self.point(task, family, (event, &located.orbit), Vec::new()).map(Ok)
     }
 
     fn attracting(&self, oscillator: &Oscillator, from: &State, detection: &Detection) -> Result<Orbit> {
@@ -391,9 +394,52 @@ impl<'j> Engine for Oscillators<'j> {
     }
 }
 
+impl<'j> Oscillators<'j> {
+    /// The grazing of the motion without impacts at the first of its touches.
+    fn at_touch<'f>(
+        &'f self,
+        task: &'f GrazingTask,
+        family: &'f SceneFamily<'j>,
+        touches: Vec<LinearTouch>,
+    ) -> Result<OscillatorGrazing<'f>> {
+        let LinearTouch { parameter, state, .. } = &touches[0];
+        let itinerary = Itinerary::free(task.orbit.period)?;
+        let orbit = find(&family.at(*parameter)?, &itinerary, vec![state.q()[0], state.u()[0]])?;
+        // Newton's method on the flow over a period loses digits at a resonance.
+        let event = Grazing { parameter: *parameter, ..locate(family, &orbit, *parameter)? };
+        self.point(task, family, (event, &orbit), touches)
+    }
+
+    /// All that is asked of a grazing, which an orbit comes to.
+    fn point<'f>(
+        &'f self,
+        task: &'f GrazingTask,
+        family: &'f SceneFamily<'j>,
+        (event, near): (Grazing, &Orbit),
+        touches: Vec<LinearTouch>,
+    ) -> Result<OscillatorGrazing<'f>> {
+        let there = family.at(event.parameter)?;
+        // Two grazings in a period are the theory's business only if a symmetry makes them one.
+        let half = event.half_map(&there);
+        let (job, orbit) = (self.job, named(&near.itinerary, self.job));
+        let far = far_from(&event, near, &there)?;
+        let rate = there.system().shown_rate();
+        let own = || (job.scene.clone(), task.tolerance.clone());
+        let tolerated = job.scene.with_hidden(Some(&task.parameter), &task.tolerance)?.unwrap_or_else(own);
+        Ok(OscillatorGrazing { task, job, family, event, half, orbit, far, rate, touches, tolerated })
+    }
+
+    /// A system and the rates of its coefficients, as machines.
+    fn as_machines(&self, [system, slope]: &[System<f64>; 2]) -> [Machine<f64>; 2] {
+        let names = [Side::Lower, Side::Upper].map(|side| self.job.stop(side));
+        let names = names.each_ref().map(String::as_str);
+        [(system, 1.0), (slope, 0.0)].map(|(system, unit)| Machine::of_oscillator(system, names, unit))
+    }
+}
+
 /// The motion without impacts at a value of the parameter most of the way to where its least gap closes, to
-/// first order, or from beyond a stop a little farther than there; none where it does not change or there is
-/// no such motion.
+/// first order, or half as far again and again, or from beyond a stop a little farther than there; none where
+/// it does not change or there is no such motion.
 fn nearer(family: &SceneFamily, orbit: &Orbit, at: f64) -> Option<(Orbit, f64)> {
     let there = |value: f64, z: Vec<f64>| find(&family.at(value).ok()?, &orbit.itinerary, z).ok();
     let gap = |orbit: &Orbit| orbit.least.map(|least| least.gap);
@@ -405,10 +451,13 @@ fn nearer(family: &SceneFamily, orbit: &Orbit, at: f64) -> Option<(Orbit, f64)> 
         there(value, orbit.z.iter().zip(&ahead.z).map(moved).collect())
     };
     let closed = at - gap(orbit)? / slope;
-    let value = match gap(orbit)? {
-        open if open > 0.0 => at - MOST * open / slope,
-        _ => closed + OPEN * there(closed)?.unit / slope,
-    };
+    let open = gap(orbit)?;
+    if open > 0.0 {
+        // Before the gap closes there may be a fold, beyond which there is no such motion.
+        let values = (0..NEARER).map(|i| at - MOST * open / slope / f64::from(1 << i));
+        return values.filter(|value| value.is_finite()).find_map(|value| Some((there(value)?, value)));
+    }
+    let value = closed + OPEN * there(closed)?.unit / slope;
     Some((there(value).filter(|_| value.is_finite())?, value))
 }
 

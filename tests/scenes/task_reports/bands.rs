@@ -1,0 +1,121 @@
+//! The bands over drive and touch, against a solver of its own: from no start a motion hits for ever before
+//! the first end.
+
+use std::f64::consts::TAU;
+
+use grazing_base::random::Random;
+
+use super::grazing_found;
+use crate::samples::samples;
+
+/// q″ + c q′ + k q = F cos t below a stop at 1 with restitution τ.
+#[derive(Debug, Clone, Copy)]
+struct Driven {
+    c: f64,
+    k: f64,
+    restitution: f64,
+}
+
+impl Driven {
+    fn scene(self, force: f64) -> String {
+        let Driven { c, k, restitution } = self;
+        format!(
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nF = {force:?}\n[system]\ndamping = {c:?}\n\
+             stiffness = {k:?}\nforcing = [{{ cos = \"F\" }}]\n[[stops]]\nname = \"stop\"\nside = \"upper\"\noffset = 1\n\
+             restitution = {restitution:?}\n[[tasks]]\nname = \"it\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 1\n"
+        )
+    }
+
+    /// (q, v) after a time from (q, v) at t: the motion in closed form.
+    fn flow(self, force: f64, t: f64, [q, v]: [f64; 2], after: f64) -> [f64; 2] {
+        let (half, turn) = (self.c / 2.0, (self.k - self.c * self.c / 4.0).sqrt());
+        let size = (self.k - 1.0).powi(2) + self.c * self.c;
+        let forced = |t: f64| {
+            let (a, b) = (force * (self.k - 1.0) / size, force * self.c / size);
+            [a * t.cos() + b * t.sin(), b * t.cos() - a * t.sin()]
+        };
+        let [from, to] = [forced(t), forced(t + after)];
+        let (x, y) = (q - from[0], (v - from[1] + half * (q - from[0])) / turn);
+        let (sin, cos) = (turn * after).sin_cos();
+        let left = (-half * after).exp();
+        let [here, speed] = [left * (x * cos + y * sin), left * (y * cos - x * sin) * turn];
+        [to[0] + here, to[1] + speed - half * here]
+    }
+
+    /// How often it hits in the last 50 of so many periods: in steps, with halving to an impact, and held on
+    /// the stop while the force presses.
+    fn hits(self, force: f64, mut state: [f64; 2], periods: u32) -> u32 {
+        const STEPS: u32 = 128;
+        let (mut count, step) = (0, TAU / f64::from(STEPS));
+        for i in 0..periods * STEPS {
+            let (mut t, end) = (f64::from(i % STEPS) * step, f64::from(i % STEPS + 1) * step);
+            while t < end {
+                if state[0] >= 1.0 - 1e-12 && state[1].abs() < 1e-6 && force * t.cos() > self.k {
+                    (state, t) = ([1.0, 0.0], end);
+                    continue;
+                }
+                let next = self.flow(force, t, state, end - t);
+                if next[0] <= 1.0 {
+                    (state, t) = (next, end);
+                    continue;
+                }
+                let (mut free, mut behind) = (0.0, end - t);
+                for _ in 0..50 {
+                    let middle = f64::midpoint(free, behind);
+                    *(if self.flow(force, t, state, middle)[0] > 1.0 { &mut behind } else { &mut free }) =
+                        middle;
+                }
+                let at = self.flow(force, t, state, free);
+                state = [1.0 - 1e-13, -self.restitution * at[1].abs()];
+                t += free.max(1e-9);
+                count += u32::from(i >= (periods - 50) * STEPS);
+            }
+        }
+        count
+    }
+}
+
+#[test]
+fn below_the_first_end_no_motion_of_a_second_solver_hits_for_ever() {
+    let mut random = Random(3);
+    let mut between =
+        |low: f64, high: f64| low + (high - low) * (random.bits() >> 11) as f64 / (1u64 << 53) as f64;
+    let (mut lower, mut wrong) = (0, Vec::new());
+    for number in 0..samples::<u64>(2) {
+        let machine = Driven { c: between(0.05, 0.4), k: between(0.1, 4.0), restitution: between(0.4, 0.9) };
+        let touch = (machine.k - 1.0).hypot(machine.c);
+        let (found, shown, _) = grazing_found(&machine.scene(between(0.1, 2.0) * touch));
+        assert!((found.at.parameter / touch - 1.0).abs() < 1e-13, "{shown}");
+        let bands = found.bands.unwrap_or_else(|| panic!("{machine:?} {shown}"));
+        let first = &bands[0];
+        // What is swept back and hits no more has left.
+        let back = found.seen.unwrap().into_iter().find(|row| row.place == "back");
+        assert!(back.is_none_or(|row| (row.what == "stays") == row.speed.is_some()), "{machine:?} {shown}");
+        lower += u32::from(bands.len() == 3);
+        assert!(first.band == "free" && bands.last().unwrap().least == Some(found.at.parameter), "{shown}");
+        let end = first.most.unwrap();
+        for part in [0.6, 0.9, 0.995] {
+            for start in 0..samples::<u32>(20).min(67) {
+                let state = if start == 0 { [0.0, 0.0] } else { [between(-6.0, 1.0), between(-6.0, 6.0)] };
+                // A chaotic transient may be long.
+                let hits = machine.hits(part * end, state, 400);
+                if hits > 0 && machine.hits(part * end, state, 10_000) > 0 {
+                    wrong.push(format!(
+                        "{number} {machine:?} touch {touch} end {end} at {} from {state:?}: {hits}",
+                        part * end
+                    ));
+                    break;
+                }
+            }
+        }
+        // Just above a lower end, one does.
+        if bands.len() == 3 {
+            let some = (0..400).any(|_| {
+                machine.hits(f64::midpoint(end, touch), [between(-6.0, 1.0), between(-6.0, 6.0)], 200) > 0
+            });
+            assert!(some, "{number} {machine:?} {shown}");
+        }
+    }
+    println!("{lower} have a band in which it depends\n{}", wrong.join("\n"));
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
