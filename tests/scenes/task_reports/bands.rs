@@ -119,3 +119,21 @@ fn below_the_first_end_no_motion_of_a_second_solver_hits_for_ever() {
     println!("{lower} have a band in which it depends\n{}", wrong.join("\n"));
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
+
+/// With a spring that hardens a second motion may be clear of the stop beyond the touch of the first: nothing
+/// is said of all motions there.
+#[test]
+fn of_forces_that_are_not_linear_no_bands_are_told() {
+    let machine = Driven { c: 0.1, k: 0.3, restitution: 0.8 };
+    let linear = machine.scene(0.5).replace("max_period = 1\n", "max_period = 1\nseen = true\n");
+    let cubic = linear.replace("forcing =", "cubic = 0.01\nforcing =");
+    for (scene, expected) in [(linear, true), (cubic, false)] {
+        let (found, shown, _) = grazing_found(&scene);
+        assert!(found.seen.is_some(), "{shown}");
+        assert_eq!(
+            (found.bands.is_some(), found.in_words.contains("it always hits")),
+            (expected, expected),
+            "{shown}"
+        );
+    }
+}

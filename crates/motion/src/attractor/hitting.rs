@@ -36,7 +36,8 @@ pub struct Touch<S> {
     pub start: S,
     /// A start at rest; none where it is not asked for.
     pub rest: Option<S>,
-    /// Starts of other motions that may hit before the touch; none where they are not asked for.
+    /// Starts of other motions that may hit before the touch; none where it is not asked how far before it
+    /// motions hit.
     pub others: Vec<S>,
     /// Its period, in forcing periods.
     pub periods: u32,

@@ -151,7 +151,7 @@ pub fn seen<D: Attraction>(
     let mut seen = Seen { look, before, beyond, back: None, back_to: None, rest, hitting: None };
     let jumps = !seen.beyond.near && seen.beyond.settled.is_some();
     let far = jumps.then(|| back(touch, (step, 1), &observation, &dynamics, monitor)).transpose()?;
-    if touch.rest.is_some() {
+    if !touch.others.is_empty() {
         let rest = seen.rest.as_ref().map(|rest| (rest.parameter, &rest.settled));
         let known = Known { beyond: far.as_ref(), rest, starts: 1 + RESTS };
         seen.hitting = Some(hitting(touch, &known, &observation, &dynamics, monitor)?);

@@ -1,7 +1,8 @@
 //! What motions do over the parameter of a touch, in three bands: rows of the task `grazing`.
 //!
-//! The end at the touch is a root. That beyond it each motion hits for ever is an argument: the motion
-//! without impacts attracts, so one that hits no more would tend to it, which passes through the stop. The
+//! The end at the touch is a root. That beyond it each motion hits for ever is an argument, of machines whose
+//! forces are linear alone: the motion without impacts attracts, so one that hits no more would tend to it,
+//! which passes through the stop. Of others there may be a second such motion, and there are no bands. The
 //! other end is what motions that were followed have shown.
 
 use super::{GrazingMap, row};

@@ -101,7 +101,8 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
             state.u.axpy(part * width / contacts.mobility(stop), contacts.push(stop), 1.0);
             state.start(machine.rate())
         };
-        let (start, others) = (state.start(machine.rate()), KICKS.map(kicked).to_vec());
+        let others = if self.job.is_linear() { KICKS.map(kicked).to_vec() } else { Vec::new() };
+        let start = state.start(machine.rate());
         let planar = |value| {
             let (machine, _): (Machine<f64>, _) = self.family.at(value)?;
             let simulator = self.job.machine_simulator(&machine, &[])?;

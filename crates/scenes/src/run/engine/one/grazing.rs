@@ -142,7 +142,7 @@ impl GrazingPoint for OscillatorGrazing<'_> {
         let is_free = self.event.itinerary.strikes().len() == 1;
         let rest = is_free.then_some(State { t: 0.0, q: 0.0, u: 0.0 });
         let kicked = |part: f64| State { u: self.far.u + part * width * self.rate, ..self.far };
-        let others = KICKS.map(kicked).to_vec();
+        let others = if is_free && job.is_linear() { KICKS.map(kicked).to_vec() } else { Vec::new() };
         let touch = Touch { parameter, e, start: self.far, rest, others, periods, slowest, width };
         touch::seen(&touch, &look, simulator, job.monitor)
     }
