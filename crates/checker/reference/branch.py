@@ -401,17 +401,8 @@ def quotient(word):
 class File(chaos.File):
     """A certificate, read and held to its form."""
     def __init__(self, text):
-        self.lines = [line.removesuffix("\r") for line in text.removesuffix("\n").split("\n")]
-        need(self.take() == "grazing-certificate 1", "not a certificate")
-        need(self.take() == "kind branch", "not of kind branch")
-        need(self.take() == "statement " + STATEMENT, "another statement")
+        self.head(text, {"branch": STATEMENT})
         need(all(len(line.encode()) <= 1000 for line in self.lines), "a line is too long")
-        digest, = self.words("digest", 1)
-        system = list(self.lines)
-        self.read_system()
-        own = "".join(line + "\n" for line in system[:len(system) - len(self.lines)])
-        need(hashlib.sha256(own.encode()).hexdigest() == digest, "another digest")
-        need(re.fullmatch("[A-Za-z_][A-Za-z0-9_]{0,31}", self.words("parameter", 1)[0], re.ASCII), "not a name")
         self.count = whole(self.words("branch", 1)[0], 1, 24)
         self.strikes = [self.read_strike() for _ in range(self.count)]
         need(any(periods for _, periods in self.strikes), "the periods sum to 0")
@@ -420,6 +411,22 @@ class File(chaos.File):
             self.cells.append(self.read_cell())
         need(not self.lines, "the file goes on")
 
+    def head(self, text, statements):
+        """The lines up to the parameter's name; of these kinds, each with its statement, which it is."""
+        self.lines = [line.removesuffix("\r") for line in text.removesuffix("\n").split("\n")]
+        need(self.take() == "grazing-certificate 1", "not a certificate")
+        name, _, self.kind = self.take().partition(" ")
+        need(name == "kind" and self.kind in statements, "not of kind " + " or ".join(statements))
+        need(self.take() == "statement " + statements[self.kind], "another statement")
+        digest, = self.words("digest", 1)
+        system = list(self.lines)
+        self.read_system()
+        own = "".join(line + "\n" for line in system[:len(system) - len(self.lines)])
+        need(hashlib.sha256(own.encode()).hexdigest() == digest, "another digest")
+        need(re.fullmatch("[A-Za-z_][A-Za-z0-9_]{0,31}", self.words("parameter", 1)[0], re.ASCII), "not a name")
+
+    def quotient(self, word): return quotient(word)
+
     def read_system(self):
         self.waves = 0
         # Nothing is computed in other units than the listed ones.
@@ -427,7 +434,7 @@ class File(chaos.File):
             units = [power(word) for word in self.words("units", 2)]
             need(any(units), "units that are all 1 are not listed")
         words = [self.words(name, 1)[0] for name in ("damping", "stiffness", "force")]
-        self.damping, self.stiffness, self.force = map(quotient, words)
+        self.damping, self.stiffness, self.force = map(self.quotient, words)
         self.no_force = all(x.lo == x.hi == 0 for x in self.force[0])
         self.forcing = self.read_waves(self.words("forcing", 1)[0])
         self.walls = {}
@@ -435,7 +442,7 @@ class File(chaos.File):
             words = self.words(side)
             if words != ["none"]:
                 need(len(words) == 3, "a wall has three words")
-                offset, tau = map(quotient, words[:2])
+                offset, tau = map(self.quotient, words[:2])
                 need(len(tau[0]) > 1 or len(tau[1]) > 1 or (tau[0][0] / tau[1][0]).hi >= 0, "a restitution is below 0")
                 self.walls[side] = offset, tau, self.read_waves(words[2])
 
@@ -443,7 +450,7 @@ class File(chaos.File):
         terms = []
         for _ in range(whole(count, 0, 1000)):
             n, a, b = self.words("harmonic", 3)
-            terms.append((whole(n, 0, 1000), quotient(a), quotient(b)))
+            terms.append((whole(n, 0, 1000), self.quotient(a), self.quotient(b)))
         self.waves += len(terms)
         return terms
 

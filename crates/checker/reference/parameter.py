@@ -9,13 +9,13 @@ range.py, single.py or nothing.py. All else is in fractions: coefficients lie be
 by the rules of calculus. Of one harmonic no root is taken: (M/H)² is compared with (1 ± nu)². The range is cut in
 halves until a sign is known, whatever the pieces are that the file lists.
 """
-import hashlib
 import importlib
 import re
 from fractions import Fraction
 
+import branch
 import chaos
-from branch import decimal, power, whole
+from branch import decimal, whole
 from chaos import BITS, CIRCLE, ONE, ZERO, fraction, need, number
 
 HEADS = (
@@ -72,22 +72,12 @@ class Slope:
 def constant(x): return Slope(Span(x))
 
 
-class File(chaos.File):
+class File(branch.File):
     """A certificate, read and held to its form."""
     def __init__(self, text):
+        self.head(text, {"parameter": HEADS[0] + SEEN, "parameter 2": HEADS[1] + SEEN})
+        need(self.waves <= 1000, "too many harmonics")
         whole_text = text.removesuffix("\n").split("\n")
-        self.lines = [line.removesuffix("\r") for line in whole_text]
-        need(self.take() == "grazing-certificate 1", "not a certificate")
-        kind = self.take()
-        need(kind in ("kind parameter", "kind parameter 2"), "not of kind parameter")
-        self.version = 2 if kind.endswith("2") else 1
-        need(self.take() == "statement " + HEADS[self.version - 1] + SEEN, "another statement")
-        digest, = self.words("digest", 1)
-        before = list(self.lines)
-        self.read_system()
-        own = "".join(line + "\n" for line in before[:len(before) - len(self.lines)])
-        need(hashlib.sha256(own.encode()).hexdigest() == digest, "another digest")
-        need(re.fullmatch("[A-Za-z_][A-Za-z0-9_]{0,31}", self.words("parameter", 1)[0], re.ASCII), "not a name")
         self.read_range()
         end = len(whole_text) - len(self.lines)
         need(all(len(line.encode()) <= 1000 for line in whole_text[3:end]), "a line is too long")
@@ -104,7 +94,7 @@ class File(chaos.File):
         need(slash, f"not a quotient: {word}")
         lists = [text.split(",") for text in (above, below)]
         need(all(len(one) <= 17 for one in lists), f"a quotient of too high powers: {word}")
-        if self.version == 2:
+        if self.kind == "parameter 2":
             ends = [[one.partition("..") for one in all] for all in lists]
             need(all(dots for all in ends for _, dots, _ in all), f"not a quotient of ranges: {word}")
             lists = [[Span(decimal(low), decimal(high)) for low, _, high in all] for all in ends]
@@ -117,32 +107,6 @@ class File(chaos.File):
         scale = max(map(abs, below))
         need(all(abs(x) < 2**30 * scale for x in above + below), f"out of range: {word}")
         return [[Span(x) for x in all] for all in (above, below)]
-
-    def read_system(self):
-        if self.lines and self.lines[0].startswith("units "):
-            units = [power(word) for word in self.words("units", 2)]
-            need(any(units), "units that are all 1 are not listed")
-        one = lambda name: self.quotient(self.words(name, 1)[0])
-        self.damping, self.stiffness, self.force = one("damping"), one("stiffness"), one("force")
-        self.forcing = self.read_waves(self.words("forcing", 1)[0])
-        self.walls = {}
-        for side in ("lower", "upper"):
-            words = self.words(side)
-            if words != ["none"]:
-                need(len(words) == 3, "a wall has three words")
-                place, law = map(self.quotient, words[:2])
-                sign = law[0][0].lo if len(law[0]) == len(law[1]) == 1 else 0
-                need(sign >= 0, "a restitution is below 0")
-                self.walls[side] = place, law, self.read_waves(words[2])
-        terms = len(self.forcing) + sum(len(waves) for _, _, waves in self.walls.values())
-        need(terms <= 1000, "too many harmonics")
-
-    def read_waves(self, count):
-        terms = []
-        for _ in range(whole(count, 0, 1000)):
-            n, a, b = self.words("harmonic", 3)
-            terms.append((whole(n, 0, 1000), self.quotient(a), self.quotient(b)))
-        return terms
 
     def read_range(self):
         pair = lambda words: tuple(map(decimal, words))

@@ -67,7 +67,7 @@ impl RationalFunction {
         // over = c·under, coefficient by coefficient.
         let at = self.under.iter().position(|x| !x.is_zero())?;
         let zero = BigInt::zero();
-        let get = |list: &'_ [BigInt], i: usize| list.get(i).cloned().unwrap_or_else(|| zero.clone());
+        let get = |list: &[BigInt], i: usize| list.get(i).cloned().unwrap_or_else(|| zero.clone());
         let (p, q) = (get(&self.over, at), get(&self.under, at));
         let longest = self.over.len().max(self.under.len());
         let holds = (0..longest).all(|i| get(&self.over, i) * &q == get(&self.under, i) * &p);
@@ -94,10 +94,7 @@ impl RationalFunction {
         };
         let back: Vec<BigInt> = times(&self.over, &slope(&self.under)).into_iter().map(|x| -x).collect();
         let above = sum(&times(&slope(&self.over), &self.under), &back);
-        let one = |list: &[BigInt]| match sign(list) {
-            Some(sign) => sign != 0,
-            None => false,
-        };
+        let one = |list: &[BigInt]| sign(list).is_some_and(|sign| sign != 0);
         one(&above) && one(&product(&self.under, &self.under))
     }
 
