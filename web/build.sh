@@ -28,6 +28,6 @@ else
     RUSTC=/usr/bin/rustc CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld-19 RUSTC_BOOTSTRAP=1 \
         /usr/bin/cargo "${wasm[@]}" -Zbuild-std=std,panic_abort
 fi
-cargo run --quiet --locked --package grazing-web-bindgen -- \
+cargo run --quiet --locked --profile tool --package grazing-web-bindgen -- \
     "target/wasm32-unknown-unknown/$profile/grazing_web.wasm" target/bindgen
 node bundle.mjs "${limit[@]}"
