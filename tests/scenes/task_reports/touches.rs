@@ -3,7 +3,7 @@
 
 use grazing_scenes::{
     many::elements::Short,
-    run::{GrazingReport, InfluenceRow},
+    run::{GrazingReport, InfluenceRow, Mark, Sentence},
 };
 
 use super::grazing_found;
@@ -154,7 +154,14 @@ fn how_hard_it_hits_is_told_with_what_is_seen() {
         {
             assert!(words.contains(part), "{part}: {words}");
         }
-        assert!(shown.contains("in_words"), "{shown}");
+        // Each on a line of its own under its mark; what was followed is never called located.
+        for Sentence { mark, text } in &found.sentences {
+            let root = ["At F = ", "One per cent more "].iter().any(|begin| text.starts_with(begin));
+            assert_eq!(*mark, if root { Mark::Located } else { Mark::Seen }, "{text}");
+            assert!(shown.contains(&format!("\n  {:<16} {text}", mark.to_string())), "{text}: {shown}");
+        }
+        let joined: Vec<&str> = found.sentences.iter().map(|sentence| &*sentence.text).collect();
+        assert_eq!(joined.join(" "), *words);
     }
 }
 

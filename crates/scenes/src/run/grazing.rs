@@ -15,6 +15,7 @@ use super::{
     range::{RangeRow, SideRange},
     row,
     seen::{self, SeenRow},
+    sentence::Sentence,
     told,
     tolerance::{self, ToleranceReport},
 };
@@ -182,7 +183,9 @@ pub struct GrazingMap {
 /// A grazing bifurcation, and the patterns that are born there.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct GrazingReport {
-    /// What happens, in sentences.
+    /// What happens, in sentences, each with a mark.
+    pub sentences: Vec<Sentence>,
+    /// The same without marks.
     pub in_words: String,
     /// The bifurcation.
     #[serde(flatten)]
@@ -347,7 +350,7 @@ impl GrazingReport {
 
     fn lines(&self, lines: &mut Lines) {
         let at = &self.at;
-        lines.say("in_words", self.in_words.as_str());
+        Sentence::lines(&self.sentences, lines);
         lines.say("grazing", format!("{} = {}", at.varied, lines.told("parameter", at.parameter)));
         lines.say_known("orbit", &at.orbit);
         lines.say("stop", at.stop.as_str());
@@ -487,7 +490,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Resul
     let bands = seen.as_ref().and_then(|seen| bands::rows(&at, seen));
     let seen = seen.as_ref().map(|seen| seen::rows(seen, of_gap));
     let units = (job.scene.units, job.scene.turns);
-    let in_words = told::sentences(
+    let sentences = told::sentences(
         &at,
         (job.model.period(), units, job.scene.unit(&at.varied), given),
         (seen.as_deref().unwrap_or_default(), bands.as_deref().unwrap_or_default()),
@@ -496,7 +499,8 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Resul
     );
     let touches = task.within().map(|_| point.touches().iter().map(TouchRow::of).collect());
     Ok(Reached::Whole(GrazingFindings::Found(Box::new(GrazingReport {
-        in_words,
+        in_words: sentences.iter().map(|sentence| &*sentence.text).collect::<Vec<_>>().join(" "),
+        sentences,
         at,
         touches,
         chaos,

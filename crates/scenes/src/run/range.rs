@@ -262,21 +262,13 @@ impl RangeRow {
         };
         let part = self.share.map_or(String::new(), |share| format!(" ({:.2} %)", 100.0 * share));
         if let Some(leaving) = self.leaving(half) {
-            lines.say(
-                "range",
-                format!("{side} the touch, nothing is born; proved for {above}{part}: {leaving}"),
-            );
+            lines.say(PROVED, format!("{side} the touch, for {above}{part}: nothing is born; {leaving}"));
             lines.say("range_ends", reason);
             return self.certificate_lines(varied, lines);
         }
         let what = self.what(half);
-        lines.say(
-            "range",
-            format!(
-                "{side} the touch, proved for {above}{part}: {what} is exactly one motion{}",
-                self.near(half)
-            ),
-        );
+        let near = self.near(half);
+        lines.say(PROVED, format!("{side} the touch, for {above}{part}: {what} is exactly one motion{near}"));
         self.further_lines(varied, lines);
     }
 
@@ -340,9 +332,9 @@ impl RangeRow {
             None => format!("{} is exactly one motion{}", self.what(false), self.near(false)),
         };
         lines.say(
-            "range",
+            PROVED,
             format!(
-                "{side} the touch, for every machine within the tolerances, proved from its own touch, which is at {at}, \
+                "{side} the touch, for every machine within the tolerances, from its own touch, which is at {at}, \
                  to the depth nu = {depth}, {common}: {what}"
             ),
         );

@@ -2,7 +2,7 @@
 //! those of the report, in the scene's names, and in SI units where the scene says what its units are; the
 //! task's parameter is in the unit in which the scene has it.
 
-use super::{BandRow, GrazingMap, HitRow, InfluenceRow, SeenRow, bands};
+use super::{BandRow, GrazingMap, HitRow, InfluenceRow, Mark, SeenRow, Sentence, bands};
 use crate::{
     many::elements::Short,
     scene::{WrittenUnit, units::SiUnits},
@@ -61,17 +61,19 @@ pub(super) fn sentences(
     (seen, bands): (&[SeenRow], &[BandRow]),
     hits: &[HitRow],
     influence: &[InfluenceRow],
-) -> String {
+) -> Vec<Sentence> {
     let value = |value: f64| parameter(at, value, unit);
-    let mut all = vec![first(at, &value(at.parameter), &told(at.phase * period, Time, units))];
-    all.extend(unit.and_then(|_| far(at, given, &value(given))));
-    for row in seen {
-        all.extend(sight(&value(row.value), row));
-        all.extend(blows(hits, &row.place, units));
-    }
-    all.extend(bands::sentence(bands, &value));
-    all.extend(influences(influence));
-    all.join(" ")
+    let touch = first(at, &value(at.parameter), &told(at.phase * period, Time, units));
+    let order = unit.and_then(|_| far(at, given, &value(given)));
+    let found = seen.iter().flat_map(|row| [sight(&value(row.value), row), blows(hits, &row.place, units)]);
+    let found = found.chain([bands::sentence(bands, &value)]).flatten();
+    [touch]
+        .into_iter()
+        .chain(order)
+        .map(|text| Mark::Located.of(text))
+        .chain(found.map(|text| Mark::Seen.of(text)))
+        .chain(influences(influence).map(|text| Mark::Located.of(text)))
+        .collect()
 }
 
 fn first(at: &GrazingMap, value: &str, after: &str) -> String {
