@@ -4,7 +4,6 @@
 mod formula_orbits;
 use super::machines::{apart, second};
 mod soft_orbits;
-use crate::tasks;
 
 use std::f64::consts::{PI, TAU};
 
@@ -24,7 +23,7 @@ use grazing_scenes::{
     search::touch::{InTheory, leading_impacts},
 };
 
-use tasks::PAPER_MACHINE;
+use crate::paper::PAPER_MACHINE;
 
 type RealMatrix = nalgebra::DMatrix<f64>;
 type RealVector = nalgebra::DVector<f64>;

@@ -24,6 +24,8 @@ use grazing_study::{
 };
 use tempfile::TempDir;
 
+use crate::samples::samples;
+
 const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/scenes");
 
 /// Exit code, standard output, standard error, and the folder with the files.
@@ -43,11 +45,18 @@ fn rows(text: &str) -> Vec<HashMap<String, String>> {
     csv::Reader::from_reader(text.as_bytes()).deserialize().map(Result::unwrap).collect()
 }
 
+/// Scenes that take twenty seconds each: where more than the least sample is asked for.
+const LONG: [&str; 2] = ["nordmark-2001-branches.toml", "nordmark-2001-chaos-further.toml"];
+
 #[test]
 fn every_example_runs_and_writes_what_it_says() {
     let mut count = 0;
     for file in fs::read_dir(SCENES).unwrap() {
         let path = file.unwrap().path();
+        if samples::<u32>(1) == 1 && LONG.iter().any(|long| path.ends_with(long)) {
+            println!("{path:?} is run with GRAZING_SAMPLES=2");
+            continue;
+        }
         let (code, out, error, folder) = grazing(&["run", path.to_str().unwrap(), "--format", "json"]);
         // At the resonance of section 4.1 the theory leaves period 3 undecided.
         let expected = if path.ends_with("nordmark-2001-w48.toml") { 3 } else { 0 };
@@ -70,6 +79,67 @@ fn every_example_runs_and_writes_what_it_says() {
         count += 1;
     }
     assert!(count >= 6);
+}
+
+#[test]
+fn every_machine_runs_and_touches_its_stops_if_it_has_any() {
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("examples/machines");
+    let (mut count, mut closed_ones) = (0, 0);
+    for file in fs::read_dir(folder).unwrap() {
+        let path = file.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "toml") {
+            continue;
+        }
+        let (code, text, error, out) = grazing(&["run", path.to_str().unwrap(), "--format", "json"]);
+        assert_eq!(code, 0, "{path:?}: {text} {error}");
+        let report: serde_json::Value = serde_json::from_str(&text).unwrap();
+        for task in report["tasks"].as_array().unwrap() {
+            if task["kind"] != "simulate" {
+                continue;
+            }
+            let stops = task["stops"].as_array().unwrap();
+            let impacts: u64 = stops.iter().map(|stop| stop["impacts"].as_u64().unwrap()).sum();
+            let rubbed = task["friction"].as_array().is_some_and(|all| !all.is_empty());
+            assert!(impacts > 0 || rubbed && stops.is_empty(), "{path:?}: {task}");
+            for stop in stops {
+                let compliant = stop["peak_force"].is_number();
+                assert!(
+                    compliant
+                        || stop["least_gap"].as_f64().unwrap() >= -task["minimum_depth"].as_f64().unwrap(),
+                    "{path:?}: {stop}"
+                );
+            }
+            // The events in the file are those of the report.
+            let events = read(&out, &format!("{}-events.csv", task["task"].as_str().unwrap()));
+            // What events took is what their stops took.
+            let energy = |line: &str| line.rsplit(',').next().unwrap().parse::<f64>().unwrap_or(0.0);
+            let told: f64 = events.lines().skip(1).map(energy).sum();
+            let taken: f64 = stops.iter().map(|stop| stop["dissipated"].as_f64().unwrap()).sum();
+            // Contacts begin and end in turn, unless one lasts where the series begins or ends.
+            let bounds: Vec<bool> = events
+                .lines()
+                .filter(|line| {
+                    line.starts_with("touch,") || line.starts_with("release,") && !line.ends_with(",,")
+                })
+                .map(|line| line.starts_with("touch,"))
+                .collect();
+            let closed = bounds.first() != Some(&false) && bounds.last() != Some(&true);
+            closed_ones += u32::from(closed);
+            // An undamped spring takes nothing, to the last bit.
+            let takes = !stops.is_empty() && !path.ends_with("bilinear.toml");
+            assert_eq!(taken > 0.0, takes, "{path:?}: {task}");
+            assert!(!closed || (told - taken).abs() <= 1e-9 * taken, "{path:?}: {told} {taken}");
+            assert_eq!(
+                events
+                    .lines()
+                    .filter(|line| line.starts_with("impact,") || line.starts_with("touch,"))
+                    .count() as u64,
+                impacts
+            );
+        }
+        count += 1;
+    }
+    assert!(count >= 10 && closed_ones >= 8, "{count} {closed_ones}");
 }
 
 #[test]

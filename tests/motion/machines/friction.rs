@@ -14,7 +14,6 @@ use grazing_scenes::{
 
 use super::{second::numbers, *};
 
-mod branches;
 mod drag;
 mod forms;
 mod orbits;

@@ -388,7 +388,7 @@ fn rows_that_move_together_stick_together() {
 /// Random machines on a floor and a pad with friction on both, against the second solver.
 #[test]
 fn random_machines_agree_with_a_second_solver() {
-    let trials: u32 = samples(6);
+    let trials: u32 = samples(3);
     let mut words: BTreeMap<&str, u32> = BTreeMap::new();
     let (mut worst, mut apart_by) = (0.0f64, 0.0f64);
     let mut random = numbers(0x9e37_79b9_7f4a_7c15);

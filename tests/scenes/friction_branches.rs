@@ -1,11 +1,19 @@
 //! Branches of orbits among dry friction, through what changes of sticking and sliding: against a closed
 //! form, and against simulations.
 
+use std::f64::consts::{PI, TAU};
+
+use grazing_scenes::{
+    many::{
+        Machine,
+        simulate::{Event, Simulator},
+    },
+    motion::{RunEnd, Time},
+    scene::Scene,
+};
 use serde_json::Value;
 
 use crate::tasks::{run, task};
-
-use super::*;
 
 /// A mass on a spring and a belt, in the forcing's phase.
 const BELT: &str = "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nF = 1\nN = 1.2\nk = 4\nd = 0.4\nv = 1.2\ns = 1\n\
@@ -56,21 +64,32 @@ fn motions_begin_to_stick_where_den_hartog_says() {
     }
 }
 
+/// The scene's machine with this amplitude of the force.
+fn forced(scene: &str, force: f64) -> Machine<f64> {
+    let scene = scene.replace("F = 1\n", &format!("F = {force:e}\n"));
+    Scene::from_toml(&scene, "belt.toml").unwrap().machine(&[]).unwrap()
+}
+
 /// The state at phase 0 and what happens over a period, long after the start.
 fn seen(force: f64) -> (f64, Vec<&'static str>) {
-    let mut rough = machine(&[&[1.0]], &[&[0.4]], &[&[4.0]]);
-    rough.forcing = vec![Load { k: 1, cos: vec![force], sin: vec![0.0] }];
-    rough.friction = vec![Friction { speed: 1.2, ..friction(&[1.0], 1.2, [1.0, 1.0]) }];
-    let simulator = Simulator::suited(&rough, None, &[]).unwrap();
-    let mut run = simulator.start(at(0.0), &[0.0], &[0.0]).unwrap();
+    let simulator = Simulator::suited(&forced(BELT, force), None, &[]).unwrap();
+    let mut run = simulator.start(Time::new(0, 0.0), &[0.0], &[0.0]).unwrap();
     run.finish(Time::new(300, 0.0));
     let state = run.state();
-    let mut all = Vec::new();
-    assert_eq!(run.record(Time::new(301, 0.0), |event| all.push(event)), RunEnd::Reached);
-    let mut told = told(&all);
+    let mut told: Vec<(&'static str, f64)> = Vec::new();
+    let end = run.record(Time::new(301, 0.0), |event| {
+        let word = match event {
+            Event::Stick(_) => "stick",
+            Event::Release(_) => "release",
+            Event::Reversal(_) => "reversal",
+            _ => return,
+        };
+        told.push((word, TAU * event.time().unwrap().periods()));
+    });
+    assert_eq!(end, RunEnd::Reached);
     // What lets go with F_s = F_k may be caught and let go again within rounding.
     while let Some(i) = (0..told.len().saturating_sub(2)).find(|&i| {
-        told[i + 2].2 - told[i].2 < 1e-4 && told[i].0 == told[i + 2].0 && told[i].0 != told[i + 1].0
+        told[i + 2].1 - told[i].1 < 1e-4 && told[i].0 == told[i + 2].0 && told[i].0 != told[i + 1].0
     }) {
         told.drain(i + 1..i + 3);
     }
@@ -165,23 +184,16 @@ fn what_sticks_for_ever_has_an_orbit_and_no_branch() {
 #[test]
 fn branches_with_impacts_among_friction_end_where_simulations_gain_or_lose_one() {
     let folder = tempfile::tempdir().unwrap();
-    let scene = BELT
-        .replace("v = 1.2", "v = 0")
-        .replace("N = 1.2", "N = 0.3")
-        .replace("d = 0.4", "d = 0.2")
-        .replace("F = 1", "F = 1.6");
+    let scene = BELT.replace("v = 1.2", "v = 0").replace("N = 1.2", "N = 0.3").replace("d = 0.4", "d = 0.2");
     let scene = format!("{scene}[[stops]]\noffset = -0.3\nrestitution = 0.7\n");
     let keys = "parameter = \"F\"\nrange = [1, 3]\nstarts = [{ attractor = { q = 0 } }]";
-    let (report, code, error) = run(&scene, &[task("b", "branch", keys)], folder.path());
+    let begun = scene.replace("F = 1\n", "F = 1.6\n");
+    let (report, code, error) = run(&begun, &[task("b", "branch", keys)], folder.path());
     let report = &report["tasks"][0];
     assert_eq!(code, 0, "{error}{report}");
     let impacts = |force: f64| {
-        let mut rough = machine(&[&[1.0]], &[&[0.2]], &[&[4.0]]);
-        rough.forcing = vec![Load { k: 1, cos: vec![force], sin: vec![0.0] }];
-        rough.friction = vec![friction(&[1.0], 0.3, [1.0, 1.0])];
-        rough.stops = vec![stop(&[1.0], -0.3, 0.7)];
-        let simulator = Simulator::suited(&rough, None, &[]).unwrap();
-        let mut run = simulator.start(at(0.0), &[0.0], &[0.0]).unwrap();
+        let simulator = Simulator::suited(&forced(&scene, force), None, &[]).unwrap();
+        let mut run = simulator.start(Time::new(0, 0.0), &[0.0], &[0.0]).unwrap();
         run.finish(Time::new(300, 0.0));
         let before = run.impacts();
         run.finish(Time::new(301, 0.0));
