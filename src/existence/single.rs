@@ -41,7 +41,7 @@ pub enum Existence {
         /// A k with b_{n,k} < 0.
         negative: u64,
     },
-    /// u_n = 0, a singular boundary: Theorem 1 is silent.
+    /// u_n = 0, a singular boundary: Theorem 1 is silent; [`Resonance`](super::Resonance) says what is born.
     Singular,
     /// b_{n,k} = 0 for this k, an iterate boundary, and no two b have opposite signs: Theorem 1 is silent.
     Iterate(u64),

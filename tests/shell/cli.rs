@@ -348,7 +348,13 @@ fn classify_by_either_kind_of_point() {
         text.lines().map(|line| line.split(',').take(5).collect::<Vec<_>>().join(",")).collect::<Vec<_>>()
     };
     assert_eq!(kinds(&polar), kinds(&plane));
-    assert!(polar.contains("\n2,singular boundary,,,,,,\n"), "{polar}");
+    assert!(polar.contains("\n2,singular boundary,,,,,,,first\n"), "{polar}");
+    assert!(polar.contains("\n4,singular boundary,,,,,,,higher\n"), "{polar}");
+    // At higher resonances it is decided that nothing is born: the exit code is 0 where there are no others.
+    assert!(
+        stdout("classify --r 1/2 --s 1/3 --max-n 3").contains("n = 3, u_n = 0, higher resonance: no orbit")
+    );
+    assert!(silent("classify --r 1 --s 1/3 --max-n 3").contains("singular boundary"));
     // In reversed time the same orbits, with k and n − k exchanged.
     let reversed = stdout("classify --a1 -6/5 --a2 4/3 --max-n 9 --format csv");
     let forward = stdout("classify --a1 -9/10 --a2 3/4 --max-n 9 --format csv");

@@ -5,7 +5,8 @@ use crate::common;
 
 use grazing::{
     existence::{
-        Case, Claim, Existence, Variant, by_definition, by_records, claimed, intervals, large_eigenvalue_sign,
+        Case, Claim, Existence, Resonance, Variant, by_definition, by_records, claimed, intervals,
+        large_eigenvalue_sign,
     },
     local::{Ladder, Plane, Point, Polar, Region},
     number::parse_rational,
@@ -97,6 +98,42 @@ fn boundaries_are_named() {
     // a₁ = −(a₂ + 1): c_2 = 0, b_{2,1} > 0; for odd n the signs of region 5.
     assert_eq!(at(&plane("-3/2", "1/2"), 2), Existence::SignBoundary);
     assert_eq!(at(&plane("-3/2", "1/2"), 5), Existence::Orbit(Case::PlusMinus));
+}
+
+/// What admits an orbit where u_n = 0, by its conditions γ u_k/(1 − ζ) > 0, ζ = Aⁿ: all have the sign of γ at
+/// the first resonance alone; and s = m/(2n) says the same in its own way.
+#[test]
+fn a_resonance_is_what_its_conditions_say() {
+    let mut seen = [0; 2];
+    for n in 2..=24u64 {
+        for m in 1..n {
+            let of_s = polar("9/10", &format!("{m}/{}", 2 * n));
+            let expected = if m == 1 { Resonance::First } else { Resonance::Higher };
+            assert_eq!(Resonance::at(&of_s, n), Some(expected), "{m}/{n}");
+            assert_eq!(Resonance::at(&of_s, 2 * n), Some(Resonance::Higher), "{m}/{n}");
+            assert_eq!(Resonance::at(&polar("1", &format!("{m}/{}", 2 * n)), n), None);
+        }
+        for a1 in ["0", "1", "-1", "3/2", "-3/2", "1/2", "-2", "6/5"] {
+            for (over, other) in [("1", "1/3"), ("1/2", "7"), ("1/3", "1/2"), ("2", "4"), ("1/5", "5")] {
+                // a₁² = 0, a₂, 2a₂, 3a₂, and others.
+                let a2 = if a1 == "0" { q(other) } else { q(a1) * q(a1) * q(over) };
+                if a2.is_one() {
+                    continue;
+                }
+                let u = u(&q(a1), &a2, n);
+                let found = Resonance::at(&Point::Plane(Plane::new(q(a1), a2.clone()).unwrap()), n);
+                assert_eq!(found.is_some(), u[n as usize].is_zero(), "a₁ = {a1}, a₂ = {a2}, n = {n}");
+                // ζ = u_{n+1} where u_n = 0; 1 − ζ is the same for all k.
+                let inner = &u[1..n as usize];
+                let one_sign = inner.iter().all(Signed::is_positive) || inner.iter().all(Signed::is_negative);
+                if let Some(found) = found {
+                    assert_eq!(found == Resonance::First, one_sign, "a₁ = {a1}, a₂ = {a2}, n = {n}");
+                    seen[usize::from(one_sign)] += 1;
+                }
+            }
+        }
+    }
+    assert!(seen[0] > 20 && seen[1] > 4, "{seen:?}");
 }
 
 #[test]

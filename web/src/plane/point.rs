@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use grazing_scenes::{
     Error, Result, certificate,
-    existence::{Case, Existence, large_eigenvalue_sign, up_to},
+    existence::{Case, Existence, Resonance, large_eigenvalue_sign, up_to},
     local::{Forward, Ladder, Point, Region},
     num_rational::BigRational,
     number::parse_rational,
@@ -140,7 +140,10 @@ fn reason(place: &Forward, n: u64, existence: Existence) -> String {
         Existence::None { positive, negative } => {
             format!("b_{n},{} > 0 > b_{n},{}", index(positive), index(negative))
         }
-        Existence::Singular => format!("u_{n} = 0: Theorem 1 is silent"),
+        Existence::Singular => match Resonance::at(&place.point, n) {
+            Some(resonance) => format!("u_{n} = 0, {} resonance: {resonance}", resonance.name()),
+            None => format!("u_{n} = 0: Theorem 1 is silent"),
+        },
         Existence::Iterate(k) => format!("b_{n},{} = 0: Theorem 1 is silent", index(k)),
         Existence::SignBoundary => format!("c_{n} = 0: Theorem 1 is silent"),
         Existence::Undecided => "undecided: the precision was not enough".into(),

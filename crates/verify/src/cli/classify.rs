@@ -14,7 +14,7 @@ use crate::{
     cli::choice::choice,
     cli::progress::Interrupt,
     error::{Error, Result},
-    existence::{Existence, large_eigenvalue_sign, up_to},
+    existence::{Existence, Resonance, large_eigenvalue_sign, up_to},
     local::{Forward, Ladder, Point, Region},
     monitor::Monitor,
     number::parse_integer,
@@ -34,15 +34,16 @@ const CELLS: u64 = 2_000;
 /// Give the point by the trace and determinant of the linear part, --a1 and --a2, or by the modulus r and the
 /// angle theta = 2 pi s of its complex eigenvalues, --r and --s. The table has, for each period, the cases
 /// (sign e*mu, sign gamma) with an orbit and the sign of its large eigenvalue; or two k with b_{n,k} of
-/// opposite sign, which forbid an orbit; or the boundary on which the point lies, where the theory is silent.
+/// opposite sign, which forbid an orbit; or the boundary on which the point lies, where Theorem 1 is silent.
+/// Where that is singular, n theta = m pi, its resonance says what is born: first is m = 1, higher m >= 2.
 /// For a2 > 1 the time-reversed system is classified, which has the same orbits.
 ///
 /// With intervals, as in --r 0.97±1% --s 0.2..=0.21 or --frequency 12.3Hz±1% --damping-ratio 0.02±20% --drive
 /// 10Hz, the table has for each period and case whether the orbit exists everywhere in the box, nowhere, or
 /// in a part of it (differs), and bounds of the share of the box in which it does.
 ///
-/// Exit code 0: every period is decided; 2: wrong usage; 3: of some period the theory is silent, or it is
-/// undecided.
+/// Exit code 0: every period is decided; 2: wrong usage; 3: of some period the theory is silent, or has the
+/// second order decide, or it is undecided.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing classify --r 0.99 --s 21/100
@@ -104,11 +105,29 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
             let time = if place.reversed { ", after reversing time (a2 > 1)" } else { "" };
             writeln!(out, "{}{time}", describe(place.region))?;
             words(&place.point, out)?;
+            resonances(&place.point, args.max_period, out)?;
         }
         write(args.format, (&place, &at), &found, out)
     });
-    let open = |existence| !matches!(existence, &Existence::Orbit(_) | &Existence::None { .. });
-    reported(if found.iter().any(open) { Outcome::Undecided } else { Outcome::Done }, written)
+    let open = |(n, existence): (u64, &Existence)| match existence {
+        Existence::Orbit(_) | Existence::None { .. } => false,
+        Existence::Singular => Resonance::at(&place.point, n) != Some(Resonance::Higher),
+        _ => true,
+    };
+    let open = (1..).zip(&found).any(open);
+    reported(if open { Outcome::Undecided } else { Outcome::Done }, written)
+}
+
+/// What is born where u_n = 0, once for each resonance.
+fn resonances(point: &Point, last: u64, out: &mut dyn Write) -> Result<()> {
+    for kind in [Resonance::First, Resonance::Higher] {
+        let mut all = (1..=last).filter(|&n| Resonance::at(point, n) == Some(kind));
+        if let Some(n) = all.next() {
+            let more = if all.next().is_some() { ", ..." } else { "" };
+            writeln!(out, "n = {n}{more}, u_n = 0, {} resonance: {kind}", kind.name())?;
+        }
+    }
+    Ok(())
 }
 
 /// The words for both signs of eµ, as far as they are soon found.
@@ -163,13 +182,19 @@ fn write(
         Column::new("positive_k", "$b_{n,k} > 0$", 0),
         Column::new("negative_k", "$b_{n,k} < 0$", 0),
         Column::new("zero_k", "$b_{n,k} = 0$", 0),
+        Column::new("resonance", "resonance", 0).print(Print::Left),
     ];
     let mut table = TableWriter::new(out, format, "grazing-classify 1", columns.to_vec())?;
     for (n, &existence) in (1u64..).zip(found) {
-        let mut cells = [TableCell::Empty; 8];
+        let mut cells = [TableCell::Empty; 9];
         cells[0] = TableCell::Int(n as i64);
         cells[1] = TableCell::Text(existence.name());
-        for (cell, k) in cells[5..].iter_mut().zip(existence.indices()) {
+        if existence == Existence::Singular
+            && let Some(resonance) = Resonance::at(&place.point, n)
+        {
+            cells[8] = TableCell::Text(resonance.name());
+        }
+        for (cell, k) in cells[5..8].iter_mut().zip(existence.indices()) {
             *cell = k.map_or(TableCell::Empty, |k| TableCell::Int(place.index(n, k) as i64));
         }
         let cases = existence.cases(n);
@@ -218,16 +243,13 @@ fn print(
             Some(text) => TableCell::Maths(text),
             None => TableCell::Empty,
         });
+        let resonance = if existence == Existence::Singular { Resonance::at(&place.point, n) } else { None };
+        let named = match resonance {
+            Some(resonance) => format!("{}, {} resonance", existence.name(), resonance.name()),
+            None => existence.name().to_string(),
+        };
         let mut row = |case: TableCell, sign: TableCell| {
-            table.row(&[
-                TableCell::Int(n as i64),
-                TableCell::Text(existence.name()),
-                case,
-                sign,
-                above,
-                below,
-                zero,
-            ])
+            table.row(&[TableCell::Int(n as i64), TableCell::Text(&named), case, sign, above, below, zero])
         };
         let cases = existence.cases(n);
         for case in &cases {
