@@ -54,6 +54,9 @@ class Existence(NamedTuple):
     negative_k: int | None = None
     #: A k with b_{n,k} = 0.
     zero_k: int | None = None
+    #: On a singular boundary with r ≠ 1, where n theta = m pi: ``"first"`` (m = 1; for γ > 0 one orbit is born, its
+    #: speed like √|µ|, for γ < 0 none) or ``"higher"`` (none is born).
+    resonance: str | None = None
 
 
 @dataclass(frozen=True)
@@ -107,6 +110,8 @@ class Classification(Sequence[Existence]):
 
 def _because(row: Existence) -> str:
     """What forbids an orbit, or what is 0."""
+    if row.resonance is not None:
+        return f"{row.resonance} resonance"
     if row.positive_k is not None:
         return f"b with k = {row.positive_k} > 0 > b with k = {row.negative_k}"
     return "" if row.zero_k is None else f"b with k = {row.zero_k} is 0"

@@ -2,7 +2,7 @@
 
 use grazing_scenes::{
     Error, Monitor, Result,
-    existence::{Case, Existence, large_eigenvalue_sign, up_to},
+    existence::{Case, Existence, Resonance, large_eigenvalue_sign, up_to},
     local::{Forward, Ladder},
     num_rational::BigRational,
 };
@@ -98,7 +98,9 @@ fn told<'py>(py: Python<'py>, Classified { place, found }: &Classified) -> PyRes
         let large = PyTuple::new(py, large.collect::<Vec<i8>>())?;
         let cases = cases.iter().map(|case| (case.sign_emu(), case.sign_gamma()));
         let cases = PyTuple::new(py, cases.collect::<Vec<(i8, i8)>>())?;
-        (n, existence.name(), cases, large, positive, negative, zero).into_pyobject(py)
+        let resonance = Resonance::at(&place.point, n).filter(|_| *existence == Existence::Singular);
+        let resonance = resonance.map(Resonance::name);
+        (n, existence.name(), cases, large, positive, negative, zero, resonance).into_pyobject(py)
     });
     Ok((place.region.to_string(), place.reversed, rows.collect::<PyResult<_>>()?))
 }

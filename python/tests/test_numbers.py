@@ -24,7 +24,9 @@ def test_fractions_of_any_size_pass_unrounded():
     at = grazing.classify(r=1, s=Fraction(1, 10), max_n=5)[4]
     below = grazing.classify(r=1, s=Fraction(1, 10) - tiny, max_n=5)[4]
     above = grazing.classify(r=1, s=Fraction(1, 10) + tiny, max_n=5)[4]
-    assert at.verdict == "singular boundary"
+    assert at.verdict == "singular boundary" and at.resonance is None
+    damped = [grazing.classify(r="9/10", s=s, max_n=5)[4].resonance for s in ("1/10", "1/5", "1/7")]
+    assert damped == ["first", "higher", None]
     assert below.cases == ((-1, 1),)
     assert above.cases == ((1, 1),)
 

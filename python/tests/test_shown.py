@@ -60,6 +60,8 @@ def test_the_table_of_a_classification_has_its_rows():
             assert cells[:3] == [str(row.n), row.verdict, ", ".join(map(signs, row.cases))]
             if row.positive_k:
                 assert cells[3] == f"b with k = {row.positive_k} > 0 > b with k = {row.negative_k}"
+            elif row.resonance:
+                assert cells[3] == f"{row.resonance} resonance"
             elif row.zero_k:
                 assert cells[3] == f"b with k = {row.zero_k} is 0"
             else:

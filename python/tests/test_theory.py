@@ -116,7 +116,7 @@ def test_points_are_those_of_the_command_line(program, place):
 
     rows = []
     for found in grazing.classify(**place, max_n=8):
-        own = {name: getattr(found, name) for name in ("n", "positive_k", "negative_k", "zero_k")}
+        own = {name: getattr(found, name) for name in ("n", "positive_k", "negative_k", "zero_k", "resonance")}
         cases = [(*case, large) for case, large in zip(found.cases, found.large_eigenvalue)] or [(None, None, None)]
         for emu, gamma, large in cases:
             signs = {"sign_emu": emu, "sign_gamma": gamma, "large_eigenvalue": large}
