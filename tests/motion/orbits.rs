@@ -300,6 +300,46 @@ fn a_linear_formula_has_the_exact_orbits_of_its_coefficients() {
     assert!(one.fold().is_some() && one.fold() == other.fold() && one.flip() == other.flip());
 }
 
+/// At the resonances nθ = mπ of the paper's oscillator, section 4.1 and (77)–(81) among them: the orbit of one
+/// impact hits where the stop is at height 0 and rises, both multipliers are τρ or −τρ, ρ = exp(−2πdn/w), and for
+/// small µ it keeps clear of the stop at the first resonance alone, and for n = 1.
+#[test]
+fn at_resonances_the_orbit_is_known_for_every_amplitude() {
+    let mut kept = Vec::new();
+    for (n, d, tau) in
+        [(1u32, 0.3, 0.8), (2, 0.6, 1.0), (3, 0.6, 1.0), (3, 0.2, 0.0), (4, 0.4, 0.5), (5, 0.1, 0.9)]
+    {
+        for m in 1..=2 * n {
+            let w = 2.0 * f64::from(n) * f64::sqrt(1.0 - d * d) / f64::from(m);
+            let rho = (-TAU * d * f64::from(n) / w).exp();
+            let signed = if m % 2 == 1 { rho } else { -rho };
+            for mu in [1e-2f64, 1e-4, 1e-6] {
+                let text = PAPER
+                    .replace("d = 0.6", &format!("d = {d}"))
+                    .replace("w = 4.9", &format!("w = {w:?}"))
+                    .replace("tau = 1", &format!("tau = {tau}"))
+                    .replace("mu = 0", &format!("mu = {mu:e}"));
+                let oscillator = Oscillator::new(scene(&text).plain(&[]).unwrap(), 1e-14).unwrap();
+                // Q = 0 and Q′ > 0 at t₀ < 0.
+                let rise = (2.0 * mu + mu * mu).sqrt();
+                let phase = (-rise.atan()).rem_euclid(TAU);
+                let speed = (1.0 + signed) * rise / (1.0 - tau * signed);
+                let start = vec![phase * (1.0 + 1e-9), speed * (1.0 + 1e-6)];
+                let orbit = find(&oscillator, &Itinerary::at(Side::Lower, &[n]).unwrap(), start).unwrap();
+                let place = format!("n = {n}, m = {m}, d = {d}, tau = {tau}, mu = {mu}: {orbit:?}");
+                assert!(near(orbit.z[0], phase, 1e-11) && (orbit.z[1] / speed - 1.0).abs() < 1e-8, "{place}");
+                assert!(near(orbit.multipliers.trace, 2.0 * tau * signed, 1e-7), "{place}");
+                assert!(near(orbit.multipliers.determinant, (tau * signed).powi(2), 1e-9), "{place}");
+                if mu < 1e-3 {
+                    assert_eq!(orbit.admissibility.is_admissible(), m == 1 || n == 1, "{place}");
+                    kept.push(orbit.admissibility.is_admissible());
+                }
+            }
+        }
+    }
+    assert!(kept.iter().filter(|kept| **kept).count() >= 12 && kept.len() > 60);
+}
+
 #[test]
 fn what_exact_orbits_do_not_cover_is_refused() {
     let refused = |edit: &str, with: &str, what: &str| {
