@@ -45,7 +45,6 @@ impl Trap {
         let (speed, slip) = (certificate.speed.enclosed::<96>(), certificate.slip.enclosed::<96>());
         let (window, root) = (before + after, depth.roots());
         let short = periods(1) - window;
-        claim(short.is_positive(), "the window is longer than a period (A1)")?;
         // D/(e^x − 1) with x = D(2π − w) falls as D grows.
         let left = decay(apart.least() * short);
         let least = (apart.least() * left).over(one - left);
