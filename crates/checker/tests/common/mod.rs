@@ -24,6 +24,7 @@ pub const ATTRACTOR_WIDE: &str = include_str!("../data/attractor-wide.txt");
 pub const ATTRACTOR_SEVERAL: &str = include_str!("../data/attractor-several.txt");
 pub const PARAMETER: &str = include_str!("../data/parameter.txt");
 pub const PARAMETER_SEVERAL: &str = include_str!("../data/parameter-several.txt");
+pub const PARAMETER_ATTRACTOR: &str = include_str!("../data/parameter-attractor.txt");
 pub const PARAMETER_FREQUENCY: &str = include_str!("../data/parameter-frequency.txt");
 pub const PARAMETER_HERTZ: &str = include_str!("../data/parameter-hertz.txt");
 pub const PARAMETER_MIRRORED: &str = include_str!("../data/parameter-mirrored.txt");
