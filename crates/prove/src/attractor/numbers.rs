@@ -7,8 +7,12 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::{AttractorProblem, prove_attractor};
-use crate::chaos::Term;
+use super::{AttractorProblem, prove_attractor, windows};
+use crate::{
+    certificate::single::Word,
+    chaos::Term,
+    range::{RangeEffort, SingleProblem, prove_single},
+};
 
 /// Numbers that look random, the same in every run (Knuth's MMIX generator).
 struct Random(u64);
@@ -126,4 +130,43 @@ fn most_machines_above_two_thirds_are_proved() {
             assert!(count as f64 >= least * most as f64 - 1.0, "{lambdas:?}: {count} of {most}");
         }
     }
+}
+
+/// Of machines with λ₁ between 1/4 and 2/3 the windows that are told, to leading order, are where the orbit
+/// of one impact is proved stable, by the certificate of its kind; and nothing is proved to attract there.
+#[test]
+fn the_orbit_is_proved_stable_in_the_windows_that_are_told() {
+    let samples = std::env::var("GRAZING_SAMPLES").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
+    let mut random = Random(11);
+    let (mut told, mut proved, mut farthest) = (0, 0, 0f64);
+    for i in 0..samples {
+        let mut problem = machine(&mut random, [0.3, 0.62]);
+        if i % 2 == 0 {
+            problem.harmonics = wall(&mut random, 1);
+        }
+        for window in windows(&problem).into_iter().skip(1).take(1) {
+            told += 1;
+            let single = SingleProblem {
+                mirrored: false,
+                ranges: problem.ranges.clone(),
+                behind: true,
+                harmonics: problem.harmonics.clone(),
+                periods: window.periods,
+                deepest: 1.3 * window.depths[1],
+            };
+            let Ok(proof) = prove_single(&single, RangeEffort(100_000), &()).unwrap() else { continue };
+            let ends: Vec<f64> = proof.parts.iter().map(|(depth, _)| depth.to_f64().unwrap()).collect();
+            let Some(stable) = proof.parts.iter().position(|(_, word)| *word == Word::Stable) else {
+                continue;
+            };
+            proved += 1;
+            let from = if stable == 0 { 0.0 } else { ends[stable - 1] };
+            let apart = |found: f64, told: f64| (found / told - 1.0).abs();
+            farthest = farthest.max(apart(from, window.depths[0])).max(apart(ends[stable], window.depths[1]));
+            let deep = AttractorProblem { deepest: window.depths[0], ..problem.clone() };
+            assert!(prove_attractor(&deep, &()).unwrap().is_err(), "both are proved");
+        }
+    }
+    println!("of {told} windows {proved} have a proved orbit, ends within {farthest:.3} of those told");
+    assert!(proved * 2 >= told && told > 0 && farthest < 0.1, "{proved} of {told}: {farthest}");
 }
