@@ -290,6 +290,33 @@ fn the_strips_of_the_shift_cross_its_bands() {
     assert_no_overlap(&svg);
 }
 
+/// All impacts are in the trap, and next to one another on a branch they part as fast as is proved: by E
+/// along the wall's motion, of which |V| is nearly the slope.
+#[test]
+fn impacts_beyond_a_touch_stay_in_the_trap() {
+    let (rows, svg) = draw("attractor", "attractor");
+    let of = |set: &str| rows.iter().filter(|row| row["set"] == set).collect::<Vec<_>>();
+    let [trap] = of("trap")[..] else { panic!("one trap") };
+    let (most, impacts) = (number(trap, "speed"), of("impact"));
+    assert!(impacts.len() > 500 && (0.72..0.73).contains(&most), "{} {most}", impacts.len());
+    let mut branches: HashMap<String, Vec<(f64, f64)>> = HashMap::new();
+    for row in impacts {
+        let (before, after) = (number(row, "speed"), number(row, "next"));
+        assert!(0.0 < after && after <= most && before <= most, "{before} {after}");
+        branches.entry(row["periods"].clone()).or_default().push((before, after));
+    }
+    assert!((4..20).contains(&branches.len()), "{}", branches.len());
+    for (periods, mut all) in branches {
+        all.sort_by(|one, other| one.0.total_cmp(&other.0));
+        for two in all.windows(2) {
+            let (apart, parted) = (two[1].0 - two[0].0, (two[1].1 - two[0].1).abs());
+            let part = apart < 1e-5 || parted > 1.2 * apart;
+            assert!(part, "{periods}: {two:?}");
+        }
+    }
+    assert_no_overlap(&svg);
+}
+
 /// A picture for each kind of box; its cells cover the box, and their words are those of `word` at a point.
 #[test]
 fn tolerances_are_shown_with_their_words() {

@@ -70,7 +70,7 @@ fn rejections_name_the_line_and_the_reason() {
         (
             with(1, "kind theorem3"),
             "line 2: malformed: expected a line \"kind theorem2\" or \"kind cover\" or \"kind orbit\" or \"kind event\" or \"kind word\" \
-             or \"kind word-by-theorem\" or \"kind orbit 2\" or \"kind event 2\" or \"kind branch\" or \"kind chaos 3\" or \"kind chaos 4\" or \"kind range\" or \"kind range 2\" or \"kind range 3\" or \"kind range 4\" or \"kind nothing\" or \"kind nothing 2\" or \"kind single\" or \"kind single 2\" or \"kind entropy\" or \"kind share\" \
+             or \"kind word-by-theorem\" or \"kind orbit 2\" or \"kind event 2\" or \"kind branch\" or \"kind chaos 3\" or \"kind chaos 4\" or \"kind range\" or \"kind range 2\" or \"kind range 3\" or \"kind range 4\" or \"kind nothing\" or \"kind nothing 2\" or \"kind single\" or \"kind single 2\" or \"kind attractor\" or \"kind entropy\" or \"kind share\" \
              or \"kind machine-orbit\" or \"kind orbit 3\" or \"kind machine-orbit 2\" or \"kind parameter\" or \"kind parameter 2\"",
         ),
         (with(2, "range 5 3"), "line 3: malformed: the range must be 1 <= first <= last"),

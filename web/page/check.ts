@@ -41,6 +41,9 @@ const near = (others: string): string => {
   return none ? ` For ${none[1]}, ${none[2]}.` : "";
 };
 
+/** Of certificates that one of kind parameter holds, their kinds by their titles; else range. */
+const KINDS_BY_TITLE: Record<string, string> = { "nothing born": "nothing", "orbit of one impact": "single", "chaos that attracts": "attractor" };
+
 /** What each kind proves, in a sentence. */
 const SENTENCES: Record<string, (range: [number, number], detail: Map<string, string>, title: string) => string> = {
   theorem2: (range) =>
@@ -65,10 +68,12 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
     near(detail.get("others") ?? ""),
   nothing: (_, detail) =>
     `Beyond its touch, to the depth listed, nothing is born, and no motion of the oscillator stays near: ${detail.get("leaves") ?? ""}.`,
+  attractor: (_, detail) =>
+    `Beyond its touch, to the depth listed, chaos attracts: motions are trapped where none that is periodic is stable, and displacements grow ${detail.get("growth") ?? "at every impact"}.`,
   single: (_, detail) =>
     `From its touch to the depth listed, the oscillator has exactly one orbit of this kind: ${detail.get("orbit") ?? "one impact in the periods listed"}. Where it is stable is listed below.`,
   parameter: (range, detail, title) => {
-    const inner = title === "nothing born" ? "nothing" : title === "orbit of one impact" ? "single" : "range";
+    const inner = KINDS_BY_TITLE[title] ?? "range";
     const seen = `This is proved of the machine below, ${detail.get("parameter") ?? "over the range listed"}, seen from its motion without walls.`;
     return `${SENTENCES[inner]?.(range, detail, title) ?? ""} ${seen}`;
   },

@@ -5,7 +5,7 @@ usage: parameter.py FILE…     prints "FILE: proved, TITLE" with the title of t
                               rejected: reason"; exit code 1 if one is rejected.
 
 Written from the form alone (the head of crates/checker/src/parameter/mod.rs). The certificate that follows is read by
-range.py, single.py or nothing.py. All else is in fractions: coefficients lie between two of them, and so do derivatives,
+range.py, single.py, nothing.py or attractor.py. All else is in fractions: coefficients lie between two of them, and so do derivatives,
 by the rules of calculus. Of one harmonic no root is taken: (M/H)² is compared with (1 ± nu)². The range is cut in
 halves until a sign is known, whatever the pieces are that the file lists.
 """
@@ -82,7 +82,7 @@ class File(branch.File):
         end = len(whole_text) - len(self.lines)
         need(all(len(line.encode()) <= 1000 for line in whole_text[3:end]), "a line is too long")
         name = self.lines[0].removeprefix("kind ").split(" ")[0] if self.lines else ""
-        need(name in ("range", "single", "nothing"), "no certificate follows")
+        need(name in ("range", "single", "nothing", "attractor"), "no certificate follows")
         inner = "\n".join([whole_text[0], *whole_text[end:]]) + ("\n" if text.endswith("\n") else "")
         self.inner = importlib.import_module(name).File(inner)
         self.deepest = (self.inner.parts if name == "single" else self.inner.cells)[-1]

@@ -45,7 +45,8 @@
 //! | `range`, `range 2`, `range 3`, `range 4` | the motions that are born where an oscillator touches its wall, for every bi-infinite path of a graph, from the touch to a distance; 2, 4: and that no others are near; 3, 4: between mirrored walls | [`range`] |
 //! | `nothing`, `nothing 2` | that beyond the touch nothing is born and no motion stays near, to a distance; 2: between mirrored walls | [`nothing`] |
 //! | `single`, `single 2` | an orbit of one impact along its curve, from the touch where it is born to a distance, past its flips, and where it is stable; 2: between mirrored walls | [`single`] |
-//! | `parameter`, `parameter 2` | that a certificate of kind `range`, `nothing` or `single`, which follows in the same file, is of a machine over a range of its own parameter; 2: for all coefficients in intervals | [`parameter`] |
+//! | `attractor` | that beyond the touch of an overdamped oscillator motions are trapped, to a distance, and what is trapped is chaotic: no periodic motion there is stable, and exponents are positive | [`attractor`] |
+//! | `parameter`, `parameter 2` | that a certificate of kind `range`, `nothing`, `single` or `attractor`, which follows in the same file, is of a machine over a range of its own parameter; 2: for all coefficients in intervals | [`parameter`] |
 //! | `share` | in which share of a box of parameters a period or a word occurs, or chaos is born | [`share`], one by hand |
 //! | `entropy` | by the word theorem, for all r ≤ 1, s and eµ > 0: the least upper bounds of the entropy | [`entropy`], a line by hand |
 //! | `machine-orbit`, `machine-orbit 2` | that a periodic orbit of a machine with any number of coordinates and stops exists, is unique in a box, admissible, stable or not; 2: the same of the motion without impacts | [`machine`] |
@@ -77,6 +78,7 @@
 //! certificates lives elsewhere.
 
 mod arithmetic;
+pub mod attractor;
 pub mod branch;
 pub mod chaos;
 pub mod cover;
@@ -113,7 +115,7 @@ use touch::about::About;
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 26] = [
+const KINDS: [Kind; 27] = [
     Kind::first(theorem2::KIND, theorem2::STATEMENT, theorem2::check),
     Kind::first(cover::KIND, cover::STATEMENT, cover::check),
     Kind::first(orbit::KIND, orbit::STATEMENT, orbit::check::<orbit::Fraction>),
@@ -133,6 +135,7 @@ const KINDS: [Kind; 26] = [
     Kind::first(nothing::KIND, nothing::STATEMENT_2, nothing::check::<true>).version(" 2"),
     Kind::first(single::KIND, single::STATEMENT, single::check::<false>),
     Kind::first(single::KIND, single::STATEMENT_2, single::check::<true>).version(" 2"),
+    Kind::first(attractor::KIND, attractor::STATEMENT, attractor::check),
     Kind::first(entropy::KIND, entropy::STATEMENT, entropy::check),
     Kind::first(share::KIND, share::STATEMENT, share::check),
     Kind::first(machine::KIND, machine::STATEMENT, machine::check),

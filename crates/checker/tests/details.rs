@@ -17,10 +17,10 @@ use std::{
 };
 
 use crate::common::{
-    BRANCH, CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, FREE, FREE_MACHINE, GRAZING, NOTHING,
-    NOTHING_MIRRORED, ORBIT_4, PARAMETER, PARAMETER_HERTZ, RANGE_1, RANGE_ALONE, RANGE_MIRRORED,
-    RANGE_MIRRORED_BEYOND, SADDLE_NODE, SHARE, SHARE_POLAR, SINGLE_1, SINGLE_MIRRORED_1, THEOREM2, WORD,
-    WORD_BY_THEOREM, answer, first_cells, float, resealed, with,
+    ATTRACTOR, ATTRACTOR_SEVERAL, BRANCH, CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, FREE,
+    FREE_MACHINE, GRAZING, NOTHING, NOTHING_MIRRORED, ORBIT_4, PARAMETER, PARAMETER_HERTZ, RANGE_1,
+    RANGE_ALONE, RANGE_MIRRORED, RANGE_MIRRORED_BEYOND, SADDLE_NODE, SHARE, SHARE_POLAR, SINGLE_1,
+    SINGLE_MIRRORED_1, THEOREM2, WORD, WORD_BY_THEOREM, answer, first_cells, float, resealed, with,
 };
 use crate::share::is_likely;
 use grazing_check::{Checked, Rejection, kinds};
@@ -54,6 +54,8 @@ fn samples() -> [Vec<String>; 3] {
             PARAMETER,
             PARAMETER_HERTZ,
             NOTHING,
+            ATTRACTOR,
+            ATTRACTOR_SEVERAL,
             SINGLE_1,
             &first_cells(RANGE_MIRRORED, 1),
             &first_cells(RANGE_MIRRORED_BEYOND, 1),
@@ -317,8 +319,8 @@ fn follows(sample: &Checked, changed: &Checked, mirrored: bool) -> bool {
             let others = |checked| detail(checked, "others").starts_with("none near");
             same && others(changed) <= others(sample) && is_born(changed)
         }
-        // Whether motions do so is looked at in `nothing.rs`.
-        "nothing" => {
+        // Whether motions do so is looked at in `nothing.rs` and in `attractor.rs`.
+        "nothing" | "attractor" => {
             changed.title == sample.title
                 && detail(changed, "motion").split(" + ").next()
                     == detail(sample, "motion").split(" + ").next()

@@ -6,6 +6,7 @@ mod common;
 #[path = "../../../tests/samples/mod.rs"]
 mod samples;
 
+mod attractor;
 mod branch;
 mod chaos;
 mod cover;

@@ -5,14 +5,21 @@
 use std::f64::consts::TAU;
 
 use crate::common::{
-    NOTHING, PARAMETER, PARAMETER_FREQUENCY, PARAMETER_HERTZ, PARAMETER_MIRRORED, PARAMETER_SEVERAL, Random,
-    answer, are_refused, damage, damaged_so_are_true, float, nth, rejected, resealed, second_reader, with,
+    NOTHING, PARAMETER, PARAMETER_ATTRACTOR, PARAMETER_FREQUENCY, PARAMETER_HERTZ, PARAMETER_MIRRORED,
+    PARAMETER_SEVERAL, Random, answer, are_refused, damage, damaged_so_are_true, float, nth, rejected,
+    resealed, second_reader, with,
 };
 use crate::samples::samples;
 use grazing_check::parameter::{STATEMENT, STATEMENT_2};
 
-const ALL: [&str; 5] =
-    [PARAMETER, PARAMETER_SEVERAL, PARAMETER_FREQUENCY, PARAMETER_HERTZ, PARAMETER_MIRRORED];
+const ALL: [&str; 6] = [
+    PARAMETER,
+    PARAMETER_SEVERAL,
+    PARAMETER_FREQUENCY,
+    PARAMETER_HERTZ,
+    PARAMETER_MIRRORED,
+    PARAMETER_ATTRACTOR,
+];
 
 /// The middle of a coefficient at p.
 fn value(word: &str, p: f64) -> f64 {
@@ -84,7 +91,9 @@ fn lie(text: &str) -> Option<String> {
         [float(line[0]), float(line[1])]
     });
     let start = words("touch").first().map_or_else(|| float(words("from")[0][0]), |ends| float(ends[0]));
-    let depths: Vec<[f64; 2]> = words("depth").iter().map(|line| [float(line[0]), float(line[1])]).collect();
+    // An attractor has a line of its own of that name.
+    let both = |line: &Vec<&str>| (line.len() == 2).then(|| [float(line[0]), float(line[1])]);
+    let depths: Vec<[f64; 2]> = words("depth").iter().filter_map(both).collect();
     let last = depths.last()?[1];
     // Before the touch, which may be anywhere in its interval, nu is below 0.
     let mut before = if words("touch").is_empty() { -1e-9 } else { f64::NEG_INFINITY };

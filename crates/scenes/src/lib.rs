@@ -57,7 +57,7 @@ pub use grazing_motion::{attractor, continuation, many, motion, one};
 /// What finds proofs and writes them down as certificates, of every kind. Untrusted.
 pub mod search {
     pub use grazing::search::*;
-    pub use grazing_prove::{chaos, machine, orbit, range, touch};
+    pub use grazing_prove::{attractor, chaos, machine, orbit, range, touch};
 }
 
 /// The hash of this chapter's sources.

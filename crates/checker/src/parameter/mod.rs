@@ -1,10 +1,10 @@
 //! Certificates of kind `parameter`: a certificate about an oscillator near a touch, said in the parameter of
 //! a machine, in the machine's own units of length.
 //!
-//! Kinds `range`, `single` and `nothing` speak of an oscillator as it is seen from the motion without walls,
-//! in units of the wall's own motion, at depths ν. This kind has the machine's coefficients as functions of
-//! its parameter p, and a certificate of one of those kinds after them; what is checked is that at every
-//! listed p the machine is that oscillator, at a depth that the certificate has.
+//! Kinds `range`, `single`, `nothing` and `attractor` speak of an oscillator as it is seen from the motion
+//! without walls, in units of the wall's own motion, at depths ν. This kind has the machine's coefficients as
+//! functions of its parameter p, and a certificate of one of those kinds after them; what is checked is that
+//! at every listed p the machine is that oscillator, at a depth that the certificate has.
 //!
 //! # Form
 //!
@@ -23,7 +23,7 @@
 //! pieces J               1 to 1000: the range is looked at in J equal pieces
 //! depths K               1 to 100, then K lines
 //! depth NU P             at P the depth is at most NU; both farther from the touch than those before
-//! kind range 2           the certificate, from its line `kind` on: range, single or nothing, of any version
+//! kind range 2           the certificate, from its line `kind` on: of one of those kinds, of any version
 //! …
 //! ```
 //!
@@ -68,7 +68,7 @@ mod text;
 mod words;
 
 use super::{
-    KINDS, Proved, Rejection,
+    KINDS, Proved, Rejection, attractor,
     event::{Quotient, RangeQuotient},
     lines::Lines,
     motion::{text::Coefficient, words::Spoken},
@@ -178,12 +178,12 @@ pub(super) fn check<C: Version>(lines: &mut Lines) -> Result<Proved, Rejection> 
     let end = lines.number();
     let line = lines.expect("the line \"kind …\" of a certificate")?;
     // No other kind has what is compared, and none that holds others in turn is among these.
-    let inner = [range::KIND, single::KIND, nothing::KIND];
+    let inner = [range::KIND, single::KIND, nothing::KIND, attractor::KIND];
     let kind = KINDS.iter().find(|kind| inner.contains(&kind.name) && line == kind.line());
     let Some(kind) = kind else {
-        return Err(
-            lines.malformed("expected the line kind of a certificate of kind range, single or nothing")
-        );
+        return Err(lines.malformed(
+            "expected the line kind of a certificate of kind range, single, nothing or attractor",
+        ));
     };
     let Proved { title, detail, about, .. } = (kind.check)(lines)?;
     let about = about.ok_or_else(|| lines.malformed("it does not say of which oscillator it is"))?;

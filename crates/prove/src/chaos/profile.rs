@@ -34,6 +34,11 @@ impl Profile {
         Profile { terms, plain }
     }
 
+    /// Whether it is cos t.
+    pub(crate) fn is_cosine(&self) -> bool {
+        self.plain
+    }
+
     /// At every phase of a span; Σ a = 1 and Σ j b = 0 are used, so that what vanishes at 0 does so here.
     pub(crate) fn at(&self, t: Span) -> Shape {
         let zero = Span::point(0.0);

@@ -40,7 +40,7 @@ mod parts;
 mod said;
 mod single;
 mod tolerated;
-mod write;
+pub(crate) mod write;
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;

@@ -1,5 +1,5 @@
 //! A range of depths as a range of a machine's parameter: the certificate of kind `parameter` around one of
-//! kind `range`, `single` or `nothing`.
+//! kind `range`, `single`, `nothing` or `attractor`.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;

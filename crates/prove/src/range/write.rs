@@ -42,14 +42,14 @@ fn fractions([lo, hi]: &[BigRational; 2]) -> Result<[Fraction; 2]> {
 }
 
 /// The ranges of c, k, τ.
-pub(super) fn ranges(
+pub(crate) fn ranges(
     [damping, stiffness, restitution]: &[[BigRational; 2]; 3],
 ) -> Result<[[Fraction; 2]; 3]> {
     Ok([fractions(damping)?, fractions(stiffness)?, fractions(restitution)?])
 }
 
 /// The wall's harmonics.
-pub(super) fn harmonics(all: &[Term]) -> Result<Vec<Harmonic>> {
+pub(crate) fn harmonics(all: &[Term]) -> Result<Vec<Harmonic>> {
     all.iter()
         .map(|(order, [a, b])| Ok(Harmonic { order: *order, parts: [fractions(a)?, fractions(b)?] }))
         .collect()
@@ -104,13 +104,13 @@ fn short(x: f64) -> Result<Decimal> {
 }
 
 /// A depth of six digits, and of 15 places at most, downwards.
-pub(super) fn depth(x: f64) -> f64 {
+pub(crate) fn depth(x: f64) -> f64 {
     let (p, q) = parts(x);
     p as f64 / q as f64
 }
 
 /// The same as a fraction.
-pub(super) fn depth_fraction(x: f64) -> Fraction {
+pub(crate) fn depth_fraction(x: f64) -> Fraction {
     let (p, q) = parts(x);
     Fraction { p, q }
 }
@@ -126,6 +126,6 @@ fn parts(x: f64) -> (i128, i128) {
 }
 
 /// A certificate's decimal.
-pub(super) fn float(x: Decimal) -> f64 {
+pub(crate) fn float(x: Decimal) -> f64 {
     x.to_string().parse().unwrap_or(f64::INFINITY)
 }

@@ -12,7 +12,7 @@ use super::{
     engine::{Engine, GrazingPoint, by_engine},
     hit::{HitRow, hits},
     influence::{InfluenceRow, influences},
-    range::{RangeRow, SideRange},
+    range::{RangeRow, SideRange, WantedProofs},
     row,
     seen::{self, SeenRow},
     sentence::Sentence,
@@ -25,7 +25,10 @@ use crate::{
     error::{Error, Result},
     many::grazing::LinearTouch,
     pattern::{Pattern, PatternExistence, Patterns, Report as Verdict},
-    scene::{Body, orbits::GrazingTask},
+    scene::{
+        Body,
+        orbits::{GrazingTask, RangeKeys},
+    },
     search::{range::RangeEffort, touch::InTheory as _},
 };
 
@@ -546,11 +549,15 @@ fn asked_for_ranges(
     point: &impl GrazingPoint,
     at: &GrazingMap,
 ) -> Result<Ranges> {
-    let Some(keys) = &task.range.0 else { return Ok((None, None, Vec::new())) };
+    let effort = |keys: &RangeKeys| keys.effort.map_or_else(RangeEffort::default, RangeEffort);
+    let wanted = WantedProofs { range: task.range.0.as_ref().map(effort), attractor: task.attractor };
+    if wanted.is_nothing() {
+        return Ok((None, None, Vec::new()));
+    }
     let sides = match &at.open {
         Some(_) => Err(NO_THEORY.to_string()),
         None if at.map.e == 0.0 => Err(NEVER_OPENS.to_string()),
-        None => point.ranges(keys.effort.map_or_else(RangeEffort::default, RangeEffort))?,
+        None => point.ranges(wanted)?,
     };
     let mut certificates = Vec::new();
     // Those that follow the first of a row are counted side by side of the touch.

@@ -102,7 +102,7 @@ pub(crate) use orbit::orbit;
 pub use orbit::{OrbitFindings, OrbitRow};
 pub use pieces::{PieceProofs, PieceRow};
 pub use proved::{AttractorProofs, ProvedRow};
-pub use range::{CellRow, RangeRow, StabilityRow};
+pub use range::{CellRow, RangeRow, StabilityRow, StableRow};
 pub use report::{RunReport, TaskReport};
 pub(crate) use response::response;
 pub use response::{BackboneRow, ContactRow, HighestRow, PeakRow, ResponseFindings, ResponseRow};

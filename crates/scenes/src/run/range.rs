@@ -20,7 +20,7 @@ row! {
         /// "proved", "nothing born" or "undecided".
         pub verdict: &'static str,
         /// Of what: "all" that is certain to be born there; "part", all but one letter, and what needs it,
-        /// where that goes farther; "orbit", of one impact.
+        /// where that goes farther; "orbit", of one impact; "attractor", that chaos attracts there.
         pub of: &'static str,
         /// The periods of the graph whose paths are motions; with `half` in the report half periods.
         pub periods: Vec<u64>,
@@ -53,6 +53,16 @@ row! {
         pub leaves: Option<u64>,
         /// How far, in fractions of the period, from ν = 1/100 on; less below it.
         pub zone: Option<f64>,
+        /// Of an attractor: displacements grow at least so many times from one impact to the next.
+        pub growth: Option<f64>,
+        /// Of an attractor: between which the larger eigenvalue of the local map is, certainly, and what that
+        /// says: `chaos`, above 2/3, where it attracts at every small depth; `windows`, between 1/4 and 2/3,
+        /// with a stable orbit in each, and gaps; `overlap`, below 1/4, of windows. Absent next to these.
+        pub eigenvalue: Option<[f64; 2]>,
+        /// The case.
+        pub case: Option<&'static str>,
+        /// Of windows the next ones, to leading order.
+        pub windows: Vec<StableRow>,
         /// Why it goes no further, or why nothing is proved.
         pub reason: Option<String>,
         /// Of an orbit of one impact where it is stable, part by part from the touch.
@@ -88,6 +98,24 @@ impl Shown for CellRow {
     }
 }
 
+/// A window of the parameter, to leading order near the touch: the orbit of one impact in so many periods is
+/// stable there.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct StableRow {
+    /// From one impact to the next.
+    pub periods: u64,
+    /// Its end next to the touch, where the orbit flips.
+    pub from: String,
+    /// Its end farther from it, where the orbit touches the stop once more.
+    pub to: String,
+}
+
+impl Shown for StableRow {
+    fn set(&self, _: Option<usize>) -> String {
+        format!("period {} from {} to {}", self.periods, self.from, self.to)
+    }
+}
+
 /// A part of a range, and what is proved of an orbit's multipliers there.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct StabilityRow {
@@ -108,14 +136,32 @@ impl Shown for StabilityRow {
 /// One of the sides.
 const BEYOND: &str = "beyond";
 
-/// Two of the verdicts.
+/// The verdicts.
 pub(crate) const PROVED: &str = "proved";
 pub(crate) const NOTHING: &str = "nothing born";
+pub(crate) const UNDECIDED: &str = "undecided";
 
 /// What a row is of.
 pub(crate) const ALL: &str = "all";
 pub(crate) const PART: &str = "part";
 pub(crate) const ORBIT: &str = "orbit";
+pub(crate) const ATTRACTOR: &str = "attractor";
+
+/// What is to be proved.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct WantedProofs {
+    /// How far what is born goes on, with such an effort.
+    pub range: Option<RangeEffort>,
+    /// That chaos attracts beyond the touch.
+    pub attractor: bool,
+}
+
+impl WantedProofs {
+    /// Whether nothing is.
+    pub(crate) fn is_nothing(self) -> bool {
+        self.range.is_none() && !self.attractor
+    }
+}
 
 /// What is proved of one side.
 pub(crate) struct SideRange {
@@ -144,6 +190,10 @@ impl RangeRow {
             others: None,
             leaves: None,
             zone: None,
+            growth: None,
+            eigenvalue: None,
+            case: None,
+            windows: Vec::new(),
             reason,
             stability: Vec::new(),
             left: None,
@@ -201,6 +251,7 @@ impl RangeRow {
         match (self.of, &self.periods[..]) {
             (ORBIT, [n]) => format!("{}-{n}", self.side),
             (PART, _) => format!("{}-part", self.side),
+            (ATTRACTOR, _) => format!("{}-attractor", self.side),
             _ => self.side.to_string(),
         }
     }
@@ -227,7 +278,8 @@ impl RangeRow {
     /// are half periods.
     pub(super) fn lines(rows: &[RangeRow], (varied, half): (&str, bool), lines: &mut Lines) {
         if let [row] = rows {
-            return row.own_lines((varied, half), lines);
+            row.own_lines((varied, half), lines);
+            return row.case_lines(lines);
         }
         let Some(RangeRow { side, reason, .. }) = rows.first() else { return };
         let periods: Vec<String> = rows.iter().flat_map(|row| &row.periods).map(u64::to_string).collect();
@@ -240,13 +292,43 @@ impl RangeRow {
         lines.say("range", format!("{what}: {reason}"));
     }
 
+    /// Of an attractor, which case it is.
+    fn case_lines(&self, lines: &mut Lines) {
+        let Some([least, greatest]) = self.eigenvalue else { return };
+        // Outwards, to six places.
+        let [from, to] = [(1e6 * least).floor(), (1e6 * greatest).ceil()].map(|x| x / 1e6);
+        let value = match to - from < 1.5e-6 {
+            true => format!("lambda_1 = {from:.6}…"),
+            false => format!("lambda_1 is between {from:.6} and {to:.6}"),
+        };
+        let what = match self.case {
+            Some("chaos") => "above 2/3: chaos attracts at every small depth".into(),
+            Some("windows") => format!(
+                "between 1/4 and 2/3: windows with a stable orbit and gaps without alternate to the touch, each {} times the \
+                 one before",
+                format_args!("{:.4}", 0.25 * (least + greatest).powi(2))
+            ),
+            Some("overlap") => "below 1/4: windows with a stable orbit overlap up to the touch".into(),
+            _ => "which may be 1/4 or 2/3: what attracts is not decided".into(),
+        };
+        lines.say("case", format!("{value}, {what}"));
+        if !self.windows.is_empty() {
+            let all: Vec<String> = self.windows.iter().map(|one| one.set(None)).collect();
+            lines.say("windows", format!("{}; to leading order", all.join("; ")));
+        }
+    }
+
     fn own_lines(&self, (varied, half): (&str, bool), lines: &mut Lines) {
         let (side, reason) = (self.side, self.reason.as_deref().unwrap_or_default());
         if let (Some(touches), Some(depth)) = (&self.touches, &self.depth) {
             return self.lines_of_all(touches, depth, varied, lines);
         }
         let (Some(touch), Some(end)) = (&self.touch, &self.end) else {
-            let of = if self.of == ORBIT { format!(" of {}", self.what(half)) } else { String::new() };
+            let of = match self.of {
+                ORBIT => format!(" of {}", self.what(half)),
+                ATTRACTOR => " to be chaos that attracts".into(),
+                _ => String::new(),
+            };
             let why = match self.verdict {
                 "undecided" => format!("none proved{of}: {reason}"),
                 _ if reason.is_empty() => "nothing is born".into(),
@@ -266,6 +348,10 @@ impl RangeRow {
             lines.say("range_ends", reason);
             return self.certificate_lines(varied, lines);
         }
+        if let Some(attracting) = self.attracting() {
+            lines.say("range", format!("{side} the touch, proved for {above}{part}: {attracting}"));
+            return self.further_lines(varied, lines);
+        }
         let what = self.what(half);
         let near = self.near(half);
         lines.say(PROVED, format!("{side} the touch, for {above}{part}: {what} is exactly one motion{near}"));
@@ -279,6 +365,15 @@ impl RangeRow {
         Some(format!(
             "within {periods} {half}periods every motion meets {stop} more than {zone} periods from the phase of the touch \
              (less for nu < 1/100)"
+        ))
+    }
+
+    /// In which sense chaos attracts.
+    fn attracting(&self) -> Option<String> {
+        let growth = self.growth?;
+        Some(format!(
+            "chaos attracts: motions are trapped where none that is periodic is stable, grazing or not, and displacements grow \
+             {growth}-fold at least at every impact (that there is one attractor is not said)"
         ))
     }
 
@@ -327,9 +422,10 @@ impl RangeRow {
         };
         let depth =
             parse_rational(depth).map_or_else(|_| depth.to_string(), |depth| decimal_or_fraction(&depth));
-        let what = match self.leaving(false) {
-            Some(leaving) => format!("nothing is born, and {leaving}"),
-            None => format!("{} is exactly one motion{}", self.what(false), self.near(false)),
+        let what = match (self.leaving(false), self.attracting()) {
+            (Some(leaving), _) => format!("nothing is born, and {leaving}"),
+            (None, Some(attracting)) => attracting,
+            (None, None) => format!("{} is exactly one motion{}", self.what(false), self.near(false)),
         };
         lines.say(
             PROVED,
@@ -430,6 +526,18 @@ pub(crate) fn why_single(end: &RangeEnd, effort: RangeEffort) -> String {
             "next to it the orbit touches the stop once more (the checker cannot tell that the gap is positive)".into()
         }
         RangeEnd::Work => format!("the work allowed is done, {} pieces of motions: raise `effort`", effort.0),
+        end => why(end, effort),
+    }
+}
+
+/// Why the range of an attractor ends, in words.
+pub(crate) fn why_attractor(end: &RangeEnd, effort: RangeEffort) -> String {
+    match end {
+        RangeEnd::Map => {
+            "farther away displacements need not grow at every impact: this ends the proof, not the chaos"
+                .into()
+        }
+        RangeEnd::Refused(why) => why.clone(),
         end => why(end, effort),
     }
 }

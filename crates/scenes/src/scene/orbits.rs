@@ -253,13 +253,17 @@ keys! {
         prove: bool = "false",
         /// whether to prove, for either side of the touch, how far what is born there goes on
         range: RangeKey = "false",
+        /// whether to prove, of an overdamped machine beside one stop, that beyond the touch chaos attracts:
+        /// how far from it there is a trap in which no periodic motion is stable; of machines with linear
+        /// forces, and where the motion without impacts touches
+        attractor: bool = "false",
         /// whether to find the touch again with each other parameter of the scene a little larger and
         /// smaller, to say by how much it moves for one per cent more
         sensitivity: bool = "false",
         /// how exactly parameters are known, as in `{ k = "2%", d = 0.01, m = [0.9, 1.1] }`: a part of the
         /// value, up to a number, or the least and greatest value (of the task's own parameter about its
-        /// value at the touch); what is born, and with `range` how far it goes on, is then told of all
-        /// machines that this allows
+        /// value at the touch); what is born, with `range` how far it goes on, and what `attractor` proves,
+        /// is then told of all machines that this allows
         tolerance: Tolerances = "{}",
     }
 }

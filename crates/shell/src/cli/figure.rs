@@ -2,6 +2,7 @@
 
 use std::{
     collections::HashMap,
+    f64::consts::PI,
     path::{Path, PathBuf},
 };
 
@@ -27,6 +28,7 @@ use crate::{
     output::{Destination, FileRegistry, FileUse, make_folder, say_to},
     scene::{Kind, Scene},
     search::{
+        attractor::{AttractorProblem, prove_attractor},
         chaos::{Problem, prove},
         cover::{Cover, CoverOptions, certificate as assemble, cover},
     },
@@ -99,6 +101,9 @@ enum Figure {
     After,
     /// The boxes of the shift that is proved at mu = 0.003, where legs take them, and the attractor after it.
     Chaos,
+    /// Impacts beyond the touch of the paper's oscillator with d = 3/2, w = 8 at mu = 0.01, each with the
+    /// next, in the trap that is proved.
+    Attractor,
     /// Theorem 2's intervals for n = 3 to N.
     Intervals,
     /// The powers of an eigenvalue seen from 1: their records are the periods that exist; by default with
@@ -155,6 +160,7 @@ impl Figure {
                 | Near
                 | After
                 | Chaos
+                | Attractor
                 | Returns
                 | Tolerance
                 | Design
@@ -312,6 +318,43 @@ fn chaos(place: &FigurePlace, interrupt: &Interrupt) -> Result<()> {
     figure::shift(&problem, &proof, &impacts, place)
 }
 
+/// The paper's oscillator with d = 3/2, w = 8 and τ = 4/5 at µ = 1/100.
+const OVERDAMPED: &str = "format = \"grazing-scene 3\"\ntitle = \"overdamped\"\n[system]\ndamping = \"3/8\"\n\
+                          stiffness = \"1/64\"\n[[stops]]\nside = \"lower\"\noffset = -1\n\
+                          harmonics = [{ cos = \"101/100\" }]\nrestitution = \"4/5\"\n";
+/// For how many periods its motion is followed.
+const TRAPPED: i64 = 10_000;
+
+/// The trap of the overdamped oscillator up to µ = 0.01, proved, with the impacts of a motion there.
+fn attractor(place: &FigurePlace, interrupt: &Interrupt) -> Result<()> {
+    let exact = |text: &str| parse_rational(text).map(|x| [x.clone(), x]);
+    // µ = ν/(1 − ν).
+    let depth = 1.0 / 101.0;
+    let problem = AttractorProblem {
+        ranges: [exact("3/8")?, exact("1/64")?, exact("4/5")?],
+        harmonics: vec![(1, [exact("1")?, exact("0")?])],
+        deepest: depth,
+    };
+    let proof = prove_attractor(&problem, &Progress::new(interrupt, 0, "attempts"))?
+        .map_err(|why| Error::input(format!("figure attractor: not proved: {why:?}")))?;
+    let scene = Scene::from_toml(OVERDAMPED, "overdamped.toml")?;
+    let system = scene.plain(&[])?;
+    let simulator = Simulator::new(&system, &Settings::default())?;
+    let mut run = simulator.start(Time::new(0, 0.0), 1.0, 0.0)?;
+    let (mut returns, mut last) = (Vec::new(), None);
+    while let Event::Impact(impact) = run.next(Time::new(TRAPPED, 0.0)) {
+        // In units of how high the wall's top is above its mean.
+        let speed = impact.velocity.abs() / 1.01 / depth.sqrt();
+        let period = impact.time.period + i64::from(impact.time.phase > PI);
+        if let Some((before, since)) = last.replace((speed, period))
+            && since > SETTLED
+        {
+            returns.push(([before, speed], (period - since).unsigned_abs()));
+        }
+    }
+    figure::trapped(&proof, &returns, place)
+}
+
 pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     if args.place.is_given() && !matches!(args.figure, Figure::Records | Figure::Tolerance | Figure::Design) {
         return Err(Error::input(
@@ -379,6 +422,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         Figure::Near => drawn("figure9")?,
         Figure::After => drawn("figure10")?,
         Figure::Chaos => chaos(&place, interrupt)?,
+        Figure::Attractor => attractor(&place, interrupt)?,
         Figure::Orbits => figure::orbits(&place)?,
         Figure::Machine => figure::machine(&args.machine(files)?, &place)?,
     }

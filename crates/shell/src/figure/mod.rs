@@ -35,6 +35,7 @@ mod simulations;
 mod tips;
 mod tolerance;
 mod touch;
+mod trapped;
 mod view;
 mod words;
 
@@ -64,6 +65,7 @@ pub use simulations::{simulations_figure, simulations_table};
 pub use tips::tips;
 pub use tolerance::tolerance;
 pub use touch::touch;
+pub use trapped::trapped;
 pub use view::View;
 pub use words::words;
 

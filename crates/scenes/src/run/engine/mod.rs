@@ -18,7 +18,9 @@ use serde::{Serialize, de::DeserializeOwned};
 
 use super::{
     Analysed, GrazingMap, Job, Judgement, Keeper, ProofRow, SectionFindings, SimulationFindings,
-    StartNumbers, ValidateFindings, range::SideRange, rest::RestsHere,
+    StartNumbers, ValidateFindings,
+    range::{SideRange, WantedProofs},
+    rest::RestsHere,
 };
 use crate::{
     attractor::{
@@ -44,10 +46,7 @@ use crate::{
         tolerated::ToleratedMachines,
         validate::ValidateTask,
     },
-    search::{
-        orbit::{ProvedBranch, Verdict},
-        range::RangeEffort,
-    },
+    search::orbit::{ProvedBranch, Verdict},
 };
 
 /// Calls the rest with the engine that the job's scene is for.
@@ -479,12 +478,12 @@ pub(crate) trait GrazingPoint {
     /// Those of the system and of [`seen`](crate::attractor::touch::seen).
     fn seen(&self, e: f64, look: &Look) -> Result<Seen<Self::Start>>;
 
-    /// How far from the touch what is born is proved to go on, before it and beyond it; the inner error is
-    /// why no range is looked for.
+    /// How far from the touch what is born is proved to go on, before it and beyond it, and what attracts
+    /// there; the inner error is why no range is looked for.
     ///
     /// # Errors
     /// An interruption.
-    fn ranges(&self, effort: RangeEffort) -> Result<std::result::Result<Vec<SideRange>, String>>;
+    fn ranges(&self, wanted: WantedProofs) -> Result<std::result::Result<Vec<SideRange>, String>>;
 
     /// The machines that the task's tolerances allow; the inner error is why these are not covered.
     ///

@@ -53,7 +53,7 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             State(".checkpoint"),
         ],
         Kind::OrbitTask(_) | Kind::EventTask(_) => &[Fixed(".csv")],
-        Kind::GrazingTask(task) if task.prove || task.range.0.is_some() => &[
+        Kind::GrazingTask(task) if task.prove || task.attractor || task.range.0.is_some() => &[
             Fixed(".csv"),
             Fixed("-touches.csv"),
             Fixed("-seen.csv"),
@@ -66,6 +66,7 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             Numbered("-before-cell", ".certificate"),
             Fixed("-beyond.certificate"),
             Fixed("-beyond-part.certificate"),
+            Fixed("-beyond-attractor.certificate"),
             Numbered("-beyond", ".certificate"),
             Numbered("-beyond-cell", ".certificate"),
             Numbered("", ".certificate"),

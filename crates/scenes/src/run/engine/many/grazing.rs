@@ -4,7 +4,10 @@ use std::f64::consts::{PI, TAU};
 
 use super::{
     super::{
-        super::{Analysed, GrazingMap, Job, Judgement, MapNumbers, range::SideRange},
+        super::{
+            Analysed, GrazingMap, Job, Judgement, MapNumbers,
+            range::{SideRange, WantedProofs},
+        },
         GrazingPoint, KICKS, Theory,
     },
     analysed,
@@ -25,7 +28,7 @@ use crate::{
     },
     pattern::{Analysis, Map, Numbers, Report as Verdict},
     scene::{MachineSceneFamily, orbits::GrazingTask, tolerated::ToleratedMachines},
-    search::{range::RangeEffort, touch::leading_impacts},
+    search::touch::leading_impacts,
 };
 
 /// A least gap that changes over the reach by less than this, relative to the gaps' motion, does not pass
@@ -116,7 +119,7 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
         touch::seen(&touch, &look, planar, self.job.monitor)
     }
 
-    fn ranges(&self, _: RangeEffort) -> Result<std::result::Result<Vec<SideRange>, String>> {
+    fn ranges(&self, _: WantedProofs) -> Result<std::result::Result<Vec<SideRange>, String>> {
         Ok(Err("ranges are proved by the engine `one` alone".into()))
     }
 

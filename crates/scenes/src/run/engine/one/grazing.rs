@@ -2,7 +2,10 @@
 
 use super::{
     super::{
-        super::{Analysed, GrazingMap, Job, Judgement, MapNumbers, range::SideRange},
+        super::{
+            Analysed, GrazingMap, Job, Judgement, MapNumbers,
+            range::{SideRange, WantedProofs},
+        },
         GrazingPoint, KICKS, Theory,
     },
     analysed,
@@ -25,7 +28,7 @@ use crate::{
     },
     pattern::{Graph, Map, Report as Verdict},
     scene::{Expression, Scene, SceneFamily, Tolerances, orbits::GrazingTask, tolerated::ToleratedMachines},
-    search::{range::RangeEffort, touch::leading_impacts},
+    search::touch::leading_impacts,
 };
 
 /// A grazing bifurcation of an oscillator's orbit.
@@ -147,8 +150,8 @@ impl GrazingPoint for OscillatorGrazing<'_> {
         touch::seen(&touch, &look, simulator, job.monitor)
     }
 
-    fn ranges(&self, effort: RangeEffort) -> Result<std::result::Result<Vec<SideRange>, String>> {
-        ranges(self, effort)
+    fn ranges(&self, wanted: WantedProofs) -> Result<std::result::Result<Vec<SideRange>, String>> {
+        ranges(self, wanted)
     }
 
     fn tolerated(&self) -> Result<std::result::Result<ToleratedMachines, String>> {

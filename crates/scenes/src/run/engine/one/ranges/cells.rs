@@ -9,7 +9,10 @@ use super::{DEEPEST, Near, Ranges, functions};
 use crate::{
     error::Result,
     number::parse_rational,
-    search::range::{NothingProof, ParameterRange, RangeEffort, RangeEnd, RangeProof, SingleProof, Touching},
+    search::{
+        attractor::AttractorProof,
+        range::{NothingProof, ParameterRange, RangeEffort, RangeEnd, RangeProof, SingleProof, Touching},
+    },
 };
 
 /// How many depths are tried for the first cell; after one at which nothing is proved, one so many times
@@ -95,7 +98,8 @@ deep!(
         let zero = String::from("0");
         Some(if proof.certificate.forward { [zero, last.to_string()] } else { [format!("-{last}"), zero] })
     }, |proof: &SingleProof| proof.parts.iter().map(|(depth, _)| depth.clone()).collect();
-    NothingProof: |_| None, |_| Vec::new()
+    NothingProof: |_| None, |_| Vec::new();
+    AttractorProof: |_| None, |_| Vec::new()
 );
 
 impl Near<'_> {

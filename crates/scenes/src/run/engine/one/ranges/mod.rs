@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
 use super::{
-    super::super::range::{ALL, NOTHING, PART, RangeRow, SideRange},
+    super::super::range::{ALL, NOTHING, PART, RangeRow, SideRange, WantedProofs},
     grazing::OscillatorGrazing,
     tolerated::AllMachines,
 };
@@ -71,13 +71,14 @@ enum Of<'a> {
 }
 
 /// Both sides, before the touch first, of each first what is proved of all that is born, then of a part that
-/// goes farther, then of each orbit of one impact; or why no range is looked for.
+/// goes farther, then of each orbit of one impact, and last that chaos attracts; or why no range is looked
+/// for.
 ///
 /// # Errors
 /// An interruption.
 pub(super) fn ranges(
     point: &OscillatorGrazing,
-    effort: RangeEffort,
+    wanted: WantedProofs,
 ) -> Result<std::result::Result<Vec<SideRange>, String>> {
     let (itinerary, system) = (&point.event.itinerary, point.job.system()?);
     if itinerary.strikes().len() != 1 || itinerary.periods() != 1 {
@@ -94,7 +95,7 @@ pub(super) fn ranges(
     let unit = STEP * point.unit()? / point.event.map.e.abs();
     let start = [exact(point.event.parameter)?, exact(unit)?];
     if !point.tolerated.1.0.is_empty() {
-        return of_all(point, effort, start);
+        return of_all(point, wanted, start);
     }
     let [at, unit] = &start;
     let between = |from: &BigRational, to: &BigRational| Touching::of(&functions(point, from, to)?, None);
@@ -107,15 +108,18 @@ pub(super) fn ranges(
     let there = [damping, stiffness].map(|[value, _]| value);
     // Several depths are tried where the machines change.
     let changes = touching.changes();
+    let effort = wanted.range.unwrap_or_default();
     let effort = if changes { RangeEffort(effort.0 / PART_OF_EFFORT) } else { effort };
     let Touching { mirrored, parameters: about, harmonics, .. } = touching;
-    Near { point, effort, mirrored, about, changes, harmonics, of: Of::One(there), start }.sides().map(Ok)
+    Near { point, effort, mirrored, about, changes, harmonics, of: Of::One(there), start }
+        .sides(wanted)
+        .map(Ok)
 }
 
 /// The same for all machines that the task's tolerances allow.
 fn of_all(
     point: &OscillatorGrazing,
-    effort: RangeEffort,
+    wanted: WantedProofs,
     start: [BigRational; 2],
 ) -> Result<std::result::Result<Vec<SideRange>, String>> {
     // The task need not have any.
@@ -149,7 +153,7 @@ fn of_all(
     };
     Near {
         point,
-        effort,
+        effort: wanted.range.unwrap_or_default(),
         mirrored: false,
         about,
         changes: false,
@@ -157,7 +161,7 @@ fn of_all(
         of: Of::All(Box::new(all)),
         start,
     }
-    .sides()
+    .sides(wanted)
     .map(Ok)
 }
 
@@ -181,8 +185,15 @@ fn functions(
 }
 
 impl Near<'_> {
-    fn sides(&self) -> Result<Vec<SideRange>> {
-        Ok([self.side(false)?, self.side(true)?].into_iter().flatten().collect())
+    fn sides(&self, wanted: WantedProofs) -> Result<Vec<SideRange>> {
+        let mut all = match wanted.range {
+            Some(_) => [self.side(false)?, self.side(true)?].into_iter().flatten().collect(),
+            None => Vec::new(),
+        };
+        if wanted.attractor {
+            all.push(self.attractor()?);
+        }
+        Ok(all)
     }
 
     /// What is born on one side.

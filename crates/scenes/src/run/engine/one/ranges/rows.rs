@@ -7,8 +7,8 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::{
     super::super::super::range::{
-        CellRow, NOTHING, ORBIT, PROVED, RangeRow, SideRange, StabilityRow, downwards, inwards, why,
-        why_single,
+        ATTRACTOR, CellRow, NOTHING, ORBIT, PROVED, RangeRow, SideRange, StabilityRow, StableRow, UNDECIDED,
+        downwards, inwards, why, why_attractor, why_single,
     },
     DIGITS, Near, Of, SHARE, STEPS, TOUCH,
     cells::{Cells, Deep, Machines, Reached},
@@ -19,6 +19,7 @@ use crate::{
     error::{Error, Result},
     number::parse_rational,
     search::{
+        attractor::{AttractorProblem, Case, Window, case, eigenvalue, prove_attractor, windows},
         chaos::LetterGraph,
         range::{
             NothingProblem, ParameterRange, RangeEffort, RangeEnd, RangeProof, SingleProblem, SingleProof,
@@ -26,6 +27,17 @@ use crate::{
         },
     },
 };
+
+/// Digits of what is known to leading order.
+const LEADING: i32 = 4;
+
+/// The floats below and above.
+fn beyond([least, greatest]: &[BigRational; 2]) -> [f64; 2] {
+    // A conversion is wrong by less than this.
+    const NEAR: f64 = 1e-15;
+    let float = |x: &BigRational| x.to_f64().unwrap_or(f64::NAN);
+    [float(least) * (1.0 - NEAR), float(greatest) * (1.0 + NEAR)]
+}
 
 impl Near<'_> {
     /// The orbit of one impact, along its curve.
@@ -145,6 +157,59 @@ impl Near<'_> {
         side.row.zone = zone.map(downwards);
         (side.row.verdict, side.row.whole) = (NOTHING, true);
         Ok(side)
+    }
+
+    /// Beyond the touch: that chaos attracts.
+    pub(super) fn attractor(&self) -> Result<SideRange> {
+        let open = |why: &str| {
+            let row = RangeRow::open(true, UNDECIDED, Some(why.into()));
+            SideRange { row: RangeRow { of: ATTRACTOR, ..row }, texts: Vec::new() }
+        };
+        if self.mirrored {
+            return Ok(open("it is proved beside one stop"));
+        }
+        let harmonics = &self.harmonics;
+        let found = self.cells(true, self.effort, &|ranges, deepest, _| {
+            let problem = AttractorProblem { ranges, harmonics: harmonics.clone(), deepest };
+            prove_attractor(&problem, self.point.job.monitor)
+        })?;
+        let (mut side, cells) = self.side_of(true, found, &|end| why_attractor(end, self.effort))?;
+        side.row.growth = cells.iter().map(|(proof, _)| proof.growth).min_by(f64::total_cmp);
+        side.row.of = ATTRACTOR;
+        if let Some(ends) = eigenvalue(&self.about) {
+            let case = case(&ends);
+            side.row.eigenvalue = Some(beyond(&ends));
+            side.row.case = case.map(|case| match case {
+                Case::Chaos => "chaos",
+                Case::Windows => "windows",
+                Case::Overlap => "overlap",
+            });
+            if case == Some(Case::Windows) {
+                side.row.windows = self.windows()?;
+            }
+        }
+        Ok(side)
+    }
+
+    /// The next windows, over the parameter.
+    fn windows(&self) -> Result<Vec<StableRow>> {
+        let harmonics = self.harmonics.clone();
+        let problem = AttractorProblem { ranges: self.about.clone(), harmonics, deepest: 1.0 };
+        let mut all = Vec::new();
+        for Window { periods, depths } in windows(&problem) {
+            let end = |depth: f64| -> Result<Option<String>> {
+                let Some(depth) = BigRational::from_float(depth) else { return Ok(None) };
+                Ok(self.over(true, &depth, &self.fixed(), String::new())?.end)
+            };
+            let told = |text: String| -> Result<String> {
+                let value = parse_rational(&text)?;
+                Ok(inwards(&value, &self.start[0], LEADING))
+            };
+            if let (Some(from), Some(to)) = (end(depths[0])?, end(depths[1])?) {
+                all.push(StableRow { periods, from: told(from)?, to: told(to)? });
+            }
+        }
+        Ok(all)
     }
 
     /// What is found of a graph.

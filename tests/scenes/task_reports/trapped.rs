@@ -1,0 +1,112 @@
+//! That chaos attracts beyond a touch, in the report of a task `grazing`: how far, against numbers of the
+//! page, and in which of three cases; and every reason for which it is not proved.
+
+use grazing_scenes::{certificate, run::GrazingReport};
+
+use super::grazing_found;
+
+/// The paper's oscillator with some d and w, and keys of the task.
+fn paper(d: &str, w: &str, keys: &str) -> (GrazingReport, String, u8) {
+    let text = format!(
+        "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nmu = 0.05\nd = \"{d}\"\nw = \"{w}\"\n[system]\n\
+         damping = \"2*d/w\"\nstiffness = \"1/w^2\"\n[[stops]]\nside = \"lower\"\noffset = -1\n\
+         harmonics = [{{ cos = \"1 + mu\" }}]\nrestitution = 0.8\n{}",
+        task("mu", keys)
+    );
+    grazing_found(&text)
+}
+
+fn task(parameter: &str, keys: &str) -> String {
+    format!(
+        "[[tasks]]\nname = \"g\"\nkind = \"grazing\"\nparameter = \"{parameter}\"\nmax_period = 1\nseen = false\n\
+         attractor = true\n{keys}\n"
+    )
+}
+
+/// What the certificate of the one row says of the parameter.
+fn said(found: &GrazingReport) -> String {
+    let [(file, text)] = &found.certificates[..] else { panic!("one certificate") };
+    assert_eq!(file, "g-beyond-attractor.certificate");
+    let checked = certificate::check(&mut text.as_bytes()).unwrap_or_else(|why| panic!("{why}"));
+    assert_eq!((checked.kind, checked.title), ("parameter", "chaos that attracts"));
+    checked.detail[0].1.clone()
+}
+
+#[test]
+fn chaos_is_proved_from_the_touch_on() {
+    let (found, shown, code) = paper("3/2", "8", "");
+    let [row] = &found.range.clone().unwrap()[..] else { panic!("one row") };
+    assert_eq!((code, row.of, row.verdict, row.case), (0, "attractor", "proved", Some("chaos")));
+    // The formulas give µ = 0.1 at a growth of 1.005.
+    let end: f64 = row.end.as_ref().unwrap().parse().unwrap();
+    assert!((0.1..0.103).contains(&end) && row.growth.unwrap() > 1.0, "{row:?}");
+    let [least, greatest] = row.eigenvalue.unwrap();
+    assert!((least - 0.740_821_625_7).abs() < 1e-9 && (0.0..1e-8).contains(&(greatest - least)), "{row:?}");
+    let end = row.end.as_ref().unwrap();
+    assert!(said(&found).starts_with(&format!("for mu* < mu <= {end}, the touch mu* being the only one")));
+    for part in [
+        "chaos attracts: motions are trapped where none that is periodic is stable",
+        "that there is one attractor is not said",
+        "lambda_1 = 0.740821…, above 2/3: chaos attracts at every small depth",
+    ] {
+        assert!(shown.contains(part), "{part}: {shown}");
+    }
+}
+
+#[test]
+fn all_machines_within_tolerances_are_proved_at_once() {
+    let (found, shown, code) = paper("3/2", "8", "tolerance = { d = \"0.1%\", w = \"0.1%\" }");
+    let [row] = &found.range.clone().unwrap()[..] else { panic!("one row") };
+    let end: f64 = row.end.as_ref().unwrap().parse().unwrap();
+    assert!(code == 0 && (0.09..0.1021).contains(&end), "{row:?}");
+    assert!(said(&found).starts_with("for mu* < mu <= 0.09"), "{}", said(&found));
+    assert!(shown.contains("for every machine within the tolerances, proved from its own touch"), "{shown}");
+}
+
+/// A drive of three harmonics, which the parameter scales; an upper stop.
+#[test]
+fn several_harmonics_of_a_drive_are_proved() {
+    let text = format!(
+        "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nF = 1\n[system]\ndamping = 0.4\nstiffness = 0.012\n\
+         forcing = [{{ cos = \"F\" }}, {{ k = 2, cos = \"F/5\", sin = \"F/7\" }}, {{ k = 3, sin = \"F/10\" }}]\n\
+         [[stops]]\nside = \"upper\"\noffset = 1\nrestitution = \"7/10\"\n{}",
+        task("F", "")
+    );
+    let (found, _, code) = grazing_found(&text);
+    let [row] = &found.range.clone().unwrap()[..] else { panic!("one row") };
+    assert!(code == 0 && row.share.unwrap() > 0.01, "{row:?}");
+    assert!(said(&found).starts_with("for F* < F <= "), "{}", said(&found));
+    assert!(found.certificates[0].1.contains("\nconcave "));
+}
+
+#[test]
+fn windows_are_told_where_they_are() {
+    let (found, shown, code) = paper("3/2", "5", "");
+    let [row] = &found.range.clone().unwrap()[..] else { panic!("one row") };
+    assert_eq!((code, row.verdict, row.case), (3, "undecided", Some("windows")));
+    let windows = &row.windows;
+    assert_eq!(windows.iter().map(|one| one.periods).collect::<Vec<_>>(), [8, 9, 10]);
+    // The closed form of the plane map: ν = (CAB/((λ₁ − λ₂)β))².
+    assert_eq!((windows[0].from.as_str(), windows[0].to.as_str()), ("0.01119", "0.01581"));
+    for part in ["each 0.3829 times the one before", "period 8 from 0.01119 to 0.01581", "to leading order"] {
+        assert!(shown.contains(part), "{part}: {shown}");
+    }
+    assert!(found.certificates.is_empty());
+}
+
+#[test]
+fn what_is_not_covered_says_so() {
+    for (d, w, keys, reason, case) in [
+        ("2/5", "8", "", "the oscillator may not be overdamped", None),
+        ("2", "1/2", "", "lambda_1 may be below 2/3", Some("overlap")),
+        ("3/2", "8", "tolerance = { w = \"60%\" }", "", None),
+    ] {
+        let (found, shown, code) = paper(d, w, keys);
+        let rows = found.range.clone().unwrap_or_default();
+        assert_eq!(code, 3, "{d} {w} {keys} {shown}");
+        if let [row] = &rows[..] {
+            assert!(row.reason.as_ref().unwrap().contains(reason), "{row:?}");
+            assert_eq!(row.case, case);
+        }
+    }
+}
