@@ -203,8 +203,8 @@ MUTANTS = [
     # Another answer.
     Mutant("cases-exchanged", "src/classify.rs", '(1, _) => 2,\n        (_, 1) => 4,', '(1, _) => 4,\n        (_, 1) => 2,',
            "test_theory.py::test_many_points_are_classified_as_one_by_one"),
-    Mutant("witnesses-exchanged", "src/classify.rs", '(n, existence.name(), cases, large, positive, negative, zero)',
-           '(n, existence.name(), cases, large, negative, positive, zero)',
+    Mutant("witnesses-exchanged", "src/classify.rs", '(n, existence.name(), cases, large, positive, negative, zero, resonance)',
+           '(n, existence.name(), cases, large, negative, positive, zero, resonance)',
            "test_theory.py::test_points_are_those_of_the_command_line"),
     Mutant("closed-intervals", PROOFS, 'return self.left < s < self.right', 'return self.left <= s <= self.right',
            "test_theory.py::test_intervals_by_modular_inverses_are_farey_neighbours"),

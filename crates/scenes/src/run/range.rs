@@ -349,7 +349,7 @@ impl RangeRow {
             return self.certificate_lines(varied, lines);
         }
         if let Some(attracting) = self.attracting() {
-            lines.say("range", format!("{side} the touch, proved for {above}{part}: {attracting}"));
+            lines.say(PROVED, format!("{side} the touch, for {above}{part}: {attracting}"));
             return self.further_lines(varied, lines);
         }
         let what = self.what(half);
