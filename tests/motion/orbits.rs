@@ -300,9 +300,9 @@ fn a_linear_formula_has_the_exact_orbits_of_its_coefficients() {
     assert!(one.fold().is_some() && one.fold() == other.fold() && one.flip() == other.flip());
 }
 
-/// At the resonances nθ = mπ of the paper's oscillator, section 4.1 and (77)–(81) among them: the orbit of one
-/// impact hits where the stop is at height 0 and rises, both multipliers are τρ or −τρ, ρ = exp(−2πdn/w), and for
-/// small µ it keeps clear of the stop at the first resonance alone, and for n = 1.
+/// At the resonances nθ = mπ of the paper's oscillator, section 4.1 and (77)–(81) among them: the orbit of
+/// one impact hits where the stop is at height 0 and rises, both multipliers are τρ or −τρ with ρ =
+/// exp(−2πdn/w), and for small µ it keeps clear of the stop at the first resonance alone, and for n = 1.
 #[test]
 fn at_resonances_the_orbit_is_known_for_every_amplitude() {
     let mut kept = Vec::new();

@@ -16,6 +16,7 @@ use tempfile::TempDir;
 mod attractors;
 mod bands;
 mod decided;
+mod enclosed;
 mod linear_touches;
 mod ranges;
 mod responses;

@@ -601,3 +601,42 @@ fn a_box_is_called_by_its_ends() {
         assert!(picture.contains(ends), "{ends}");
     }
 }
+
+/// A drive that is written in millinewtons in a scene of newtons: pictures are over millinewtons, with the
+/// data drawn, and tables beside them in the scene's own unit.
+#[test]
+fn pictures_are_in_the_unit_in_which_a_parameter_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nF = \"500 mN\"\nc = \"0.1 N s/m\"\n\
+                 k = \"0.3 N/m\"\n[system]\nperiod = \"2*pi s\"\nmass = \"1 kg\"\ndamping = \"c\"\nstiffness = \"k\"\n\
+                 forcing = [{ cos = \"F\" }]\n[[stops]]\nside = \"upper\"\noffset = \"1 m\"\nrestitution = 0.8\n";
+    let tasks = "[[tasks]]\nname = \"sweep\"\nkind = \"diagram\"\nparameter = \"F\"\nrange = [\"400 mN\", \"900 mN\"]\ncount = 6\n\
+                 starts = [{ q = 0 }]\nsweep = \"both\"\n[[tasks]]\nname = \"follow\"\nkind = \"branch\"\nparameter = \"F\"\n\
+                 range = [\"500 mN\", \"700 mN\"]\nstarts = [{ orbit = { pattern = [] } }]\n[[tasks]]\nname = \"swing\"\nkind = \"response\"\nparameter = \"F\"\n\
+                 range = [\"100 mN\", \"600 mN\"]\ncount = 6\n[[tasks]]\nname = \"plane\"\nkind = \"map\"\nparameter = \"F\"\nrange = [\"400 mN\", \"900 mN\"]\n\
+                 count = 2\nsecond = \"k\"\nsecond_range = [\"0.3 N/m\", \"0.4 N/m\"]\nsecond_count = 2\nstart = { q = 0 }\n";
+    fs::write(folder.path().join("s.toml"), format!("{scene}{tasks}")).unwrap();
+    let output = Command::new(crate::PROGRAM)
+        .args(["run", "s.toml", "-o", "out"])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let read = |name: &str| fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    for name in ["sweep", "follow", "swing", "plane"] {
+        let picture = read(&format!("{name}.svg"));
+        assert!(picture.contains("(mN)") && !picture.contains("(N)"), "{name}");
+    }
+    for (name, column, [from, to]) in [
+        ("sweep.csv", "parameter", [399.0, 901.0]),
+        ("follow.csv", "parameter", [499.0, 701.0]),
+        ("swing.csv", "value", [0.09, 0.61]),
+        ("plane.csv", "first", [0.39, 0.91]),
+    ] {
+        let rows = table(&read(name));
+        assert!(
+            !rows.is_empty() && rows.iter().all(|row| (from..=to).contains(&number(row, column))),
+            "{name}"
+        );
+    }
+}

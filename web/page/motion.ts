@@ -3,6 +3,7 @@
 // Every picture and number is a task of the scene, run by the program (web/src/motion.rs); here it is asked for
 // and shown. What is drawn of an answer stands in motion-pictures.ts.
 
+import { BANDS_STYLE, bandsBar } from "./bands";
 import { Lane } from "./compute";
 import {
   attractors,
@@ -719,6 +720,10 @@ class MotionPanel implements Panel {
       return;
     }
     const children: (Node | string)[] = [element("h2", {}, "What is born, and what is seen"), ...found.sentences.map((text) => element("p", {}, text))];
+    const varied = parts.parameter.value;
+    const unit = this.scene?.parameters.find(({ name }) => name === varied)?.unit ?? null;
+    const bar = bandsBar(found.report.bands ?? null, { name: varied, unit, now: this.now() });
+    if (bar) children.push(bar);
     if (found.place) {
       const query = new URLSearchParams(found.place as unknown as Record<string, string>).toString();
       children.push(element("p", {}, element("a", { href: `#plane?${query}` }, "Show this (a₁, a₂) in the plane")));
@@ -922,6 +927,6 @@ const STYLE = `
   /* The picture, what changes it, and then what is said of it. */
   .motion { display: flex; flex-direction: column; gap: 0; } .motion-views { display: contents; } .motion-views > * { order: -1; } .motion-views > .motion-after { order: 1; }
 }
-`;
+${BANDS_STYLE}`;
 
 export const motion: Panel = new MotionPanel();

@@ -149,6 +149,32 @@ test("every view draws, light, dark and on a phone, and a link leads back to it"
   }
 });
 
+test("the bands over the parameter of a touch stand as a bar, with their ends and the slider", async () => {
+  const scene = [
+    'format = "grazing-scene 3"', 'title = "A driven mass and a stop"', "[parameters]", "F = 0.6", "[system]", 'damping = "1/10"', 'stiffness = "3/10"',
+    'forcing = [{ cos = "F" }]', "[[stops]]", 'side = "upper"', "offset = 1", "restitution = 0.8", "[[tasks]]", 'name = "touch"', 'kind = "grazing"', 'parameter = "F"', "",
+  ].join("\n");
+  const { page, errors, root } = await panel();
+  await openScene(root, "machine.toml", scene);
+  const bar = root.locator(".bands");
+  await bar.waitFor();
+  const parts = await bar.locator(".bands-part").evaluateAll((all) => all.map((part) => [part.dataset.band, part.textContent, part.getBoundingClientRect().left]));
+  assert.deepEqual(parts.map(([band]) => band), ["free", "depends", "hits"]);
+  assert.deepEqual(parts.map(([, text]) => text), ["no motion that hits for ever was found", "it depends on how it is begun", "it always hits"]);
+  assert.ok(parts[0][2] < parts[1][2] && parts[1][2] < parts[2][2]);
+  assert.deepEqual((await bar.locator(".bands-end").allTextContents()).sort(), ["0.52341 (seen)", "0.70711 (enclosed)", "from rest: 0.60448 (seen)"]);
+  // The slider's 0.6 is in the band where it depends, left of where rest hits.
+  const [line, rest] = await Promise.all([".bands-now", ".bands-rest"].map((name) => bar.locator(name).evaluate((one) => parseFloat(one.style.left))));
+  const depends = await bar.locator('[data-band="depends"]').evaluate((one) => [parseFloat(one.style.left), parseFloat(one.style.width)]);
+  assert.ok(depends[0] < line && line < rest && rest < depends[0] + depends[1], `${depends} ${line} ${rest}`);
+  await root.getByText("it depends on how it is begun: from rest, at q = 0, it is seen to hit for ever from F = 0.604476 on").waitFor();
+  await root.locator('[data-parameter="F"]').fill("0.3");
+  await root.locator('[data-parameter="F"]').blur();
+  await bar.locator(".bands-now").waitFor({ state: "detached" });
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
 test("the orbits born: branches stand beside the prediction, and it is said how near it holds", async () => {
   const { page, errors, root } = await panel("#motion?view=born&v.mu=0.003&q=1&from=-0.02&to=0.01");
   await page.locator("#live").filter({ hasText: "branches followed" }).waitFor({ state: "attached", timeout: 60_000 });

@@ -25,13 +25,13 @@ pub use digits::{DigitsPrice, INPUTS, METHODS, digits_prices};
 pub use families::{FAMILIES, InputFamily};
 pub use proofs::{CHAOS, PAPER, ProofCost, ProofSizes, proof_costs};
 pub use sign_price::{DISTANCES, QUICK_DISTANCES, SignMethod, SignPrice, sign_prices};
-pub use touches::{RESTITUTION, TouchSample, touch_samples};
+pub use touches::{RESTITUTION, Sight, TouchSample, touch_samples};
 pub use zeros::{ZERO_FAMILIES, ZeroFamily};
 
 use grazing::{existence, local, word};
 use grazing_base::{error, monitor, random};
 use grazing_check as certificate;
-use grazing_motion::{attractor, many, motion, one};
+use grazing_motion::{many, motion, one};
 use grazing_number as number;
 use grazing_scenes::{run, scene, search};
 

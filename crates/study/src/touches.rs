@@ -1,17 +1,13 @@
-//! Machines with one stop, each followed beside its touch: what is seen, for the picture that tells it from
-//! what is born.
+//! Machines with one stop, each followed beside its touch and before it by a task `grazing`: what is seen,
+//! for the picture that tells it from what is born.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use crate::{
-    attractor::{
-        diagram::Look,
-        touch::{Beside, Touch, beside},
-    },
-    error::Result,
+    error::{Error, Result},
     monitor::Monitor,
-    motion::{Harmonic, State, System, Wall},
-    one::simulate::{Settings, Simulator},
+    run::{BandRow, Findings, GrazingFindings, GrazingReport, Surroundings, run},
+    scene::Scene,
 };
 
 /// A machine beside its touch.
@@ -21,10 +17,22 @@ pub struct TouchSample {
     pub ratio: f64,
     /// What is left of a free vibration after a period of the drive.
     pub remains: f64,
-    /// Whether it is just before the touch, or just beyond it.
-    pub before: bool,
-    /// Whether the motion stays near the one that touches.
-    pub near: bool,
+    /// What is seen just before the touch.
+    pub before: Sight,
+    /// Just beyond it.
+    pub beyond: Sight,
+    /// The drive, over that at the touch, below which no motion was found that hits for ever: 1 where none
+    /// was found before the touch.
+    pub free: f64,
+    /// The drive, over it, from which on a motion begun at rest is seen to hit for ever.
+    pub from_rest: Option<f64>,
+}
+
+/// What is seen beside a touch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sight {
+    /// What the motion does: it `stays`, `jumps` or is `lost`.
+    pub what: String,
     /// What it comes to, in words; none if it leaves every bound.
     pub motion: Option<String>,
     /// The least and the greatest displacement there, the stop being at 1 and the free motion going to −1.
@@ -34,65 +42,63 @@ pub struct TouchSample {
 /// Of every machine of the samples.
 pub const RESTITUTION: f64 = 0.8;
 
-/// The samples: 0.04, 0.14, …, 0.94 across, and 0.15, 0.35, 0.55, 0.88 up. Cost: some 50,000 periods.
+/// The samples: 0.04, 0.14, …, 0.94 across, and 0.15, 0.35, 0.55, 0.88 up. Cost: some millions of periods.
 ///
 /// # Errors
-/// Those of the simulator; the monitor's.
+/// Those of a task `grazing`; the monitor's.
 pub fn touch_samples(monitor: &dyn Monitor) -> Result<Vec<TouchSample>> {
     let mut all = Vec::new();
     for remains in [0.15, 0.35, 0.55, 0.88] {
         for column in 0..10 {
-            all.extend(sample(0.04 + 0.1 * f64::from(column), remains, monitor)?);
+            all.push(sample(0.04 + 0.1 * f64::from(column), remains, monitor)?);
             monitor.advance(1)?;
         }
     }
     Ok(all)
 }
 
-/// q″ + cq′ + kq = F cos t below a stop at 1: its free motion is F/|k − 1 + ic| cos(t − arg(k − 1 + ic)).
-fn sample(ratio: f64, remains: f64, monitor: &dyn Monitor) -> Result<[TouchSample; 2]> {
+/// q″ + cq′ + kq = F cos t below a stop at 1.
+fn sample(ratio: f64, remains: f64, monitor: &dyn Monitor) -> Result<TouchSample> {
     let damping = -remains.ln() / PI;
     let stiffness = ratio * ratio + damping * damping / 4.0;
-    let (amplitude, phase) = ((stiffness - 1.0).hypot(damping), damping.atan2(stiffness - 1.0));
-    let far = (phase + PI).rem_euclid(TAU);
-    let touch = Touch {
-        parameter: amplitude,
-        e: -1.0 / amplitude,
-        start: State { t: far, q: -1.0, u: 0.0 },
-        rest: None,
-        others: Vec::new(),
-        periods: 1,
-        slowest: remains,
-        width: 1.0,
+    let scene = format!(
+        "format = \"grazing-scene 3\"\ntitle = \"a machine\"\n[parameters]\nF = 1\n[system]\ndamping = {damping:?}\n\
+         stiffness = {stiffness:?}\nforcing = [{{ cos = \"F\" }}]\n[[stops]]\nname = \"stop\"\nside = \"upper\"\noffset = 1\n\
+         restitution = {RESTITUTION:?}\n[[tasks]]\nname = \"touch\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 1\n"
+    );
+    let scene = Scene::from_toml(&scene, "machine.toml")?;
+    let around = Surroundings { monitor, ..Surroundings::default() };
+    let report = run(&scene, around, &mut ())?.pop();
+    monitor.advance(0)?;
+    let status = report.as_ref().map_or_else(String::new, |report| format!("{:?}", report.status));
+    let found = match report.and_then(|report| report.findings) {
+        Some(Findings::Grazing(found)) => match *found {
+            GrazingFindings::Found(found) => Some(*found),
+            GrazingFindings::Nothing { .. } => None,
+        },
+        _ => None,
     };
-    let dynamics = |force| {
-        let system = System {
-            rate: None,
-            damping,
-            stiffness,
-            cubic: 0.0,
-            force: 0.0,
-            forcing: vec![Harmonic { k: 1, cos: force, sin: 0.0 }],
-            smooth: None,
-            lower: None,
-            upper: Some(Wall { offset: 1.0, harmonics: Vec::new(), restitution: RESTITUTION }),
-        };
-        Simulator::new(&system, &Settings::default())
+    let sample = found.and_then(|found| told(&found, [ratio, remains]));
+    sample.ok_or_else(|| Error::input(format!("nothing is seen at ({ratio}, {remains}): {status}")))
+}
+
+fn told(found: &GrazingReport, [ratio, remains]: [f64; 2]) -> Option<TouchSample> {
+    let (seen, bands) = (found.seen.as_ref()?, found.bands.as_ref()?);
+    let sight = |place: &str| {
+        let row = seen.iter().find(|row| row.place == place)?;
+        let extent = row.extent.as_ref().and_then(|ends| Some([*ends.first()?, *ends.get(1)?]));
+        Some(Sight { what: row.what.clone(), motion: row.motion.clone(), extent })
     };
-    let look = Look { phase: far, transient: 500, points: 64, longest: 64 };
-    let seen = beside(&touch, &look, dynamics, monitor)?;
-    let mut before = true;
-    Ok(seen.map(|Beside { settled, near, .. }| {
-        let portrait = settled.as_ref().map(|settled| &settled.portrait);
-        TouchSample {
-            ratio,
-            remains,
-            before: std::mem::replace(&mut before, false),
-            near,
-            motion: portrait.map(|portrait| portrait.words()),
-            extent: portrait.map(|portrait| portrait.range.extent),
-        }
-    }))
+    let band = |name: &str| bands.iter().find(|row| row.band == name);
+    let from_rest = band("depends").and_then(|row: &BandRow| row.from_rest);
+    Some(TouchSample {
+        ratio,
+        remains,
+        before: sight("before")?,
+        beyond: sight("beyond")?,
+        free: band("free").map_or(Some(0.0), |row| row.most_part)?,
+        from_rest: from_rest.map(|value| value / found.at.parameter),
+    })
 }
 
 #[cfg(test)]
@@ -102,11 +108,13 @@ mod tests {
     /// README's machine, whose numbers are tested with its scene.
     #[test]
     fn a_machine_jumps_and_a_strongly_damped_one_stays() {
-        let [before, beyond] = sample(0.297_5_f64.sqrt(), (-0.1 * PI).exp(), &()).unwrap();
-        assert!(before.before && before.near && !beyond.before && !beyond.near);
+        let TouchSample { before, beyond, free, from_rest, .. } =
+            sample(0.297_5_f64.sqrt(), (-0.1 * PI).exp(), &()).unwrap();
+        assert_eq!([before.what, beyond.what], ["stays", "jumps"]);
         let [low, high] = beyond.extent.unwrap();
-        assert!((-6.63..-6.60).contains(&low) && (high - 1.0).abs() < 1e-9, "{beyond:?}");
-        let [_, beyond] = sample(0.05, 0.1, &()).unwrap();
-        assert!(beyond.near, "{beyond:?}");
+        assert!((-6.63..-6.60).contains(&low) && (high - 1.0).abs() < 1e-9);
+        assert!((free - 0.7402).abs() < 1e-4 && (from_rest.unwrap() - 0.8549).abs() < 1e-4);
+        let damped = sample(0.05, 0.1, &()).unwrap();
+        assert_eq!((damped.beyond.what.as_str(), damped.free, damped.from_rest), ("stays", 1.0, None));
     }
 }

@@ -120,6 +120,80 @@ fn below_the_first_end_no_motion_of_a_second_solver_hits_for_ever() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
+/// README's machine: from rest it hits from a value in the band where it depends; what is proved stands there
+/// with `prove = true` alone, and names a value at which there is a certificate of an orbit with an impact.
+#[test]
+fn a_band_says_from_where_on_rest_hits_and_what_is_proved() {
+    let machine = Driven { c: 0.1, k: 0.3, restitution: 0.8 };
+    for prove in [false, true] {
+        let scene = machine.scene(0.5) + &format!("prove = {prove}\n");
+        let (found, shown, code) = grazing_found(&scene);
+        let [free, depends, hits] = &found.bands.unwrap()[..] else { panic!("{shown}") };
+        let rest = found.seen.unwrap().into_iter().find(|row| row.place == "rest").unwrap();
+        assert_eq!(
+            (depends.from_rest, free.from_rest, hits.from_rest),
+            (Some(rest.value), None, None),
+            "{shown}"
+        );
+        assert_eq!(
+            [&depends.least_by, &depends.most_by].map(|by| by.as_deref()),
+            [Some("seen"), Some("enclosed")]
+        );
+        assert!(
+            found.in_words.contains("begun: from rest, at q = 0, it is seen to hit for ever from F = 0.604"),
+            "{shown}"
+        );
+        assert!(!found.in_words.contains("Begun at rest") && code == 0, "{shown}");
+        let said = found.in_words.contains("on, and at F = 0.604476 a motion that does is proved; beyond");
+        let proved = [free, depends, hits].map(|band| band.proved_at);
+        if !prove {
+            assert_eq!((proved, said), ([None; 3], false), "{shown}");
+            continue;
+        }
+        assert_eq!((proved[0], proved[1], said), (None, Some(rest.value), true), "{shown}");
+        let rows = found.proofs.unwrap().rows;
+        for (at, place) in [(proved[1], "rest"), (proved[2], "beyond")] {
+            let row = rows.iter().find(|row| row.seen == place).unwrap();
+            assert_eq!((Some(row.value), row.proved.pattern.as_deref()), (at, Some("1")), "{shown}");
+            assert!(row.proved.certificate.is_some(), "{shown}");
+        }
+    }
+}
+
+/// The force of README's machine as one formula: what is seen, the bands and the touch are those of its
+/// coefficients.
+#[test]
+fn a_linear_force_is_linear_as_a_formula_too() {
+    let machine = Driven { c: 0.1, k: 0.3, restitution: 0.8 };
+    let written = machine.scene(0.5);
+    let (head, tail) = written.split_once("damping").unwrap();
+    let (_, tail) = tail.split_once("[[stops]]").unwrap();
+    let formula = format!("{head}force = \"-u/10 - 3/10*q + F*cos(t)\"\n[[stops]]{tail}");
+    let [own, expected] = [&formula, &written].map(|text| grazing_found(text).0);
+    assert_eq!((own.seen_open, &own.touch), (None, &expected.touch));
+    assert_eq!((&own.bands, &own.seen), (&expected.bands, &expected.seen));
+    assert!(own.bands.is_some() && own.touch.is_some());
+}
+
+/// Overdamped, all that is born is beyond the touch, where the motion stays near: an orbit that attracts is
+/// seen, and chaos is born.
+#[test]
+fn what_is_born_and_what_is_seen_are_told_apart() {
+    let machine = Driven { c: 3.0, k: 1.0, restitution: 0.8 };
+    let (found, shown, _) = grazing_found(&machine.scene(0.5));
+    let beyond = found.seen.unwrap().into_iter().find(|row| row.place == "beyond").unwrap();
+    assert_eq!(
+        (beyond.what.as_str(), beyond.motion.as_deref()),
+        ("stays", Some("period 2, 1 impact")),
+        "{shown}"
+    );
+    let said = "Chaos is born for F > 3, of entropy 0.693147 per period. Born and seen are different sets: what is born \
+                exists, most of it unstable; what is seen attracts.";
+    assert!(found.in_words.contains(said), "{shown}");
+    let (unseen, shown, _) = grazing_found(&(machine.scene(0.5) + "seen = false\n"));
+    assert!(!unseen.in_words.contains("Born and seen"), "{shown}");
+}
+
 /// With a spring that hardens a second motion may be clear of the stop beyond the touch of the first: nothing
 /// is said of all motions there.
 #[test]

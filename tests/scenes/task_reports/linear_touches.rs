@@ -362,6 +362,29 @@ fn all_touches_in_any_parameter_are_the_zeros_of_its_formula() {
     }
 }
 
+/// A mass that is not positive moves nothing: that part of what was asked for is named, in the exit code,
+/// too.
+#[test]
+fn values_at_which_there_is_no_motion_are_told() {
+    let of = |least: &str| {
+        let text = driven("many", &format!("within = [{least}, 5]\nseen = false\nmax_period = 1\n"));
+        text.replace("parameter = \"F\"", "parameter = \"m\"")
+    };
+    let (whole, shown, code) = grazing_found(&of("0.1"));
+    assert_eq!((whole.touches_open, code), (None, 0), "{shown}");
+    let (part, shown, code) = grazing_found(&of("-1"));
+    let why = part.touches_open.unwrap_or_else(|| panic!("{shown}"));
+    assert!(why.contains("from -1.0 to ") && why.contains("every motion must have inertia"), "{why}");
+    assert_eq!((part.touches, code), (whole.touches, 3), "{shown}");
+    assert!(
+        shown.contains("touches_open     not looked for") && shown.contains("undecided: touches: "),
+        "{shown}"
+    );
+    // Where nothing else is found it stands in the reason.
+    let (none, shown) = listed(&of("-1").replace("F = 0.9", "F = 1e-5"));
+    assert!(none.is_empty() && shown.contains("every motion must have inertia"), "{shown}");
+}
+
 #[test]
 fn touches_within_are_of_a_linear_motion_without_impacts() {
     let refused = |text: &str| Scene::from_toml(text, "t.toml").unwrap_err().to_string();

@@ -375,6 +375,13 @@ fn the_theory_in_words() {
     let seen = "just before, at mu = -0.0002, the motion stays (period 1, no impact, from 0 to 0)";
     assert!(words.contains(&format!("Seen, which is evidence and no theory: {seen}")), "{words}");
     assert!(words.contains("just beyond, at mu = 0.0002, "), "{words}");
+    // The bands in the words of the report, which has them.
+    let bands = found["report"]["bands_in_words"].as_str().unwrap();
+    assert!(
+        words.ends_with(bands) && bands.contains("beyond the touch") && bands.contains("always hits"),
+        "{words}"
+    );
+    assert!(found["report"]["in_words"].as_str().unwrap().contains(bands), "{words}");
     assert_eq!(
         found["place"]["a1"].as_str().unwrap().parse::<f64>().unwrap(),
         found["report"]["a1"].as_f64().unwrap()

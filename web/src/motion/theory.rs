@@ -233,18 +233,22 @@ pub fn sentences(report: &Value, most: u64, size: f64, unit: &str) -> Vec<String
         all.push(format!("{open} of the patterns looked at are open: a sign is too close to zero."));
     }
     all.extend(seen(report, name, unit));
+    all.extend(report["bands_in_words"].as_str().map(String::from));
     all
 }
 
 /// What attracts beside the grazing, in sentences.
 fn seen(report: &Value, name: &str, unit: &str) -> Option<String> {
     let rows = report["seen"].as_array()?;
+    // What is said of one begun at rest stands among the bands.
+    let bands = report["bands"].as_array().map_or(&[][..], Vec::as_slice);
+    let in_bands = bands.iter().any(|row| !row["from_rest"].is_null());
     let row = |row: &Value| {
         let at = row["value"]
             .as_f64()
             .map_or(String::new(), |value| format!("{name} = {}{unit}", digits(value, 6)));
         let from = match row["place"].as_str()? {
-            "rest" if row["motion"].is_null() => return None,
+            "rest" if in_bands || row["motion"].is_null() => return None,
             "rest" => "begun at rest, from",
             "before" => "just before, at",
             "beyond" => "just beyond, at",

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 use super::{
-    AttractorProofs, Finding, Job, Lines, Status,
+    AttractorProofs, DiagramBandRow, Finding, Job, Lines, Status,
     engine::{Engine, by_engine},
     parts::{foreign, record},
     proved::{Proving, StartOf},
@@ -143,6 +143,9 @@ pub struct DiagramFindings {
     /// Values with several attractors or with lost starts, a row for each attractor, at least one for each
     /// value.
     pub coexisting: Vec<CoexistingRow>,
+    /// Where none, some or all motions that are seen hit for ever: of several starts, or of the two ways of a
+    /// sweep; absent of one motion at each value, which does not tell what else there is.
+    pub bands: Option<Vec<DiagramBandRow>>,
     /// Values at which it is not decided whether a motion tends to a periodic orbit.
     pub not_settled: Vec<f64>,
     /// What a sweep comes to, in place of `windows` and `coexisting`.
@@ -178,6 +181,10 @@ impl Finding for DiagramFindings {
             lines.say("drawn", first.as_str());
         }
         lines.say("values", self.values);
+        if let Some(rows) = &self.bands {
+            DiagramBandRow::say(rows, &self.parameter, lines);
+            lines.table("bands", rows);
+        }
         match &self.sweep {
             Some(sweep) => sweep.lines(lines),
             None => {
@@ -315,6 +322,14 @@ fn sweep_over<E: Engine>(
     let mut findings = gather(task, job, slices);
     (findings.windows, findings.coexisting) = (Vec::new(), Vec::new());
     let upwards = ways.iter().filter(|(up, _)| *up).count();
+    let (up, down) = findings.slices.split_at(upwards);
+    // One way tells of one motion at each value.
+    findings.bands = (!up.is_empty() && !down.is_empty()).then(|| {
+        let both = up.iter().zip(down.iter().rev());
+        DiagramBandRow::all(
+            both.map(|(up, down)| (up.value, hit(up).zip(hit(down)).map(|both| [both.0, both.1].concat()))),
+        )
+    });
     Ok(DiagramFindings { sweep: Some(found), proofs, upwards, ..findings })
 }
 
@@ -412,6 +427,12 @@ fn slices(task: &DiagramTask, job: &Job, values: Range<u64>, file: Option<&Path>
     })
 }
 
+/// Which of the motions at a value hit; none where one is lost or not settled.
+fn hit(slice: &Slice) -> Option<Vec<bool>> {
+    let known = slice.lost == 0 && slice.motions.iter().all(|motion| !motion.undecided);
+    known.then(|| slice.motions.iter().map(|motion| motion.impacts > 0).collect())
+}
+
 fn gather(task: &DiagramTask, job: &Job, slices: Vec<Slice>) -> DiagramFindings {
     let windows = diagram::windows(&slices).into_iter().map(|window| WindowRow {
         from: window.from,
@@ -435,12 +456,15 @@ fn gather(task: &DiagramTask, job: &Job, slices: Vec<Slice>) -> DiagramFindings 
     let open = |slice: &&Slice| slice.motions.iter().any(|motion| motion.undecided);
     let not_settled = slices.iter().filter(open).map(|slice| slice.value).collect();
     let plane = by_engine!(job, engine => engine.plane(&task.plane));
+    let several = task.starts.len() > 1 && task.sweep.is_none();
+    let bands = several.then(|| DiagramBandRow::all(slices.iter().map(|slice| (slice.value, hit(slice)))));
     DiagramFindings {
         plane,
         parameter: task.parameter.clone(),
         values: slices.len(),
         windows: windows.collect(),
         coexisting,
+        bands,
         not_settled,
         sweep: None,
         proofs: None,

@@ -165,6 +165,16 @@ impl AttractorProofs {
         }
     }
 
+    /// The values at which an orbit with impacts is proved by a certificate.
+    pub(super) fn hitting(&self) -> Vec<f64> {
+        let hits = |row: &&ProvedRow| {
+            let Proved { verdict, pattern, certificate, .. } = &row.proved;
+            let struck = pattern.as_deref().is_some_and(|pattern| !pattern.starts_with("free "));
+            *verdict == "proved" && certificate.is_some() && struck
+        };
+        self.rows.iter().filter(hits).map(|row| row.value).collect()
+    }
+
     pub(super) fn lines(&self, lines: &mut Lines) {
         let open = self.open_rows();
         let left: usize = open.iter().map(|row| row.values).sum();

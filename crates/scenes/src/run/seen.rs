@@ -102,8 +102,11 @@ pub(super) fn proofs<E: Engine>(
     job: &Job,
     engine: &E,
 ) -> Result<AttractorProofs> {
+    let from_rest = seen.rest.as_ref().filter(|rest| rest.hits > 0);
+    let from_rest = from_rest.map(|rest| ("rest", rest.parameter, "hits", Some(&rest.settled)));
     let all: Vec<Attractor<E>> = sights(seen)
         .into_iter()
+        .chain(from_rest)
         .filter_map(|(place, value, _, settled)| Some((place, BigRational::from_float(value)?, settled?)))
         .collect();
     let proving = Proving { engine, task: &job.task.name, parameter: &task.parameter, look: &seen.look };

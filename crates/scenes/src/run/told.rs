@@ -2,7 +2,7 @@
 //! those of the report, in the scene's names, and in SI units where the scene says what its units are; the
 //! task's parameter is in the unit in which the scene has it.
 
-use super::{BandRow, GrazingMap, HitRow, InfluenceRow, Mark, SeenRow, Sentence, bands};
+use super::{BandRow, ChaosRow, GrazingMap, HitRow, InfluenceRow, Mark, SeenRow, Sentence, bands};
 use crate::{
     many::elements::Short,
     scene::{WrittenUnit, units::SiUnits},
@@ -58,22 +58,33 @@ fn parameter(at: &GrazingMap, value: f64, unit: Option<&WrittenUnit>) -> String 
 pub(super) fn sentences(
     at: &GrazingMap,
     (period, units, unit, given): (f64, Units, Option<&WrittenUnit>, f64),
-    (seen, bands): (&[SeenRow], &[BandRow]),
+    (born, seen): (&[ChaosRow], &[SeenRow]),
+    (bands, in_bands): (&[BandRow], Option<&str>),
     hits: &[HitRow],
     influence: &[InfluenceRow],
 ) -> Vec<Sentence> {
     let value = |value: f64| parameter(at, value, unit);
     let touch = first(at, &value(at.parameter), &told(at.phase * period, Time, units));
     let order = unit.and_then(|_| far(at, given, &value(given)));
-    let found = seen.iter().flat_map(|row| [sight(&value(row.value), row), blows(hits, &row.place, units)]);
-    let found = found.chain([bands::sentence(bands, &value)]).flatten();
-    [touch]
+    let mut born = born.iter().filter(|_| !seen.is_empty());
+    let apart = born.find_map(|row| chaos(row, at.half, &value(at.parameter)));
+    // What is said of one begun at rest stands among the bands.
+    let from_rest = bands.iter().any(|row| row.from_rest.is_some());
+    let found = seen.iter().filter(|row| !(from_rest && row.place == "rest"));
+    let found = found.flat_map(|row| [sight(&value(row.value), row), blows(hits, &row.place, units)]);
+    let found = found.chain([in_bands.map(String::from)]).flatten();
+    [Some(touch), order, apart]
         .into_iter()
-        .chain(order)
+        .flatten()
         .map(|text| Mark::Located.of(text))
         .chain(found.map(|text| Mark::Seen.of(text)))
         .chain(influences(influence).map(|text| Mark::Located.of(text)))
         .collect()
+}
+
+/// The bands in a sentence.
+pub(super) fn of_bands(bands: &[BandRow], at: &GrazingMap, unit: Option<&WrittenUnit>) -> Option<String> {
+    bands::sentence(bands, &|value| parameter(at, value, unit))
 }
 
 fn first(at: &GrazingMap, value: &str, after: &str) -> String {
@@ -99,6 +110,20 @@ fn far(at: &GrazingMap, given: f64, value: &str) -> Option<String> {
         let begin = format!("In the scene {value}, {} times the touch", Short(times));
         format!("{begin}: check that its unit, and those of masses, stiffnesses and gaps, are meant.")
     })
+}
+
+/// That the set that is born is not the one that is seen.
+fn chaos(row: &ChaosRow, half: bool, touch: &str) -> Option<String> {
+    let entropy = row.entropy.as_ref().filter(|_| row.chaos == Some(true))?;
+    let entropy: f64 = entropy.parse().ok()?;
+    let sign = if row.side.contains('<') { "<" } else { ">" };
+    Some(format!(
+        "Chaos is born for {}, of entropy {} per {}. Born and seen are different sets: what is born exists, most of it unstable; \
+         what is seen attracts.",
+        touch.replacen('=', sign, 1),
+        Short(entropy),
+        if half { "half period" } else { "period" }
+    ))
 }
 
 /// What is seen at a value of the parameter.

@@ -47,8 +47,9 @@ words! {
 
 keys! {
     /// The units of all bare numbers of the scene; what has its unit with it is converted to them. Reports
-    /// and pictures keep them; the sentences of `grazing` tell speeds, impulses, forces, energies and times
-    /// in SI units. The unit of force is that of mass · length / time², and what stops stop are lengths.
+    /// and pictures keep them, but for a parameter along an axis, which has the unit in which it is written;
+    /// the sentences of `grazing` tell speeds, impulses, forces, energies and times in SI units. The unit of
+    /// force is that of mass · length / time², and what stops stop are lengths.
     pub struct UnitKeys {
         /// of displacements
         length: LengthUnit,

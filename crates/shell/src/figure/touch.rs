@@ -23,10 +23,10 @@ const MACHINE: (f64, f64) = (0.545_435_605_731_786, 0.730_402_691_048_646);
 
 /// The width of the picture, the height of a panel, and what is above the first.
 const WIDTH: f64 = 1.5 * COLUMN;
-const PANEL: f64 = 150.0;
-const HEAD: f64 = 74.0;
+const PANEL: f64 = 159.0;
+const HEAD: f64 = 83.0;
 /// What stands above the frame of a panel.
-const TITLE: f64 = 26.0;
+const TITLE: f64 = 35.0;
 const SMALL: f64 = 7.0;
 
 /// Writes the picture and its data: the words of at most the areas of period ≤ `last`, and what is seen of
@@ -45,24 +45,26 @@ pub fn touch(last: u64, samples: &[TouchSample], place: &FigurePlace, monitor: &
         row.resize(COLUMNS.len(), String::new());
         row
     });
-    let seen = samples.iter().map(|sample| {
-        let what = match (&sample.motion, sample.near) {
-            (None, _) => "lost",
-            (_, true) => "stays",
-            (_, false) => "jumps",
-        };
-        let mut row = vec![if sample.before { "before" } else { "beyond" }.to_string(), "seen".to_string()];
-        row.resize(6, String::new());
-        row.extend([sample.ratio, sample.remains].map(|x| format!("{x:.2}")));
-        row.extend([what.to_string(), sample.motion.clone().unwrap_or_default()]);
-        row.extend([0, 1].map(|i| sample.extent.map_or(String::new(), |extent| format!("{:.4}", extent[i]))));
-        row
-    });
+    let of = |sample: &TouchSample| {
+        [("before", &sample.before), ("beyond", &sample.beyond)].map(|(panel, sight)| {
+            let mut row = vec![panel.to_string(), "seen".to_string()];
+            row.resize(6, String::new());
+            row.extend([sample.ratio, sample.remains].map(|x| format!("{x:.2}")));
+            row.extend([sight.what.clone(), sight.motion.clone().unwrap_or_default()]);
+            row.extend(
+                [0, 1].map(|i| sight.extent.map_or(String::new(), |extent| format!("{:.4}", extent[i]))),
+            );
+            let parts = [Some(sample.free), sample.from_rest].map(|part| part.filter(|_| panel == "before"));
+            row.extend(parts.map(|part| part.map_or(String::new(), |part| format!("{part:.4}"))));
+            row
+        })
+    };
+    let seen = samples.iter().flat_map(of);
     place.save(&draw(&cells, samples), &COLUMNS, &born.chain(seen).collect::<Vec<_>>())
 }
 
 /// The columns of the data: of what is born the cells, of what is seen the machines.
-const COLUMNS: [&str; 12] = [
+const COLUMNS: [&str; 14] = [
     "panel",
     "set",
     "sign_gamma",
@@ -75,6 +77,8 @@ const COLUMNS: [&str; 12] = [
     "motion",
     "least",
     "greatest",
+    "free_below",
+    "hits_from_rest",
 ];
 
 /// In which panel a case is: e opens the gap of the motion that grazes.
@@ -90,28 +94,28 @@ fn draw(cells: &[Cell], samples: &[TouchSample]) -> Canvas {
         "Two panels, beyond the touch and before it, over the frequency of the machine's free vibration in units of the \
          drive's, without its whole part, and what damping leaves of a vibration in one period of the drive. White: \
          nothing is born; grey: motions, but no chaos; yellow to dark blue: chaos. Before the touch the free motion is \
-         seen of a drive that is turned up slowly; beyond it labels say how many times as wide the motion swings.",
+         seen of a drive that is turned up slowly; labels say below which part of the touch no motion was found that \
+         hits, and bars where it depends on how it is begun. Beyond it every motion hits; labels say how many times as \
+         wide it swings.",
     );
     path(&mut canvas);
     key(&mut canvas, 44.0);
     let beyond = [
         "Beyond the touch",
         "Seen: the motion jumps, to a swing so many times as wide (labels); at ×1.0 it stays near.",
+        "However it is begun, it always hits: the free motion is gone.",
     ];
     let before = [
         "Before the touch",
         "Seen, the drive turned up slowly: the free motion. What is born here (colours) is unstable.",
+        "Begun otherwise it may hit, from these parts of the touch on (labels); below, none was found that does.",
     ];
     for (panel, titles, top) in [("beyond", beyond, HEAD), ("before", before, HEAD + PANEL)] {
         let frame = frame(top);
         cells_of(&mut canvas, &frame, cells, panel);
         titles_of(&mut canvas, titles, top);
-        if panel == "beyond" {
-            samples
-                .iter()
-                .filter(|sample| !sample.before)
-                .for_each(|sample| tag(&mut canvas, &frame, sample));
-        }
+        let tag = if panel == "beyond" { swing } else { bands };
+        samples.iter().for_each(|sample| tag(&mut canvas, &frame, sample));
         own(&mut canvas, &frame);
     }
     canvas
@@ -180,6 +184,13 @@ fn key(canvas: &mut Canvas, top: f64) {
     let how =
         format!("swing just beyond the touch over that before it; simulated, restitution {RESTITUTION}");
     canvas.sized(Words::plain(&how), (113.0, top + 16.0), Anchor::Start, SMALL);
+    let mut x = 88.0;
+    canvas.rectangle([x, top + 24.0, x + 21.0, top + 27.0], line(GREY, 0.4));
+    canvas.rectangle([x + 15.0, top + 24.0, x + 21.0, top + 27.0], GREY);
+    canvas.rectangle([x + 18.0, top + 24.0, x + 21.0, top + 27.0], RED);
+    x += 25.0;
+    let bar = "drive from 0 to the touch; grey: it depends on the start; red: from rest it hits";
+    canvas.sized(Words::plain(bar), (x, top + 25.5), Anchor::Start, SMALL);
 }
 
 fn frame(top: f64) -> PlotFrame {
@@ -203,14 +214,32 @@ fn cells_of(canvas: &mut Canvas, frame: &PlotFrame, cells: &[Cell], panel: &str)
     frame.draw(canvas);
 }
 
-fn titles_of(canvas: &mut Canvas, [title, about]: [&str; 2], top: f64) {
+fn titles_of(canvas: &mut Canvas, [title, seen, begun]: [&str; 3], top: f64) {
     canvas.sized(Words::plain(title), (4.0, top + 9.0), Anchor::Start, 11.0);
-    canvas.sized(Words::plain(about), (4.0, top + 21.0), Anchor::Start, SMALL);
+    canvas.sized(Words::plain(seen), (4.0, top + 21.0), Anchor::Start, SMALL);
+    canvas.sized(Words::plain(begun), (4.0, top + 30.0), Anchor::Start, SMALL);
+}
+
+/// Below which part of its touch no motion of a machine was found that hits; below it a bar from no drive to
+/// the touch, dark where it depends on how the machine is begun, red from where on it hits begun at rest.
+fn bands(canvas: &mut Canvas, frame: &PlotFrame, sample: &TouchSample) {
+    let (x, y) = frame.at((sample.ratio, sample.remains));
+    let [left, top, right, bottom] = [x - 10.5, y - 6.0, x + 10.5, y + 6.0];
+    canvas.rectangle([left, top, right, bottom], WHITE);
+    canvas.sized(format!("{:.2}", sample.free), (x, y - 1.7), Anchor::Middle, SMALL);
+    let mut bar = |from: f64, ink| {
+        canvas.rectangle([left + from * (right - left), bottom - 3.0, right, bottom], ink);
+    };
+    bar(sample.free, GREY);
+    if let Some(rest) = sample.from_rest {
+        bar(rest, RED);
+    }
+    canvas.rectangle([left, top, right, bottom], line(GREY, 0.4));
 }
 
 /// How wide a machine swings beyond its touch, in swings before it.
-fn tag(canvas: &mut Canvas, frame: &PlotFrame, sample: &TouchSample) {
-    let words = match sample.extent {
+fn swing(canvas: &mut Canvas, frame: &PlotFrame, sample: &TouchSample) {
+    let words = match sample.beyond.extent {
         Some([low, high]) => format!("×{:.1}", (high - low) / 2.0),
         None => "lost".to_string(),
     };

@@ -44,12 +44,36 @@ pub struct LinearTouch {
 }
 
 /// What a search for touches came to.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct LinearTouches {
     /// They, the nearest to the start first.
     pub found: Vec<LinearTouch>,
     /// Why there are no others, or none.
     pub why: String,
+    /// Where it was not looked, for there is no motion without impacts at a value there.
+    pub unseen: Vec<Unseen>,
+}
+
+/// Values of the parameter among which there is no motion without impacts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unseen {
+    /// The values next to them that were looked at, or the last ones.
+    pub ends: [f64; 2],
+    /// Why there is none at a value between.
+    pub why: String,
+}
+
+impl LinearTouches {
+    /// Where it was not looked, in words.
+    pub fn open(&self) -> Option<String> {
+        let one = |Unseen { ends: [from, to], why }: &Unseen| match from == to {
+            true => format!("at {from:?}: {why}"),
+            false => format!("from {:?} to {:?}: {why}", from.min(*to), from.max(*to)),
+        };
+        let all: Vec<String> = self.unseen.iter().map(one).collect();
+        let begin = "not looked for where there is no motion without impacts";
+        (!all.is_empty()).then(|| format!("{begin}, {}", all.join("; ")))
+    }
 }
 
 /// Checks whether to go on.
@@ -62,20 +86,20 @@ type Check<'c> = &'c mut dyn FnMut() -> Result<()>;
 /// # Errors
 /// Where the family is not defined at `start`; those of `check`.
 pub fn touches(family: AtValue, start: f64, within: Option<[f64; 2]>, check: Check) -> Result<LinearTouches> {
-    let mut search = Search { family, check, found: Vec::new(), least: None };
+    let mut search = Search { family, check, found: Vec::new(), least: None, unseen: Vec::new() };
     let [_, slope] = family(start)?;
     let why = match search.affine(start, &slope) {
         Some(gaps) => search.scaled(&gaps, within)?,
         None => search.walked(start, within)?,
     };
-    let Search { mut found, .. } = search;
+    let Search { mut found, unseen, .. } = search;
     let inside = |touch: &LinearTouch| within.is_none_or(|[lo, hi]| (lo..=hi).contains(&touch.parameter));
     found.retain(inside);
     let own = |touch: &LinearTouch| (touch.parameter < 0.0) == (start < 0.0);
     let away = |touch: &LinearTouch| (touch.parameter - start).abs();
     found.sort_by(|a, b| away(a).total_cmp(&away(b)).then(own(b).cmp(&own(a))));
     found.dedup_by(|a, b| a.parameter == b.parameter);
-    Ok(LinearTouches { found, why })
+    Ok(LinearTouches { found, why, unseen })
 }
 
 /// A value of the parameter, the least gap there, and how fast it opens.
@@ -92,6 +116,7 @@ struct Search<'f, 'c> {
     found: Vec<LinearTouch>,
     /// The value at which the least gap was smallest in size.
     least: Option<Sight>,
+    unseen: Vec<Unseen>,
 }
 
 /// Halvings of an interval in which it is not clear whether there is a touch.
@@ -224,16 +249,21 @@ impl Search<'_, '_> {
         Ok(why)
     }
 
+    fn pass(&mut self, ends: [f64; 2], error: &Error) {
+        self.unseen.push(Unseen { ends, why: error.to_string() });
+    }
+
     /// Looks from value to value, to the first touch or to all. Where there is no motion it ends, and says
     /// why, or begins anew.
     fn along(&mut self, values: impl Iterator<Item = f64>, all: bool) -> Result<Option<String>> {
-        let mut before: Option<Sight> = None;
+        let (mut before, mut passed): (Option<Sight>, Option<([f64; 2], Error)>) = (None, None);
         for value in values {
             (self.check)()?;
             let here = match self.look(value) {
                 Ok(here) => here,
                 Err(error) if all && !error.is_interrupted() => {
-                    before = None;
+                    let from = before.take().map_or(value, |before| before.value);
+                    passed.get_or_insert(([from, value], error)).0[1] = value;
                     continue;
                 }
                 Err(error) if !error.is_interrupted() => {
@@ -241,6 +271,9 @@ impl Search<'_, '_> {
                 }
                 Err(error) => return Err(error),
             };
+            if let Some(([from, _], error)) = passed.take() {
+                self.pass([from, value], &error);
+            }
             if let Some(before) = before {
                 self.beside_resonances(before, here, all)?;
             }
@@ -249,6 +282,9 @@ impl Search<'_, '_> {
                 return Ok(None);
             }
             before = Some(here);
+        }
+        if let Some((ends, error)) = passed {
+            self.pass(ends, &error);
         }
         Ok(None)
     }
@@ -282,7 +318,13 @@ impl Search<'_, '_> {
         }
         // At a resonance without damping there is no motion.
         let middle = self.look(halfway).or_else(|_| self.look(from.value + 0.375 * width));
-        let Ok(middle) = middle else { return Ok(()) };
+        let middle = match middle {
+            Ok(middle) => middle,
+            Err(error) => {
+                self.pass([from.value, to.value], &error);
+                return Ok(());
+            }
+        };
         let predicted = f64::midpoint(from.gap, to.gap) + width / 8.0 * (from.rate - to.rate);
         let off = (middle.gap - predicted).abs();
         let all_three = [from, middle, to];
@@ -315,7 +357,13 @@ impl Search<'_, '_> {
             if from.gap > 0.0 { (from.value, to.value) } else { (to.value, from.value) };
         let mut here = free + (behind - free) / 2.0;
         for turn in 1.. {
-            let Ok(Sight { gap, rate, .. }) = self.look(here) else { break };
+            let (gap, rate) = match self.look(here) {
+                Ok(Sight { gap, rate, .. }) => (gap, rate),
+                Err(error) => {
+                    self.pass([free, behind], &error);
+                    break;
+                }
+            };
             *(if gap > 0.0 { &mut free } else { &mut behind }) = here;
             let next = here - gap / rate;
             // Where Newton's steps creep, halving ends it.

@@ -24,6 +24,6 @@ mod smooth;
 
 pub use free::{FreeMotion, LeastGap};
 pub use half::HalfPeriod;
-pub use linear::{LinearTouch, LinearTouches, touches};
+pub use linear::{LinearTouch, LinearTouches, Unseen, touches};
 pub use locate::own_reach;
 pub use locate::{Grazing, Search, locate};

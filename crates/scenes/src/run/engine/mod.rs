@@ -34,7 +34,7 @@ use crate::{
     error::{Error, Result},
     many::{
         Machine,
-        grazing::{LinearTouch, LinearTouches, touches},
+        grazing::{LinearTouches, touches},
     },
     pattern::{Map, Report},
     scene::{
@@ -298,7 +298,7 @@ pub(crate) fn linear_touches<E: Engine>(
     }
 }
 
-/// Those that a task asks for, the nearest first, or why there are none; nothing where they are not known at
+/// Those that a task asks for, at least one, or why there are none; nothing where they are not known at
 /// all.
 ///
 /// # Errors
@@ -308,14 +308,17 @@ pub(crate) fn asked_touches<E: Engine>(
     family: &E::Family,
     task: &GrazingTask,
     job: &Job,
-) -> Result<Option<std::result::Result<Vec<LinearTouch>, String>>> {
+) -> Result<Option<std::result::Result<LinearTouches, String>>> {
     let all = match task.is_of_free_motion() {
         true => linear_touches(engine, family, task.within(), job)?,
         false => None,
     };
     match all {
-        Some(LinearTouches { found, why }) if found.is_empty() => Ok(Some(Err(why))),
-        Some(LinearTouches { found, .. }) => Ok(Some(Ok(found))),
+        Some(all) if all.found.is_empty() => {
+            let open = all.open().map_or_else(String::new, |open| format!("; {open}"));
+            Ok(Some(Err(format!("{}{open}", all.why))))
+        }
+        Some(all) => Ok(Some(Ok(all))),
         None if task.within.is_empty() => Ok(None),
         None => Err(Error::input(
             "`within` is for a motion without impacts that is linear and known at the parameter's own value; `reach` says how \
@@ -454,8 +457,8 @@ pub(crate) trait GrazingPoint {
     /// A state that a motion starts from.
     type Start;
 
-    /// All touches that were found, the nearest to the start first, of a linear machine without impacts.
-    fn touches(&self) -> &[LinearTouch];
+    /// What is known of the touches of a linear machine without impacts; none of another orbit.
+    fn touches(&self) -> &LinearTouches;
 
     /// Where it is and its local map; `open` says why the local theory does not apply, if it does not.
     fn report(&self) -> GrazingMap;

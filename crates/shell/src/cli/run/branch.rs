@@ -93,10 +93,13 @@ fn write<O: JudgedOrbit>(
     }
     let (across, up) = (job.axis(&task.parameter), task.second.as_deref().map(|second| job.axis(second)));
     let (mut curves, axes) = match &task.second {
-        None => (all.iter().map(draw).collect::<Result<Vec<_>>>()?, [across.as_str(), axis]),
+        None => (all.iter().map(draw).collect::<Result<Vec<_>>>()?, [across.name.as_str(), axis]),
         Some(second) => {
             let locus = |branch: &OrbitBranch<O>| locus(branch, &named(branch));
-            (all.iter().map(locus).collect(), [across.as_str(), up.as_deref().unwrap_or(second)])
+            (
+                all.iter().map(locus).collect(),
+                [across.name.as_str(), up.as_ref().map_or(second, |up| &up.name)],
+            )
         }
     };
     let over = |row: &BranchRow| {
@@ -109,6 +112,11 @@ fn write<O: JudgedOrbit>(
     for (curve, number) in curves.iter_mut().zip(1..) {
         let rows = found.rows.iter().filter(|row| row.branch == number);
         curve.at.iter_mut().zip(rows).for_each(|((_, _, said), row)| said.proved = over(row));
+    }
+    across.convert(&mut curves, &mut []);
+    if let Some(up) = &up {
+        curves.iter_mut().for_each(|curve| curve.at.iter_mut().for_each(|(_, y, _)| *y = up.at(*y)));
+        curves.iter_mut().for_each(|curve| curve.labels.iter_mut().for_each(|(_, y, _)| *y = up.at(*y)));
     }
     figure::branches(&curves, &[], axes, &job.place())?;
     files.extend(job.figure());

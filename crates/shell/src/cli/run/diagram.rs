@@ -18,9 +18,11 @@ use crate::{
 pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Result<Vec<String>> {
     let across = job.axis(&task.parameter);
     if let Some([drawn, _]) = &found.plane {
-        let axes = [across.as_str(), drawn];
-        let sets = scatter(found, |_| Ok(Box::new(|q| q)))?;
-        figure::branches(&machine_curves(task, job)?, &sets, axes, &job.place())?;
+        let axes = [across.name.as_str(), drawn];
+        let mut sets = scatter(found, |_| Ok(Box::new(|q| q)))?;
+        let mut curves = machine_curves(task, job)?;
+        across.convert(&mut curves, &mut sets);
+        figure::branches(&curves, &sets, axes, &job.place())?;
         return Ok(job.figure().into_iter().chain(tables(found, job)?).collect());
     }
     let family = SceneFamily::new(&job.scene, &task.parameter)?;
@@ -28,13 +30,15 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
     let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
     let source = OscillatorSource::new(&family, job)?;
     let (branches, _) = follow(&task.branches, &source, range, Direction::Both, &task.options, job)?;
-    let curves = branches.iter().map(|branch| drawing.curve(branch)).collect::<Result<Vec<_>>>()?;
+    let mut curves = branches.iter().map(|branch| drawing.curve(branch)).collect::<Result<Vec<_>>>()?;
     let height = |value: f64| -> Result<Height> {
         let oscillator = drawing.family.at(value)?;
         let drawing = &drawing;
         Ok(Box::new(move |q| drawing.displacement(&oscillator, q)))
     };
-    figure::branches(&curves, &scatter(found, height)?, [&across, drawing.axis()], &job.place())?;
+    let mut sets = scatter(found, height)?;
+    across.convert(&mut curves, &mut sets);
+    figure::branches(&curves, &sets, [&across.name, drawing.axis()], &job.place())?;
     Ok(job.figure().into_iter().chain(tables(found, job)?).collect())
 }
 

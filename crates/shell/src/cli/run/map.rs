@@ -26,13 +26,15 @@ pub(super) fn keep(found: &MapFindings, job: &Job) -> Result<Vec<String>> {
         names.push("not settled".into());
     }
     let [columns, rows] = &found.values;
-    let (x, y) = (columns.clone(), rows.clone());
+    // The picture is in the units in which the parameters are written, the table is in the scene's.
+    let axes = found.varied.each_ref().map(|parameter| job.axis(parameter));
+    let [x, y] = [(columns, &axes[0]), (rows, &axes[1])]
+        .map(|(values, axis)| values.iter().map(|value| axis.at(*value)).collect());
     let map = ParameterMap {
         ends: Grid { x, y, cells: found.cells.iter().map(class).collect(), names },
         exponents: found.cells.iter().map(|cell| cell.exponent).collect(),
     };
-    let axes = found.varied.each_ref().map(|parameter| job.axis(parameter));
-    figure::parameter_map(&map, axes.each_ref().map(String::as_str), &job.place())?;
+    figure::parameter_map(&map, axes.each_ref().map(|axis| axis.name.as_str()), &job.place())?;
     // Row by row: there may be many.
     job.write(&format!("{}.csv", job.task.name), |out| {
         let names = ["first", "second", "end", "period", "impacts", "exponent"];

@@ -1,6 +1,7 @@
 //! `grazing run`: the tasks of a scene, run by the library ([`run`](crate::run)); here their reports are
 //! written and what they found becomes files, each kind of task by the file of its name.
 
+mod axis;
 mod bars;
 mod basins;
 mod branch;
@@ -44,6 +45,7 @@ use crate::{
     scene::{Kind, Scene},
     study,
 };
+use axis::Axis;
 use bars::Bars;
 pub(super) use shard::merge;
 
@@ -210,15 +212,12 @@ impl Job<'_> {
         Ok(file)
     }
 
-    /// Where its picture goes.
-    /// What an axis of a parameter is called: in the scene's unit, if the parameter has one.
-    fn axis(&self, parameter: &str) -> String {
-        match self.scene.unit(parameter) {
-            Some(unit) if !unit.own.is_empty() => format!("{parameter} ({})", unit.own),
-            _ => parameter.to_string(),
-        }
+    /// The axis of a parameter.
+    fn axis(&self, parameter: &str) -> Axis<'_> {
+        Axis::new(parameter, self.scene.unit(parameter))
     }
 
+    /// Where its picture goes.
     fn place(&self) -> FigurePlace<'_> {
         let Job { folder, format, view, .. } = *self;
         FigurePlace { folder, name: &self.task.name, format, view }

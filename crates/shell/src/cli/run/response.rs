@@ -1,11 +1,24 @@
 //! The files of tasks of kind `response`.
 
 use super::Job;
-use crate::{error::Result, figure, run::ResponseFindings};
+use crate::{
+    error::Result,
+    figure,
+    run::{PeakRow, ResponseFindings},
+};
 
 pub(super) fn keep(found: &ResponseFindings, job: &Job) -> Result<Vec<String>> {
-    let backbone = found.backbone.as_deref().unwrap_or_default();
-    figure::response(&found.rows, &found.peaks, backbone, &job.axis(&found.parameter), &job.place())?;
+    // The picture is in the unit in which the parameter is written, tables are in the scene's.
+    let across = job.axis(&found.parameter);
+    let (mut rows, mut peaks) = (found.rows.clone(), found.peaks.clone());
+    let mut backbone = found.backbone.clone().unwrap_or_default();
+    rows.iter_mut().for_each(|row| row.value = across.at(row.value));
+    backbone.iter_mut().for_each(|row| row.value = across.at(row.value));
+    for peak in &mut peaks {
+        let PeakRow { value, lower, upper, .. } = peak;
+        [Some(value), lower.as_mut(), upper.as_mut()].into_iter().flatten().for_each(|x| *x = across.at(*x));
+    }
+    figure::response(&rows, &peaks, &backbone, &across.name, &job.place())?;
     let picture = job.figure().into_iter().next();
     let mut files: Vec<String> = picture.into_iter().chain([job.csv(&found.rows, ".csv")?]).collect();
     files.push(job.csv(&found.peaks, "-peaks.csv")?);

@@ -21,7 +21,7 @@ use crate::{
     error::Result,
     many::{
         Family, Machine, State, StopLaw,
-        grazing::{FreeMotion, Grazing, LinearTouch},
+        grazing::{FreeMotion, Grazing, LinearTouches},
         orbit::{Itinerary, find_from},
         section::{PlanarMachine, PlaneAxis, Start},
         simulate::Simulator,
@@ -44,14 +44,14 @@ pub(crate) struct MachineGrazingPoint<'f> {
     pub machine: Machine<f64>,
     /// How far it was looked for.
     pub reach: f64,
-    /// All touches that are known.
-    pub touches: Vec<LinearTouch>,
+    /// What is known of the touches.
+    pub touches: LinearTouches,
 }
 
 impl GrazingPoint for MachineGrazingPoint<'_> {
     type Start = Start;
 
-    fn touches(&self) -> &[LinearTouch] {
+    fn touches(&self) -> &LinearTouches {
         &self.touches
     }
 

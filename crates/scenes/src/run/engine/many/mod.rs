@@ -34,7 +34,7 @@ use crate::{
     many::{
         Family, Machine, State,
         attracting::attracting,
-        grazing::{Grazing, Search, locate, own_reach},
+        grazing::{Grazing, LinearTouches, Search, locate, own_reach},
         orbit::{Admissibility, Itinerary, Orbit},
         section::{self, PlanarMachine, Point},
         simulate::Simulator,
@@ -291,11 +291,11 @@ impl<'j> Engine for Machines<'j> {
         let touches = match asked_touches(self, family, task, self.job)? {
             Some(Err(why)) => return Ok(Err(why)),
             Some(Ok(touches)) => touches,
-            None => Vec::new(),
+            None => LinearTouches::default(),
         };
-        let from = touches.first().map_or(start, |nearest| nearest.parameter);
+        let from = touches.found.first().map_or(start, |nearest| nearest.parameter);
         let reach = task.reach.map_or_else(|| own_reach(family, from, near.as_ref()), Ok)?;
-        let event = match touches.first() {
+        let event = match touches.found.first() {
             Some(nearest) => Grazing::at(family, nearest.parameter)?,
             None => match locate(family, start, reach, near.as_ref())? {
                 Search::Found(found) => *found,

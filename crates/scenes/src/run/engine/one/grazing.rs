@@ -19,7 +19,7 @@ use crate::{
     },
     continuation::LocalMap,
     error::{Error, Result},
-    many::grazing::LinearTouch,
+    many::grazing::LinearTouches,
     motion::State,
     number::parse_rational,
     one::{
@@ -44,8 +44,8 @@ pub(crate) struct OscillatorGrazing<'f> {
     pub far: State,
     /// Radians in the scene's unit of time, at the touch.
     pub rate: f64,
-    /// All touches that are known.
-    pub touches: Vec<LinearTouch>,
+    /// What is known of the touches.
+    pub touches: LinearTouches,
     /// The scene as its tolerances are asked of, and they, those of numbers that are not rational included.
     pub tolerated: (Scene, Tolerances),
 }
@@ -88,7 +88,7 @@ impl OscillatorGrazing<'_> {
 impl GrazingPoint for OscillatorGrazing<'_> {
     type Start = State;
 
-    fn touches(&self) -> &[LinearTouch] {
+    fn touches(&self) -> &LinearTouches {
         &self.touches
     }
 

@@ -30,7 +30,10 @@ use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, swing::Swing},
     continuation::{Bifurcation, BranchSearch, OrbitSearch, nearest},
     error::Result,
-    many::{Machine, grazing::LinearTouch},
+    many::{
+        Machine,
+        grazing::{LinearTouch, LinearTouches},
+    },
     motion::{Flow, Side, State, System},
     number::Precision,
     one::{
@@ -353,7 +356,7 @@ impl<'j> Engine for Oscillators<'j> {
             }
         };
         let event = locate(family, &located.orbit, located.parameter)?;
-        self.point(task, family, (event, &located.orbit), Vec::new()).map(Ok)
+        self.point(task, family, (event, &located.orbit), LinearTouches::default()).map(Ok)
     }
 
     fn attracting(&self, oscillator: &Oscillator, from: &State, detection: &Detection) -> Result<Orbit> {
@@ -400,9 +403,9 @@ impl<'j> Oscillators<'j> {
         &'f self,
         task: &'f GrazingTask,
         family: &'f SceneFamily<'j>,
-        touches: Vec<LinearTouch>,
+        touches: LinearTouches,
     ) -> Result<OscillatorGrazing<'f>> {
-        let LinearTouch { parameter, state, .. } = &touches[0];
+        let LinearTouch { parameter, state, .. } = &touches.found[0];
         let itinerary = Itinerary::free(task.orbit.period)?;
         let orbit = find(&family.at(*parameter)?, &itinerary, vec![state.q()[0], state.u()[0]])?;
         // Newton's method on the flow over a period loses digits at a resonance.
@@ -416,7 +419,7 @@ impl<'j> Oscillators<'j> {
         task: &'f GrazingTask,
         family: &'f SceneFamily<'j>,
         (event, near): (Grazing, &Orbit),
-        touches: Vec<LinearTouch>,
+        touches: LinearTouches,
     ) -> Result<OscillatorGrazing<'f>> {
         let there = family.at(event.parameter)?;
         // Two grazings in a period are the theory's business only if a symmetry makes them one.
