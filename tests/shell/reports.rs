@@ -39,8 +39,8 @@ fn words_come_before_symbols() {
         ((-std::f64::consts::TAU * damping / frequency).exp(), (1.0 - damping * damping).sqrt() / frequency);
     has(&grazing, "ratio", &format!("{turns:.6}: free over forcing frequency"));
     has(&grazing, "remains", &format!("{r:.6}: of a free vibration"));
-    // What is born and seen comes before the numbers of the map.
-    let at = |begin: &str| grazing.iter().position(|line| line.trim_start().starts_with(begin)).unwrap();
+    // What is born and seen, the table after the sentences, comes before the numbers of the map.
+    let at = |begin: &str| grazing.iter().rposition(|line| line.trim_start().starts_with(begin)).unwrap();
     assert!(at("chaos") < at("born") && at("born") < at("seen") && at("seen") < at("local_map"));
     has(&of(&text, "branch"), "fade", "an impact has lost its speed");
     let gap = of(&text, "gap");

@@ -37,7 +37,7 @@ fn exit_codes_do_not_depend_on_who_reads() {
         ("cover 8 --max-depth 3", 3),
         ("verify 8", 0),
         ("evaluate --n 8 --s 1/5", 0),
-        ("classify --r 1/2 --s 1/5", 3),
+        ("classify --r 1/2 --s 1/4", 3),
         (&format!("existence {SINGULAR} --max-period 3"), 3),
         ("farey walk 300", 0),
         ("intervals 3..=100", 0),

@@ -156,12 +156,14 @@ fn how_hard_it_hits_is_told_with_what_is_seen() {
         }
         // Each on a line of its own under its mark; what was followed is never called located.
         for Sentence { mark, text } in &found.sentences {
-            let root = ["At F = ", "Chaos is born for ", "One per cent more "]
+            let root = ["At F = ", "Chaos is born for ", "One per cent more ", "That near the touch "]
                 .iter()
                 .any(|begin| text.starts_with(begin));
             assert_eq!(*mark, if root { Mark::Located } else { Mark::Seen }, "{text}");
             assert!(shown.contains(&format!("\n  {:<16} {text}", mark.to_string())), "{text}: {shown}");
         }
+        // Of an oscillator the theorem is about its equation.
+        assert_eq!(words.contains("is a theorem about this equation"), engine == "one", "{words}");
         let joined: Vec<&str> = found.sentences.iter().map(|sentence| &*sentence.text).collect();
         assert_eq!(joined.join(" "), *words);
     }

@@ -182,7 +182,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Resul
     let units = (job.scene.units, job.scene.turns);
     let told = bands.as_deref().unwrap_or_default();
     let bands_in_words = told::of_bands(told, &at, job.scene.unit(&at.varied));
-    let sentences = told::sentences(
+    let mut sentences = told::sentences(
         &at,
         (job.model.period(), units, job.scene.unit(&at.varied), given),
         (chaos.as_deref().unwrap_or_default(), seen.as_deref().unwrap_or_default()),
@@ -190,6 +190,9 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Resul
         hits.as_deref().unwrap_or_default(),
         influence.as_deref().unwrap_or_default(),
     );
+    if job.system().is_ok() && !born.is_empty() {
+        sentences.splice(1..1, told::theorem(&at));
+    }
     let touches_open = point.touches().open();
     let touches = task.within().map(|_| point.touches().found.iter().map(TouchRow::of).collect());
     Ok(Reached::Whole(GrazingFindings::Found(Box::new(GrazingReport {

@@ -82,6 +82,22 @@ pub(super) fn sentences(
         .collect()
 }
 
+/// What Theorem 1 is about: of an oscillator with smooth forces and rigid stops it is proved for the equation
+/// itself (`proofs/coq/Headline.v`), where the motion without impacts touches one stop.
+pub(super) fn theorem(at: &GrazingMap) -> Option<Sentence> {
+    let is_free = at.open.is_none() && !at.half && at.orbit.as_deref().is_none_or(|orbit| orbit == "free 1");
+    let [bend, gamma] = [at.map.acceleration, at.map.gamma?];
+    (is_free && bend > 0.0 && gamma != 0.0).then(|| {
+        Mark::Located.of(format!(
+            "That near the touch exactly one orbit is born of each pattern that is told, on the side that is told, and none \
+             of it on the other, is a theorem about this equation: it asks that the acceleration of the gap, {}, is above 0 and \
+             that gamma, {}, and the numbers that decide are not 0, which are located.",
+            Short(bend),
+            Short(gamma)
+        ))
+    })
+}
+
 /// The bands in a sentence.
 pub(super) fn of_bands(bands: &[BandRow], at: &GrazingMap, unit: Option<&WrittenUnit>) -> Option<String> {
     bands::sentence(bands, &|value| parameter(at, value, unit))
