@@ -86,15 +86,12 @@ pub(super) fn sentences(
 /// itself (`proofs/coq/Headline.v`), where the motion without impacts touches one stop.
 pub(super) fn theorem(at: &GrazingMap) -> Option<Sentence> {
     let is_free = at.open.is_none() && !at.half && at.orbit.as_deref().is_none_or(|orbit| orbit == "free 1");
-    let [bend, gamma] = [at.map.acceleration, at.map.gamma?];
-    (is_free && bend > 0.0 && gamma != 0.0).then(|| {
-        Mark::Located.of(format!(
+    (is_free && at.map.acceleration > 0.0 && at.map.gamma? != 0.0).then(|| {
+        Mark::Located.of(
             "That near the touch exactly one orbit is born of each pattern that is told, on the side that is told, and none \
-             of it on the other, is a theorem about this equation: it asks that the acceleration of the gap, {}, is above 0 and \
-             that gamma, {}, and the numbers that decide are not 0, which are located.",
-            Short(bend),
-            Short(gamma)
-        ))
+             of it on the other, is a theorem about this equation: it asks that the acceleration of the gap is above 0 and \
+             that gamma and the numbers that decide are not 0, which are located.",
+        )
     })
 }
 
