@@ -430,7 +430,7 @@ fn compare_classify(point: &Rational, proved: &[Proved]) -> Vec<String> {
     let text = grazing(&["classify", "--max-n", &largest, "--format", "csv"], point);
     let mut rows: BTreeMap<usize, Vec<Vec<String>>> = BTreeMap::new();
     let mut lines = text.lines();
-    let header = "n,existence,sign_emu,sign_gamma,large_eigenvalue,positive_k,negative_k,zero_k";
+    let header = "n,existence,sign_emu,sign_gamma,large_eigenvalue,positive_k,negative_k,zero_k,resonance";
     assert_eq!(lines.next(), Some(header));
     for line in lines {
         let cells: Vec<String> = line.split(',').map(str::to_owned).collect();
