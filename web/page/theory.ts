@@ -32,7 +32,9 @@ function formula(text: string): HTMLElement {
 }
 
 /** Why there is no orbit. */
-function because({ n, positive_k, negative_k, zero_k }: Record<string, number | null>): HTMLElement {
+function because(row: Record<string, number | string | null>): HTMLElement {
+  const { n, positive_k, negative_k, zero_k, resonance } = row;
+  if (resonance !== null) return formula(`${resonance} resonance`);
   if (zero_k !== null) return formula(`b_{${n},${zero_k}} = 0`);
   return formula(positive_k === null ? "" : `b_{${n},${positive_k}} > 0 > b_{${n},${negative_k}}`);
 }

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use grazing_scenes::{
     certificate::cover::check_block,
-    existence::{Existence, large_eigenvalue_sign, up_to},
+    existence::{Existence, Resonance, large_eigenvalue_sign, up_to},
     local::{Answer as SignAnswer, Forward, Ladder, Plane, Point, Polar, Quantity, Region},
     num_rational::BigRational,
     number::{Precision, Sign, ball_digits, parse_rational},
@@ -73,10 +73,12 @@ fn classified(place: &str, x: &str, y: &str, max_n: u64) -> Answer {
 fn rows(place: &Forward, n: u64, existence: Existence) -> Vec<Value> {
     let name = existence.name();
     let [positive, negative, zero] = existence.indices().map(|k| k.map(|k| place.index(n, k)));
+    let resonance = Resonance::at(&place.point, n).filter(|_| existence == Existence::Singular);
     let row = |emu: Option<i8>, gamma: Option<i8>, eigenvalue: Option<i8>| {
         json!({
             "n": n, "existence": name, "sign_emu": emu, "sign_gamma": gamma, "large_eigenvalue": eigenvalue,
             "positive_k": positive, "negative_k": negative, "zero_k": zero,
+            "resonance": resonance.map(Resonance::name),
         })
     };
     let cases = existence.cases(n);

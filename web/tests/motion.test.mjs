@@ -157,7 +157,8 @@ test("the bands over the parameter of a touch stand as a bar, with their ends an
   const { page, errors, root } = await panel();
   await openScene(root, "machine.toml", scene);
   const bar = root.locator(".bands");
-  await bar.waitFor();
+  // Until then it is that of the scene before.
+  await bar.getByText("0.52341 (seen)").waitFor();
   const parts = await bar.locator(".bands-part").evaluateAll((all) => all.map((part) => [part.dataset.band, part.textContent, part.getBoundingClientRect().left]));
   assert.deepEqual(parts.map(([band]) => band), ["free", "depends", "hits"]);
   assert.deepEqual(parts.map(([, text]) => text), ["no motion that hits for ever was found", "it depends on how it is begun", "it always hits"]);
