@@ -98,8 +98,7 @@ fn told<'py>(py: Python<'py>, Classified { place, found }: &Classified) -> PyRes
         let large = PyTuple::new(py, large.collect::<Vec<i8>>())?;
         let cases = cases.iter().map(|case| (case.sign_emu(), case.sign_gamma()));
         let cases = PyTuple::new(py, cases.collect::<Vec<(i8, i8)>>())?;
-        let resonance = Resonance::at(&place.point, n).filter(|_| *existence == Existence::Singular);
-        let resonance = resonance.map(Resonance::name);
+        let resonance = Resonance::at(&place.point, n).map(Resonance::name);
         (n, existence.name(), cases, large, positive, negative, zero, resonance).into_pyobject(py)
     });
     Ok((place.region.to_string(), place.reversed, rows.collect::<PyResult<_>>()?))

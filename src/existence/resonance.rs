@@ -23,8 +23,8 @@ use crate::local::{Plane, Point, Polar};
 #[serde(rename_all = "kebab-case")]
 pub enum Resonance {
     /// m = 1, s = 1/(2n). For γ > 0 one orbit, its speed like √|µ|, on the side sign µ = sign K if K ≠ 0; for
-    /// γ < 0 none. Of a linear oscillator with restitution τ it is beyond the touch (eµ < 0) if τrⁿ < 1, and
-    /// asymptotically stable if τ > 0, too: both multipliers are τrⁿ.
+    /// γ < 0 none. Of a linear oscillator with damping and restitution τ ≤ 1 it is beyond the touch (eµ < 0),
+    /// and asymptotically stable if τ > 0: both multipliers are τrⁿ.
     First,
     /// m ≥ 2: none, on either side, for either sign of γ, whatever the second order.
     Higher,
@@ -66,7 +66,7 @@ impl fmt::Display for Resonance {
         f.write_str(match self {
             Resonance::First => {
                 "for gamma > 0 one orbit with one impact is born, its speed like sqrt|mu|, on the side that the second \
-                 order decides; of a linear oscillator with tau r^n < 1 for e*mu < 0, with both multipliers tau r^n. For \
+                 order decides; of a damped linear oscillator for e*mu < 0, with both multipliers tau r^n. For \
                  gamma < 0 none"
             }
             Resonance::Higher => "no orbit with one impact is born, on either side",

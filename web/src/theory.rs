@@ -73,7 +73,7 @@ fn classified(place: &str, x: &str, y: &str, max_n: u64) -> Answer {
 fn rows(place: &Forward, n: u64, existence: Existence) -> Vec<Value> {
     let name = existence.name();
     let [positive, negative, zero] = existence.indices().map(|k| k.map(|k| place.index(n, k)));
-    let resonance = Resonance::at(&place.point, n).filter(|_| existence == Existence::Singular);
+    let resonance = Resonance::at(&place.point, n);
     let row = |emu: Option<i8>, gamma: Option<i8>, eigenvalue: Option<i8>| {
         json!({
             "n": n, "existence": name, "sign_emu": emu, "sign_gamma": gamma, "large_eigenvalue": eigenvalue,

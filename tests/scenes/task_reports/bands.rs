@@ -190,6 +190,14 @@ fn what_is_born_and_what_is_seen_are_told_apart() {
     let said = "Chaos is born for F > 3, of entropy 0.693147 per period. Born and seen are different sets: what is born \
                 exists, most of it unstable; what is seen attracts.";
     assert!(found.in_words.contains(said), "{shown}");
+    // Of γ > 0 it may be born on either side.
+    let both = Driven { c: 0.03, k: 0.029_125, restitution: 0.8 };
+    let (found, shown, _) = grazing_found(&both.scene(0.5));
+    let of: Vec<&str> = found.chaos.iter().flatten().filter_map(|row| row.entropy.as_deref()).collect();
+    assert_eq!(found.chaos.iter().flatten().filter(|row| row.chaos == Some(true)).count(), 2, "{shown}");
+    let (_, said) = found.in_words.split_once("Chaos is born for F ").unwrap();
+    let (said, _) = said.split_once(" per period").unwrap();
+    assert!(said.contains("< ") && said.contains(", and for F > ") && of.len() == 2, "{said}");
     let (unseen, shown, _) = grazing_found(&(machine.scene(0.5) + "seen = false\n"));
     assert!(!unseen.in_words.contains("Born and seen"), "{shown}");
 }

@@ -169,6 +169,21 @@ fn how_hard_it_hits_is_told_with_what_is_seen() {
     }
 }
 
+/// Theorem 1 is proved of linear equations with any stops, and of others with one.
+#[test]
+fn the_theorem_is_named_where_it_is_about_the_equation() {
+    let linear = driven("one", "seen = false\n");
+    let cubic = linear.replace("stiffness = \"k\"\n", "stiffness = \"k\"\ncubic = 0.001\n");
+    let far = "[[stops]]\nname = \"far\"\nrow = [1]\noffset = -50\nrestitution = 0.5\n[[tasks]]";
+    let with_far = |text: &str| text.replacen("[[tasks]]", far, 1);
+    for (text, named) in
+        [(linear.clone(), true), (with_far(&linear), true), (cubic.clone(), true), (with_far(&cubic), false)]
+    {
+        let (found, shown, _) = grazing_found(&text);
+        assert_eq!(found.in_words.contains("is a theorem about this equation"), named, "{text}{shown}");
+    }
+}
+
 /// In metres, seconds and kilograms and in millimetres, milliseconds and grams the sentences are the same.
 #[test]
 fn sentences_are_in_si_units_where_the_scene_says_its_own() {

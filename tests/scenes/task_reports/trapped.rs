@@ -93,6 +93,11 @@ fn windows_are_told_where_they_are() {
         assert!(shown.contains(part), "{part}: {shown}");
     }
     assert!(found.certificates.is_empty());
+    // That orbits are proved there does not answer what attracts.
+    let (found, shown, code) = paper("3/2", "5", "range = true\n");
+    let rows = found.range.unwrap();
+    assert!(rows.iter().any(|row| row.side == "beyond" && row.verdict == "proved"), "{shown}");
+    assert_eq!(code, 3, "{shown}");
 }
 
 #[test]

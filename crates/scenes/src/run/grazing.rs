@@ -22,6 +22,7 @@ use crate::{
     attractor::diagram::Look,
     error::{Error, Result},
     many::grazing::LinearTouch,
+    motion::System,
     output::decimal_or_fraction,
     pattern::{Pattern, Patterns},
     scene::{
@@ -190,7 +191,9 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Resul
         hits.as_deref().unwrap_or_default(),
         influence.as_deref().unwrap_or_default(),
     );
-    if job.system().is_ok() && !born.is_empty() {
+    let is_covered =
+        |system: &System<f64>| job.is_linear() || system.lower.is_none() || system.upper.is_none();
+    if job.system().is_ok_and(is_covered) && born.len() > undecided {
         sentences.splice(1..1, told::theorem(&at));
     }
     let touches_open = point.touches().open();

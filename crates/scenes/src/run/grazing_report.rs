@@ -69,11 +69,11 @@ const HALF: &str =
 
 impl GrazingReport {
     /// How what was asked of ranges ended: undecided where something is born on a side, and no range is
-    /// proved there. What else was not proved there is told in its own row.
+    /// proved there, or of what attracts nothing is. What else was not proved there is told in its own row.
     fn range_status(&self) -> Status {
         let rows = self.range.as_deref().unwrap_or_default();
-        let is_proved = |side| rows.iter().any(|row| row.side == side && row.is_proved());
-        let undecided = rows.iter().find(|row| row.is_undecided() && !is_proved(row.side));
+        let is_proved = |of: &RangeRow| rows.iter().any(|row| row.is_proved() && row.answers_with(of));
+        let undecided = rows.iter().find(|row| row.is_undecided() && !is_proved(row));
         match (&self.range_open, undecided) {
             (Some(why), _) => Status::undecided(format!("no range is proved: {why}")),
             (None, Some(RangeRow { side, reason, .. })) => Status::undecided(format!(

@@ -268,6 +268,11 @@ impl RangeRow {
         self.verdict == "proved"
     }
 
+    /// Whether both are of one question: of what is born on a side, or of what attracts there.
+    pub(super) fn answers_with(&self, other: &RangeRow) -> bool {
+        self.side == other.side && (self.of == ATTRACTOR) == (other.of == ATTRACTOR)
+    }
+
     /// Whether the next row is told in one line with this: of orbits none of which is proved, for one reason.
     pub(super) fn is_told_with(&self, next: &RangeRow) -> bool {
         let open = |row: &RangeRow| row.of == ORBIT && row.is_undecided();

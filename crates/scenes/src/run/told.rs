@@ -66,8 +66,7 @@ pub(super) fn sentences(
     let value = |value: f64| parameter(at, value, unit);
     let touch = first(at, &value(at.parameter), &told(at.phase * period, Time, units));
     let order = unit.and_then(|_| far(at, given, &value(given)));
-    let mut born = born.iter().filter(|_| !seen.is_empty());
-    let apart = born.find_map(|row| chaos(row, at.half, &value(at.parameter)));
+    let apart = if seen.is_empty() { None } else { chaos(born, at.half, &value(at.parameter)) };
     // What is said of one begun at rest stands among the bands.
     let from_rest = bands.iter().any(|row| row.from_rest.is_some());
     let found = seen.iter().filter(|row| !(from_rest && row.place == "rest"));
@@ -83,14 +82,15 @@ pub(super) fn sentences(
 }
 
 /// What Theorem 1 is about: of an oscillator with smooth forces and rigid stops it is proved for the equation
-/// itself (`proofs/coq/Headline.v`), where the motion without impacts touches one stop.
+/// itself (`proofs/coq/Headline.v`), where the motion without impacts touches one stop, which is the only one
+/// where a force is not linear.
 pub(super) fn theorem(at: &GrazingMap) -> Option<Sentence> {
     let is_free = at.open.is_none() && !at.half && at.orbit.as_deref().is_none_or(|orbit| orbit == "free 1");
-    (is_free && at.map.acceleration > 0.0 && at.map.gamma? != 0.0).then(|| {
+    (is_free && at.map.acceleration > 0.0 && at.map.e != 0.0 && at.map.gamma? != 0.0).then(|| {
         Mark::Located.of(
-            "That near the touch exactly one orbit is born of each pattern that is told, on the side that is told, and none \
-             of it on the other, is a theorem about this equation: it asks that the acceleration of the gap is above 0 and \
-             that gamma and the numbers that decide are not 0, which are located.",
+            "That near the touch exactly one orbit is born of each pattern that is told with a side, on that side, and none of \
+             it on the other, is a theorem about this equation: it asks that the acceleration of the gap is above 0 and that \
+             gamma and the numbers that decide are not 0, which are located.",
         )
     })
 }
@@ -125,18 +125,24 @@ fn far(at: &GrazingMap, given: f64, value: &str) -> Option<String> {
     })
 }
 
-/// That the set that is born is not the one that is seen.
-fn chaos(row: &ChaosRow, half: bool, touch: &str) -> Option<String> {
-    let entropy = row.entropy.as_ref().filter(|_| row.chaos == Some(true))?;
-    let entropy: f64 = entropy.parse().ok()?;
-    let sign = if row.side.contains('<') { "<" } else { ">" };
-    Some(format!(
-        "Chaos is born for {}, of entropy {} per {}. Born and seen are different sets: what is born exists, most of it unstable; \
-         what is seen attracts.",
-        touch.replacen('=', sign, 1),
-        Short(entropy),
-        if half { "half period" } else { "period" }
-    ))
+/// That the set that is born is not the one that is seen; of either side on which one is.
+fn chaos(rows: &[ChaosRow], half: bool, touch: &str) -> Option<String> {
+    let side = |row: &ChaosRow| {
+        let entropy: f64 = row.entropy.as_ref().filter(|_| row.chaos == Some(true))?.parse().ok()?;
+        let sign = if row.side.contains('<') { "<" } else { ">" };
+        let at_least = if row.at_least { "at least " } else { "" };
+        let side = touch.replacen('=', sign, 1);
+        Some(format!("for {side}, of entropy {at_least}{}", Short(entropy)))
+    };
+    let sides: Vec<String> = rows.iter().filter_map(side).collect();
+    (!sides.is_empty()).then(|| {
+        format!(
+            "Chaos is born {} per {}. Born and seen are different sets: what is born exists, most of it unstable; what is \
+             seen attracts.",
+            sides.join(", and "),
+            if half { "half period" } else { "period" }
+        )
+    })
 }
 
 /// What is seen at a value of the parameter.

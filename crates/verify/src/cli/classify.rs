@@ -189,9 +189,7 @@ fn write(
         let mut cells = [TableCell::Empty; 9];
         cells[0] = TableCell::Int(n as i64);
         cells[1] = TableCell::Text(existence.name());
-        if existence == Existence::Singular
-            && let Some(resonance) = Resonance::at(&place.point, n)
-        {
+        if let Some(resonance) = Resonance::at(&place.point, n) {
             cells[8] = TableCell::Text(resonance.name());
         }
         for (cell, k) in cells[5..8].iter_mut().zip(existence.indices()) {
@@ -243,8 +241,7 @@ fn print(
             Some(text) => TableCell::Maths(text),
             None => TableCell::Empty,
         });
-        let resonance = if existence == Existence::Singular { Resonance::at(&place.point, n) } else { None };
-        let named = match resonance {
+        let named = match Resonance::at(&place.point, n) {
             Some(resonance) => format!("{}, {} resonance", existence.name(), resonance.name()),
             None => existence.name().to_string(),
         };
