@@ -298,7 +298,7 @@ fn orbits_beside_walls_of_several_harmonics_are_in_their_ranges() {
         (0.3, 0.05, 0.9, &three, "F", 3),
     ]
     .into_iter()
-    .step_by(one_in(3))
+    .step_by(one_in(4))
     {
         let machine = Machine { damping, stiffness, restitution, waves: waves.clone(), varied };
         let found = machine.found("reach = 3\nrange = { effort = 10000 }");

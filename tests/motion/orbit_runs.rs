@@ -12,6 +12,8 @@ use grazing_scenes::{
     scene::{Scene, SceneFamily},
 };
 
+use crate::samples::one_in;
+
 const RICH: &str = r#"
     format = "grazing-scene 1"
     title = "two walls, one moving, and a cubic spring"
@@ -80,7 +82,7 @@ fn the_simulator_stays_on_orbits_as_long_as_their_multipliers_allow() {
         (&rich, "cubic", 0.0, both),
     ];
     let (mut stable, mut unstable) = (0, 0);
-    for (scene, parameter, value, itinerary) in cases {
+    for (scene, parameter, value, itinerary) in cases.into_iter().step_by(one_in(2)) {
         let oscillator = SceneFamily::new(scene, parameter).unwrap().at(value).unwrap();
         let orbits = search(&oscillator, &itinerary, 400, 1.5);
         let orbits: Vec<&Orbit> = orbits.iter().filter(|orbit| orbit.admissibility.is_admissible()).collect();
@@ -97,7 +99,7 @@ fn the_simulator_stays_on_orbits_as_long_as_their_multipliers_allow() {
             }
         }
     }
-    assert!(stable > 1 && unstable > 6, "{stable} {unstable}");
+    assert!(stable > 0 && unstable > 4, "{stable} {unstable}");
 }
 
 #[test]

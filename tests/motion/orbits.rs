@@ -11,6 +11,8 @@ use grazing_scenes::{
 };
 use serde::Deserialize;
 
+use crate::samples::samples;
+
 const PAPER: &str = r#"
     format = "grazing-scene 1"
     title = "the paper's oscillator"
@@ -143,7 +145,7 @@ fn the_multipliers_are_those_of_the_impact_map() {
         (&simple, lower(&[1, 2]), 0.3),
     ];
     for (oscillator, itinerary, speed) in cases {
-        let found = search(oscillator, &itinerary, 400, speed);
+        let found = search(oscillator, &itinerary, samples(100), speed);
         assert!(!found.is_empty(), "{itinerary}");
         for orbit in found {
             let jacobian = linearise(oscillator, &itinerary, &orbit.z).unwrap().jacobian;

@@ -45,8 +45,9 @@ fn rows(text: &str) -> Vec<HashMap<String, String>> {
     csv::Reader::from_reader(text.as_bytes()).deserialize().map(Result::unwrap).collect()
 }
 
-/// Scenes that take twenty seconds each: where more than the least sample is asked for.
-const LONG: [&str; 2] = ["nordmark-2001-branches.toml", "nordmark-2001-chaos-further.toml"];
+/// Scenes that take eight to twenty seconds each: where more than the least sample is asked for.
+const LONG: [&str; 3] =
+    ["nordmark-2001.toml", "nordmark-2001-branches.toml", "nordmark-2001-chaos-further.toml"];
 
 #[test]
 fn every_example_runs_and_writes_what_it_says() {

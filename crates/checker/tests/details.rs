@@ -520,7 +520,7 @@ fn what_is_printed_of_an_orbit_is_checked() {
 
 #[test]
 fn what_is_printed_of_chaos_is_checked() {
-    printed_is_checked(&samples()[2], 7);
+    printed_is_checked(&samples()[2], 28);
 }
 
 /// Each kind is tried, and nothing is printed without a value.

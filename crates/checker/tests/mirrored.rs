@@ -122,11 +122,11 @@ fn two_readers_agree() {
         let named = format!("kind {kind}");
         let wrong = forgeries().into_iter().map(|(text, _)| text).filter(|text| text.contains(&named));
         // Python takes seconds for some.
-        let wrong = wrong.step_by(one_in(18));
+        let wrong = wrong.step_by(one_in(36));
         let mut all: Vec<String> = wrong.chain(right.iter().map(|text| text.to_string())).collect();
         let count = all.len();
         if kind != "range" {
-            all.extend((0..samples::<usize>(15)).map(|i| damage(&mut random, right[i % right.len()])));
+            all.extend((0..samples::<usize>(6)).map(|i| damage(&mut random, right[i % right.len()])));
         }
         let Some(verdicts) = second_reader(&format!("{kind}.py"), &all) else { return };
         for (at, (text, line)) in all.iter().zip(&verdicts).enumerate() {

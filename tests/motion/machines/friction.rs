@@ -1,6 +1,6 @@
 //! Dry friction: closed forms, energy, impacts among it, a second integrator, the limit of steep formulas.
 
-use crate::samples::samples;
+use crate::samples::{one_in, samples};
 use std::collections::BTreeMap;
 
 use grazing_scenes::{
@@ -130,7 +130,7 @@ fn stick_and_slip_on_a_belt_is_closed() {
 /// stops against the second solver: every event, every time, the state at the end.
 #[test]
 fn random_machines_with_friction_agree_with_a_second_solver() {
-    let trials: u32 = samples(10);
+    let trials: u32 = samples(2);
     let mut random = numbers(88_172_645_463_325_252);
     let mut words: BTreeMap<&str, u32> = BTreeMap::new();
     let mut worst = 0.0f64;
@@ -219,10 +219,9 @@ fn random_machines_with_friction_agree_with_a_second_solver() {
         assert!(off < 1e-9, "{trial}: {off:e}");
     }
     println!("{trials} machines, {words:?}, at the end apart by at most {worst:e}");
-    assert!(
-        ["stick", "release", "reversal", "impact"].iter().all(|word| words.contains_key(word)),
-        "{words:?}"
-    );
+    let all = ["stick", "release", "reversal", "impact"];
+    assert!(all[..2].iter().all(|word| words.contains_key(word)), "{words:?}");
+    assert!(trials < 4 || all.iter().all(|word| words.contains_key(word)), "{words:?}");
 }
 
 /// Den Hartog's motion without stops: the undamped oscillator under P cos ωt turns back at ±x₀, and nowhere
@@ -410,14 +409,15 @@ fn exponents_are_those_of_a_second_solver() {
         }
         rough
     };
-    for (name, rough, stuck) in [
+    let all = [
         ("turns", one(0.1, 9.0, [0.4, 0.4]), 0),
         ("sticks", one(0.1, 1.5, [0.4, 0.4]), 1),
         ("slips", one(0.1, 1.5, [0.3, 0.5]), 1),
         ("pair", pair(0.9, false), 1),
         ("slipping pair", pair(1.2, false), 1),
         ("two rows", pair(0.9, true), 1),
-    ] {
+    ];
+    for (name, rough, stuck) in all.into_iter().step_by(one_in(5)) {
         let n = rough.size;
         let simulator = simulator(&rough);
         let mut run = simulator.start(at(0.0), &vec![0.1; n], &vec![0.0; n]).unwrap();
@@ -466,7 +466,7 @@ fn cubic_springs_among_friction_agree_with_a_second_solver() {
                   [[friction]]\nrow = [-1, 1]\nnormal = 1\ncoefficient = 0.1\n";
     let rough = scene(system, "").machine(&[]).unwrap();
     let simulator = simulator(&rough);
-    for i in 0..6u32 {
+    for i in (0..6u32).rev().step_by(one_in(6)) {
         let (q, u) = ([0.1 * f64::from(i) - 0.2, 0.3], [0.5, -0.2 * f64::from(i)]);
         let found = told(&events(&simulator, (at(0.0), &q, &u), at(4.0 * TAU)));
         let mut other = Rough::new(&rough, &q, &u);
@@ -549,7 +549,7 @@ fn machines_without_classical_modes_stick_as_a_second_solver_says() {
         ("gyroscopic", [[0.05, 0.7], [-0.7, 0.05]], [[2.0, 0.0], [0.0, 3.0]]),
         ("overdamped", [[3.0, -1.0], [-1.0, 6.0]], [[2.0, -0.5], [-0.5, 1.0]]),
     ];
-    for (name, damping, stiffness) in cases {
+    for (name, damping, stiffness) in cases.into_iter().step_by(one_in(4)) {
         let rows = |of: [[f64; 2]; 2]| of.map(|row| row.to_vec());
         let (damping, stiffness) = (rows(damping), rows(stiffness));
         let mut rough =

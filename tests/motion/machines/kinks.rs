@@ -372,7 +372,7 @@ fn random_forces_with_kinks_agree_with_the_second_integrator() {
     };
     let kinds = ["abs", "max", "min", "power", "nested", "sign"];
     let (mut compared, mut slid, mut crossed, mut worst) = (0, 0, 0, 0.0f64);
-    let trials = samples(20);
+    let trials = samples(6);
     for case in 0..trials {
         let mut force = || {
             let term = |random: &mut dyn FnMut(f64, f64) -> f64| {

@@ -3,6 +3,7 @@
 use grazing_scenes::motion::event::Touch;
 
 use super::{second::Motion, *};
+use crate::samples::one_in;
 use grazing_scenes::many::SpeedLaw;
 
 fn soft(row: &[f64], offset: f64, stiffness: f64, damping: f64) -> Stop<f64> {
@@ -255,7 +256,7 @@ fn cases() -> Vec<Case> {
 #[test]
 fn soft_contacts_agree_with_a_second_integrator() {
     let mut together = 0;
-    for (name, machine, q, u) in cases() {
+    for (name, machine, q, u) in cases().into_iter().step_by(one_in(3)) {
         let until = 2.0 * TAU;
         let simulator = simulator(&machine);
         let mut run = simulator.start(at(0.0), &q, &u).unwrap();

@@ -77,7 +77,7 @@ fn steep_forces_on_two_coordinates_are_not_leapt_over() {
         let x = (state >> 11) as f64 / (1u64 << 53) as f64;
         ((low + (high - low) * x) * 1e4).round() / 1e4
     };
-    let trials: u64 = samples(25);
+    let trials: u64 = samples(4);
     let (mut wrong, mut ended, mut open, mut worst) = (vec![], 0, 0, 0.0f64);
     for case in 0..trials {
         let mut force = || Steep {

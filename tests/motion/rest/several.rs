@@ -234,7 +234,8 @@ fn orbits_of_several_coordinates_are_those_of_a_second_solver() {
     let mut random = Random(41);
     let (mut orbits, mut worst, mut apart, mut unstable, mut several, mut open) =
         (0, 0.0f64, 0.0f64, 0, 0, 0);
-    for draw in 0..samples(60) {
+    let draws: i32 = samples(12);
+    for draw in 0..draws {
         let machine = Table::drawn(&mut random, 2 + draw as usize % 2, draw % 4 > 1);
         let found: RestFindings = match run(&machine.text(SEARCHED)).findings {
             Some(Findings::Rest(found)) => *found,
@@ -298,7 +299,7 @@ fn orbits_of_several_coordinates_are_those_of_a_second_solver() {
     println!(
         "{orbits} orbits, {open} open, {unstable} unstable, {several} of several periods, back to {worst:e}, multipliers to {apart:e}"
     );
-    assert!(orbits >= 20 && open * 20 <= orbits && apart < 1e-5, "{orbits} {open} {apart}");
+    assert!(orbits * 3 >= draws && open * 20 <= orbits && apart < 1e-5, "{orbits} {open} {apart}");
 }
 
 /// The scene of an oscillator that rests beside another that knows nothing of it, in coordinates
@@ -329,7 +330,8 @@ fn an_oscillator_beside_one_that_rests_takes_no_part() {
     let mut random = Random(42);
     let mut between = |lo: f64, hi: f64| lo + (hi - lo) * random.uniform();
     let (mut all, mut longer) = (0, 0);
-    for _ in 0..12 {
+    let draws: u32 = samples(5);
+    for _ in 0..draws {
         let machine = Shaken {
             damping: between(0.05, 0.4),
             stiffness: between(0.05, 0.4),
@@ -383,7 +385,7 @@ fn an_oscillator_beside_one_that_rests_takes_no_part() {
         }
     }
     println!("{all} orbits, {longer} of several periods");
-    assert!(all >= 8, "{all}");
+    assert!(2 * all > draws, "{all}");
 }
 
 /// Of what rests for ever, what the stop leaves free is an oscillator.
@@ -487,7 +489,8 @@ fn a_search_that_finds_nothing_says_how_far_it_looked() {
 fn orbits_that_rest_and_rub_have_the_multipliers_of_differences() {
     let mut random = Random(43);
     let (mut orbits, mut sticks, mut low, mut apart) = (0, 0, 0, 0.0f64);
-    for draw in 0..samples(30) {
+    let draws: usize = samples(10);
+    for draw in 0..draws {
         let machine = Table::drawn(&mut random, 2, false);
         let mut between = |lo: f64, hi: f64| lo + (hi - lo) * random.uniform();
         let row = [between(-1.0, 1.0), between(0.3, 1.0)];
@@ -569,7 +572,8 @@ fn orbits_that_rest_and_rub_have_the_multipliers_of_differences() {
         }
     }
     println!("{orbits} orbits, {sticks} that stick, {low} with a low flight, multipliers to {apart:e}");
-    assert!(orbits >= 3 && sticks > 0 && low * 4 <= orbits, "{orbits} {sticks} {low}");
+    assert!(orbits * 10 >= draws && low * 4 <= orbits, "{orbits} {low}");
+    assert!(draws < 30 || sticks > 0, "some stick on their way");
 }
 
 /// Beside one that runs away nothing attracts: the orbit is found, and that motions were lost is said.

@@ -86,7 +86,7 @@ fn is_fold(jump: &Value) -> bool {
 fn a_touch_and_a_fold_have_one_place_in_all_tasks() {
     let mut random = Random(21);
     let (mut jumped, mut folded) = (0, 0);
-    for i in 0..samples(4) {
+    for i in 0..samples(2) {
         let machine = Machine::drawn(&mut random, i);
         let (touch, count) = (machine.touch(), 3 + (9.0 * random.part()) as u32);
         let (low, high) = (0.6 * touch, touch * (1.1 + 0.4 * random.part()));

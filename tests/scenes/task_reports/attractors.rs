@@ -9,6 +9,8 @@ use grazing_scenes::{
 };
 use serde_json::Value;
 
+use crate::samples::one_in;
+
 /// The reports of a scene's tasks.
 fn reports(format: u32, scene: &str) -> Vec<Value> {
     let text = format!("format = \"grazing-scene {format}\"\ntitle = \"t\"\n{scene}");
@@ -259,7 +261,7 @@ points = 100
         places.len() == 2 && (places[0] + 0.903_801_8).abs() < 1e-7 && (places[1] - 1.094_925_4).abs() < 1e-7,
         "{places:?}"
     );
-    for place in [-30.0, -2e4, -2e8] {
+    for place in [-2e4, -30.0, -2e8].into_iter().step_by(one_in(3)) {
         assert_eq!(bare(reports(2, &format!("{TWO_WELLS}{}{tasks}", stop(place)))), free, "{place}");
     }
 }

@@ -11,6 +11,7 @@ use grazing_scenes::{
 use num_rational::BigRational;
 
 use super::grazing_found as found;
+use crate::samples::one_in;
 
 type Q = BigRational;
 
@@ -182,7 +183,7 @@ fn depths_hold(machine: &Machine, report: &GrazingReport, row: &RangeRow, random
 #[test]
 fn every_machine_of_a_box_touches_where_it_is_said_and_is_no_deeper() {
     let mut random = Random(11);
-    for machine in &MACHINES {
+    for machine in MACHINES.iter().step_by(one_in(4)) {
         let (report, shown, _) = asked(machine, machine.tolerance, 5_000);
         let rows = report.range.as_ref().unwrap_or_else(|| panic!("{shown}"));
         let proved: Vec<&RangeRow> = rows.iter().filter(|row| row.depth.is_some()).collect();

@@ -17,7 +17,7 @@ fn dragged(u: &[f64]) -> Vec<f64> {
 /// every stick, release and reversal, its time, and how often each velocity turns.
 #[test]
 fn random_machines_with_drag_stick_as_often_as_a_second_solver_says() {
-    let trials: u32 = samples(4);
+    let trials: u32 = samples(2);
     let mut random = numbers(6_364_136_223_846_793_005);
     let mut words: BTreeMap<&str, u32> = BTreeMap::new();
     let mut kinks = 0;
