@@ -165,14 +165,17 @@ fn a_band_says_from_where_on_rest_hits_and_what_is_proved() {
 #[test]
 fn a_linear_force_is_linear_as_a_formula_too() {
     let machine = Driven { c: 0.1, k: 0.3, restitution: 0.8 };
-    let written = machine.scene(0.5);
-    let (head, tail) = written.split_once("damping").unwrap();
-    let (_, tail) = tail.split_once("[[stops]]").unwrap();
-    let formula = format!("{head}force = \"-u/10 - 3/10*q + F*cos(t)\"\n[[stops]]{tail}");
-    let [own, expected] = [&formula, &written].map(|text| grazing_found(text).0);
-    assert_eq!((own.seen_open, &own.touch), (None, &expected.touch));
-    assert_eq!((&own.bands, &own.seen), (&expected.bands, &expected.seen));
-    assert!(own.bands.is_some() && own.touch.is_some());
+    for engine in ["one", "many"] {
+        let written =
+            machine.scene(0.5).replace("[parameters]", &format!("engine = {engine:?}\n[parameters]"));
+        let (head, tail) = written.split_once("damping").unwrap();
+        let (_, tail) = tail.split_once("[[stops]]").unwrap();
+        let formula = format!("{head}force = \"-u/10 - 3/10*q + F*cos(t)\"\n[[stops]]{tail}");
+        let [own, expected] = [&formula, &written].map(|text| grazing_found(text).0);
+        assert_eq!((own.seen_open, &own.touch), (None, &expected.touch), "{engine}");
+        assert_eq!((&own.bands, &own.seen), (&expected.bands, &expected.seen), "{engine}");
+        assert!(own.bands.is_some() && own.touch.is_some(), "{engine}");
+    }
 }
 
 /// Overdamped, all that is born is beyond the touch, where the motion stays near: an orbit that attracts is
