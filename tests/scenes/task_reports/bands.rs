@@ -4,6 +4,10 @@
 use std::f64::consts::TAU;
 
 use grazing_base::random::Random;
+use grazing_scenes::{
+    run::{Surroundings, run},
+    scene::Scene,
+};
 
 use super::grazing_found;
 use crate::samples::samples;
@@ -203,6 +207,28 @@ fn what_is_born_and_what_is_seen_are_told_apart() {
     assert!(said.contains("< ") && said.contains(", and for F > ") && of.len() == 2, "{said}");
     let (unseen, shown, _) = grazing_found(&(machine.scene(0.5) + "seen = false\n"));
     assert!(!unseen.in_words.contains("Born and seen"), "{shown}");
+}
+
+/// Asked from an orbit that is not there, a search says where orbits with impacts are: of an overdamped
+/// machine on one side of the touch alone.
+#[test]
+fn where_no_orbit_is_to_begin_with_the_touch_is_told() {
+    let of = |c: f64, kind: &str| {
+        let text = Driven { c, k: 1.0, restitution: 0.8 }.scene(0.5);
+        let text =
+            text.replace("kind = \"grazing\"", kind).replace("max_period = 1", "orbit = { pattern = [1] }");
+        let scene = Scene::from_toml(&text, "t.toml").unwrap();
+        run(&scene, Surroundings::default(), &mut ()).unwrap().remove(0).to_string()
+    };
+    for kind in ["kind = \"grazing\"", "kind = \"event\"\nevent = \"flip\""] {
+        let shown = of(3.0, kind);
+        let touch = "no admissible orbit to begin with at F = 0.5; the motion without impacts touches stop stop at F = 3, \
+                     where orbits with impacts are born";
+        let side = ": of this overdamped machine all of them for F > 3\n";
+        assert!(shown.contains(&format!("{touch}{side}")), "{shown}");
+        let shown = of(1.5, kind);
+        assert!(shown.contains("F = 1.5, where orbits with impacts are born\n"), "{shown}");
+    }
 }
 
 /// With a spring that hardens a second motion may be clear of the stop beyond the touch of the first: nothing
