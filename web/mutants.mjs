@@ -18,6 +18,7 @@ const PHASES = "the phase plane and the section are drawn where the command line
 const ATTRACTOR = "the attractor is drawn where the command line has it, and a click takes its value: light";
 const NUMBERS = "the numbers of the motion are the command line's: period, impacts, exponent, pattern, stability, multipliers";
 const BORN = "what is born is said and listed as the command line lists it";
+const BANDS = "the bands over the parameter of a touch stand as a bar, with their ends and the slider";
 const STABLE = "branches called stable are stable on the command line, and unstable ones are not; predictions rise from the grazing";
 const START = "the first screen says what is seen, born and proved on either side of the touch: light";
 const TABS = "every tab keeps the rules of axe-core, and explains its words: light";
@@ -70,6 +71,9 @@ const MUTANTS = [
   ["impacts-misnamed", "motion-pictures.ts", 'impact: ["impact",', 'impact: ["tangency",', "motion-read", MOTION],
   ["sides-of-born", "motion.ts", "const cells = [row.side,", 'const cells = [row.side.replace("<", "≥").replace(">", "<").replace("≥", ">"),', "motion-read", BORN],
   ["branch-stability", "motion-pictures.ts", "isStable === true ? [stable, unstable] : [unstable, stable]", "isStable === true ? [unstable, stable] : [stable, unstable]", "motion-read", STABLE],
+  ["bands-exchanged", "bands.ts", "place(at(least ?? from), at(most ?? to))", "place(at(most ?? from), at(least ?? to))", "motion", BANDS],
+  ["band-ends-all-seen", "bands.ts", "`${shown(value)} (${by})`", "`${shown(value)} (seen)`", "motion", BANDS],
+  ["rest-elsewhere", "bands.ts", "style: `left:${at(rest)}%`", "style: `left:${at(low)}%`", "motion", BANDS],
   ["sides-of-the-touch", "start.ts", 'endsWith(drive < 1 ? "< 0" : "> 0")', 'endsWith(drive > 1 ? "< 0" : "> 0")', "start", START],
   ["proved-too-far", "start.ts", "BigInt(den) - BigInt(num)", "BigInt(num)", "start", START],
   ["mass-upside-down", "start-picture.ts", "height * ((CEILING - place)", "height * ((place - FLOOR)", "start", "the mass is above its stop, still before the touch and thrown up beyond it"],

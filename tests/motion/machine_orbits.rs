@@ -172,7 +172,7 @@ fn coupled() -> Lines {
 }
 
 fn graze(family: &dyn Family, start: f64, reach: f64) -> Grazing {
-    match locate(family, start, reach, None).unwrap() {
+    match locate(family, start, reach, None, None).unwrap() {
         Search::Found(found) => *found,
         Search::Nothing(why) => panic!("{why}"),
     }

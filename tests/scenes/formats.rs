@@ -88,6 +88,65 @@ fn a_linear_formula_is_its_coefficients() {
     assert!((cos - 5.0 * 1f64.cos()).abs() < 1e-15 && (sin - 5.0 * 1f64.sin()).abs() < 1e-15);
 }
 
+/// So it is of a machine: of several coordinates, of modes, and beside what the other keys say. One formula
+/// that is not linear keeps them all.
+#[test]
+fn linear_formulas_are_the_matrices_of_a_machine() {
+    let read = |keys: &str| {
+        let text = format!(
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\nengine = \"many\"\n[parameters]\nF = 3\n[system]\nperiod = 4\n\
+             {keys}\n[[stops]]\nrow = [1, -1]\noffset = -1\nrestitution = 0.8\n"
+        );
+        let machine = Scene::from_toml(&text, "s.toml").unwrap().machine(&[]).unwrap();
+        let dense = |entries: &[(usize, usize, f64)]| {
+            let mut all = [[0.0; 2]; 2];
+            entries.iter().for_each(|&(i, j, x)| all[i][j] += x);
+            all
+        };
+        let list = |all: &[f64]| if all.is_empty() { vec![0.0; 2] } else { all.to_vec() };
+        let mut forcing: Vec<_> =
+            machine.forcing.iter().map(|load| (load.k, list(&load.cos), list(&load.sin))).collect();
+        forcing.sort_by_key(|load| load.0);
+        let matrices = [&machine.mass, &machine.damping, &machine.stiffness].map(|all| dense(all));
+        (matrices, list(&machine.force), forcing, machine.is_smooth())
+    };
+    let mass = "mass = [[2, 0.5], [0.5, 1]]\n";
+    let expected = read(&format!(
+        "{mass}damping = [[0.5, -0.25], [0, 1]]\nstiffness = [[3, -1], [-2, 4]]\nforce = [0.5, 0]\n\
+         forcing = [{{ cos = [\"F\", -1] }}, {{ k = 3, sin = [0, \"F/4\"] }}]"
+    ));
+    assert!(!expected.3);
+    for keys in [
+        "force = [\"q2 - u1/2 - 3*q1 + u2/4 + 1/2 + F*cos(t)\", \"2*(q1 - 2*q2) - u2 - cos(t) + F/4*sin(3*t)\"]",
+        "stiffness = [[1, 0], [0, 0]]\ndamping = { diagonal = [0, 1] }\nforcing = [{ cos = [\"F - 1\", 0] }]\n\
+         force = [\"(u2 - 2*u1)/4 - 2*q1 + q2 + cos(-t) + 0.5\", \"2*q1 - 4*q2 - cos(t) - F*sin(-3*t)/4\"]",
+    ] {
+        assert_eq!(read(&format!("{mass}{keys}")), expected, "{keys}");
+    }
+    // Forces on the points 1 and 2 are in all entries of modes: rows of Φ are 1, 1 and 1, −1.
+    let modes = "modes = { frequencies = [1, 2], ratios = 0, shapes = [[1, 1], [1, -1]] }\n";
+    let ([_, none, own], ..) = read(modes);
+    let ([_, damping, stiffness], _, forcing, is_smooth) =
+        read(&format!("{modes}force = [\"-3*q1 - u2/2\", \"5*q1 + sin(t)\"]"));
+    let more = [[-2.0, -2.0], [8.0, 8.0]];
+    for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+        assert_eq!(stiffness[i][j] - own[i][j], more[i][j], "{stiffness:?}");
+        assert_eq!(damping[i][j] - none[i][j], [0.5, -0.5][j], "{damping:?}");
+    }
+    assert_eq!((forcing, is_smooth), (vec![(1, vec![0.0; 2], vec![0.0, 1.0])], false));
+    // Ratios are of the modes of what the other keys say.
+    let ratio = format!("{mass}stiffness = [[3, -1], [-1, 4]]\ndamping_ratio = 0.1\n");
+    for (force, expected) in [
+        ("[\"F*cos(t)\", 0]", false),
+        ("[\"-u1\", 0]", true),
+        ("[\"-q1\", 0]", true),
+        ("[\"-q1\", \"-q2^3\"]", true),
+    ] {
+        let ratio = if force.contains('^') { mass } else { &ratio };
+        assert_eq!(read(&format!("{ratio}force = {force}")).3, expected, "{force}");
+    }
+}
+
 /// What a scene says, apart from the text it is read from.
 fn said(scene: Scene) -> String {
     let Scene { title, parameters, body, stops, accuracy, tasks, engine, .. } = scene;

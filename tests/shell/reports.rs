@@ -70,11 +70,8 @@ fn tables_begin_with_what_matters() {
     assert!(!head.contains("standard_error"), "{head}");
 }
 
-/// README's machine has two attractors at six values that follow each other: each is listed once.
-#[test]
-fn coexisting_attractors_are_listed_once() {
-    let folder = tempfile::tempdir().unwrap();
-    let scene = r#"
+/// README's machine over its load, from two starts.
+const TWO: &str = r#"
 format = "grazing-scene 3"
 title = "two attractors"
 [parameters]
@@ -97,7 +94,12 @@ starts = [{ q = 0 }, { q = -5, u = 3 }]
 points = 20
 transient = 300
 "#;
-    fs::write(folder.path().join("two.toml"), scene).unwrap();
+
+/// README's machine has two attractors at six values that follow each other: each is listed once.
+#[test]
+fn coexisting_attractors_are_listed_once() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("two.toml"), TWO).unwrap();
     let (code, text, err) = run("run two.toml -o .", folder.path());
     assert_eq!(code, 0, "{err}");
     let report = of(&text, "loads");
@@ -117,4 +119,38 @@ transient = 300
     assert_eq!((rows.len() - 1, told), (2, all.len()), "{text}");
     let kinds: Vec<[&str; 2]> = rows[1..].iter().map(|row| [row[2], row[3]]).collect();
     assert_eq!(kinds, [["1", "0"], ["1", "1"]]);
+}
+
+/// The bands of a touch and of a diagram are tables of their own, with the rows and columns of JSON.
+#[test]
+fn bands_are_tables_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let touch = "[[tasks]]\nname = \"touch\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 1\n";
+    fs::write(folder.path().join("two.toml"), format!("{TWO}{touch}")).unwrap();
+    let (code, json, err) = run("run two.toml -o . --format json", folder.path());
+    assert_eq!(code, 0, "{err}");
+    let report: serde_json::Value = serde_json::from_str(&json).unwrap();
+    for task in ["loads", "touch"] {
+        let tasks = report["tasks"].as_array().unwrap();
+        let found = tasks.iter().find(|known| known["task"] == task).unwrap_or_else(|| panic!("{json}"));
+        let file = format!("{task}-bands.csv");
+        assert!(found["files"].as_array().unwrap().iter().any(|name| name == &file), "{found}");
+        let text = fs::read_to_string(folder.path().join(file)).unwrap();
+        let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let columns = lines.next().unwrap();
+        let (rows, lines) = (found["bands"].as_array().unwrap(), lines.collect::<Vec<_>>());
+        let bands: Vec<&str> = lines.iter().map(|line| line[0]).collect();
+        assert_eq!(bands, ["free", "depends", "hits"], "{text}");
+        assert_eq!((rows.len(), rows[0].as_object().unwrap().len()), (lines.len(), columns.len()), "{text}");
+        for (row, line) in rows.iter().zip(&lines) {
+            for (column, cell) in columns.iter().zip(line) {
+                let same = match &row[column] {
+                    serde_json::Value::Null => cell.is_empty(),
+                    serde_json::Value::String(word) => word == cell,
+                    number => cell.parse().ok() == number.as_f64(),
+                };
+                assert!(same, "{column}: {cell:?}, not {}", row[column]);
+            }
+        }
+    }
 }

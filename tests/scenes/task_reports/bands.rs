@@ -4,6 +4,10 @@
 use std::f64::consts::TAU;
 
 use grazing_base::random::Random;
+use grazing_scenes::{
+    run::{Surroundings, run},
+    scene::Scene,
+};
 
 use super::grazing_found;
 use crate::samples::samples;
@@ -165,14 +169,17 @@ fn a_band_says_from_where_on_rest_hits_and_what_is_proved() {
 #[test]
 fn a_linear_force_is_linear_as_a_formula_too() {
     let machine = Driven { c: 0.1, k: 0.3, restitution: 0.8 };
-    let written = machine.scene(0.5);
-    let (head, tail) = written.split_once("damping").unwrap();
-    let (_, tail) = tail.split_once("[[stops]]").unwrap();
-    let formula = format!("{head}force = \"-u/10 - 3/10*q + F*cos(t)\"\n[[stops]]{tail}");
-    let [own, expected] = [&formula, &written].map(|text| grazing_found(text).0);
-    assert_eq!((own.seen_open, &own.touch), (None, &expected.touch));
-    assert_eq!((&own.bands, &own.seen), (&expected.bands, &expected.seen));
-    assert!(own.bands.is_some() && own.touch.is_some());
+    for engine in ["one", "many"] {
+        let written =
+            machine.scene(0.5).replace("[parameters]", &format!("engine = {engine:?}\n[parameters]"));
+        let (head, tail) = written.split_once("damping").unwrap();
+        let (_, tail) = tail.split_once("[[stops]]").unwrap();
+        let formula = format!("{head}force = \"-u/10 - 3/10*q + F*cos(t)\"\n[[stops]]{tail}");
+        let [own, expected] = [&formula, &written].map(|text| grazing_found(text).0);
+        assert_eq!((own.seen_open, &own.touch), (None, &expected.touch), "{engine}");
+        assert_eq!((&own.bands, &own.seen), (&expected.bands, &expected.seen), "{engine}");
+        assert!(own.bands.is_some() && own.touch.is_some(), "{engine}");
+    }
 }
 
 /// Overdamped, all that is born is beyond the touch, where the motion stays near: an orbit that attracts is
@@ -200,6 +207,28 @@ fn what_is_born_and_what_is_seen_are_told_apart() {
     assert!(said.contains("< ") && said.contains(", and for F > ") && of.len() == 2, "{said}");
     let (unseen, shown, _) = grazing_found(&(machine.scene(0.5) + "seen = false\n"));
     assert!(!unseen.in_words.contains("Born and seen"), "{shown}");
+}
+
+/// Asked from an orbit that is not there, a search says where orbits with impacts are: of an overdamped
+/// machine on one side of the touch alone.
+#[test]
+fn where_no_orbit_is_to_begin_with_the_touch_is_told() {
+    let of = |c: f64, kind: &str| {
+        let text = Driven { c, k: 1.0, restitution: 0.8 }.scene(0.5);
+        let text =
+            text.replace("kind = \"grazing\"", kind).replace("max_period = 1", "orbit = { pattern = [1] }");
+        let scene = Scene::from_toml(&text, "t.toml").unwrap();
+        run(&scene, Surroundings::default(), &mut ()).unwrap().remove(0).to_string()
+    };
+    for kind in ["kind = \"grazing\"", "kind = \"event\"\nevent = \"flip\""] {
+        let shown = of(3.0, kind);
+        let touch = "no admissible orbit to begin with at F = 0.5; the motion without impacts touches stop stop at F = 3, \
+                     where orbits with impacts are born";
+        let side = ": of this overdamped machine all of them for F > 3\n";
+        assert!(shown.contains(&format!("{touch}{side}")), "{shown}");
+        let shown = of(1.5, kind);
+        assert!(shown.contains("F = 1.5, where orbits with impacts are born\n"), "{shown}");
+    }
 }
 
 /// With a spring that hardens a second motion may be clear of the stop beyond the touch of the first: nothing

@@ -46,7 +46,7 @@
 //! # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))?;
 //! let scene = Scene::read("examples/machines/two-masses.toml")?;
 //! let family = MachineSceneFamily::new(&scene, "F0")?;
-//! let Search::Found(touch) = locate(&family, 1.0, 20.0, None)? else { panic!() };
+//! let Search::Found(touch) = locate(&family, 1.0, 20.0, None, None)? else { panic!() };
 //! assert!(touch.parameter > 1.0 && touch.at.gap.abs() <= 1e-11 * touch.scale);
 //! # Ok::<(), grazing_scenes::Error>(())
 //! ```

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{
     Analysed, Finding, Job, Judgement, Lines, Status,
-    engine::{AnalysedEvent, Engine, OrbitSource, by_engine, linear_touches},
+    engine::{AnalysedEvent, Engine, OrbitSource, by_engine, linear_touches, no_orbit},
     row,
 };
 use crate::{
@@ -73,6 +73,9 @@ pub struct EventFindings {
     pub found: Vec<EventRow>,
     /// Orbits from which nothing was found, with the reason.
     pub without: Vec<WithoutRow>,
+    /// That there are none, and where to look.
+    #[serde(skip)]
+    pub(super) none: Option<String>,
 }
 
 impl Finding for EventFindings {
@@ -80,10 +83,7 @@ impl Finding for EventFindings {
         match self.without.first() {
             _ if !self.found.is_empty() => Status::Done,
             Some(first) => Status::nothing(first.reason.clone()),
-            None => Status::nothing(format!(
-                "no admissible orbit to begin with at {} = {}",
-                self.varied, self.start
-            )),
+            None => Status::nothing(self.none.clone().unwrap_or_default()),
         }
     }
 
@@ -155,7 +155,9 @@ fn of<E: Engine>(task: &EventTask, job: &Job, engine: &E) -> Result<EventFinding
         let (pattern, speeds) = source.named_with_speeds(orbit);
         without.push(WithoutRow { pattern, speeds, reason });
     }
+    let none = orbits.is_empty().then(|| no_orbit(engine, &family, &task.parameter, job)).transpose()?;
     Ok(EventFindings {
+        none,
         event: task.event.name(),
         varied: task.parameter.clone(),
         start,

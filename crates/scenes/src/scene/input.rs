@@ -14,6 +14,7 @@ use super::{
     format::{Foreign, SceneFormat, translate},
     grammar::is_name,
     keys::{Entry, Key, Record, Scope, Seen, StopName, Value, keys},
+    linear,
     machine::MachineScene,
     oscillator::{Disqualified, oscillator},
     quantity::{Kinds, Scale, WrittenUnit},
@@ -323,7 +324,12 @@ impl Known<'_> {
         }
         let stops = names().map(|name| StopName { name, side: None }).collect();
         let engine = Engine { name: EngineKey::Many, reason: why_many };
-        Ok((stops, Body::Machine(machine.clone()), engine, machine))
+        // What is computed; what is drawn and listed is as it is written.
+        let own = linear::coefficients(&machine.machine).map_or_else(
+            || machine.clone(),
+            |own| Arc::new(MachineScene { machine: own, ..machine.as_ref().clone() }),
+        );
+        Ok((stops, Body::Machine(own), engine, machine))
     }
 
     /// Whether the mass is positive.

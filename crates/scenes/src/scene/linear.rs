@@ -1,5 +1,5 @@
-//! A force that is written as a formula and is linear in displacement and velocity, its time in harmonics:
-//! its coefficients, exactly. So a machine is linear however its force is written.
+//! Forces that are written as formulas and are linear in displacements and velocities, their time in
+//! harmonics: their coefficients, exactly. So a machine is linear however its forces are written.
 
 use std::collections::BTreeMap;
 
@@ -9,40 +9,106 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use super::{expression::Expression, force::MOST};
 use crate::{
     formula::{Formula, Function, Operation},
-    motion::{SmoothForce, TIME},
+    many::{Load, Machine},
+    motion::SmoothForce,
 };
 
-/// constant + q·`displacement` + u·`velocity` + Σ (a cos kt + b sin kt), `harmonics` having \[a, b\] by k.
+/// constant + Σ `state`·(q, u) + Σ (a cos kt + b sin kt), `harmonics` having \[a, b\] by k, `state` what
+/// displacements and velocities are multiplied by, by their places in the force.
 pub(super) struct LinearForce {
     pub constant: Option<Expression>,
-    pub displacement: Option<Expression>,
-    pub velocity: Option<Expression>,
+    pub state: BTreeMap<usize, Expression>,
     pub harmonics: BTreeMap<u32, [Option<Expression>; 2]>,
 }
+
+/// The machine with its forces in its other coefficients, if all that are formulas are linear; none for what
+/// none is, also where damping ratios are of the modes without them.
+pub(super) fn coefficients(machine: &Machine<Expression>) -> Option<Machine<Expression>> {
+    let (n, points) = (machine.size, machine.points());
+    let one = |force: &Option<SmoothForce<Expression>>| {
+        force.as_ref().map(|force| LinearForce::of(force, points)).map_or(Some(None), |known| known.map(Some))
+    };
+    let forces: Vec<Option<LinearForce>> = machine.smooth.iter().map(one).collect::<Option<_>>()?;
+    let parts: usize = forces.iter().flatten().map(|force| force.state.len()).sum();
+    // By shapes each part is one of every two modes.
+    let entries = if machine.shapes.is_empty() { parts } else { parts * n * n };
+    if forces.is_empty() || machine.record.is_some() || entries > MOST_ENTRIES {
+        return None;
+    }
+    if parts > 0 && !machine.damping_ratio.is_empty() {
+        return None;
+    }
+    let mut all = Machine { smooth: Vec::new(), ..machine.clone() };
+    let zero = Expression::of(&Formula::Number(BigRational::zero()), "0", "");
+    let add = |to: &mut Vec<Expression>, i: usize, part: Option<Expression>| {
+        to.resize(points, zero.clone());
+        if let Some(part) = part {
+            to[i] = to[i].plus(&part);
+        }
+    };
+    // What a force on a coordinate is on modes, and how a coordinate is made of them.
+    let modes = |i: usize| -> Vec<(usize, Option<&Expression>)> {
+        match machine.shapes.get(i) {
+            None => vec![(i, None)],
+            Some(row) => (0..n)
+                .map(|j| (j, Some(&row[j])))
+                .filter(|known| !known.1.is_some_and(Expression::is_zero))
+                .collect(),
+        }
+    };
+    for (i, force) in forces.into_iter().enumerate() {
+        let Some(LinearForce { constant, state, harmonics }) = force else { continue };
+        add(&mut all.force, i, constant);
+        for (place, part) in state {
+            let to = if place < points { &mut all.stiffness } else { &mut all.damping };
+            for (row, left) in modes(i) {
+                for (column, right) in modes(place % points) {
+                    let shaped = [left, right].into_iter().flatten().fold(part.negated(), |x, y| x.times(y));
+                    to.push((row, column, shaped));
+                }
+            }
+        }
+        for (k, [cos, sin]) in harmonics {
+            let place = all.forcing.iter().position(|known| known.k == k).unwrap_or_else(|| {
+                all.forcing.push(Load { k, cos: Vec::new(), sin: Vec::new() });
+                all.forcing.len() - 1
+            });
+            add(&mut all.forcing[place].cos, i, cos);
+            add(&mut all.forcing[place].sin, i, sin);
+        }
+    }
+    Some(all)
+}
+
+/// The most entries of matrices that forces are made into.
+const MOST_ENTRIES: usize = 10_000;
 
 impl LinearForce {
     /// The parts of a force; none if it is not known to have only these. Cost: linear in the formula, but for
     /// a factor of the number of harmonics.
-    pub(super) fn of(force: &SmoothForce<Expression>) -> Option<LinearForce> {
-        let own = |place: usize| match place.checked_sub(TIME + 1) {
+    pub(super) fn of(force: &SmoothForce<Expression>, points: usize) -> Option<LinearForce> {
+        let time = 2 * points;
+        let own = |place: usize| match place.checked_sub(time + 1) {
             Some(coefficient) => force.coefficients[coefficient].root.clone(),
-            None => Formula::Variable(FAR + place),
+            None if place == time => Formula::Variable(FAR),
+            None => Formula::Variable(STATE + place),
         };
         let parts = Parts::of(&force.formula.substituted(&own))?;
         let key = force.coefficients.first().map_or("", |coefficient| &coefficient.key);
-        let given = |formula: Term| formula.map(|formula| Expression::of(&formula, &force.text, key));
-        let [q, u] = parts.state;
+        let expression = |formula: Formula| Expression::of(&formula, &force.text, key);
+        let given = |formula: Term| formula.map(expression);
         Some(LinearForce {
             constant: given(parts.constant),
-            displacement: given(q),
-            velocity: given(u),
+            state: parts.state.into_iter().map(|(place, part)| (place, expression(part))).collect(),
             harmonics: parts.harmonics.into_iter().map(|(k, both)| (k, both.map(given))).collect(),
         })
     }
 }
 
-/// Where the variables of a force stand while its coefficients are in terms of parameters.
-const FAR: usize = usize::MAX - TIME;
+/// Where the time of a force, and from where on its state, stand while its coefficients are in terms of
+/// parameters.
+const FAR: usize = usize::MAX / 2;
+const STATE: usize = FAR + 1;
 
 /// A coefficient in parameters; none for 0.
 type Term = Option<Formula>;
@@ -50,7 +116,7 @@ type Term = Option<Formula>;
 #[derive(Default)]
 struct Parts {
     constant: Term,
-    state: [Term; 2],
+    state: BTreeMap<usize, Formula>,
     harmonics: BTreeMap<u32, [Term; 2]>,
 }
 
@@ -92,11 +158,9 @@ impl Parts {
                 .then(|| Parts { constant: Some(formula.clone()), ..Parts::default() });
         }
         match formula {
-            Formula::Variable(place) if *place == FAR + TIME => None,
+            Formula::Variable(FAR) => None,
             Formula::Variable(place) => {
-                let mut parts = Parts::default();
-                parts.state[place - FAR] = Some(one());
-                Some(parts)
+                Some(Parts { state: BTreeMap::from([(place - STATE, one())]), ..Parts::default() })
             }
             Formula::Negated(inner) => {
                 Some(Parts::of(inner)?.mapped(|term| Formula::Negated(Box::new(term))))
@@ -125,25 +189,24 @@ impl Parts {
     }
 
     fn mapped(self, change: impl Fn(Formula) -> Formula) -> Parts {
-        let change = |term: Term| term.map(&change);
+        let term = |term: Term| term.map(&change);
         Parts {
-            constant: change(self.constant),
-            state: self.state.map(change),
-            harmonics: self.harmonics.into_iter().map(|(k, both)| (k, both.map(change))).collect(),
+            constant: term(self.constant),
+            state: self.state.into_iter().map(|(place, part)| (place, change(part))).collect(),
+            harmonics: self.harmonics.into_iter().map(|(k, both)| (k, both.map(term))).collect(),
         }
     }
 
     fn plus(mut self, other: Parts) -> Parts {
-        let ([q, u], [other_q, other_u]) = (self.state, other.state);
+        for (place, part) in other.state {
+            let both = sum(self.state.remove(&place), Some(part));
+            self.state.extend(both.map(|both| (place, both)));
+        }
         for (k, [cos, sin]) in other.harmonics {
             let [own_cos, own_sin] = self.harmonics.remove(&k).unwrap_or_default();
             self.harmonics.insert(k, [sum(own_cos, cos), sum(own_sin, sin)]);
         }
-        Parts {
-            constant: sum(self.constant, other.constant),
-            state: [sum(q, other_q), sum(u, other_u)],
-            harmonics: self.harmonics,
-        }
+        Parts { constant: sum(self.constant, other.constant), ..self }
     }
 }
 
@@ -185,7 +248,7 @@ fn angle_of(formula: &Formula) -> Option<(BigRational, Term)> {
         Some((k, phase.map(|phase| binary(operation, phase, factor.clone()))))
     };
     match formula {
-        Formula::Variable(place) if *place == FAR + TIME => Some((BigRational::one(), None)),
+        Formula::Variable(FAR) => Some((BigRational::one(), None)),
         Formula::Negated(inner) => {
             let (k, phase) = angle_of(inner)?;
             Some((-k, phase.map(|phase| Formula::Negated(Box::new(phase)))))

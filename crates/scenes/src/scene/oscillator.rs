@@ -23,7 +23,7 @@ use super::{
 use crate::{
     error::Result,
     formula::{Formula, Operation},
-    motion::{Harmonic, Side, SmoothForce, System, TIME, U, Wall},
+    motion::{Harmonic, Q, Side, SmoothForce, System, TIME, U, Wall},
 };
 
 /// Why a system is not one for `one`: the key that disqualifies it, and what it says.
@@ -100,7 +100,7 @@ pub(super) fn oscillator(
     if smooth.as_ref().is_some_and(SmoothForce::has_kinks) {
         return not("system.force", "has a force with kinks");
     }
-    let linear = smooth.as_ref().and_then(LinearForce::of);
+    let linear = smooth.as_ref().and_then(|force| LinearForce::of(force, 1));
     if linear.is_some() {
         smooth = None;
     }
@@ -145,15 +145,15 @@ fn add(
     force: LinearForce,
     per_radian: &impl Fn(&Expression, i32) -> Expression,
 ) {
-    let LinearForce { constant, displacement, velocity, harmonics } = force;
+    let LinearForce { constant, mut state, harmonics } = force;
     let add = |to: &mut Expression, part: Option<Expression>, times: i32| {
         if let Some(part) = part {
             *to = to.plus(&per_radian(&part, times));
         }
     };
     add(&mut system.force, constant, 2);
-    add(&mut system.stiffness, displacement.map(|part| part.negated()), 2);
-    add(&mut system.damping, velocity.map(|part| part.negated()), 1);
+    add(&mut system.stiffness, state.remove(&Q).map(|part| part.negated()), 2);
+    add(&mut system.damping, state.remove(&U).map(|part| part.negated()), 1);
     for (k, [cos, sin]) in harmonics {
         let place = system.forcing.iter().position(|known| known.k == k).unwrap_or_else(|| {
             let zero = Expression::of(&Formula::Number(BigRational::zero()), "0", "");

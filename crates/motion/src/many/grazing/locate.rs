@@ -97,6 +97,9 @@ pub enum Search {
     Nothing(String),
 }
 
+/// What may know a touch beyond a fold, or why there is none, from the state at phase 0 at the start.
+pub type Further<'f> = &'f dyn Fn(&State) -> Result<std::result::Result<Grazing, String>>;
+
 /// Values of the parameter that are tried each way.
 const STEPS: u32 = 200;
 
@@ -119,37 +122,59 @@ pub fn own_reach(family: &dyn Family, value: f64, near: Option<&State>) -> Resul
 /// which there may be where forces are formulas, of the one that Newton's method finds from `near`, a state
 /// at phase 0. From step to step of the parameter, 200 of them each way, the least gap changes sign, or its
 /// derivative does, so that it dips between them; dips of a fraction of a step may be missed. Then Newton's
-/// method on the least gap as a function of the parameter, kept between bounds.
+/// method on the least gap as a function of the parameter, kept between bounds. Where there is no motion any
+/// more, or no touch is found, `further` is asked once.
 ///
 /// # Errors
-/// Where the family is not defined at `start`; no periodic motion there; det(I − A) = 0 at the grazing.
-pub fn locate(family: &dyn Family, start: f64, reach: f64, near: Option<&State>) -> Result<Search> {
+/// Where the family is not defined at `start`; no periodic motion there; det(I − A) = 0 at the grazing; those
+/// of `further`.
+pub fn locate(
+    family: &dyn Family,
+    start: f64,
+    reach: f64,
+    near: Option<&State>,
+    mut further: Option<Further>,
+) -> Result<Search> {
     let look = look_along(family, near);
     let (motion, least, rate) = look(start)?;
-    let tiny = TWICE * motion.scale();
-    if least.gap < -tiny {
-        let name = &motion.contacts().all()[least.stop].name;
-        return Ok(Search::Nothing(format!(
-            "at the start the motion without impacts is already behind stop {name}, by {:e}: start where it is free",
-            -least.gap
-        )));
+    let (tiny, name) = (TWICE * motion.scale(), &motion.contacts().all()[least.stop].name);
+    let state = motion.motion().state(0.0);
+    let graze = |look: Look, near: f64| {
+        let parameter = polish(look, near)?;
+        Grazing::of(parameter, &look(parameter)?.0)
+    };
+    let away = |known: &Grazing| (known.parameter - start).abs();
+    if least.gap.abs() <= tiny {
+        return Ok(Search::Found(Box::new(graze(&look, start)?)));
     }
-    let mut nearest: Option<f64> = (least.gap <= tiny).then_some(start);
-    let mut why = Vec::new();
+    let (mut nearest, mut why): (Option<Grazing>, Vec<String>) = (None, Vec::new());
+    let mut ask = |why: &mut Vec<String>| -> Result<Option<Grazing>> {
+        let Some(further) = further.take() else { return Ok(None) };
+        Ok(further(&state)?.map_err(|more| why.push(more)).ok())
+    };
     for direction in [1.0, -1.0] {
-        if nearest == Some(start) {
+        if least.gap < 0.0 {
+            why.push(format!(
+                "at the start the motion without impacts is already behind stop {name}, by {:e}: start where it is free",
+                -least.gap
+            ));
             break;
         }
+        let look = look_along(family, Some(&state));
         let (mut before, mut last) = (start, (least.gap, rate * direction));
         for step in 1..=STEPS {
             let there = start + direction * reach * f64::from(step) / f64::from(STEPS);
-            if nearest.is_some_and(|known| (known - start).abs() <= (before - start).abs()) {
+            if nearest.as_ref().is_some_and(|known| away(known) <= (before - start).abs()) {
                 break;
             }
             let (gap, rate) = match look(there) {
                 Ok((_, least, rate)) => (least.gap, rate * direction),
                 Err(error) => {
                     why.push(format!("the search ended at {there:?}: {error}"));
+                    // What is known beyond a fold bounds the other way.
+                    if nearest.is_none() {
+                        nearest = ask(&mut why)?;
+                    }
                     break;
                 }
             };
@@ -161,24 +186,25 @@ pub fn locate(family: &dyn Family, start: f64, reach: f64, near: Option<&State>)
                 None
             };
             if let Some(end) = end {
-                let root = root(&look, before, end)?;
-                if nearest.is_none_or(|known| (root - start).abs() < (known - start).abs()) {
-                    nearest = Some(root);
+                let found = graze(&look, root(&look, before, end)?)?;
+                if nearest.as_ref().is_none_or(|known| away(&found) < away(known)) {
+                    nearest = Some(found);
                 }
                 break;
             }
             (before, last) = (there, (gap, rate));
         }
     }
-    let Some(near) = nearest else {
-        let mut reason = format!("the motion without impacts touches no stop within {reach} of {start:?}");
-        for more in why {
-            reason = format!("{reason}; {more}");
+    if nearest.is_none() {
+        nearest = ask(&mut why)?;
+    }
+    Ok(match nearest {
+        Some(found) => Search::Found(Box::new(found)),
+        None => {
+            let none = format!("the motion without impacts touches no stop within {reach} of {start:?}");
+            Search::Nothing(if least.gap < 0.0 { why } else { [vec![none], why].concat() }.join("; "))
         }
-        return Ok(Search::Nothing(reason));
-    };
-    let parameter = polish(&look, near)?;
-    Ok(Search::Found(Box::new(Grazing::of(parameter, &look(parameter)?.0)?)))
+    })
 }
 
 /// The motion at a value of the parameter that is nearest to the one looked at before.

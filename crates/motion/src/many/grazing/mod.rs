@@ -26,4 +26,4 @@ pub use free::{FreeMotion, LeastGap};
 pub use half::HalfPeriod;
 pub use linear::{LinearTouch, LinearTouches, Unseen, touches};
 pub use locate::own_reach;
-pub use locate::{Grazing, Search, locate};
+pub use locate::{Further, Grazing, Search, locate};

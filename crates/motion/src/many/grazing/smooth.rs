@@ -75,15 +75,12 @@ pub(super) fn find(
     let drift = (RealMatrix::identity(2 * n, 2 * n) - phi).lu().solve(&change).ok_or_else(|| {
         Error::input("the motion without impacts has a multiplier 1: it does not follow the parameter")
     })?;
+    let begin = start.iter().zip(drift.iter()).map(|(x, slope)| Gradient([*x, *slope])).collect();
+    let path = smooth.flow.path(&program, begin, TAU);
+    let path = path.ok_or_else(|| Error::input("the motion without impacts cannot be followed"))?;
     let mut count = SAMPLES[0];
     loop {
-        let mut now: Vec<Gradient<2>> =
-            start.iter().zip(drift.iter()).map(|(x, slope)| Gradient([*x, *slope])).collect();
-        let (mut samples, step) = (Vec::with_capacity(count), TAU / count as f64);
-        for i in 0..count {
-            samples.push(now[..n].to_vec());
-            now = smooth.flow.carried(&program, now, i as f64 * step, step);
-        }
+        let samples = path.samples(count, TAU);
         // Harmonics that have not died out where the samples end would be told wrongly: twice as many then.
         let [motion, drift] = [0, 1].map(|part| harmonics(&samples, |x| x.part(part)));
         if let (Some(motion), Some(drift)) = (motion, drift) {
@@ -103,14 +100,10 @@ fn newton(stage: &Stage, mut state: State) -> Option<(State, RealMatrix)> {
     let norm = |x: &RealVector| (&upper * x.rows(0, n)).norm().max((&upper * x.rows(n, n)).norm());
     let (mut first, mut last) = (None, f64::INFINITY);
     for _ in 0..STEPS {
-        let end = smooth.after(Time::new(0, 0.0), &state, TAU);
+        let (end, phi) = smooth.flow.flown(&state, TAU);
         let x = stacked(&state.q, &state.u);
-        let off = stacked(&end.q, &end.u) - &x;
-        if off.iter().any(|x| !x.is_finite()) {
-            return None;
-        }
-        let phi = smooth.transition(&state, TAU);
-        if phi.iter().any(|x| !x.is_finite()) {
+        let off = end - &x;
+        if off.iter().chain(phi.iter()).any(|x| !x.is_finite()) {
             return None;
         }
         let change = (RealMatrix::identity(2 * n, 2 * n) - &phi).lu().solve(&off)?;

@@ -199,7 +199,7 @@ impl SmoothStage {
 
     /// ∂(q, q′) after a duration by (q, q′) before, of a machine without a recorded force.
     pub fn transition(&self, state: &State, duration: f64) -> RealMatrix {
-        self.flow.transition(state, duration)
+        self.flow.flown(state, duration).1
     }
 
     /// The same over one step, no longer than `longest`, with a recorded force, if there is one; and how far

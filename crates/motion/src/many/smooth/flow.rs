@@ -165,20 +165,22 @@ impl SmoothFlow {
         (all, by_time)
     }
 
-    /// ∂(q, q′) after a duration by (q, q′) before; NaN where the motion cannot be followed.
-    pub fn transition(&self, state: &State, duration: f64) -> RealMatrix {
+    /// (q, q′) after a duration, and its derivatives by (q, q′) before; NaN where the motion cannot be
+    /// followed.
+    pub fn flown(&self, state: &State, duration: f64) -> (RealVector, RealMatrix) {
         let n = self.size;
         let from: Vec<f64> = state.q.iter().chain(state.u.iter()).copied().collect();
-        let mut all = RealMatrix::zeros(2 * n, 2 * n);
+        let (mut now, mut all) = (RealVector::zeros(2 * n), RealMatrix::zeros(2 * n, 2 * n));
         for first in (0..2 * n).step_by(WIDTH) {
             let end = self.carried(&self.varied, seeded(&from, first), state.t, duration);
-            for j in first..(first + WIDTH).min(2 * n) {
-                for i in 0..2 * n {
+            for i in 0..2 * n {
+                now[i] = end[i].part(0);
+                for j in first..(first + WIDTH).min(2 * n) {
                     all[(i, j)] = end[i].part(1 + j - first);
                 }
             }
         }
-        all
+        (now, all)
     }
 
     /// The same over one step, no longer than `longest`, and how far that goes: as far as the derivatives in
@@ -212,9 +214,38 @@ impl SmoothFlow {
 
     /// A motion whose numbers carry what they carry, by a program of the same machine.
     pub fn carried<S: Scalar>(&self, program: &Program<S>, from: Vec<S>, t: f64, duration: f64) -> Vec<S> {
-        let (end, steps) = carry(program, &self.metric, from, t, duration);
+        let (end, steps) = carry(program, &self.metric, from, (t, duration), |_| {});
         self.stepped(steps);
         end
+    }
+
+    /// The same from phase 0 on, at all times between; none where it cannot be followed.
+    pub fn path<S: Scalar>(&self, program: &Program<S>, from: Vec<S>, duration: f64) -> Option<Path<S>> {
+        let mut steps = Vec::new();
+        let (end, count) = carry(program, &self.metric, from, (0.0, duration), |step| steps.push(step));
+        self.stepped(count);
+        end.iter().all(|x| x.part(0).is_finite()).then_some(Path(steps))
+    }
+}
+
+/// A motion from phase 0 on, step by step.
+pub(crate) struct Path<S>(Vec<Step<S>>);
+
+impl<S: Scalar> Path<S> {
+    /// Its displacements at that many evenly spaced times of a duration, the first at its beginning.
+    pub fn samples(&self, count: usize, duration: f64) -> Vec<Vec<S>> {
+        let (mut begin, mut steps) = (0.0, self.0.iter().peekable());
+        let one = |i: usize| {
+            let t = duration * i as f64 / count as f64;
+            while let Some(passed) = steps.next_if(|step| begin + step.h < t) {
+                begin += passed.h;
+            }
+            let Some(step) = steps.peek() else { return Vec::new() };
+            let x = (t - begin) / step.h;
+            let at = |row: &Vec<S>| row.iter().rev().fold(S::constant(0.0), |p, c| p.scaled(x) + *c);
+            step.rows.iter().map(at).collect()
+        };
+        (0..count).map(one).collect()
     }
 }
 
@@ -340,13 +371,13 @@ fn suited<S: Scalar>(program: &Program<S>, metric: &RealMatrix, rows: &Rows<S>, 
     program.suited(rows, far, LEAST / trial, fits)
 }
 
-/// The end of a motion, and in how many steps.
+/// The end of a motion, and in how many steps, each of which is shown.
 fn carry<S: Scalar>(
     program: &Program<S>,
     metric: &RealMatrix,
     mut from: Vec<S>,
-    begin: f64,
-    duration: f64,
+    (begin, duration): (f64, f64),
+    mut shown: impl FnMut(Step<S>),
 ) -> (Vec<S>, u64) {
     let (n, mut left, mut t, mut steps) = (metric.nrows(), duration, begin, 0);
     while left > 0.0 {
@@ -361,6 +392,7 @@ fn carry<S: Scalar>(
         }
         left = if step.h < left { left - step.h } else { 0.0 };
         t = begin + duration - left;
+        shown(step);
     }
     (from, steps)
 }

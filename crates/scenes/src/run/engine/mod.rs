@@ -34,7 +34,7 @@ use crate::{
     error::{Error, Result},
     many::{
         Machine,
-        grazing::{LinearTouches, touches},
+        grazing::{LinearTouch, LinearTouches, touches},
     },
     pattern::{Map, Report},
     scene::{
@@ -296,6 +296,35 @@ pub(crate) fn linear_touches<E: Engine>(
         Err(error) if error.is_interrupted() => Err(error),
         found => Ok(found.ok()),
     }
+}
+
+/// That there is no orbit to begin with, and where to look: at the touch of the motion without impacts, if
+/// it is known. Of one overdamped coordinate all is born beyond it: with real eigenvalues and γ > 0 no γu_n
+/// is negative.
+///
+/// # Errors
+/// An interruption.
+pub(crate) fn no_orbit<E: Engine>(engine: &E, family: &E::Family, name: &str, job: &Job) -> Result<String> {
+    let mut said = format!("no admissible orbit to begin with at {name} = {}", E::value(family));
+    let touches = linear_touches(engine, family, None, job)?;
+    if let Some(LinearTouch { parameter, rate, stop, .. }) =
+        touches.and_then(|all| all.found.into_iter().next())
+    {
+        said += &format!(
+            "; the motion without impacts touches stop {stop} at {name} = {parameter}, where orbits with impacts are born"
+        );
+        let [c, m, k] = match engine.linear(family, parameter) {
+            Ok(Some([Machine { size: 1, damping, mass, stiffness, stops, .. }, _])) if stops.len() == 1 => {
+                [damping, mass, stiffness].map(|all| all.iter().map(|entry| entry.2).sum::<f64>())
+            }
+            _ => [0.0; 3],
+        };
+        if k > 0.0 && c * c > 4.0 * k * m {
+            let side = if rate < 0.0 { ">" } else { "<" };
+            said += &format!(": of this overdamped machine all of them for {name} {side} {parameter}");
+        }
+    }
+    Ok(said)
 }
 
 /// Those that a task asks for, at least one, or why there are none; nothing where they are not known at

@@ -47,6 +47,9 @@ fn tables(found: &DiagramFindings, job: &Job) -> Result<Vec<String>> {
         Some(sweep) => vec![job.csv(&sweep.windows, "-windows.csv")?, job.csv(&sweep.jumps, "-jumps.csv")?],
         None => vec![job.csv(&found.windows, "-windows.csv")?],
     };
+    if let Some(bands) = &found.bands {
+        files.push(job.csv(bands, "-bands.csv")?);
+    }
     files.extend(proofs(found.proofs.as_ref(), job)?);
     Ok(files)
 }

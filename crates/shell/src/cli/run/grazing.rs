@@ -13,6 +13,9 @@ pub(super) fn keep(found: &GrazingReport, job: &Job) -> Result<Vec<String>> {
     if let Some(seen) = &found.seen {
         files.push(job.csv(seen, "-seen.csv")?);
     }
+    if let Some(bands) = &found.bands {
+        files.push(job.csv(bands, "-bands.csv")?);
+    }
     if let Some(hits) = &found.hits {
         files.push(job.csv(hits, "-hits.csv")?);
     }

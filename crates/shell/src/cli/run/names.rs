@@ -35,15 +35,23 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             Picture,
             Fixed(".csv"),
             Fixed("-windows.csv"),
+            Fixed("-bands.csv"),
             Fixed("-jumps.csv"),
             Fixed("-proofs.csv"),
             Numbered("", ".certificate"),
             State(".checkpoint"),
         ],
-        Kind::DiagramTask(task) if task.sweep.is_some() => {
-            &[Picture, Fixed(".csv"), Fixed("-windows.csv"), Fixed("-jumps.csv"), State(".checkpoint")]
+        Kind::DiagramTask(task) if task.sweep.is_some() => &[
+            Picture,
+            Fixed(".csv"),
+            Fixed("-windows.csv"),
+            Fixed("-bands.csv"),
+            Fixed("-jumps.csv"),
+            State(".checkpoint"),
+        ],
+        Kind::DiagramTask(_) => {
+            &[Picture, Fixed(".csv"), Fixed("-windows.csv"), Fixed("-bands.csv"), State(".checkpoint")]
         }
-        Kind::DiagramTask(_) => &[Picture, Fixed(".csv"), Fixed("-windows.csv"), State(".checkpoint")],
         Kind::ResponseTask(_) => &[
             Picture,
             Fixed(".csv"),
@@ -57,6 +65,7 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             Fixed(".csv"),
             Fixed("-touches.csv"),
             Fixed("-seen.csv"),
+            Fixed("-bands.csv"),
             Fixed("-hits.csv"),
             Fixed("-influence.csv"),
             Fixed("-proofs.csv"),
@@ -75,6 +84,7 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             Fixed(".csv"),
             Fixed("-touches.csv"),
             Fixed("-seen.csv"),
+            Fixed("-bands.csv"),
             Fixed("-hits.csv"),
             Fixed("-influence.csv"),
         ],

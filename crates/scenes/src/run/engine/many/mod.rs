@@ -34,8 +34,8 @@ use crate::{
     many::{
         Family, Machine, State,
         attracting::attracting,
-        grazing::{Grazing, LinearTouches, Search, locate, own_reach},
-        orbit::{Admissibility, Itinerary, Orbit},
+        grazing::{Further, Grazing, LinearTouches, Search, locate, own_reach},
+        orbit::{Admissibility, Itinerary, Orbit, find_from},
         section::{self, PlanarMachine, Point},
         simulate::Simulator,
     },
@@ -297,14 +297,14 @@ impl<'j> Engine for Machines<'j> {
         let reach = task.reach.map_or_else(|| own_reach(family, from, near.as_ref()), Ok)?;
         let event = match touches.found.first() {
             Some(nearest) => Grazing::at(family, nearest.parameter)?,
-            None => match locate(family, start, reach, near.as_ref())? {
-                Search::Found(found) => *found,
-                Search::Nothing(reason) if !self.machine.is_smooth() => return Ok(Err(reason)),
-                Search::Nothing(reason) => match self.along_branch(task, family, reach)? {
-                    Ok(found) => found,
-                    Err(why) => return Ok(Err(format!("{reason}; {why}"))),
-                },
-            },
+            None => {
+                let further = |state: &State| self.along_branch(task, (family, state), reach);
+                let further: Option<Further> = if self.machine.is_smooth() { Some(&further) } else { None };
+                match locate(family, start, reach, near.as_ref(), further)? {
+                    Search::Found(found) => *found,
+                    Search::Nothing(reason) => return Ok(Err(reason)),
+                }
+            }
         };
         self.job.check()?;
         let (machine, _) = family.at(event.parameter)?;
@@ -360,16 +360,19 @@ impl<'j> Engine for Machines<'j> {
 }
 
 impl<'j> Machines<'j> {
-    /// The touch of the motion without impacts along its branch, through folds in which the parameter turns;
-    /// the inner error is why there is none.
+    /// The touch of the motion without impacts along its branch, from its state at phase 0, through folds in
+    /// which the parameter turns; the inner error is why there is none.
     fn along_branch(
         &self,
         task: &GrazingTask,
-        family: &MachineSceneFamily<'j>,
+        (family, state): (&MachineSceneFamily<'j>, &State),
         reach: f64,
     ) -> Result<std::result::Result<Grazing, String>> {
         let (source, start) = (self.source(family)?, family.value());
-        let orbits = source.present(&task.orbit)?;
+        let simulator = self.job.machine_simulator(self.machine, &[])?;
+        let known = find_from(&simulator, &Itinerary::free(1)?, &[], Some(state)).ok();
+        let known = known.filter(FollowedOrbit::is_orbit);
+        let orbits = known.map_or_else(|| source.present(&task.orbit), |orbit| Ok(vec![orbit]))?;
         let Some(orbit) = orbits.first() else {
             return Ok(Err(format!("no admissible orbit to follow at {} = {start}", task.parameter)));
         };

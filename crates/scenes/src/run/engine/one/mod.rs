@@ -24,7 +24,7 @@ use super::{
         ValidateFindings,
         rest::{RestsHere, all_rests},
     },
-    Engine, JudgedOrbit, MARGIN, Prover, RangeProver, StartPlane, asked_touches,
+    Engine, JudgedOrbit, MARGIN, Prover, RangeProver, StartPlane, asked_touches, no_orbit,
 };
 use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, swing::Swing},
@@ -321,7 +321,7 @@ impl<'j> Engine for Oscillators<'j> {
         let is_far = |orbit: &&Orbit| task.reach.is_none() && orbit.itinerary.strikes().is_empty();
         let admissible = orbits.iter().find(|orbit| orbit.admissibility.is_admissible());
         let Some(orbit) = admissible.or_else(|| orbits.iter().find(is_far)) else {
-            return Ok(Err(format!("no admissible orbit to begin with at {} = {start}", task.parameter)));
+            return no_orbit(self, family, &task.parameter, self.job).map(Err);
         };
         self.job.check()?;
         let options = task.options.checked()?;
