@@ -135,3 +135,37 @@ fn a_touch_is_rounded_into_its_range() {
         assert_eq!(sides.len(), 2);
     }
 }
+
+/// Chaos that attracts over the drive's own frequency: the period, and all in it, changes with the parameter.
+#[test]
+fn a_frequency_in_hertz_has_its_range() {
+    // Dear: a proof of many machines.
+    if one_in(2) > 1 {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "format = \"grazing-scene 3\"\ntitle = \"hertz\"\n[parameters]\nf = \"40 Hz\"\n[system]\n\
+                 frequency = \"f\"\nmass = \"2 kg\"\ndamping = \"120 N s/m\"\nstiffness = \"0.8 N/mm\"\n\
+                 forcing = [{ cos = \"130 N\" }]\n[[stops]]\nside = \"upper\"\noffset = \"1 mm\"\n\
+                 restitution = \"80 %\"\n";
+    let tasks = [task("grazing", "grazing", "parameter = \"f\"\nseen = false\nattractor = true")];
+    let (report, code, error) = run(scene, &tasks, folder.path());
+    assert_eq!(code, 0, "{error}");
+    let row = &report["tasks"][0]["range"][0];
+    assert_eq!((&row["verdict"], &row["case"]), (&"proved".into(), &"chaos".into()), "{row}");
+    assert_eq!(row["left"], Value::Null);
+    // The amplitude over the gap is 1 at the touch, and no greater than the depth says at the end.
+    let number = |x: &Value| x.as_str().unwrap().parse::<f64>().unwrap();
+    let amplitude = |f: f64| 130.0 / (800.0 - 2.0 * (TAU * f).powi(2)).hypot(120.0 * TAU * f) / 1e-3;
+    let (touch, end) = (number(&row["touch"]), number(&row["end"]));
+    assert!((amplitude(touch) - 1.0).abs() < 1e-14 && end < touch, "{row}");
+    let depth = parse_rational(row["depth"].as_str().unwrap()).unwrap();
+    let inside = depth - parse_rational(&format!("{}", 1.0 - 1.0 / amplitude(end))).unwrap();
+    assert!(inside > parse_rational("-1e-14").unwrap() && inside < parse_rational("1e-3").unwrap(), "{row}");
+    for cell in row["cells"].as_array().unwrap() {
+        let text =
+            std::fs::read_to_string(folder.path().join(cell["certificate"].as_str().unwrap())).unwrap();
+        assert!(text.contains("\nparameter f\n"), "{text}");
+        certificate::check(&mut text.as_bytes()).unwrap();
+    }
+}

@@ -3,7 +3,7 @@
 
 use grazing_scenes::{
     number::parse_rational,
-    run::{Surroundings, run},
+    run::{Findings, Surroundings, run},
     scene::Scene,
 };
 use num_rational::BigRational;
@@ -155,6 +155,8 @@ fn reports_name_their_units() {
     let both = reports(&(machine("", &given) + tasks));
     let [touch, motion] = &both[..] else { panic!("{both:?}") };
     let (text, json) = (format!("{touch:.6}"), serde_json::to_value(touch).unwrap());
+    let json_motion = serde_json::to_value(motion).unwrap();
+    assert_eq!(["radius", "rest", "q"].map(|of| json_motion["units"][of].as_str().unwrap()), ["s", "s", "m"]);
     for wanted in ["F = 400 mN, M = 2 kg, share = 0\n", "value (mN)", "fastest (m/s)", "strongest (N s)"] {
         assert!(text.contains(wanted), "{wanted}: {text}");
     }
@@ -208,23 +210,66 @@ fn another_order_of_magnitude_is_noted_beside_the_touch() {
     }
 }
 
-/// Chaos is proved where damping and stiffness alone are not rational, and what to write is said elsewhere.
+/// A machine, c, k and the restitution, driven a part µ beyond the touch of its stops, and a little more, its
+/// time multiplied by a rate.
+fn chaotic(stops: &[(&str, i32)], [c, k, e]: [&str; 3], [period, rate, more]: [&str; 3]) -> String {
+    let stop = |(side, offset): &(&str, i32)| {
+        format!("[[stops]]\nside = \"{side}\"\noffset = {offset}\nrestitution = \"{e}\"\n")
+    };
+    let drive = format!("(1 + mu)*({more})*({rate})^2");
+    format!(
+        "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nmu = \"1/1000\"\n[system]\n{period}\n\
+         damping = \"({c})*({rate})\"\nstiffness = \"({k})*({rate})^2\"\n\
+         forcing = [{{ cos = \"{drive}*({k} - 1)\", sin = \"-{drive}*{c}\" }}]\n{}[[tasks]]\n\
+         name = \"chaos\"\nkind = \"chaos\"\nparameter = \"mu\"\nfrom = 0\nto = 0.002\n",
+        stops.iter().map(stop).collect::<String>()
+    )
+}
+
+/// What the scene scaled by hand has, exactly where π cancels, else with the same verdict: a wall that
+/// moves, a force, a force between two stops.
 #[test]
 fn chaos_is_proved_in_hertz() {
+    let report = |text: &str| {
+        let mut reports = run(&read(text).unwrap(), Surroundings::default(), &mut ()).unwrap();
+        let Some(Findings::Chaos(found)) = reports.remove(0).findings else { panic!("{text}") };
+        found
+    };
     let text = include_str!("../../examples/scenes/nordmark-2001-chaos.toml");
     let end = text.find("# And while mu").unwrap();
     let hertz = text[..end]
         .replace("damping = \"2*d/w\"", "frequency = 4\ndamping = \"2*d/w*8*pi\"")
         .replace("stiffness = \"1/w^2\"", "stiffness = \"64*pi^2/w^2\"");
-    let reports = run(&read(&hertz).unwrap(), Surroundings::default(), &mut ()).unwrap();
-    let json = serde_json::to_value(&reports[0]).unwrap();
-    assert_eq!((&json["proved"], &json["alphabet"]), (&true.into(), &serde_json::json!([1, 2])));
-    let forced = hertz.replace("[[stops]]", "forcing = [{ cos = 1 }]\n[[stops]]");
-    let error = read(&forced).unwrap_err();
-    assert!(
-        error.contains("is not rational where the period is") && error.contains("write period = "),
-        "{error}"
-    );
+    let (own, hertz) = (report(&text[..end]), report(&hertz));
+    assert!(own.proved && own.text == hertz.text && own.alphabet == [1, 2]);
+    let by_hand = ["", "1", "1"];
+    let machines = [
+        (&[("lower", -1)][..], ["12/49", "100/2401", "1"]),
+        (&[("lower", -1), ("upper", 1)], ["1/8", "25/16", "4/5"]),
+    ];
+    for (stops, machine) in machines {
+        let own = report(&chaotic(stops, machine, by_hand));
+        let rate = report(&chaotic(stops, machine, ["frequency = 4", "8*pi", "1"]));
+        assert!(own.proved && own.text == rate.text && own.alphabet.len() > 1, "{own:?}");
+        // Nothing is a multiple of π, and the touch not quite where it was.
+        let decimals = ["frequency = 4", "25.1327", "10001/10000"];
+        let decimals = report(&chaotic(stops, machine, decimals));
+        assert_eq!((decimals.proved, &decimals.alphabet), (true, &own.alphabet), "{decimals:?}");
+        assert!((decimals.depth[0] - 1e-4).abs() < 5e-5, "{decimals:?}");
+        assert_eq!(decimals.entropy, own.entropy);
+        // Before the touch and beyond it: refused as by hand.
+        let error = read(&chaotic(stops, machine, ["frequency = 4", "25.1327", "9999/10000"])).unwrap_err();
+        assert!(error.contains("grazes the wall within the range"), "{error}");
+    }
+    // Two restitutions that are not rational are one where they are written so.
+    let both = |lower: &str, upper: &str| {
+        let (stops, [c, k, _]) = machines[1];
+        let text = chaotic(stops, [c, k, "E"], by_hand);
+        read(&text.replacen("\"E\"", lower, 1).replacen("\"E\"", upper, 1))
+    };
+    both("\"sqrt(2/3)\"", "\"sqrt(2/3)\"").unwrap();
+    let error = both("\"sqrt(2/3)\"", "\"exp(-0.2)\"").unwrap_err();
+    assert!(error.contains("must be given by the same expression, not sqrt(2/3) and exp(-0.2)"), "{error}");
 }
 
 /// As `--set` and Python's `set` give values: with a unit where the scene's parameter has one.
@@ -249,6 +294,8 @@ fn a_parameter_is_set_in_any_unit() {
             ("F", "3 Nm/kg", "is length^2 time^-2, and in s.toml F is a force"),
             ("F", "soft", "F = \"soft\""),
             ("F", "", "F = \"\""),
+            ("F", "nan", "nan is no number here: every number is finite"),
+            ("F", "0,5 N", "0,5 has a decimal comma: write 0.5"),
             ("G", "1 N", "no parameter \"G\""),
         ] {
             let error = set(&scene, name, text).unwrap_err();
@@ -290,6 +337,12 @@ fn what_does_not_go_together_is_told() {
         ),
         ("\"4 Hz\"", "\"1/4 s\"", "…/4 s, at character 3, is read in two ways: write (…/4) s, or …/(4 s)"),
         ("\"4 Hz\"", "\"4 s\"", "is a time; here stands a frequency, in Hz or the like"),
+        ("damping =", "zeta =", "unknown key \"zeta\": the damping ratio is `damping_ratio` of [system]"),
+        ("damping =", "c =", "unknown key \"c\": the damping is `damping` of [system]"),
+        ("stiffness =", "k =", "unknown key \"k\": the spring is `stiffness` of [system]"),
+        ("frequency =", "f =", "unknown key \"f\": it is called `frequency`"),
+        ("restitution =", "e =", "unknown key \"e\": it is called `restitution`"),
+        ("offset =", "gap =", "unknown key \"gap\": where it stands is `offset`"),
         ("\"4 Hz\"", "\"4 Hz + 3 rad/s\"", "an angular frequency is 2*pi times a frequency"),
         (
             "\"1 mm\"",

@@ -154,3 +154,46 @@ fn bands_are_tables_too() {
         }
     }
 }
+
+/// A table beside a task's tables says which unit each column is in; their heads have names alone.
+#[test]
+fn columns_have_their_units_beside_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = |force: &str, gap: &str| {
+        format!(
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nF = {force}\n[system]\nfrequency = 4\n\
+             damping = 3\nstiffness = 800\nforcing = [{{ cos = \"F\" }}]\n[[stops]]\nside = \"upper\"\n\
+             offset = {gap}\nrestitution = 0.8\n[[tasks]]\nname = \"motion\"\nkind = \"simulate\"\nperiods = 3\n\
+             start = {{ q = 0 }}\n[[tasks]]\nname = \"orbits\"\nkind = \"branch\"\nparameter = \"F\"\n\
+             range = [0.3, 0.5]\nstarts = [{{ attractor = {{ q = 0 }} }}]\n"
+        )
+    };
+    let read = |file: &str| fs::read_to_string(folder.path().join(file)).unwrap();
+    fs::write(folder.path().join("units.toml"), scene("\"400 mN\"", "\"5 mm\"")).unwrap();
+    let (code, text, err) = run("run units.toml -o .", folder.path());
+    assert_eq!(code, 0, "{err}");
+    assert!(text.contains("motion-units.csv") && text.contains("orbits-units.csv"), "{text}");
+    let motion = read("motion-units.csv");
+    assert!(motion.starts_with("file,column,unit\nmotion.csv,time,s\nmotion.csv,q,m\nmotion.csv,u,m/s\n"));
+    assert!(motion.contains("\nmotion-events.csv,radius,s\n"), "{motion}");
+    // There it counts periods.
+    assert!(!motion.contains("period,"), "{motion}");
+    // The picture is over the unit that is written, the table is not.
+    let orbits = read("orbits-units.csv");
+    for line in ["orbits.csv,parameter,mN", "orbits.csv,q,m", "orbits-points.csv,parameters,N"] {
+        assert!(orbits.contains(&format!("\n{line}\n")), "{line}: {orbits}");
+    }
+    for table in [&motion, &orbits] {
+        for line in table.lines().skip(1) {
+            let [file, column, _] = line.split(',').collect::<Vec<_>>()[..] else { panic!("{line}") };
+            assert!(read(file).lines().next().unwrap().split(',').any(|known| known == column), "{line}");
+        }
+    }
+    // Without units there is none, and with them no other head.
+    let head = read("motion.csv").lines().next().unwrap().to_string();
+    fs::write(folder.path().join("bare.toml"), scene("0.4", "0.005")).unwrap();
+    fs::remove_file(folder.path().join("motion-units.csv")).unwrap();
+    run("run bare.toml -o . --only motion", folder.path());
+    assert_eq!(read("motion.csv").lines().next(), Some(&head[..]));
+    assert!(!folder.path().join("motion-units.csv").exists());
+}

@@ -7,6 +7,7 @@
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 pub mod attractor;
+mod between;
 pub mod chaos;
 pub mod machine;
 pub mod orbit;

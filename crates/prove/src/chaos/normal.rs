@@ -88,9 +88,7 @@ impl Normal {
         }
         motion.iter_mut().for_each(|wave| wave.0 /= faster);
         if let Some(upper) = mirror {
-            let offset = upper.offset.clone() - &rest;
-            let motion_above = minus(&waves(&upper.harmonics), &response);
-            check_mirror((&mean, &motion, wall), (&offset, &motion_above, upper), faster)?;
+            check_mirror([wall, upper], &rest, &response, faster)?;
         }
         let top = top(&motion)?;
         let mut force = [BigRational::zero(), BigRational::zero()];
@@ -181,42 +179,39 @@ fn pull(top: &Top, force: &Function, side: Side) -> Result<[BigRational; 2]> {
     top.ratio(&pull, "the force")
 }
 
-/// Refuses two walls that are not each other's mirror images: the lower and the upper one, each with its mean
-/// and its waves as seen from the motion without walls, those of the upper in a time that is slower by a
-/// factor.
+/// Refuses a lower and an upper wall that are not each other's mirror images, as seen from the motion without
+/// walls: its place of rest and its waves. Seen from there they have a period of 2π/`faster`.
 pub(super) fn check_mirror(
-    (mean, motion, wall): (&Function, &[Wave], &Wall<Function>),
-    (upper_mean, upper_motion, upper): (&Function, &[Wave], &Wall<Function>),
+    [wall, upper]: [&Wall<Function>; 2],
+    rest: &Function,
+    response: &[Wave],
     faster: u32,
 ) -> Result<()> {
-    is_mirror_image((mean, motion), (upper_mean, upper_motion), faster)?;
-    if !(wall.restitution.clone() - &upper.restitution).is_zero() {
+    let middle = wall.offset.clone() + &upper.offset;
+    if !(middle - &(rest.clone() * &Function::integer(2, &()))).is_zero() {
+        return asymmetric("their means are not at the same distance from the motion without walls");
+    }
+    // In that period's time −w(t − π) has −(−1)ʲ times the coefficients of w. So where j is odd the motion
+    // without walls is its own image, and is not asked for: it may be known between two numbers only.
+    let is_even = |j: u32| j.is_multiple_of(2 * faster);
+    let image = |(j, [a, b]): &Wave| match is_even(*j) {
+        true => (*j, [-a.clone(), -b.clone()]),
+        false => (*j, [a.clone(), b.clone()]),
+    };
+    let images: Vec<Wave> = waves(&wall.harmonics).iter().map(image).collect();
+    let even = response.iter().filter(|wave| is_even(wave.0));
+    let twice = |x: &Function| x.clone() + x;
+    let even: Vec<Wave> = even.map(|(j, [a, b])| (*j, [twice(a), twice(b)])).collect();
+    if let Some((j, _)) = minus(&images, &minus(&waves(&upper.harmonics), &even)).first() {
+        return asymmetric(&format!(
+            "seen from the motion without walls, harmonic {j} of the upper one is not that of the lower one's image"
+        ));
+    }
+    // Two of which the same is known are one: who makes the system compares what is not rational.
+    if wall.restitution != upper.restitution && !(wall.restitution.clone() - &upper.restitution).is_zero() {
         return asymmetric("their restitutions differ");
     }
     Ok(())
-}
-
-/// Whether the upper wall is −w(t − π) if w(t) is the lower one, seen from the motion without walls: mean
-/// and waves, those of the upper wall in a time that is slower by a factor.
-fn is_mirror_image(
-    (mean, motion): (&Function, &[Wave]),
-    (upper_mean, upper): (&Function, &[Wave]),
-    faster: u32,
-) -> Result<()> {
-    if !(mean.clone() + upper_mean).is_zero() {
-        return asymmetric("their means are not at the same distance from the motion without walls");
-    }
-    // −w(t − π) has −(−1)ʲ times the coefficients of w.
-    let image = motion.iter().map(|(j, [a, b])| {
-        let waves = if j % 2 == 1 { [a.clone(), b.clone()] } else { [-a.clone(), -b.clone()] };
-        (j * faster, waves)
-    });
-    match minus(&image.collect::<Vec<_>>(), upper).first() {
-        None => Ok(()),
-        Some((j, _)) => asymmetric(&format!(
-            "seen from the motion without walls, harmonic {j} of the upper one is not that of the lower one's image"
-        )),
-    }
 }
 
 /// Why two walls are not each other's mirror images.

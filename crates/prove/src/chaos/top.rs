@@ -212,7 +212,8 @@ impl Top {
         }
         let [lo, hi] = self.ratio(mean, "the wall's mean over its amplitude")?;
         let beyond = square.clone() - &(mean.clone() * mean);
-        let open = beyond.constant().is_none() && beyond.ends().is_some_and(|[_, end]| end.is_zero());
+        let open = beyond.constant().is_none()
+            && beyond.ends().is_some_and(|[_, end]| end.iter().all(Zero::is_zero));
         let least = |x: BigRational| if x.is_negative() { BigRational::zero() } else { x };
         if beyond.is_positive() {
             Ok((true, open, [&one + lo, one + hi].map(least)))

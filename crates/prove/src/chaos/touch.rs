@@ -50,16 +50,15 @@ impl Touch {
             return fail("without a spring there is no one motion without the wall");
         }
         let response = response(damping, stiffness, &waves(&system.forcing))?;
-        let offset = wall.offset.clone() - &(system.force.clone() / stiffness);
+        let rest = system.force.clone() / stiffness;
+        let offset = wall.offset.clone() - &rest;
         let motion = minus(&waves(&wall.harmonics), &response);
         let (mean, mut motion) =
             if side == Side::Lower { (offset, motion) } else { (-offset, minus(&[], &motion)) };
         let faster = motion.iter().fold(0, |gcd: u32, wave| gcd.gcd(&wave.0));
         motion.iter_mut().for_each(|wave| wave.0 /= faster);
         if let Some(upper) = mirror {
-            let offset = upper.offset.clone() - &(system.force.clone() / stiffness);
-            let above = minus(&waves(&upper.harmonics), &response);
-            check_mirror((&mean, &motion, wall), (&offset, &above, upper), faster)?;
+            check_mirror([wall, upper], &rest, &response, faster)?;
         }
         let (scale, form) = scaled(&motion)?;
         if !scale.is_positive() || !(-mean.clone()).is_positive() {
@@ -98,9 +97,13 @@ fn scaled(motion: &[Wave]) -> Result<(Function, Vec<Wave>)> {
         return fail("seen from the motion without it, the sign of the wall's motion is not certain");
     };
     let fixed = |part: &Function| {
+        if part.value().is_some() && scale.value().is_some() {
+            return Ok(part.clone() / &scale);
+        }
         // Not constant as it stands, a quotient may be so when common factors are gone.
         let shares = part.ends().zip(scale.ends());
-        let share = shares.and_then(|([part, _], [scale, _])| (!scale.is_zero()).then(|| part / scale));
+        let share =
+            shares.and_then(|([[part, _], _], [[scale, _], _])| (!scale.is_zero()).then(|| part / scale));
         let share = Function::ratio(&share.unwrap_or_else(BigRational::zero), &());
         if !(part.clone() - &(share.clone() * &scale)).is_zero() {
             return fail(

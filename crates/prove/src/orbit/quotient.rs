@@ -8,7 +8,10 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero, pow};
 
-use crate::number::{Real, Sign};
+use crate::{
+    between::{Between, exactly, is_exact, is_zero, negated, product, sum},
+    number::{Real, Sign},
+};
 
 /// The highest power that is kept.
 const DEGREE: usize = 64;
@@ -17,9 +20,6 @@ const BITS: u64 = 1 << 14;
 
 /// The bits after the point of a number that is divided by another that is not exact.
 const SCALE: u64 = 512;
-
-/// A number between two whole ones, which may be one.
-type Between = [BigInt; 2];
 
 /// (P₀ + P₁ p + …)/(Q₀ + Q₁ p + …), each exactly or between two numbers; or too large to be kept, as is then
 /// all that is made of it.
@@ -30,14 +30,6 @@ type Between = [BigInt; 2];
 pub struct Quotient {
     /// Numerator and denominator by rising powers, the last of each not 0 (but for a numerator 0).
     value: Option<[Vec<Between>; 2]>,
-}
-
-fn exactly(x: BigInt) -> Between {
-    [x.clone(), x]
-}
-
-fn is_exact([lo, hi]: &Between) -> bool {
-    lo == hi
 }
 
 impl Quotient {
@@ -92,7 +84,6 @@ impl Quotient {
     }
 
     fn new([mut numerator, mut denominator]: [Vec<Between>; 2]) -> Quotient {
-        let is_zero = |[lo, hi]: &Between| lo.is_zero() && hi.is_zero();
         for list in [&mut numerator, &mut denominator] {
             while list.len() > 1 && list.last().is_some_and(is_zero) {
                 list.pop();
@@ -146,29 +137,6 @@ impl Quotient {
             _ => Quotient { value: None },
         }
     }
-}
-
-fn negated([lo, hi]: &Between) -> Between {
-    [-hi, -lo]
-}
-
-fn sum(a: &[Between], b: &[Between]) -> Vec<Between> {
-    let part =
-        |list: &[Between], i: usize, end: usize| list.get(i).map_or_else(BigInt::zero, |x| x[end].clone());
-    (0..a.len().max(b.len())).map(|i| [0, 1].map(|end| part(a, i, end) + part(b, i, end))).collect()
-}
-
-fn product(a: &[Between], b: &[Between]) -> Vec<Between> {
-    let mut all = vec![exactly(BigInt::zero()); a.len() + b.len() - 1];
-    for (i, x) in a.iter().enumerate() {
-        for (j, y) in b.iter().enumerate() {
-            let ends = [&x[0] * &y[0], &x[0] * &y[1], &x[1] * &y[0], &x[1] * &y[1]];
-            let [lo, hi] = &mut all[i + j];
-            *lo += ends.iter().min().expect("four");
-            *hi += ends.iter().max().expect("four");
-        }
-    }
-    all
 }
 
 impl Neg for Quotient {

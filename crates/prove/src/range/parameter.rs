@@ -38,7 +38,7 @@ pub struct Touching {
     /// Whether there are two walls, each the other's mirror image as seen from the motion without them.
     pub mirrored: bool,
     /// c, k and τ, each the least and the greatest, in a time in which the wall's period is 2π: exactly where
-    /// they do not change with the parameter, else rounded outwards.
+    /// they are rational and do not change with the parameter, else rounded outwards.
     pub parameters: [[BigRational; 2]; 3],
     /// R.
     pub ratio: RationalFunction,
@@ -46,6 +46,8 @@ pub struct Touching {
     pub top: [BigRational; 2],
     /// The harmonics of the wall's motion g, their orders increasing; its top is g(0) = 1.
     pub harmonics: Vec<Term>,
+    /// Whether damping, stiffness or restitution may change with the parameter.
+    pub changes: bool,
 }
 
 impl Touching {
@@ -57,19 +59,14 @@ impl Touching {
     /// restitution that are not between their values at the range's ends.
     pub fn of(system: &System<RationalFunction>, side: Option<Side>) -> Result<Touching> {
         let Touch { mirrored, parameters, ratio, top, harmonics } = Touch::of(system, side)?;
+        let changes = parameters.iter().any(|x| x.value().is_none());
         let [damping, stiffness, restitution] = &parameters;
         let parameters = [
             beyond(damping.bounded("the damping")?),
             beyond(stiffness.bounded("the stiffness")?),
             beyond(restitution.bounded("the restitution")?),
         ];
-        Ok(Touching { mirrored, parameters, ratio, top, harmonics })
-    }
-
-    /// Whether damping, stiffness or restitution change with the parameter.
-    #[must_use]
-    pub fn changes(&self) -> bool {
-        self.parameters.iter().any(|[lo, hi]| lo != hi)
+        Ok(Touching { mirrored, parameters, ratio, top, harmonics, changes })
     }
 }
 
@@ -124,18 +121,19 @@ pub fn parameter_range(
     behind: bool,
 ) -> Result<Option<ParameterRange>> {
     let one = BigRational::one();
-    let ratio = |p: &BigRational| -> Result<BigRational> {
-        let ratio = Touching::of(&system(p, p)?, side)?.ratio;
-        ratio.constant().ok_or_else(|| fail("the wall's height is not a number"))
+    let ratio = |p: &BigRational| -> Result<[BigRational; 2]> {
+        let ratio = Touch::of(&system(p, p)?, side)?.ratio;
+        ratio.value().ok_or_else(|| fail("the wall's height is not a number"))
     };
-    let [least, greatest] = Touching::of(&system(start, start)?, side)?.top;
-    let on_side = |r: &BigRational| if behind { *r < least } else { *r > greatest };
-    let on_other = |r: &BigRational| if behind { *r >= greatest } else { *r <= least };
+    let [least, greatest] = Touch::of(&system(start, start)?, side)?.top;
+    // Of R's least and greatest.
+    let on_side = |[lo, hi]: &[BigRational; 2]| if behind { *hi < least } else { *lo > greatest };
+    let on_other = |[lo, hi]: &[BigRational; 2]| if behind { *lo >= greatest } else { *hi <= least };
     // ν ≤ depth, whatever h is: √R ≥ (1 − depth) √h beyond, √R ≤ (1 + depth) √h before.
     let limit = if behind { &one - depth } else { &one + depth };
     let square = if limit.is_positive() { &limit * &limit } else { BigRational::zero() };
     let square = square * if behind { &greatest } else { &least };
-    let inside = |r: &BigRational| on_side(r) && if behind { *r >= square } else { *r <= square };
+    let inside = |r: &[BigRational; 2]| on_side(r) && if behind { r[0] >= square } else { r[1] <= square };
     // Which way, and a point on either side of the touch.
     let (left, right) = (start - unit, start + unit);
     let both = [ratio(&left)?, ratio(&right)?];
@@ -151,7 +149,7 @@ pub fn parameter_range(
     let lo = edge(&|p| Ok(on_other(&ratio(p)?)), &outer, &first)?;
     let touch = if lo < hi { [lo.clone(), hi.clone()] } else { [hi.clone(), lo.clone()] };
     let short = simplest(&touch[0], &touch[1]);
-    let exactly = least == greatest && ratio(&short)? == least;
+    let exactly = least == greatest && ratio(&short)?.iter().all(|r| *r == least);
     let touch = if exactly { [short.clone(), short] } else { touch };
     if !inside(&ratio(&hi)?) {
         return Ok(None);
@@ -160,7 +158,7 @@ pub fn parameter_range(
     // R runs one way from the outer point to the end.
     for _ in 0..STEPS {
         let (from, to) = if outer < end { (&outer, &end) } else { (&end, &outer) };
-        if Touching::of(&system(from, to)?, side)?.ratio.runs_one_way() {
+        if Touch::of(&system(from, to)?, side)?.ratio.runs_one_way() {
             return Ok(Some(ParameterRange { touch, end }));
         }
         end = shorter(&hi, &end);
@@ -179,13 +177,13 @@ pub fn is_as_deep(
     depth: &BigRational,
     behind: bool,
 ) -> Result<bool> {
-    let Touching { ratio, top: [least, greatest], .. } = Touching::of(&system(parameter, parameter)?, side)?;
-    let Some(ratio) = ratio.constant() else { return Ok(false) };
+    let Touch { ratio, top: [least, greatest], .. } = Touch::of(&system(parameter, parameter)?, side)?;
+    let Some([lo, hi]) = ratio.value() else { return Ok(false) };
     let one = BigRational::one();
     // √R ≤ (1 − depth) √h beyond, √R ≥ (1 + depth) √h before, whatever h is.
     let limit = if behind { one - depth } else { one + depth };
     let square = &limit * &limit;
-    Ok(!limit.is_negative() && if behind { ratio <= square * least } else { ratio >= square * greatest })
+    Ok(!limit.is_negative() && if behind { hi <= square * least } else { lo >= square * greatest })
 }
 
 /// The fraction of the least denominator from lo to hi.
@@ -248,8 +246,63 @@ pub(super) fn edge(
 
 #[cfg(test)]
 mod tests {
-    use super::simplest;
-    use crate::number::parse_rational;
+    use num_rational::BigRational;
+
+    use super::{parameter_range, simplest};
+    use crate::{
+        chaos::RationalFunction,
+        motion::{Harmonic, Side, System, Wall},
+        number::{Ball, Elementary, Precision, Real, parse_rational},
+    };
+
+    /// 2q″ + 6q′ + 800q = 2/5 cos wt below 1/1000, w as it is or 2π times a number of hertz.
+    fn driven(frequency: &RationalFunction, turn: &RationalFunction) -> System<RationalFunction> {
+        let number = |p: i64, q: i64| RationalFunction::ratio(&BigRational::new(p.into(), q.into()), &());
+        let w = frequency.clone() * turn;
+        let square = w.clone() * &w;
+        let wall = Wall { offset: number(1, 1000), harmonics: Vec::new(), restitution: number(4, 5) };
+        let drive = Harmonic { k: 1, cos: number(1, 5) / &square, sin: number(0, 1) };
+        System {
+            rate: None,
+            damping: number(3, 1) / &w,
+            stiffness: number(400, 1) / &square,
+            cubic: number(0, 1),
+            force: number(0, 1),
+            forcing: vec![drive],
+            smooth: None,
+            lower: None,
+            upper: Some(wall),
+        }
+    }
+
+    #[test]
+    fn a_frequency_has_its_range_in_hertz_too() {
+        let at = |text: &str| parse_rational(text).unwrap();
+        let (lo, hi) = Ball::pi(&Precision::new(256)).exact_bounds().unwrap();
+        let turn = RationalFunction::between([&(&lo * at("2")), &(&hi * at("2"))]);
+        for (behind, depth) in [(false, "1/10"), (true, "1/10")] {
+            let range = |turn: &RationalFunction, start: &str| {
+                let system = |from: &BigRational, to: &BigRational| {
+                    Ok(driven(&RationalFunction::range(from, Some(to)), turn))
+                };
+                let unit = at(start) * at("1e-6");
+                parameter_range(&system, None::<Side>, [&at(start), &unit], &at(depth), behind)
+                    .unwrap()
+                    .unwrap()
+            };
+            let own = range(&RationalFunction::integer(1, &()), "24.2144771");
+            let hertz = range(&turn, "3.85385373");
+            // The digits of π that are known are more than those of an edge.
+            let same = |hertz: &BigRational, own: &BigRational| {
+                let apart = hertz * &lo * at("2") / own - at("1");
+                assert!(apart < at("1e-17") && apart > at("-1e-17"), "{hertz} {own}");
+            };
+            same(&hertz.touch[0], &own.touch[0]);
+            same(&hertz.touch[1], &own.touch[1]);
+            same(&hertz.end, &own.end);
+            assert!(hertz.touch[0] < hertz.touch[1]);
+        }
+    }
 
     #[test]
     fn the_simplest_fraction_is_the_first_by_denominator() {

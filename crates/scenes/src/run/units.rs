@@ -33,7 +33,7 @@ use What::{
 const COLUMNS: &[(What, &[&str], &[&str])] = &[
     (Length, &[], &["extent", "gap", "least_gap", "largest_gap", "path", "minimum_depth"]),
     (Length, &[], &["extent_before", "extent_after", "gap_before", "gap_after"]),
-    (Length, &["simulate"], &["q", "radius", "gap_change"]),
+    (Length, &["simulate"], &["q", "gap_change"]),
     (Length, &["rest"], &["q"]),
     (Length, &["response"], &["swing", "amplitude"]),
     (Length, &["crisis"], &["corner_q", "corner_gap", "offset"]),
@@ -46,7 +46,7 @@ const COLUMNS: &[(What, &[&str], &[&str])] = &[
     (Force, &["simulate"], &["force", "residual", "bound"]),
     (Impulse, &[], &["strongest", "impulse"]),
     (Energy, &[], &["dissipated", "energy"]),
-    (Time, &["simulate"], &["period", "time", "longest", "duration"]),
+    (Time, &["simulate"], &["period", "time", "longest", "duration", "radius", "rest"]),
     (Frequency, &["simulate"], &["frequency"]),
     (Volume, &[], &["volume"]),
     (Wear, &["simulate"], &["rate"]),

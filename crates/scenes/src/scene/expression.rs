@@ -18,8 +18,8 @@ use super::{
 use crate::{
     error::{Error, Result},
     formula::{Formula, Function, Operation},
-    number::{Ball, BoundedFraction, Elementary, FloatInterval, Plain, Real, Sign},
-    search::chaos::RationalFunction,
+    number::{Ball, BoundedFraction, Elementary, FloatInterval, Plain, Precision, Real, Sign},
+    search::{chaos::RationalFunction, orbit::Quotient},
 };
 
 /// The most bits of an exact value's numerator and denominator, not in lowest terms, at every step of its
@@ -116,6 +116,11 @@ impl Expression {
         Expression::of(&root, &format!("({self})^{n}"), &self.key)
     }
 
+    /// Whether its values are rational where its parameters' are.
+    pub(crate) fn is_rational(&self) -> bool {
+        self.root.is_rational()
+    }
+
     /// Whether it is a zero written out.
     pub(super) fn is_zero(&self) -> bool {
         matches!(&self.root, Formula::Number(value) if value.is_zero())
@@ -187,16 +192,60 @@ macro_rules! elementary {
 }
 elementary! { Plain, Ball, crate::search::orbit::Jet }
 
-/// A root of what does not vary may be a fraction.
-impl Coefficient for RationalFunction {
+/// Of numbers that are not rational in quotients of polynomials: more than the digits of a certificate take.
+const BITS: u32 = 256;
+
+/// π, between two numbers.
+fn pi_between() -> Result<[BigRational; 2]> {
+    let bounds = <Ball as Elementary>::pi(&Precision::new(BITS)).exact_bounds();
+    bounds.map(|(lo, hi)| [lo, hi]).ok_or_else(|| irrational("pi"))
+}
+
+/// A function's values between two numbers.
+fn call_between(function: Function, x: Option<[BigRational; 2]>) -> Result<[BigRational; 2]> {
+    let not =
+        || Error::input(format!("{}(…) is no quotient of polynomials in the parameter", function.name()));
+    let [lo, hi] = x.ok_or_else(not)?;
+    if let Some(value) = function.exactly(&lo).filter(|_| lo == hi) {
+        return Ok([value.clone(), value]);
+    }
+    let precision = Precision::new(BITS);
+    let bounds = call(function, &Ball::between(&lo, &hi, &precision), &precision)?.exact_bounds();
+    bounds.map(|(lo, hi)| [lo, hi]).ok_or_else(not)
+}
+
+/// The elementary functions of numbers, of what is a quotient of polynomials in a parameter: a function of
+/// the parameter is none.
+macro_rules! between {
+    ($($type:ty: $value:expr),+) => {
+        $(impl Coefficient for $type {
+            fn pi((): &()) -> Result<Self> {
+                Ok(Self::between(pi_between()?.each_ref()))
+            }
+
+            fn call(function: Function, x: &Self, (): &()) -> Result<Self> {
+                Ok(Self::between(call_between(function, $value(x))?.each_ref()))
+            }
+        })+
+    };
+}
+between! { Quotient: Quotient::constant, RationalFunction: RationalFunction::value }
+
+/// Of what lies between floats.
+impl Coefficient for FloatInterval {
+    fn pi((): &()) -> Result<Self> {
+        Ok(wide(pi_between()?))
+    }
+
     fn call(function: Function, x: &Self, (): &()) -> Result<Self> {
-        let value = x.constant().and_then(|x| function.exactly(&x));
-        value
-            .map(|value| Self::ratio(&value, &()))
-            .ok_or_else(|| irrational(&format!("{}(…)", function.name())))
+        call_between(function, x.exact_bounds().map(|(lo, hi)| [lo, hi])).map(wide)
     }
 }
-impl Coefficient for FloatInterval {}
+
+fn wide(ends: [BigRational; 2]) -> FloatInterval {
+    let [lo, hi] = ends.map(|x| FloatInterval::ratio(&x, &()));
+    FloatInterval::from_bounds(lo.lo(), hi.hi())
+}
 
 impl Coefficient for Dual {
     fn pi((): &()) -> Result<Self> {

@@ -94,8 +94,14 @@ fn foreign(format: SceneFormat, path: &str, key: &str) -> Option<String> {
             "how often the forcing repeats is `frequency` or `period` of [system]"
         }
         "amplitude" => "the forcing is a list of harmonics in [system]: forcing = [{ cos = … }]",
+        "c" if path == "system" => "the damping is `damping` of [system]",
+        "zeta" | "ζ" => "the damping ratio is `damping_ratio` of [system]",
+        "f" | "freq" | "hz" if path == "system" => "it is called `frequency`",
         "spring" | "k_spring" => "the spring is `stiffness` of [system]",
+        "k" if path == "system" => "the spring is `stiffness` of [system]",
+        "e" | "cor" if path.starts_with("stops[") => "it is called `restitution`",
         "tau" | "coefficient_of_restitution" => "it is called `restitution`",
+        "gap" | "clearance" if path.starts_with("stops[") => "where it stands is `offset`",
         "wall" | "walls" | "stop" if format == SceneFormat::Three => {
             "stops stand in [[stops]], one table each"
         }

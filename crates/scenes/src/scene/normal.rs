@@ -5,10 +5,8 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::{
-    chaos::{Alphabet, ChaosTask, LONGEST, ParameterCell, Periods},
-    hidden::is_hidden,
+    chaos::{Alphabet, ChaosTask, LONGEST, Periods},
     scene::Scene,
-    tolerance::{Tolerance, Tolerances},
 };
 use crate::{
     error::{Error, Result},
@@ -89,15 +87,6 @@ impl ChaosTask {
     }
 
     fn normal_form(&self, scene: &Scene) -> Result<Normal> {
-        let given = self.cell.0.iter().map(|(name, range)| (name.clone(), Tolerance::Between(range.clone())));
-        // Numbers that are not rational are parameters of the cell.
-        if let Some((scene, Tolerances(all))) =
-            scene.with_hidden(self.parameter.as_deref(), &Tolerances(given.collect()))?
-        {
-            let about = |(name, range): (String, Tolerance)| (name, range.about(&BigRational::zero()));
-            let cell = ParameterCell(all.into_iter().map(about).collect());
-            return ChaosTask { cell, ..self.clone() }.normal_form(&scene);
-        }
         let cell = &self.cell.0;
         let in_cell = |name: &String| cell.iter().find(|(other, _)| other == name).map(|(_, range)| range);
         let varies = |name: &String| self.parameter.as_ref() == Some(name);
@@ -113,16 +102,19 @@ impl ChaosTask {
             .collect();
         let system = scene.system()?;
         let varied = system.in_radians().try_map(|expression| expression.evaluate(&functions, &()))?;
-        if cell.is_empty() {
-            return Normal::of(&varied, None, self.side());
-        }
         if let (None, Some(lower), Some(upper)) = (self.side(), &system.lower, &system.upper) {
-            let (one, other) = (lower.restitution.to_string(), upper.restitution.to_string());
-            if one != other {
+            let both = [lower, upper].map(|wall| &wall.restitution);
+            let [one, other] = both.map(ToString::to_string);
+            // What is no number of its own is compared as it is written.
+            let are_numbers = cell.is_empty() && both.iter().all(|x| x.is_rational());
+            if one != other && !are_numbers {
                 return Err(Error::input(format!(
-                    "with a cell both walls' restitutions must be given by the same expression, not {one} and {other}, or side must say which wall is met"
+                    "both walls' restitutions must be given by the same expression, not {one} and {other}, or side must say which wall is met"
                 )));
             }
+        }
+        if cell.is_empty() {
+            return Normal::of(&varied, None, self.side());
         }
         let ranged = |index: usize| in_cell(&scene.parameters[index].0).is_some();
         let walls = [&system.lower, &system.upper].into_iter().flatten();
@@ -132,12 +124,6 @@ impl ChaosTask {
             .chain(walls.map(|wall| &wall.offset))
             .chain([&system.force, &system.cubic]);
         if let Some(expression) = others.find(|expression| expression.mentions(&ranged)) {
-            if expression.mentions(&|index| is_hidden(&scene.parameters[index].0)) {
-                return Err(Error::input(format!(
-                    "{expression} is not rational where the period is 2π; only damping, stiffness and restitution may be \
-                     such. A force in hertz is: write period = \"2*pi/w\" with an angular frequency w"
-                )));
-            }
             return Err(Error::input(format!(
                 "{expression} depends on a parameter of the cell; only damping, stiffness and restitution may"
             )));
@@ -168,8 +154,9 @@ impl ChaosTask {
             if !expression.mentions(&free) {
                 let exact: Vec<BigRational> =
                     scene.parameters.iter().map(|(_, value)| value.clone()).collect();
-                let value = expression.evaluate(&exact, &())?;
-                return Ok([value.clone(), value]);
+                if let Ok(value) = expression.evaluate(&exact, &()) {
+                    return Ok([value.clone(), value]);
+                }
             }
             let value = expression.evaluate(&intervals, &())?;
             let bounds = value.exact_bounds().map(|(lo, hi)| [lo, hi]);

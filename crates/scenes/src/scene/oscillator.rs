@@ -22,7 +22,7 @@ use super::{
 };
 use crate::{
     error::Result,
-    formula::{Formula, Operation},
+    formula::{Formula, Function, Operation},
     motion::{Harmonic, Q, Side, SmoothForce, System, TIME, U, Wall},
 };
 
@@ -65,7 +65,7 @@ pub(super) fn oscillator(
     };
     // Forces per mass in the unit of time in which a radian takes 1.
     let per_radian = |given: &Expression, times: i32| match &radian {
-        Some(radian) if !given.is_zero() => given.times(&radian.to_the(times)),
+        Some(radian) if !given.is_zero() => cancelled(&given.times(&radian.to_the(times))),
         _ => given.clone(),
     };
     let over_mass = |given: &Expression, times: i32| {
@@ -217,8 +217,7 @@ fn in_radians(force: &SmoothForce<Expression>, radian: &Expression) -> SmoothFor
     SmoothForce { formula: Arc::new(formula), text: force.text.clone(), coefficients }
 }
 
-/// The time in which the forcing's phase goes on by a radian: T/2π, without π where that can be taken out;
-/// none where it is 1 whatever the parameters are.
+/// The time in which the forcing's phase goes on by a radian, T/2π; none where it is 1 for all parameters.
 fn radian(keys: &SystemKeys) -> Option<Expression> {
     let two = || Formula::Number(BigRational::from_integer(2.into()));
     let quotient = |a, b| Formula::Binary(Operation::Quotient, Box::new([a, b]));
@@ -232,27 +231,46 @@ fn radian(keys: &SystemKeys) -> Option<Expression> {
         },
         (None, None) => return None,
     };
-    let over = over_pi(&above).unwrap_or_else(|| quotient(above, Formula::Pi));
-    let root = quotient(over, product(two(), below));
+    let root = quotient(quotient(above, Formula::Pi), product(two(), below));
     let text = if keys.period.is_some() { format!("({key})/(2*pi)") } else { format!("1/(2*pi*({key}))") };
-    Some(Expression::of(&root, &text, &key.key)).filter(|radian| !is_one(radian))
+    Some(cancelled(&Expression::of(&root, &text, &key.key))).filter(|radian| !is_one(radian))
 }
 
-/// The formula over π, where π is a factor that can be taken out of it.
-fn over_pi(formula: &Formula) -> Option<Formula> {
-    let one = Formula::Number(BigRational::one());
-    match formula {
-        Formula::Pi => Some(one),
-        Formula::Negated(inner) => Some(Formula::Negated(Box::new(over_pi(inner)?))),
-        Formula::Binary(operation @ (Operation::Product | Operation::Quotient), parts) => {
-            let [left, right] = &**parts;
-            let parts = match (over_pi(left), operation) {
-                (Some(left), _) => [left, right.clone()],
-                (None, Operation::Product) => [left.clone(), over_pi(right)?],
-                _ => return None,
+/// A formula as another one times a power of π, which is taken out of products, quotients, powers and roots,
+/// and out of sums where both parts have the same.
+fn without_pi(formula: &Formula) -> (Formula, i32) {
+    let taken = match formula {
+        Formula::Pi => Some((Formula::Number(BigRational::one()), 1)),
+        Formula::Negated(inner) => {
+            let (inner, n) = without_pi(inner);
+            Some((Formula::Negated(Box::new(inner)), n))
+        }
+        Formula::Power(inner, exponent) => {
+            let (inner, n) = without_pi(inner);
+            n.checked_mul(*exponent).map(|n| (Formula::Power(Box::new(inner), *exponent), n))
+        }
+        Formula::Call(Function::Sqrt, inner) => {
+            let (inner, n) = without_pi(inner);
+            (n % 2 == 0).then(|| (Formula::Call(Function::Sqrt, Box::new(inner)), n / 2))
+        }
+        Formula::Binary(operation, parts) => {
+            let [(left, i), (right, j)] = parts.each_ref().map(without_pi);
+            let n = match operation {
+                Operation::Product => i.checked_add(j),
+                Operation::Quotient => i.checked_sub(j),
+                Operation::Sum | Operation::Difference => (i == j).then_some(i),
             };
-            Some(Formula::Binary(*operation, Box::new(parts)))
+            n.map(|n| (Formula::Binary(*operation, Box::new([left, right])), n))
         }
         _ => None,
+    };
+    taken.unwrap_or_else(|| (formula.clone(), 0))
+}
+
+/// The same without π where that cancels: what is rational is computed exactly.
+fn cancelled(expression: &Expression) -> Expression {
+    match without_pi(&expression.root) {
+        (root, 0) => Expression::of(&root, &expression.text, &expression.key),
+        _ => expression.clone(),
     }
 }

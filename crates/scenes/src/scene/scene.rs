@@ -25,42 +25,13 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    formula::Function,
     motion::{Contact, State, System},
-    number::{Ball, Elementary, Plain, Precision, Real, parse_rational},
+    number::{Ball, Plain, Precision, Real, parse_rational},
     quantity::{Dimension, exact_text},
-    search::{machine::Bounds, orbit::Quotient},
+    search::machine::Bounds,
     source::{Source, hint},
+    typed::in_number,
 };
-
-impl Coefficient for Quotient {
-    fn pi((): &()) -> Result<Self> {
-        let pi = <Ball as Elementary>::pi(&Precision::new(PI_BITS));
-        let bounds = pi.exact_bounds();
-        bounds.map(|(lo, hi)| Quotient::between([&lo, &hi])).ok_or_else(|| Error::input("π has no bounds"))
-    }
-
-    /// Of a number; a function of the parameter is none of polynomials.
-    fn call(function: Function, x: &Self, (): &()) -> Result<Self> {
-        let precision = Precision::new(PI_BITS);
-        let bounds = x.constant().and_then(|[lo, hi]| {
-            if lo == hi
-                && let Some(value) = function.exactly(&lo)
-            {
-                return Some((value.clone(), value));
-            }
-            let value =
-                <Ball as Coefficient>::call(function, &Ball::between(&lo, &hi, &precision), &precision);
-            value.ok()?.exact_bounds()
-        });
-        let not =
-            || Error::input(format!("{}(…) is no quotient of polynomials in the parameter", function.name()));
-        bounds.map(|(lo, hi)| Quotient::between([&lo, &hi])).ok_or_else(not)
-    }
-}
-
-/// Of numbers that are not rational in quotients of polynomials: more than the digits of a certificate take.
-const PI_BITS: u32 = 256;
 
 /// An oscillator with named parameters, what to do with it, and how accurately.
 #[derive(Debug, Clone, PartialEq)]
@@ -180,7 +151,8 @@ impl Scene {
 
     fn given(&self, name: &str, text: &str) -> Result<BigRational> {
         let (scale, kinds) = &*self.quantities;
-        let plain = parse_rational(text).map_err(Error::from);
+        let meant = || in_number(text).map_or(String::new(), |meant| format!("; {meant}"));
+        let plain = parse_rational(text).map_err(|error| Error::input(format!("{error}{}", meant())));
         let (Err(error), Some(found)) = (&plain, bare(text, &[], (scale, &Kinds::new()))?) else {
             return plain;
         };

@@ -18,6 +18,10 @@ pub(super) fn clock(
     }
     let newer = upgraded(base)?;
     let mut form = Form { level, ..in_units(name, &newer.scene, [1.0, time, 1.0]) };
+    // What is not rational a certificate of chaos has between decimals of 12 places.
+    if level > Level::Exact {
+        form.other.extend(["oscillator", "contraction"]);
+    }
     // The names are those of the scene.
     form.view = View { time, ..View::of(base) };
     let system = form.scene["system"].as_table_mut().expect("a table");

@@ -15,6 +15,7 @@ mod response;
 mod section;
 mod shard;
 mod simulate;
+mod units;
 mod validate;
 
 use std::{
@@ -174,6 +175,7 @@ impl Job<'_> {
             Kind::SimulateTask(_) => simulate::run(self),
             _ => run_task(self.job, &mut Files(self)),
         };
+        let report = self.with_units(report);
         let named = |file: &String| self.named.is_written(&self.folder.join(file));
         debug_assert!(report.files.iter().all(named), "{report}");
         report
@@ -181,7 +183,15 @@ impl Job<'_> {
 
     /// The report that one run would have given, and its files, from the records of all units.
     fn whole(&self, records: &[String]) -> TaskReport {
-        parts::whole(self.job, records, &mut Files(self))
+        self.with_units(parts::whole(self.job, records, &mut Files(self)))
+    }
+
+    /// The same with the table of units among its files.
+    fn with_units(&self, mut report: TaskReport) -> TaskReport {
+        match units::keep(self, &mut report) {
+            Ok(()) => report,
+            Err(error) => TaskReport::failed(self.job, &error),
+        }
     }
 
     /// Writes one of the task's files.

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::units;
 use crate::{
     error::{Error, Result},
     figure::PictureFormat,
@@ -143,6 +144,9 @@ pub(super) fn task(
     let role = format!("the task {}", task.name);
     let picture = format!(".{}", format.ending());
     let one = |end: &str, how| files.claim(&role, &folder.join(format!("{}{end}", task.name)), how);
+    if scene.units.is_some() {
+        one(units::ENDING, FileUse::Write).map_err(clashes)?;
+    }
     for ending in endings(&task.kind) {
         match *ending {
             Ending::Fixed(end) => one(end, FileUse::Write),

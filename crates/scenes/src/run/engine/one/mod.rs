@@ -427,8 +427,11 @@ impl<'j> Oscillators<'j> {
         let (job, orbit) = (self.job, named(&near.itinerary, self.job));
         let far = far_from(&event, near, &there)?;
         let rate = there.system().shown_rate();
-        let own = || (job.scene.clone(), task.tolerance.clone());
-        let tolerated = job.scene.with_hidden(Some(&task.parameter), &task.tolerance)?.unwrap_or_else(own);
+        let hidden = match task.tolerance.0.is_empty() {
+            true => None,
+            false => job.scene.with_hidden(Some(&task.parameter), &task.tolerance)?,
+        };
+        let tolerated = hidden.unwrap_or_else(|| (job.scene.clone(), task.tolerance.clone()));
         Ok(OscillatorGrazing { task, job, family, event, half, orbit, far, rate, touches, tolerated })
     }
 

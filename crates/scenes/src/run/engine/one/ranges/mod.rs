@@ -91,10 +91,17 @@ pub(super) fn ranges(
                    later; there are two, and the machine is not known to be its own mirror image so";
         return Ok(Err(why.into()));
     }
+    let written = &point.job.scene.system()?;
+    if let (Some(lower), Some(upper)) = (&written.lower, &written.upper) {
+        let both = [&lower.restitution, &upper.restitution];
+        if both[0].to_string() != both[1].to_string() && !both.iter().all(|x| x.is_rational()) {
+            return Ok(Err("the two stops' restitutions are not known to be one number".into()));
+        }
+    }
     let exact = |x: f64| BigRational::from_float(x).ok_or_else(|| Error::input("not a number"));
     let unit = STEP * point.unit()? / point.event.map.e.abs();
     let start = [exact(point.event.parameter)?, exact(unit)?];
-    if !point.tolerated.1.0.is_empty() {
+    if !point.task.tolerance.0.is_empty() {
         return of_all(point, wanted, start);
     }
     let [at, unit] = &start;
@@ -107,7 +114,7 @@ pub(super) fn ranges(
     };
     let there = [damping, stiffness].map(|[value, _]| value);
     // Several depths are tried where the machines change.
-    let changes = touching.changes();
+    let changes = touching.changes;
     let effort = wanted.range.unwrap_or_default();
     let effort = if changes { RangeEffort(effort.0 / PART_OF_EFFORT) } else { effort };
     let Touching { mirrored, parameters: about, harmonics, .. } = touching;
@@ -122,34 +129,16 @@ fn of_all(
     wanted: WantedProofs,
     start: [BigRational; 2],
 ) -> Result<std::result::Result<Vec<SideRange>, String>> {
-    // The task need not have any.
-    let scene = &point.job.scene;
-    let hertz = scene.system()?.rate.as_ref().is_some_and(|rate| {
-        let exact: Vec<BigRational> = scene.parameters.iter().map(|(_, value)| value.clone()).collect();
-        rate.evaluate(&exact, &()).is_err()
-    });
-    let instead = if hertz {
-        "; with period = \"2*pi/w\", w an angular frequency, the period leaves them rational"
-    } else {
-        ""
-    };
-    let open = |why: String| match point.task.tolerance.0.is_empty() {
-        true => {
-            let known = "coefficients that are not rational are known as up to tolerances";
-            Ok(Err(format!("{known}, and {why}{instead}")))
-        }
-        false => Ok(Err(why)),
-    };
     let all = match AllMachines::new(point)? {
         Ok(all) => all,
-        Err(why) => return open(why),
+        Err(why) => return Ok(Err(why)),
     };
     let (about, harmonics) = match all.oscillator(&start[0]) {
         Ok((about, _)) if !about[2][0].is_positive() => {
             return Ok(Err("ranges are proved for a restitution above 0".into()));
         }
         Ok(found) => found,
-        Err(error) => return open(error.to_string()),
+        Err(error) => return Ok(Err(error.to_string())),
     };
     Near {
         point,

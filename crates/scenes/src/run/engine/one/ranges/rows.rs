@@ -321,14 +321,7 @@ impl Near<'_> {
                 Err(error) if error.is_interrupted() => Err(error),
                 Err(error) => Ok(open(error.to_string())),
                 Ok(None) => Ok(open("it is not shown where all machines within the tolerances touch".into())),
-                Ok(Some(range)) => {
-                    let row = RangeRow::of_all(behind, &range, depth, unit, reason);
-                    let ([lower, upper], end) = (&range.touches, range.end.as_ref());
-                    // The machine is one, of which some numbers are known between two others.
-                    let touch = end.map(|end| inwards(if end > upper { upper } else { lower }, end, TOUCH));
-                    let is_one = self.point.task.tolerance.0.is_empty();
-                    Ok(if is_one { RangeRow { touch, touches: None, ..row } } else { row })
-                }
+                Ok(Some(range)) => Ok(RangeRow::of_all(behind, &range, depth, unit, reason)),
             };
         }
         let known = |range: ParameterRange| match &machines.until {
