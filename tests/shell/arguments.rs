@@ -220,6 +220,11 @@ fn what_no_machine_has_is_an_error() {
     }
     let command = scene(folder, "d = 0.1", "d = 0");
     assert_eq!(run(folder, &command), (0, run(folder, &command).1, String::new()));
+    // Of an oscillator a mass may be positive in the file and not where a parameter is set.
+    let mass = "mass = \"1 - 2*d\"\ndamping = 0.1";
+    let command = scene(folder, "mass = 1\ndamping_ratio = \"d\"", mass) + " --set d=1";
+    let (code, _, error) = run(folder, &command);
+    assert!(code == 2 && error.contains("\"1 - 2*d\": is -1; a mass is positive (with d = 1)"), "{error}");
     // Damping itself may be negative: a machine may feed on what drives it.
     let command = scene(folder, "damping_ratio = \"d\"", "damping = \"-d\"");
     assert_eq!(run(folder, &command).2, "");

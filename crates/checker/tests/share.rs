@@ -507,7 +507,8 @@ fn forgeries_are_refused() {
     are_refused(&forgeries(), &malformed());
 }
 
-/// What takes long is refused before it is done: with GRAZING_SAMPLES=2, as the bound itself takes ten seconds.
+/// What takes long is refused before it is done; with GRAZING_SAMPLES=2, as up to the bound it takes ten
+/// seconds.
 #[test]
 fn the_work_is_bounded() {
     // 2·(1 + … + 64) signs a part: 2500 parts are too many.

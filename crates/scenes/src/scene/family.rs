@@ -72,7 +72,7 @@ impl<'s> SceneFamily<'s> {
     pub(crate) fn systems(&self, parameter: f64) -> Result<[System<f64>; 2]> {
         let values = self.duals(parameter);
         let point = || self.scene.point(&values.iter().map(|value| value.value).collect::<Vec<_>>());
-        self.scene.check_ratios(&values, |x| x.value, &point)?;
+        self.scene.check_signs(&values, |x| x.value, &point)?;
         let mut fixed = self.fixed.iter();
         let mut slopes = Vec::with_capacity(self.fixed.len());
         let system = self.scene.system()?.try_map(|expression| {

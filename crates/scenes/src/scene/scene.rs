@@ -280,7 +280,7 @@ impl Scene {
         let system = self.system()?.try_map(|expression| self.value(expression, &values, float, &point));
         let plain = || values.iter().map(|value| Plain::ratio(value, &())).collect::<Vec<_>>();
         let system = system.map_err(|error| self.without_period(&plain()).unwrap_or(error))?;
-        self.check_ratios(&values, float, &point)?;
+        self.check_signs(&values, float, &point)?;
         self.check(&system.rounded(), &point)?;
         Ok(system)
     }
@@ -360,7 +360,7 @@ impl Scene {
         let system = self.system()?.try_map(|expression| self.value(expression, &values, |x| x.0, &point));
         let system = system.map_err(|error| self.without_period(&values).unwrap_or(error))?;
         let system = system.try_map(|x| Ok::<f64, Error>(x.0))?;
-        self.check_ratios(&values, |x| x.0, &point)?;
+        self.check_signs(&values, |x| x.0, &point)?;
         self.check(&system, &point)?;
         Ok(system)
     }
@@ -434,18 +434,19 @@ impl Scene {
         if float(&value).is_finite() { Ok(value) } else { Err(fail("is beyond the range of floats")) }
     }
 
-    /// Damping ratios are at least 0.
-    pub(super) fn check_ratios<T: Coefficient<Context = ()>>(
+    /// Damping ratios are at least 0, and the mass of the engine `one` is positive.
+    pub(super) fn check_signs<T: Coefficient<Context = ()>>(
         &self,
         values: &[T],
         float: impl Fn(&T) -> f64,
         point: &dyn Fn() -> String,
     ) -> Result<()> {
-        for ratio in &self.whole.ratios {
-            let value = float(&self.value(ratio, values, &float, point)?);
-            if value < 0.0 {
-                let message = format!("is {value}; a damping ratio is at least 0{}", point());
-                return Err(self.fail(&ratio.key, &message));
+        let ratios = self.whole.ratios.iter().map(|ratio| (ratio, 0.0, "a damping ratio is at least 0"));
+        let mass = self.mass.iter().map(|mass| (mass, f64::MIN_POSITIVE, "a mass is positive"));
+        for (given, least, wanted) in ratios.chain(mass) {
+            let value = float(&self.value(given, values, &float, point)?);
+            if value < least {
+                return Err(self.fail(&given.key, &format!("is {value}; {wanted}{}", point())));
             }
         }
         Ok(())

@@ -86,7 +86,7 @@ impl Scene {
             return Err(self
                 .fail(key, &format!("makes the period {}; it must be positive{}", machine.period, point())));
         }
-        self.check_ratios(&floats, |x| x.0, &point)?;
+        self.check_signs(&floats, |x| x.0, &point)?;
         machine.equations().map_err(|error| {
             let text = error.to_string();
             let key = ["mass", "damping_ratio", "damping", "stiffness"]
