@@ -104,6 +104,9 @@ def benches():
     for system in ("of one system", "of 256 systems"):
         pair(f"motions together, {system}, per motion and period", (many, f"together, {system}"), (many, f"one by one, {system}"),
              "one by one", "cargo bench -p grazing-scenes --bench simulation")
+    clock = "clocks/1000 periods"
+    pair("a thousand periods in radians of the drive", (clock, "2 pi"), (clock, "frequency = 4"), "in seconds, at 4 Hz",
+         "cargo bench -p grazing-study --bench effects")
 
 
 def patterns():

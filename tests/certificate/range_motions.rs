@@ -370,7 +370,8 @@ fn motions_are_those_of_ranges(mirrored: bool, trials: u32, seed: u64) {
     println!(
         "{ranges} ranges, {words} random words; {alone} cells without others, {others} words found there, {starts} starts, {judged} impacts judged"
     );
-    assert!(ranges > 2 && alone > 2 && others > 10 && judged > 0);
+    assert!(ranges > 0 && words > 0);
+    assert!(trials < 4 || ranges > 2 && alone > 2 && others > 10 && judged > 0);
 }
 
 #[test]
