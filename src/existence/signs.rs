@@ -68,7 +68,8 @@ impl Signs {
             up -= if up >= 2 * q { 2 * q } else { 0 };
             down += if down < p { 2 * q } else { 0 };
             down -= p;
-            minus_cos * sin_sign(up, q, side) * sin_sign(down, q, side)
+            // Each factor is −1, 0 or 1, so nothing wraps; a check of that costs a tenth of the time.
+            minus_cos.wrapping_mul(sin_sign(up, q, side)).wrapping_mul(sin_sign(down, q, side))
         })
     }
 }
