@@ -23,7 +23,7 @@ use grazing_scenes::{
     search::touch::{InTheory, leading_impacts},
 };
 
-use crate::paper::PAPER_MACHINE;
+use crate::{paper::PAPER_MACHINE, samples::one_in};
 
 type RealMatrix = nalgebra::DMatrix<f64>;
 type RealVector = nalgebra::DVector<f64>;
@@ -713,7 +713,10 @@ fn a_long_chain_without_real_modes_moves_by_the_exponential() {
 /// two, coupled, the symmetric orbit that is born has the closed form of half a period.
 #[test]
 fn two_stops_that_mirror_each_other_are_one_of_half_a_period() {
-    let task = "[[tasks]]\nname = \"g\"\nkind = \"grazing\"\nparameter = \"D\"\nmax_period = 2\ndistance = 1e-5\nreach = 5\n";
+    let most = if one_in(2) == 1 { 3 } else { 2 };
+    let task = format!(
+        "[[tasks]]\nname = \"g\"\nkind = \"grazing\"\nparameter = \"D\"\nmax_period = {most}\ndistance = 1e-5\nreach = 5\n"
+    );
     let walls = |row: &str| {
         ["", "-"].map(|sign| {
             let row = row.replace('1', &format!("{sign}1"));

@@ -99,7 +99,8 @@ fn the_simulator_stays_on_orbits_as_long_as_their_multipliers_allow() {
             }
         }
     }
-    assert!(stable > 0 && unstable > 4, "{stable} {unstable}");
+    let least = if one_in(2) == 1 { (2, 7) } else { (1, 5) };
+    assert!(stable >= least.0 && unstable >= least.1, "{stable} {unstable}");
 }
 
 #[test]

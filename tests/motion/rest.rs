@@ -234,7 +234,7 @@ fn rests_are_those_of_a_second_solver() {
         open * 50 < flights
             && flights >= draws
             && orbits >= draws
-            && several >= draws / 100
+            && (draws < 200 || several >= draws / 40)
             && twice >= draws / 20,
         "{flights} {orbits} {several} {twice}"
     );

@@ -18,6 +18,17 @@ pub fn one_in(sample: u64) -> usize {
     usize::try_from((sample / times()).max(1)).expect("a step is small")
 }
 
+/// Whether what takes seconds and has no smaller sample is run: from `GRAZING_SAMPLES` 2 on. What is not is said
+/// past the test harness, which keeps what a passing test prints.
+pub fn larger(what: &str) -> bool {
+    let larger = times() > 1;
+    if !larger {
+        let said = writeln!(std::io::stderr(), "NOT RUN, as GRAZING_SAMPLES=2 does not ask for it: {what}");
+        said.expect("standard error can be written");
+    }
+    larger
+}
+
 /// `GRAZING_SAMPLES`, a whole number from 1: 1 where it is not set, as in `cargo test`.
 fn times() -> u64 {
     match std::env::var("GRAZING_SAMPLES") {

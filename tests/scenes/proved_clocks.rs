@@ -8,7 +8,7 @@ use num_traits::Signed;
 use serde_json::Value;
 
 use crate::{
-    samples::one_in,
+    samples::{larger, one_in},
     tasks::{run, task},
 };
 
@@ -139,8 +139,7 @@ fn a_touch_is_rounded_into_its_range() {
 /// Chaos that attracts over the drive's own frequency: the period, and all in it, changes with the parameter.
 #[test]
 fn a_frequency_in_hertz_has_its_range() {
-    // Dear: a proof of many machines.
-    if one_in(2) > 1 {
+    if !larger("the range of a frequency in hertz, a proof of many machines") {
         return;
     }
     let folder = tempfile::tempdir().unwrap();

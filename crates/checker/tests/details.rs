@@ -434,12 +434,12 @@ fn fates(text: &str, every: usize) -> BTreeMap<(usize, usize), Fate> {
 }
 
 /// Whatever is printed of these is checked, one word in `every`, each text by a thread of its own.
-fn printed_is_checked(samples: &[String], every: usize) {
+fn printed_is_checked(samples: &[String], every: usize, least: usize) {
     let checked: usize = thread::scope(|scope| {
         let all: Vec<_> = samples.iter().map(|text| scope.spawn(|| printed_of(text, every))).collect();
         all.into_iter().map(|one| one.join().unwrap()).sum()
     });
-    assert!(checked > 4, "only {checked} words are checked");
+    assert!(checked > least, "only {checked} words are checked");
 }
 
 /// Whether a word of a line says how a thing is proved and not what, so that nothing that is printed need
@@ -510,17 +510,17 @@ fn printed_of(text: &str, every: usize) -> usize {
 
 #[test]
 fn what_is_printed_of_periods_is_checked() {
-    printed_is_checked(&samples()[0], 2);
+    printed_is_checked(&samples()[0], 2, 10);
 }
 
 #[test]
 fn what_is_printed_of_an_orbit_is_checked() {
-    printed_is_checked(&samples()[1], 17);
+    printed_is_checked(&samples()[1], 17, 10);
 }
 
 #[test]
 fn what_is_printed_of_chaos_is_checked() {
-    printed_is_checked(&samples()[2], 14);
+    printed_is_checked(&samples()[2], 14, if crate::samples::one_in(2) == 1 { 10 } else { 4 });
 }
 
 /// Each kind is tried, and nothing is printed without a value.

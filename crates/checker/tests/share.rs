@@ -2,7 +2,7 @@
 //! so at random points in them, also of the damaged ones that pass: in floats, by the definitions of
 //! periods alone.
 
-use crate::samples::{one_in, samples};
+use crate::samples::{larger, samples};
 use std::f64::consts::TAU;
 
 use crate::common::{
@@ -514,7 +514,7 @@ fn the_work_is_bounded() {
     // 2·(1 + … + 64) signs a part: 2500 parts are too many.
     let full = with(&whole("polar 1/100 1/100 1/5 1/5", "word - 64 1D 2D", '+'), "share", "share 1/1 1/1");
     assert!(answer(&full).is_ok(), "{}", rejected(&full));
-    if one_in(2) > 1 {
+    if !larger("a share of more signs than a check takes") {
         return;
     }
     let mut tree = "+\n".to_string();

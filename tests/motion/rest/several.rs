@@ -385,7 +385,7 @@ fn an_oscillator_beside_one_that_rests_takes_no_part() {
         }
     }
     println!("{all} orbits, {longer} of several periods");
-    assert!(2 * all > draws, "{all}");
+    assert!(2 * all > draws && (draws < 12 || 3 * all >= 2 * draws), "{all}");
 }
 
 /// Of what rests for ever, what the stop leaves free is an oscillator.

@@ -441,11 +441,11 @@ impl Scene {
         float: impl Fn(&T) -> f64,
         point: &dyn Fn() -> String,
     ) -> Result<()> {
-        let ratios = self.whole.ratios.iter().map(|ratio| (ratio, 0.0, "a damping ratio is at least 0"));
-        let mass = self.mass.iter().map(|mass| (mass, f64::MIN_POSITIVE, "a mass is positive"));
-        for (given, least, wanted) in ratios.chain(mass) {
+        let ratios = self.whole.ratios.iter().map(|ratio| (ratio, "a damping ratio is at least 0"));
+        let mass = self.mass.iter().map(|mass| (mass, "a mass is positive"));
+        for (i, (given, wanted)) in ratios.chain(mass).enumerate() {
             let value = float(&self.value(given, values, &float, point)?);
-            if value < least {
+            if value < 0.0 || value == 0.0 && i == self.whole.ratios.len() {
                 return Err(self.fail(&given.key, &format!("is {value}; {wanted}{}", point())));
             }
         }
