@@ -18,8 +18,8 @@ pub fn one_in(sample: u64) -> usize {
     usize::try_from((sample / times()).max(1)).expect("a step is small")
 }
 
-/// Whether what takes seconds and has no smaller sample is run: from `GRAZING_SAMPLES` 2 on. What is not is said
-/// past the test harness, which keeps what a passing test prints.
+/// Whether what takes seconds and has no smaller sample is run: from `GRAZING_SAMPLES` 2 on. What is not is
+/// said past the test harness, which keeps what a passing test prints.
 pub fn larger(what: &str) -> bool {
     let larger = times() > 1;
     if !larger {
