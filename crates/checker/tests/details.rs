@@ -100,6 +100,8 @@ fn others(word: &str) -> Vec<String> {
         word.split_once('/').and_then(|(p, q)| p.parse::<u64>().ok().zip(q.parse::<u64>().ok()))
     {
         all.push(format!("{}/{}", p + 3 * q, 4 * q));
+        // And one much nearer to 0.
+        all.push(format!("1/{}", 1007 * q));
     }
     all.extend([format!("9{word}"), format!("{word}7"), word[..word.len() - 1].to_string()]);
     all.extend(["0", "1", "77", "0/1", "1/3", "0.000001", "0.5", "1.00000000001"].map(String::from));
@@ -342,7 +344,9 @@ fn follows(sample: &Checked, changed: &Checked, mirrored: bool) -> bool {
         // Whether the machine is at these depths is looked at in `parameter.rs`.
         "parameter" => {
             let same = ["motion", "letters", "machine", "lower wall"];
-            let same = same.iter().all(|name| detail(changed, name) == detail(sample, name));
+            // A parameter may be called otherwise.
+            let same =
+                same.iter().all(|name| detail(changed, name).replace("Fx", "F") == detail(sample, name));
             let born = || changed.title != "range of orbits" || is_born(changed);
             same && changed.title == sample.title && born()
         }
@@ -470,7 +474,11 @@ fn is_work(lines: &[&str], line: usize, word: usize) -> bool {
         // Of all cells the least S is printed.
         ("range", "others") => true,
         ("range" | "single", "cell") => word > 1 || !is_last(),
-        ("nothing", "cell") => word > 2,
+        // Of more than four cells the first and the last are printed.
+        ("nothing", "cell") => {
+            let cells: Vec<&&str> = lines.iter().filter(|line| line.starts_with("cell ")).collect();
+            word > 2 || cells.len() > 4 && own != *cells[0] && !is_last()
+        }
         _ => false,
     }
 }
@@ -498,7 +506,8 @@ fn printed_of(text: &str, every: usize) -> usize {
         // Every rate above 1 is an upper bound of one orbit's.
         let single = line.starts_with("growth 1 ") && j == 2;
         // That nothing is born does not depend on the restitution, nor do these small depths.
-        let nothing = lines[1].starts_with("kind nothing") && line.starts_with("restitution ");
+        let of_nothing = || lines.iter().any(|line| line.starts_with("kind nothing"));
+        let nothing = line.starts_with("restitution ") && of_nothing();
         let free = named || single || nothing || line.starts_with("scales ");
         assert!(fate.refused || free, "{}: free to choose: {line} -> {change}", lines[1]);
     }

@@ -91,6 +91,7 @@ mod tests {
             ("-3..-2/1..1", false, "[-3, -2]"),
             ("1..1,2..3/2..2", false, "(1 + [2, 3] p)/2"),
             ("1..1/0..0,2..2", false, "1/(2 p)"),
+            ("0..0/1..2", false, "0"),
             ("-1..-1/1..1,0..0,-1..-1", true, "1/(1 - p^2)"),
         ] {
             let read = RangeQuotient::read(&mut Words::new(word)).unwrap_or_else(|why| panic!("{why}"));

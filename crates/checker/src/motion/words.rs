@@ -152,10 +152,11 @@ pub(crate) fn polynomial<C: Spoken>(list: &[C], parameter: &str) -> String {
     if list.iter().filter(|x| x.magnitude("") != "0").count() > 1 { format!("({text})") } else { text }
 }
 
-/// What stands over a polynomial, and that.
+/// What stands over a polynomial, and that; 0 over any.
 pub(crate) fn quotient<C: Spoken>(above: String, denominator: &[C], parameter: &str) -> String {
     let below = polynomial(denominator, parameter);
     match denominator.len() {
+        _ if above == "0" => above,
         1 if below == "1" => above,
         1 => format!("{above}/{below}"),
         _ if below.starts_with('(') => format!("{above}/{below}"),

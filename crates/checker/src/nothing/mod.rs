@@ -178,7 +178,9 @@ fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
         .map(|cell| format!("{} up to nu = {}", cell.strength, plain(cell.depth)))
         .collect();
     let strengths = match &strengths[..] {
-        [first, .., last] if strengths.len() > 4 => format!("{first}, …, {last}"),
+        [first, .., last] if strengths.len() > 4 => {
+            format!("{first}, …, {last}: in each of {} cells what it lists", strengths.len())
+        }
         all => all.join(", "),
     };
     let near = match certificate.mirrored {
