@@ -100,7 +100,7 @@ points = 50
 "#;
 
 /// What a number of a report is in: columns that are lengths or velocities.
-const LENGTHS: [&str; 12] = [
+const LENGTHS: [&str; 13] = [
     "q",
     "u",
     "speeds",
@@ -112,6 +112,7 @@ const LENGTHS: [&str; 12] = [
     "unit",
     "fastest",
     "strongest",
+    "impulse",
     "largest_gap",
 ];
 /// Columns whose numbers go with coordinates, or with the metric of a curve.

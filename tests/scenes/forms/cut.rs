@@ -119,7 +119,7 @@ fn run(
                     count if COUNTS.contains(&count) => {
                         counts.insert(name, value.as_u64().expect("a number"));
                     }
-                    "dissipated" | "volume" | "path" => {
+                    "dissipated" | "volume" | "path" | "impulse" => {
                         sums.insert(name, number(value));
                     }
                     "stuck" => {

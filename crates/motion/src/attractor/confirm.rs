@@ -435,7 +435,7 @@ fn cycle<D: Dynamics>(dynamics: &D, fixed: &Fixed, phase: f64) -> Result<Option<
     let lost = growth.iter().filter(|growth| **growth == f64::NEG_INFINITY).count();
     let kept = multipliers.len().saturating_sub(lost);
     multipliers[kept..].fill((0.0, 0.0));
-    Ok(Some(Cycle { points: ordered(points), impacts, same: size.same(), multipliers }))
+    Ok(Some(Cycle { points: ordered(points, SectionState::plane), impacts, same: size.same(), multipliers }))
 }
 
 /// The map round that many periods from x, with its derivative; none where the motion ends.

@@ -51,10 +51,10 @@ impl<P: SectionState> Cycle<P> {
     }
 }
 
-/// The points of a cycle from the least on.
-pub(crate) fn ordered<P: SectionState>(mut points: Vec<P>) -> Vec<P> {
+/// The points of a cycle from the least on, by where they are in the plane.
+pub(crate) fn ordered<P>(mut points: Vec<P>, plane: impl Fn(&P) -> [f64; 2]) -> Vec<P> {
     let order =
-        |&i: &usize, &j: &usize| points[i].plane().partial_cmp(&points[j].plane()).unwrap_or(Ordering::Equal);
+        |&i: &usize, &j: &usize| plane(&points[i]).partial_cmp(&plane(&points[j])).unwrap_or(Ordering::Equal);
     let least = (0..points.len()).min_by(order).unwrap_or(0);
     points.rotate_left(least);
     points

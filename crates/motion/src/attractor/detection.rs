@@ -267,7 +267,7 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
     fn seen(&self, n: usize) -> Cycle<D::Point> {
         let round = &self.points[self.points.len() - n..];
         let impacts = round.iter().map(|point| point.1).sum();
-        let points = ordered(round.iter().map(|point| point.0.clone()).collect());
+        let points = ordered(round.iter().map(|point| point.0.clone()).collect(), SectionState::plane);
         Cycle { points, impacts, same: self.size.same(), multipliers: Vec::new() }
     }
 

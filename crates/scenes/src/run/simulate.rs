@@ -29,6 +29,9 @@ row! {
         pub fastest: f64,
         /// The largest impulse of an impact, in the scene's units; absent for a stop that gives way.
         pub strongest: Option<f64>,
+        /// The impulses of all impacts there, or the integral of the force with which a stop that gives way
+        /// pushed; what holds the motion at rest on a rigid stop is not in it.
+        pub impulse: f64,
         /// The largest force found with which a stop that gives way pushes, in the scene's units; absent for
         /// a rigid one.
         pub peak_force: Option<f64>,
@@ -425,6 +428,7 @@ impl SimulationFindings {
         }
         if let Some(impulse) = event.impulse {
             row.strongest = row.strongest.map(|most| most.max(impulse));
+            row.impulse += impulse;
         }
         if let Some(energy) = event.energy {
             row.dissipated += energy;

@@ -209,7 +209,7 @@ impl Reader<'_> {
             (_, "e" | "largest_gap") => self.number(name, value, LENGTH, cells),
             (_, "fastest") => self.number(name, value, SPEED, cells),
             (_, "peak_force") => self.number(name, value, Unit(1, -2, 1), cells),
-            (_, "strongest") => self.number(name, value, Unit(1, -1, 1), cells),
+            (_, "strongest" | "impulse") => self.number(name, value, Unit(1, -1, 1), cells),
             (_, "longest") => self.number(name, value, Unit(0, 1, 0), cells),
             (_, "dissipated") => self.number(name, value, Unit(2, -2, 1), cells),
             (_, "gamma" | "period") if value.is_f64() => self.number(name, value, Unit(0, 1, 0), cells),

@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     checkpoint::{Checkpoint, Keep},
-    cycle::Cycle,
+    cycle::{Cycle, ordered},
     dynamics::SectionState,
     observe::{Attraction, Observation, Observed},
     portrait::{OnAttractor, looked_at},
@@ -59,7 +59,7 @@ pub struct DiagramPlan<S = State> {
 /// An attractor as the diagram keeps it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DiagramMotion {
-    /// (q, u) on the section.
+    /// (q, u) on the section; those of a cycle from the one of least q (then least u) on.
     pub points: Vec<[f64; 2]>,
     /// Its period in forcing periods, if it is periodic.
     pub period: Option<u32>,
@@ -153,6 +153,8 @@ impl<S> DiagramPlan<S> {
             if known.is_new(&seen) {
                 let Observed { cycle, undecided, points, impacts, .. } = seen;
                 let period = cycle.map(|cycle| cycle.period() as u32);
+                // When the cycle was told goes with rounding, and the point that came then.
+                let points = if period.is_some() { ordered(points, |&point| point) } else { points };
                 motions.push(DiagramMotion { points, period, undecided, impacts });
             }
         }

@@ -66,7 +66,7 @@ pub(super) fn simulate(
     let soft = found.stops.iter_mut().zip(pushes.all()).filter(|(row, _)| row.peak_force.is_some());
     for (row, all) in soft {
         (row.peak_force, row.longest) = (Some(all.peak), Some(all.duration / simulator.rate()));
-        row.dissipated = all.energy;
+        (row.impulse, row.dissipated) = (all.impulse / simulator.rate(), all.energy);
     }
     let (state, rate) = (run.state(), simulator.rate());
     let list = |of: &RealVector, unit: f64| machine.seen(of).iter().map(|x| x * unit).collect();
