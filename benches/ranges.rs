@@ -87,7 +87,7 @@ fn machine(seed: u64) -> Machine {
     Machine([2.0 * ratio * natural, natural * natural, tau].map(|x| format!("{x:.6}")))
 }
 
-fn lines(index: usize, machine: &Machine, effort: RangeEffort) -> Vec<Line> {
+fn lines(index: usize, machine: &Machine, effort: u64) -> Vec<Line> {
     let exact = machine.0.each_ref().map(|x| parse_rational(x).expect("a decimal"));
     let [c, k, tau] = machine.0.each_ref().map(|x| x.parse::<f64>().expect("a decimal"));
     let both = |x: &BigRational| [x.clone(), x.clone()];
@@ -121,11 +121,12 @@ fn lines(index: usize, machine: &Machine, effort: RangeEffort) -> Vec<Line> {
             Some(Born { graph: Some(graph), whole, .. }) => (graph, whole),
             Some(Born { graph: None, whole: true, .. }) => {
                 let problem = NothingProblem { mirrored: false, ranges, harmonics, deepest };
-                let (proved, end) = match prove_nothing(&problem, effort, &()).expect("no interruption") {
-                    _ if !behind => (0.0, "not asked".into()),
-                    Ok(proof) => (proof.depth.to_f64().unwrap_or(0.0), said(&proof.end)),
-                    Err(end) => (0.0, said(&end)),
-                };
+                let (proved, end) =
+                    match prove_nothing(&problem, &RangeEffort::new(effort), &()).expect("no interruption") {
+                        _ if !behind => (0.0, "not asked".into()),
+                        Ok(proof) => (proof.depth.to_f64().unwrap_or(0.0), said(&proof.end)),
+                        Err(end) => (0.0, said(&end)),
+                    };
                 line("nothing".into(), proved, (0.0, ""), end, [0.0; 2]);
                 continue;
             }
@@ -136,17 +137,21 @@ fn lines(index: usize, machine: &Machine, effort: RangeEffort) -> Vec<Line> {
         };
         let problem = RangeProblem { mirrored: false, ranges, behind, harmonics, graph, deepest };
         let depth = |x: &BigRational| x.to_f64().unwrap_or(0.0);
-        let judge =
-            |problem: &RangeProblem, effort: RangeEffort, whole: bool| match prove(problem, effort, &())
-                .expect("no interruption")
-            {
-                Ok(proof) if whole => {
-                    let proof = prove_alone(problem, proof, effort, &()).expect("no interruption");
-                    (depth(&proof.depth), said(&proof.end), proof.alone.as_ref().map_or(0.0, depth))
-                }
-                Ok(proof) => (depth(&proof.depth), said(&proof.end), 0.0),
-                Err(end) => (0.0, said(&end), 0.0),
-            };
+        let judge = |problem: &RangeProblem, effort: u64, whole: bool| match prove(
+            problem,
+            &RangeEffort::new(effort),
+            &(),
+        )
+        .expect("no interruption")
+        {
+            Ok(proof) if whole => {
+                let proof =
+                    prove_alone(problem, proof, &RangeEffort::new(effort), &()).expect("no interruption");
+                (depth(&proof.depth), said(&proof.end), proof.alone.as_ref().map_or(0.0, depth))
+            }
+            Ok(proof) => (depth(&proof.depth), said(&proof.end), 0.0),
+            Err(end) => (0.0, said(&end), 0.0),
+        };
         let (proved, end, alone) = judge(&problem, effort, whole);
         let least = words(&problem.graph)
             .iter()
@@ -154,7 +159,7 @@ fn lines(index: usize, machine: &Machine, effort: RangeEffort) -> Vec<Line> {
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .expect("a cycle");
         let what = if problem.graph.letters.len() == 1 { "one" } else { "chaos" };
-        let part = prove_farther(&problem, proved, effort, &()).expect("no interruption");
+        let part = prove_farther(&problem, proved, &RangeEffort::new(effort), &()).expect("no interruption");
         let part = part.map_or(0.0, |(_, proof)| depth(&proof.depth));
         line(what.into(), proved, least, end, [part, alone]);
     }
@@ -196,7 +201,8 @@ fn main() {
     let numbers: Vec<u64> = numbers.iter().filter_map(|x| x.parse().ok()).collect();
     let Some(&count) = numbers.first() else { return };
     let seed = numbers.get(1).copied().unwrap_or(20);
-    let effort = RangeEffort(numbers.get(2).copied().unwrap_or(RangeEffort::default().0));
+    // For each claim.
+    let effort = numbers.get(2).copied().unwrap_or(400_000);
     let one = |i: &u64| {
         let machine = machine(seed.wrapping_mul(1_000_003).wrapping_add(*i));
         let exact = machine.0.each_ref().map(|x| parse_rational(x).expect("a decimal"));

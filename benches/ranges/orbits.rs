@@ -139,7 +139,7 @@ impl Floats {
 }
 
 /// Of both sides every letter that may follow itself.
-pub fn lines(machine: usize, exact: &[BigRational; 3], floats: &Machine, effort: RangeEffort) -> Vec<Line> {
+pub fn lines(machine: usize, exact: &[BigRational; 3], floats: &Machine, effort: u64) -> Vec<Line> {
     let [c, k, tau] = floats.0.each_ref().map(|x| x.parse::<f64>().expect("a decimal"));
     let both = |x: &BigRational| [x.clone(), x.clone()];
     let [one, zero] = [1, 0].map(|n| BigRational::from_integer(n.into()));
@@ -150,7 +150,7 @@ pub fn lines(machine: usize, exact: &[BigRational; 3], floats: &Machine, effort:
         let known = born(false, [&exact[0], &exact[1]], behind, LONGEST, &()).expect("no interruption");
         let Some(Born { graph: Some(graph), .. }) = known else { continue };
         let loops = single_orbits(&graph);
-        let share = RangeEffort(effort.0 / 4);
+        let share = effort / 4;
         for periods in loops {
             let problem = SingleProblem {
                 mirrored: false,
@@ -175,7 +175,7 @@ pub fn lines(machine: usize, exact: &[BigRational; 3], floats: &Machine, effort:
                 flips: [0.0; 2],
                 cells: 0,
             };
-            match prove_single(&problem, share, &()).expect("no interruption") {
+            match prove_single(&problem, &RangeEffort::new(share), &()).expect("no interruption") {
                 Err(end) => line.proof_ends = said(&end),
                 Ok(proof) => {
                     line.proved = depth(&proof.depth);

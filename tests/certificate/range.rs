@@ -7,7 +7,7 @@ use grazing_scenes::{
     search::{
         chaos::{LetterGraph, RationalFunction, Term},
         range::{
-            NothingProblem, RangeEffort, RangeEnd, RangeProblem, RangeProof, Touching, born, parameter_range,
+            NothingProblem, RangeEffort, RangeEnd, RangeProblem, RangeProof, TouchSide, Touching, born,
             prove, prove_alone, prove_nothing,
         },
     },
@@ -34,7 +34,7 @@ const README: [&str; 3] = ["1/10", "3/10", "4/5"];
 const PAPER: [&str; 3] = ["12/49", "100/2401", "1"];
 
 fn range(problem: &RangeProblem, effort: u64) -> Result<RangeProof, RangeEnd> {
-    let found = prove(problem, RangeEffort(effort), &()).unwrap();
+    let found = prove(problem, &RangeEffort::new(effort), &()).unwrap();
     if let Ok(proof) = &found {
         let checked = certificate::check(&mut proof.text.as_bytes()).unwrap();
         assert_eq!(checked.kind, "range");
@@ -113,7 +113,7 @@ fn the_whole_graph_is_proved() {
 fn what_is_born_is_all_that_is_near() {
     let alone = |problem: &RangeProblem| {
         let proof = range(problem, 20_000).unwrap();
-        let found = prove_alone(problem, proof.clone(), RangeEffort(200_000), &()).unwrap();
+        let found = prove_alone(problem, proof.clone(), &RangeEffort::new(200_000), &()).unwrap();
         assert_eq!(
             (found.depth, certificate::check(&mut found.text.as_bytes()).unwrap().kind),
             (proof.depth, "range")
@@ -142,7 +142,7 @@ fn where_nothing_is_born_no_motion_stays() {
     let asked = |parameters: [&str; 3], deepest: f64| {
         let problem =
             NothingProblem { mirrored: false, ranges: parameters.map(at), harmonics: cosine(), deepest };
-        prove_nothing(&problem, RangeEffort(100_000), &()).unwrap()
+        prove_nothing(&problem, &RangeEffort::new(100_000), &()).unwrap()
     };
     let proof = asked(README, 0.999).unwrap();
     assert_eq!(
@@ -163,14 +163,14 @@ fn where_nothing_is_born_no_motion_stays() {
         deepest: 0.25,
     };
     assert_eq!(
-        prove_nothing(&wide, RangeEffort(100_000), &()).unwrap().unwrap().depth,
+        prove_nothing(&wide, &RangeEffort::new(100_000), &()).unwrap().unwrap().depth,
         parse_rational("1/4").unwrap()
     );
     let why = asked(PAPER, 0.5).unwrap_err();
     assert!(matches!(&why, RangeEnd::Refused(why) if why.contains("(T)")), "{why:?}");
     // Without a second swing no leg's length is bounded.
     assert_eq!(asked(["3", "1/10", "4/5"], 0.5).unwrap_err(), RangeEnd::Unbounded);
-    assert_eq!(prove_nothing(&wide, RangeEffort(1), &()).unwrap().unwrap_err(), RangeEnd::Work);
+    assert_eq!(prove_nothing(&wide, &RangeEffort::new(1), &()).unwrap().unwrap_err(), RangeEnd::Work);
 }
 
 /// A wall of two harmonics, and a graph that is not connected: 3 may follow 1, but not 1 follow 3.
@@ -188,13 +188,8 @@ fn other_walls_and_graphs_have_ranges() {
 }
 
 /// README's machine, F being the amplitude of its forcing, with its stop at 1, or at 1 + F² if `bent`.
-fn machine(
-    from: &BigRational,
-    to: &BigRational,
-    bent: bool,
-) -> grazing_scenes::Result<System<RationalFunction>> {
+fn machine(amplitude: &RationalFunction, bent: bool) -> grazing_scenes::Result<System<RationalFunction>> {
     let number = |x: &str| RationalFunction::ratio(&parse_rational(x).unwrap(), &());
-    let amplitude = RationalFunction::range(from, Some(to));
     let offset = if bent { number("1") + &(amplitude.clone() * &amplitude) } else { number("1") };
     Ok(System {
         rate: None,
@@ -202,7 +197,7 @@ fn machine(
         stiffness: number("3/10"),
         cubic: number("0"),
         force: number("0"),
-        forcing: vec![Harmonic { k: 1, cos: amplitude, sin: number("0") }],
+        forcing: vec![Harmonic { k: 1, cos: amplitude.clone(), sin: number("0") }],
         smooth: None,
         lower: None,
         upper: Some(Wall { offset, harmonics: Vec::new(), restitution: number("4/5") }),
@@ -214,18 +209,20 @@ fn machine(
 fn a_depth_is_an_amplitude_of_the_forcing() {
     let float = |x: &BigRational| x.to_f64().unwrap();
     let [start, unit, depth] = ["0.707", "0.01", "1/10"].map(|x| parse_rational(x).unwrap());
-    let straight = |from: &BigRational, to: &BigRational| machine(from, to, false);
+    let straight = |amplitude: &RationalFunction| machine(amplitude, false);
     for (behind, end) in [(false, 0.5f64.sqrt() / 1.1), (true, 0.5f64.sqrt() / 0.9)] {
-        let found = parameter_range(&straight, None, [&start, &unit], &depth, behind).unwrap().unwrap();
+        let touch = TouchSide::of(&straight, None, [&start, &unit], behind).unwrap().unwrap();
+        let found = touch.range(&straight, &depth).unwrap().unwrap();
         let [lo, hi] = found.touch.each_ref().map(float);
         assert!(lo <= 0.5f64.sqrt() && 0.5f64.sqrt() <= hi && hi - lo < 1e-12, "{lo} {hi}");
         // Rounded inwards.
         let inside = if behind { float(&found.end) <= end } else { float(&found.end) >= end };
         assert!(inside && (float(&found.end) - end).abs() < 1e-9, "{} {end}", float(&found.end));
     }
-    let all = Touching::of(&straight(&start, &start).unwrap(), Some(Side::Upper)).unwrap();
+    let all =
+        Touching::of(&straight(&RationalFunction::ratio(&start, &())).unwrap(), Some(Side::Upper)).unwrap();
     assert_eq!(all.parameters, ["1/10", "3/10", "4/5"].map(at));
     // The stop at 1 + F² is above the amplitude √2 F for every F: no touch.
-    let bent = |from: &BigRational, to: &BigRational| machine(from, to, true);
-    assert_eq!(parameter_range(&bent, None, [&start, &unit], &depth, true).unwrap(), None);
+    let bent = |amplitude: &RationalFunction| machine(amplitude, true);
+    assert!(TouchSide::of(&bent, None, [&start, &unit], true).unwrap().is_none());
 }

@@ -365,7 +365,7 @@ fn an_orbit_is_proved_past_its_flip() {
         waves: vec![(1.0, 0.3, 0.0)],
         varied: "F",
     };
-    let found = machine.found("reach = 3\nrange = { effort = 40000 }");
+    let found = machine.found("reach = 3\nrange = { effort = 80000 }");
     let orbits = || found.range.iter().flatten().filter(|row| row.of == "orbit" && row.side == "beyond");
     let row = orbits().find(|row| row.periods == [2]).unwrap();
     let [first, second] = &row.stability[..] else { panic!("{row:?}") };

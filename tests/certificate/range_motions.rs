@@ -333,9 +333,9 @@ fn claims(mirrored: bool, exact: &[BigRational; 3], effort: u64) -> Vec<Claim> {
         let harmonics = vec![(1, [one(&unit), one(&zero)])];
         let ranges = exact.each_ref().map(one);
         let problem = RangeProblem { mirrored, ranges, behind, harmonics, graph, deepest };
-        let Ok(mut proof) = prove(&problem, RangeEffort(effort), &()).unwrap() else { continue };
+        let Ok(mut proof) = prove(&problem, &RangeEffort::new(effort), &()).unwrap() else { continue };
         if born.whole {
-            proof = prove_alone(&problem, proof, RangeEffort(effort), &()).unwrap();
+            proof = prove_alone(&problem, proof, &RangeEffort::new(effort), &()).unwrap();
         }
         all.push(Claim::of(Machine { parameters, side }, &proof.certificate));
     }

@@ -150,7 +150,7 @@ fn row(machine: &Machine, exact: [&BigRational; 3], effort: u64) -> Option<Row> 
     for periods in single_orbits(&graph) {
         let (ranges, harmonics) = (exact.map(one), harmonics.clone());
         let problem = SingleProblem { mirrored: false, ranges, behind: beyond, harmonics, periods, deepest };
-        let proof = prove_single(&problem, RangeEffort(200_000), &()).unwrap();
+        let proof = prove_single(&problem, &RangeEffort::new(200_000), &()).unwrap();
         let depth = proof.as_ref().map_or(0.0, |proof| proof.depth.to_f64().unwrap());
         let (end, why) = machine.end(periods as f64, false);
         println!("{machine:?} {periods}: {depth}, {why} at {end}");
@@ -165,7 +165,7 @@ fn row(machine: &Machine, exact: [&BigRational; 3], effort: u64) -> Option<Row> 
     }
     let problem =
         RangeProblem { mirrored: false, ranges: exact.map(one), behind: beyond, harmonics, graph, deepest };
-    let proof = prove(&problem, RangeEffort(effort), &()).unwrap();
+    let proof = prove(&problem, &RangeEffort::new(effort), &()).unwrap();
     let depth = proof.as_ref().map_or(0.0, |proof| proof.depth.to_f64().unwrap());
     // ν = 1 − F*/F beyond, F*/F − 1 before.
     let proved = if beyond { depth / (1.0 - depth) } else { depth / (1.0 + depth) };
@@ -181,7 +181,7 @@ fn row(machine: &Machine, exact: [&BigRational; 3], effort: u64) -> Option<Row> 
         (false, false) => "before, one orbit",
     };
     let end = match &proof {
-        Ok(proof) => format!("{:?}, {} cells, {} legs", proof.end, proof.certificate.cells.len(), proof.legs),
+        Ok(proof) => format!("{:?}, {} cells", proof.end, proof.certificate.cells.len()),
         Err(end) => format!("{end:?}"),
     };
     println!("{kind}: {machine:?} {letters:?}: nu = {depth}, share {share:?}, {end}");

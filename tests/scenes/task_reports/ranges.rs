@@ -33,7 +33,7 @@ fn asked(stops: &str, keys: &str) -> (GrazingReport, u8) {
 
 /// README's machine itself, which several tests ask of.
 static README: LazyLock<(GrazingReport, u8)> =
-    LazyLock::new(|| asked(&stop("upper", 1), "range = { effort = 60000 }"));
+    LazyLock::new(|| asked(&stop("upper", 1), "range = { effort = 200000 }"));
 
 fn stop(side: &str, offset: i32) -> String {
     format!("[[stops]]\nside = \"{side}\"\noffset = {offset}\nrestitution = 0.8\n")
@@ -86,7 +86,8 @@ fn what_is_born_is_proved_from_the_touch_to_a_number() {
     let (mirror, known) = (mirrored.range.unwrap(), own.range.unwrap());
     assert_eq!(mirror, known);
     assert_eq!(mirrored.certificates.len(), own.certificates.len());
-    for ((one, other), row) in mirrored.certificates.iter().zip(&own.certificates).zip(&mirror) {
+    let proved = mirror.iter().filter(|row| row.certificate.is_some());
+    for ((one, other), row) in mirrored.certificates.iter().zip(&own.certificates).zip(proved) {
         let end = row.end.as_ref();
         assert_eq!((&one.0, inner(&one.1, end)), (&other.0, inner(&other.1, end)));
     }

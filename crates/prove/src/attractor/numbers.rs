@@ -154,7 +154,7 @@ fn the_orbit_is_proved_stable_in_the_windows_that_are_told() {
                 periods: window.periods,
                 deepest: 1.3 * window.depths[1],
             };
-            let Ok(proof) = prove_single(&single, RangeEffort(100_000), &()).unwrap() else { continue };
+            let Ok(proof) = prove_single(&single, &RangeEffort::new(100_000), &()).unwrap() else { continue };
             let ends: Vec<f64> = proof.parts.iter().map(|(depth, _)| depth.to_f64().unwrap()).collect();
             let Some(stable) = proof.parts.iter().position(|(_, word)| *word == Word::Stable) else {
                 continue;

@@ -19,14 +19,17 @@ use crate::{
     number::{Real, Sign},
 };
 
-/// A quotient of polynomials in whole numbers without a common divisor, coefficients from the constant one
-/// on: as fractions each of them would be reduced, which takes a hundred times as long. Equality is that of
-/// what is known.
+/// A quotient of polynomials in whole numbers, coefficients from the constant one on: as fractions each of
+/// them would be reduced, which takes a hundred times as long. Equality is that of what is written down.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RationalFunction {
     over: Vec<Between>,
     under: Vec<Between>,
 }
+
+/// Coefficients of so many bits keep their common divisor but for a power of 2: to find it costs a hundred
+/// products.
+const SHORT: u64 = 16384;
 
 /// The most bits that coefficients have which are not exact.
 const BITS: u64 = 384;
@@ -44,6 +47,14 @@ impl RationalFunction {
             for [lo, hi] in over.iter_mut().chain(&mut under).filter(|_| shift > 0) {
                 (*lo, *hi) = (&*lo >> shift, -(-&*hi >> shift));
             }
+            return RationalFunction { over, under };
+        }
+        let twos = all().filter_map(|[x, _]| x.trailing_zeros()).min().unwrap_or(0);
+        if twos > 0 {
+            over.iter_mut().chain(&mut under).flatten().for_each(|x| *x >>= twos);
+        }
+        let all = || over.iter().chain(&under);
+        if all().all(|[x, _]| x.bits() <= SHORT) {
             return RationalFunction { over, under };
         }
         let mut divisor = BigInt::zero();
@@ -75,6 +86,21 @@ impl RationalFunction {
                 let q = exactly(from.denom().clone());
                 RationalFunction::new(vec![exactly(from.numer().clone()), q.clone()], vec![q])
             }
+        }
+    }
+
+    /// A number to 2⁻³⁸³ of its size, for what needs no more: by each operation one that is exact gets more
+    /// digits, and a divisor common to all of them costs more than the operation.
+    pub fn about(x: &BigRational) -> RationalFunction {
+        if x.is_zero() {
+            return RationalFunction::ratio(x, &());
+        }
+        let places = BITS + x.denom().bits();
+        let places = places.saturating_sub(x.numer().bits());
+        let below = (x.numer() << places).div_floor(x.denom());
+        RationalFunction {
+            over: vec![[below.clone(), below + 1]],
+            under: vec![exactly(BigInt::one() << places)],
         }
     }
 

@@ -35,6 +35,15 @@ pub(crate) struct Touch {
     pub harmonics: Vec<Term>,
 }
 
+/// The same before its top is known.
+struct Moved {
+    mirrored: bool,
+    parameters: [Function; 3],
+    ratio: Function,
+    /// The wall's motion, A being 1.
+    form: Vec<Wave>,
+}
+
 impl Touch {
     /// Of a system whose coefficients are functions of a parameter.
     ///
@@ -43,6 +52,22 @@ impl Touch {
     /// no spring, a wall whose form changes with the parameter, one that the
     /// motion without it crosses with its mean.
     pub(crate) fn of(system: &System<Function>, side: Option<Side>) -> Result<Touch> {
+        let Moved { mirrored, parameters, ratio, form } = Moved::of(system, side)?;
+        let top = top(&form)?;
+        Ok(Touch { mirrored, parameters, ratio, top: top.square()?, harmonics: top.harmonics })
+    }
+
+    /// C²/A² alone.
+    ///
+    /// # Errors
+    /// As [`Touch::of`].
+    pub(crate) fn ratio(system: &System<Function>, side: Option<Side>) -> Result<Function> {
+        Moved::of(system, side).map(|moved| moved.ratio)
+    }
+}
+
+impl Moved {
+    fn of(system: &System<Function>, side: Option<Side>) -> Result<Moved> {
         let (side, wall, mirror) = met(system, side)?;
         check_linear(system)?;
         let (damping, stiffness) = (&system.damping, &system.stiffness);
@@ -66,18 +91,11 @@ impl Touch {
                 "seen from the motion without it, the wall must move, with its mean behind the motion's",
             );
         }
-        let top = top(&form)?;
         let once = Function::ratio(&BigRational::from_integer(faster.into()), &());
         let parameters =
             [damping.clone() / &once, stiffness.clone() / &(once.clone() * &once), wall.restitution.clone()];
         let ratio = mean.clone() * &mean / &scale;
-        Ok(Touch {
-            mirrored: mirror.is_some(),
-            parameters,
-            ratio,
-            top: top.square()?,
-            harmonics: top.harmonics,
-        })
+        Ok(Moved { mirrored: mirror.is_some(), parameters, ratio, form })
     }
 }
 

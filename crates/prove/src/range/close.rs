@@ -4,7 +4,10 @@
 //! keeps, if there are such. Each round takes for m what makes |1 − m (1 − f_s)| least. The weights are about
 //! the eigenvector of the greatest derivatives.
 
-use super::map::{Depths, Edges, Image};
+use super::{
+    effort::RangeEffort,
+    map::{Depths, Edges, Image},
+};
 use crate::chaos::span::Span;
 
 /// What the map keeps in a cell.
@@ -23,30 +26,6 @@ const ROUNDS: usize = 150;
 const MOST: f64 = 0.997;
 /// Strengths of a certificate are smaller.
 const FAR: f64 = 3e4;
-
-/// A counter of legs, and how many there may be.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Budget {
-    pub spent: u64,
-    pub most: u64,
-}
-
-impl Budget {
-    pub fn take(&mut self, legs: u64) -> Option<()> {
-        self.spent += legs;
-        (self.spent <= self.most).then_some(())
-    }
-
-    /// Counts what a checker does that asks whether to end; whether it should.
-    pub fn stops(&mut self) -> bool {
-        self.take(1).is_none()
-    }
-
-    /// Whether no more is allowed.
-    pub fn is_spent(&self) -> bool {
-        self.spent >= self.most
-    }
-}
 
 /// The factors for these images: m (1 − f_s) about 1.
 fn factors(images: &[Image]) -> Option<Vec<f64>> {
@@ -69,16 +48,13 @@ pub(super) fn close(
     edges: &Edges,
     start: &[f64],
     parts: u64,
-    budget: &mut Budget,
+    effort: &RangeEffort,
 ) -> Option<Closed> {
-    let work = Depths::work(edges, parts);
     let mut strengths: Vec<Span> = start.iter().map(|&s| Span::point(s)).collect();
-    budget.take(work)?;
-    let mut m = factors(&depths.image(edges, &strengths, &vec![1.0; start.len()], parts)?)?;
+    let mut m = factors(&depths.image(edges, &strengths, &vec![1.0; start.len()], parts, effort)?)?;
     let mut settled = false;
     for _ in 0..ROUNDS {
-        budget.take(work)?;
-        let images = depths.image(edges, &strengths, &m, parts)?;
+        let images = depths.image(edges, &strengths, &m, parts, effort)?;
         let small = |old: Span, new: Span| {
             (old.lo - new.lo).abs().max((old.hi - new.hi).abs()) <= 2e-3 * new.width() + 1e-12
         };
@@ -97,7 +73,7 @@ pub(super) fn close(
     }
     [0.02, 0.06, 0.005]
         .iter()
-        .find_map(|&share| widened(depths, edges, (&strengths, &m), share, parts, budget))
+        .find_map(|&share| widened(depths, edges, (&strengths, &m), share, parts, effort))
 }
 
 /// The same, wider by a share of the widths: the image of the last, wider by that much, round by round.
@@ -107,17 +83,15 @@ fn widened(
     (strengths, factors): (&[Span], &[f64]),
     share: f64,
     parts: u64,
-    budget: &mut Budget,
+    effort: &RangeEffort,
 ) -> Option<Closed> {
-    let work = Depths::work(edges, parts);
     let margins: Vec<f64> =
         strengths.iter().map(|span| share * span.width() + 1e-10 * (1.0 + span.magnitude())).collect();
     let mut image = strengths.to_vec();
     for _ in 0..40 {
         let both = image.iter().zip(&margins);
         let wide: Vec<Span> = both.map(|(span, &margin)| span.widened(margin)).collect();
-        budget.take(work)?;
-        let images = depths.image(edges, &wide, factors, parts)?;
+        let images = depths.image(edges, &wide, factors, parts, effort)?;
         // Another checker's enclosures may be a little wider.
         let inside = |(wide, image): (&Span, &Image)| {
             image.strengths.widened(2e-3 * wide.width() + 1e-12).is_in(*wide)

@@ -5,12 +5,16 @@
 
 use std::rc::Rc;
 
+use super::RangeEffort;
 use crate::chaos::{
     LetterGraph,
     map::{Cell, Flow, Impact},
     profile::Profile,
     span::Span,
 };
+
+/// So many impacts cost as much as a leg.
+const IMPACTS: u64 = 8;
 
 /// The graph, edge by edge.
 #[derive(Debug, Clone)]
@@ -175,18 +179,21 @@ impl Depths {
         Leg { middle, after, before }
     }
 
-    /// F of strengths in so many parts, with these factors; none if a phase is out of reach or something is
-    /// not bounded.
+    /// F of strengths in so many parts, with these factors; none if a phase is out of reach, something is not
+    /// bounded, or there is too much to do.
     pub fn image(
         &self,
         edges: &Edges,
         strengths: &[Span],
         factors: &[f64],
         parts: u64,
+        effort: &RangeEffort,
     ) -> Option<Vec<Image>> {
+        effort.take(strengths.len() as u64 * parts / IMPACTS)?;
         let both = |s: Span| Some([self.cell.impact(s)?, self.centre.impact(Span::point(s.middle()))?]);
         let cut = |s: &Span| (0..parts).map(|i| both(s.part(i, parts))).collect::<Option<Vec<_>>>();
         let impacts: Vec<Vec<[Impact; 2]>> = strengths.iter().map(cut).collect::<Option<_>>()?;
+        effort.take(edges.legs.len() as u64 * parts * parts)?;
         let [after, before] = self.terms(edges, &impacts);
         let images = factors.iter().enumerate().map(|(edge, &m)| {
             let [c1, c2] = self.cell.shares;
@@ -243,11 +250,6 @@ impl Depths {
             }
         }
         [after, before]
-    }
-
-    /// How many legs a round takes.
-    pub fn work(edges: &Edges, parts: u64) -> u64 {
-        edges.legs.len() as u64 * parts * parts
     }
 }
 

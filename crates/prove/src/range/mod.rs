@@ -7,7 +7,7 @@
 //! [`prove_nothing`] proves that no motion stays near; that there is nothing else near, [`prove_alone`]; what
 //! of it goes farther than all of it, [`prove_farther`]; and each orbit of one impact, [`single_orbits`],
 //! along its curve, [`prove_single`]. Which values of a machine's parameter have these depths says
-//! [`parameter_range`], and of all machines of a box [`MachineBox`]. Not here: reports.
+//! [`TouchSide`], and of all machines of a box [`MachineBox`]. Not here: reports.
 //!
 //! ```
 //! use grazing_scenes::certificate;
@@ -24,7 +24,7 @@
 //!     graph: LetterGraph::full(&[1]),
 //!     deepest: 0.05,
 //! };
-//! let proof = prove(&problem, RangeEffort::default(), &())?.unwrap();
+//! let proof = prove(&problem, &RangeEffort::default(), &())?.unwrap();
 //! assert_eq!(proof.depth, parse_rational("1/20")?);
 //! assert!(certificate::check(&mut proof.text.as_bytes()).is_ok());
 //! # Ok::<(), grazing_scenes::Error>(())
@@ -32,6 +32,7 @@
 
 mod born;
 mod close;
+mod effort;
 mod map;
 mod nothing;
 mod others;
@@ -47,15 +48,16 @@ use num_traits::ToPrimitive;
 
 pub use self::{
     born::{Born, born, born_of},
+    effort::RangeEffort,
     nothing::{NothingProblem, NothingProof, prove_nothing},
-    parameter::{ParameterRange, SystemOver, Touching, is_as_deep, parameter_range},
+    parameter::{ParameterRange, SystemOver, TouchSide, Touching, is_as_deep},
     parts::{prove_farther, single_orbits},
     said::Said,
     single::{SingleProblem, SingleProof, prove_single},
     tolerated::{MachineBox, SystemOf, ToleratedRange},
 };
 use self::{
-    close::{Budget, Closed, close},
+    close::{Closed, close},
     map::{Edges, Oscillator},
 };
 use crate::{
@@ -83,16 +85,6 @@ pub struct RangeProblem {
     pub deepest: f64,
 }
 
-/// How much may be spent: legs that the search evaluates, and steps of the checker, which are some as long.
-#[derive(Debug, Clone, Copy)]
-pub struct RangeEffort(pub u64);
-
-impl Default for RangeEffort {
-    fn default() -> RangeEffort {
-        RangeEffort(400_000)
-    }
-}
-
 /// A proof that has passed the checker.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
@@ -107,8 +99,6 @@ pub struct RangeProof {
     pub alone: Option<BigRational>,
     /// Why it goes no further.
     pub end: RangeEnd,
-    /// How many legs were evaluated.
-    pub legs: u64,
 }
 
 /// Why a range ends.
@@ -143,18 +133,18 @@ const CELLS: usize = 1000;
 
 /// The largest range that is found, or why there is none.
 ///
-/// Cost: `effort`, and the checker's for each cell that is tried.
+/// Cost: `effort`.
 ///
 /// # Errors
 /// An interruption; numbers of more digits than a certificate holds.
 pub fn prove(
     problem: &RangeProblem,
-    effort: RangeEffort,
+    effort: &RangeEffort,
     monitor: &dyn Monitor,
 ) -> Result<std::result::Result<RangeProof, RangeEnd>> {
     let mut search = Search::new(problem, effort)?;
     let end = search.run(monitor)?;
-    let Search { mut certificate, budget, contraction, .. } = search;
+    let Search { mut certificate, contraction, .. } = search;
     // Each cell holds with the greatest contraction; the true one says more. As a whole it may cost too much.
     let loose = std::mem::replace(&mut certificate.contraction, write::contraction(contraction)?);
     let mut refused = None;
@@ -165,7 +155,7 @@ pub fn prove(
             Ok(_) => {
                 let end = refused.map_or(end, RangeEnd::Refused);
                 let alone = None;
-                return Ok(Ok(RangeProof { certificate, text, depth, alone, end, legs: budget.spent }));
+                return Ok(Ok(RangeProof { certificate, text, depth, alone, end }));
             }
             Err(_) if certificate.contraction != loose => certificate.contraction = loose,
             Err(rejection) => {
@@ -188,12 +178,11 @@ pub fn prove(
 pub fn prove_alone(
     problem: &RangeProblem,
     proof: RangeProof,
-    effort: RangeEffort,
+    effort: &RangeEffort,
     monitor: &dyn Monitor,
 ) -> Result<RangeProof> {
     let oscillator = oscillator(problem.mirrored, &problem.ranges, problem.behind, &problem.harmonics);
-    let mut budget = Budget { spent: 0, most: effort.0 };
-    let Some(mut found) = others::alone(&proof.certificate, &oscillator, &mut budget, monitor)? else {
+    let Some(mut found) = others::alone(&proof.certificate, &oscillator, effort, monitor)? else {
         return Ok(proof);
     };
     // As a whole it may cost too much: then the last cells do without.
@@ -216,7 +205,7 @@ struct Search<'a> {
     oscillator: Oscillator,
     edges: Edges,
     certificate: Certificate,
-    budget: Budget,
+    effort: &'a RangeEffort<'a>,
     /// Where the next cell begins, and the strengths there.
     depth: f64,
     strengths: Vec<f64>,
@@ -227,7 +216,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(problem: &'a RangeProblem, effort: RangeEffort) -> Result<Search<'a>> {
+    fn new(problem: &'a RangeProblem, effort: &'a RangeEffort<'a>) -> Result<Search<'a>> {
         let oscillator = oscillator(problem.mirrored, &problem.ranges, problem.behind, &problem.harmonics);
         let window = window(&oscillator.profile);
         Ok(Search {
@@ -235,7 +224,7 @@ impl<'a> Search<'a> {
             oscillator,
             edges: Edges::new(&problem.graph),
             certificate: write::head(problem, window)?,
-            budget: Budget { spent: 0, most: effort.0 },
+            effort,
             depth: 0.0,
             strengths: Vec::new(),
             level: 0,
@@ -267,7 +256,7 @@ impl<'a> Search<'a> {
                 }
                 Some(end) => end,
             };
-            if self.budget.is_spent() {
+            if self.effort.is_spent() {
                 return Ok(RangeEnd::Work);
             }
             step = 0.5 * step.min(next - self.depth);
@@ -285,7 +274,7 @@ impl<'a> Search<'a> {
     fn cell(&mut self, next: f64) -> Result<Option<RangeEnd>> {
         let depths = self.oscillator.depths(Span::new(self.depth, next), &self.edges);
         let parts = PARTS[self.level];
-        let closed = close(&depths, &self.edges, &self.strengths, parts, &mut self.budget);
+        let closed = close(&depths, &self.edges, &self.strengths, parts, self.effort);
         let Some(closed) = closed else { return Ok(Some(RangeEnd::Map)) };
         Ok(self.judge(&closed, next)?.err().map(RangeEnd::Refused))
     }
@@ -299,7 +288,8 @@ impl<'a> Search<'a> {
         for steps in if first { vec![0] } else { vec![10, 100] } {
             cell.steps = steps;
             self.certificate.cells.push(cell.clone());
-            match cell_holds(&self.certificate, at, &mut || self.budget.stops()) {
+            let effort = self.effort;
+            match effort.judged(|| cell_holds(&self.certificate, at, &mut || effort.stops())) {
                 Ok(()) => {
                     self.strengths = closed.strengths.iter().map(|span| span.middle()).collect();
                     self.contraction = self.contraction.max(closed.contraction);

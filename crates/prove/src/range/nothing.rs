@@ -9,7 +9,6 @@ use num_rational::BigRational;
 
 use super::{
     RangeEffort, RangeEnd,
-    close::Budget,
     map::{Edges, Oscillator},
     oscillator, window, write,
 };
@@ -111,7 +110,7 @@ struct Found {
 /// An interruption; numbers of more digits than a certificate holds.
 pub fn prove_nothing(
     problem: &NothingProblem,
-    effort: RangeEffort,
+    effort: &RangeEffort,
     monitor: &dyn Monitor,
 ) -> Result<std::result::Result<NothingProof, RangeEnd>> {
     let oscillator = oscillator(problem.mirrored, &problem.ranges, true, &problem.harmonics);
@@ -126,18 +125,12 @@ pub fn prove_nothing(
         rounds: 0,
         cells: Vec::new(),
     };
-    let mut budget = Budget { spent: 0, most: effort.0 };
     let mut best: Option<Found> = None;
     let mut end = RangeEnd::Map;
     for zone in ZONES {
         let most = ROUNDS[ROUNDS.len() - 1];
-        let found = over(
-            &Certificate { rounds: most, ..start.clone() },
-            zone,
-            problem.deepest,
-            &mut budget,
-            monitor,
-        )?;
+        let found =
+            over(&Certificate { rounds: most, ..start.clone() }, zone, problem.deepest, effort, monitor)?;
         if found.certificate.cells.is_empty() {
             end = found.end;
             // That no zone mends.
@@ -147,7 +140,7 @@ pub fn prove_nothing(
         } else if best.as_ref().is_none_or(|best| found.depth > WORTH * best.depth) {
             best = Some(found);
         }
-        if best.as_ref().is_some_and(|best| best.depth * WORTH >= problem.deepest) || budget.is_spent() {
+        if best.as_ref().is_some_and(|best| best.depth * WORTH >= problem.deepest) || effort.is_spent() {
             break;
         }
     }
@@ -155,7 +148,13 @@ pub fn prove_nothing(
     // The fewest rounds that do say the soonest by when a motion leaves.
     for rounds in ROUNDS {
         let fewer = Certificate { rounds, ..best.certificate.clone() };
-        if let Ok(()) = (0..fewer.cells.len()).try_for_each(|cell| cell_holds(&fewer, cell, &mut || false)) {
+        // Counted, and not ended: without it nothing is proved.
+        let mut counted = || {
+            let _ = effort.take(1);
+            false
+        };
+        let mut cells = 0..fewer.cells.len();
+        if cells.try_for_each(|cell| cell_holds(&fewer, cell, &mut counted)).is_ok() {
             best.certificate = fewer;
             break;
         }
@@ -197,7 +196,7 @@ fn over(
     start: &Certificate,
     [height, slope]: [f64; 2],
     deepest: f64,
-    budget: &mut Budget,
+    effort: &RangeEffort,
     monitor: &dyn Monitor,
 ) -> Result<Found> {
     let mut certificate = start.clone();
@@ -218,7 +217,7 @@ fn over(
         let parts = PARTS[level];
         let at = certificate.cells.len();
         certificate.cells.push(Cell { depth: write::depth_fraction(next), strength: written, parts });
-        match cell_holds(&certificate, at, &mut || budget.stops()) {
+        match effort.judged(|| cell_holds(&certificate, at, &mut || effort.stops())) {
             Ok(()) => {
                 let here = depth.max(NothingProof::FROM).min(next) * write::float(written) / 2.0;
                 least = if depth > NothingProof::FROM { least.min(here) } else { here };
@@ -227,7 +226,7 @@ fn over(
             }
             Err(reason) => {
                 certificate.cells.pop();
-                if budget.is_spent() {
+                if effort.is_spent() {
                     break RangeEnd::Work;
                 }
                 if born(&reason) {

@@ -5,7 +5,7 @@
 //! claims are added to the cells that have them from the touch on.
 
 use super::{
-    close::Budget,
+    RangeEffort,
     map::{Edges, Oscillator},
     nothing::longest,
     write,
@@ -31,7 +31,7 @@ const ROUNDS: u64 = 6;
 pub(super) fn alone(
     certificate: &Certificate,
     oscillator: &Oscillator,
-    budget: &mut Budget,
+    effort: &RangeEffort,
     monitor: &dyn Monitor,
 ) -> Result<Option<Certificate>> {
     let periods: Vec<u64> = certificate.letters.iter().map(|letter| letter.periods).collect();
@@ -49,10 +49,10 @@ pub(super) fn alone(
             let strength = decimal((greatest(&found, cell) * WIDER[wide] * 1000.0).ceil() / 1000.0, 3)?;
             let [parts, slices] = PARTS[cut];
             found.cells[cell].others = Some(Others { strength, parts, slices });
-            if others_hold(&found, cell, &mut || budget.stops()).is_ok() {
+            if effort.judged(|| others_hold(&found, cell, &mut || effort.stops())).is_ok() {
                 held = Some([wide, cut]);
             }
-            if held.is_some() || budget.is_spent() {
+            if held.is_some() || effort.is_spent() {
                 break;
             }
         }

@@ -16,10 +16,11 @@ use crate::{
     chaos::{RationalFunction, Term, touch::Touch},
     error::{Error, Result},
     motion::{Side, System},
+    number::Real,
 };
 
-/// The system for all values of the parameter above one number, up to another.
-pub type SystemOver<'a> = &'a dyn Fn(&BigRational, &BigRational) -> Result<System<RationalFunction>>;
+/// The system where the parameter is this number, or runs through these.
+pub type SystemOver<'a> = &'a dyn Fn(&RationalFunction) -> Result<System<RationalFunction>>;
 
 /// A side of a touch in a parameter p.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -105,65 +106,109 @@ fn fail(message: &str) -> Error {
 /// How many times a step is doubled or halved.
 const STEPS: u32 = 60;
 
-/// The parameters from the touch near `start` to a depth, on the side where the wall is passed (`behind`,
-/// where R is below h) or not; `unit` is a small step of the parameter. None if ν is not shown to increase
-/// even on a short range, or there is no touch near `start`.
-///
-/// Cost: about 260 evaluations of R.
-///
-/// # Errors
-/// As [`Touching::of`].
-pub fn parameter_range(
-    system: SystemOver,
+/// A side of a touch, where the wall is passed or not, before it is known how far a depth is.
+#[derive(Debug, Clone)]
+pub struct TouchSide {
     side: Option<Side>,
-    [start, unit]: [&BigRational; 2],
-    depth: &BigRational,
+    /// Whether it is the one where the wall is passed, R being below h.
     behind: bool,
-) -> Result<Option<ParameterRange>> {
-    let one = BigRational::one();
-    let ratio = |p: &BigRational| -> Result<[BigRational; 2]> {
-        let ratio = Touch::of(&system(p, p)?, side)?.ratio;
-        ratio.value().ok_or_else(|| fail("the wall's height is not a number"))
-    };
-    let [least, greatest] = Touch::of(&system(start, start)?, side)?.top;
-    // Of R's least and greatest.
-    let on_side = |[lo, hi]: &[BigRational; 2]| if behind { *hi < least } else { *lo > greatest };
-    let on_other = |[lo, hi]: &[BigRational; 2]| if behind { *lo >= greatest } else { *hi <= least };
-    // ν ≤ depth, whatever h is: √R ≥ (1 − depth) √h beyond, √R ≤ (1 + depth) √h before.
-    let limit = if behind { &one - depth } else { &one + depth };
-    let square = if limit.is_positive() { &limit * &limit } else { BigRational::zero() };
-    let square = square * if behind { &greatest } else { &least };
-    let inside = |r: &[BigRational; 2]| on_side(r) && if behind { r[0] >= square } else { r[1] <= square };
-    // Which way, and a point on either side of the touch.
-    let (left, right) = (start - unit, start + unit);
-    let both = [ratio(&left)?, ratio(&right)?];
-    let at_right = on_other(&both[0]) && on_side(&both[1]);
-    let at_left = on_side(&both[0]) && on_other(&both[1]);
-    if at_left == at_right {
-        return Ok(None);
-    }
-    let way = if at_right { BigRational::one() } else { -BigRational::one() };
-    let [outer, first] = if at_right { [left, right] } else { [right, left] };
-    // Between these two it is not known how high the top is.
-    let hi = edge(&|p| Ok(on_side(&ratio(p)?)), &first, &outer)?;
-    let lo = edge(&|p| Ok(on_other(&ratio(p)?)), &outer, &first)?;
-    let touch = if lo < hi { [lo.clone(), hi.clone()] } else { [hi.clone(), lo.clone()] };
-    let short = simplest(&touch[0], &touch[1]);
-    let exactly = least == greatest && ratio(&short)?.iter().all(|r| *r == least);
-    let touch = if exactly { [short.clone(), short] } else { touch };
-    if !inside(&ratio(&hi)?) {
-        return Ok(None);
-    }
-    let mut end = farthest(&|p| Ok(inside(&ratio(p)?)), &hi, &(&way * unit))?;
-    // R runs one way from the outer point to the end.
-    for _ in 0..STEPS {
-        let (from, to) = if outer < end { (&outer, &end) } else { (&end, &outer) };
-        if Touch::of(&system(from, to)?, side)?.ratio.runs_one_way() {
-            return Ok(Some(ParameterRange { touch, end }));
+    /// The least and the greatest h.
+    top: [BigRational; 2],
+    /// The touch as in a range.
+    touch: [BigRational; 2],
+    /// A parameter certainly on the other side, and one certainly on this side and nearer to the touch.
+    outer: BigRational,
+    inner: BigRational,
+    /// A small step away from the touch.
+    step: BigRational,
+}
+
+/// Two numbers between which R is at a value of the parameter.
+fn value(system: SystemOver, side: Option<Side>, at: &RationalFunction) -> Result<[BigRational; 2]> {
+    let ratio = Touch::ratio(&system(at)?, side)?;
+    ratio.value().ok_or_else(|| fail("the wall's height is not a number"))
+}
+
+/// The same of a number to all digits that count.
+fn ratio(system: SystemOver, side: Option<Side>, p: &BigRational) -> Result<[BigRational; 2]> {
+    // What cancels exactly, and is to, does so exactly alone.
+    value(system, side, &RationalFunction::about(p))
+        .or_else(|_| value(system, side, &RationalFunction::ratio(p, &())))
+}
+
+impl TouchSide {
+    /// The touch near `start`, and the side where the wall is passed (`behind`, where R is below h) or not;
+    /// `unit` is a small step of the parameter. None if there is no touch near.
+    ///
+    /// Cost: about 125 evaluations of R.
+    ///
+    /// # Errors
+    /// As [`Touching::of`].
+    pub fn of(
+        system: SystemOver,
+        side: Option<Side>,
+        [start, unit]: [&BigRational; 2],
+        behind: bool,
+    ) -> Result<Option<TouchSide>> {
+        let exactly = |p: &BigRational| RationalFunction::ratio(p, &());
+        let [least, greatest] = Touch::of(&system(&exactly(start))?, side)?.top;
+        let ratio = |p: &BigRational| ratio(system, side, p);
+        let on_side = |[lo, hi]: &[BigRational; 2]| if behind { *hi < least } else { *lo > greatest };
+        let on_other = |[lo, hi]: &[BigRational; 2]| if behind { *lo >= greatest } else { *hi <= least };
+        // Which way, and a point on either side of the touch.
+        let (left, right) = (start - unit, start + unit);
+        let both = [ratio(&left)?, ratio(&right)?];
+        let at_right = on_other(&both[0]) && on_side(&both[1]);
+        let at_left = on_side(&both[0]) && on_other(&both[1]);
+        if at_left == at_right {
+            return Ok(None);
         }
-        end = shorter(&hi, &end);
+        let step = if at_right { unit.clone() } else { -unit };
+        let [outer, first] = if at_right { [left, right] } else { [right, left] };
+        // Between these two it is not known how high the top is.
+        let inner = edge(&|p| Ok(on_side(&ratio(p)?)), &first, &outer)?;
+        let other = edge(&|p| Ok(on_other(&ratio(p)?)), &outer, &first)?;
+        let touch = if other < inner { [other, inner.clone()] } else { [inner.clone(), other] };
+        let short = simplest(&touch[0], &touch[1]);
+        let is_short =
+            least == greatest && value(system, side, &exactly(&short))?.iter().all(|r| *r == least);
+        let touch = if is_short { [short.clone(), short] } else { touch };
+        Ok(Some(TouchSide { side, behind, top: [least, greatest], touch, outer, inner, step }))
     }
-    Ok(None)
+
+    /// The parameters up to a depth, of the same system; none if ν is not shown to increase even on a short
+    /// range.
+    ///
+    /// Cost: about 125 evaluations of R.
+    ///
+    /// # Errors
+    /// As [`Touching::of`].
+    pub fn range(&self, system: SystemOver, depth: &BigRational) -> Result<Option<ParameterRange>> {
+        let TouchSide { side, behind, top: [least, greatest], touch, outer, inner, step } = self;
+        let one = BigRational::one();
+        // ν ≤ depth, whatever h is: √R ≥ (1 − depth) √h beyond, √R ≤ (1 + depth) √h before.
+        let limit = if *behind { &one - depth } else { &one + depth };
+        let square = if limit.is_positive() { &limit * &limit } else { BigRational::zero() };
+        let square = square * if *behind { greatest } else { least };
+        let inside = |p: &BigRational| -> Result<bool> {
+            let [lo, hi] = ratio(system, *side, p)?;
+            Ok(if *behind { hi < *least && lo >= square } else { lo > *greatest && hi <= square })
+        };
+        if !inside(inner)? {
+            return Ok(None);
+        }
+        let mut end = farthest(&inside, inner, step)?;
+        // R runs one way from the outer point to the end.
+        for _ in 0..STEPS {
+            let (from, to) = if *outer < end { (outer, &end) } else { (&end, outer) };
+            let over = RationalFunction::range(from, Some(to));
+            if Touch::ratio(&system(&over)?, *side)?.runs_one_way() {
+                return Ok(Some(ParameterRange { touch: touch.clone(), end }));
+            }
+            end = shorter(inner, &end);
+        }
+        Ok(None)
+    }
 }
 
 /// Whether the depth at a parameter is certainly at least this.
@@ -177,7 +222,8 @@ pub fn is_as_deep(
     depth: &BigRational,
     behind: bool,
 ) -> Result<bool> {
-    let Touch { ratio, top: [least, greatest], .. } = Touch::of(&system(parameter, parameter)?, side)?;
+    let system = system(&RationalFunction::ratio(parameter, &()))?;
+    let Touch { ratio, top: [least, greatest], .. } = Touch::of(&system, side)?;
     let Some([lo, hi]) = ratio.value() else { return Ok(false) };
     let one = BigRational::one();
     // √R ≤ (1 − depth) √h beyond, √R ≥ (1 + depth) √h before, whatever h is.
@@ -248,7 +294,7 @@ pub(super) fn edge(
 mod tests {
     use num_rational::BigRational;
 
-    use super::{parameter_range, simplest};
+    use super::{TouchSide, simplest};
     use crate::{
         chaos::RationalFunction,
         motion::{Harmonic, Side, System, Wall},
@@ -282,13 +328,10 @@ mod tests {
         let turn = RationalFunction::between([&(&lo * at("2")), &(&hi * at("2"))]);
         for (behind, depth) in [(false, "1/10"), (true, "1/10")] {
             let range = |turn: &RationalFunction, start: &str| {
-                let system = |from: &BigRational, to: &BigRational| {
-                    Ok(driven(&RationalFunction::range(from, Some(to)), turn))
-                };
+                let system = |frequency: &RationalFunction| Ok(driven(frequency, turn));
                 let unit = at(start) * at("1e-6");
-                parameter_range(&system, None::<Side>, [&at(start), &unit], &at(depth), behind)
-                    .unwrap()
-                    .unwrap()
+                let touch = TouchSide::of(&system, None::<Side>, [&at(start), &unit], behind).unwrap();
+                touch.unwrap().range(&system, &at(depth)).unwrap().unwrap()
             };
             let own = range(&RationalFunction::integer(1, &()), "24.2144771");
             let hertz = range(&turn, "3.85385373");

@@ -20,14 +20,14 @@ pub fn single_orbits(graph: &LetterGraph) -> Vec<u64> {
 /// proved deepest, if that is deeper than `whole`, the depth of the problem's own. Of two as deep the one
 /// without the longer letter.
 ///
-/// Cost: `effort`, shared evenly by the letters, and the checker's for each cell that is tried.
+/// Cost: `effort`, shared evenly by the letters.
 ///
 /// # Errors
 /// As [`prove`].
 pub fn prove_farther(
     problem: &RangeProblem,
     whole: f64,
-    effort: RangeEffort,
+    effort: &RangeEffort,
     monitor: &dyn Monitor,
 ) -> Result<Option<(LetterGraph, RangeProof)>> {
     let count = problem.graph.letters.len();
@@ -43,7 +43,7 @@ pub fn prove_farther(
             continue;
         }
         let part = RangeProblem { graph: graph.clone(), ..problem.clone() };
-        if let Ok(proof) = prove(&part, RangeEffort(effort.0 / count as u64), monitor)? {
+        if let Ok(proof) = prove(&part, &effort.part(without as u64 + 1), monitor)? {
             let depth = proof.depth.to_f64().unwrap_or(0.0);
             let least = best.as_ref().map_or(FARTHER * whole, |(.., depth)| *depth);
             if depth > least {

@@ -6,7 +6,7 @@
 
 use num_rational::BigRational;
 
-use super::{RangeEffort, RangeEnd, close::Budget, write};
+use super::{RangeEffort, RangeEnd, write};
 use crate::{
     certificate::single::{Certificate, Found, Part, Word, cell_holds},
     chaos::{Term, write::decimal},
@@ -75,10 +75,9 @@ const FARTHEST: f64 = 3.125;
 /// An interruption; numbers of more digits than a certificate holds.
 pub fn prove_single(
     problem: &SingleProblem,
-    effort: RangeEffort,
+    effort: &RangeEffort,
     monitor: &dyn Monitor,
 ) -> Result<std::result::Result<SingleProof, RangeEnd>> {
-    let mut budget = Budget { spent: 0, most: effort.0 };
     let mut search = Search {
         problem,
         certificate: Certificate {
@@ -98,14 +97,14 @@ pub fn prove_single(
     let mut end = RangeEnd::Map;
     for pieces in PIECES.into_iter().filter(|pieces| pieces * problem.periods <= ALL_PIECES) {
         search.certificate.pieces = pieces;
-        end = search.run(&mut budget, monitor)?;
+        end = search.run(effort, monitor)?;
         // More pieces add to what fewer had proved, if that goes through with them, too.
         match search.proof(&end)? {
             Ok(proof) => best = Some(proof),
             Err(_) if best.is_some() => break,
             Err(why) => end = why,
         }
-        if end == RangeEnd::Asked || budget.is_spent() {
+        if end == RangeEnd::Asked || effort.is_spent() {
             break;
         }
     }
@@ -126,7 +125,7 @@ fn float(units: i128) -> f64 {
 
 impl Search<'_> {
     /// Cell after cell, from where the last ends; why there is no next one.
-    fn run(&mut self, budget: &mut Budget, monitor: &dyn Monitor) -> Result<RangeEnd> {
+    fn run(&mut self, effort: &RangeEffort, monitor: &dyn Monitor) -> Result<RangeEnd> {
         let deepest = self.problem.deepest;
         let mut phase = self.certificate.cells.last().map_or(0.0, |last| write::float(*last));
         let mut step = if phase > 0.0 { 0.01 * phase } else { FIRST };
@@ -135,7 +134,7 @@ impl Search<'_> {
             if self.found.last().is_some_and(|cell| float(cell.reach) >= deepest) {
                 return Ok(RangeEnd::Asked);
             }
-            if self.certificate.cells.len() >= CELLS || budget.is_spent() {
+            if self.certificate.cells.len() >= CELLS || effort.is_spent() {
                 return Ok(RangeEnd::Work);
             }
             if phase >= FARTHEST {
@@ -150,7 +149,7 @@ impl Search<'_> {
             let failed = if next > phase {
                 let at = self.certificate.cells.len();
                 self.certificate.cells.push(last);
-                match self.judge(at, budget) {
+                match self.judge(at, effort) {
                     Ok(found) if found.word != Word::Open || open || step <= OPEN * next => {
                         self.found.push(found);
                         (phase, step) = (next, 1.6 * step);
@@ -168,19 +167,19 @@ impl Search<'_> {
             step *= 0.5;
             if let Some(why) = failed.filter(|_| step < (LAST * phase).max(SMALLEST)) {
                 // What was ended before it was done refuses nothing.
-                return Ok(if budget.is_spent() { RangeEnd::Work } else { RangeEnd::Refused(why) });
+                return Ok(if effort.is_spent() { RangeEnd::Work } else { RangeEnd::Refused(why) });
             }
         }
     }
 
     /// What the checker finds of the last cell; of the first in either direction.
-    fn judge(&mut self, at: usize, budget: &mut Budget) -> std::result::Result<Found, String> {
-        let first = cell_holds(&self.certificate, at, &mut || budget.stops());
+    fn judge(&mut self, at: usize, effort: &RangeEffort) -> std::result::Result<Found, String> {
+        let first = effort.judged(|| cell_holds(&self.certificate, at, &mut || effort.stops()));
         if at > 0 || first.is_ok() {
             return first;
         }
         self.certificate.forward = !self.certificate.forward;
-        let second = cell_holds(&self.certificate, at, &mut || budget.stops());
+        let second = effort.judged(|| cell_holds(&self.certificate, at, &mut || effort.stops()));
         // In the wrong direction nothing is positive; of the other the reason is told.
         match (first, second) {
             (Err(first), Err(second)) if second.contains("(S1)") || second.contains("(S2)") => {

@@ -264,7 +264,7 @@ fn asked_for_ranges(
     point: &impl GrazingPoint,
     at: &GrazingMap,
 ) -> Result<Ranges> {
-    let effort = |keys: &RangeKeys| keys.effort.map_or_else(RangeEffort::default, RangeEffort);
+    let effort = |keys: &RangeKeys| keys.effort.unwrap_or(RangeEffort::DEFAULT);
     let wanted = WantedProofs { range: task.range.0.as_ref().map(effort), attractor: task.attractor };
     if wanted.is_nothing() {
         return Ok((None, None, Vec::new()));

@@ -9,7 +9,7 @@ use super::{Lines, Shown, row};
 use crate::{
     number::parse_rational,
     output::decimal_or_fraction,
-    search::range::{RangeEffort, RangeEnd, ToleratedRange},
+    search::range::{RangeEnd, ToleratedRange},
 };
 
 row! {
@@ -150,8 +150,8 @@ pub(crate) const ATTRACTOR: &str = "attractor";
 /// What is to be proved.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WantedProofs {
-    /// How far what is born goes on, with such an effort.
-    pub range: Option<RangeEffort>,
+    /// How far what is born goes on, with so much work a side.
+    pub range: Option<u64>,
     /// That chaos attracts beyond the touch.
     pub attractor: bool,
 }
@@ -512,31 +512,30 @@ pub(crate) fn downwards(x: f64) -> f64 {
 }
 
 /// Why a range ends, in words.
-pub(crate) fn why(end: &RangeEnd, effort: RangeEffort) -> String {
+pub(crate) fn why(end: &RangeEnd, effort: u64) -> String {
     match end {
         RangeEnd::Asked => "no more is looked at".into(),
         RangeEnd::Map => "next to it no ranges of strengths are found that the map keeps: this ends the proof, not the motions".into(),
         RangeEnd::Refused(why) => format!("next to it the checker refuses: {why}"),
-        RangeEnd::Work => format!("the work allowed is done, {} legs and steps: raise `effort`", effort.0),
+        RangeEnd::Work => format!("its part of the work allowed on this side, {effort}, is done: raise `effort`"),
         RangeEnd::Wide => "farther away damping, stiffness or restitution change too much for the proofs that are tried: this ends the proof, not the motions".into(),
         RangeEnd::Unbounded => "no bound is found for how long motions near stay off the stop".into(),
     }
 }
 
 /// Why the range of an orbit of one impact ends, in words.
-pub(crate) fn why_single(end: &RangeEnd, effort: RangeEffort) -> String {
+pub(crate) fn why_single(end: &RangeEnd, effort: u64) -> String {
     match end {
         RangeEnd::Refused(why) if why.contains("(S1)") => "next to it the orbit folds (the checker cannot tell that nu increases)".into(),
         RangeEnd::Refused(why) if why.contains("(S3)") => {
             "next to it the orbit touches the stop once more (the checker cannot tell that the gap is positive)".into()
         }
-        RangeEnd::Work => format!("the work allowed is done, {} pieces of motions: raise `effort`", effort.0),
         end => why(end, effort),
     }
 }
 
 /// Why the range of an attractor ends, in words.
-pub(crate) fn why_attractor(end: &RangeEnd, effort: RangeEffort) -> String {
+pub(crate) fn why_attractor(end: &RangeEnd, effort: u64) -> String {
     match end {
         RangeEnd::Map => {
             "farther away displacements need not grow at every impact: this ends the proof, not the chaos"

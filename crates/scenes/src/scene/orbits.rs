@@ -271,7 +271,8 @@ keys! {
 keys! {
     /// How far a range is followed.
     pub struct RangeKeys {
-        /// legs and steps of the checker allowed a side, some 10 µs each; without it 400000
+        /// work allowed on each side of the touch for all that is proved there, in units of some 30 µs: three
+        /// legs of the search or steps of the checker; without it 100000
         effort: Option<u64>,
     }
 }

@@ -11,6 +11,7 @@ use crate::{
     number::parse_rational,
     search::{
         attractor::AttractorProof,
+        chaos::RationalFunction,
         range::{NothingProof, ParameterRange, RangeEffort, RangeEnd, RangeProof, SingleProof, Touching},
     },
 };
@@ -29,13 +30,16 @@ const NEXT: f64 = 0.7;
 const LONGER: f64 = 1.5;
 const SHORTER: f64 = 0.4;
 const SHORTEST: f64 = 0.01;
+/// Such a part of the work is for the first cell; and of what is left such a part for each that is tried.
+const FIRST: u64 = 2;
+const EACH: u64 = 3;
 
 /// What is proved, or why nothing is.
 pub(super) type Reached<T> = std::result::Result<T, RangeEnd>;
 /// What is proved, and of which machines: cell by cell, the first from the touch on. There is one at least.
 pub(super) type Cells<T> = Vec<(T, Machines)>;
 /// Proves what is asked for of machines to a depth, with an effort.
-pub(super) type Prove<'a, T> = &'a dyn Fn(Ranges, f64, RangeEffort) -> Result<Reached<T>>;
+pub(super) type Prove<'a, T> = &'a dyn Fn(Ranges, f64, &RangeEffort) -> Result<Reached<T>>;
 
 /// The machines of a proof: all whose damping, stiffness and restitution are in these ranges.
 #[derive(Clone)]
@@ -107,7 +111,7 @@ impl Near<'_> {
     pub(super) fn cells<T: Deep>(
         &self,
         behind: bool,
-        effort: RangeEffort,
+        effort: &RangeEffort,
         prove: Prove<T>,
     ) -> Result<Reached<Cells<T>>> {
         let deepest = DEEPEST[usize::from(behind)];
@@ -115,7 +119,7 @@ impl Near<'_> {
             let machines = self.fixed();
             return Ok(prove(machines.ranges.clone(), deepest, effort)?.map(|proof| vec![(proof, machines)]));
         }
-        let mut cells = match self.widest(behind, effort, prove)? {
+        let mut cells = match self.widest(behind, &effort.part(FIRST), prove)? {
             Ok(first) => vec![first],
             Err(end) => return Ok(Err(end)),
         };
@@ -128,7 +132,7 @@ impl Near<'_> {
     fn widest<T: Deep>(
         &self,
         behind: bool,
-        effort: RangeEffort,
+        effort: &RangeEffort,
         prove: Prove<T>,
     ) -> Result<Reached<(T, Machines)>> {
         let deepest = DEEPEST[usize::from(behind)];
@@ -137,7 +141,7 @@ impl Near<'_> {
         let (mut reached, mut asked, mut above, mut last) = (0.0f64, deepest, deepest, 0.0);
         let mut end = RangeEnd::Wide;
         for _ in 0..TRIES {
-            let found = self.tried(behind, None, asked, effort, prove)?;
+            let found = self.tried(behind, None, asked, &effort.part(EACH), prove)?;
             let depth = match found {
                 Err(why) => {
                     end = why;
@@ -158,7 +162,7 @@ impl Near<'_> {
             } else {
                 (reached, above) = (reached.max(depth), asked);
             }
-            if settled || reached >= above * ENOUGH {
+            if settled || reached >= above * ENOUGH || effort.is_spent() {
                 break;
             }
             asked = rounded(if reached > 0.0 { (reached * above).sqrt() } else { above / SMALLER });
@@ -170,7 +174,7 @@ impl Near<'_> {
     fn go_on<T: Deep>(
         &self,
         behind: bool,
-        effort: RangeEffort,
+        effort: &RangeEffort,
         prove: Prove<T>,
         cells: &mut Cells<T>,
     ) -> Result<()> {
@@ -179,7 +183,7 @@ impl Near<'_> {
         let mut last = first.depth().to_f64().unwrap_or(deepest);
         let mut width = NEXT * last;
         for _ in 0..FURTHER {
-            if last >= deepest * (1.0 - NEARLY) || width < SHORTEST * last {
+            if last >= deepest * (1.0 - NEARLY) || width < SHORTEST * last || effort.is_spent() {
                 break;
             }
             let Some((proof, machines)) = cells.last() else { break };
@@ -187,7 +191,7 @@ impl Near<'_> {
             let row = self.over(behind, proof.depth(), machines, String::new())?;
             let Some(from) = row.end.and_then(|end| parse_rational(&end).ok()) else { break };
             let asked = rounded((last + width).min(deepest));
-            let end = match self.tried(behind, Some(from), asked, effort, prove)? {
+            let end = match self.tried(behind, Some(from), asked, &effort.part(EACH), prove)? {
                 Ok((cell, depth)) if depth >= last * (1.0 + 0.5 * SHORTEST) => {
                     width *= if depth >= asked * (1.0 - NEARLY) { LONGER } else { SHORTER };
                     cells.push(cell);
@@ -212,7 +216,7 @@ impl Near<'_> {
         behind: bool,
         from: Option<BigRational>,
         asked: f64,
-        effort: RangeEffort,
+        effort: &RangeEffort,
         prove: Prove<T>,
     ) -> Result<Reached<((T, Machines), f64)>> {
         let Some(machines) = self.machines(behind, from, asked)? else { return Ok(Err(RangeEnd::Wide)) };
@@ -243,7 +247,8 @@ impl Near<'_> {
                 return Ok(None);
             }
             let (least, greatest) = if above { (near, end.clone()) } else { (end.clone(), near) };
-            let ranges = Touching::of(&functions(self.point, &least, &greatest)?, None)?.parameters;
+            let over = RationalFunction::range(&least, Some(&greatest));
+            let ranges = Touching::of(&functions(self.point, &over)?, None)?.parameters;
             Ok(ranges[2][0].is_positive().then_some(Machines { ranges, until: Some(end) }))
         });
         match found {

@@ -4,6 +4,8 @@ mod cells;
 mod rows;
 mod said;
 
+use std::cell::{OnceCell, RefCell};
+
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
@@ -19,8 +21,8 @@ use crate::{
     search::{
         chaos::{LetterGraph, RationalFunction, Term},
         range::{
-            Born, RangeEffort, RangeProblem, SingleProblem, Touching, born, prove, prove_alone,
-            prove_farther, single_orbits,
+            Born, ParameterRange, RangeEffort, RangeProblem, SingleProblem, TouchSide, Touching, born, prove,
+            prove_alone, prove_farther, single_orbits,
         },
     },
 };
@@ -31,8 +33,11 @@ const LONGEST: u64 = 30;
 const DEEPEST: [f64; 2] = [4.0, 0.999];
 /// A small step of the parameter: it opens the gap by this part of the motion's size.
 const STEP: f64 = 1e-6;
-/// Each orbit of one impact has such a part of the effort of all that is born.
-const SHARE: u64 = 4;
+/// Such parts of the work that is left are for all that is born, and for what else there is.
+const ALL_BORN: u64 = 3;
+const OTHERS: u64 = 4;
+/// Steps of work for each evaluation of the machine's coefficients.
+const EVALUATION: u64 = 4;
 /// How often a step from an end is made longer.
 const STEPS: u32 = 6;
 /// Next to a value of the parameter are those as near as one in so many of its way from the touch.
@@ -40,9 +45,6 @@ const NEXT_TO: u64 = 1_000_000;
 /// Digits of ends, and of the touch, which is rounded into its side, too.
 const DIGITS: i32 = 12;
 const TOUCH: i32 = 17;
-/// Where damping, stiffness or restitution change with the parameter, each depth that is tried has such a
-/// part of the effort.
-const PART_OF_EFFORT: u64 = 4;
 
 /// The ranges of c, k and τ.
 type Ranges = [[BigRational; 2]; 3];
@@ -50,7 +52,9 @@ type Ranges = [[BigRational; 2]; 3];
 /// The machine near the touch.
 struct Near<'a> {
     point: &'a OscillatorGrazing<'a>,
-    effort: RangeEffort,
+    /// The work allowed on a side, and what of it is done before the touch and beyond it.
+    most: u64,
+    efforts: [RangeEffort<'static>; 2],
     /// Whether both of two stops are touched, each the other's mirror image; then periods are half periods.
     mirrored: bool,
     /// The ranges of c, k and τ about the touch, and whether these are not the same elsewhere.
@@ -60,6 +64,17 @@ struct Near<'a> {
     of: Of<'a>,
     /// Near the touch, and a small step.
     start: [BigRational; 2],
+    /// Before the touch and beyond it, what was asked for.
+    known: [Known; 2],
+}
+
+/// What is known of a side once it is asked for.
+#[derive(Default)]
+struct Known {
+    /// The touch; none where it is not shown.
+    touch: OnceCell<Option<TouchSide>>,
+    /// The parameters up to depths.
+    ranges: RefCell<Vec<(BigRational, Option<ParameterRange>)>>,
 }
 
 /// What ranges are of.
@@ -105,7 +120,9 @@ pub(super) fn ranges(
         return of_all(point, wanted, start);
     }
     let [at, unit] = &start;
-    let between = |from: &BigRational, to: &BigRational| Touching::of(&functions(point, from, to)?, None);
+    let between = |from: &BigRational, to: &BigRational| {
+        Touching::of(&functions(point, &RationalFunction::range(from, Some(to)))?, None)
+    };
     let touching = between(&(at - unit), &(at + unit)).and_then(|near| Ok((near, between(at, at)?)));
     let (touching, [damping, stiffness, _]) = match touching {
         Ok((touching, there)) if touching.parameters[2][0].is_positive() => (touching, there.parameters),
@@ -115,12 +132,22 @@ pub(super) fn ranges(
     let there = [damping, stiffness].map(|[value, _]| value);
     // Several depths are tried where the machines change.
     let changes = touching.changes;
-    let effort = wanted.range.unwrap_or_default();
-    let effort = if changes { RangeEffort(effort.0 / PART_OF_EFFORT) } else { effort };
+    let most = wanted.range.unwrap_or(RangeEffort::DEFAULT);
     let Touching { mirrored, parameters: about, harmonics, .. } = touching;
-    Near { point, effort, mirrored, about, changes, harmonics, of: Of::One(there), start }
-        .sides(wanted)
-        .map(Ok)
+    Near {
+        point,
+        most,
+        efforts: [most; 2].map(RangeEffort::new),
+        mirrored,
+        about,
+        changes,
+        harmonics,
+        of: Of::One(there),
+        start,
+        known: Default::default(),
+    }
+    .sides(wanted)
+    .map(Ok)
 }
 
 /// The same for all machines that the task's tolerances allow.
@@ -140,32 +167,31 @@ fn of_all(
         Ok(found) => found,
         Err(error) => return Ok(Err(error.to_string())),
     };
+    let most = wanted.range.unwrap_or(RangeEffort::DEFAULT);
     Near {
         point,
-        effort: wanted.range.unwrap_or_default(),
+        most,
+        efforts: [most; 2].map(RangeEffort::new),
         mirrored: false,
         about,
         changes: false,
         harmonics,
         of: Of::All(Box::new(all)),
         start,
+        known: Default::default(),
     }
     .sides(wanted)
     .map(Ok)
 }
 
-/// The scene's system for all values of the task's parameter above one number, up to another.
-fn functions(
-    point: &OscillatorGrazing,
-    from: &BigRational,
-    to: &BigRational,
-) -> Result<System<RationalFunction>> {
+/// The scene's system where the task's parameter is this number, or runs through these.
+fn functions(point: &OscillatorGrazing, at: &RationalFunction) -> Result<System<RationalFunction>> {
     let (scene, varied) = (&point.job.scene, &point.task.parameter);
     let values: Vec<RationalFunction> = scene
         .parameters
         .iter()
         .map(|(name, value)| match name == varied {
-            true => RationalFunction::range(from, Some(to)),
+            true => at.clone(),
             false => RationalFunction::ratio(value, &()),
         })
         .collect();
@@ -226,16 +252,18 @@ impl Near<'_> {
             graph: graph.clone(),
             ..problem.clone()
         };
-        let of_graph = |graph: &LetterGraph| {
-            self.cells(behind, self.effort, &|ranges, deepest, effort| {
+        let effort = self.effort(behind);
+        let of_graph = |graph: &LetterGraph, effort: &RangeEffort| {
+            self.cells(behind, effort, &|ranges, deepest, effort| {
                 prove(&of(graph, ranges, deepest), effort, monitor)
             })
         };
-        let mut found = of_graph(&problem.graph)?;
+        let mut found = of_graph(&problem.graph, &effort.part(ALL_BORN))?;
         if whole && let Ok(cells) = &mut found {
+            let effort = effort.part(OTHERS);
             for (proof, machines) in cells {
                 let problem = of(&problem.graph, machines.ranges.clone(), deepest);
-                *proof = prove_alone(&problem, proof.clone(), self.effort, monitor)?;
+                *proof = prove_alone(&problem, proof.clone(), &effort, monitor)?;
                 if proof.alone.as_ref() != Some(&proof.depth) {
                     break;
                 }
@@ -246,26 +274,31 @@ impl Near<'_> {
         // Where the machines change with the depth, by one of them, the farthest.
         let ranges = self.machine_at(farthest.and_then(|(_, machines)| machines.until.as_ref()))?;
         let mut all = vec![self.judged(behind, (ALL, &problem.graph, whole), found)?];
+        // Orbits need little, and go far: a part has what they leave.
+        let mut orbits = Vec::new();
+        let letters = single_orbits(&problem.graph);
+        for (left, &periods) in (2..letters.len() as u64 + 2).rev().zip(&letters) {
+            let RangeProblem { ranges, harmonics, deepest, .. } = problem.clone();
+            let problem = SingleProblem { mirrored, ranges, behind, harmonics, periods, deepest };
+            orbits.push(self.single(&problem, &effort.part(left))?);
+        }
         let farther = RangeProblem { ranges, ..problem.clone() };
-        if let Some((graph, proof)) = prove_farther(&farther, depth, self.effort, monitor)? {
-            let found = if self.changes { of_graph(&graph)? } else { Ok(vec![(proof, self.fixed())]) };
+        let share = if self.changes { 2 } else { 1 };
+        if let Some((graph, proof)) = prove_farther(&farther, depth, &effort.part(share), monitor)? {
+            let found =
+                if self.changes { of_graph(&graph, effort)? } else { Ok(vec![(proof, self.fixed())]) };
             let part = self.judged(behind, (PART, &graph, false), found)?;
             if !self.changes || part.row.goes_farther_than(&all[0].row) {
                 all.push(part);
             }
         }
-        for periods in single_orbits(&problem.graph) {
-            let RangeProblem { ranges, harmonics, deepest, .. } = problem.clone();
-            all.push(self.single(&SingleProblem {
-                mirrored,
-                ranges,
-                behind,
-                harmonics,
-                periods,
-                deepest,
-            })?);
-        }
+        all.append(&mut orbits);
         Ok(all)
+    }
+
+    /// The work on a side.
+    fn effort(&self, behind: bool) -> &RangeEffort<'static> {
+        &self.efforts[usize::from(behind)]
     }
 
     /// c, k and τ next to a value of the parameter, in few digits, or about the touch.
@@ -273,6 +306,6 @@ impl Near<'_> {
         let Some(at) = value else { return Ok(self.about.clone()) };
         let next = at + (&self.start[0] - at) * BigRational::new(1.into(), NEXT_TO.into());
         let (from, to) = if next < *at { (&next, at) } else { (at, &next) };
-        Ok(Touching::of(&functions(self.point, from, to)?, None)?.parameters)
+        Ok(Touching::of(&functions(self.point, &RationalFunction::range(from, Some(to)))?, None)?.parameters)
     }
 }

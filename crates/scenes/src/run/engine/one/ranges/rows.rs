@@ -10,7 +10,7 @@ use super::{
         ATTRACTOR, CellRow, NOTHING, ORBIT, PROVED, RangeRow, SideRange, StabilityRow, StableRow, UNDECIDED,
         downwards, inwards, why, why_attractor, why_single,
     },
-    DIGITS, Near, Of, SHARE, STEPS, TOUCH,
+    DIGITS, EVALUATION, Known, Near, Of, STEPS, TOUCH,
     cells::{Cells, Deep, Machines, Reached},
     functions,
 };
@@ -20,10 +20,10 @@ use crate::{
     number::parse_rational,
     search::{
         attractor::{AttractorProblem, Case, Window, case, eigenvalue, prove_attractor, windows},
-        chaos::LetterGraph,
+        chaos::{LetterGraph, RationalFunction},
         range::{
             NothingProblem, ParameterRange, RangeEffort, RangeEnd, RangeProof, SingleProblem, SingleProof,
-            is_as_deep, parameter_range, prove_nothing, prove_single,
+            TouchSide, is_as_deep, prove_nothing, prove_single,
         },
     },
 };
@@ -41,9 +41,8 @@ fn beyond([least, greatest]: &[BigRational; 2]) -> [f64; 2] {
 
 impl Near<'_> {
     /// The orbit of one impact, along its curve.
-    pub(super) fn single(&self, problem: &SingleProblem) -> Result<SideRange> {
+    pub(super) fn single(&self, problem: &SingleProblem, effort: &RangeEffort) -> Result<SideRange> {
         let behind = problem.behind;
-        let effort = RangeEffort(self.effort.0 / SHARE);
         let found = self.cells(behind, effort, &|ranges, deepest, effort| {
             prove_single(
                 &SingleProblem { ranges, deepest, ..problem.clone() },
@@ -51,7 +50,7 @@ impl Near<'_> {
                 self.point.job.monitor,
             )
         })?;
-        let (mut side, cells) = self.side_of(behind, found, &|end| why_single(end, effort))?;
+        let (mut side, cells) = self.side_of(behind, found, &|end| why_single(end, self.most))?;
         for (i, (proof, machines)) in cells.iter().enumerate() {
             let begin = i.checked_sub(1).and_then(|i| side.row.cells.get(i)).map(|cell| cell.to.clone());
             for part in self.stability(behind, proof, machines, begin)? {
@@ -136,7 +135,7 @@ impl Near<'_> {
     }
 
     fn is_as_deep(&self, parameter: &BigRational, depth: &BigRational, behind: bool) -> Result<bool> {
-        let system = |from: &BigRational, to: &BigRational| functions(self.point, from, to);
+        let system = |at: &RationalFunction| functions(self.point, at);
         match &self.of {
             Of::One(_) => is_as_deep(&system, None, parameter, depth, behind),
             Of::All(all) => Ok(all.are_as_deep(parameter, depth, behind)),
@@ -146,12 +145,12 @@ impl Near<'_> {
     /// Beyond the touch, where nothing is born: that no motion stays near.
     pub(super) fn nothing(&self) -> Result<SideRange> {
         let harmonics = &self.harmonics;
-        let found = self.cells(true, self.effort, &|ranges, deepest, effort| {
+        let found = self.cells(true, self.effort(true), &|ranges, deepest, effort| {
             let problem =
                 NothingProblem { mirrored: self.mirrored, ranges, harmonics: harmonics.clone(), deepest };
             prove_nothing(&problem, effort, self.point.job.monitor)
         })?;
-        let (mut side, cells) = self.side_of(true, found, &|end| why(end, self.effort))?;
+        let (mut side, cells) = self.side_of(true, found, &|end| why(end, self.most))?;
         side.row.leaves = cells.iter().map(|(proof, _)| proof.periods).max();
         let zone = cells.iter().map(|(proof, _)| proof.zone() / TAU).min_by(f64::total_cmp);
         side.row.zone = zone.map(downwards);
@@ -169,11 +168,11 @@ impl Near<'_> {
             return Ok(open("it is proved beside one stop"));
         }
         let harmonics = &self.harmonics;
-        let found = self.cells(true, self.effort, &|ranges, deepest, _| {
+        let found = self.cells(true, self.effort(true), &|ranges, deepest, _| {
             let problem = AttractorProblem { ranges, harmonics: harmonics.clone(), deepest };
             prove_attractor(&problem, self.point.job.monitor)
         })?;
-        let (mut side, cells) = self.side_of(true, found, &|end| why_attractor(end, self.effort))?;
+        let (mut side, cells) = self.side_of(true, found, &|end| why_attractor(end, self.most))?;
         side.row.growth = cells.iter().map(|(proof, _)| proof.growth).min_by(f64::total_cmp);
         side.row.of = ATTRACTOR;
         if let Some(ends) = eigenvalue(&self.about) {
@@ -219,7 +218,7 @@ impl Near<'_> {
         (of, graph, whole): (&'static str, &LetterGraph, bool),
         found: Reached<Cells<RangeProof>>,
     ) -> Result<SideRange> {
-        let (mut side, cells) = self.side_of(behind, found, &|end| why(end, self.effort))?;
+        let (mut side, cells) = self.side_of(behind, found, &|end| why(end, self.most))?;
         let mut others: Option<Among> = None;
         for (i, (proof, machines)) in cells.iter().enumerate() {
             let (Some(depth), Some((_, among))) = (&proof.alone, proof.certificate.among()) else { break };
@@ -301,9 +300,23 @@ impl Near<'_> {
 
     /// The values of the parameter with depths up to one, exactly.
     pub(super) fn parameters(&self, behind: bool, depth: &BigRational) -> Result<Option<ParameterRange>> {
-        let [at, unit] = &self.start;
-        let system = |from: &BigRational, to: &BigRational| functions(self.point, from, to);
-        parameter_range(&system, None, [at, unit], depth, behind)
+        let Known { touch, ranges } = &self.known[usize::from(behind)];
+        if let Some((_, range)) = ranges.borrow().iter().find(|(known, _)| known == depth) {
+            return Ok(range.clone());
+        }
+        let effort = self.effort(behind);
+        let system = |at: &RationalFunction| {
+            // What is proved is said, whatever it costs.
+            let _ = effort.take(EVALUATION);
+            functions(self.point, at)
+        };
+        if touch.get().is_none() {
+            let _ = touch.set(TouchSide::of(&system, None, self.start.each_ref(), behind)?);
+        }
+        let touch = touch.get().and_then(Option::as_ref);
+        let range = touch.map_or(Ok(None), |touch| touch.range(&system, depth))?;
+        ranges.borrow_mut().push((depth.clone(), range.clone()));
+        Ok(range)
     }
 
     /// The values of the parameter with depths up to one, of machines of a proof.
