@@ -2,7 +2,7 @@
 //! it is still true.
 
 use crate::common;
-use crate::samples::samples;
+use crate::samples::{samples, tried};
 use crate::systems;
 
 use common::damage::{damage, damaged};
@@ -361,24 +361,47 @@ fn is_true(text: &str, case: &Case, event: &ProvedEvent, original: &str) -> bool
     });
     let inside = event.centre.iter().zip(&centre).all(|(a, b)| (a - b).abs() + &radius <= event.radius);
     let float = |x: &BigRational| x.to_f64().unwrap();
-    let again = || {
-        let precision = Precision::new(128);
+    let precision = Precision::new(128);
+    let family = |p: &Jet| -> Result<System<Jet>> { Ok(case.family.at(p, &precision)) };
+    let guess = |at: &[f64]| {
         let mut guess = case.impacts.clone();
         let m = guess.len();
         for (i, impact) in guess.iter_mut().enumerate() {
-            (impact.phase, impact.velocity) = (float(&centre[i]), float(&centre[m + i]));
+            (impact.phase, impact.velocity) = (at[i], at[m + i]);
         }
         let condition = match case.condition {
-            Condition::Grazing { after, side, .. } => {
-                Condition::Grazing { after, side, time: float(&centre[2 * m + 1]) }
-            }
+            Condition::Grazing { after, side, .. } => Condition::Grazing { after, side, time: at[2 * m + 1] },
             other => other,
         };
-        let family = |p: &Jet| -> Result<System<Jet>> { Ok(case.family.at(p, &precision)) };
+        (guess, at[2 * m], condition)
+    };
+    let middle: Vec<f64> = centre.iter().map(float).collect();
+    let again = || {
+        let (guess, parameter, condition) = guess(&middle);
         let wider = &radius + number("1e-12");
-        let verdict =
-            orbit::event_in(family, &guess, float(&centre[2 * m]), condition, &wider, &precision).unwrap();
+        let verdict = orbit::event_in(family, &guess, parameter, condition, &wider, &precision).unwrap();
         matches!(verdict, Verdict::Proved(_))
+    };
+    // A box that another checker's enclosures are too wide for: Newton's method from its corners finds no
+    // other event in it.
+    let alone = || {
+        (0..1 << middle.len()).all(|corner: u32| {
+            let at = middle.iter().enumerate();
+            let side = |i: usize| if corner >> i & 1 == 0 { -0.9 } else { 0.9 };
+            let at: Vec<f64> = at.map(|(i, x)| x + side(i) * float(&radius)).collect();
+            let (guess, parameter, condition) = guess(&at);
+            let Ok(Verdict::Proved(found)) = orbit::event(family, &guess, parameter, condition, &precision)
+            else {
+                return true;
+            };
+            let places = found.phases.iter().chain(&found.velocities).chain([&found.parameter]);
+            let places: Vec<f64> =
+                places.chain(&found.time).map(|x| float(&x.exact_bounds().unwrap().0)).collect();
+            let known: Vec<f64> = event.centre.iter().map(float).collect();
+            let apart =
+                |other: &[f64]| places.iter().zip(other).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            apart(&middle) > float(&radius) || apart(&known) < 1e-9
+        })
     };
     // a cos t = π/4 and V = 2π/(1 + r); a saddle-node has sin t = 0, a flip a sin t = 17/16.
     let only = match case.family {
@@ -399,7 +422,7 @@ fn is_true(text: &str, case: &Case, event: &ProvedEvent, original: &str) -> bool
         }
         Family::Example | Family::OneSided => true,
     };
-    contains && only && (inside || again())
+    contains && only && (inside || again() || alone())
 }
 
 /// Whether what an accepted certificate of the motion without impacts says is true: of the still wall, 1 −
@@ -433,7 +456,7 @@ fn is_true_without_impacts(text: &str, original: &str) -> bool {
 /// Thousands of damaged certificates; those that pass are confirmed true.
 #[test]
 fn damage_is_detected() {
-    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let mut runner = common::runner(1);
     let strategy = damage();
     let mut survive = |text: &str, rounds: usize, is_true: &dyn Fn(&str) -> bool| {
         assert!(is_true(text));
@@ -453,7 +476,7 @@ fn damage_is_detected() {
             }
         }
         println!("{rejected} rejected, {still_true} still true, {unchanged} unchanged");
-        assert!(rejected > 4 * still_true && still_true > 3);
+        assert!(rejected > 4 * still_true && tried(still_true, 3));
     };
     // A saddle-node, a flip, a grazing of a double-impact orbit, a flip of the ball, a grazing with powers of
     // the parameter; of version 2 the first and the third, with a force of 10⁻⁴⁰(1 + p), which moves nothing

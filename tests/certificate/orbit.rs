@@ -2,7 +2,7 @@
 //! still true.
 
 use crate::common;
-use crate::samples::samples;
+use crate::samples::{samples, tried};
 use crate::systems;
 
 use std::sync::LazyLock;
@@ -303,7 +303,7 @@ fn is_true(text: &str, case: &Case) -> bool {
 /// Thousands of damaged certificates; those that pass are confirmed true.
 #[test]
 fn damage_is_detected() {
-    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let mut runner = common::runner(1);
     let strategy = damage();
     let lists = [cases(), cases().into_iter().map(long).collect()];
     for (version, index) in [(0, 0), (0, 2), (1, 0)] {
@@ -326,7 +326,7 @@ fn damage_is_detected() {
             }
         }
         println!("{rejected} rejected, {still_true} still true, {unchanged} unchanged");
-        assert!(rejected > 4 * still_true && still_true > 7);
+        assert!(rejected > 4 * still_true && tried(still_true, 7));
     }
 }
 

@@ -6,14 +6,19 @@
 pub mod damage;
 
 use num_integer::Integer;
-use proptest::test_runner::{Config, FileFailurePersistence};
+use proptest::test_runner::{Config, FileFailurePersistence, RngAlgorithm, TestRng, TestRunner};
 
-use crate::samples::samples;
+use crate::samples::{samples, seed_bytes};
 
 /// Property tests keep the inputs that failed beside their source, and try them first from then on.
 pub fn config() -> Config {
     let failure_persistence = Some(Box::new(FileFailurePersistence::WithSource("regressions")) as _);
     Config { cases: samples(48), failure_persistence, ..Config::default() }
+}
+
+/// What draws the same in every run, and with `GRAZING_SEED` something else.
+pub fn runner(own: u64) -> TestRunner {
+    TestRunner::new_with_rng(Config::default(), TestRng::from_seed(RngAlgorithm::ChaCha, &seed_bytes(own)))
 }
 
 /// A fraction, any sign, any terms.

@@ -123,7 +123,7 @@ fn damage(random: &mut Random, mut lines: Vec<String>) -> Vec<u8> {
 fn two_readers_of_the_format_agree() {
     let parts =
         [(1, 1), (1, 3), (2, 2), (3, 5), (4, 4), (6, 6), (8, 8), (9, 9), (14, 14)].map(|(a, b)| part(a, b));
-    let mut random = Random(1);
+    let mut random = Random(crate::samples::seed(1));
     let (rounds, mut accepted, mut rejected) = (samples(2), 0, 0);
     for round in 0..rounds {
         let mut texts = Vec::new();

@@ -1,6 +1,6 @@
 //! Damaged certificates, against an oracle in floats.
 
-use crate::samples::samples;
+use crate::samples::{samples, tried};
 use std::collections::HashMap;
 
 use grazing_scenes::{
@@ -85,7 +85,7 @@ fn read(text: &str) -> Option<Certificate> {
 /// that shares nothing with the checker.
 #[test]
 fn damage_is_detected() {
-    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let mut runner = crate::common::runner(1);
     let strategy = damage();
     let one = [ALWAYS, FIGURE_10].map(proved);
     let two = ["touched", "before"].map(|name| mirrored::proved(mirrored::STOPS, name));
@@ -108,6 +108,6 @@ fn damage_is_detected() {
             }
         }
         println!("{rejected} rejected, {still_true} still true, {unchanged} unchanged");
-        assert!(rejected > 2 * still_true && still_true > 5);
+        assert!(rejected > 2 * still_true && tried(still_true, 5));
     }
 }

@@ -320,7 +320,7 @@ fn no_damaged_certificate_that_is_false_passes() {
     let runs: u64 = samples(1000);
     let (mut rejected, mut unchanged, mut still_true) = (0, 0, 0);
     for run in 0..runs {
-        let mut random = Random(run);
+        let mut random = Random(crate::samples::seed(run));
         let text = &texts[random.below(texts.len())];
         let damaged = damaged(text, &mut random);
         if certificate::check(&mut damaged.as_bytes()).is_err() {
@@ -335,7 +335,7 @@ fn no_damaged_certificate_that_is_false_passes() {
     println!(
         "{runs} damaged: {rejected} rejected, {unchanged} unchanged, {still_true} still true and accepted"
     );
-    assert!(rejected > runs / 4 && still_true > 0);
+    assert!(rejected > runs / 4 && crate::samples::tried(still_true, 0));
 }
 
 /// The oracle notices what is false: else the test above asserts nothing.
