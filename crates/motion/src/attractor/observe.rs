@@ -1,5 +1,7 @@
 //! What motions lead to: a transient passes, recurrence is looked for, points of the section are kept.
 
+use num_integer::Integer;
+
 use super::{
     cycle::Cycle,
     detection::{Detection, Fate, wait},
@@ -19,8 +21,9 @@ pub struct Observation {
     pub longest: u32,
     /// Points looked at of a motion that is not periodic, once it is known not to be.
     pub points: u32,
-    /// The same of a periodic one, at least once round; with none its cycle is enough.
-    pub round: Option<u32>,
+    /// Whether a periodic one is looked at until each point that is kept of it was met; else its cycle is
+    /// enough.
+    pub round: bool,
     /// Of every this many of them the first is kept, counted from the end of the transient; at least 1.
     pub every: u32,
 }
@@ -53,23 +56,35 @@ impl<S, P: SectionState> Observed<S, P> {
     pub(crate) fn on_its_cycle<D: Dynamics<Start = S, Point = P>>(
         self,
         dynamics: &D,
-        phase: f64,
+        Observation { phase, every, .. }: &Observation,
     ) -> Result<Observed<S, P>> {
         let Some(cycle) = &self.cycle else { return Ok(self) };
         let here = dynamics.begin(&self.settled)?.point();
         if cycle.passes(&here) {
             return Ok(self);
         }
-        let apart = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        let nearest = |to: &dyn Fn(&P) -> f64| {
-            let least = cycle.points.iter().min_by(|a, b| to(a).total_cmp(&to(b)));
-            least.expect("a cycle has points").clone()
-        };
-        let on = nearest(&|point| apart(point.coordinates(), here.coordinates()));
-        let drawn = |at: &[f64; 2]| dynamics.drawn(&nearest(&|point| apart(&dynamics.drawn(point), at)));
-        let points = self.points.iter().map(drawn).collect();
-        Ok(Observed { settled: dynamics.at(on.coordinates(), phase), points, ..self })
+        let far = |point: &P| apart(point.coordinates(), here.coordinates());
+        let on = cycle.points.iter().min_by(|a, b| far(a).total_cmp(&far(b))).expect("a cycle has points");
+        let drawn: Vec<[f64; 2]> = cycle.points.iter().map(|point| dynamics.drawn(point)).collect();
+        let points = fitted(&drawn, &self.points, *every as usize);
+        Ok(Observed { settled: dynamics.at(on.coordinates(), *phase), points, ..self })
     }
+}
+
+/// The greatest difference of two lists.
+fn apart(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+/// Every so many points of a cycle, from the one from which on they are nearest to points that were seen. Far
+/// from the cycle two of these can have one that is nearest to both: the way as a whole tells where they are.
+fn fitted(cycle: &[[f64; 2]], seen: &[[f64; 2]], every: usize) -> Vec<[f64; 2]> {
+    let from = |first: usize| {
+        cycle.iter().cycle().skip(first).step_by(every).take(seen.len()).copied().collect::<Vec<_>>()
+    };
+    let off = |way: &[[f64; 2]]| way.iter().zip(seen).map(|(a, b)| apart(a, b)).fold(0.0, f64::max);
+    let ways = (0..cycle.len()).map(from);
+    ways.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or_default()
 }
 
 impl Observation {
@@ -82,8 +97,12 @@ impl Observation {
     pub(crate) fn looks<P: SectionState>(&self, cycle: Option<&Cycle<P>>) -> u32 {
         match (cycle, self.round) {
             (None, _) => self.points,
-            (Some(cycle), Some(least)) => least.max(cycle.period() as u32),
-            (Some(_), None) => 0,
+            // From here on the points that are kept come again: which those are must not go with when it is told
+            // to be periodic.
+            (Some(cycle), true) => {
+                u64::from(self.every).lcm(&(cycle.period() as u64)).try_into().unwrap_or(u32::MAX)
+            }
+            (Some(_), false) => 0,
         }
     }
 
@@ -178,5 +197,31 @@ fn observe<'a, D: Dynamics>(
         return Ok(Err(end));
     }
     let impacts = cycle.as_ref().map_or_else(|| run.impacts() - before, |cycle| cycle.impacts);
-    Observed { settled, cycle, undecided, points, impacts }.on_its_cycle(dynamics, phase).map(Ok)
+    Observed { settled, cycle, undecided, points, impacts }.on_its_cycle(dynamics, observation).map(Ok)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_point_of_a_cycle_is_seen_once_round() {
+        let cycle: Vec<[f64; 2]> = [-0.2, 2.9, 7.0, 3.2, -0.1].map(|q| [q, 0.0]).into();
+        let turned = |first: usize, every: usize, count: usize| -> Vec<[f64; 2]> {
+            cycle.iter().cycle().skip(first).step_by(every).take(count).copied().collect()
+        };
+        // Near it, and so far that 3 is nearest to what comes to 7.
+        for off in [1e-3, 2.5] {
+            for (first, every, count) in [(0, 1, 5), (3, 1, 5), (2, 2, 5), (1, 5, 1)] {
+                let mut seen = turned(first, every, count);
+                seen.iter_mut().filter(|point| point[0] == 7.0).for_each(|point| point[0] -= off);
+                assert_eq!(
+                    fitted(&cycle, &seen, every),
+                    turned(first, every, count),
+                    "{off} {first} {every}"
+                );
+            }
+        }
+        assert_eq!(fitted(&cycle, &[], 1), Vec::<[f64; 2]>::new());
+    }
 }

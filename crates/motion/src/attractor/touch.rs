@@ -94,7 +94,7 @@ impl<S> Touch<S> {
 
 fn observation(look: &Look) -> Observation {
     let Look { phase, transient, points, longest } = *look;
-    Observation { phase, transient, longest, points, round: Some(1), every: 1 }
+    Observation { phase, transient, longest, points, round: true, every: 1 }
 }
 
 /// What is seen just before a touch and just beyond it. Cost: up to four times `settle`, each for longer

@@ -327,7 +327,7 @@ fn observation(task: &SectionTask) -> Observation {
         transient: task.transient + 1,
         longest: task.longest,
         points: task.points,
-        round: None,
+        round: false,
         every: 1,
     }
 }

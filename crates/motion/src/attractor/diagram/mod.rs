@@ -142,7 +142,7 @@ impl<S> DiagramPlan<S> {
     /// How many periods are looked at, and what for.
     pub fn observation(&self) -> Observation {
         let Look { phase, transient, points, longest } = self.look;
-        Observation { phase, transient, longest, points, round: Some(self.every), every: self.every }
+        Observation { phase, transient, longest, points, round: true, every: self.every }
     }
 
     /// What motions that go on amount to at a value.

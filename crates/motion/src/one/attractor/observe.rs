@@ -93,7 +93,7 @@ pub(super) fn observe(
                 RunEnd::Reached => match stage
                     .see(&batch, *motion, *settled, (simulators[*motion], observation))
                     .and_then(|seen| {
-                        seen.map(|seen| seen.on_its_cycle(simulators[*motion], observation.phase)).transpose()
+                        seen.map(|seen| seen.on_its_cycle(simulators[*motion], observation)).transpose()
                     }) {
                     Ok(Some(observed)) => Ok(observed),
                     Ok(None) => return true,
