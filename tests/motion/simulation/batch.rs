@@ -297,7 +297,7 @@ fn what_is_observed_of_motions_is_the_same_together_and_one_by_one() {
             transient: [0, 30][round % 2],
             longest: 6,
             points: [25, 0, 7][round / 3],
-            round: [None, Some(3), Some(20)][round / 3],
+            round: round / 3 > 0,
             every: 1 + round as u32 % 3,
         };
         let starts = starts(&mut choices, &simulators, 30);
@@ -328,7 +328,7 @@ fn what_is_observed_of_motions_is_the_same_together_and_one_by_one() {
             }
         }
     }
-    assert!(periodic > 100 && others > 0 && ended > 2 && shown > 500, "{periodic} {others} {ended} {shown}");
+    assert!(periodic > 100 && others > 0 && ended > 2 && shown > 100, "{periodic} {others} {ended} {shown}");
     assert!(early < 3, "{early} of {periodic}");
 }
 
