@@ -6,8 +6,8 @@ use std::cell::Cell;
 /// Steps of a unit.
 const STEPS: u64 = 3;
 
-/// Work that may be done: legs that the search evaluates and steps of the checker, also those by which it sees
-/// what is proved once more as a whole. Or a part of other work, which is done with it.
+/// Work that may be done: legs that the search evaluates and steps of the checker, also those by which it
+/// sees what is proved once more as a whole. Or a part of other work, which is done with it.
 ///
 /// What is spent is counted, not timed: every computer comes as far. Three legs or steps are a unit, some
 /// 30 µs.
