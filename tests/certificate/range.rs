@@ -190,7 +190,7 @@ fn other_walls_and_graphs_have_ranges() {
 /// README's machine, F being the amplitude of its forcing, with its stop at 1, or at 1 + F² if `bent`.
 fn machine(amplitude: &RationalFunction, bent: bool) -> grazing_scenes::Result<System<RationalFunction>> {
     let number = |x: &str| RationalFunction::ratio(&parse_rational(x).unwrap(), &());
-    let offset = if bent { number("1") + &(amplitude.clone() * &amplitude) } else { number("1") };
+    let offset = if bent { number("1") + &(amplitude.clone() * amplitude) } else { number("1") };
     Ok(System {
         rate: None,
         damping: number("1/10"),

@@ -97,8 +97,8 @@ impl Observation {
     pub(crate) fn looks<P: SectionState>(&self, cycle: Option<&Cycle<P>>) -> u32 {
         match (cycle, self.round) {
             (None, _) => self.points,
-            // After that the points that are kept come again: which they are is not to go with when the motion
-            // is told to be periodic.
+            // Then the points that are kept come again: which they are is not to go with when the motion is
+            // told to be periodic.
             (Some(cycle), true) => {
                 u64::from(self.every).lcm(&(cycle.period() as u64)).try_into().unwrap_or(u32::MAX)
             }
