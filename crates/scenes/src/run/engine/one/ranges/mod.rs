@@ -36,8 +36,9 @@ const STEP: f64 = 1e-6;
 /// Such parts of the work that is left are for all that is born, and for what else there is.
 const ALL_BORN: u64 = 3;
 const OTHERS: u64 = 4;
-/// Steps of work for each evaluation of the machine's coefficients.
-const EVALUATION: u64 = 4;
+/// Steps of work for the values of the parameter up to a depth: some 125 at which the machine's coefficients
+/// are enclosed.
+const ENCLOSED: u64 = 500;
 /// How often a step from an end is made longer.
 const STEPS: u32 = 6;
 /// Next to a value of the parameter are those as near as one in so many of its way from the touch.

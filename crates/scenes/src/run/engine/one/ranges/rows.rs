@@ -10,7 +10,7 @@ use super::{
         ATTRACTOR, CellRow, NOTHING, ORBIT, PROVED, RangeRow, SideRange, StabilityRow, StableRow, UNDECIDED,
         downwards, inwards, why, why_attractor, why_single,
     },
-    DIGITS, EVALUATION, Known, Near, Of, STEPS, TOUCH,
+    DIGITS, ENCLOSED, Known, Near, Of, STEPS, TOUCH,
     cells::{Cells, Deep, Machines, Reached},
     functions,
 };
@@ -304,12 +304,9 @@ impl Near<'_> {
         if let Some((_, range)) = ranges.borrow().iter().find(|(known, _)| known == depth) {
             return Ok(range.clone());
         }
-        let effort = self.effort(behind);
-        let system = |at: &RationalFunction| {
-            // What is proved is said, whatever it costs.
-            let _ = effort.take(EVALUATION);
-            functions(self.point, at)
-        };
+        let system = |at: &RationalFunction| functions(self.point, at);
+        // What is proved is said, whatever it costs; how many values are tried goes with the parameter's unit.
+        let _ = self.effort(behind).take(ENCLOSED);
         if touch.get().is_none() {
             let _ = touch.set(TouchSide::of(&system, None, self.start.each_ref(), behind)?);
         }
