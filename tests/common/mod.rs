@@ -16,7 +16,7 @@ pub fn config() -> Config {
     Config { cases: samples(48), failure_persistence, ..Config::default() }
 }
 
-/// What draws the same in every run, and with `GRAZING_SEED` something else.
+/// What draws the same in every run, and with `GRAZING_DRAW` something else.
 pub fn runner(own: u64) -> TestRunner {
     TestRunner::new_with_rng(Config::default(), TestRng::from_seed(RngAlgorithm::ChaCha, &seed_bytes(own)))
 }

@@ -41,17 +41,17 @@ fn times() -> u64 {
     }
 }
 
-/// What numbers that look random begin with: `own`, mixed with `GRAZING_SEED` where that is set, to any text.
+/// What numbers that look random begin with: `own`, mixed with `GRAZING_DRAW` where that is set, to any text.
 pub fn seed(own: u64) -> u64 {
     // FNV-1a: every seed has numbers of its own.
-    let Ok(text) = std::env::var("GRAZING_SEED") else { return own };
+    let Ok(text) = std::env::var("GRAZING_DRAW") else { return own };
     let mixed = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
     text.bytes().chain(own.to_le_bytes()).fold(0xcbf2_9ce4_8422_2325, mixed)
 }
 
 /// Whether more than `least` of what was drawn could have gone wrong. It is known of the seeds that are kept.
 pub fn tried(count: impl TryInto<u64>, least: u64) -> bool {
-    std::env::var_os("GRAZING_SEED").is_some() || count.try_into().is_ok_and(|count| count > least)
+    std::env::var_os("GRAZING_DRAW").is_some() || count.try_into().is_ok_and(|count| count > least)
 }
 
 /// The same as the 32 bytes of another generator.
