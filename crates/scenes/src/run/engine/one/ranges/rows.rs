@@ -305,7 +305,8 @@ impl Near<'_> {
             return Ok(range.clone());
         }
         let system = |at: &RationalFunction| functions(self.point, at);
-        // What is proved is said, whatever it costs; how many values are tried goes with the parameter's unit.
+        // What is proved is said, whatever it costs. That is one
+        // number: how many values are tried goes with the parameter's unit.
         let _ = self.effort(behind).take(ENCLOSED);
         if touch.get().is_none() {
             let _ = touch.set(TouchSide::of(&system, None, self.start.each_ref(), behind)?);
