@@ -49,9 +49,14 @@ pub fn seed(own: u64) -> u64 {
     text.bytes().chain(own.to_le_bytes()).fold(0xcbf2_9ce4_8422_2325, mixed)
 }
 
-/// Whether more than `least` of what was drawn could have gone wrong. It is known of the seeds that are kept.
+/// Whether more than `least` of what was drawn could have gone wrong, as is known of the numbers kept.
+/// Of others one has to, where it is more than five of those: by chance there is none in a run of thousands.
 pub fn tried(count: impl TryInto<u64>, least: u64) -> bool {
-    std::env::var_os("GRAZING_DRAW").is_some() || count.try_into().is_ok_and(|count| count > least)
+    let count = count.try_into().unwrap_or(0);
+    match std::env::var_os("GRAZING_DRAW") {
+        Some(_) => count > 0 || least <= 5,
+        None => count > least,
+    }
 }
 
 /// The same as the 32 bytes of another generator.

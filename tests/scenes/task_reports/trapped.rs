@@ -100,6 +100,30 @@ fn windows_are_told_where_they_are() {
     assert_eq!(code, 3, "{shown}");
 }
 
+/// Ranges that are asked for beside it leave it its work, and say of themselves that theirs was too little.
+#[test]
+fn what_attracts_over_a_frequency_does_not_wait_for_ranges() {
+    let found = |keys: &str| {
+        grazing_found(&format!(
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nw = 8\n[system]\ndamping = \"3/w\"\nstiffness = \"1/w^2\"\n\
+             forcing = [{{ cos = \"130/w^2\" }}]\n[[stops]]\nside = \"upper\"\noffset = 1.1\nrestitution = 0.8\n{}",
+            task("w", keys)
+        ))
+    };
+    let (alone, _, code) = found("");
+    let [row] = &alone.range.unwrap()[..] else { panic!("one row") };
+    assert_eq!((code, row.verdict, row.of), (0, "proved", "attractor"));
+    let (both, shown, code) = found("range = { effort = 100 }");
+    let rows = both.range.unwrap();
+    assert_eq!(rows.last(), Some(row), "{shown}");
+    let open = rows.iter().find(|row| row.of == "all" && row.side == "beyond").unwrap();
+    assert!(
+        open.verdict == "undecided" && open.reason.as_ref().unwrap().contains("raise `effort`"),
+        "{shown}"
+    );
+    assert_eq!(code, 3, "{shown}");
+}
+
 #[test]
 fn what_is_not_covered_says_so() {
     for (d, w, keys, reason, case) in [

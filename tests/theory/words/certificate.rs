@@ -335,7 +335,7 @@ fn no_damaged_certificate_that_is_false_passes() {
     println!(
         "{runs} damaged: {rejected} rejected, {unchanged} unchanged, {still_true} still true and accepted"
     );
-    assert!(rejected > runs / 4 && crate::samples::tried(still_true, 0));
+    assert!(rejected > runs / 4 && crate::samples::tried(still_true, 20));
 }
 
 /// The oracle notices what is false: else the test above asserts nothing.

@@ -370,6 +370,24 @@ mod tests {
     }
 
     #[test]
+    fn a_number_is_about_itself() {
+        let ten = |power: i32| num_traits::pow(BigInt::from(10), power.unsigned_abs() as usize);
+        let huge = BigRational::new(ten(400) + 1, 3.into());
+        let tiny = BigRational::new(1.into(), ten(400) + 1);
+        let digits = BigRational::new(ten(200) + 7, ten(200) - 9);
+        for x in
+            [number(1, 3), number(2, 1), number(-7, 10), huge.clone(), -huge, tiny.clone(), -tiny, digits]
+        {
+            let [lo, hi] = RationalFunction::about(&x).value().unwrap();
+            let width = (&hi - &lo) / x.abs();
+            let least = BigRational::from_integer(BigInt::one() << (BITS - 2));
+            assert!(lo <= x && x <= hi && width <= least.recip(), "{x}");
+            assert_eq!(RationalFunction::about(&x).constant(), None, "{x}");
+        }
+        assert!(RationalFunction::about(&number(0, 1)).is_zero());
+    }
+
+    #[test]
     fn what_runs_one_way_is_told() {
         let x = RationalFunction::range(&number(1, 2), Some(&number(3, 1)));
         let square = x.clone() * &x;

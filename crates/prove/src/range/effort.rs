@@ -40,7 +40,8 @@ impl RangeEffort<'_> {
     }
 
     fn left(&self) -> u64 {
-        self.most.saturating_sub(self.spent.get())
+        let own = self.most.saturating_sub(self.spent.get());
+        self.whole.map_or(own, |whole| own.min(whole.left()))
     }
 
     /// Whether none is left.
@@ -48,14 +49,11 @@ impl RangeEffort<'_> {
         self.left() == 0
     }
 
-    /// Spends steps; none if there were not so many: what is begun may have to be done.
+    /// Spends steps, of the whole too; none if there were not so many: what is begun may have to be done.
     pub fn take(&self, steps: u64) -> Option<()> {
-        if let Some(whole) = self.whole {
-            // A part is never more than what is left.
-            let _ = whole.take(steps);
-        }
         self.spent.set(self.spent.get().saturating_add(steps));
-        (self.spent.get() <= self.most).then_some(())
+        let of_whole = self.whole.map_or(Some(()), |whole| whole.take(steps));
+        of_whole.filter(|()| self.spent.get() <= self.most)
     }
 
     /// Counts a step of a checker that asks whether to end; whether it should.
@@ -92,7 +90,11 @@ mod tests {
         assert!(third.take(20).is_none());
         assert_eq!((third.left(), half.left(), whole.left()), (0, 0, 5));
         assert!(half.is_spent() && !whole.is_spent());
-        assert_eq!(whole.part(0).left(), 5);
+        // Another part of the whole has taken what this one was promised.
+        let (first, second) = (whole.part(1), whole.part(1));
+        assert!(first.take(4).is_some() && second.take(1).is_some());
+        assert!(second.is_spent() && second.take(1).is_none());
+        assert_eq!(RangeEffort::new(2).part(0).left(), 6);
         assert!(RangeEffort::new(u64::MAX).part(1).take(u64::MAX).is_some());
     }
 

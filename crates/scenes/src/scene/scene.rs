@@ -441,11 +441,11 @@ impl Scene {
         float: impl Fn(&T) -> f64,
         point: &dyn Fn() -> String,
     ) -> Result<()> {
-        let ratios = self.whole.ratios.iter().map(|ratio| (ratio, "a damping ratio is at least 0"));
-        let mass = self.mass.iter().map(|mass| (mass, "a mass is positive"));
-        for (i, (given, wanted)) in ratios.chain(mass).enumerate() {
+        let ratios = self.whole.ratios.iter().map(|ratio| (ratio, true, "a damping ratio is at least 0"));
+        let mass = self.mass.iter().map(|mass| (mass, false, "a mass is positive"));
+        for (given, may_be_0, wanted) in ratios.chain(mass) {
             let value = float(&self.value(given, values, &float, point)?);
-            if value < 0.0 || value == 0.0 && i == self.whole.ratios.len() {
+            if value < 0.0 || value == 0.0 && !may_be_0 {
                 return Err(self.fail(&given.key, &format!("is {value}; {wanted}{}", point())));
             }
         }

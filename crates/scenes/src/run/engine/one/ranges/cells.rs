@@ -167,7 +167,7 @@ impl Near<'_> {
             }
             asked = rounded(if reached > 0.0 { (reached * above).sqrt() } else { above / SMALLER });
         }
-        Ok(best.ok_or(end))
+        Ok(best.ok_or(if effort.is_spent() { RangeEnd::Work } else { end }))
     }
 
     /// Cells beyond the first.
@@ -183,10 +183,14 @@ impl Near<'_> {
         let mut last = first.depth().to_f64().unwrap_or(deepest);
         let mut width = NEXT * last;
         for _ in 0..FURTHER {
-            if last >= deepest * (1.0 - NEARLY) || width < SHORTEST * last || effort.is_spent() {
+            if last >= deepest * (1.0 - NEARLY) || width < SHORTEST * last {
                 break;
             }
-            let Some((proof, machines)) = cells.last() else { break };
+            let Some((proof, machines)) = cells.last_mut() else { break };
+            if effort.is_spent() {
+                proof.ends_by(RangeEnd::Work);
+                break;
+            }
             // Where the row says that the last cell ends: what is rounded there is the next one's.
             let row = self.over(behind, proof.depth(), machines, String::new())?;
             let Some(from) = row.end.and_then(|end| parse_rational(&end).ok()) else { break };

@@ -168,7 +168,8 @@ impl Near<'_> {
             return Ok(open("it is proved beside one stop"));
         }
         let harmonics = &self.harmonics;
-        let found = self.cells(true, self.effort(true), &|ranges, deepest, _| {
+        // It takes milliseconds, and does not wait for what ranges leave.
+        let found = self.cells(true, &RangeEffort::default(), &|ranges, deepest, _| {
             let problem = AttractorProblem { ranges, harmonics: harmonics.clone(), deepest };
             prove_attractor(&problem, self.point.job.monitor)
         })?;
@@ -305,8 +306,8 @@ impl Near<'_> {
             return Ok(range.clone());
         }
         let system = |at: &RationalFunction| functions(self.point, at);
-        // What is proved is said, whatever it costs. That is one
-        // number: how many values are tried goes with the parameter's unit.
+        // What is proved is said, whatever it costs. The number of values that are tried goes
+        // with the parameter's unit, and is not counted.
         let _ = self.effort(behind).take(ENCLOSED);
         if touch.get().is_none() {
             let _ = touch.set(TouchSide::of(&system, None, self.start.each_ref(), behind)?);
