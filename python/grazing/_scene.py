@@ -69,6 +69,8 @@ class TaskReport:
     data: Record = field(repr=False)
     #: Certificates by file name: ``grazing.check(text)`` proves them again.
     certificates: Mapping[str, str] = field(repr=False)
+    #: What each proves, in the checker's words, by file name: ``kind``, ``title``, ``range``, ``detail``.
+    claims: Mapping[str, Record] = field(repr=False)
     #: All points of branches, of tasks of kind branch.
     rows: Sequence[Record] = field(repr=False)
     #: What a reader should know before trusting the numbers.
@@ -318,7 +320,7 @@ def _again(text: str, name: str, parameters: tuple[tuple[str, Fraction], ...]) -
 
 
 #: In a report's JSON, what does not belong to the findings.
-_COMMON = tuple("task kind status reason io engine place parameters units warnings effects files".split())
+_COMMON = tuple("task kind status reason io engine place parameters units certificates warnings effects files".split())
 
 _PROOFS = ("validate", "chaos")
 
@@ -343,6 +345,7 @@ def _report(
         findings=findings,
         data=Record(arrays),
         certificates=dict(certificates),
+        claims={one["file"]: Record(one) for one in report.get("certificates", ())},
         rows=tuple(map(Record, json.loads(rows))) if rows else (),
         warnings=tuple(report["warnings"]),
         effects=report["effects"],

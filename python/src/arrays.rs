@@ -6,9 +6,8 @@ use grazing_scenes::{
     Result,
     one::attractor::map::{MapCell, MapEnd},
     run::{
-        AttractorProofs, BasinsFindings, DiagramFindings, Findings, GrazingFindings, Job, Keeper,
-        MapFindings, ResponseFindings, ResponseRow, SectionFindings, SectionSet, SeriesOf, SeriesPoint,
-        StopEvent,
+        BasinsFindings, DiagramFindings, Findings, Job, Keeper, MapFindings, ResponseFindings, ResponseRow,
+        SectionFindings, SectionSet, SeriesOf, SeriesPoint, StopEvent,
     },
 };
 use numpy::{IntoPyArray, PyArrayMethods};
@@ -44,11 +43,6 @@ impl Data {
     fn table(&mut self, name: &'static str, numbers: Vec<f64>, columns: usize) {
         let rows = numbers.len().checked_div(columns).unwrap_or(0);
         self.arrays.insert(name, Array::Floats(numbers, vec![rows, columns]));
-    }
-
-    /// The certificates of attractors that were seen.
-    fn proofs(&mut self, proofs: Option<&AttractorProofs>) {
-        self.certificates.extend(proofs.iter().flat_map(|proofs| proofs.certificates.iter().cloned()));
     }
 
     /// As a dict: no number is copied.
@@ -138,25 +132,17 @@ impl Keeper for Collector {
 
     fn keep(&mut self, _: &Job, findings: &Findings) -> Result<Vec<String>> {
         let text = |rows: serde_json::Result<String>| rows.map_err(std::io::Error::other);
+        let certificates = findings.certificates().into_iter();
+        self.data.certificates =
+            certificates.map(|one| (one.file.clone(), one.accepted.text().to_string())).collect();
         match findings {
             Findings::Simulation(_) => self.series(),
             Findings::Section(found) => section(found, &mut self.data),
             Findings::Basins(found) => basins(found, &mut self.data),
-            Findings::Diagram(found) => {
-                diagram(found, &mut self.data);
-                self.data.proofs(found.proofs.as_ref());
-            }
-            Findings::Grazing(found) => {
-                if let GrazingFindings::Found(found) = &**found {
-                    self.data.certificates.extend(found.certificates.iter().cloned());
-                    self.data.proofs(found.proofs.as_ref());
-                }
-            }
+            Findings::Diagram(found) => diagram(found, &mut self.data),
             Findings::Response(found) => response(found, &mut self.data),
             Findings::Map(found) => map(found, &mut self.data),
             Findings::Branch(found) => self.data.rows = Some(text(serde_json::to_string(&found.rows))?),
-            Findings::Validate(found) => self.data.certificates.clone_from(&found.certificates),
-            Findings::Chaos(found) => self.data.certificates.extend(found.text.clone()),
             _ => {}
         }
         Ok(Vec::new())

@@ -12,6 +12,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod accepted;
 mod apart;
 mod compare;
 pub mod cover;
@@ -22,6 +23,7 @@ mod share;
 mod theorem2;
 mod word;
 
+pub use accepted::{Accepted, Claimed};
 pub use entropy::entropy_certificate;
 pub use instance::Instance;
 pub use share::{ShareStatement, certify_share};

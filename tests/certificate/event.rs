@@ -158,15 +158,21 @@ impl Case {
 
     fn written(&self) -> (String, [String; 2]) {
         let system = self.family.at(&Quotient::parameter(), &());
-        orbit::event_certificate(&system, "p", &self.prove(&Precision::new(128))).unwrap()
+        written(&system, "p", &self.prove(&Precision::new(128)))
     }
 
     /// The same with a force of 10⁻⁴⁰(1 + p), which version 1 cannot hold.
     fn written_long(&self) -> (String, [String; 2]) {
         let mut system = self.family.at(&Quotient::parameter(), &());
         system.force = system.force + &quotient("1e-40*(1 + p)").unwrap();
-        orbit::event_certificate(&system, "p", &self.prove(&Precision::new(128))).unwrap()
+        written(&system, "p", &self.prove(&Precision::new(128)))
     }
+}
+
+/// A certificate, and the ends of the parameter that it proves.
+fn written(system: &System<Quotient>, name: &str, event: &ProvedEvent) -> (String, [String; 2]) {
+    let found = orbit::event_certificate(system, name, event).unwrap();
+    (found.accepted.text().to_string(), found.parameter.unwrap())
 }
 
 fn check(text: &str) -> std::result::Result<certificate::Checked, Rejection> {
@@ -226,7 +232,7 @@ fn the_motion_without_impacts_grazes_where_its_formula_says() {
         let condition = Condition::Grazing { after: 0, side: Side::Lower, time: phase + 0.01 };
         let event = proved(orbit::event(family, &[], known + 0.003, condition, &precision).unwrap());
         let system = free(&Quotient::parameter(), &(), moves);
-        let (text, [from, to]) = orbit::event_certificate(&system, "p", &event).unwrap();
+        let (text, [from, to]) = written(&system, "p", &event);
         let (from, to) = (number(&from), number(&to));
         let within = |x: f64| from.to_f64().unwrap() - 1e-14 <= x && x <= to.to_f64().unwrap() + 1e-14;
         assert!(within(known) && &to - &from < number("1e-17"), "{from} {to}");
@@ -494,7 +500,7 @@ fn damage_is_detected() {
     let condition = Condition::Grazing { after: 0, side: Side::Lower, time: 0.01 };
     let event = proved(orbit::event(family, &[], 0.753, condition, &precision).unwrap());
     let system = free(&Quotient::parameter(), &(), false);
-    let (text, _) = orbit::event_certificate(&system, "p", &event).unwrap();
+    let (text, _) = written(&system, "p", &event);
     survive(&text, 250, &|changed| is_true_without_impacts(changed, &text));
 }
 
@@ -531,7 +537,7 @@ fn a_scene_proves_the_grazing_of_its_motion_without_impacts() {
     let [from, to] = [&row.lower, &row.upper].map(|end| number(end.as_ref().unwrap()));
     assert_eq!((row.proved.verdict, row.proved.pattern.as_deref()), ("proved", Some("free 1")));
     assert!(from <= number("3/4") && number("3/4") <= to && to - from < number("1e-17"));
-    let checked = check(&found.certificates[0].1).unwrap();
+    let checked = check(found.certificates[0].accepted.text()).unwrap();
     assert_eq!((checked.kind, checked.statement), ("event", certificate::event::STATEMENT_2));
 }
 
@@ -603,7 +609,7 @@ fn what_cannot_be_certified_is_an_error() {
     assert!(refused(&|system| system.damping = quotient("p").unwrap()).contains("Krawczyk's test"));
     // A name that the form cannot hold is replaced.
     let system = case.family.at(&Quotient::parameter(), &());
-    let (text, _) = orbit::event_certificate(&system, "µ", &event).unwrap();
+    let (text, _) = written(&system, "µ", &event);
     assert!(text.contains("\nparameter p -0.0843"));
 }
 

@@ -91,7 +91,7 @@ fn motions_without_impacts_are_proved_where_the_gap_is_open() {
             Verdict::Proved(proof) => {
                 assert!(least > 0.0, "{drawn:?}: {least}");
                 assert_eq!(proof.stability, Some(Stability::Stable));
-                let text = free_certificate(&system, &proof).unwrap();
+                let text = free_certificate(&system, &proof).unwrap().accepted.text().to_string();
                 let checked = certificate::check(&mut text.as_bytes()).unwrap();
                 assert_eq!((checked.kind, checked.range), ("orbit", Some(1..=1)));
                 assert!(text.contains("\nkind orbit 3\n") && text.contains("\norbit 0 stable\n"), "{text}");
@@ -119,9 +119,9 @@ fn machines_of_one_coordinate_agree() {
         match machine::free_motion(&list(&machine).unwrap(), &near, &mut || false).unwrap() {
             Verdict::Proved(proof) => {
                 assert!(least_gap(&drawn) > 0.0, "{drawn:?}");
-                let checked = certificate::check(&mut proof.text.as_bytes()).unwrap();
+                let checked = certificate::check(&mut proof.accepted.text().as_bytes()).unwrap();
                 assert_eq!((checked.kind, checked.range), ("machine-orbit", Some(1..=1)));
-                assert!(proof.text.contains("\norbit 0 stable\n"), "{}", proof.text);
+                assert!(proof.accepted.text().contains("\norbit 0 stable\n"), "{}", proof.accepted.text());
                 proved += 1;
             }
             _ => assert!(least_gap(&drawn) < 1e-4, "{drawn:?}: {}", least_gap(&drawn)),
@@ -154,12 +154,12 @@ fn what_is_not_proved_is_said() {
     let system = at("0", "2", "-1.0000000001");
     let Verdict::Proved(proof) = free_motion(&system, &precision).unwrap() else { panic!() };
     assert_eq!(proof.stability, None);
-    let text = free_certificate(&system, &proof).unwrap();
+    let text = free_certificate(&system, &proof).unwrap().accepted.text().to_string();
     assert!(text.contains("\norbit 0 open\n") && certificate::check(&mut text.as_bytes()).is_ok(), "{text}");
     let system = at("-0.1", "2", "-2");
     let Verdict::Proved(proof) = free_motion(&system, &precision).unwrap() else { panic!() };
     assert_eq!(proof.stability, Some(Stability::Unstable));
-    assert!(free_certificate(&system, &proof).unwrap().contains("\norbit 0 unstable\n"));
+    assert!(free_certificate(&system, &proof).unwrap().accepted.text().contains("\norbit 0 unstable\n"));
     let Verdict::Undecided(why) = free_motion(&at("0", "4", "-2"), &precision).unwrap() else { panic!() };
     assert!(why.contains("1 may be a multiplier"), "{why}");
     assert!(free_motion(&at("0", "1", "-2"), &precision).unwrap_err().to_string().contains("resonance"));
@@ -174,7 +174,7 @@ fn damage_is_refused_unless_it_is_still_true() {
     let precision = Precision::new(128);
     let open = draws(60).into_iter().find(|drawn| least_gap(drawn) > 0.05).unwrap();
     let Verdict::Proved(proof) = free_motion(&system(&open), &precision).unwrap() else { panic!() };
-    let text = free_certificate(&system(&open), &proof).unwrap();
+    let text = free_certificate(&system(&open), &proof).unwrap().accepted.text().to_string();
     let known = certificate::check(&mut text.as_bytes()).unwrap();
     let mut runner = crate::common::runner(1);
     let (mut refused, mut accepted) = (0, 0);

@@ -131,7 +131,7 @@ fn oscillators_as_machines_have_the_same_orbits() {
         let known = proved(prove(&case.system, &case.impacts));
         let (machine, sides) = as_machine(&case);
         let proof = proved_machine(&machine, &near(&case, &machine, &sides, &known));
-        let checked = check(&proof.text).unwrap();
+        let checked = check(proof.accepted.text()).unwrap();
         let periods = u64::from(case.impacts.iter().map(|impact| impact.periods).sum::<u32>());
         assert_eq!(
             (checked.kind, checked.range),
@@ -219,7 +219,8 @@ fn chains_are_proved_and_the_simulator_follows_them() {
         let rows: Vec<_> = found.proofs.iter().filter(|row| row.proved.verdict == "proved").collect();
         assert!(!rows.is_empty(), "{n}: {:?}", found.proofs);
         assert_eq!(rows.len(), found.certificates.len());
-        for (row, (_, text)) in rows.iter().zip(&found.certificates) {
+        for (row, one) in rows.iter().zip(&found.certificates) {
+            let text = one.accepted.text();
             let checked = check(text).unwrap();
             assert_eq!((checked.kind, checked.statement), ("machine-orbit", listed::STATEMENT));
             let digits = |list: &Option<Vec<String>>| -> f64 { list.as_ref().unwrap()[0].parse().unwrap() };

@@ -13,6 +13,7 @@ mod systems;
 mod chaos;
 #[cfg(unix)]
 mod check;
+mod claims;
 mod event;
 mod free;
 mod machine;

@@ -36,7 +36,7 @@ const PAPER: [&str; 3] = ["12/49", "100/2401", "1"];
 fn range(problem: &RangeProblem, effort: u64) -> Result<RangeProof, RangeEnd> {
     let found = prove(problem, &RangeEffort::new(effort), &()).unwrap();
     if let Ok(proof) = &found {
-        let checked = certificate::check(&mut proof.text.as_bytes()).unwrap();
+        let checked = certificate::check(&mut proof.accepted.text().as_bytes()).unwrap();
         assert_eq!(checked.kind, "range");
         println!("{} cells, nu = {}, {:?}", proof.certificate.cells.len(), proof.depth, proof.end);
     }
@@ -115,10 +115,10 @@ fn what_is_born_is_all_that_is_near() {
         let proof = range(problem, 20_000).unwrap();
         let found = prove_alone(problem, proof.clone(), &RangeEffort::new(200_000), &()).unwrap();
         assert_eq!(
-            (found.depth, certificate::check(&mut found.text.as_bytes()).unwrap().kind),
+            (found.depth, certificate::check(&mut found.accepted.text().as_bytes()).unwrap().kind),
             (proof.depth, "range")
         );
-        (found.alone, found.text)
+        (found.alone, found.accepted.text().to_string())
     };
     let all = problem(PAPER, true, LetterGraph::full(&[1, 2, 3]), 1.0);
     let (depth, text) = alone(&all);
@@ -150,7 +150,7 @@ fn where_nothing_is_born_no_motion_stays() {
         (parse_rational("999/1000").unwrap(), 18, RangeEnd::Asked)
     );
     assert!(0.05 < proof.slope && proof.slope < 0.5, "{}", proof.slope);
-    assert_eq!(certificate::check(&mut proof.text.as_bytes()).unwrap().kind, "nothing");
+    assert_eq!(certificate::check(&mut proof.accepted.text().as_bytes()).unwrap().kind, "nothing");
     // A range of parameters, and an end before what could be.
     let wide = NothingProblem {
         mirrored: false,
@@ -184,7 +184,7 @@ fn other_walls_and_graphs_have_ranges() {
     let proof = range(&problem, 20_000).unwrap();
     assert_eq!(proof.end, RangeEnd::Asked);
     // The same work gives the same certificate.
-    assert_eq!(range(&problem, 20_000).unwrap().text, proof.text);
+    assert_eq!(range(&problem, 20_000).unwrap().accepted, proof.accepted);
 }
 
 /// README's machine, F being the amplitude of its forcing, with its stop at 1, or at 1 + F² if `bent`.

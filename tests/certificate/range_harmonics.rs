@@ -241,7 +241,7 @@ fn confirmed(machine: &Machine, found: &GrazingReport) -> usize {
         }
         assert_eq!(cells.last().unwrap().1, end);
         for (from, to, file, depth) in cells {
-            let (_, text) = found.certificates.iter().find(|(name, _)| name == file).unwrap();
+            let text = found.certificates.iter().find(|one| one.file == *file).unwrap().accepted.text();
             // What the machine is stands around what its oscillator does.
             let (_, text) = text.rsplit_once("\nkind ").unwrap();
             let row = RangeRow { depth: Some(depth.into()), ..row.clone() };

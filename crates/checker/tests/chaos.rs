@@ -131,10 +131,12 @@ fn orbits_between_mirrored_walls_pass_and_are_named() {
         assert!(text.contains(letter), "{text}");
     }
     assert!(text.contains("per half period between log 1.839286755204") && !text.contains("force"), "{text}");
-    assert!(
-        text.contains("|q| < 4.1 nu") && text.contains("bounded motion that meets a wall only"),
-        "{text}"
-    );
+    // A wall is met near its own top alone: at multiples of its own.
+    let alone = "every bounded motion that meets a wall, the lower one only within 1.2 of even and the upper one of odd \
+                 multiples of pi, where |w'|, at the upper wall half a period before, <= nu S/2, S = 4.73,";
+    assert!(text.contains("|q| < 4.1 nu") && text.contains(alone), "{text}");
+    let window = "within 1.2 of multiples of pi, at the lower wall of even and at the upper wall of odd ones";
+    assert!(text.contains(window), "{text}");
     let text = answer(CHAOS_MIRRORED_BEFORE).unwrap().to_string();
     assert!(text.contains("others: not excluded") && text.contains("-nu - 1 + cos t"), "{text}");
 }

@@ -14,7 +14,7 @@ pub mod orbit;
 pub mod range;
 pub mod touch;
 
-use grazing::{tolerance, word};
+use grazing::{search::Accepted, tolerance, word};
 use grazing_base::{error, monitor};
 use grazing_check as certificate;
 use grazing_motion::{many, motion};

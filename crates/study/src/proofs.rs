@@ -16,7 +16,7 @@ use crate::{
     motion::{Side, System},
     number::{Precision, parse_rational},
     one::orbit::{Itinerary, Oscillator, search},
-    run::{Findings, GrazingFindings, Surroundings, run},
+    run::{Findings, Surroundings, run},
     scene::Scene,
     search::{
         Certified, ProofMethod, WordCertificate, WordPlace, certify_word,
@@ -312,7 +312,7 @@ fn prove(
             Verdict::Proved(proof) => {
                 (cost.bits, cost.prove, cost.reason) = (Some(bits), Some(time), None);
                 match orbit::certificate(system, &proof) {
-                    Ok(text) => cost.checked(&text)?,
+                    Ok(found) => cost.checked(found.accepted.text())?,
                     Err(error) => cost.reason = Some(error.to_string()),
                 }
                 break;
@@ -369,28 +369,16 @@ fn of_scene(kind: &'static str, n: u64, text: &str, task: &str) -> Result<ProofC
     let start = Instant::now();
     let reports = run(&scene, Surroundings::default(), &mut ())?;
     let time = start.elapsed();
-    let mut certificates = reports.iter().filter_map(|report| report.findings.as_ref()).flat_map(texts);
+    let found = reports.iter().filter_map(|report| report.findings.as_ref());
+    let mut certificates = found.flat_map(Findings::certificates).map(|one| one.accepted.text());
     let letters = |text: &str| text.lines().filter(|line| line.starts_with("letter ")).count() as u64;
-    let wanted = |text: &&String| is_of(kind, text) && (!kind.starts_with("range") || letters(text) == n);
+    let wanted = |text: &&str| is_of(kind, text) && (!kind.starts_with("range") || letters(text) == n);
     match certificates.find(wanted) {
         Some(text) => ProofCost::of(kind, n, time, text),
         None => {
             let reason = reports.first().map(|report| report.status.to_string());
             Ok(ProofCost { reason, ..ProofCost::new(ProofStudy::Certificate, kind, n) })
         }
-    }
-}
-
-/// The certificates that a task has written.
-fn texts(findings: &Findings) -> Vec<&String> {
-    match findings {
-        Findings::Validate(found) => found.certificates.iter().map(|(_, text)| text).collect(),
-        Findings::Chaos(found) => found.text.iter().map(|(_, text)| text).collect(),
-        Findings::Grazing(found) => match &**found {
-            GrazingFindings::Found(found) => found.certificates.iter().map(|(_, text)| text).collect(),
-            GrazingFindings::Nothing { .. } => Vec::new(),
-        },
-        _ => Vec::new(),
     }
 }
 

@@ -90,7 +90,7 @@ fn damage_is_detected() {
     let one = [ALWAYS, FIGURE_10].map(proved);
     let two = ["touched", "before"].map(|name| mirrored::proved(mirrored::STOPS, name));
     for found in one.into_iter().chain(two) {
-        let text = found.text.unwrap().1;
+        let text = found.proof.unwrap().accepted.text().to_string();
         assert_eq!(holds(&read(&text).unwrap()), Ok(()));
         let head = text.lines().position(|line| line.starts_with("damping")).unwrap();
         let (mut rejected, mut unchanged, mut still_true) = (0, 0, 0);

@@ -37,7 +37,7 @@ pub(super) fn proved(text: &str, name: &str) -> ChaosFindings {
     let (found, status) = outcome(text, name).unwrap();
     assert_eq!(status, Status::Done, "{found:?}");
     assert!(found.half && found.ceiling.is_none());
-    certificate::check(&mut found.text.as_ref().unwrap().1.as_bytes()).unwrap();
+    certificate::check(&mut found.proof.as_ref().unwrap().accepted.text().as_bytes()).unwrap();
     found
 }
 
@@ -296,7 +296,7 @@ fn walls_that_are_no_mirror_images_are_refused() {
     let doubled = "damping = \"1/4\"\nstiffness = \"25/4\"";
     let twice = proved(&scene(doubled, [&fast[0], &fast[1]], task), "x");
     let once = proved(&scene(SPRING, PAIR, task), "x");
-    assert_eq!((twice.text, twice.depth), (once.text, once.depth));
+    assert_eq!((twice.proof, twice.depth), (once.proof, once.depth));
 }
 
 /// Nothing is proved where it cannot be so.
@@ -314,7 +314,7 @@ fn negative_controls_between_walls_stay_undecided() {
     ] {
         let (found, status) = outcome(&scene(SPRING, walls, task), "x").unwrap();
         assert!(matches!(status, Status::Undecided { .. }), "{task}: {found:?}");
-        assert!(!found.proved && found.text.is_none() && found.letters.is_empty());
+        assert!(!found.proved && found.proof.is_none() && found.letters.is_empty());
         assert!(status.reason().unwrap().contains("does not rule out chaos"));
     }
 }

@@ -77,7 +77,7 @@ fn negative_controls_stay_undecided() {
     ] {
         let (found, status) = found(task);
         assert!(matches!(status, Status::Undecided { .. }), "{task}: {found:?}");
-        assert!(!found.proved && found.text.is_none() && found.letters.is_empty());
+        assert!(!found.proved && found.proof.is_none() && found.letters.is_empty());
         assert!(status.reason().unwrap().contains("does not rule out chaos"));
     }
 }

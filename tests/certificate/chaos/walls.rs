@@ -21,7 +21,7 @@ fn equivalent_oscillators_have_one_normal_form() {
         let job = Job::new(&scene, &scene.tasks[0], Surroundings::default()).unwrap();
         let Some(Findings::Chaos(found)) = run_task(&job, &mut ()).findings else { panic!() };
         assert!(found.proved);
-        (found.depth, found.text.unwrap().1)
+        (found.depth, found.proof.unwrap().accepted.text().to_string())
     };
     let (expected, text) = depth("", "side = \"lower\"\noffset = \"-1000/1003\"\nharmonics = [{ cos = 1 }]");
     assert!((expected[0] - 3.0 / 1003.0).abs() < 1e-15);
@@ -140,7 +140,7 @@ fn of_two_walls_the_other_is_out_of_reach() {
     // (0.35 − 0.01)/µ.
     assert!(found.proved && (ceiling - 0.34 / 0.003).abs() < 1e-9 && reach < ceiling);
     let (_, found) = with_walls(&walls("0.2"), task);
-    assert!(!found.proved && found.text.is_none() && found.letters.is_empty());
+    assert!(!found.proved && found.proof.is_none() && found.letters.is_empty());
     assert!(found.failures[0].reason.contains("the other wall may be met"), "{found:?}");
 }
 

@@ -22,7 +22,7 @@ use super::{
 };
 
 /// Columns that are not compared, and why.
-pub const NOT_COMPARED: [(&str, &str); 32] = [
+pub const NOT_COMPARED: [(&str, &str); 33] = [
     ("task", "it is what rows are put together by"),
     ("kind", "it is in the scene"),
     ("place", "a line of the file"),
@@ -30,6 +30,7 @@ pub const NOT_COMPARED: [(&str, &str); 32] = [
     ("parameters", "as they stand in the scene"),
     ("effects", "work, not results: compared where the work is the same"),
     ("files", "nothing is kept"),
+    ("certificates", "what the rows have, in words and in the units of a certificate"),
     ("residual", "what rounding left"),
     ("corner_gap", "what rounding left of 0"),
     ("distance", "what a search left of it"),
@@ -61,8 +62,7 @@ pub const NOT_COMPARED: [(&str, &str); 32] = [
 ];
 
 /// Of proofs: texts of a file, and ends of enclosures that need not be the same to be true.
-const OF_CERTIFICATES: [&str; 6] =
-    ["certificate", "no_certificate", "lower", "upper", "stability", "range_ends"];
+const OF_CERTIFICATES: [&str; 5] = ["certificate", "lower", "upper", "stability", "range_ends"];
 
 /// How a form's report is read in the frame of the scene that it was made from.
 #[derive(Debug, Clone)]

@@ -6,7 +6,10 @@ use std::sync::LazyLock;
 use grazing_scenes::{
     certificate,
     number::parse_rational,
-    run::{Findings, GrazingFindings, GrazingReport, Job, Keeper, StopEvent, Surroundings, run, run_task},
+    run::{
+        CertificateFile, Findings, GrazingFindings, GrazingReport, Job, Keeper, StopEvent, Surroundings, run,
+        run_task,
+    },
     scene::Scene,
 };
 use num_rational::BigRational;
@@ -74,7 +77,8 @@ fn what_is_born_is_proved_from_the_touch_to_a_number() {
     assert!((0.07..0.12).contains(&float(&depth)), "{depth}");
     assert!((before.share.unwrap() - (1.0 - float(&end) / 0.5f64.sqrt())).abs() < 1e-9);
     // The certificate is of that machine: c, k and τ stand in it exactly.
-    let [(file, text), ..] = &found.certificates[..] else { panic!("certificates") };
+    let [CertificateFile { file, accepted }, ..] = &found.certificates[..] else { panic!("certificates") };
+    let text = accepted.text();
     assert_eq!((file.as_str(), before.certificate.as_deref()), ("g-before.certificate", Some(file.as_str())));
     assert!(inner(text, before.end.as_ref()).starts_with("range"));
     for line in ["damping 1/10 1/10", "stiffness 3/10 3/10", "restitution 4/5 4/5"] {
@@ -89,11 +93,12 @@ fn what_is_born_is_proved_from_the_touch_to_a_number() {
     let proved = mirror.iter().filter(|row| row.certificate.is_some());
     for ((one, other), row) in mirrored.certificates.iter().zip(&own.certificates).zip(proved) {
         let end = row.end.as_ref();
-        assert_eq!((&one.0, inner(&one.1, end)), (&other.0, inner(&other.1, end)));
+        let of = |one: &CertificateFile| (one.file.clone(), inner(one.accepted.text(), end).to_string());
+        assert_eq!(of(one), of(other));
     }
     // Each row with a certificate names it, and no two the same.
     let named: Vec<&String> = rows.iter().filter_map(|row| row.certificate.as_ref()).collect();
-    assert_eq!(named, found.certificates.iter().map(|(file, _)| file).collect::<Vec<_>>());
+    assert_eq!(named, found.certificates.iter().map(|one| &one.file).collect::<Vec<_>>());
     assert!(named.iter().all(|file| named.iter().filter(|other| other == &file).count() == 1));
     assert_eq!((beyond.side, beyond.verdict, beyond.whole), ("beyond", "nothing born", true));
 }
@@ -117,7 +122,8 @@ fn mirrored_stops_have_ranges_of_half_periods() {
         assert!(&at * &at >= BigRational::new(1.into(), 2.into()), "{row:?}");
         assert!((at.to_f64().unwrap() / 0.5f64.sqrt() - 1.0).abs() < 1e-11, "{row:?}");
     }
-    let texts = found.certificates.iter().zip(&rows).map(|((_, text), row)| inner(text, row.end.as_ref()));
+    let texts =
+        found.certificates.iter().zip(&rows).map(|(one, row)| inner(one.accepted.text(), row.end.as_ref()));
     let kinds: Vec<&str> = texts.map(|text| text.lines().next().unwrap()).collect();
     assert_eq!(kinds, ["range 4", "single 2", "nothing 2"]);
 }
@@ -145,9 +151,9 @@ fn parts_of_what_is_born_go_farther() {
     for row in &before[2..] {
         let [part] = &row.stability[..] else { panic!("{row:?}") };
         assert_eq!((part.word, part.from.as_ref()), ("unstable", None), "{row:?}");
-        let (file, text) =
-            found.certificates.iter().find(|(file, _)| Some(file) == row.certificate.as_ref()).unwrap();
-        assert!(inner(text, row.end.as_ref()).starts_with("single"), "{file}");
+        let CertificateFile { file, accepted } =
+            found.certificates.iter().find(|one| Some(&one.file) == row.certificate.as_ref()).unwrap();
+        assert!(inner(accepted.text(), row.end.as_ref()).starts_with("single"), "{file}");
     }
 }
 
@@ -159,7 +165,8 @@ fn where_nothing_is_born_every_motion_leaves() {
     let beyond = found.range.as_ref().unwrap().last().unwrap();
     assert_eq!((*code, beyond.verdict, beyond.leaves), (0, "nothing born", Some(18)));
     assert!(beyond.share.unwrap() > 900.0 && (0.005..0.1).contains(&beyond.zone.unwrap()), "{beyond:?}");
-    let (file, text) = found.certificates.last().unwrap();
+    let CertificateFile { file, accepted } = found.certificates.last().unwrap();
+    let text = accepted.text();
     assert_eq!(Some(file), beyond.certificate.as_ref());
     assert!(inner(text, beyond.end.as_ref()).starts_with("nothing"));
     for line in ["damping 1/10 1/10", "stiffness 3/10 3/10", "restitution 4/5 4/5"] {

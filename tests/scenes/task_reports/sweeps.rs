@@ -10,7 +10,7 @@ use std::{
 use grazing_scenes::{
     Error, Monitor, Result,
     certificate::check,
-    run::{Findings, GrazingFindings, Judgement, Status, Surroundings, TaskReport, run},
+    run::{CertificateFile, Findings, GrazingFindings, Judgement, Status, Surroundings, TaskReport, run},
     scene::Scene,
 };
 use serde_json::Value;
@@ -338,7 +338,8 @@ fn attractors_of_a_sweep_are_proved() {
         let Some(Findings::Diagram(found)) = &report.findings else { panic!("{report}") };
         let proofs = found.proofs.as_ref().unwrap();
         assert_eq!((proofs.rows.len(), proofs.certificates.len(), proofs.others), (4, 4, 0), "{report}");
-        for (row, (file, text)) in proofs.rows.iter().zip(&proofs.certificates) {
+        for (row, CertificateFile { file, accepted }) in proofs.rows.iter().zip(&proofs.certificates) {
+            let text = accepted.text();
             let proof = &row.proved;
             assert_eq!(
                 (proof.verdict, proof.stable, proof.certificate.as_ref()),
@@ -380,7 +381,7 @@ fn attractors_of_a_diagram_are_proved() {
         assert_eq!(found.slices.iter().map(|slice| slice.motions.len()).sum::<usize>(), 3, "{report}");
         assert!(proofs.rows.iter().all(|row| row.proved.stable == Some(Judgement::Yes)), "{report}");
         assert_eq!((proofs.certificates.len(), proofs.others), (3, 0), "{report}");
-        for (_, text) in &proofs.certificates {
+        for text in proofs.certificates.iter().map(|one| one.accepted.text()) {
             check(&mut text.as_bytes()).unwrap();
         }
         let json = serde_json::to_value(&report).unwrap();
@@ -409,7 +410,8 @@ fn what_is_seen_beside_a_touch_is_proved() {
             [("before", "free 1"), ("beyond", "1"), ("back", "free 1"), ("rest", "1")],
             "{report}"
         );
-        for (row, (_, text)) in proofs.rows.iter().zip(&proofs.certificates) {
+        for (row, one) in proofs.rows.iter().zip(&proofs.certificates) {
+            let text = one.accepted.text();
             assert_eq!((row.proved.verdict, row.proved.stable), ("proved", Some(Judgement::Yes)));
             let checked = check(&mut text.as_bytes()).unwrap();
             assert_eq!(checked.kind, ["orbit", "machine-orbit"][format]);

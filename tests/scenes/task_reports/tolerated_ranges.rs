@@ -5,7 +5,7 @@ use grazing_scenes::{
     certificate,
     internals::random::Random,
     number::parse_rational,
-    run::{Findings, GrazingReport, Judgement, RangeRow, Surroundings, run},
+    run::{CertificateFile, Findings, GrazingReport, Judgement, RangeRow, Surroundings, run},
     scene::Scene,
 };
 use num_rational::BigRational;
@@ -190,7 +190,8 @@ fn every_machine_of_a_box_touches_where_it_is_said_and_is_no_deeper() {
         assert!(proved.len() > 1 && proved.iter().any(|row| row.end.is_some()), "{shown}");
         proved.iter().for_each(|row| depths_hold(machine, &report, row, &mut random));
         // Each certificate is of all machines: its ranges of c, k and τ are no points.
-        for (file, text) in &report.certificates {
+        for CertificateFile { file, accepted } in &report.certificates {
+            let text = accepted.text();
             certificate::check(&mut text.as_bytes()).unwrap_or_else(|error| panic!("{file}: {error}"));
             let line = text.lines().find(|line| line.starts_with("damping ")).unwrap();
             let [lo, hi] = [1, 2].map(|i| q(line.split(' ').nth(i).unwrap()));

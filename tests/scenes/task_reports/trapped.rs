@@ -1,7 +1,10 @@
 //! That chaos attracts beyond a touch, in the report of a task `grazing`: how far, against numbers of the
 //! page, and in which of three cases; and every reason for which it is not proved.
 
-use grazing_scenes::{certificate, run::GrazingReport};
+use grazing_scenes::{
+    certificate,
+    run::{CertificateFile, GrazingReport},
+};
 
 use super::grazing_found;
 
@@ -25,7 +28,8 @@ fn task(parameter: &str, keys: &str) -> String {
 
 /// What the certificate of the one row says of the parameter.
 fn said(found: &GrazingReport) -> String {
-    let [(file, text)] = &found.certificates[..] else { panic!("one certificate") };
+    let [CertificateFile { file, accepted }] = &found.certificates[..] else { panic!("one certificate") };
+    let text = accepted.text();
     assert_eq!(file, "g-beyond-attractor.certificate");
     let checked = certificate::check(&mut text.as_bytes()).unwrap_or_else(|why| panic!("{why}"));
     assert_eq!((checked.kind, checked.title), ("parameter", "chaos that attracts"));
@@ -77,7 +81,7 @@ fn several_harmonics_of_a_drive_are_proved() {
     let [row] = &found.range.clone().unwrap()[..] else { panic!("one row") };
     assert!(code == 0 && row.share.unwrap() > 0.01, "{row:?}");
     assert!(said(&found).starts_with("for F* < F <= "), "{}", said(&found));
-    assert!(found.certificates[0].1.contains("\nconcave "));
+    assert!(found.certificates[0].accepted.text().contains("\nconcave "));
 }
 
 #[test]

@@ -1,7 +1,10 @@
 //! What a certificate speaks of, in words: all that its statement leaves to its lines.
 
 use super::text::{Certificate, Letter, RANGES};
-use crate::touch::text::{plain, wall_in_words};
+use crate::touch::{
+    among::Among,
+    text::{plain, wall_in_words, window},
+};
 
 /// Names and values: what is proved in a word, the oscillator, the ranges, the letters with their boxes and
 /// what may follow, the rate of growth, and which other motions there cannot be.
@@ -33,10 +36,7 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     let letters = (1..).zip(&certificate.letters);
     let letters = letters.map(|(number, letter)| said(number, letter, certificate.mirrored));
     all.push(("letters", letters.collect::<Vec<_>>().join("; ")));
-    all.push((
-        "window",
-        format!("impacts within {} of multiples of {}", certificate.window, multiple(certificate)),
-    ));
+    all.push(("window", window(certificate.window, certificate.mirrored)));
     all.push(("contraction", format!("at most {}", certificate.contraction)));
     let [lo, hi] = certificate.growth;
     if certificate.mirrored {
@@ -49,35 +49,17 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
         all.push(("reach", format!("q < {} nu", certificate.reach)));
         all.push(("entropy", format!("per period between log {lo} and log {hi}")));
     }
-    all.push((
-        "others",
-        match certificate.complete {
-            None => "not excluded: there may be other orbits near".to_string(),
-            Some(claim) => {
-                let [[damping, _], [stiffness, _], ..] = certificate.ranges;
-                let (wall, window) = match certificate.mirrored {
-                    false => ("the wall", "in the window"),
-                    true => ("a wall", "in that wall's windows"),
-                };
-                let which = match damping.p > 0 && stiffness.p > 0 {
-                    true => format!("bounded motion that meets {wall} only"),
-                    false => {
-                        format!("motion that meets {wall} at arbitrarily early and late times, and only")
-                    }
-                };
-                format!(
-                    "none near: every {which} {window}, at |g'| <= nu {}/2, is one of these",
-                    claim.strength
-                )
-            }
-        },
-    ));
+    let others = match certificate.complete {
+        None => "not excluded: there may be other orbits near".to_string(),
+        Some(claim) => {
+            let [[damping, _], [stiffness, _], ..] = certificate.ranges;
+            let damped = damping.p > 0 && stiffness.p > 0;
+            let which = [certificate.mirrored, true, damped];
+            format!("none near: {}", Among::new(which, [certificate.window, claim.strength]))
+        }
+    };
+    all.push(("others", others));
     all
-}
-
-/// What times of impacts are close to multiples of.
-fn multiple(certificate: &Certificate) -> &'static str {
-    if certificate.mirrored { "pi" } else { "2 pi" }
 }
 
 /// A letter: its periods, its box and the letters that may follow.

@@ -154,7 +154,7 @@ use super::{
     },
 };
 
-pub use self::words::Among;
+pub use super::touch::among::Among;
 pub use text::{Alone, Cell, Certificate, Decimal, Edge, Fraction, Harmonic, Letter, Others, Range};
 
 /// The word in the header.

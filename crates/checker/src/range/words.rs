@@ -1,9 +1,10 @@
 //! What a certificate speaks of, in words: all that its statement leaves to its lines.
 
-use std::fmt;
-
 use super::text::{Certificate, Decimal, Fraction, RANGES};
-use crate::touch::text::{plain, wall_in_words};
+use crate::touch::{
+    among::{Among, less},
+    text::{plain, wall_in_words, window},
+};
 
 /// Names and values: what is proved in a word, the oscillator, the ranges, the letters and what may follow,
 /// the strengths, and the rate of growth.
@@ -28,10 +29,7 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
         let value = if lo == hi { plain(lo) } else { format!("from {} to {}", plain(lo), plain(hi)) };
         all.push((name, value));
     }
-    let (turn, twice) = match certificate.mirrored {
-        false => ("2 pi", ""),
-        true => ("pi", ", per period twice that"),
-    };
+    let twice = if certificate.mirrored { ", per period twice that" } else { "" };
     let last = certificate.cells.last().map_or(Fraction::ZERO, |cell| cell.depth);
     let cells = certificate.cells.len();
     let cells = if cells == 1 { "one cell".into() } else { format!("{cells} cells, linked") };
@@ -43,7 +41,7 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     });
     all.push(("letters", letters.collect::<Vec<_>>().join("; ")));
     all.push(("impacts", strengths(certificate)));
-    all.push(("window", format!("impacts within {} of multiples of {turn}", certificate.window)));
+    all.push(("window", window(certificate.window, certificate.mirrored)));
     all.push(("contraction", format!("at most {}", certificate.contraction)));
     let [lo, hi] = certificate.growth;
     all.push(("entropy", format!("per {half}period between log {lo} and log {hi}{twice}")));
@@ -59,22 +57,6 @@ fn others(certificate: &Certificate) -> String {
     }
 }
 
-/// Which motions are among those of a certificate's paths, in words wherever it is quoted: those that meet
-/// the wall near enough, and slowly enough.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Among {
-    /// Two walls: versions 3 and 4.
-    mirrored: bool,
-    /// σ = 1.
-    behind: bool,
-    /// Whether c and k are positive.
-    damped: bool,
-    /// W.
-    window: Decimal,
-    /// S: no cell has less.
-    strength: Decimal,
-}
-
 impl Certificate {
     /// In the cells from the touch on that exclude other motions: the greatest ν, and which motions are among
     /// these; none if the first cell does not.
@@ -83,49 +65,8 @@ impl Certificate {
         let (depth, strength) = claimed.reduce(|(_, one), (depth, other)| (depth, less(one, other)))?;
         let [[damping, _], [stiffness, _], ..] = self.ranges;
         let damped = damping.p > 0 && stiffness.p > 0;
-        let among =
-            Among { mirrored: self.mirrored, behind: self.behind, damped, window: self.window, strength };
-        Some((depth, among))
+        Some((depth, Among::new([self.mirrored, self.behind, damped], [self.window, strength])))
     }
-}
-
-impl Among {
-    /// Of two certificates of one oscillator, which motions are among those of both.
-    pub fn and(self, other: Among) -> Among {
-        Among {
-            damped: self.damped && other.damped,
-            window: less(self.window, other.window),
-            strength: less(self.strength, other.strength),
-            ..self
-        }
-    }
-}
-
-impl fmt::Display for Among {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Among { mirrored, behind, damped, window, strength } = self;
-        // Where c and k are positive the statement has a word for motions that meet the wall so once.
-        let (which, when) = match (damped, behind) {
-            (true, true) => ("bounded motion", ","),
-            (true, false) => ("bounded motion", " and has no last impact,"),
-            (false, true) => ("motion", " at arbitrarily early and late times,"),
-            (false, false) => ("bounded motion", " at arbitrarily early and late times,"),
-        };
-        let (wall, turn, speed) = match mirrored {
-            false => ("the wall", "2 pi", "|g'|"),
-            true => ("a wall", "pi", "|w'|, at the upper wall half a period before,"),
-        };
-        write!(
-            f,
-            "every {which} that meets {wall}{when} only within {window} of multiples of {turn} where {speed} <= nu S/2, \
-             S = {strength}, is one of these"
-        )
-    }
-}
-
-/// The less of two.
-fn less(one: Decimal, other: Decimal) -> Decimal {
-    if other.parts() < one.parts() { other } else { one }
 }
 
 /// For each edge, between which numbers s lies at any depth.

@@ -6,6 +6,7 @@
 //! write alike. What is proved of all this is said and done by the kinds.
 
 pub(crate) mod about;
+pub(crate) mod among;
 pub(crate) mod carry;
 pub(crate) mod flow;
 pub(crate) mod graph;

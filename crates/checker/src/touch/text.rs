@@ -152,3 +152,13 @@ pub(crate) fn wall_in_words(harmonics: &[Harmonic]) -> String {
 pub(crate) fn plain(x: Fraction) -> String {
     if x.q == 1 { x.p.to_string() } else { x.to_string() }
 }
+
+/// When impacts are, in words.
+pub(crate) fn window(within: Decimal, mirrored: bool) -> String {
+    match mirrored {
+        false => format!("impacts within {within} of multiples of 2 pi"),
+        true => format!(
+            "impacts within {within} of multiples of pi, at the lower wall of even and at the upper wall of odd ones"
+        ),
+    }
+}

@@ -18,7 +18,7 @@
 //! };
 //! let proof = prove_attractor(&problem, &())?.unwrap();
 //! assert_eq!((proof.depth, proof.growth > 1.32), (parse_rational("1/100")?, true));
-//! assert!(certificate::check(&mut proof.text.as_bytes()).is_ok());
+//! assert!(certificate::check(&mut proof.accepted.text().as_bytes()).is_ok());
 //! # Ok::<(), grazing_scenes::Error>(())
 //! ```
 
@@ -38,7 +38,7 @@ use self::{
     stop::Stop,
 };
 use crate::{
-    certificate::attractor::Certificate, chaos::Term, chaos::profile::Profile, error::Result,
+    Accepted, certificate::attractor::Certificate, chaos::Term, chaos::profile::Profile, error::Result,
     monitor::Monitor, range::RangeEnd,
 };
 
@@ -59,8 +59,8 @@ pub struct AttractorProblem {
 pub struct AttractorProof {
     /// The certificate.
     pub certificate: Certificate,
-    /// Its text.
-    pub text: String,
+    /// Its text, which has passed the check.
+    pub accepted: Accepted,
     /// The greatest ν.
     pub depth: BigRational,
     /// E: by this factor at least displacements grow from contact to contact.

@@ -88,7 +88,7 @@ fn counted(seed: u64, trials: usize, lambdas: [f64; 2]) -> [usize; 5] {
             let proof =
                 prove_attractor(&AttractorProblem { deepest: depth, ..problem.clone() }, &()).unwrap();
             let Ok(proof) = proof else { return [false; 2] };
-            found[4] = found[4].max(proof.text.len());
+            found[4] = found[4].max(proof.accepted.text().len());
             [proof.depth.to_f64().unwrap() >= 0.999 * depth, true]
         };
         let [far, some] = proved(&problem, 1.0 - 1.0 / 1.01);

@@ -8,6 +8,7 @@ use super::{
     stop::Stop,
 };
 use crate::{
+    Accepted,
     certificate::attractor::{Certificate, Decimal, Exponent, Fraction, Shown, growth},
     chaos::write::decimal,
     error::Result,
@@ -82,9 +83,8 @@ pub(super) fn proof(
         certificate.exponent = exponent;
         certificate.shown =
             certificate.shown.map(|shown| Shown { pieces: (least * pieces).min(MOST), ..shown });
-        let text = certificate.to_string();
-        match crate::certificate::check(&mut text.as_bytes()) {
-            Ok(_) => {
+        match Accepted::new(certificate.to_string()) {
+            Ok(accepted) => {
                 let exact = |x: Fraction| BigRational::new(x.p.into(), x.q.into());
                 return Ok(Ok(AttractorProof {
                     depth: exact(certificate.depth),
@@ -92,7 +92,7 @@ pub(super) fn proof(
                     exponent: exponent.map(|one| (exact(one.depth), float(one.rate))),
                     start: float(certificate.start),
                     certificate,
-                    text,
+                    accepted,
                     end,
                 }));
             }

@@ -18,8 +18,8 @@
 //! let (letters, next) = (vec![1, 2], vec![vec![0, 1]; 2]);
 //! let problem = Problem { mirrored: false, ranges, behind: true, harmonics, letters, next };
 //! let proof = prove(&problem, &())?.unwrap();
-//! assert!(proof.contraction < 1.0);
-//! assert!(certificate::check(&mut proof.text.as_bytes()).is_ok());
+//! assert!(proof.accepted.claim().detail("others").is_some());
+//! assert!(certificate::check(&mut proof.accepted.text().as_bytes()).is_ok());
 //! # Ok::<(), grazing_scenes::Error>(())
 //! ```
 
@@ -49,6 +49,7 @@ pub use rational::RationalFunction;
 pub use span::Span;
 
 use crate::{
+    Accepted,
     certificate::chaos::{Certificate, Decimal, Fraction},
     error::{Error, Result},
     monitor::Monitor,
@@ -78,12 +79,11 @@ pub struct Problem {
 pub struct ShiftProof {
     /// The certificate.
     pub certificate: Certificate,
-    /// Its text.
-    pub text: String,
-    /// Boxes of the velocities after and before the impacts of each letter, divided by ν.
+    /// Its text, which has passed the check.
+    pub accepted: Accepted,
+    /// Boxes of the velocities after and before the impacts of each letter, divided by ν, within those of
+    /// the certificate.
     pub boxes: Vec<[Span; 2]>,
-    /// κ.
-    pub contraction: f64,
 }
 
 impl Problem {
@@ -169,10 +169,10 @@ pub fn prove(
                     for (cells, complete) in attempt.complete(&closed).into_iter().chain([plain]) {
                         (closed.cells, closed.complete) = (cells, complete);
                         let (certificate, text) = write::certificate(problem, &closed)?;
-                        match crate::certificate::check(&mut text.as_bytes()) {
-                            Ok(_) => {
-                                let (boxes, contraction) = (closed.boxes, closed.contraction);
-                                return Ok(Ok(ShiftProof { certificate, text, boxes, contraction }));
+                        match Accepted::new(text) {
+                            Ok(accepted) => {
+                                let boxes = closed.boxes;
+                                return Ok(Ok(ShiftProof { certificate, accepted, boxes }));
                             }
                             Err(rejection) => {
                                 reason = format!("the checker refuses the boxes: {rejection}");

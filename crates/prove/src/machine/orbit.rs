@@ -10,6 +10,7 @@ use super::{
     pieces::{Flight, nearest, pieces},
 };
 use crate::{
+    Accepted,
     certificate::{
         self,
         machine::{Certificate, Claim, Decimal, Impact, Machine},
@@ -27,7 +28,7 @@ pub struct ProvedMachineOrbit {
     /// The certificate's contents.
     pub certificate: Certificate,
     /// Its text, which has passed the check.
-    pub text: String,
+    pub accepted: Accepted,
     /// The phases of the impacts, as fractions of the period.
     pub phases: Vec<Ball>,
     /// V_i > 0, per radian of the forcing.
@@ -88,7 +89,7 @@ pub fn orbit(
     let mut closes =
         |radius: &Decimal, within: &Decimal, certificate: &Certificate| -> Result<Option<String>> {
             let text = Certificate { radius: *radius, within: *within, ..certificate.clone() }.to_string();
-            let why = refusal(&text, stop)?.unwrap_or_default();
+            let why = refusal(text, stop)?.unwrap_or_default();
             Ok(Some(why)
                 .filter(|why| !why.contains("stop before its end") && !why.contains("does not certainly")))
         };
@@ -132,23 +133,31 @@ pub fn orbit(
     let largest = near.multipliers.first().map_or(0.0, |x| x.0.hypot(x.1));
     let claim = if largest < 1.0 { Claim::Stable } else { Claim::Unstable };
     let claimed = Certificate { claim, ..certificate.clone() };
-    if refusal(&claimed.to_string(), stop)?.is_none() {
-        certificate = claimed;
+    for certificate in [claimed, certificate] {
+        if let Ok(accepted) = accepted(certificate.to_string(), stop)? {
+            let (phases, speeds) = equations.enclosed(&certificate, &centre);
+            return Ok(Verdict::Proved(ProvedMachineOrbit { certificate, accepted, phases, speeds }));
+        }
     }
-    let text = certificate.to_string();
-    let (phases, speeds) = equations.enclosed(&certificate, &centre);
-    Ok(Verdict::Proved(ProvedMachineOrbit { certificate, text, phases, speeds }))
+    undecided("the checker does not accept the orbit")
 }
 
-/// Why the checker does not accept a certificate.
-pub(super) fn refusal(text: &str, stop: &mut dyn FnMut() -> bool) -> Result<Option<String>> {
-    match certificate::check_until(&mut text.as_bytes(), stop) {
-        Ok(_) => Ok(None),
+/// A certificate, if the checker accepts it, or why it does not.
+pub(super) fn accepted(
+    text: String,
+    stop: &mut dyn FnMut() -> bool,
+) -> Result<std::result::Result<Accepted, String>> {
+    match Accepted::until(text, stop) {
         Err(certificate::Rejection::Interrupted { .. }) => {
             Err(Error::interrupted("the check of a certificate was ended"))
         }
-        Err(rejection) => Ok(Some(rejection.to_string())),
+        found => Ok(found.map_err(|rejection| rejection.to_string())),
     }
+}
+
+/// Why the checker does not accept it.
+fn refusal(text: String, stop: &mut dyn FnMut() -> bool) -> Result<Option<String>> {
+    Ok(accepted(text, stop)?.err())
 }
 
 /// Cuts the piece that the checker doubts in two, until it doubts none; else why it does not accept the
@@ -159,7 +168,7 @@ pub(super) fn cut_until_accepted(
     stop: &mut dyn FnMut() -> bool,
 ) -> Result<Option<String>> {
     for _ in 0..CUTS {
-        let Some(why) = refusal(&text(flights), stop)? else { return Ok(None) };
+        let Some(why) = refusal(text(flights), stop)? else { return Ok(None) };
         let Some((piece, flight)) = doubted(&why) else { return Ok(Some(why)) };
         let Some(ends) = flights.get_mut(flight - 1) else { return Ok(Some(why)) };
         let to = exact(&ends[piece - 1]);
@@ -170,7 +179,7 @@ pub(super) fn cut_until_accepted(
         }
         ends.insert(piece - 1, decimal(&middle)?);
     }
-    refusal(&text(flights), stop)
+    refusal(text(flights), stop)
 }
 
 /// `… on piece P of flight F is not certainly positive`.

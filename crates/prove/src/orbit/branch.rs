@@ -15,9 +15,10 @@ use super::{
     krawczyk::{self, Preconditioner, rounded},
     linear::Linear,
     solution::{equations, stability, start},
-    write::{claim, converted, decimal, lists, range_quotient, refusal, side},
+    write::{claim, converted, decimal, lists, range_quotient, side},
 };
 use crate::{
+    Accepted,
     certificate::{
         branch::{Cell, Certificate, Line, Strike, cell_holds},
         orbit::{Claim, Decimal},
@@ -52,8 +53,8 @@ pub struct BranchProblem<'a> {
 pub struct ProvedBranch {
     /// The certificate.
     pub certificate: Certificate,
-    /// Its text.
-    pub text: String,
+    /// Its text, which has passed the check.
+    pub accepted: Accepted,
     /// Why it goes no further, down and up; none where all is proved that was asked for.
     pub ends: [Option<String>; 2],
     units: Units,
@@ -170,11 +171,13 @@ pub fn branch(problem: &BranchProblem, monitor: &dyn Monitor) -> Result<Verdict<
     if search.certificate.cells.is_empty() {
         return Ok(Verdict::Undecided(ends.into_iter().flatten().next().unwrap_or_default()));
     }
-    let text = search.certificate.to_string();
-    if let Some(why) = refusal(&text) {
-        return Ok(Verdict::Undecided(format!("the checker does not accept the branch: {why}")));
-    }
-    Ok(Verdict::Proved(ProvedBranch { certificate: search.certificate, text, ends, units }))
+    let accepted = match Accepted::new(search.certificate.to_string()) {
+        Ok(accepted) => accepted,
+        Err(why) => {
+            return Ok(Verdict::Undecided(format!("the checker does not accept the branch: {why}")));
+        }
+    };
+    Ok(Verdict::Proved(ProvedBranch { certificate: search.certificate, accepted, ends, units }))
 }
 
 /// Which way the parameter goes.

@@ -50,7 +50,7 @@ pub(crate) use krawczyk::{radii, rounded};
 pub use quotient::Quotient;
 pub use solution::{ExpectedImpact, ProvedOrbit, Stability, orbit, solution_in};
 pub use units::Units;
-pub use write::{certificate, event_certificate, free_certificate};
+pub use write::{CertifiedOrbit, certificate, event_certificate, free_certificate};
 pub(crate) use write::{decimal, in_quotients, in_ranges, range_of};
 
 use crate::error::Result;

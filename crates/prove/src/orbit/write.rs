@@ -1,4 +1,4 @@
-//! Proved orbits and events as certificates.
+//! Enclosed orbits and events as certificates, which the checker has accepted, and where they are by these.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -8,17 +8,18 @@ use super::{
     Bounded, Condition, ProvedEvent, ProvedFreeMotion, ProvedOrbit, Quotient, Stability, Units, krawczyk,
 };
 use crate::{
+    Accepted,
     certificate::{
-        self, event,
+        event,
         orbit::{
-            Certificate, Claim, Decimal, Fraction, FreeCertificate, Harmonic, Impact, Range, Side, System,
-            Wall,
+            self, Certificate, Claim, Decimal, Fraction, FreeCertificate, Harmonic, Impact, Range, Side,
+            System, Wall,
         },
     },
     error::{Error, Result},
     machine::Bounds,
     motion,
-    number::Ball,
+    number::{Ball, Precision},
 };
 
 /// The most digits of a number in a certificate.
@@ -29,13 +30,59 @@ const DIGITS: usize = 34;
 const NEAR: u32 = 18;
 const FARTHEST: u32 = 26;
 
-/// The text of a certificate of kind `orbit`. The checker's intervals differ from the proof's: where it does
-/// not accept the box, smaller ones are tried, so that what is returned has passed the check.
+/// An orbit, or one at an event, as its certificate has it: all that is said here the checker has accepted.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct CertifiedOrbit {
+    /// The certificate.
+    pub accepted: Accepted,
+    /// t_i, in radians.
+    pub phases: Vec<Ball>,
+    /// V_i > 0, per radian.
+    pub velocities: Vec<Ball>,
+    /// Half the side of the box in which there is no other, in the certificate's units.
+    pub radius: f64,
+    /// What is claimed of its multipliers; nothing at an event.
+    pub claim: Claim,
+    /// The exact ends of the parameter's interval, in its own unit, in decimals; of an event.
+    pub parameter: Option<[String; 2]>,
+}
+
+/// Bits of the balls of a certified orbit.
+const BITS: u32 = 192;
+
+impl CertifiedOrbit {
+    /// Where the listed impacts are, each unknown being within so much of what is listed.
+    fn new(
+        accepted: Accepted,
+        impacts: &[Impact],
+        [radius, within]: [Decimal; 2],
+        claim: Claim,
+        units: Units,
+    ) -> CertifiedOrbit {
+        let precision = Precision::new(BITS);
+        let within = exact(within);
+        let about = |x: Decimal| Ball::between(&(exact(x) - &within), &(exact(x) + &within), &precision);
+        let all = |part: fn(&Impact) -> Decimal| impacts.iter().map(|impact| about(part(impact))).collect();
+        let (phases, velocities) = (all(|impact| impact.phase), all(|impact| impact.velocity));
+        let radius = exact(radius).to_f64().unwrap_or(f64::NAN);
+        let velocities = units.own(velocities, &precision);
+        CertifiedOrbit { accepted, phases, velocities, radius, claim, parameter: None }
+    }
+}
+
+/// A decimal as a fraction.
+fn exact(x: Decimal) -> BigRational {
+    BigRational::new(x.digits.into(), num_traits::pow(BigInt::from(10), x.places as usize))
+}
+
+/// A certificate of kind `orbit`. The checker's intervals differ from the enclosure's: where it does
+/// not accept the box, smaller ones are tried.
 /// Coefficients of more than 34 digits are enclosed in intervals, version 2 of the kind.
 ///
 /// # Errors
 /// An input error: a coefficient of 2³⁰ or more, or no box that the checker accepts.
-pub fn certificate(system: &motion::System<impl Bounded>, orbit: &ProvedOrbit) -> Result<String> {
+pub fn certificate(system: &motion::System<impl Bounded>, orbit: &ProvedOrbit) -> Result<CertifiedOrbit> {
     // Version 1 names coefficients exactly; where one is too long for it, or not rational, version 2 holds
     // all of them in intervals.
     let (units, system) = (orbit.units, orbit.units.bounded(system));
@@ -48,7 +95,7 @@ pub fn certificate(system: &motion::System<impl Bounded>, orbit: &ProvedOrbit) -
 /// The first box that the checker accepts.
 ///
 /// The smaller box is narrower than the slowest impact by 10⁴, and its middle has six decimals more.
-fn accepted<C: certificate::orbit::Version>(system: System<C>, orbit: &ProvedOrbit) -> Result<String> {
+fn accepted<C: orbit::Version>(system: System<C>, orbit: &ProvedOrbit) -> Result<CertifiedOrbit> {
     // |V| ≥ 2^(e−1), e ≤ 0.
     let velocities = &orbit.found[orbit.impacts.len()..];
     let slowest = velocities.iter().filter_map(Ball::least_exponent).min().unwrap_or(0).min(0);
@@ -71,29 +118,39 @@ fn accepted<C: certificate::orbit::Version>(system: System<C>, orbit: &ProvedOrb
         flights: lists(&orbit.pieces)?,
     };
     let mut last = "there is no box".to_string();
-    for radius in krawczyk::radii().filter(|radius| *radius <= orbit.radius) {
-        certificate.radius = decimal(&radius)?;
-        let text = certificate.to_string();
-        match refusal(&text) {
-            None => return Ok(text),
-            Some(why) => last = why,
+    let radii = || krawczyk::radii().filter(|radius| *radius <= orbit.radius);
+    // If the checker does not see where the multipliers are, the orbit is proved without.
+    let all = [certificate.claim, Claim::Open].into_iter().flat_map(|claim| radii().map(move |r| (claim, r)));
+    for (claim, radius) in all {
+        (certificate.claim, certificate.radius) = (claim, decimal(&radius)?);
+        match Accepted::new(certificate.to_string()) {
+            Ok(accepted) => {
+                let Certificate { impacts, radius, within, claim, .. } = certificate;
+                return Ok(CertifiedOrbit::new(accepted, &impacts, [radius, within], claim, orbit.units));
+            }
+            Err(why) => last = why.to_string(),
         }
     }
     Err(Error::input(format!("the checker does not accept this orbit: {last}")))
 }
 
-/// The text of a certificate of kind `orbit` of a motion without impacts, version 3, which has passed the
-/// check. It holds coefficients in intervals, one number each where that is a decimal of up to 34 digits.
+/// A certificate of kind `orbit` of a motion without impacts, version 3. It holds coefficients in intervals,
+/// one number each where that is a decimal of up to 34 digits.
 ///
 /// # Errors
 /// An input error: a coefficient of 2³⁰ or more, or that the checker does not accept it.
-pub fn free_certificate(system: &motion::System<impl Bounded>, motion: &ProvedFreeMotion) -> Result<String> {
+pub fn free_certificate(
+    system: &motion::System<impl Bounded>,
+    motion: &ProvedFreeMotion,
+) -> Result<CertifiedOrbit> {
     let pieces = motion.pieces.iter().map(decimal).collect::<Result<_>>()?;
     let system = converted(motion.units, &motion.units.bounded(system), &between)?;
-    let certificate = FreeCertificate { system, claim: claim(motion.stability), pieces };
-    let text = certificate.to_string();
-    let refused = |why| Err(Error::input(format!("the checker does not accept this motion: {why}")));
-    refusal(&text).map_or(Ok(text), refused)
+    let claim = claim(motion.stability);
+    let certificate = FreeCertificate { system, claim, pieces };
+    let accepted = Accepted::new(certificate.to_string())
+        .map_err(|why| Error::input(format!("the checker does not accept this motion: {why}")))?;
+    let nowhere = [Decimal { digits: 0, places: 0 }; 2];
+    Ok(CertifiedOrbit::new(accepted, &[], nowhere, claim, motion.units))
 }
 
 /// What is claimed of the multipliers.
@@ -105,9 +162,8 @@ pub(super) fn claim(stability: Option<Stability>) -> Claim {
     }
 }
 
-/// The text of a certificate of kind `event`, and the ends of the parameter's interval that it proves, in
-/// decimals. `system` is the family as a function of the parameter, `name` what the parameter is called. Of
-/// several boxes it has the first that the checker accepts, so that what is returned has passed.
+/// A certificate of kind `event`. `system` is the family as a function of the parameter, `name` what the
+/// parameter is called. Of several boxes it has the first that the checker accepts.
 ///
 /// # Errors
 /// An input error: a coefficient that does not fit in either version, or no box that the checker accepts.
@@ -115,7 +171,7 @@ pub fn event_certificate(
     system: &motion::System<Quotient>,
     name: &str,
     event: &ProvedEvent,
-) -> Result<(String, [String; 2])> {
+) -> Result<CertifiedOrbit> {
     let (units, system) = (event.units, event.units.function(system));
     match converted(units, &system, &quotient) {
         // Only version 2 knows orbits without impacts.
@@ -129,7 +185,7 @@ fn accepted_event<C: event::Version + Clone>(
     system: System<C>,
     name: &str,
     event: &ProvedEvent,
-) -> Result<(String, [String; 2])> {
+) -> Result<CertifiedOrbit> {
     let m = event.impacts.len();
     let mut certificate = event::Certificate {
         system,
@@ -154,28 +210,29 @@ fn accepted_event<C: event::Version + Clone>(
     let mut last = "there is no box".to_string();
     for radius in krawczyk::radii().filter(|radius| *radius <= event.radius) {
         certificate.radius = decimal(&radius)?;
-        let Some(why) = refusal(&certificate.to_string()) else {
-            // The box that the event lies in as small as the checker's intervals allow.
-            let mut tightest = certificate.clone();
-            for places in [22, 21, 20] {
-                tightest.within = Decimal { digits: 1, places };
-                if refusal(&tightest.to_string()).is_none() {
-                    certificate = tightest;
-                    break;
-                }
+        let mut accepted = match Accepted::new(certificate.to_string()) {
+            Ok(accepted) => accepted,
+            Err(why) => {
+                last = why.to_string();
+                continue;
             }
-            let ends = certificate.interval().map(|ends| ends.map(|end| event.units.said(end)));
-            let ends = ends.ok_or_else(|| Error::input("the parameter has too many digits"))?;
-            return Ok((certificate.to_string(), ends));
         };
-        last = why;
+        // The box that the event lies in as small as the checker's intervals allow.
+        for places in [22, 21, 20] {
+            let within = Decimal { digits: 1, places };
+            let tightest = event::Certificate { within, ..certificate.clone() };
+            if let Ok(smaller) = Accepted::new(tightest.to_string()) {
+                (certificate, accepted) = (tightest, smaller);
+                break;
+            }
+        }
+        let ends = certificate.interval().map(|ends| ends.map(|end| event.units.said(end)));
+        let ends = ends.ok_or_else(|| Error::input("the parameter has too many digits"))?;
+        let event::Certificate { impacts, radius, within, .. } = certificate;
+        let found = CertifiedOrbit::new(accepted, &impacts, [radius, within], Claim::Open, event.units);
+        return Ok(CertifiedOrbit { parameter: Some(ends), ..found });
     }
     Err(Error::input(format!("the checker does not accept this event: {last}")))
-}
-
-/// Why the checker does not accept a certificate.
-pub(super) fn refusal(text: &str) -> Option<String> {
-    certificate::check(&mut text.as_bytes()).err().map(|rejection| rejection.to_string())
 }
 
 fn impacts(list: &[super::ExpectedImpact], centre: &[BigRational]) -> Result<Vec<Impact>> {

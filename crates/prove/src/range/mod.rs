@@ -26,7 +26,7 @@
 //! };
 //! let proof = prove(&problem, &RangeEffort::default(), &())?.unwrap();
 //! assert_eq!(proof.depth, parse_rational("1/20")?);
-//! assert!(certificate::check(&mut proof.text.as_bytes()).is_ok());
+//! assert!(certificate::check(&mut proof.accepted.text().as_bytes()).is_ok());
 //! # Ok::<(), grazing_scenes::Error>(())
 //! ```
 
@@ -61,6 +61,7 @@ use self::{
     map::{Edges, Oscillator},
 };
 use crate::{
+    Accepted,
     certificate::range::{Certificate, cell_holds},
     chaos::{LetterGraph, Term, profile::Profile, span::Span},
     error::Result,
@@ -91,8 +92,8 @@ pub struct RangeProblem {
 pub struct RangeProof {
     /// The certificate.
     pub certificate: Certificate,
-    /// Its text.
-    pub text: String,
+    /// Its text, which has passed the check.
+    pub accepted: Accepted,
     /// The greatest ν.
     pub depth: BigRational,
     /// The greatest ν up to which there are no other motions near, if that is proved.
@@ -150,12 +151,11 @@ pub fn prove(
     let mut refused = None;
     while let Some(last) = certificate.cells.last() {
         let depth = BigRational::new(last.depth.p.into(), last.depth.q.into());
-        let text = certificate.to_string();
-        match crate::certificate::check(&mut text.as_bytes()) {
-            Ok(_) => {
+        match Accepted::new(certificate.to_string()) {
+            Ok(accepted) => {
                 let end = refused.map_or(end, RangeEnd::Refused);
                 let alone = None;
-                return Ok(Ok(RangeProof { certificate, text, depth, alone, end }));
+                return Ok(Ok(RangeProof { certificate, accepted, depth, alone, end }));
             }
             Err(_) if certificate.contraction != loose => certificate.contraction = loose,
             Err(rejection) => {
@@ -187,11 +187,10 @@ pub fn prove_alone(
     };
     // As a whole it may cost too much: then the last cells do without.
     while let Some(last) = found.cells.iter().rposition(|cell| cell.others.is_some()) {
-        let text = found.to_string();
-        if crate::certificate::check(&mut text.as_bytes()).is_ok() {
+        if let Ok(accepted) = Accepted::new(found.to_string()) {
             let depth = found.cells[last].depth;
             let alone = Some(BigRational::new(depth.p.into(), depth.q.into()));
-            return Ok(RangeProof { certificate: found, text, alone, ..proof });
+            return Ok(RangeProof { certificate: found, accepted, alone, ..proof });
         }
         found.cells[last / 2..].iter_mut().for_each(|cell| cell.others = None);
         monitor.advance(0)?;

@@ -13,6 +13,7 @@ use super::{
     oscillator, window, write,
 };
 use crate::{
+    Accepted,
     certificate::nothing::{Cell, Certificate, Fraction, Harmonic, cell_holds},
     chaos::{Term, span::Span, write::decimal},
     error::Result,
@@ -38,8 +39,8 @@ pub struct NothingProblem {
 pub struct NothingProof {
     /// The certificate.
     pub certificate: Certificate,
-    /// Its text.
-    pub text: String,
+    /// Its text, which has passed the check.
+    pub accepted: Accepted,
     /// The greatest ν.
     pub depth: BigRational,
     /// Within so many of the wall's periods, or half periods, every motion meets it elsewhere.
@@ -160,14 +161,13 @@ pub fn prove_nothing(
         }
         monitor.advance(0)?;
     }
-    let text = best.certificate.to_string();
-    match crate::certificate::check(&mut text.as_bytes()) {
+    match Accepted::new(best.certificate.to_string()) {
         Err(rejection) => Ok(Err(RangeEnd::Refused(rejection.to_string()))),
-        Ok(_) => {
+        Ok(accepted) => {
             let last = best.certificate.cells[best.certificate.cells.len() - 1].depth;
             let depth = BigRational::new(last.p.into(), last.q.into());
             let (periods, slope, end) = (best.certificate.periods(), best.slope, best.end);
-            Ok(Ok(NothingProof { certificate: best.certificate, text, depth, periods, slope, end }))
+            Ok(Ok(NothingProof { certificate: best.certificate, accepted, depth, periods, slope, end }))
         }
     }
 }

@@ -6,6 +6,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, pow};
 
 use crate::{
+    Accepted,
     certificate::{
         self,
         parameter::{Begin, Certificate, Decimal, Depth, Fraction, Version, rises_after},
@@ -50,7 +51,7 @@ impl Said<'_> {
     ///
     /// # Errors
     /// An input error that says what a certificate cannot hold, or why the checker refuses it.
-    pub fn around(&self, inner: &str) -> Result<String> {
+    pub fn around(&self, inner: &str) -> Result<Accepted> {
         let met = [(Side::Lower, &self.system.lower), (Side::Upper, &self.system.upper)];
         let met = met.into_iter().filter(|(_, wall)| wall.is_some()).map(|(side, _)| side);
         let units = Units::along(self.family, met, &self.touch[0], &Precision::new(BITS))?;
@@ -65,7 +66,7 @@ impl Said<'_> {
         units: Units,
         system: certificate::parameter::System<C>,
         inner: &str,
-    ) -> Result<String> {
+    ) -> Result<Accepted> {
         let begin = match &self.from {
             Some(from) => Begin::From(decimal(&units.parameter(from))?),
             None => {
@@ -87,9 +88,8 @@ impl Said<'_> {
         let mut last = String::new();
         for pieces in PIECES {
             certificate.pieces = pieces;
-            let text = format!("{certificate}{inner}");
-            match certificate::check(&mut text.as_bytes()) {
-                Ok(_) => return Ok(text),
+            match Accepted::new(format!("{certificate}{inner}")) {
+                Ok(accepted) => return Ok(accepted),
                 Err(why) => last = why.to_string(),
             }
             // Smaller pieces help with nothing else.

@@ -8,6 +8,7 @@ use num_rational::BigRational;
 
 use super::{RangeEffort, RangeEnd, write};
 use crate::{
+    Accepted,
     certificate::single::{Certificate, Found, Part, Word, cell_holds},
     chaos::{Term, write::decimal},
     error::Result,
@@ -38,8 +39,8 @@ pub struct SingleProblem {
 pub struct SingleProof {
     /// The certificate.
     pub certificate: Certificate,
-    /// Its text.
-    pub text: String,
+    /// Its text, which has passed the check.
+    pub accepted: Accepted,
     /// The greatest ν.
     pub depth: BigRational,
     /// Up to which ν, from that of the part before, the orbit is stable, unstable, or neither is proved.
@@ -196,14 +197,13 @@ impl Search<'_> {
         let Some(last) = self.certificate.parts.last() else { return Ok(Err(end.clone())) };
         let exact = |part: &Part| BigRational::new(part.depth.p.into(), part.depth.q.into());
         let depth = exact(last);
-        let text = self.certificate.to_string();
-        Ok(match crate::certificate::check(&mut text.as_bytes()) {
+        Ok(match Accepted::new(self.certificate.to_string()) {
             Err(rejection) => Err(RangeEnd::Refused(rejection.to_string())),
-            Ok(_) => {
+            Ok(accepted) => {
                 let parts = self.certificate.parts.iter().map(|part| (exact(part), part.word)).collect();
                 Ok(SingleProof {
                     certificate: self.certificate.clone(),
-                    text,
+                    accepted,
                     depth,
                     parts,
                     end: end.clone(),

@@ -4,7 +4,7 @@
 use serde::Serialize;
 
 use super::{
-    Analysed, Finding, Job, Lines, PieceProofs, Status,
+    Analysed, CertificateFile, Finding, Job, Lines, PieceProofs, Status,
     engine::{AnalysedEvent, Branches, Engine, OrbitSource, by_engine},
     pieces, row,
 };
@@ -152,6 +152,10 @@ impl Finding for BranchFindings {
         if let Some(proofs) = &self.proofs {
             proofs.lines(lines);
         }
+    }
+
+    fn certificates(&self) -> Vec<&CertificateFile> {
+        self.proofs.iter().flat_map(|proofs| &proofs.certificates).collect()
     }
 }
 

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use serde::Serialize;
 
-use super::{Finding, Job, Lines, Status, row};
+use super::{CertificateFile, Finding, Job, Lines, Status, row};
 use crate::{
     certificate::chaos::Decimal,
     error::{Error, Result},
@@ -78,9 +78,9 @@ pub struct ChaosFindings {
     pub failures: Vec<FailureRow>,
     /// The file of the certificate.
     pub certificate: Option<String>,
-    /// The certificate: file and text.
+    /// The certificate.
     #[serde(skip)]
-    pub text: Option<(String, String)>,
+    pub proof: Option<CertificateFile>,
 }
 
 impl Finding for ChaosFindings {
@@ -125,17 +125,18 @@ impl Finding for ChaosFindings {
                     format!("not met: q/nu stays below {reach}, it is above {ceiling:.4}"),
                 );
             }
-            lines.say(
-                "others",
-                self.complete.map_or("not excluded: there may be other orbits near".to_string(), |strength| {
-                    let wall = if self.half { "a wall" } else { "the wall" };
-                    format!("none near: every motion that meets {wall} at arbitrarily early and late times, and only in the window, at a speed of the wall of at most {strength} nu/2, is one of these")
-                }),
-            );
+            let claim = self.proof.as_ref().map(|proof| proof.accepted.claim());
+            for name in ["window", "others"] {
+                lines.say(name, claim.and_then(|claim| claim.detail(name)).unwrap_or_default().to_string());
+            }
         }
         if !self.failures.is_empty() {
             lines.table("without", &self.failures);
         }
+    }
+
+    fn certificates(&self) -> Vec<&CertificateFile> {
+        self.proof.iter().collect()
     }
 }
 
@@ -162,7 +163,7 @@ pub(crate) fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
         complete: None,
         failures: Vec::new(),
         certificate: None,
-        text: None,
+        proof: None,
     };
     let problem = |graph: &LetterGraph| {
         let graph = match task.history[..] {
@@ -223,16 +224,16 @@ pub(crate) fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
 
 impl ChaosFindings {
     fn keep(&mut self, proof: ShiftProof, name: &str) {
-        let letters = proof.certificate.letters.iter().zip(&proof.boxes);
+        let letters = proof.certificate.letters.iter();
         self.letters = letters
-            .map(|(letter, [after, before])| LetterRow {
+            .map(|letter| LetterRow {
                 periods: letter.periods,
                 next: letter.next.iter().map(|&next| next as u64 + 1).collect(),
-                after: [after.lo, after.hi],
-                before: [before.lo, before.hi],
+                after: letter.after.map(float),
+                before: letter.before.map(float),
             })
             .collect();
-        self.contraction = Some(proof.contraction);
+        self.contraction = Some(float(proof.certificate.contraction));
         let growth = proof.certificate.growth;
         self.growth = Some(growth[0].to_string());
         self.entropy = entropy(growth.map(float), self.half);
@@ -240,7 +241,7 @@ impl ChaosFindings {
         self.complete = proof.certificate.complete.map(|claim| float(claim.strength));
         let file = format!("{name}.certificate");
         self.certificate = Some(file.clone());
-        self.text = Some((file, proof.text));
+        self.proof = Some(CertificateFile { file, accepted: proof.accepted });
         self.proved = true;
     }
 }

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 use super::{
-    AttractorProofs, DiagramBandRow, Finding, Job, Lines, Status,
+    AttractorProofs, CertificateFile, DiagramBandRow, Finding, Job, Lines, Status,
     engine::{Engine, by_engine},
     parts::{foreign, record},
     proved::{Proving, StartOf},
@@ -198,6 +198,10 @@ impl Finding for DiagramFindings {
         if let Some(proofs) = &self.proofs {
             proofs.lines(lines);
         }
+    }
+
+    fn certificates(&self) -> Vec<&CertificateFile> {
+        self.proofs.iter().flat_map(|proofs| &proofs.certificates).collect()
     }
 }
 

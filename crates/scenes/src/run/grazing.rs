@@ -7,7 +7,7 @@ use num_traits::ToPrimitive;
 use serde::Serialize;
 
 use super::{
-    ChaosRow, Complex, Finding, GrazingMap, GrazingReport, Job, Lines, Status, bands,
+    CertificateFile, ChaosRow, Complex, Finding, GrazingMap, GrazingReport, Job, Lines, Status, bands,
     birth::all_patterns,
     born::{born_at, side_of},
     enclosed,
@@ -88,6 +88,16 @@ impl Finding for GrazingFindings {
             GrazingFindings::Nothing { varied, start, .. } => {
                 lines.say("start", format!("{varied} = {}", lines.told("start", *start)));
             }
+        }
+    }
+
+    fn certificates(&self) -> Vec<&CertificateFile> {
+        match self {
+            GrazingFindings::Found(found) => {
+                let seen = found.proofs.iter().flat_map(|proofs| &proofs.certificates);
+                found.certificates.iter().chain(seen).collect()
+            }
+            GrazingFindings::Nothing { .. } => Vec::new(),
         }
     }
 }
@@ -254,8 +264,8 @@ fn not_seen(task: &GrazingTask, job: &Job, at: &GrazingMap) -> Option<&'static s
     }
 }
 
-/// What is proved of both sides, or why nothing was looked for, and the certificates: file and text.
-type Ranges = (Option<Vec<RangeRow>>, Option<String>, Vec<(String, String)>);
+/// What is proved of both sides, or why nothing was looked for, and the certificates.
+type Ranges = (Option<Vec<RangeRow>>, Option<String>, Vec<CertificateFile>);
 
 /// How far what is born is proved to go on, if that is asked for.
 fn asked_for_ranges(
@@ -277,8 +287,8 @@ fn asked_for_ranges(
     let mut certificates = Vec::new();
     // Those that follow the first of a row are counted side by side of the touch.
     let mut further = [1; 2];
-    let keep = |SideRange { mut row, texts }| {
-        for (i, text) in texts.into_iter().enumerate() {
+    let keep = |SideRange { mut row, proofs }| {
+        for (i, accepted) in proofs.into_iter().enumerate() {
             let ending = match i {
                 0 => row.ending(),
                 _ => {
@@ -294,7 +304,7 @@ fn asked_for_ranges(
             if let Some(cell) = row.cells.get_mut(i) {
                 cell.certificate = Some(file.clone());
             }
-            certificates.push((file, text));
+            certificates.push(CertificateFile { file, accepted });
         }
         row
     };

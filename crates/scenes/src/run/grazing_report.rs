@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::{
-    AttractorProofs, BandRow, BornRow, ChaosRow, GrazingMap, HitRow, InfluenceRow, Judgement, Lines,
-    RangeRow, SeenRow, Sentence, Status, TouchRow, tolerance::ToleranceReport,
+    AttractorProofs, BandRow, BornRow, CertificateFile, ChaosRow, GrazingMap, HitRow, InfluenceRow,
+    Judgement, Lines, RangeRow, SeenRow, Sentence, Status, TouchRow, tolerance::ToleranceReport,
 };
 
 /// A grazing bifurcation, and the patterns that are born there.
@@ -55,9 +55,9 @@ pub struct GrazingReport {
     pub tolerance: Option<ToleranceReport>,
     /// Why that is not told, though there are tolerances.
     pub tolerance_open: Option<String>,
-    /// The certificates of ranges: file and text.
+    /// The certificates of ranges.
     #[serde(skip)]
-    pub certificates: Vec<(String, String)>,
+    pub certificates: Vec<CertificateFile>,
     /// How many of them are open.
     #[serde(skip)]
     pub(super) undecided: usize,

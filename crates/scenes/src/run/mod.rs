@@ -38,6 +38,7 @@ mod diagram;
 mod enclosed;
 mod engine;
 mod event;
+mod filed;
 mod follow;
 mod grazing;
 mod grazing_report;
@@ -93,6 +94,7 @@ pub use diagram::{CoexistingRow, DiagramFindings, WindowRow};
 pub use engine::{JudgedOrbit, MachineSource, OrbitSource, OscillatorSource, form};
 pub(crate) use event::event;
 pub use event::{EventFindings, EventRow, WithoutRow};
+pub use filed::{CertificateFile, FiledClaim};
 pub(crate) use grazing::grazing;
 pub use grazing::{GrazingFindings, TouchRow};
 pub use grazing_report::GrazingReport;
@@ -158,6 +160,11 @@ pub(crate) trait Finding: Serialize {
 
     /// What a report shows of it.
     fn lines(&self, lines: &mut Lines);
+
+    /// The certificates of what it calls proved.
+    fn certificates(&self) -> Vec<&CertificateFile> {
+        Vec::new()
+    }
 }
 
 /// Declares the findings of every kind that is run here, and passes each question on to the one there is.
@@ -219,6 +226,7 @@ trait Answer {
     fn status(&self) -> Status;
     fn warnings(&self) -> Vec<String>;
     fn lines(&self, lines: &mut Lines);
+    fn certificates(&self) -> Vec<&CertificateFile>;
 }
 
 impl<F: Finding> Answer for F {
@@ -232,6 +240,10 @@ impl<F: Finding> Answer for F {
 
     fn lines(&self, lines: &mut Lines) {
         Finding::lines(self, lines);
+    }
+
+    fn certificates(&self) -> Vec<&CertificateFile> {
+        Finding::certificates(self)
     }
 }
 
@@ -248,6 +260,12 @@ impl Findings {
 
     pub(crate) fn lines(&self, lines: &mut Lines) {
         self.get().lines(lines);
+    }
+
+    /// The certificates of what it calls proved, each by its file.
+    #[must_use]
+    pub fn certificates(&self) -> Vec<&CertificateFile> {
+        self.get().certificates()
     }
 }
 

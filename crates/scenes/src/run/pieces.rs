@@ -11,7 +11,7 @@ use num_rational::BigRational;
 use serde::{Serialize, Serializer};
 
 use super::{
-    Job, Lines, StabilityRow, Status,
+    CertificateFile, Job, Lines, StabilityRow, Status,
     engine::{Engine, RangeProver},
     row,
     stretch::Stretch,
@@ -57,8 +57,8 @@ row! {
 pub struct PieceProofs {
     /// A row for each piece.
     pub rows: Vec<PieceRow>,
-    /// The certificates: file and text.
-    pub certificates: Vec<(String, String)>,
+    /// The certificates.
+    pub certificates: Vec<CertificateFile>,
 }
 
 /// The rows alone.
@@ -110,7 +110,7 @@ pub(super) fn prove<E: Engine>(
                 }
             }
             found.rows.push(PieceRow::proved(number, points, Stretch::of(&proof), &file));
-            found.certificates.push((file, proof.text));
+            found.certificates.push(CertificateFile { file, accepted: proof.accepted });
         }
         marks.push(own);
     }

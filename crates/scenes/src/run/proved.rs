@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use serde::{Serialize, Serializer};
 
 use super::{
-    Job, Judgement, Lines, Proved, Status,
+    CertificateFile, Job, Judgement, Lines, Proved, Status,
     engine::{Engine, Proof, Prover},
     row,
 };
@@ -62,8 +62,8 @@ pub struct AttractorProofs {
     pub rows: Vec<ProvedRow>,
     /// How many are not periodic: nothing is claimed of them.
     pub others: usize,
-    /// The certificates: file and text.
-    pub certificates: Vec<(String, String)>,
+    /// The certificates.
+    pub certificates: Vec<CertificateFile>,
 }
 
 /// The rows alone.
@@ -105,14 +105,10 @@ impl<E: Engine> Proving<'_, E> {
                 Err(error) if error.is_interrupted() => return Err(error),
                 Err(error) => (Proved::of(&Verdict::<()>::Undecided(error.to_string()), None), None),
             };
-            match certificate {
-                Some(Ok(text)) => {
-                    let file = format!("{}-{}.certificate", self.task, certificates.len() + 1);
-                    proved.certificate = Some(file.clone());
-                    certificates.push((file, text));
-                }
-                Some(Err(error)) => proved.no_certificate = Some(error.to_string()),
-                None => {}
+            if let Some(accepted) = certificate {
+                let file = format!("{}-{}.certificate", self.task, certificates.len() + 1);
+                proved.certificate = Some(file.clone());
+                certificates.push(CertificateFile { file, accepted });
             }
             let (seen, value) = (seen.to_string(), Plain::ratio(value, &()).0);
             rows.push(ProvedRow { seen, value, motion: on.portrait.words(), proved });
@@ -138,14 +134,14 @@ impl<E: Engine> Proving<'_, E> {
 impl ProvedRow {
     /// Why it is not proved to be a stable orbit, if it is not.
     fn open(&self) -> Option<String> {
-        let Proved { verdict, reason, stable, no_certificate, .. } = &self.proved;
+        let Proved { verdict, reason, stable, .. } = &self.proved;
         let stable = match stable {
             Some(Judgement::Yes) => None,
             Some(Judgement::No) => Some("the orbit that is proved is not stable".to_string()),
             _ => Some("it is not decided whether the orbit is stable".to_string()),
         };
         let unproved = || Some(format!("{verdict}: {}", reason.as_deref().unwrap_or_default()));
-        if *verdict == "proved" { stable.or_else(|| no_certificate.clone()) } else { unproved() }
+        if *verdict == "proved" { stable } else { unproved() }
     }
 }
 

@@ -9,7 +9,10 @@ use super::{Lines, Shown, row};
 use crate::{
     number::parse_rational,
     output::decimal_or_fraction,
-    search::range::{RangeEnd, ToleratedRange},
+    search::{
+        Accepted,
+        range::{RangeEnd, ToleratedRange},
+    },
 };
 
 row! {
@@ -168,7 +171,7 @@ pub(crate) struct SideRange {
     /// What is said of it, but for the certificate's file.
     pub row: RangeRow,
     /// The certificates: one, or of several cells each; none if nothing is proved.
-    pub texts: Vec<String>,
+    pub proofs: Vec<Accepted>,
 }
 
 impl RangeRow {

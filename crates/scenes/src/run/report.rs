@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
-use super::{ColumnUnit, Findings, Job, Lines, Place, Status, units};
+use super::{CertificateFile, ColumnUnit, FiledClaim, Findings, Job, Lines, Place, Status, units};
 use crate::{
     error::{Error, Result},
     scene::Engine,
@@ -34,7 +34,7 @@ pub struct TaskReport {
     #[serde(serialize_with = "as_units")]
     pub units: Vec<ColumnUnit>,
     /// What it found, unless it failed.
-    #[serde(flatten)]
+    #[serde(flatten, serialize_with = "with_claims")]
     pub findings: Option<Findings>,
     /// What a reader should know before trusting the numbers.
     pub warnings: Vec<String>,
@@ -54,6 +54,24 @@ fn as_map<K: Serialize, V: Serialize, S: Serializer>(
         map.serialize_entry(key, value)?;
     }
     map.end()
+}
+
+/// What was found, and in `certificates` what the checker says of each.
+fn with_claims<S: Serializer>(
+    findings: &Option<Findings>,
+    serializer: S,
+) -> std::result::Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Found<'a> {
+        #[serde(flatten)]
+        findings: &'a Findings,
+        certificates: Vec<FiledClaim<'a>>,
+    }
+    let found = findings.as_ref().map(|findings| {
+        let certificates = findings.certificates().into_iter().map(CertificateFile::claim).collect();
+        Found { findings, certificates }
+    });
+    found.serialize(serializer)
 }
 
 /// The scene's own units.

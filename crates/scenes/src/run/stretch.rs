@@ -1,6 +1,6 @@
 //! What a proof of an orbit over a range of a parameter says, for the rows of tasks `validate` and `branch`.
 
-use super::{Judgement, StabilityRow};
+use super::{Judgement, StabilityRow, validate::judged};
 use crate::{certificate::orbit::Claim, search::orbit::ProvedBranch};
 
 /// What a proof over a range says.
@@ -23,9 +23,7 @@ impl Stretch {
             part.map_or_else(String::new, |(_, ends)| ends[end].clone())
         };
         let stable = match parts[..] {
-            [(Claim::Stable, _)] => Some(Judgement::Yes),
-            [(Claim::Unstable, _)] => Some(Judgement::No),
-            [(Claim::Open, _)] => Some(Judgement::Marginal),
+            [(claim, _)] => Some(judged(claim)),
             _ => None,
         };
         let (lower, upper) = (end(parts.first(), 0), end(parts.last(), 1));

@@ -4,15 +4,19 @@
 use serde::Serialize;
 
 use super::{
-    Finding, Job, Judgement, Lines, StabilityRow, Status,
+    CertificateFile, Finding, Job, Judgement, Lines, StabilityRow, Status,
     engine::{Engine, Proof, Prover, by_engine},
     row,
 };
 use crate::{
+    certificate::orbit::Claim,
     error::Result,
     number::{Ball, certain_digits},
     scene::validate::ValidateTask,
-    search::orbit::Verdict,
+    search::{
+        Accepted,
+        orbit::{CertifiedOrbit, Verdict},
+    },
 };
 
 /// The most digits shown of an enclosed number.
@@ -39,10 +43,8 @@ row! {
         pub det: Option<String>,
         /// Whether the orbit is stable; "marginal" if that is undecided.
         pub stable: Option<Judgement>,
-        /// The file of its certificate.
+        /// The file of its certificate: there is one of each that is proved.
         pub certificate: Option<String>,
-        /// Why it has none.
-        pub no_certificate: Option<String>,
     }
 }
 
@@ -90,9 +92,9 @@ pub struct ValidateFindings {
     pub proofs: Vec<ProofRow>,
     /// Starts from which there was nothing to prove.
     pub without: Vec<UnprovedRow>,
-    /// The certificates: file and text.
+    /// The certificates.
     #[serde(skip)]
-    pub certificates: Vec<(String, String)>,
+    pub certificates: Vec<CertificateFile>,
 }
 
 impl Finding for ValidateFindings {
@@ -125,6 +127,10 @@ impl Finding for ValidateFindings {
             lines.table("without", &self.without);
         }
     }
+
+    fn certificates(&self) -> Vec<&CertificateFile> {
+        self.certificates.iter().collect()
+    }
 }
 
 /// Proves each orbit that is found, or the event nearest to each.
@@ -155,10 +161,8 @@ fn of<E: Engine>(task: &ValidateTask, job: &Job, engine: &E) -> Result<ValidateF
     for orbit in starts(task, engine, &engine.system(None)?, &mut found)? {
         job.check()?;
         let Proof { mut row, certificate } = prover.prove(&orbit)?;
-        match certificate {
-            Some(Ok(text)) => found.certify(&mut row, &job.task.name, text),
-            Some(Err(error)) => row.proved.no_certificate = Some(error.to_string()),
-            None => {}
+        if let Some(accepted) = certificate {
+            found.certify(&mut row, &job.task.name, accepted);
         }
         found.proofs.push(row);
     }
@@ -205,7 +209,6 @@ impl Proved {
             det: None,
             stable: None,
             certificate: None,
-            no_certificate: None,
         }
     }
 }
@@ -235,14 +238,38 @@ impl ProofRow {
 
 impl ValidateFindings {
     /// Adds the certificate of the row that comes next.
-    pub(super) fn certify(&mut self, row: &mut ProofRow, task: &str, text: String) {
+    pub(super) fn certify(&mut self, row: &mut ProofRow, task: &str, accepted: Accepted) {
         let file = format!("{task}-{}.certificate", self.proofs.len() + 1);
         row.proved.certificate = Some(file.clone());
-        self.certificates.push((file, text));
+        self.certificates.push(CertificateFile { file, accepted });
     }
 
     pub(super) fn nothing(&mut self, speeds: Vec<f64>, reason: String) {
         self.without.push(UnprovedRow { speeds, reason });
+    }
+}
+
+/// What a certificate claims of multipliers, as a judgement.
+pub(super) fn judged(claim: Claim) -> Judgement {
+    match claim {
+        Claim::Stable => Judgement::Yes,
+        Claim::Unstable => Judgement::No,
+        Claim::Open => Judgement::Marginal,
+    }
+}
+
+/// What is enclosed as its certificate has it: what none holds is not proved.
+pub(super) fn certified<T>(
+    enclosed: Verdict<T>,
+    certificate: impl FnOnce(&T) -> Result<CertifiedOrbit>,
+) -> Verdict<(T, CertifiedOrbit)> {
+    match enclosed {
+        Verdict::Proved(found) => match certificate(&found) {
+            Ok(certified) => Verdict::Proved((found, certified)),
+            Err(why) => Verdict::Undecided(format!("it is enclosed, and no certificate holds it: {why}")),
+        },
+        Verdict::Refuted(why) => Verdict::Refuted(why),
+        Verdict::Undecided(why) => Verdict::Undecided(why),
     }
 }
 

@@ -6,6 +6,7 @@ use std::{
 };
 
 use clap::Parser;
+use serde::Serialize;
 use serde_json::json;
 
 use super::{Outcome, ReportFormat, progress::Interrupt, reader::Reader, reported};
@@ -14,6 +15,7 @@ use crate::{
     error::Result,
     output::{Destination, FileRegistry, say, say_to},
     printable::Printable,
+    search::Claimed,
 };
 
 /// Prove certificates again, without search, by the trusted checker.
@@ -61,7 +63,7 @@ pub(super) fn tell(
     let written = destination.write(|out| match format {
         ReportFormat::Text => answers.iter().try_for_each(|(path, answer)| text(out, path, answer)),
         ReportFormat::Json => {
-            let files: Vec<_> = answers.iter().map(|(path, answer)| json_report(path, answer)).collect();
+            let files: Vec<_> = answers.iter().map(|(path, answer)| FileReport::of(path, answer)).collect();
             Ok(writeln!(out, "{}", json!({ "format": "grazing-check 2", "files": files }))?)
         }
     });
@@ -123,25 +125,38 @@ fn text(out: &mut dyn Write, path: &Path, answer: &Answer) -> Result<()> {
     }
 }
 
-fn json_report(path: &Path, answer: &Answer) -> serde_json::Value {
-    let detail = |checked: &Checked| -> serde_json::Map<String, serde_json::Value> {
-        checked.detail.iter().map(|(name, value)| (name.to_string(), value.as_str().into())).collect()
-    };
-    match answer {
-        Ok(checked) => json!({
-            "file": path,
-            "verdict": "proved",
-            "kind": checked.kind,
-            "title": checked.title,
-            "range": checked.range.as_ref().map(|range| [range.start(), range.end()]),
-            "detail": detail(checked),
-            "lines": checked.lines,
-            "statement": checked.statement,
-        }),
-        Err(rejection) => json!({
-            "file": path,
-            "verdict": rejection.verdict(),
-            "reason": rejection.to_string(),
-        }),
+/// What `--format json` says of one file.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum FileReport<'a> {
+    Proved {
+        file: &'a Path,
+        verdict: &'static str,
+        #[serde(flatten)]
+        claim: Claimed<'a>,
+        lines: u64,
+        statement: &'a str,
+    },
+    Refused {
+        file: &'a Path,
+        verdict: &'static str,
+        reason: String,
+    },
+}
+
+impl FileReport<'_> {
+    fn of<'a>(file: &'a Path, answer: &'a Answer) -> FileReport<'a> {
+        match answer {
+            Ok(checked) => FileReport::Proved {
+                file,
+                verdict: "proved",
+                claim: Claimed::of(checked),
+                lines: checked.lines,
+                statement: checked.statement,
+            },
+            Err(rejection) => {
+                FileReport::Refused { file, verdict: rejection.verdict(), reason: rejection.to_string() }
+            }
+        }
     }
 }

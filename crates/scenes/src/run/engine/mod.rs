@@ -46,7 +46,10 @@ use crate::{
         tolerated::ToleratedMachines,
         validate::ValidateTask,
     },
-    search::orbit::{ProvedBranch, Verdict},
+    search::{
+        Accepted,
+        orbit::{ProvedBranch, Verdict},
+    },
 };
 
 /// Calls the rest with the engine that the job's scene is for.
@@ -401,10 +404,10 @@ pub(crate) trait RangeProver<O> {
     fn holds(&self, proof: &ProvedBranch, approximation: &O, at: f64) -> bool;
 }
 
-/// What was proved, and if so the certificate, or why there is none.
+/// What was proved, and if so the certificate.
 pub(crate) struct Proof {
     pub(crate) row: ProofRow,
-    pub(crate) certificate: Option<Result<String>>,
+    pub(crate) certificate: Option<Accepted>,
 }
 
 /// The orbits of a scene over a parameter.

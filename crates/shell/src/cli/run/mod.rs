@@ -40,8 +40,8 @@ use crate::{
         TableWriter, make_folder, read_text, say, say_to,
     },
     run::{
-        Findings, GrazingFindings, Job as Task, Keeper, RunReport, Status, Surroundings, Tabular, TaskReport,
-        parts, run_task,
+        CertificateFile, Findings, GrazingFindings, Job as Task, Keeper, RunReport, Status, Surroundings,
+        Tabular, TaskReport, parts, run_task,
     },
     scene::{Kind, Scene},
     study,
@@ -199,10 +199,10 @@ impl Job<'_> {
         self.named.named(&self.folder.join(file))?.write(write)
     }
 
-    /// Writes certificates, each a name and a text, and returns their names.
-    fn certificates<'t>(&self, all: impl IntoIterator<Item = &'t (String, String)>) -> Result<Vec<String>> {
-        let write = |(file, text): &(String, String)| {
-            self.write(file, |out| Ok(out.write_all(text.as_bytes())?))?;
+    /// Writes certificates, and returns the names of their files.
+    fn certificates<'t>(&self, all: impl IntoIterator<Item = &'t CertificateFile>) -> Result<Vec<String>> {
+        let write = |CertificateFile { file, accepted }: &CertificateFile| {
+            self.write(file, |out| Ok(out.write_all(accepted.text().as_bytes())?))?;
             Ok(file.clone())
         };
         all.into_iter().map(write).collect()

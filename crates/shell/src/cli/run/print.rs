@@ -11,7 +11,7 @@ use crate::{
 };
 
 /// Names of columns that print has other words for.
-const NAMES: [(&str, &str); 16] = [
+const NAMES: [(&str, &str); 15] = [
     ("trace", "$\\lambda_1 + \\lambda_2$"),
     ("det", "$\\lambda_1 \\lambda_2$"),
     ("gamma", "$\\gamma$"),
@@ -20,7 +20,6 @@ const NAMES: [(&str, &str); 16] = [
     ("lower", "at least"),
     ("upper", "at most"),
     ("only_within", "the only one within"),
-    ("no_certificate", "no certificate"),
     ("least_gap", "least gap"),
     ("parameter", "value of the parameter"),
     ("periods", "letter, periods"),
@@ -37,20 +36,14 @@ pub(super) fn reports(scene: &str, all: &[TaskReport], out: &mut dyn Write) -> R
         "% grazing-run 4: \\input this file after \\usepackage{{amsmath,array,booktabs,longtable}}"
     )?;
     for report in all {
-        let beside = match &report.findings {
-            Some(Findings::Grazing(found)) => proved_beside(found),
-            _ => None,
-        };
-        let (blocks, certificates) = match &report.findings {
-            _ if beside.is_some() => beside.unwrap_or_default(),
-            Some(Findings::Validate(found)) => (blocks(&found.proofs), found.certificates.clone()),
+        let blocks = match &report.findings {
+            Some(Findings::Grazing(found)) if let Some(beside) = proved_beside(found) => beside,
+            Some(Findings::Validate(found)) => blocks(&found.proofs),
             Some(Findings::Branch(found)) if found.proofs.is_some() => {
-                let proofs = found.proofs.iter();
-                let certificates = proofs.clone().flat_map(|x| x.certificates.clone());
-                (proofs.flat_map(|x| blocks(&x.rows)).collect(), certificates.collect())
+                found.proofs.iter().flat_map(|x| blocks(&x.rows)).collect()
             }
-            Some(Findings::Orbit(found)) => (blocks(&found.orbits), Vec::new()),
-            Some(Findings::Event(found)) => (blocks(&found.found), Vec::new()),
+            Some(Findings::Orbit(found)) => blocks(&found.orbits),
+            Some(Findings::Event(found)) => blocks(&found.found),
             Some(Findings::Chaos(found)) => {
                 let yes = |yes: bool| if yes { "yes" } else { "no" }.to_string();
                 let numbers = |x: Option<f64>| x.map_or(String::new(), |x| format!("{x:?}"));
@@ -66,33 +59,28 @@ pub(super) fn reports(scene: &str, all: &[TaskReport], out: &mut dyn Write) -> R
                     ("certificate", found.certificate.clone().unwrap_or_default()),
                 ];
                 let head = head.map(|(name, value)| (name.to_string(), value)).to_vec();
-                let all = std::iter::once(head).chain(blocks(&found.letters)).collect();
-                (all, found.text.clone().into_iter().collect())
+                std::iter::once(head).chain(blocks(&found.letters)).collect()
             }
             Some(Findings::Diagram(found)) if found.proofs.is_some() => {
-                let proofs = found.proofs.iter();
-                let certificates = proofs.clone().flat_map(|x| x.certificates.clone());
-                (proofs.flat_map(|x| blocks(&x.rows)).collect(), certificates.collect())
+                found.proofs.iter().flat_map(|x| blocks(&x.rows)).collect()
             }
             _ => {
                 writeln!(out, "% task {} of kind {}: no table in LaTeX", report.task, report.kind)?;
                 continue;
             }
         };
-        table(scene, report, &blocks, &certificates, out)?;
+        table(scene, report, &blocks, out)?;
     }
     Ok(())
 }
 
-/// What is proved beside a touch, how far what is born goes on and what attracts, with the certificates; none
-/// if neither was asked for.
-fn proved_beside(found: &GrazingFindings) -> Option<(Blocks, Vec<(String, String)>)> {
+/// What is proved beside a touch, how far what is born goes on and what attracts; none if neither was asked
+/// for.
+fn proved_beside(found: &GrazingFindings) -> Option<Blocks> {
     let GrazingFindings::Found(found) = found else { return None };
     let (ranges, attractors) = (found.range.iter(), found.proofs.iter());
-    let certificates = found.certificates.iter().chain(attractors.clone().flat_map(|x| &x.certificates));
     let asked = found.range.is_some() || found.proofs.is_some();
-    let blocks = ranges.flat_map(blocks).chain(attractors.flat_map(|x| blocks(&x.rows))).collect();
-    asked.then(|| (blocks, certificates.cloned().collect()))
+    asked.then(|| ranges.flat_map(blocks).chain(attractors.flat_map(|x| blocks(&x.rows))).collect())
 }
 
 /// Name and value of each column that is not empty, row by row.
@@ -103,13 +91,7 @@ fn blocks<T: Tabular>(rows: &T) -> Blocks {
     rows.cells(None).into_iter().map(|cells| names.iter().cloned().zip(cells).collect()).collect()
 }
 
-fn table(
-    scene: &str,
-    report: &TaskReport,
-    blocks: &Blocks,
-    certificates: &[(String, String)],
-    out: &mut dyn Write,
-) -> Result<()> {
+fn table(scene: &str, report: &TaskReport, blocks: &Blocks, out: &mut dyn Write) -> Result<()> {
     let parameters: Vec<String> =
         report.parameters.iter().map(|(name, value)| format!("{} = {}", latex(name), latex(value))).collect();
     let with = if parameters.is_empty() { String::new() } else { format!(", {}", parameters.join(", ")) };
@@ -138,7 +120,7 @@ fn table(
             let value = match name.as_str() {
                 "pattern" if value.starts_with("free") => "no impact".to_string(),
                 "pattern" => format!("$({})$", value.replace(' ', "")),
-                "certificate" => cited(value, certificates),
+                "certificate" => cited(value, report),
                 _ => latex_numbers(value),
             };
             writeln!(out, "{heading}{unit} & {value} \\\\")?;
@@ -154,9 +136,10 @@ fn label(task: &str) -> String {
 }
 
 /// The certificate's file and the SHA-256 of its text, which a line may break.
-fn cited(file: &str, certificates: &[(String, String)]) -> String {
-    match certificates.iter().find(|(known, _)| known == file) {
-        Some((_, text)) => cite::written(Path::new(file), text),
+fn cited(file: &str, report: &TaskReport) -> String {
+    let all = report.findings.iter().flat_map(Findings::certificates);
+    match all.into_iter().find(|one| one.file == file) {
+        Some(found) => cite::written(Path::new(file), found.accepted.text()),
         None => format!("\\texttt{{{}}}", latex(file)),
     }
 }

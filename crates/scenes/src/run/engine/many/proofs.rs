@@ -2,14 +2,14 @@
 
 use super::{
     super::super::{
-        Job, Judgement, ProofRow, Proved,
+        Job, ProofRow, Proved,
         engine::{Proof, Prover, SEVERAL_PERIODS},
-        validate::digits,
+        validate::{digits, judged},
     },
     admissible, named, phases, speeds,
 };
 use crate::{
-    certificate::machine::{Claim, Machine as ListedMachine},
+    certificate::machine::Machine as ListedMachine,
     error::Result,
     many::{
         Machine,
@@ -42,7 +42,7 @@ impl Prover<Orbit> for MachineProver<'_> {
         let mut row = ProofRow::of(&verdict, named(&orbit.itinerary, &self.machine), solution);
         let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
         fill(&mut row.proved, &proof, &self.period)?;
-        Ok(Proof { row, certificate: Some(Ok(proof.text)) })
+        Ok(Proof { row, certificate: Some(proof.accepted) })
     }
 }
 
@@ -61,7 +61,7 @@ impl MachineProver<'_> {
         let mut row = ProofRow::of(&verdict, named(&orbit.itinerary, &self.machine), solution);
         let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
         row.proved.stable = Some(judged(proof.certificate.claim));
-        Ok(Proof { row, certificate: Some(Ok(proof.text)) })
+        Ok(Proof { row, certificate: Some(proof.accepted) })
     }
 
     /// Of an orbit that the simulator does not refuse.
@@ -74,15 +74,6 @@ impl MachineProver<'_> {
             )));
         }
         search(&self.listed, orbit, &mut || self.job.check().is_err())
-    }
-}
-
-/// A claim as a judgement.
-fn judged(claim: Claim) -> Judgement {
-    match claim {
-        Claim::Stable => Judgement::Yes,
-        Claim::Unstable => Judgement::No,
-        Claim::Open => Judgement::Marginal,
     }
 }
 

@@ -7,10 +7,10 @@ use num_traits::ToPrimitive;
 
 use super::{
     super::super::{
-        Job, Judgement, ProofRow, ValidateFindings,
+        Job, ProofRow, ValidateFindings,
         engine::{Proof, Prover, RangeProver, SEVERAL_PERIODS},
         stretch::Stretch,
-        validate::{all, digits, starts},
+        validate::{all, certified, digits, judged, starts},
     },
     Oscillators, named, speeds, turn,
 };
@@ -20,7 +20,7 @@ use crate::{
     local::Rung,
     monitor::timed,
     motion::System,
-    number::{Ball, Elementary, Precision, Real},
+    number::{Ball, Elementary, Precision, Real, parse_rational},
     one::{
         branch::Patterns,
         grazing,
@@ -30,7 +30,8 @@ use crate::{
     search::{
         machine::Bounds,
         orbit::{
-            self, BranchProblem, Condition, ExpectedImpact, Jet, ProvedBranch, Quotient, Stability, Verdict,
+            self, BranchProblem, CertifiedOrbit, Condition, ExpectedImpact, Jet, ProvedBranch, Quotient,
+            Verdict,
         },
     },
 };
@@ -53,22 +54,16 @@ impl OrbitProver<'_> {
             1 => timed(job.monitor, Rung::Ball(precision.bits()), || orbit::free_motion(system, precision))?,
             _ => Verdict::Undecided(SEVERAL_PERIODS.into()),
         };
+        let verdict = certified(verdict, |motion| orbit::free_certificate(system, motion));
         let [q, u] = [approximation.z[0], approximation.z[1] * approximation.rate];
         let mut row = ProofRow::of(&verdict, pattern, vec![q, u]);
-        let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
-        row.proved.trace = digits(&proof.trace);
-        row.proved.det = digits(&proof.determinant);
-        row.proved.stable = Some(judged(proof.stability));
-        Ok(Proof { row, certificate: Some(orbit::free_certificate(system, &proof)) })
-    }
-}
-
-/// Where the multipliers are, as a judgement.
-fn judged(stability: Option<Stability>) -> Judgement {
-    match stability {
-        Some(Stability::Stable) => Judgement::Yes,
-        Some(Stability::Unstable) => Judgement::No,
-        None => Judgement::Marginal,
+        let Verdict::Proved((enclosed, certified)) = verdict else {
+            return Ok(Proof { row, certificate: None });
+        };
+        row.proved.trace = digits(&enclosed.trace);
+        row.proved.det = digits(&enclosed.determinant);
+        row.proved.stable = Some(judged(certified.claim));
+        Ok(Proof { row, certificate: Some(certified.accepted) })
     }
 }
 
@@ -79,20 +74,28 @@ impl Prover<Orbit> for OrbitProver<'_> {
             return self.free(approximation);
         }
         let guess = impacts(&approximation.itinerary, &approximation.z);
-        let verdict =
+        let enclosed =
             timed(job.monitor, Rung::Ball(precision.bits()), || orbit::orbit(system, &guess, precision))?;
+        let verdict = certified(enclosed, |orbit| orbit::certificate(system, orbit));
         let pattern = named(&approximation.itinerary, job);
         let solution = shown(&guess, approximation.rate).collect();
         let mut row = ProofRow::of(&verdict, pattern, solution);
-        let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
-        row.proved.phases = Some(all(&turns(&proof.phases, precision)));
-        row.proved.speeds = Some(all(&per_time(&proof.velocities, &self.rate)));
-        row.proved.only_within = proof.radius.to_f64();
-        row.proved.trace = digits(&proof.trace);
-        row.proved.det = digits(&proof.determinant);
-        row.proved.stable = Some(judged(proof.stability));
-        Ok(Proof { row, certificate: Some(orbit::certificate(system, &proof)) })
+        let Verdict::Proved((enclosed, certified)) = verdict else {
+            return Ok(Proof { row, certificate: None });
+        };
+        impacts_of(&mut row, &certified, &self.rate, precision);
+        row.proved.trace = digits(&enclosed.trace);
+        row.proved.det = digits(&enclosed.determinant);
+        row.proved.stable = Some(judged(certified.claim));
+        Ok(Proof { row, certificate: Some(certified.accepted) })
     }
+}
+
+/// Where the impacts are, and no others, as the certificate has it.
+fn impacts_of(row: &mut ProofRow, certified: &CertifiedOrbit, rate: &Ball, precision: &Precision) {
+    row.proved.phases = Some(all(&turns(&certified.phases, precision)));
+    row.proved.speeds = Some(all(&per_time(&certified.velocities, rate)));
+    row.proved.only_within = Some(certified.radius);
 }
 
 /// Phases as parts of the period, each before its speed in the scene's unit of time.
@@ -143,33 +146,27 @@ pub(super) fn events(
             }
         };
         let solution = shown(&guess, orbit.rate).chain([parameter]);
-        let verdict = timed(job.monitor, Rung::Ball(precision.bits()), || {
+        let enclosed = timed(job.monitor, Rung::Ball(precision.bits()), || {
             orbit::event(exact, &guess, parameter, condition, &precision)
         })?;
+        let verdict = certified(enclosed, |event| {
+            let family = system_at(job, name, &Quotient::parameter(), &())?;
+            orbit::event_certificate(&family, name, event)
+        });
         let mut row = ProofRow::of(&verdict, named(&orbit.itinerary, job), solution.collect());
-        if let Verdict::Proved(proof) = verdict {
-            let Some((lo, hi)) = proof.parameter.exact_bounds() else {
-                found.nothing(speeds(&orbit), "the parameter's enclosure is not bounded".into());
-                continue;
-            };
+        if let Verdict::Proved((_, certified)) = verdict {
+            let Some([lower, upper]) = &certified.parameter else { continue };
+            let [lo, hi] = [parse_rational(lower)?, parse_rational(upper)?];
             // The same event from another orbit of its branch.
             if known.iter().any(|other| lo <= *other && *other <= hi) {
                 continue;
             }
-            row.parameter = digits(&proof.parameter);
-            row.width = (&hi - &lo).to_f64();
-            row.proved.phases = Some(all(&turns(&proof.phases, &precision)));
-            let rate = rate_at(job, name, &proof.parameter, &precision)?;
-            row.proved.speeds = Some(all(&per_time(&proof.velocities, &rate)));
-            row.proved.only_within = proof.radius.to_f64();
-            let family = system_at(job, name, &Quotient::parameter(), &());
-            match family.and_then(|system| orbit::event_certificate(&system, name, &proof)) {
-                Ok((text, [lower, upper])) => {
-                    (row.lower, row.upper) = (Some(lower), Some(upper));
-                    found.certify(&mut row, &job.task.name, text);
-                }
-                Err(error) => row.proved.no_certificate = Some(error.to_string()),
-            }
+            let parameter = Ball::between(&lo, &hi, &precision);
+            let rate = rate_at(job, name, &parameter, &precision)?;
+            impacts_of(&mut row, &certified, &rate, &precision);
+            (row.parameter, row.width) = (digits(&parameter), (&hi - &lo).to_f64());
+            (row.lower, row.upper) = (Some(lower.clone()), Some(upper.clone()));
+            found.certify(&mut row, &job.task.name, certified.accepted);
             known.push((lo + hi) / BigRational::from_integer(2.into()));
         }
         found.proofs.push(row);
@@ -269,7 +266,7 @@ pub(super) fn branches(
             row.proved.stable = stretch.stable;
             (row.lower, row.upper) = (Some(stretch.lower), Some(stretch.upper));
             (row.stability, row.range_ends) = (stretch.stability, stretch.ends);
-            found.certify(&mut row, &job.task.name, proof.text);
+            found.certify(&mut row, &job.task.name, proof.accepted);
         }
         found.proofs.push(row);
     }

@@ -10,6 +10,7 @@ use crate::{
     error::Result,
     number::parse_rational,
     search::{
+        Accepted,
         attractor::AttractorProof,
         chaos::RationalFunction,
         range::{NothingProof, ParameterRange, RangeEffort, RangeEnd, RangeProof, SingleProof, Touching},
@@ -61,7 +62,7 @@ pub(super) trait Deep {
     fn end(&self) -> &RangeEnd;
     fn ends_by(&mut self, end: RangeEnd);
     /// The certificate.
-    fn text(&self) -> &str;
+    fn accepted(&self) -> &Accepted;
     /// Depths up to which more is said of the motions.
     fn marks(&self) -> Vec<BigRational>;
     /// Between which times after the touch the impacts are that make a motion the only one.
@@ -80,8 +81,8 @@ macro_rules! deep {
             fn ends_by(&mut self, end: RangeEnd) {
                 self.end = end;
             }
-            fn text(&self) -> &str {
-                &self.text
+            fn accepted(&self) -> &Accepted {
+                &self.accepted
             }
             fn marks(&self) -> Vec<BigRational> {
                 $marks(self)

@@ -230,7 +230,7 @@ impl Near<'_> {
     fn side(&self, behind: bool) -> Result<Vec<SideRange>> {
         let open = |verdict, reason: Option<&str>| {
             let row = RangeRow::open(behind, verdict, reason.map(String::from));
-            Ok(vec![SideRange { row, texts: Vec::new() }])
+            Ok(vec![SideRange { row, proofs: Vec::new() }])
         };
         let (graph, whole) = match self.born(behind)? {
             Err(why) => return open("undecided", Some(why)),

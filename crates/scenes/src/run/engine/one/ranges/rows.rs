@@ -162,7 +162,7 @@ impl Near<'_> {
     pub(super) fn attractor(&self) -> Result<SideRange> {
         let open = |why: &str| {
             let row = RangeRow::open(true, UNDECIDED, Some(why.into()));
-            SideRange { row: RangeRow { of: ATTRACTOR, ..row }, texts: Vec::new() }
+            SideRange { row: RangeRow { of: ATTRACTOR, ..row }, proofs: Vec::new() }
         };
         if self.mirrored {
             return Ok(open("it is proved beside one stop"));
@@ -254,7 +254,7 @@ impl Near<'_> {
         found: Reached<Cells<T>>,
         why: &dyn Fn(&RangeEnd) -> String,
     ) -> Result<(SideRange, Cells<T>)> {
-        let open = |row| SideRange { row, texts: Vec::new() };
+        let open = |row| SideRange { row, proofs: Vec::new() };
         let mut cells = match found {
             Err(end) => return Ok((open(RangeRow::open(behind, "undecided", Some(why(&end)))), Vec::new())),
             Ok(cells) => cells,
@@ -283,20 +283,20 @@ impl Near<'_> {
         let windows: Vec<_> = cells.iter().map(|(proof, _)| proof.window()).collect();
         row.window =
             windows.first().cloned().flatten().filter(|_| windows.windows(2).all(|two| two[0] == two[1]));
-        let mut texts = Vec::new();
+        let mut proofs = Vec::new();
         for (i, cell) in cells.iter().enumerate() {
             let own = row.cells.get(i).map(|own| (own.from.as_deref(), own.to.as_str()));
             let ends = own.or_else(|| row.end.as_deref().map(|end| (None, end)));
             match self.said(behind, cell, ends) {
-                Ok(text) => texts.push(text),
+                Ok(said) => proofs.push(said),
                 Err(error) if error.is_interrupted() => return Err(error),
                 Err(why) => {
                     row.left = Some(why.to_string());
-                    texts.push(cell.0.text().to_string());
+                    proofs.push(cell.0.accepted().clone());
                 }
             }
         }
-        Ok((SideRange { row, texts }, cells))
+        Ok((SideRange { row, proofs }, cells))
     }
 
     /// The values of the parameter with depths up to one, exactly.

@@ -11,6 +11,7 @@ use crate::{
     error::{Error, Result},
     number::{Precision, parse_rational},
     search::{
+        Accepted,
         orbit::{Jet, Quotient},
         range::Said,
     },
@@ -30,7 +31,7 @@ impl Near<'_> {
         behind: bool,
         (proof, machines): &(T, Machines),
         ends: Option<(Option<&str>, &str)>,
-    ) -> Result<String> {
+    ) -> Result<Accepted> {
         let Some((from, to)) = ends else { return Err(Error::input("no value has such a depth for all")) };
         let from = from.map(parse_rational).transpose()?;
         let mut depths: Vec<[BigRational; 2]> = Vec::new();
@@ -74,6 +75,6 @@ impl Near<'_> {
             top: several.then(|| self.point.event.phase()),
             depths: &depths,
         };
-        said.around(proof.text())
+        said.around(proof.accepted().text())
     }
 }
