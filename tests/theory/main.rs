@@ -15,6 +15,7 @@ mod decay;
 mod enclosures;
 mod entropy;
 mod farey;
+mod flights;
 mod fuzz;
 mod hard_cases;
 mod map_input;
