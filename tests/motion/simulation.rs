@@ -468,6 +468,31 @@ fn attractors_are_detected_with_period_and_impacts() {
     assert!(Detection { longest: 0, ..Detection::default() }.check().unwrap_err().is_input());
 }
 
+/// With light damping and a stop that takes nothing irregular motion lasts for thousands of periods, and comes
+/// to an orbit all the same: before it has, nothing else is said.
+#[test]
+fn a_long_irregular_transient_is_not_called_what_it_tends_to() {
+    let system = System {
+        forcing: vec![Harmonic { k: 1, cos: 1.0, sin: 0.0 }],
+        lower: Some(Wall { offset: -0.421875, restitution: 1.0, harmonics: Vec::new() }),
+        ..bare(1.0 / 2048.0, 3.125)
+    };
+    let simulator = simulator(&system);
+    let fate = |q: f64, u: f64, transient: u64| {
+        let mut run = simulator.start(at(0.0), q, u).unwrap();
+        Detection { transient, ..Detection::default() }.detect(&simulator, &mut run, &()).unwrap()
+    };
+    for (q, u) in [(0.0, 0.0), (0.052734375, 0.00164794921875), (0.2109375, 0.421875)] {
+        let Fate::Periodic(cycle) = fate(q, u, 10_000) else { panic!("{q}, {u}") };
+        assert!([2, 4].contains(&cycle.period()), "{q}, {u}: {cycle:?}");
+        for transient in [200, 1000, 3000] {
+            let early = fate(q, u, transient);
+            let is_right = matches!(&early, Fate::Unsettled) || matches!(&early, Fate::Periodic(_));
+            assert!(is_right, "{q}, {u} after {transient}: {early:?}");
+        }
+    }
+}
+
 #[test]
 fn lyapunov_exponents_match_what_is_known() {
     // Without impacts: −c/2. At rest on a wall: −∞. On the stable orbit of period 3 below 0, in chaos above.

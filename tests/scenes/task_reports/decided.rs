@@ -183,3 +183,24 @@ fn the_exponents_add_up_to_the_damping() {
         near(first + second, -0.05 * 2.0 * PI, 1e-3);
     }
 }
+
+/// An orbit of two periods is one, whichever of them it is found at: of three masses beside a soft stop, whose
+/// search comes to it at either.
+#[test]
+fn an_orbit_of_two_periods_is_listed_once() {
+    let turn = "2*pi/10";
+    let scene = format!(
+        "[system]\nperiod = \"2*pi\"\n\
+         mass = [[1.15625, 0, 0], [0, 1.984375, 0], [0, 0, 1.59375]]\n\
+         damping = [[0.546875, -0.3125, 0], [-0.3125, 0.59375, -0.28125], [0, -0.28125, 0.28125]]\n\
+         stiffness = [[1.921875, -0.5, 0], [-0.5, 1.125, -0.625], [0, -0.625, 0.625]]\n\
+         forcing = [{{ cos = [\"cos({turn})\", 0, 0], sin = [\"-sin({turn})\", 0, 0] }}]\n\
+         [[stops]]\nname = \"stop\"\nrow = [0, 0, -1]\noffset = -0.29296875\nstiffness = 12.515625\ndamping = 0.5\n\
+         [[tasks]]\nname = \"two\"\nkind = \"orbit\"\norbit = {{ period = 2, starts = 3 }}\n"
+    );
+    let [report] = &reports(&scene)[..] else { panic!("one task") };
+    let all = report["orbits"].as_array().unwrap();
+    let [orbit] = &all[..] else { panic!("{all:?}") };
+    let multiplier = orbit["multipliers"][0][0].as_f64().unwrap();
+    assert!(orbit["pattern"] == "free 2" && (multiplier - 0.560739).abs() < 1e-6, "{orbit}");
+}

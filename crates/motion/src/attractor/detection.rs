@@ -311,7 +311,8 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
     fn decide(&mut self) -> Result<()> {
         let here = self.points.len() - 1;
         let at = self.points[here].0.coordinates();
-        let wanders = wanders(self.dynamics, at, self.detection.phase, self.found, self.monitor)?;
+        let lasted = self.detection.transient.saturating_add(here as u64);
+        let wanders = wanders(self.dynamics, at, self.detection.phase, (lasted, self.found), self.monitor)?;
         self.wanders = Some(wanders);
         self.again = if wanders { None } else { self.again.or(Some(here + (here / 2).max(1))) };
         Ok(())

@@ -2,7 +2,10 @@
 //!
 //! Evidence for the first is that neighbours part, by more than the error of the mean, or that the motion
 //! goes equally far in blocks of time without a trend. What grows, or still comes nearer to something, does
-//! not wander.
+//! not wander. Nor is that said of a motion that is young beside what its machine loses: where damping and
+//! impacts take little, irregular motion lasts for many times as long, and is a transient all the same.
+
+use std::f64::consts::TAU;
 
 use super::{
     dynamics::{Dynamics, Motion, SectionState},
@@ -31,9 +34,19 @@ const EQUAL: f64 = 0.1;
 /// A change between the first block and the last, in one sense throughout, by more than this part is a trend.
 const TREND: f64 = 1e-3;
 
-/// Whether the motion from these coordinates of the section at `phase` wanders; where an orbit is `found`
-/// that attracts and there are no impacts, only as neighbours part. Cost: 1,024 forcing periods and 128 with
-/// a vector; where that leaves it open 4,096 more and 10,752 with a vector.
+/// The areas of states, one for each degree of freedom, have shrunk by e to this before an irregular motion
+/// counts as what it tends to: transients of lightly damped machines were seen to last until e to the 20.
+const SHRUNK: f64 = 30.0;
+/// Where they shrink by less per forcing period nothing is lost, and what a motion does it goes on to do.
+const CONSERVED: f64 = 1e-9;
+/// Forcing periods times vectors by which it is measured how they shrink, and the fewest periods.
+const MEASURED: u64 = 256;
+const FEWEST: u64 = 16;
+
+/// Whether the motion from these coordinates of the section at `phase`, which has lasted for so many forcing
+/// periods, wanders; where an orbit is `found` that attracts and there are no impacts, only as neighbours
+/// part. Cost: 1,024 forcing periods, and 128 and 256 with a vector; where that leaves it open 4,096 more and
+/// 10,752 with a vector.
 ///
 /// # Errors
 /// Those of [`Motion::pass`]; the monitor's.
@@ -41,13 +54,21 @@ pub(super) fn wanders<D: Dynamics>(
     dynamics: &D,
     x: &[f64],
     phase: f64,
-    found: bool,
+    (lasted, found): (u64, bool),
     monitor: &dyn Monitor,
 ) -> Result<bool> {
     let start = dynamics.at(x, phase);
-    let Some((all, impacts)) = sizes(dynamics, &start, LENGTHS[0], monitor)? else { return Ok(false) };
+    let Some(Blocks { sizes: all, impacts, end: start }) = blocks(dynamics, &start, LENGTHS[0], monitor)?
+    else {
+        return Ok(false);
+    };
     // The last is of all blocks together.
     if all[BLOCKS] > GROWS * all[..BLOCKS].iter().copied().fold(0.0, f64::max) {
+        return Ok(false);
+    }
+    let lasted = lasted.saturating_add(BLOCKS as u64 * LENGTHS[0].unsigned_abs());
+    let is_old = |rate: f64| rate.abs() < CONSERVED || rate * lasted as f64 >= SHRUNK;
+    if !shrinks(dynamics, &start, monitor)?.is_some_and(is_old) {
         return Ok(false);
     }
     for periods in LOOKS {
@@ -75,8 +96,22 @@ pub(super) fn wanders<D: Dynamics>(
     if found && impacts == 0 {
         return Ok(false);
     }
-    let longer = |length| sizes(dynamics, &start, length, monitor);
-    Ok(are_equal(&all) || longer(LENGTHS[1])?.is_some_and(|(all, _)| are_equal(&all)))
+    let longer = |length| blocks(dynamics, &start, length, monitor);
+    Ok(are_equal(&all) || longer(LENGTHS[1])?.is_some_and(|longer| are_equal(&longer.sizes)))
+}
+
+/// The rate per forcing period at which the area of states of a degree of freedom shrinks: the mean of all;
+/// none where the motion ends.
+fn shrinks<D: Dynamics>(dynamics: &D, start: &D::Start, monitor: &dyn Monitor) -> Result<Option<f64>> {
+    let size = dynamics.dimension();
+    let periods = (MEASURED / size as u64).max(FEWEST);
+    let all = match exponents(dynamics, start, size, 0, periods, monitor) {
+        Err(error) if error.is_interrupted() => return Err(error),
+        Err(_) => return Ok(None),
+        Ok(all) => all,
+    };
+    let rate = -TAU * all.iter().map(|one| one.rate).sum::<f64>() * 2.0 / size as f64;
+    Ok(all.iter().all(|one| one.end == RunEnd::Reached).then_some(rate))
 }
 
 /// Whether blocks extend equally far, without a trend, and all of them together no farther: the last is that.
@@ -90,14 +125,23 @@ fn are_equal(all: &[f64]) -> bool {
     !trend && whole - least <= EQUAL * whole
 }
 
-/// How far the points of the section extend in each block, and then in all together, in the coordinate in
-/// which they extend most; none where the motion ends.
-fn sizes<D: Dynamics>(
+/// What is seen of a motion in blocks of time.
+struct Blocks<S> {
+    /// How far the points of the section extend in each, and then in all together, in the coordinate in which
+    /// they extend most.
+    sizes: Vec<f64>,
+    impacts: u64,
+    /// Where it is after them.
+    end: S,
+}
+
+/// Blocks of so many periods; none where the motion ends.
+fn blocks<D: Dynamics>(
     dynamics: &D,
     start: &D::Start,
     length: i64,
     monitor: &dyn Monitor,
-) -> Result<Option<(Vec<f64>, u64)>> {
+) -> Result<Option<Blocks<D::Start>>> {
     let Ok(mut run) = dynamics.begin(start) else { return Ok(None) };
     let begun = run.time();
     let mut ends: Vec<[Vec<f64>; 2]> = Vec::new();
@@ -125,5 +169,6 @@ fn sizes<D: Dynamics>(
     let widest =
         (0..ends[0][0].len()).max_by(|&a, &b| size(a, &ends).total_cmp(&size(b, &ends))).unwrap_or(0);
     let each = ends.chunks(1).map(|block| size(widest, block));
-    Ok(Some((each.chain([size(widest, &ends)]).collect(), run.impacts())))
+    let sizes = each.chain([size(widest, &ends)]).collect();
+    Ok(Some(Blocks { sizes, impacts: run.impacts(), end: dynamics.here(&run) }))
 }

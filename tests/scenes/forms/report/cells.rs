@@ -10,6 +10,9 @@ use super::{
     Answer, Cell, FAR, Impact, Moving, NOT_COMPARED, OF_CERTIFICATES, Reported, Row, Series, Texts, View,
 };
 
+/// Where a hint begins that engines have which know the machine for a linear one.
+const HINT: &str = "; the motion without impacts touches ";
+
 /// Reads a report's cells.
 pub(super) struct Reader<'a> {
     pub view: &'a View,
@@ -67,6 +70,11 @@ impl Reader<'_> {
                 self.word(name, &Value::from("undecided"), cells);
             }
             ("validate" | "branch", name) if OF_CERTIFICATES.contains(&name) => {}
+            // Where a linear machine is touched, a formula does not tell.
+            (_, "reason") if value.as_str().is_some_and(|text| text.contains(HINT)) => {
+                let (text, _) = value.as_str().expect("a text").split_once(HINT).expect("it is in it");
+                self.text(name, &Value::from(text), cells);
+            }
             // Why a proof of a part of a branch goes no further tells of the checker's boxes.
             ("branch", "reason") if row.get("verdict").is_some() => {}
             ("validate", "phases" | "speeds" | "solution") => self.enclosed(name, value, cells),

@@ -70,6 +70,13 @@ impl<'s> FreeStarts<'s> {
         self.after(&self.deflections.forced(0.0), TAU).is_err_and(|error| error.is_limit())
     }
 
+    /// The states of an orbit a period later, two, … until it begins anew; those that can be followed.
+    pub fn later(&self, orbit: &Orbit) -> Vec<State> {
+        let next = |state: &State| self.after(state, TAU).ok();
+        let count = orbit.itinerary.periods() as usize - 1;
+        std::iter::successors(next(&orbit.state).filter(|_| count > 0), next).take(count).collect()
+    }
+
     fn after(&self, state: &State, duration: f64) -> Result<State> {
         between(self.simulator, self.soft.as_ref()).after(state, duration)
     }
