@@ -1,7 +1,7 @@
 (** * What follows from the five theorems of [Headline], worked out by hand: each of their clauses is used *)
 From Coq Require Import Reals ZArith List FunctionalExtensionality Lra Lia.
 From Grazing Require Import Defs Statement StatementWords StatementExamples StatementOrbits StatementOrbitsPlane
-  StatementOscillator Headline Farey.
+  StatementUnstable StatementOscillator StatementNonlinear Headline Farey.
 From Grazing Require Import StatementChaos.
 Import ListNotations.
 Open Scope R_scope.
@@ -28,6 +28,49 @@ Proof.
     + destruct (Hn i) as [-> | ->], (Hn (i + 1)%Z) as [-> | ->]; unfold edge; cbn [sgn]; numbers.
   - exists 0%Z; right; destruct (Hn 0%Z) as [-> | ->], (Hn (0 + 1)%Z) as [-> | ->]; cbn [sgn]; numbers.
   - exists 7%Z; left; exists 1%nat; rewrite E7; split; [lia | cbn [sgn]; numbers].
+Qed.
+(** None of them is stable, not even from some impact on: of oscillators and of maps. *)
+Definition stable_motion (leg : (Z -> R) -> (Z -> R -> R) -> (Z -> R -> R) -> Z -> Z -> Prop) t v : Prop := forall r,
+  0 < r -> exists j eps, 0 < eps /\ forall l t' y' v', (j < l)%Z ->
+  (forall i, (j <= i < l)%Z -> leg t' y' v' i (i + 1)%Z) -> Rabs (t' j - t j) <= eps -> Rabs (v' j (t' j) - v j (t j))
+    <=
+  eps -> Rabs (t' l - t l) <= r /\ Rabs (v' l (t' l) - v l (t l)) <= r.
+Lemma not_stable leg t v : unstable_motion leg t v -> ~ stable_motion leg t v.
+Proof.
+  intros (r & Hr & H) St; destruct (St r Hr) as (j & eps & He & K), (H j eps He) as (l & t' & y' & v' & L & Lg & [N1
+    N2] &
+    Out). apply Out, (K l t' y' v' L Lg N1 N2).
+Qed.
+Definition ones_and_twos (N : Z -> Z) : Prop := forall i, (N (i + 1) = N i + 1 \/ N (i + 1) = N i + 2)%Z.
+Lemma letters N : ones_and_twos N -> exists n, over_1_2 n /\ forall i, (N (i + 1) = N i + Z.of_nat (n i))%Z.
+Proof. intros H; exists (fun i => Z.to_nat (N (i + 1) - N i)%Z); split; intros i; destruct (H i); lia. Qed.
+Lemma Theorem_1_unstable : Theorem_1_statement -> forall gamma, gamma > 0 -> (forall O m, grazing O m 1 (1 / 4) gamma ->
+  exists mu0 d, mu0 > 0 /\ d > 0 /\ forall mu N t y v, - mu0 < mu < 0 -> ones_and_twos N -> motion O m mu d N t y v ->
+  ~ stable_motion (swing O m mu d N) t v) /\ (forall O, grazing_orbit O -> generic O 1 (1 / 4) gamma 1 ->
+  exists mu0 d, mu0 > 0 /\ d > 0 /\ forall mu N t y v, - mu0 < mu < 0 -> ones_and_twos N ->
+  nonlinear_motion O mu d N t y v -> ~ stable_motion (leg O mu d N) t v) /\ forall M w, planar M 1 (1 / 4) gamma 1 w ->
+  exists mu0 d, mu0 > 0 /\ d > 0 /\ forall mu n x, - mu0 < mu < 0 -> over_1_2 n -> orbit_near M Z (fun i => i + 1)%Z n
+    mu d
+  x -> exists r, 0 < r /\ forall eps, 0 < eps -> exists z i, within (Map.N M) eps (minus z (x 0%Z)) /\
+  ~ within (Map.N M) r (minus (Nat.iter i (step M mu) z) (Nat.iter i (step M mu) (x 0%Z))).
+Proof.
+  intros H gamma Hg; assert (T := fun S G => Theorem_1_numbers H S gamma G); assert (W : forall S, grazes S 1 (1 / 4)
+    gamma
+    -> exists mu0 d, mu0 > 0 /\ d > 0 /\ forall mu n, - mu0 < e_mu S mu < 0 -> over_1_2 n -> one S mu d n).
+  { intros S HS; destruct (T S HS) as (d & Hd & K), (K d ltac:(lra)) as (mu0 & Hm & Q); exists mu0, d; repeat (split;
+    [lra|]).
+    intros mu n Hmu Hn; apply (Q n mu Hn); assumption. }
+  split; [|split].
+  - intros O m HO; destruct (W (Oscillates O m) HO) as (mu0 & d & Hm & Hd & Q); exists mu0, d; repeat (split; [lra|]).
+    intros mu N t y v Hmu HN HM; destruct (letters N HN) as (n & Hn & E); exact (not_stable _ _ _ (proj2 (Q mu n Hmu
+      Hn N E)
+      t y v HM)).
+  - intros O HO HG; destruct (W (Moves O 1) (conj HO HG)) as (mu0 & d & Hm & Hd & Q); exists mu0, d; repeat (split;
+    [lra|]).
+    intros mu N t y v Hmu HN HM; destruct (letters N HN) as (n & Hn & E).
+    exact (not_stable _ _ _ (proj2 (Q mu n ltac:(cbn; lra) Hn N E) t y v HM)).
+  - intros M w HM; destruct (W (Steps M 1 w) HM) as (mu0 & d & Hm & Hd & Q); exists mu0, d; repeat (split; [lra|]).
+    intros mu n x Hmu Hn Hx; exact (proj2 (Q mu n ltac:(cbn; lra) Hn) x 0%Z Hx).
 Qed.
 (** What fails is a b_{n,k} with 1 <= k <= n - 1, or (64). *)
 Lemma breaks_by a1 a2 e g i j : breaks a1 a2 e g i j -> ~ sgn e * sgn g * (p a1 a2 j - q a1 a2 i) < 0 ->

@@ -174,8 +174,8 @@ Proof.
   destruct (two_least mu0 (Rabs rate * r) Hm ltac:(apply Rmult_lt_0_compat; lra)) as (mu1 & Hmu1 & L5 & L6); exists mu1;
     split; [exact Hmu1|]; intros mu Hmu. assert (Hmr : Rabs mu <= r).
   { apply Rmult_le_reg_l with (Rabs rate); [exact Hrate|]; rewrite <- Rabs_mult, Rabs_pos_eq; lra. }
-  specialize (X mu ltac:(cbn; lra) (fun i => 3 * i)%Z ltac:(intros; cbv beta; lia)); apply (Same mu eps _ Hmr
-    ltac:(lra)) in X.
+  specialize (X mu ltac:(cbn; lra) (fun i => 3 * i)%Z ltac:(intros; cbv beta; lia)); destruct X as [X _];
+    apply (Same mu eps _ Hmr ltac:(lra)) in X.
   destruct X as (t & q & u & HM' & _), (HM' 0%Z 1%Z eq_refl) as [A1 A2 A3 A4 A5 A6 A7 A8 A9], (HM' 1%Z 2%Z eq_refl)
     as [_ B2 _ _ _ _ _ _ _]; cbn in A2, B2. exists (t 0%Z), (t 1%Z), (q 0%Z), (u 0%Z), (u 1%Z (t 1%Z)).
   replace (PI + 2 * PI * 0) with PI in A2 by ring; replace (PI + 2 * PI * 3) with (7 * PI) in B2 by ring.
@@ -197,8 +197,23 @@ Lemma none_between P s mu : Stops_statement -> grazing_at P s -> exists r, r > 0
   -> (forall t y v, ~ nonlinear_motion (measured P s) mu d N t y v) <-> forall t q u, ~ motion_between P s mu d N t q u.
 Proof.
   intros St HP; destruct (St P s HP) as (_ & r & Hr & H); exists r; split; [exact Hr|]; intros d N Hm Hd;
-    destruct (H mu d N Hm Hd) as [_ [K K']]; split; intros No t q u HM; [destruct K as (t' & y & v & HM'); [eauto|] |
+    destruct (H mu d N Hm Hd) as [_ [[K K'] _]]; split; intros No t q u HM; [destruct K as (t' & y & v & HM');
+      [eauto|] |
     destruct K' as (t' & y & v & HM'); [eauto|]]; exact (No _ _ _ HM').
+Qed.
+(** What is born between the stops is unstable, from its impact 0 on, too. *)
+Lemma unstable_between P s rate : Stops_statement -> grazing_at P s -> exists r, r > 0 /\ forall mu d n, Rabs mu <= r ->
+  d <= r -> one (Moves (measured P s) rate) mu d n -> forall N t q u, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z ->
+  motion_between P s mu d N t q u -> exists r0, r0 > 0 /\ forall eps, eps > 0 -> exists l t' q' u', (0 < l)%Z /\
+    (forall i,
+  (0 <= i < l)%Z -> flight P s mu d N t' q' u' i (i + 1)%Z) /\ Rabs (t' 0%Z - t 0%Z) <= eps /\ Rabs (u' 0%Z (t' 0%Z) - u
+  0%Z (t 0%Z)) <= eps /\ ~ (Rabs (t' l - t l) <= r0 /\ Rabs (u' l (t' l) - u l (t l)) <= r0).
+Proof.
+  intros St HP; destruct (St P s HP) as (_ & r & Hr & H); exists r; split; [exact Hr|]; intros mu d n Hm Hd One N t q
+    u HN HM.
+  destruct (H mu d N Hm Hd) as (_ & _ & U), (One N HN) as [_ Un], (U Un t q u HM) as (r0 & Hr0 & K); exists r0; split;
+    [exact Hr0|]; intros eps He; destruct (K 0%Z eps He) as (l & t' & q' & u' & L & Fl & [N1 N2] & Out).
+  exists l, t', q', u'; auto 6.
 Qed.
 (** All of region 3: at r = 1/2, y = 1/6, (a1, a2) is (1/2, 1/4). *)
 Lemma region_3_again : Driven_statement -> exists c k gamma, gamma < 0 /\

@@ -1,7 +1,8 @@
 (** * Proof that an oscillator between two stops is, as seen from the one that is touched, one of [StatementNonlinear]
   *)
 From Coq Require Import Reals ZArith Lra Lia FunctionalExtensionality.
-From Grazing Require Import Defs Derivatives StatementNonlinear StatementStops NonlinearSmooth NonlinearChain.
+From Grazing Require Import Defs Derivatives StatementNonlinear StatementUnstable StatementStops NonlinearSmooth
+  NonlinearChain NonlinearTube.
 Import Stops.
 Open Scope R_scope.
 
@@ -149,17 +150,17 @@ Proof.
     t 0) j (t - T P * IZR j)). replace (t - T P * IZR j + T P * IZR j) with t by ring; reflexivity.
 Qed.
 (** The motions. *)
-Lemma same_motions : exists r, 0 < r /\ forall mu d N t, Rabs mu <= r -> d <= r ->
-  (forall q u, motion_between P s mu d N t q u -> nonlinear_motion O mu d N t (fun i x => off P s mu x (q i x))
-    (fun i x => rel P s mu x (u i x))) /\ forall y v, nonlinear_motion O mu d N t y v ->
-  motion_between P s mu d N t (fun i x => Q P s 0 x mu + sgn s * y i x) (fun i x => Q P s 1 x mu + sgn s * v i x).
+Lemma same_legs : exists r, 0 < r /\ forall mu d N t i j, Rabs mu <= r -> d <= r ->
+  (forall q u, flight P s mu d N t q u i j -> leg O mu d N t (fun i x => off P s mu x (q i x))
+    (fun i x => rel P s mu x (u i x)) i j) /\ forall y v, leg O mu d N t y v i j ->
+  flight P s mu d N t (fun i x => Q P s 0 x mu + sgn s * y i x) (fun i x => Q P s 1 x mu + sgn s * v i x) i j.
 Proof.
   destruct (C3_stops P s HP) as (r1 & R1 & HC), other_clear as (m & Hm & Clear), (stops_near (m / 4) ltac:(lra))
     as (d1 & D1 & N1). destruct (two_least r1 d1 R1 D1) as (r2 & R2 & L1 & L2), (two_least r2 (m / 4) R2 ltac:(lra))
-    as (r & Hr & L3 & L4); exists r; split; [exact Hr|]; intros mu d N t Hmu Hd.
+    as (r & Hr & L3 & L4); exists r; split; [exact Hr|]; intros mu d N t i j Hmu Hd.
   assert (DQ : forall k x, (k <= 1)%nat -> derivable_pt_lim (fun x => Q P s k x mu) x (Q P s (S k) x mu)) by (intros k x
     Hk; apply (stop_D r1 s k x mu (HC s k ltac:(lia))); lra). split.
-  - intros q u HM i j Hj; destruct (HM i j Hj) as [A1 A2 A3 A4 A5 A6 A7 A8 A9]; constructor; cbn; trivial.
+  - intros q u [A1 A2 A3 A4 A5 A6 A7 A8 A9]; constructor; cbn; trivial.
     + intros x Hx; destruct (A3 x Hx) as [B1 B2]; split; cbn; unfold off, rel.
       * apply D_scale, D_minus; [exact B1 | apply (DQ 0%nat); lia].
       * rewrite !there; apply D_scale, D_minus; [exact B2 | apply (DQ 1%nat); lia].
@@ -167,7 +168,7 @@ Proof.
     + unfold off; rewrite A6; ring.
     + intros x Hx; specialize (A7 x Hx); unfold off; destruct s; cbn; lra.
     + rewrite A9; unfold rel; rewrite there; reflexivity.
-  - intros y v HM i j Hj; destruct (HM i j Hj) as [A1 A2 A3 A4 A5 A6 A7 A8 A9]; constructor; cbn in *; trivial.
+  - intros y v [A1 A2 A3 A4 A5 A6 A7 A8 A9]; constructor; cbn in *; trivial.
     + intros x Hx; destruct (A3 x Hx) as [B1 B2]; split.
       * eapply D_value; [apply D_plus; [apply (DQ 0%nat); lia | apply D_scale, B1] | reflexivity].
       * eapply D_value; [apply D_plus; [apply (DQ 1%nat); lia | apply D_scale, B2] | cbn; destruct s; cbn; ring].
@@ -182,20 +183,72 @@ Proof.
     + unfold rel; rewrite here; exact A8.
     + unfold rel in A9; rewrite A9, there; reflexivity.
 Qed.
+(** The velocity of the stop is Lipschitz in time. *)
+Lemma stop_Lipschitz : exists r, 0 < r /\ forall mu, Rabs mu <= r -> exists B, 0 <= B /\ forall t t',
+  Rabs (Q P s 1 t' mu - Q P s 1 t mu) <= B * Rabs (t' - t).
+Proof.
+  destruct (C3_stops P s HP) as (r & Hr & HC), periodic as (HT & _ & HQ); exists r; split; [exact Hr|]; intros mu Hmu.
+  assert (D : forall k t, (k <= 2)%nat -> derivable_pt_lim (fun t => Q P s k t mu) t (Q P s (S k) t mu)) by (intros k t
+    Hk; exact (stop_D r s k t mu (HC s k Hk) Hmu)).
+  destruct (periodic_bounded (fun t => Q P s 2 t mu) (T P) HT) as (B & HB & H); [intros t; exact (D_continuous _ _ _ (D
+    2%nat t ltac:(lia))) | intros t; apply HQ|]. exists B; split; [exact HB|]; intros t t'.
+  apply (mvt (fun t => Q P s 1 t mu) (fun t => Q P s 2 t mu)); [intros x; apply D; lia | intros x _; apply H].
+Qed.
+(** What leaves a motion of O leaves that of P. *)
+Lemma unstable_between : exists r, 0 < r /\ forall mu d N t u, Rabs mu <= r -> d <= r ->
+  unstable_motion (leg O mu d N) t (fun i x => rel P s mu x (u i x)) -> unstable_motion (flight P s mu d N) t u.
+Proof.
+  destruct same_legs as (r1 & R1 & HL), stop_Lipschitz as (r2 & R2 & HQ), (two_least r1 r2 R1 R2) as (r & Hr & L1 & L2).
+  exists r; split; [exact Hr|]; intros mu d N t u Hmu Hd (r0 & Hr0 & H); destruct (HQ mu ltac:(lra)) as (B & HB & Lip).
+  assert (Weigh : forall e a b, Rabs a <= e / (1 + B) -> Rabs b <= e / (1 + B) -> Rabs a <= e /\ B * Rabs a + Rabs b
+    <= e).
+  { intros e a b Ha Hb; pose proof (Rmult_le_compat_l B _ _ HB Ha) as C; pose proof (Rabs_pos a).
+    assert (E : e / (1 + B) + B * (e / (1 + B)) = e) by (field; lra); assert (0 <= B * (e / (1 + B))) by (apply
+      Rmult_le_pos;
+      lra); lra. }
+  exists (r0 / (1 + B)); split; [apply Rdiv_lt_0_compat; lra|]; intros j eps He.
+  destruct (H j (eps / (1 + B)) ltac:(apply Rdiv_lt_0_compat; lra)) as (l & t' & y' & v' & Hl & Lg & [N1 N2] & Out).
+  exists l, t', (fun i x => Q P s 0 x mu + sgn s * y' i x), (fun i x => Q P s 1 x mu + sgn s * v' i x).
+  split; [exact Hl|]; split; [intros i Hi; apply (HL mu d N t' i (i + 1)%Z ltac:(lra) ltac:(lra)), Lg, Hi|]; split.
+  - destruct (Weigh eps _ _ N1 N2) as [W1 W2]; split; [exact W1|]; pose proof (Lip (t j) (t' j)) as Q1.
+    replace (Q P s 1 (t' j) mu + sgn s * v' j (t' j) - u j (t j)) with ((Q P s 1 (t' j) mu - Q P s 1 (t j) mu) + sgn s
+      * (v'
+      j (t' j) - rel P s mu (t j) (u j (t j)))) by (rewrite <- (there s (Q P s 1 (t j) mu) (u j (t j))) at 2; unfold
+        rel;
+      ring). eapply Rle_trans; [apply Rabs_triang|]; rewrite sgn_abs; lra.
+  - intros [F1 F2]; apply Out; destruct (Weigh r0 _ _ F1 F2) as [W1 W2]; split; [exact W1|]; pose proof (Lip (t l) (t'
+    l))
+      as Q1. rewrite <- (sgn_abs s); replace (sgn s * (v' l (t' l) - rel P s mu (t l) (u l (t l)))) with ((Q P s 1 (t'
+        l) mu
+      + sgn s * v' l (t' l) - u l (t l)) - (Q P s 1 (t' l) mu - Q P s 1 (t l) mu)) by (rewrite <- (there s (Q P s 1 (t
+        l)
+      mu) (u l (t l))) at 1; unfold rel; ring). eapply Rle_trans; [apply apart|]; lra.
+Qed.
 End Stops.
 
 Theorem Two_stops : Stops_statement.
 Proof.
-  intros P s HP; split; [exact (measured_grazes P s HP)|]; destruct (same_motions P s HP) as (r & Hr & H); exists r;
-    split; [exact Hr|]; intros mu d N Hmu Hd; assert (H' := fun t => H mu d N t Hmu Hd); clear H; split; [split|split].
+  intros P s HP; split; [exact (measured_grazes P s HP)|]; destruct (same_legs P s HP) as (r1 & R1 & H),
+    (unstable_between P s
+    HP) as (r2 & R2 & U), (two_least r1 r2 R1 R2) as (r & Hr & L1 & L2); exists r; split; [exact Hr|]; intros mu d N
+      Hmu Hd.
+  assert (K1 : forall t q u, motion_between P s mu d N t q u -> nonlinear_motion (measured P s) mu d N t (fun i x =>
+    off P s
+    mu x (q i x)) (fun i x => rel P s mu x (u i x))) by (intros t q u HM i j Hj; apply H; [lra | lra | exact (HM i j
+      Hj)]).
+  assert (K2 : forall t y v, nonlinear_motion (measured P s) mu d N t y v -> motion_between P s mu d N t (fun i x => Q
+    P s 0
+    x mu + sgn s * y i x) (fun i x => Q P s 1 x mu + sgn s * v i x)) by (intros t y v HM i j Hj; apply H; [lra | lra |
+    exact (HM i j Hj)]). split; [split | split; [split|]].
   - intros (t & q & u & HM & Only); exists t, (fun i x => off P s mu x (q i x)), (fun i x => rel P s mu x (u i x)).
-    split; [apply H', HM|]; intros t' y' v' HM'; destruct (H' t') as [_ K]; intros i;
-      destruct (Only _ _ _ (K y' v' HM') i) as [E F]; split; [exact E|]; intros x Hx; destruct (F x Hx) as [F1 F2].
+    split; [apply K1, HM|]; intros t' y' v' HM' i; destruct (Only _ _ _ (K2 _ _ _ HM') i) as [E F]; split; [exact E|];
+      intros x Hx; destruct (F x Hx) as [F1 F2].
     unfold off, rel; rewrite <- F1, <- F2, !here; auto.
   - intros (t & y & v & HM & Only); exists t, (fun i x => Q P s 0 x mu + sgn s * y i x), (fun i x => Q P s 1 x mu + sgn
-      s * v i x). split; [apply H', HM|]; intros t' q' u' HM'; destruct (H' t') as [K _]; intros i;
-      destruct (Only _ _ _ (K q' u' HM') i) as [E F]; split; [exact E|]; intros x Hx; destruct (F x Hx) as [F1 F2].
+      s * v i x). split; [apply K2, HM|]; intros t' q' u' HM' i; destruct (Only _ _ _ (K1 _ _ _ HM') i) as [E F]; split;
+      [exact E|]; intros x Hx; destruct (F x Hx) as [F1 F2].
     rewrite <- F1, <- F2; unfold off, rel; rewrite !there; auto.
-  - intros (t & q & u & HM); do 3 eexists; apply (proj1 (H' t) q u HM).
-  - intros (t & y & v & HM); do 3 eexists; apply (proj2 (H' t) y v HM).
+  - intros (t & q & u & HM); do 3 eexists; apply (K1 t q u HM).
+  - intros (t & y & v & HM); do 3 eexists; apply (K2 t y v HM).
+  - intros Un t q u HM; apply (U mu d N t u ltac:(lra) ltac:(lra)), (Un _ _ _ (K1 t q u HM)).
 Qed.

@@ -1,10 +1,21 @@
 (** * Proof of Theorem 1 for nonlinear oscillators: away from the orbit the force is changed, which no motion notices *)
 From Coq Require Import Reals ZArith Lra Lia.
-From Grazing Require Import Defs Derivatives PlaneOrbits StatementWords Headline.
+From Grazing Require Import Defs Derivatives PlaneOrbits StatementWords StatementUnstable Headline.
 From Grazing Require Import StatementNonlinear NonlinearSmooth NonlinearPicard.
-From Grazing Require NonlinearFlow NonlinearTouch NonlinearKick NonlinearMotions.
+From Grazing Require NonlinearFlow NonlinearTouch NonlinearKick NonlinearMotions NonlinearWords.
 Import Nonlinear.
 Open Scope R_scope.
+
+(** Instability goes over to weaker demands on motions, and to the same impacts. *)
+Lemma unstable_same (leg leg' : (Z -> R) -> (Z -> R -> R) -> (Z -> R -> R) -> Z -> Z -> Prop) t v t' v' :
+  (forall t y v i j, leg t y v i j -> leg' t y v i j) -> (forall i, t' i = t i /\ v' i (t' i) = v i (t i)) ->
+    unstable_motion leg t v -> unstable_motion leg' t' v'.
+Proof.
+  intros HL E (r & Hr & H); exists r; split; [exact Hr|]; intros j eps He; destruct (H j eps He) as (l & s & y & w &
+    Hl & Lg
+    & Nj & Nl); exists l, s, y, w; split; [exact Hl | split; [intros i Hi; apply HL, Lg, Hi|]].
+  unfold near in *; destruct (E j) as [E1 E2], (E l) as [E3 E4]; rewrite E2, E4, E1, E3; auto.
+Qed.
 
 Section Clamp.
 Variable r : R.
@@ -154,7 +165,9 @@ Qed.
 Theorem main n_max : exists d, d > 0 /\ forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\
   forall (n : Z -> nat) (N : Z -> Z) e g mu, (forall i, (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) ->
   (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn g * gamma > 0 -> 0 < sgn e * (rate * mu) < mu0 ->
-  ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one_nonlinear_motion O mu eps N) /\
+  ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one_nonlinear_motion O mu eps N /\ forall
+    t y v, nonlinear_motion O mu
+    eps N t y v -> unstable_motion (leg O mu eps N) t v) /\
   ((exists i, breaks a1 a2 e g (n i) (n (i + 1)%Z)) -> forall t y v, ~ nonlinear_motion O mu d N t y v).
 Proof.
   destruct a'_Lipschitz as (La & HLa & Lip & Bd); pose proof T_pos as HT; pose proof (along_facts O HO) as C;
@@ -207,23 +220,27 @@ Proof.
   pose (Io := NonlinearKick.Build_impact Fo To (rebound O) (tau O) (k O) (c O) (l O) p1 q1 p2 q2 p3 q3 zb wb
     (impact O HO) ltac:(intros x _; specialize (H1 x); specialize (H2 x); specialize (H3 x); unfold NonlinearFlow.L, Fo,
     L; lra) Str (conj F1 (conj F2 F3)) Fb ltac:(intros t; destruct (C t) as (_ & _ & _ & K); exact K) Pr).
-  pose proof (@NonlinearMotions.core Fo To Wo Io A11 A21 A22 gamma z w HA (gamma_not_0 _ _ _ _ _ HG) Hz
+  pose proof (@NonlinearWords.core Fo To Wo Io A11 A21 A22 gamma z w HA (gamma_not_0 _ _ _ _ _ HG) Hz
     ltac:(destruct (Pz 0) as [Q _]; rewrite Rplus_0_l in Q; exact Q) ltac:(destruct (Pz 0) as [_ Q];
     rewrite Rplus_0_l in Q; exact Q) ltac:(change (z (tG O) <> 0); rewrite <- Ez;
     apply (rate_not_0 _ _ _ _ _ HG)) n_max) as Core; cbv zeta in Core;
     change (@NonlinearTouch.tG Fo To) with (tG O) in Core; rewrite <- Ea1, <- Ea2, <- Ez in Core.
   (* near the orbit motions of the two equations are the same *)
-  assert (Same : forall mu d N t y v, d <= r -> Rabs mu <= r -> nonlinear_motion O mu d N t y v <->
-    @NonlinearMotions.motion Fo To Io mu d N t y v).
-  { intros mu d N t y v Hdr Hm; split; intros H i j Hj.
-    - destruct (H i j Hj) as [K1 K2 K3 K4 K5 K6 K7 K8 K9]; repeat (split; [assumption|]); split;
+  assert (SameLeg : forall mu d N t y v i j, d <= r -> Rabs mu <= r -> leg O mu d N t y v i j <->
+    @NonlinearMotions.leg_is Fo To Io mu d N t y v i j).
+  { intros mu d N t y v i j Hdr Hm; split.
+    - intros [K1 K2 K3 K4 K5 K6 K7 K8 K9]; repeat (split; [assumption|]); split;
         [|repeat (split; [assumption|]); assumption]. intros x Hx; destruct (K3 x Hx) as [M1 M2], (K4 x Hx) as [Q1 Q2];
         split; [|split; assumption]; split; [exact M1|]. cbn; rewrite agree; [exact M2 | split; lra | exact Hm].
-    - destruct (H i j Hj) as (K1 & K2 & K3 & K5 & K6 & K7 & K8 & K9); constructor; try assumption; intros x Hx;
+    - intros (K1 & K2 & K3 & K5 & K6 & K7 & K8 & K9); constructor; try assumption; intros x Hx;
         destruct (K3 x Hx) as ([M1 M2] & Q1 & Q2).
       + split; [exact M1|]; cbn in M2; rewrite agree in M2;
           [exact M2 | split; apply (Rle_trans _ d); assumption | exact Hm].
       + split; assumption. }
+  assert (Same : forall mu d N t y v, d <= r -> Rabs mu <= r -> nonlinear_motion O mu d N t y v <->
+    @NonlinearMotions.motion Fo To Io mu d N t y v) by (intros mu d N t y v Hdr Hm; split; intros H i j Hj; apply
+      SameLeg;
+    trivial; apply H, Hj).
   destruct Core as (d & Hd & Core); destruct (two_least d r Hd Hr) as (d' & Hd' & Q1 & Q2); exists d'; split;
     [exact Hd'|]; intros eps Heps. destruct (Core eps ltac:(lra)) as (mu0 & Hmu0 & W);
     pose proof (rate_not_0 _ _ _ _ _ HG) as Hrate; assert (Pra : 0 < Rabs rate) by (apply Rabs_pos_lt, Hrate).
@@ -231,8 +248,13 @@ Proof.
     exists mu1; split; [exact Hmu1|]. intros n N e g mu Hn HN Hs Hmu;
     assert (Sm : 0 < Rabs mu < r) by (apply (small_mu rate e); [exact Hrate | lra]).
   destruct (W n N e g mu Hn HN Hs ltac:(lra)) as [Ex No]; split.
-  - intros Hall; destruct (Ex Hall) as (t & y & v & HM & Only); exists t, y, v; split;
-      [apply Same; [lra | lra | exact HM]|]. intros t' y' v' HM'; apply Only, Same; [lra | lra | exact HM'].
+  - intros Hall; destruct (Ex Hall) as (t & y & v & HM & Un & Only); split.
+    + exists t, y, v; split; [apply Same; [lra | lra | exact HM]|]. intros t' y' v' HM'; apply Only, Same;
+        [lra | lra | exact HM'].
+    + intros t' y' v' HM'; apply Same in HM'; [|lra|lra]; assert (At := Only t' y' v' HM'); revert Un; apply
+      unstable_same.
+      * intros s p q i j Hl; apply SameLeg; [lra | lra | exact Hl].
+      * intros i; destruct (At i) as [E F], (HM i _ eq_refl) as (Lt & _); split; [exact E|]; rewrite E; apply F; lra.
   - intros Hb t y v HM; apply Same in HM; [|lra|lra]; apply (No Hb t y v). intros i j Hj;
       destruct (HM i j Hj) as (X1 & X2 & X3 & X4); split;
       [exact X1 | split; [eapply Rle_trans; [exact X2 | lra] | split; [|exact X4]]]; intros x Hx;
@@ -244,7 +266,9 @@ Theorem nonlinear O a1 a2 gamma rate : grazing_orbit O -> generic O a1 a2 gamma 
   forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\ forall (n : Z -> nat) (N : Z -> Z) e g mu,
   (forall i, (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z ->
   sgn g * gamma > 0 -> 0 < sgn e * (rate * mu) < mu0 ->
-  ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one_nonlinear_motion O mu eps N) /\
+  ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one_nonlinear_motion O mu eps N /\ forall
+    t y v, nonlinear_motion O mu
+    eps N t y v -> unstable_motion (leg O mu eps N) t v) /\
   ((exists i, breaks a1 a2 e g (n i) (n (i + 1)%Z)) -> forall t y v, ~ nonlinear_motion O mu d N t y v).
 Proof. intros HO HG n_max; destruct (Lipschitz O HO) as (L & r & Hr & HL);
   apply (main O a1 a2 gamma rate HO HG L r Hr HL n_max). Qed.

@@ -85,6 +85,10 @@ Proof.
 Qed.
 End Orbits.
 
+(** The heights on the way from x to an impact after k steps stay off 0, by c. *)
+Definition clear_at (M : Map.t) (mu : R) (k : nat) (x : vec) (c : R) : Prop := (forall i, (1 <= i < k)%nat ->
+  c <= h M (fly M mu i x) mu) /\ h M (fly M mu k x) mu <= - c.
+
 Lemma invertible_up M J (next : J -> J) n K K' : K <= K' -> invertible M J next n K -> invertible M J next n K'.
 Proof.
   intros HK [H1 H2]; split; [|exact H2]; intros e Q q HQ; destruct (H1 e Q q HQ) as (X & Y & Hb & Hl).
@@ -268,7 +272,8 @@ Qed.
 Lemma signs_decide : e <> 0 -> forall kappa, kappa > 0 -> exists mu0, mu0 > 0 /\ forall (J : Type) (next : J -> J) n X Y
   s mu, (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n K -> solution M J next n X Y -> 0 < sgn s * (e * mu)
   < mu0 -> ((forall j v, quantity M J n X Y s j v -> v >= kappa) -> exists x, orbit_near M J next n mu d x /\ forall x',
-  orbit_near M J next n mu d x' -> forall j i, (i < N)%nat -> x' j i = x j i) /\
+  orbit_near M J next n mu d x' -> (forall j i, (i < N)%nat -> x' j i = x j i) /\ exists c, 0 < c /\ forall j,
+  clear_at M mu (n j) (x' j) c) /\
   (forall j v, quantity M J n X Y s j v -> v <= - kappa -> forall x, ~ orbit_near M J next n mu d x).
 Proof.
   intros He0. intros kappa Hkappa; assert (Hae : 0 < Rabs e) by (apply Rabs_pos_lt, He0).
@@ -287,17 +292,33 @@ Proof.
     (diff1 J y (speed M mu J n x'))).
   { intros x' Hx'; apply Huniq; [apply (orbit_bounded J next n mu x'); trivial; lra|].
     apply (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx'). }
+  assert (Hsame_hit : forall x', orbit_near M J next n mu d x' -> forall j k, (k <= n_max)%nat ->
+    h M (fly M mu k (x j)) mu = h M (fly M mu k (x' j)) mu).
+  { intros x' Hx' j k Hk; apply Rminus_diag_uniq, Rabs_zero; rewrite <- (Rmult_0_r l); apply Hfly; trivial; try lra;
+      [apply Hx' | apply (Hsame x' Hx') | unfold Rminus; rewrite Rplus_opp_r, Rabs_R0; lra]. }
   split.
-  + intros Hq; exists x; split.
-    * apply (zero_orbit M mu J next n (fun j => proj1 (Hn j)) d x y Hxd Hz); intros j.
-      destruct (Hest j) as (_ & Hy & Hh); split.
-      -- pose proof (signed s e mu (Y j) kappa Hs (Rge_le _ _ (Hq j _ (or_introl eq_refl)))).
-         apply Rabs_le_inv in Hy; lra.
-      -- intros k Hk; specialize (Hh k ltac:(specialize (Hn j); lia)).
-         pose proof (signed s e mu _ kappa Hs (Rge_le _ _ (Hq j _ (or_intror (ex_intro _ k (conj Hk eq_refl)))))).
-         apply Rabs_le_inv in Hh; lra.
-    * intros x' Hx' j i Hi; symmetry; apply (within_zero_eq _ _ _ (proj1 (Hsame x' Hx' j)) i Hi).
-  + intros j v Hv Hvk x' Hx'; destruct (Hsame x' Hx' j) as [Hxx Hyy].
+  + intros Hq; set (q := Rabs e * Rabs mu * kappa) in *.
+    assert (Big : forall j, q / 2 <= y j /\ forall k, (1 <= k < n j)%nat -> q / 2 <= h M (fly M mu k (x j)) mu).
+    { intros j; destruct (Hest j) as (_ & Hy & Hh); split.
+      - pose proof (signed s e mu (Y j) kappa Hs (Rge_le _ _ (Hq j _ (or_introl eq_refl)))).
+        apply Rabs_le_inv in Hy; unfold q in *; lra.
+      - intros k Hk; specialize (Hh k ltac:(specialize (Hn j); lia)).
+        pose proof (signed s e mu _ kappa Hs (Rge_le _ _ (Hq j _ (or_intror (ex_intro _ k (conj Hk eq_refl)))))).
+        apply Rabs_le_inv in Hh; unfold q in *; lra. }
+    exists x; split.
+    * apply (zero_orbit M mu J next n (fun j => proj1 (Hn j)) d x y Hxd Hz); intros j; destruct (Big j) as [By Bh].
+      split; [lra|]; intros k Hk; specialize (Bh k Hk); lra.
+    * intros x' Hx'; split; [intros j i Hi; symmetry; apply (within_zero_eq _ _ _ (proj1 (Hsame x' Hx' j)) i Hi)|].
+      assert (Hqq : 0 < q / 2 * (q / 2)) by (apply Rmult_lt_0_compat; lra).
+      exists (Rmin (q / 2) (q / 2 * (q / 2))); split; [apply Rmin_glb_lt; lra|]; intros j; destruct (Big j) as [By Bh].
+      destruct (Hsame x' Hx' j) as [_ Hyy], (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx') as [Hz' _];
+        split.
+      -- intros k Hk; apply Rle_trans with (q / 2); [apply Rmin_l|]; rewrite <- (Hsame_hit x' Hx' j k); [apply Bh, Hk |
+         specialize (Hn j); lia].
+      -- destruct (proj1 (zero_meaning M mu J next n x' (speed M mu J n x')) Hz' j) as [-> _].
+         apply Rabs_zero in Hyy; unfold diff1 in Hyy; replace (speed M mu J n x' j) with (y j) by lra.
+         apply Ropp_le_contravar, Rle_trans with (1 := Rmin_r _ _), Rmult_le_compat; lra.
+  + intros j v Hv Hvk x' Hx'; destruct (Hsame x' Hx' j) as [_ Hyy].
     destruct (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx') as [_ Hsigns].
     destruct (Hsigns j) as [Hy' Hh'], (Hest j) as (_ & Hy & Hh). destruct Hv as [->|(k & Hk & ->)].
     * assert (E : kappa <= sgn s * - Y j) by lra; apply (signed s e mu) in E; [|exact Hs].
@@ -305,10 +326,7 @@ Proof.
     * set (q := dot N (C M) (power M k (X j)) + 1) in *.
       assert (E : kappa <= sgn s * - q) by lra; apply (signed s e mu) in E; [|exact Hs].
       specialize (Hh' k Hk); specialize (Hh k ltac:(specialize (Hn j); lia)).
-      assert (Eh : Rabs (h M (fly M mu k (x j)) mu - h M (fly M mu k (x' j)) mu) <= l * 0).
-      { apply Hfly; trivial; try lra; [specialize (Hn j); lia | apply Hx' |].
-        unfold Rminus; rewrite Rplus_opp_r, Rabs_R0; lra. }
-      rewrite Rmult_0_r in Eh; apply Rabs_zero in Eh; fold q in Hh; apply Rabs_le_inv in Hh; lra.
+      rewrite (Hsame_hit x' Hx' j k) in Hh by (specialize (Hn j); lia); fold q in Hh; apply Rabs_le_inv in Hh; lra.
 Qed.
 
 (** Asymptotics: an orbit within d is the solution of the linear problem to the first order. *)
@@ -330,9 +348,22 @@ Proof.
 Qed.
 End Uniform.
 
-Theorem Theorem1 : Theorem1_statement.
+(** [Theorem1_statement], and the heights of these orbits stay off 0. *)
+Theorem Theorem1_clear M w e : smooth M -> (forall i, (i < N M)%nat -> w i = mult (N M) (A M) w i + phi M i) ->
+  e = dot (N M) (C M) w + eta M -> e <> 0 -> forall n_max K, exists d, d > 0 /\
+  (forall kappa, kappa > 0 -> exists mu0, mu0 > 0 /\ forall (J : Type) (next : J -> J) n X Y s mu,
+   (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n K -> solution M J next n X Y ->
+   0 < sgn s * (e * mu) < mu0 -> ((forall j v, quantity M J n X Y s j v -> v >= kappa) ->
+    exists x, orbit_near M J next n mu d x /\ forall x', orbit_near M J next n mu d x' ->
+    (forall j i, (i < N M)%nat -> x' j i = x j i) /\ exists c, 0 < c /\ forall j, clear_at M mu (n j) (x' j) c) /\
+   (forall j v, quantity M J n X Y s j v -> v <= - kappa -> forall x, ~ orbit_near M J next n mu d x)) /\
+  (forall eps, eps > 0 -> exists mu1, mu1 > 0 /\ forall (J : Type) (next : J -> J) n X Y mu x,
+   (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n K -> solution M J next n X Y ->
+   0 < Rabs mu < mu1 -> orbit_near M J next n mu d x -> forall j,
+   within (N M) (eps * Rabs mu) (fun i => x j i - mu * w i - e * mu * X j i) /\
+   Rabs (sqrt (- height M mu (x j) (n j - 1)) - e * mu * Y j) <= eps * Rabs mu).
 Proof.
-  intros M w e HM Hw He He0 n_max K.
+  intros HM Hw He He0 n_max K.
   set (K1 := Rmax K 1); assert (HK1 : 1 <= K1) by apply Rmax_r; assert (HK : K <= K1) by apply Rmax_l.
   assert (Heps0 : 0 < / (2 * K1)) by (apply Rinv_0_lt_compat; lra).
   destruct (remainder_exists M w e HM Hw He n_max _ Heps0) as (d1 & Hd1 & Hrem).
@@ -356,4 +387,11 @@ Proof.
   - intros eps Heps; destruct (leading M w e K1 n_max HM Hw He HK1 d1 d l Hd1 Hrem Hd12 Hll HflyC eps Heps)
       as (mu1 & Hmu1 & H); exists mu1; split; [exact Hmu1|]; intros J next n X Y mu x Hn HInv.
     apply H; [exact Hn | exact (invertible_up _ _ _ _ _ _ HK HInv)].
+Qed.
+Theorem Theorem1 : Theorem1_statement.
+Proof.
+  intros M w e HM Hw He He0 n_max K; destruct (Theorem1_clear M w e HM Hw He He0 n_max K) as (d & Hd & H & L); exists d.
+  split; [exact Hd | split; [|exact L]]; intros kappa Hk; destruct (H kappa Hk) as (mu0 & Hm & W); exists mu0; split;
+    [exact Hm|]; intros J next n X Y s mu Hn HI HX Hmu; destruct (W J next n X Y s mu Hn HI HX Hmu) as [Ex No]; split;
+    [|exact No]. intros Hq; destruct (Ex Hq) as (x & Hx & Only); exists x; split; [exact Hx | apply Only].
 Qed.

@@ -129,17 +129,20 @@ Definition law (n : Z -> nat) (mu : R) (x : Z -> R) : Prop := forall i, (1 + tau
 Definition next (n : Z -> nat) (mu : R) (x : Z -> R) (i : Z) : R := newton mu (x i) -
   (aft (n i) mu (x i) (x (i + 1)%Z) + tau * bef (n (i - 1)%Z) mu (x (i - 1)%Z) (x i)) / ((1 + tau) * g).
 
-Lemma law_fixed n mu x : law n mu x <-> forall i, next n mu x i = x i.
+Lemma law_at n mu x i : (1 + tau) * G1 mu (x i) = - (aft (n i) mu (x i) (x (i + 1)%Z) + tau * bef (n (i - 1)%Z) mu (x (i
+  - 1)%Z) (x i)) <-> next n mu x i = x i.
 Proof.
   pose proof (g_pos O HO) as P; assert (N : 0 < (1 + tau) * g) by (apply Rmult_lt_0_compat; lra).
   assert (E : forall f s y, y - / g * f - s / ((1 + tau) * g) = y - ((1 + tau) * f + s) * / ((1 + tau) * g)) by (intros;
     field; lra).
-  unfold law, next, OscillatorStop.newton; split; intros H i; specialize (H i); rewrite E in *.
+  unfold next, OscillatorStop.newton; rewrite E; split; intros H.
   - rewrite H; ring.
   - assert (Z : ((1 + tau) * G1 mu (x i) + (aft (n i) mu (x i) (x (i + 1)%Z) + tau * bef (n (i - 1)%Z) mu (x (i - 1)%Z)
       (x i))) * / ((1 + tau) * g) = 0) by lra.
     apply Rmult_integral in Z; pose proof (Rinv_0_lt_compat _ N); lra.
 Qed.
+Lemma law_fixed n mu x : law n mu x <-> forall i, next n mu x i = x i.
+Proof. split; intros H i; apply law_at, H. Qed.
 Lemma weigh a b A : Rabs a <= A -> Rabs b <= A -> Rabs ((a + tau * b) / ((1 + tau) * g)) <= A / g.
 Proof.
   intros Ha Hb; pose proof (g_pos O HO) as P; assert (N : 0 < (1 + tau) * g) by (apply Rmult_lt_0_compat; lra).
@@ -149,8 +152,17 @@ Proof.
   - pose proof (Rinv_0_lt_compat _ N); rewrite Rabs_pos_eq; lra.
 Qed.
 
+(** Where two sequences of phases are e apart next to i, the law brings them nearer at i. *)
+Definition nearer (d mu : R) : Prop := forall n x x' i e, (forall i, regular (n i)) ->
+  (forall j, (i - 1 <= j <= i + 1)%Z -> Rabs (x j) <= d /\ Rabs (x' j) <= d /\ Rabs (x j - x' j) <= e) ->
+  Rabs (next n mu x i - next n mu x' i) <= e / 2 /\
+  Rabs (aft (n i) mu (x i) (x (i + 1)%Z) - aft (n i) mu (x' i) (x' (i + 1)%Z)) <= g * e /\
+  Rabs (bef (n (i - 1)%Z) mu (x (i - 1)%Z) (x i) - bef (n (i - 1)%Z) mu (x' (i - 1)%Z) (x' i)) <= g * e /\
+  Rabs (G1 mu (x i) - G1 mu (x' i)) <= 2 * g * e.
+
 (** One d for all words and mu, and the phases have the size of mu. *)
-Theorem one_solution : exists d mu0 C, 0 < d <= 1 /\ 2 * d <= / K /\ 0 < mu0 /\ 0 <= C /\ forall n mu,
+Theorem one_solution : exists d mu0 C, 0 < d <= 1 /\ 2 * d <= / K /\ 0 < mu0 /\ 0 <= C /\
+  (forall mu, Rabs mu <= mu0 -> nearer d mu) /\ forall n mu,
   (forall i, regular (n i)) -> Rabs mu <= mu0 -> exists x, (forall i, Rabs (x i) <= C * Rabs mu) /\ law n mu x /\
   forall x', (forall i, Rabs (x' i) <= d) -> law n mu x' -> forall i, x' i = x i.
 Proof.
@@ -165,19 +177,37 @@ Proof.
   destruct (two_least d1 (d / (2 * (C + 1))) E1 ltac:(apply Rdiv_lt_0_compat; lra)) as (mu0 & M0 & M1 & M2).
   apply (Rmult_le_compat_l (2 * (C + 1))) in M2; [|lra].
   replace (2 * (C + 1) * (d / (2 * (C + 1)))) with d in M2 by (field; lra).
-  exists d, mu0, (2 * C); repeat (split; [lra|]); intros n mu Hn Hmu; pose proof (Rabs_pos mu) as Pm.
+  assert (Nr : forall mu, Rabs mu <= mu0 -> nearer d mu).
+  { intros mu Hmu n y y' i e Hn H; pose proof (Rabs_pos mu) as Pm; destruct (H i ltac:(lia)) as (N & N' & D).
+    assert (Pe : 0 <= e) by (eapply Rle_trans; [apply Rabs_pos | exact D]).
+    assert (Leg : forall n x y x' y', regular n -> Rabs x <= d -> Rabs y <= d -> Rabs x' <= d -> Rabs y' <= d ->
+      Rabs (x - x') <= e -> Rabs (y - y') <= e -> Rabs (aft n mu x y - aft n mu x' y') <= g / 4 * e /\
+      Rabs (bef n mu x y - bef n mu x' y') <= g / 4 * e).
+    { intros j p q p' q' Hj Hx Hy Hx' Hy' Ex Ey.
+      destruct (legs_beside z d mu j p q p' q' e) as (_ & (_ & _ & A) & (_ & _ & A')); trivial; try lra.
+      { intros t t' Ht Ht'; apply F; lra. }
+      assert (zd : z * d <= z * 1) by (apply Rmult_le_compat_l; lra).
+      assert ((Rabs mu + z * d) * (2 * e) <= 2 * z * (2 * e)) by (apply Rmult_le_compat_r; lra).
+      assert (L * ((Rabs mu + z * d) * (2 * e) + z * e) <= L * (5 * (z * e))) by (apply Rmult_le_compat_l; lra).
+      assert (Q * z * e <= g * e) as PQ by (apply Rmult_le_compat_r; lra); unfold Q in PQ; lra. }
+    destruct (H (i + 1)%Z ltac:(lia)) as (N1 & N1' & D1'), (H (i - 1)%Z ltac:(lia)) as (N2 & N2' & D2').
+    destruct (Leg (n i) _ _ _ _ (Hn i) N N1 N' N1' D D1') as [A _].
+    destruct (Leg (n (i - 1)%Z) _ _ _ _ (Hn _) N2 N N2' N' D2' D) as [_ A'].
+    destruct (F mu (y i) (y' i)) as [_ Nw]; [lra.. |].
+    assert (Zs : z * Rabs (y i - y' i) <= 1 / 4 * e) by (apply Rmult_le_compat; [lra | apply Rabs_pos | exact Z1 |
+      exact D]). assert (ge : 0 <= g * e) by (apply Rmult_le_pos; lra); split; [|split; [lra | split; [lra|]]].
+    - pose proof (weigh _ _ _ A A') as W; unfold next.
+      match type of W with Rabs ((?a - ?a' + tau * (?b - ?b')) / ?q) <= _ => match goal with |- Rabs (?f - _ - (?f' -
+        _))
+        <= _ => replace (f - _ - (f' - _)) with (f - f' - (a - a' + tau * (b - b')) / q) by (unfold Rdiv; ring) end end.
+      eapply Rle_trans; [apply apart|]; replace (g / 4 * e / g) with (e / 4) in W by (field; lra); lra.
+    - unfold OscillatorStop.newton in Nw; replace (G1 mu (y i) - G1 mu (y' i)) with (g * ((y i - y' i) - (y i - / g * G1
+        mu (y i) - (y' i - / g * G1 mu (y' i))))) by (field; lra).
+      rewrite Rabs_mult, (Rabs_pos_eq g) by lra; replace (2 * g * e) with (g * (2 * e)) by ring.
+      apply Rmult_le_compat_l; [lra|]; eapply Rle_trans; [apply apart | lra]. }
+  exists d, mu0, (2 * C); repeat (split; [lra|]); split; [exact Nr|]; intros n mu Hn Hmu; pose proof (Rabs_pos mu) as
+    Pm.
   assert (Cd : C * Rabs mu <= C * mu0) by (apply Rmult_le_compat_l; lra).
-  assert (Leg : forall n x y x' y' e, regular n -> Rabs x <= d -> Rabs y <= d -> Rabs x' <= d -> Rabs y' <= d ->
-    Rabs (x - x') <= e -> Rabs (y - y') <= e -> Rabs (aft n mu x y - aft n mu x' y') <= g / 4 * e /\
-    Rabs (bef n mu x y - bef n mu x' y') <= g / 4 * e).
-  { intros j x y x' y' e Hj Hx Hy Hx' Hy' Ex Ey; assert (Pe : 0 <= e) by (eapply Rle_trans;
-      [apply Rabs_pos | exact Ex]).
-    destruct (legs_beside z d mu j x y x' y' e) as (_ & (_ & _ & A) & (_ & _ & A')); trivial; try lra.
-    { intros p p' Hp Hp'; apply F; lra. }
-    assert (zd : z * d <= z * 1) by (apply Rmult_le_compat_l; lra).
-    assert ((Rabs mu + z * d) * (2 * e) <= 2 * z * (2 * e)) by (apply Rmult_le_compat_r; lra).
-    assert (L * ((Rabs mu + z * d) * (2 * e) + z * e) <= L * (5 * (z * e))) by (apply Rmult_le_compat_l; lra).
-    assert (Q * z * e <= g * e) as PQ by (apply Rmult_le_compat_r; lra); unfold Q in PQ; lra. }
   assert (Start : forall i, Rabs (next n mu (fun _ => 0) i) <= C * Rabs mu).
   { intros i; unfold next; assert (A : forall n, regular n -> Rabs (aft n mu 0 0) <= L * Rabs mu /\
       Rabs (bef n mu 0 0) <= L * Rabs mu).
@@ -192,20 +222,8 @@ Proof.
     replace (C * Rabs mu) with (/ g * (B * Rabs mu) + L * Rabs mu / g) by (unfold C; field; lra); lra. }
   pose proof (contraction Z (fun _ => True) (next n mu) d) as H; cbv zeta in H; destruct H as (x & Hx & Fx & U).
   - lra.
-  - intros e y y' Hy Hy' He i _; assert (Pe : 0 <= e) by (eapply Rle_trans; [apply Rabs_pos | exact (He 0%Z Logic.I)]).
-    assert (near : forall y, near Z (fun _ => True) d y (fun _ => 0) -> forall j, Rabs (y j) <= d) by (intros s Hs j;
-      specialize (Hs j Logic.I); rewrite Rminus_0_r in Hs; exact Hs).
-    specialize (near _ Hy) as N; specialize (near _ Hy') as N'; assert (D : forall j, Rabs (y j - y' j) <= e) by auto.
-    destruct (Leg (n i) _ _ _ _ e (Hn i) (N i) (N (i + 1)%Z) (N' i) (N' (i + 1)%Z) (D _) (D _)) as [A _].
-    destruct (Leg (n (i - 1)%Z) _ _ _ _ e (Hn _) (N (i - 1)%Z) (N i) (N' (i - 1)%Z) (N' i) (D _) (D _)) as [_ A'].
-    destruct (F mu (y i) (y' i)) as [_ Nw]; [lra | eapply Rle_trans; [apply N | lra] | eapply Rle_trans;
-      [apply N' | lra] |].
-    pose proof (weigh _ _ _ A A') as W; unfold next.
-    match type of W with Rabs ((?a - ?a' + tau * (?b - ?b')) / ?q) <= _ => match goal with |- Rabs (?f - _ - (?f' - _))
-      <= _ => replace (f - _ - (f' - _)) with (f - f' - (a - a' + tau * (b - b')) / q) by (unfold Rdiv; ring) end end.
-    eapply Rle_trans; [apply apart|]; assert (z * Rabs (y i - y' i) <= 1 / 4 * e) by (apply Rmult_le_compat;
-      [lra | apply Rabs_pos | exact Z1 | apply D]).
-    replace (g / 4 * e / g) with (e / 4) in W by (field; lra); lra.
+  - intros e y y' Hy Hy' He i _; apply (Nr mu Hmu n y y' i e Hn); intros j _; specialize (Hy j Logic.I);
+      specialize (Hy' j Logic.I); rewrite Rminus_0_r in Hy, Hy'; auto.
   - intros i _; rewrite Rminus_0_r; specialize (Start i); lra.
   - exists x; split; [|split; [apply law_fixed; auto|]].
     + intros i; specialize (U (fun _ => 0) (C * Rabs mu)); unfold near in U.

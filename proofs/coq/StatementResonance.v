@@ -3,11 +3,11 @@
 
     y'' = - c y' - k y above one stop that moves with period 2 pi, as in [StatementOscillator]: c >= 0, and
     theta = 2 pi omega is the angle of a period. After n periods every free motion is itself, times q: here
-    u_n = 0, and Theorem 1 says nothing. Read [swing] in [StatementOscillator], and [derivative] in
-    [StatementAttractor], first. *)
+    u_n = 0, and Theorem 1 says nothing. Read [swing] in [StatementOscillator], [near] in [StatementUnstable], and
+    [derivative] in [StatementAttractor], first. *)
 From Coq Require Import Reals ZArith.
 From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementPlane.
-From Grazing Require Import StatementAttractor StatementOscillator.
+From Grazing Require Import StatementAttractor StatementOscillator StatementUnstable.
 Open Scope R_scope.
 
 (** The stop may have any shape and change with mu as it likes. *)
@@ -75,8 +75,6 @@ Definition Multipliers_statement : Prop := forall O n m mu d t y v, any_stop O -
     stays near and comes as near as one likes; there is no other with that start. *)
 Definition forward (O : Oscillator.t) (n : nat) (mu d : R) (t : Z -> R) (y v : Z -> R -> R) : Prop :=
   forall i j, (0 <= i)%Z -> j = (i + 1)%Z -> swing O Plus mu d (fun i => Z.of_nat n * i)%Z t y v i j.
-Definition near (t t' : Z -> R) (v v' : Z -> R -> R) (eps : R) (i : Z) : Prop :=
-  Rabs (t' i - t i) <= eps /\ Rabs (v' i (t' i) - v i (t i)) <= eps.
 Definition Stable_statement : Prop := forall O n m mu d t y v, any_stop O -> resonant O n m ->
   regular O n m -> 0 < Oscillator.tau O -> once O n mu d t y v ->
   forall eps, 0 < eps -> exists delta, 0 < delta /\ forall s w, Rabs (s - t 0%Z) <= delta ->
