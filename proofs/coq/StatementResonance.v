@@ -125,6 +125,34 @@ Definition Curve_statement : Prop := forall M w V rate n, smooth M -> let N := M
   (forall x, (forall i, (i < N)%nat -> x i = power M n x i) -> forall i, (i < N)%nat -> x i = 0) ->
   (forall i, (i < N)%nat -> V i = power M n V i + Map.B M i) -> exists d, 0 < d /\ curve M w V rate n d.
 
+(** Where that slope is 0, the second order of n steps decides, in the direction (1, 0, V) of (y, mu, x). A
+    function G of these bends by Q y^2 there, besides its linear part L: if it is C2, Q is half its second
+    derivative in this direction. *)
+Definition beside (N : nat) (V : vec) (r y mu : R) (x : vec) : Prop := Rabs mu <= r * Rabs y /\
+  StatementOrbits.within N (r * Rabs y) (fun i => x i - y * V i).
+Definition bends (N : nat) (V : vec) (G L : R -> R -> vec -> R) (Q : R) : Prop := forall eps, 0 < eps ->
+  exists r, 0 < r /\ forall y mu x y' mu' x', 0 <= y <= r -> 0 <= y' <= r ->
+  beside N V r y mu x -> beside N V r y' mu' x' -> beside N V r (y - y') (mu - mu') (minus x x') ->
+  Rabs (G y mu x - G y' mu' x' - L (y - y') (mu - mu') (minus x x') - Q * (y ^ 2 - y' ^ 2)) <=
+    eps * ((y + y') * Rabs (y - y')).
+(** The height after n steps without impact, and the point after an impact of speed y there. *)
+Record second_order (M : Map.t) (w V : vec) (rate : R) (n : nat) (Qh : R) (Q : vec) : Prop := {
+  second_height : bends (Map.N M) V (fun _ mu x => Map.h M (Nat.iter n (fun x => Map.f M x mu) x) mu)
+    (fun _ mu x => across M x n + mu * (rate - across M w n)) Qh;
+  second_impact : forall i, (i < Map.N M)%nat -> bends (Map.N M) V (fun y mu x =>
+    let z := Nat.iter n (fun x => Map.f M x mu) x in z i + Map.kick M z y mu i * y)
+    (fun y mu x => power M n x i + y * Map.B M i + mu * (w i - power M n w i)) (Q i) }.
+(** Then mu is about K y^2 on the curve: exactly one orbit where K mu > 0, and none elsewhere. *)
+Definition Side_statement : Prop := forall M w V U rate n Qh Q, smooth M -> let N := Map.N M in
+  (forall i, (i < N)%nat -> w i = mult N (Map.A M) w i + Map.phi M i) ->
+  rate = dot N (Map.C M) w + Map.eta M -> rate <> 0 -> (1 <= n)%nat ->
+  (forall x, (forall i, (i < N)%nat -> x i = power M n x i) -> forall i, (i < N)%nat -> x i = 0) ->
+  (forall i, (i < N)%nat -> V i = power M n V i + Map.B M i /\ U i = power M n U i + Q i) ->
+  second_order M w V rate n Qh Q -> across M V n = 0 -> (forall k, (0 < k < n)%nat -> 0 < across M V k) ->
+  let K := - (1 + Qh + across M U n) / rate in K <> 0 -> exists d mu0, 0 < d /\ 0 < mu0 /\
+  forall mu, Rabs mu < mu0 -> (0 < K * mu -> exists x, single M n mu d x /\ forall x', single M n mu d x' ->
+    forall i, (i < N)%nat -> x' tt i = x tt i) /\ (K * mu <= 0 -> forall x, ~ single M n mu d x).
+
 (** In the plane at resonance the slope is 0. For m = 1, gamma > 0 there is the curve. At the other resonances
     no orbit of period n with one impact is near grazing, on either side of mu = 0, whatever the second
     order. *)
