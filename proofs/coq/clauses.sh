@@ -250,7 +250,7 @@ other StatementStops.v one_between 'one by its times' <<'E'
 s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i, t' i = t i./
 E
 other StatementStops.v Stops_statement 'of one motion alone' <<'E'
-/^  ((exists t q u, motion_between/,/^   exists/d; s/^  (one_between P s mu d N <-> one_nonlinear_motion (measured P s) mu d N) ..$/  (one_between P s mu d N <-> one_nonlinear_motion (measured P s) mu d N)./
+/^  ((exists t q u, motion_between/,/^   exists/d
 E
 other StatementStops.v measured 'that the velocity is taken as it is' <<'E'
 s/Nonlinear.v0 := fun t => rel P s 0 t (u0 P t)/Nonlinear.v0 := u0 P/
