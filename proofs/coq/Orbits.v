@@ -24,8 +24,8 @@ Proof. intros H; unfold step; destruct Rle_dec; [lra | reflexivity]. Qed.
 Lemma zero_meaning x y : zero_at M J next n mu x y <-> forall j, hit (n j) (x j) = - (y j * y j) /\ forall i,
   (i < N)%nat -> x (next j) i = fly M mu (n j) (x j) i + kick M (fly M mu (n j) (x j)) (Rabs (y j)) mu i * y j.
 Proof.
-  unfold zero_at, linear, q_at, Q_at, rest1, rest2; split; intros H j; destruct (H j) as [H1 H2];
-    (split; [lra | intros i Hi; specialize (H2 i Hi); lra]).
+  unfold zero_at, linear, q_at, Q_at, rest1, rest2; split; intros H j; destruct (H j) as [H1 H2]; (split; [lra | intros
+    i Hi; specialize (H2 i Hi); lra]).
 Qed.
 
 Lemma heights x m : (forall k, (S k < m)%nat -> 0 < height M mu x k) ->
@@ -103,8 +103,8 @@ Proof. intros H i Hi; apply Rminus_diag_uniq, Rabs_zero, (H i Hi). Qed.
 Lemma signed s e mu q kappa : 0 < sgn s * (e * mu) -> kappa <= sgn s * q -> Rabs e * Rabs mu * kappa <= e * mu * q.
 Proof.
   intros H Hq; rewrite <- Rabs_mult.
-  replace (Rabs (e * mu)) with (sgn s * (e * mu)) by (destruct s; cbn [sgn] in *;
-    [rewrite Rabs_pos_eq | rewrite Rabs_left]; lra).
+  replace (Rabs (e * mu)) with (sgn s * (e * mu)) by (destruct s; cbn [sgn] in *; [rewrite Rabs_pos_eq | rewrite
+    Rabs_left]; lra).
   apply (Rmult_le_compat_l _ _ _ (Rlt_le _ _ H)) in Hq.
   replace (e * mu * q) with (sgn s * (e * mu) * (sgn s * q)); [exact Hq | destruct s; cbn; ring].
 Qed.
@@ -177,8 +177,8 @@ Lemma heights_near eps' d' mc m k x X mu r err : remainder M w e n_max eps' d' -
   Rabs (h M (fly M mu k x) mu - e * mu * (dot N (C M) (power M k X) + 1)) <= eps' * r + mc * (m * err).
 Proof.
   intros Hrem' Hk Hd' Hc Hpow Hxd Hx Hmu Hmud Herr Hlin; pose proof (Rabs_pos mu) as Hmu0.
-  destruct (Hrem' k x zero 0 0 mu 0 r) as (_ & _ & Hh); rewrite ?Rminus_0_r, ?Rabs_R0; trivial; try lra;
-    try (apply within_zero; lra).
+  destruct (Hrem' k x zero 0 0 mu 0 r) as (_ & _ & Hh); rewrite ?Rminus_0_r, ?Rabs_R0; trivial; try lra; try (apply
+    within_zero; lra).
   { intros i Hi; unfold minus, zero; rewrite Rminus_0_r; apply Hx, Hi. }
   rewrite (height_zero M w e HM Hw He), !Rminus_0_r in Hh.
   assert (Ez : dot N (C M) (power M k (minus x zero)) = dot N (C M) (power M k x)).
@@ -188,9 +188,8 @@ Proof.
   assert (Ev : dot N (C M) (power M k v) = dot N (C M) (power M k x) - (mu * dot N (C M) (power M k w) + e * mu * dot N
     (C M) (power M k X))).
   { unfold v, power; rewrite power_minus, power_comb, dot_minus, dot_comb; ring. }
-  replace (h M (fly M mu k x) mu - e * mu * (dot N (C M) (power M k X) + 1))
-    with ((h M (fly M mu k x) mu - dot N (C M) (power M k x) - mu * (e - dot N (C M) (power M k w))) + dot N (C M)
-    (power M k v)) by (rewrite Ev; ring).
+  replace (h M (fly M mu k x) mu - e * mu * (dot N (C M) (power M k X) + 1)) with ((h M (fly M mu k x) mu - dot N (C M)
+    (power M k x) - mu * (e - dot N (C M) (power M k w))) + dot N (C M) (power M k v)) by (rewrite Ev; ring).
   apply triangle2; assumption.
 Qed.
 
@@ -262,10 +261,10 @@ Proof.
     + eapply Rle_trans; [exact Hly | exact Herr2].
     + intros k Hk; destruct (Hxs j) as [Hxj _]; destruct (Hxd j) as [Hxdj _].
       apply Rle_trans with (eps' * (2 * M0 * Rabs mu) + mc * (m * err)).
-      { apply (heights_near eps' d' mc m k (x j) (X j) mu (2 * M0 * Rabs mu) err); trivial; try lra;
-          [intros t0 z0 Ht0 Hz0; apply Hpow; trivial | exact (Rabs_nonneg _ _ Hly)]. }
-      replace (eps' * (2 * M0 * Rabs mu) + mc * (m * err)) with (2 * M0 * (1 + mc * m * K) * eps' * Rabs mu)
-        by (unfold err; ring).
+      { apply (heights_near eps' d' mc m k (x j) (X j) mu (2 * M0 * Rabs mu) err); trivial; try lra; [intros t0 z0 Ht0
+          Hz0; apply Hpow; trivial | exact (Rabs_nonneg _ _ Hly)]. }
+      replace (eps' * (2 * M0 * Rabs mu) + mc * (m * err)) with (2 * M0 * (1 + mc * m * K) * eps' * Rabs mu) by (unfold
+        err; ring).
       apply Hbudget; unfold c; lra.
 Qed.
 (** Existence, uniqueness and non-existence: the signs of the quantities decide. *)
@@ -288,12 +287,12 @@ Proof.
       destruct s; cbn [sgn] in *; [rewrite Rabs_pos_eq | rewrite Rabs_left]; lra. }
   assert (Hkm : 0 < Rabs e * Rabs mu * kappa) by (repeat apply Rmult_lt_0_compat; lra).
   destruct (H J next n X Y mu Hn HInv HX (proj2 Hmu)) as (x & y & Hxd & Hz & Huniq & Hest).
-  assert (Hsame : forall x', orbit_near M J next n mu d x' -> bounded M J 0 (diff J x x')
-    (diff1 J y (speed M mu J n x'))).
+  assert (Hsame : forall x', orbit_near M J next n mu d x' -> bounded M J 0 (diff J x x') (diff1 J y (speed M mu J n
+    x'))).
   { intros x' Hx'; apply Huniq; [apply (orbit_bounded J next n mu x'); trivial; lra|].
     apply (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx'). }
-  assert (Hsame_hit : forall x', orbit_near M J next n mu d x' -> forall j k, (k <= n_max)%nat ->
-    h M (fly M mu k (x j)) mu = h M (fly M mu k (x' j)) mu).
+  assert (Hsame_hit : forall x', orbit_near M J next n mu d x' -> forall j k, (k <= n_max)%nat -> h M (fly M mu k (x j))
+    mu = h M (fly M mu k (x' j)) mu).
   { intros x' Hx' j k Hk; apply Rminus_diag_uniq, Rabs_zero; rewrite <- (Rmult_0_r l); apply Hfly; trivial; try lra;
       [apply Hx' | apply (Hsame x' Hx') | unfold Rminus; rewrite Rplus_opp_r, Rabs_R0; lra]. }
   split.
@@ -376,16 +375,16 @@ Proof.
     - eapply Rle_trans; [apply Rmin_l | apply Rmin_r].
     - replace (d1 * d1) with (l * (d1 * d1 / l)) by (field; lra). apply Rmult_le_compat_l; [lra | apply Rmin_r]. }
   assert (HflyC : forall k x x' mu mu' t, (k <= n_max)%nat -> within (N M) d x -> within (N M) d x' -> Rabs mu <= d ->
-    Rabs mu' <= d -> within (N M) t (minus x x') -> Rabs (mu - mu') <= t ->
-    Rabs (h M (fly M mu k x) mu - h M (fly M mu' k x') mu') <= l * t).
-  { intros k x x' mu mu' t Hk Hx Hx' Hmu Hmu' Ht Hmt; apply (Hfly k x x' mu mu' t); trivial; try lra;
-      apply within_le with d; trivial; lra. }
+    Rabs mu' <= d -> within (N M) t (minus x x') -> Rabs (mu - mu') <= t -> Rabs (h M (fly M mu k x) mu - h M (fly M mu'
+    k x') mu') <= l * t).
+  { intros k x x' mu mu' t Hk Hx Hx' Hmu Hmu' Ht Hmt; apply (Hfly k x x' mu mu' t); trivial; try lra; apply within_le
+      with d; trivial; lra. }
   assert (Hd12 : 0 < d <= d1) by lra; assert (Hll : 1 <= l /\ l * d <= d1 * d1) by lra. exists d; split; [lra | split].
   - intros kappa Hkappa; destruct (signs_decide M w e K1 n_max HM Hw He HK1 d1 d l Hd1 Hrem Hd12 Hll HflyC He0 kappa
       Hkappa) as (mu0 & Hmu0 & H); exists mu0; split; [exact Hmu0|]; intros J next n X Y s mu Hn HInv.
     apply H; [exact Hn | exact (invertible_up _ _ _ _ _ _ HK HInv)].
-  - intros eps Heps; destruct (leading M w e K1 n_max HM Hw He HK1 d1 d l Hd1 Hrem Hd12 Hll HflyC eps Heps)
-      as (mu1 & Hmu1 & H); exists mu1; split; [exact Hmu1|]; intros J next n X Y mu x Hn HInv.
+  - intros eps Heps; destruct (leading M w e K1 n_max HM Hw He HK1 d1 d l Hd1 Hrem Hd12 Hll HflyC eps Heps) as (mu1 &
+      Hmu1 & H); exists mu1; split; [exact Hmu1|]; intros J next n X Y mu x Hn HInv.
     apply H; [exact Hn | exact (invertible_up _ _ _ _ _ _ HK HInv)].
 Qed.
 Theorem Theorem1 : Theorem1_statement.

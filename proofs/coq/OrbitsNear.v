@@ -40,18 +40,17 @@ Hypothesis Hmu : Rabs mu <= d.
 
 Lemma slow_there k p : (1 <= k <= n_max)%nat -> within N d p -> hit k p < 0 -> slow M n_max eta' d1 mu k p.
 Proof.
-  intros K Np Hh; split; trivial; [apply within_le with d; trivial; lra|]. destruct (HL k p zero mu 0 d) as [_ B];
-    try lia; try (rewrite ?Rabs_R0, ?Rminus_0_r; lra).
+  intros K Np Hh; split; trivial; [apply within_le with d; trivial; lra|]. destruct (HL k p zero mu 0 d) as [_ B]; try
+    lia; try (rewrite ?Rabs_R0, ?Rminus_0_r; lra).
   { apply within_le with d; trivial; lra. } { apply within_zero; lra. }
   { intros i Hi; unfold minus, zero; rewrite Rminus_0_r; apply Np, Hi. }
-  rewrite (height_zero M w e HM Hw He k), Rminus_0_r in B; apply le_abs in B; unfold speed_at. split;
-    [rewrite <- (sqrt_pow2 (eta' / 2)) by lra|rewrite <- (sqrt_pow2 d1) by lra]; apply sqrt_le_1_alt; lra.
+  rewrite (height_zero M w e HM Hw He k), Rminus_0_r in B; apply le_abs in B; unfold speed_at. split; [rewrite <-
+    (sqrt_pow2 (eta' / 2)) by lra|rewrite <- (sqrt_pow2 d1) by lra]; apply sqrt_le_1_alt; lra.
 Qed.
 Lemma flight_there k p : (1 <= k <= n_max)%nat -> (forall i, (1 <= i < k)%nat -> 0 < hit i p) -> hit k p < 0 ->
   forall i, (i < N)%nat -> Nat.iter k (step M mu) p i = go M mu k p i.
 Proof.
-  intros K Hf Hh i Hi; destruct k as [|k]; [lia|]. assert (E : forall j, (j <= k)%nat -> height M mu p j = hit (S j)
-    p).
+  intros K Hf Hh i Hi; destruct k as [|k]; [lia|]. assert (E : forall j, (j <= k)%nat -> height M mu p j = hit (S j) p).
   { intros j Hj; unfold height; rewrite (iterates_free _ _ (fun x => f M x mu) (fun z => 0 < h M z mu));
       [reflexivity|apply step_free|]; intros a Ha; apply (Hf (S a)); lia. }
   rewrite (iterate_impact M mu p k).
@@ -66,8 +65,8 @@ Proof.
   intros K Nx Hc [Hf Hh] r p Np; assert (R1 : r <= d / 2) by apply Rmin_l; assert (R2 : l * r <= c / 2).
   { apply Rle_trans with (l * (c / (2 * l))); [apply Rmult_le_compat_l; [lra | apply Rmin_r] | right; field; lra]. }
   assert (R0 : 0 < r) by (apply Rmin_glb_lt; [lra | apply Rdiv_lt_0_compat; lra]). assert (Npd : within N d p).
-  { intros i Hi; specialize (Nx i Hi); specialize (Np i Hi); unfold minus in Np. replace (p i) with ((p i - x i) + x
-      i) by ring; eapply Rle_trans; [apply Rabs_triang|lra]. }
+  { intros i Hi; specialize (Nx i Hi); specialize (Np i Hi); unfold minus in Np. replace (p i) with ((p i - x i) + x i)
+      by ring; eapply Rle_trans; [apply Rabs_triang|lra]. }
   assert (Close : forall i, (i <= k)%nat -> Rabs (hit i p - hit i x) <= l * r).
   { intros i Hi; apply (HL i p x mu mu r); trivial; try lia; try lra.
     - apply within_le with d; trivial; lra.
@@ -99,21 +98,20 @@ Lemma there M w n_max eps small : smooth M -> (forall i, (i < N M)%nat -> w i = 
 Proof.
   intros HM Hw Hep Hsm; set (e := dot (N M) (C M) w + eta M).
   destruct (remainder_exists M w e HM Hw eq_refl n_max eps) as (dr & dr0 & HR); [lra|].
-  destruct (Lipschitz_fly M w e HM Hw eq_refl n_max) as (l & dl & l1 & dl0 & HL). destruct (two_least dr dl dr0 dl0)
-    as (d1 & d10 & d1r & d1l). destruct (two_least ((small / 2) ^ 2) (d1 ^ 2)) as (sq & s0 & s1 & s2);
-    [apply pow_lt; lra|apply pow_lt; lra|]. destruct (small_enough sq l s0 ltac:(lra)) as (d2 & d20 & d21).
+  destruct (Lipschitz_fly M w e HM Hw eq_refl n_max) as (l & dl & l1 & dl0 & HL). destruct (two_least dr dl dr0 dl0) as
+    (d1 & d10 & d1r & d1l). destruct (two_least ((small / 2) ^ 2) (d1 ^ 2)) as (sq & s0 & s1 & s2); [apply pow_lt;
+    lra|apply pow_lt; lra|]. destruct (small_enough sq l s0 ltac:(lra)) as (d2 & d20 & d21).
   destruct (two_least d1 d2 d10 ltac:(lra)) as (d & d0 & da & db). assert (HL1 : forall k x x' mu mu' t, (k <=
-    n_max)%nat -> within (N M) d1 x -> within (N M) d1 x' -> Rabs mu <= d1 -> Rabs mu' <= d1 -> within (N M) t (minus
-    x x') -> Rabs (mu - mu') <= t -> within (N M) (l * t) (minus (fly M mu k x) (fly M mu' k x')) /\ Rabs (h M (fly M
-    mu k x) mu - h M (fly M mu' k x') mu') <= l * t).
+    n_max)%nat -> within (N M) d1 x -> within (N M) d1 x' -> Rabs mu <= d1 -> Rabs mu' <= d1 -> within (N M) t (minus x
+    x') -> Rabs (mu - mu') <= t -> within (N M) (l * t) (minus (fly M mu k x) (fly M mu' k x')) /\ Rabs (h M (fly M mu k
+    x) mu - h M (fly M mu' k x') mu') <= l * t).
   { intros k x x' mu mu' t K X X' Mu Mu' T T'; apply HL; trivial; try lra; apply within_le with d1; trivial; lra. }
   assert (Ld : l * d <= sq) by (apply Rle_trans with (2 := d21); apply Rmult_le_compat_l; lra).
   exists d1, (d / 2), (fun c => Rmin (d / 2) (c / (2 * l))); split; [lra | split; [apply (remainder_down M w e n_max eps
     dr); trivial | split]].
   - intros c Hc; apply Rmin_glb_lt; [lra | apply Rdiv_lt_0_compat; lra].
   - intros k mu x c p K Hmu Nx Hc Cl Np; apply (near_there M w e HM Hw eq_refl n_max l d1 d small mu l1 HL1) with (c
-    := c)
-      (x := x); trivial; lra.
+    := c) (x := x); trivial; lra.
 Qed.
 Lemma orbit_clear M J next n mu d x j : (forall j : J, (1 <= n j)%nat) -> orbit_near M J next n mu d x -> exists c, 0
   < c
@@ -123,8 +121,8 @@ Proof.
   destruct (proj1 (zero_meaning M mu J next n x (speed M mu J n x)) Z j) as [Eh _].
   destruct (common_bound (fun i c => (1 <= i < n j)%nat -> c <= h M (fly M mu i (x j)) mu) (n j)) as (c & Hc & All).
   - intros i c c' H Hc Hi; specialize (H Hi); lra.
-  - intros i Hi; destruct i as [|i]; [exists 1; split; [lra | lia]|]; eexists; split; [|intros _; apply Rle_refl];
-      apply F; lia.
+  - intros i Hi; destruct i as [|i]; [exists 1; split; [lra | lia]|]; eexists; split; [|intros _; apply Rle_refl]; apply
+      F; lia.
   - set (y := speed M mu J n x j) in *; assert (0 < y * y) by (apply Rmult_lt_0_compat; exact Pos).
     destruct (two_least c (y * y)) as (c' & Hc' & L1 & L2); trivial; exists c'; split; [exact Hc' | split; [|lra]].
     intros i Hi; specialize (All i ltac:(lia) Hi); lra.

@@ -93,8 +93,8 @@ Lemma lawful_swing i : lawful i -> (forall j, (1 <= j <= n i - 1)%nat -> eps * R
   (T * INR j) + mu) -> swing O m mu d N at_ leg_q leg_v i (i + 1)%Z.
 Proof.
   intros [La Lf Lh Lb] Mid; destruct (HN i) as [NN [Hn _]]; pose proof (turn_large m) as HT.
-  assert (Tn : T <= T * INR (n i)) by (rewrite <- (Rmult_1_r T) at 1; apply Rmult_le_compat_l;
-    [lra | apply (le_INR 1); lia]).
+  assert (Tn : T <= T * INR (n i)) by (rewrite <- (Rmult_1_r T) at 1; apply Rmult_le_compat_l; [lra | apply (le_INR 1);
+    lia]).
   assert (Sm : forall i, - (h * Rabs mu) <= x i <= h * Rabs mu) by (intros l; apply le_abs, Hx).
   pose proof (Sm i); pose proof (Sm (i + 1)%Z); destruct (here_start i) as [E0 F0], (here_end i La) as [E1 F1].
   set (s := T * INR (n i) + x (i + 1)%Z) in *.
@@ -103,8 +103,8 @@ Proof.
   { unfold gap; rewrite side_0, Rmult_0_r, Rminus_0_r, E0; unfold OscillatorLaw.place; ring. }
   assert (Gap1 : gap O m mu (Z.of_nat (n i)) (here i) s = 0).
   { unfold gap; rewrite Es, E1; unfold OscillatorLaw.place; ring. }
-  assert (Speed1 : speed O m mu (Z.of_nat (n i)) (heres i) s = bef i + G1 mu (x (i + 1)%Z)) by (unfold speed;
-    rewrite Es, F1; reflexivity).
+  assert (Speed1 : speed O m mu (Z.of_nat (n i)) (heres i) s = bef i + G1 mu (x (i + 1)%Z)) by (unfold speed; rewrite
+    Es, F1; reflexivity).
   assert (Speed0 : forall l, speed O m mu 0 (heres l) (x l) = a l + G1 mu (x l)).
   { intros l; unfold speed; rewrite side_0, Rmult_0_r, Rminus_0_r, Rmult_1_l, (proj2 (here_start l)); reflexivity. }
   assert (Ea : at_ i = T * IZR (N i) + x i) by reflexivity; pose proof (at_next i) as Eb; fold s in Eb.

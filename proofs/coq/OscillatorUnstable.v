@@ -59,8 +59,8 @@ Proof.
     assert (Rabs (z j - x j) <= fading j) as A by (apply Rabs_le; lra); split; [|exact A].
     replace (z j) with ((z j - x j) + x j) by ring; eapply Rle_trans; [apply Rabs_triang | lra]. }
   assert (Xd : forall j, Rabs (x j) <= d) by (intros j; specialize (Hx j); lra).
-  destruct (one_fixed_point (fun i => x i - fading i) (fun i => x i + fading i) (fun _ => 1) T (1 / 2) (2 * s))
-    as (x' & Hx' & F & _).
+  destruct (one_fixed_point (fun i => x i - fading i) (fun i => x i + fading i) (fun _ => 1) T (1 / 2) (2 * s)) as (x' &
+    Hx' & F & _).
   - intros i; pose proof (fading_le i); lra.
   - intros; lra.
   - lra.
@@ -119,32 +119,31 @@ Let HG := g_pos O (is_touching _ _ _ _ _ HO).
 Theorem motion_unstable t q v : motion O m mu d N t q v -> unstable_motion (swing O m mu (h * Rabs mu) N) t v.
 Proof.
   intros HM; assert (Xh : forall i, Rabs (x i) <= h * Rabs mu) by (intros i; specialize (Hx i); lra).
-  assert (Near : forall i, leg_near O m S V n_max K (n i) eps mu (x i) (x (i + 1)%Z)) by (intros; apply Leg; auto;
-    apply HN). pose proof (motion_is O m a1 a2 gamma S V HO HS n_max K mu h N n x HK HN d Hd Only t q v HM) as Is.
+  assert (Near : forall i, leg_near O m S V n_max K (n i) eps mu (x i) (x (i + 1)%Z)) by (intros; apply Leg; auto; apply
+    HN). pose proof (motion_is O m a1 a2 gamma S V HO HS n_max K mu h N n x HK HN d Hd Only t q v HM) as Is.
   assert (Pg : 0 < G2 * s) by (apply Rmult_lt_0_compat; lra); assert (Xd : forall i, Rabs (x i) + s <= d) by (intros i;
     specialize (Hx i); lra).
   assert (Pos : forall i, before x i + G1 mu (x (i + 1)%Z) < - (3 * G2 * s)).
   { intros i; pose proof (proj1 (jump_sign O m a1 a2 gamma S V HO HS n_max K mu eps N n x HN Near e g Hu Hmu Hg Heps Mf
       i) (proj2 (Signs i))) as J; cbv beta in J. pose proof (HL (i + 1)%Z) as E; replace (i + 1 - 1)%Z with i in E by
-        lia.
+      lia.
     apply (Rmult_lt_reg_l (1 + tau)); [lra|]; assert (0 <= tau * (G2 * s)) by (apply Rmult_le_pos; lra); lra. }
   exists (s / 2); split; [lra|]; intros j r Hr; destruct (halves_small (2 * s + G2 * (2 * s)) r Hr) as [z Hz].
   set (l := (j + 1 + Z.of_nat z)%Z).
   destruct (other_end O m S V n_max mu d s n x l (is_touching _ _ _ _ _ HO) Htau Nr (fun i => proj2 (HN i)) ltac:(lra)
     Xd HL) as (x' & El & Fade & Fix); pose proof (fading_le s l ltac:(lra)) as Fl.
   assert (Xh' : forall i, Rabs (x' i) <= h * Rabs mu).
-  { intros i; replace (x' i) with ((x' i - x i) + x i) by ring; eapply Rle_trans; [apply Rabs_triang|];
-      specialize (Fade i); specialize (Fl i); specialize (Hx i); lra. }
+  { intros i; replace (x' i) with ((x' i - x i) + x i) by ring; eapply Rle_trans; [apply Rabs_triang|]; specialize (Fade
+      i); specialize (Fl i); specialize (Hx i); lra. }
   assert (Near' : forall i, leg_near O m S V n_max K (n i) eps mu (x' i) (x' (i + 1)%Z)) by (intros; apply Leg; auto;
     apply HN).
   assert (Beside : forall i, Rabs (after x' i - after x i) <= G2 * fading s l (i + 1) /\ before x' i + G1 mu (x' (i +
     1)%Z) < 0).
-  { assert (D : forall i e, (forall j, (i - 1 <= j <= i + 1)%Z -> Rabs (x' j - x j) <= e) ->
-      Rabs (after x' i - after x i) <= G2 * e /\ Rabs (before x' (i - 1)%Z - before x (i - 1)%Z) <= G2 * e /\ Rabs (G1
-        mu (x' i) - G1 mu (x i)) <= 2 * G2 * e).
+  { assert (D : forall i e, (forall j, (i - 1 <= j <= i + 1)%Z -> Rabs (x' j - x j) <= e) -> Rabs (after x' i - after x
+      i) <= G2 * e /\ Rabs (before x' (i - 1)%Z - before x (i - 1)%Z) <= G2 * e /\ Rabs (G1 mu (x' i) - G1 mu (x i)) <=
+      2 * G2 * e).
     { intros i f H; replace (i - 1 + 1)%Z with i by lia; refine (proj2 (Nr n x' x i f (fun i => proj2 (HN i)) _));
-      intros y Hy;
-        specialize (Xh' y); specialize (Xh y); split; [lra | split; [lra | apply H, Hy]]. }
+      intros y Hy; specialize (Xh' y); specialize (Xh y); split; [lra | split; [lra | apply H, Hy]]. }
     intros i; split.
     - apply D; intros y Hy; apply Rle_trans with (1 := Fade y), fading_rises; [lra | lia].
     - destruct (D (i + 1)%Z s) as (_ & D2 & D3); [intros y _; specialize (Fade y); specialize (Fl y); lra|].
@@ -171,15 +170,15 @@ Proof.
       * unfold a'; replace (i + 1 - 1)%Z with i by lia; ring.
     + intros y Hy; pose proof (proj1 (mid_sign O m a1 a2 gamma S V HO HS n_max K mu eps N n x' HN Near' e Hu Hmu Heps Mb
         i y Hy) (proj1 (Signs i) y Hy)) as Q; cbv beta in Q; unfold here in Q |- *; rewrite (Ea i) by lia; exact Q.
-  - assert (Fj : fading s l j = s / 2 ^ Datatypes.S z /\ fading s l (j + 1) = s / 2 ^ z) by (unfold fading, l; split;
-      do 2 f_equal; lia). assert (P2 : 0 < / 2 ^ z) by (apply Rinv_0_lt_compat, pow_lt; lra).
-    unfold Rdiv in Hz; rewrite Rmult_plus_distr_r in Hz; assert (0 < s * / 2 ^ z /\ 0 < G2 * (s * / 2 ^ z))
-      by (split; repeat apply Rmult_lt_0_compat; lra). split.
-    + rewrite Et; apply Rle_trans with (1 := Fade j); rewrite (fading_next s l j) by (unfold l; lia);
-        rewrite (proj2 Fj); unfold Rdiv; lra.
+  - assert (Fj : fading s l j = s / 2 ^ Datatypes.S z /\ fading s l (j + 1) = s / 2 ^ z) by (unfold fading, l; split; do
+      2 f_equal; lia). assert (P2 : 0 < / 2 ^ z) by (apply Rinv_0_lt_compat, pow_lt; lra).
+    unfold Rdiv in Hz; rewrite Rmult_plus_distr_r in Hz; assert (0 < s * / 2 ^ z /\ 0 < G2 * (s * / 2 ^ z)) by (split;
+      repeat apply Rmult_lt_0_compat; lra). split.
+    + rewrite Et; apply Rle_trans with (1 := Fade j); rewrite (fading_next s l j) by (unfold l; lia); rewrite (proj2
+        Fj); unfold Rdiv; lra.
     + rewrite Start, (proj1 (Is j)), (proj2 (proj2 (Is j) _)), Start, <- Rmult_minus_distr_l, Rabs_mult, side_abs,
-        Rmult_1_l, Ea by (unfold l; lia). apply Rle_trans with (1 := proj1 (Beside j)); rewrite (proj2 Fj);
-        unfold Rdiv; lra.
+        Rmult_1_l, Ea by (unfold l; lia). apply Rle_trans with (1 := proj1 (Beside j)); rewrite (proj2 Fj); unfold Rdiv;
+        lra.
   - intros [A _]; rewrite Et, El in A; replace (x l + s - x l) with s in A by ring; rewrite Rabs_pos_eq in A; lra.
 Qed.
 End Away.

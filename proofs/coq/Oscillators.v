@@ -44,18 +44,15 @@ Proof.
   assert (Mb' : forall i j, (j <= n_max)%nat -> b a1 a2 (n i) j <> 0 -> 2 * eps <= Rabs (b a1 a2 (n i) j)).
   { intros i j Hj Hne; destruct (Reg i); pose proof (Mb (n i) j ltac:(lia) ltac:(lia) Hne); lra. }
   assert (Mf' : forall i j, let f := follows a1 a2 (n i) (n j) / gamma in f <> 0 -> 4 * eps <= Rabs f).
-  { intros i j f Hne; destruct (Reg i), (Reg j); pose proof (Mf (n i) (n j) ltac:(lia) ltac:(lia) Hne) as P;
-      fold f in P; lra. }
+  { intros i j f Hne; destruct (Reg i), (Reg j); pose proof (Mf (n i) (n j) ltac:(lia) ltac:(lia) Hne) as P; fold f in
+      P; lra. }
   pose proof (fun i => proj2 (proj2 (Hw i))) as Hu; assert (Op : opens O m (C + 1) X eps mu) by (apply Open; lra).
   assert (Hd' : (C + 1) * Rabs mu <= d <= 1 /\ 2 * d <= / K) by lra; assert (Hx' : forall i, Rabs (x i) <= (C + 1) *
-    Rabs
-    mu) by (intros i; specialize (Hx i); lra).
-  pose proof (decided O m a1 a2 gamma S V HO HS n_max K mu (C + 1) eps N n x HK HN Law Hx' Near d s g Hu (proj1 Hmu)
-    Hg He
-    Mb' Mf' Hd' Op Only) as One'; split; [|split].
+    Rabs mu) by (intros i; specialize (Hx i); lra).
+  pose proof (decided O m a1 a2 gamma S V HO HS n_max K mu (C + 1) eps N n x HK HN Law Hx' Near d s g Hu (proj1 Hmu) Hg
+    He Mb' Mf' Hd' Op Only) as One'; split; [|split].
   - intros Hs; split; [exact (One' Hs)|]; intros t q v HM; pose proof (g_pos O HT) as Pg; set (g2 := Oscillator.G2 O 0
-    0)
-      in *; assert (P3 : 0 < 3 * g2 * (1 + Oscillator.tau O)) by (apply Rmult_lt_0_compat; lra).
+    0) in *; assert (P3 : 0 < 3 * g2 * (1 + Oscillator.tau O)) by (apply Rmult_lt_0_compat; lra).
     destruct (two_least (Rabs mu) (eps * Rabs mu / (3 * g2 * (1 + Oscillator.tau O))) R ltac:(apply Rdiv_lt_0_compat;
       [apply Rmult_lt_0_compat|]; lra)) as (r & Hr & R1 & R2). apply (Rmult_le_compat_l _ _ _ (Rlt_le _ _ P3)) in R2.
     replace (3 * g2 * (1 + Oscillator.tau O) * (eps * Rabs mu / (3 * g2 * (1 + Oscillator.tau O)))) with (eps * Rabs mu)
@@ -67,8 +64,7 @@ Proof.
     + intros i; specialize (Hx i); lra.
     + split; [exact Hr|]; fold g2; lra.
   - apply (word_fails O m a1 a2 gamma S V HO HS n_max K mu (C + 1) eps N n x HK HN Near d s g Hu (proj1 Hmu) Hg He Mb'
-    Mf'
-      Hd' Only).
+    Mf' Hd' Only).
   - intros t q v HM i; fold (phase m N t i).
     rewrite (phases O m a1 a2 gamma S V HO HS n_max K mu (C + 1) N n x HK HN d Hd' Only t q v HM); apply Hx'.
 Qed.
