@@ -37,6 +37,16 @@ Proof.
     exact P; apply H, Rabs_le; lra.
 Qed.
 
+(** Theorem 1 of motions, and that they are unstable. *)
+Definition decided (O : Nonlinear.t) (a1 a2 gamma rate : R) : Prop := forall n_max, exists d, d > 0 /\ forall eps, 0 <
+  eps <= d -> exists mu0, mu0 > 0 /\
+  forall (n : Z -> nat) (N : Z -> Z) e g mu, (forall i, (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) ->
+  (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn g * gamma > 0 -> 0 < sgn e * (rate * mu) < mu0 ->
+  ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one_nonlinear_motion O mu eps N /\ forall
+    t y v, nonlinear_motion O mu
+    eps N t y v -> unstable_motion (leg O mu eps N) t v) /\
+  ((exists i, breaks a1 a2 e g (n i) (n (i + 1)%Z)) -> forall t y v, ~ nonlinear_motion O mu d N t y v).
+
 Section Main.
 Variables (O : Nonlinear.t) (a1 a2 gamma rate : R).
 Hypothesis HO : grazing_orbit O.
@@ -157,14 +167,9 @@ Proof.
       Rmult_le_compat_r; try apply Rabs_pos; auto.
 Qed.
 
-Theorem main n_max : exists d, d > 0 /\ forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\
-  forall (n : Z -> nat) (N : Z -> Z) e g mu, (forall i, (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) ->
-  (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn g * gamma > 0 -> 0 < sgn e * (rate * mu) < mu0 ->
-  ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one_nonlinear_motion O mu eps N /\ forall
-    t y v, nonlinear_motion O mu
-    eps N t y v -> unstable_motion (leg O mu eps N) t v) /\
-  ((exists i, breaks a1 a2 e g (n i) (n (i + 1)%Z)) -> forall t y v, ~ nonlinear_motion O mu d N t y v).
+Theorem main : decided O a1 a2 gamma rate.
 Proof.
+  intros n_max.
   destruct a'_Lipschitz as (La & HLa & Lip & Bd); pose proof T_pos as HT; pose proof (along_facts O HO) as C; destruct
     (period O HO) as (_ & Pa & Pr & Po); destruct (touches O HO) as [HtG Z0].
   destruct (periodic_bounded (k O) (T O) HT ltac:(intros t; apply C) ltac:(intros t; apply C)) as (B1 & P1 & H1).
@@ -254,13 +259,6 @@ Proof.
 Qed.
 End Main.
 
-Theorem nonlinear O a1 a2 gamma rate : grazing_orbit O -> generic O a1 a2 gamma rate -> forall n_max, exists d, d > 0 /\
-  forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\ forall (n : Z -> nat) (N : Z -> Z) e g mu,
-  (forall i, (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z ->
-  sgn g * gamma > 0 -> 0 < sgn e * (rate * mu) < mu0 ->
-  ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one_nonlinear_motion O mu eps N /\ forall
-    t y v, nonlinear_motion O mu
-    eps N t y v -> unstable_motion (leg O mu eps N) t v) /\
-  ((exists i, breaks a1 a2 e g (n i) (n (i + 1)%Z)) -> forall t y v, ~ nonlinear_motion O mu d N t y v).
-Proof. intros HO HG n_max; destruct (Lipschitz O HO) as (L & r & Hr & HL);
-  apply (main O a1 a2 gamma rate HO HG L r Hr HL n_max). Qed.
+Theorem nonlinear O a1 a2 gamma rate : grazing_orbit O -> generic O a1 a2 gamma rate -> decided O a1 a2 gamma rate.
+Proof. intros HO HG; destruct (Lipschitz O HO) as (L & r & Hr & HL); apply (main O a1 a2 gamma rate HO HG L r Hr HL).
+  Qed.

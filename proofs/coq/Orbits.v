@@ -89,6 +89,22 @@ End Orbits.
 Definition clear_at (M : Map.t) (mu : R) (k : nat) (x : vec) (c : R) : Prop := (forall i, (1 <= i < k)%nat ->
   c <= h M (fly M mu i x) mu) /\ h M (fly M mu k x) mu <= - c.
 
+(** The parts of Theorem 1: existence, where the heights then stay off 0, uniqueness and non-existence, by the signs
+    of the quantities; and asymptotics. *)
+Definition decided (M : Map.t) (e K : R) (n_max : nat) (d : R) : Prop := forall kappa, kappa > 0 -> exists mu0, mu0 >
+  0 /\
+  forall (J : Type) (next : J -> J) n X Y s mu, (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n K ->
+  solution M J next n X Y -> 0 < sgn s * (e * mu) < mu0 -> ((forall j v, quantity M J n X Y s j v -> v >= kappa) ->
+  exists x, orbit_near M J next n mu d x /\ forall x', orbit_near M J next n mu d x' ->
+  (forall j i, (i < N M)%nat -> x' j i = x j i) /\ exists c, 0 < c /\ forall j, clear_at M mu (n j) (x' j) c) /\
+  (forall j v, quantity M J n X Y s j v -> v <= - kappa -> forall x, ~ orbit_near M J next n mu d x).
+Definition leads (M : Map.t) (w : vec) (e K : R) (n_max : nat) (d : R) : Prop := forall eps, eps > 0 -> exists mu1,
+  mu1 > 0 /\ forall (J : Type) (next : J -> J) n X Y mu x, (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n
+    K ->
+  solution M J next n X Y -> 0 < Rabs mu < mu1 -> orbit_near M J next n mu d x -> forall j,
+  within (N M) (eps * Rabs mu) (fun i => x j i - mu * w i - e * mu * X j i) /\
+  Rabs (sqrt (- height M mu (x j) (n j - 1)) - e * mu * Y j) <= eps * Rabs mu.
+
 Lemma invertible_up M J (next : J -> J) n K K' : K <= K' -> invertible M J next n K -> invertible M J next n K'.
 Proof.
   intros HK [H1 H2]; split; [|exact H2]; intros e Q q HQ; destruct (H1 e Q q HQ) as (X & Y & Hb & Hl).
@@ -267,13 +283,7 @@ Proof.
         err; ring).
       apply Hbudget; unfold c; lra.
 Qed.
-(** Existence, uniqueness and non-existence: the signs of the quantities decide. *)
-Lemma signs_decide : e <> 0 -> forall kappa, kappa > 0 -> exists mu0, mu0 > 0 /\ forall (J : Type) (next : J -> J) n X Y
-  s mu, (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n K -> solution M J next n X Y -> 0 < sgn s * (e * mu)
-  < mu0 -> ((forall j v, quantity M J n X Y s j v -> v >= kappa) -> exists x, orbit_near M J next n mu d x /\ forall x',
-  orbit_near M J next n mu d x' -> (forall j i, (i < N)%nat -> x' j i = x j i) /\ exists c, 0 < c /\ forall j,
-  clear_at M mu (n j) (x' j) c) /\
-  (forall j v, quantity M J n X Y s j v -> v <= - kappa -> forall x, ~ orbit_near M J next n mu d x).
+Lemma signs_decide : e <> 0 -> decided M e K n_max d.
 Proof.
   intros He0. intros kappa Hkappa; assert (Hae : 0 < Rabs e) by (apply Rabs_pos_lt, He0).
   destruct (close (Rabs e * kappa / 2)) as (mu1 & Hmu1 & H).
@@ -328,13 +338,9 @@ Proof.
       rewrite (Hsame_hit x' Hx' j k) in Hh by (specialize (Hn j); lia); fold q in Hh; apply Rabs_le_inv in Hh; lra.
 Qed.
 
-(** Asymptotics: an orbit within d is the solution of the linear problem to the first order. *)
-Lemma leading eps : 0 < eps -> exists mu1, mu1 > 0 /\ forall (J : Type) (next : J -> J) n X Y mu x,
-  (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n K -> solution M J next n X Y -> 0 < Rabs mu < mu1 ->
-  orbit_near M J next n mu d x -> forall j, within N (eps * Rabs mu) (fun i => x j i - mu * w i - e * mu * X j i) /\
-  Rabs (sqrt (- height M mu (x j) (n j - 1)) - e * mu * Y j) <= eps * Rabs mu.
+Lemma leading : leads M w e K n_max d.
 Proof.
-  intros Heps; destruct (close eps Heps) as (mu1 & Hmu1 & H).
+  intros eps Heps; destruct (close eps Heps) as (mu1 & Hmu1 & H).
   exists mu1; split; [lra|]; intros J next n X Y mu x' Hn HInv HX Hmu Hx' j.
   destruct (H J next n X Y mu Hn HInv HX (proj2 Hmu)) as (x & y & Hxd & Hz & Huniq & Hest).
   destruct (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx') as [Hz' _].
@@ -347,20 +353,9 @@ Proof.
 Qed.
 End Uniform.
 
-(** [Theorem1_statement], and the heights of these orbits stay off 0. *)
 Theorem Theorem1_clear M w e : smooth M -> (forall i, (i < N M)%nat -> w i = mult (N M) (A M) w i + phi M i) ->
-  e = dot (N M) (C M) w + eta M -> e <> 0 -> forall n_max K, exists d, d > 0 /\
-  (forall kappa, kappa > 0 -> exists mu0, mu0 > 0 /\ forall (J : Type) (next : J -> J) n X Y s mu,
-   (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n K -> solution M J next n X Y ->
-   0 < sgn s * (e * mu) < mu0 -> ((forall j v, quantity M J n X Y s j v -> v >= kappa) ->
-    exists x, orbit_near M J next n mu d x /\ forall x', orbit_near M J next n mu d x' ->
-    (forall j i, (i < N M)%nat -> x' j i = x j i) /\ exists c, 0 < c /\ forall j, clear_at M mu (n j) (x' j) c) /\
-   (forall j v, quantity M J n X Y s j v -> v <= - kappa -> forall x, ~ orbit_near M J next n mu d x)) /\
-  (forall eps, eps > 0 -> exists mu1, mu1 > 0 /\ forall (J : Type) (next : J -> J) n X Y mu x,
-   (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n K -> solution M J next n X Y ->
-   0 < Rabs mu < mu1 -> orbit_near M J next n mu d x -> forall j,
-   within (N M) (eps * Rabs mu) (fun i => x j i - mu * w i - e * mu * X j i) /\
-   Rabs (sqrt (- height M mu (x j) (n j - 1)) - e * mu * Y j) <= eps * Rabs mu).
+  e = dot (N M) (C M) w + eta M -> e <> 0 -> forall n_max K, exists d, d > 0 /\ decided M e K n_max d /\
+  leads M w e K n_max d.
 Proof.
   intros HM Hw He He0 n_max K.
   set (K1 := Rmax K 1); assert (HK1 : 1 <= K1) by apply Rmax_r; assert (HK : K <= K1) by apply Rmax_l.

@@ -139,7 +139,7 @@ Proof.
   destruct (Curve M w V e n HM Hw He Ne Hn Hdet (fun i Hi => proj1 (HVU i Hi))) as (dc & Hdc & Cv).
   destruct (curve_one _ _ _ _ _ _ Cv) as (rc & Hrc & One); [intros k Hk; rewrite V0; apply Pos, Hk|].
   destruct (curve_slope _ _ _ _ _ _ Cv 1 ltac:(lra)) as (rl & Hrl & Slope); cbv zeta in Slope; rewrite V0 in Slope.
-  destruct (Lipschitz_fly M w e HM Hw He n) as (l & dl & Hl & Hdl & Lip).
+  destruct (orbit_inside M w e n HM Hw He Hn W HW Wb) as (l & dl & Hl & Hdl & Inside).
   destruct (two_least rc rs Hrc Hrs) as (r1 & R1 & A1 & A2), (two_least r1 d0 R1 Hd0) as (r2 & R2 & A3 & A4), (two_least
     r2 rl R2 Hrl) as (r & Hr & A5 & A6).
   destruct (two_least dc dl Hdc Hdl) as (d1 & D1 & B1 & B2), (two_least (d0 / (1 + W)) (r / 2 * (r / 2) / l)) as (d2 &
@@ -149,20 +149,11 @@ Proof.
     right; field; lra]).
   assert (E2 : l * d <= r / 2 * (r / 2)) by (apply (Rle_trans _ (l * (r / 2 * (r / 2) / l))); [apply Rmult_le_compat_l;
     lra | right; field; lra]).
-  (* the orbits are solutions, with small speeds *)
-  assert (Orb : forall mu x, Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in 0 < y < r /\ within (S
-    N) d0 (of w mu (x tt)) /\ ResonanceCurve.solves M w e n y (of w mu (x tt))).
-  { intros mu x Hmu Ho y; destruct (orbit_solution M w e n Hn mu d x Ho) as (Hy & Hs & _); fold y in Hy, Hs;
-    destruct (Ho tt) as (Hx & _). split; [split; [exact Hy|] | split; [|exact Hs]].
-    - destruct (Lip n (x tt) zero mu 0 d (Nat.le_refl n)) as [_ B]; rewrite ?Rminus_0_r, ?Rabs_R0; try lra; try (apply
-        within_zero; lra); [apply within_le with d; [lra | exact Hx] | intros i Hi; unfold minus, zero; rewrite
-        Rminus_0_r; apply Hx, Hi|].
-      apply (proj1 (solves_is M w e n y _ (Rlt_le _ _ Hy))) in Hs; rewrite point_of in Hs; destruct Hs as [Hs _]; change
-        (of w mu (x tt) O) with mu in Hs; rewrite Hs, (height_zero M w e HM Hw He n), Rminus_0_r, Rabs_Ropp, Rabs_pos_eq
-        in B by nra. apply Rle_lt_trans with (r / 2); [apply Rsqr_incr_0_var; unfold Rsqr; lra | lra].
-    - apply within_S; unfold of; split; [cbn [rows]; assert (0 <= W * d) by (apply Rmult_le_pos; lra); lra|]; intros i
-      Hi; unfold hat, rows, Rminus. apply (Rle_trans _ (d + d * W)); [|lra]; apply triangle2; [apply Hx, Hi|].
-      rewrite Rabs_Ropp; apply Rabs_mult_le; [exact Hmu | apply Wb, Hi]. }
+  assert (Orb : forall mu x, Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in 0 < y < r /\
+    within (S N) d0 (of w mu (x tt)) /\ ResonanceCurve.solves M w e n y (of w mu (x tt))).
+  { intros mu x Hmu Ho; destruct (Inside d0 d (r / 2) mu x ltac:(lra) E1 ltac:(lra) E2 Hmu Ho) as (Y & Z & S & _); cbv
+    zeta
+      in *; split; [lra | auto]. }
   assert (Law2 : forall mu x mu' x', Rabs mu <= d -> Rabs mu' <= d -> single M n mu d x -> single M n mu' d x' -> let y
     := speed_of M n mu x in let y' := speed_of M n mu' x' in Rabs (mu - mu' - K * (y ^ 2 - y' ^ 2)) <= Rabs K / 2 * ((y
     + y') * Rabs (y - y'))).

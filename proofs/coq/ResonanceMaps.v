@@ -47,6 +47,26 @@ Proof.
     Ropp_involutive. apply sqrt_square; lra.
 Qed.
 
+Lemma orbit_inside W : 0 <= W -> within N W w -> exists l dl, 1 <= l /\ 0 < dl /\ forall d0 d h mu x, 0 < d <= dl ->
+  (1 + W) * d <= d0 -> 0 < h -> l * d <= h * h -> Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in
+  0 < y <= h /\ within (S N) d0 (of w mu (x tt)) /\ solves y (of w mu (x tt)) /\
+  forall k, (0 < k < n)%nat -> 0 < hit k mu (x tt).
+Proof.
+  intros HW Wb; destruct (Lipschitz_fly M w e HM Hw He n) as (l & dl & Hl & Hdl & Lip); exists l, dl; split; [exact Hl |
+    split; [exact Hdl|]]; intros d0 d h mu x Hd D1 Hh D2 Hmu Ho y.
+  destruct (orbit_solution mu d x Ho) as (Hy & Hs & Hk); fold y in Hy, Hs; destruct (Ho tt) as (Hx & _).
+  split; [split; [exact Hy|] | split; [|auto]].
+  - destruct (Lip n (x tt) zero mu 0 d (Nat.le_refl n)) as [_ B]; rewrite ?Rminus_0_r, ?Rabs_R0; try lra;
+      try (apply within_zero; lra); [apply within_le with d; [lra | exact Hx] | intros i Hi; unfold minus, zero;
+      rewrite Rminus_0_r; apply Hx, Hi|].
+    apply (proj1 (solves_is M w e n y _ (Rlt_le _ _ Hy))) in Hs; rewrite point_of in Hs; destruct Hs as [Hs _];
+      change (of w mu (x tt) O) with mu in Hs; rewrite Hs, (height_zero M w e HM Hw He n), Rminus_0_r, Rabs_Ropp,
+      Rabs_pos_eq in B by nra. apply Rsqr_incr_0_var; unfold Rsqr; lra.
+  - apply within_S; unfold of; split; [cbn [rows]; assert (0 <= W * d) by (apply Rmult_le_pos; lra); lra|]; intros i Hi;
+      unfold hat, rows, Rminus. apply (Rle_trans _ (d + d * W)); [|lra]; apply triangle2; [apply Hx, Hi|].
+    rewrite Rabs_Ropp; apply Rabs_mult_le; [exact Hmu | apply Wb, Hi].
+Qed.
+
 Theorem curves : exists d, 0 < d /\ curve M w V e n d.
 Proof.
   destruct (inverse_exists M e n Ne Hdet) as (K & HK), (within_exists N w) as (W & HW & Wb), (within_exists N (Map.B M))
@@ -54,8 +74,8 @@ Proof.
   set (eps0 := / (2 * K)); assert (He0 : 0 < eps0 /\ K * eps0 <= 1 / 2).
   { unfold eps0; split; [apply Rinv_0_lt_compat; lra | right; field; lra]. }
   destruct (small_exists M w e n HM Hw He W HW Wb eps0 (proj1 He0)) as (d0 & Hd0 & Sm).
-  destruct (Lipschitz_fly M w e HM Hw He n) as (l & d2 & Hl & Hd2 & Lip).
-  assert (Wd : 0 <= W /\ within N W w) by auto; assert (Bd : 0 <= beta /\ within N beta (Map.B M)) by auto.
+  destruct (orbit_inside W HW Wb) as (l & d2 & Hl & Hd2 & Inside). assert (Wd : 0 <= W /\ within N W w) by auto;
+    assert (Bd : 0 <= beta /\ within N beta (Map.B M)) by auto.
   specialize (Sm d0 (conj Hd0 (Rle_refl _))).
   pose proof (near_line M w e n V HM Hw He Ne HV K W eps0 d0 beta HK Wd Hd0 He0 Sm Bd) as Near.
   destruct (margin (fun k _ => across M V k - across M V n) n) as (g & Hg & Mg).
@@ -68,20 +88,7 @@ Proof.
     right; field; lra]).
   assert (D2 : l * d <= h * h) by (apply (Rle_trans _ (l * (h * h / l))); [apply Rmult_le_compat_l; lra | right; field;
     lra]). assert (Dd : d <= d0) by (assert (0 <= W * d) by (apply Rmult_le_pos; lra); lra).
-  assert (Orb : forall mu x, Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in 0 < y <= h /\ within (S
-    N) d0 (of w mu (x tt)) /\ solves y (of w mu (x tt)) /\ forall k, (0 < k < n)%nat -> 0 < hit k mu (x tt)).
-  { intros mu x Hmu Ho y; destruct (orbit_solution mu d x Ho) as (Hy & Hs & Hk); fold y in Hy, Hs;
-    destruct (Ho tt) as (Hx & _). split; [split; [exact Hy|]|split; [|auto]].
-    - destruct (Lip n (x tt) zero mu 0 d (Nat.le_refl n)) as [_ B]; rewrite ?Rminus_0_r, ?Rabs_R0; try lra; try (apply
-        within_zero; lra); [apply within_le with d; [lra | exact Hx] | intros i Hi; unfold minus, zero; rewrite
-        Rminus_0_r; apply Hx, Hi|].
-      apply (proj1 (solves_is M w e n y _ (Rlt_le _ _ Hy))) in Hs; rewrite point_of in Hs; destruct Hs as [Hs _]; change
-        (of w mu (x tt) O) with mu in Hs; rewrite Hs, (height_zero M w e HM Hw He n), Rminus_0_r, Rabs_Ropp, Rabs_pos_eq
-        in B by nra.
-      apply Rsqr_incr_0_var; unfold Rsqr; lra.
-    - apply within_S; unfold of; split; [cbn [rows]; lra|]; intros i Hi; unfold hat, rows, Rminus.
-      apply (Rle_trans _ (d + d * W)); [|lra]; apply triangle2; [apply Hx, Hi|].
-      rewrite Rabs_Ropp; apply Rabs_mult_le; [exact Hmu | apply Wb, Hi]. }
+  assert (Orb := fun mu x => Inside d0 d h mu x (conj Hd L4) D1 Hh D2).
   exists d; split; [exact Hd|]; constructor.
   - intros (k & Hk & Neg) mu x Hmu Ho; destruct (Orb mu x Hmu Ho) as (Hy & Hz & Hs & Pos); specialize (Pos k Hk).
     set (y := speed_of M n mu x) in *; destruct (Near0 y _ ltac:(lra) ltac:(lra) Hz Hs) as [_ B]; specialize (B k
