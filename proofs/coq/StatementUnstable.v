@@ -1,13 +1,11 @@
 (** * Statement: near grazing no periodic orbit with impacts is stable, if no C A^n B of its flights is 0; and
       what it means that a motion is unstable
 
-    The first is of smooth maps in any dimension, whatever the word; that the motions that are born are unstable
-    is part of [one] in [Headline], which has the definition at the end of this page. (35), (36): a small change of
-      the state after an
-    impact becomes one along B at the next, and is multiplied there by about - C A^n B / (2 y), n steps on, y
-    the small speed of the impact. No derivative is needed away from 0, where [smooth] asks for none. Read
-    [orbit_near] in [StatementOrbits], [finite] in [StatementOrbitsPeriodic] and [crossing] in
-    [StatementUniform] first. *)
+    The first is of smooth maps in any dimension, whatever the word. (35), (36): a small change of the state
+    after an impact becomes one along B at the next, and is multiplied there by about - C A^n B / (2 y), n steps
+    on, y the small speed of the impact. No derivative is needed away from 0, where [smooth] asks for none. The
+    second, at the end of this page, is for [one] in [Headline]: what is born is unstable. Read [orbit_near] in
+    [StatementOrbits], [finite] in [StatementOrbitsPeriodic] and [crossing] in [StatementUniform] first. *)
 
 From Coq Require Import Reals ZArith.
 From Grazing Require Import Defs StatementOrbits StatementOrbitsPeriodic StatementUniform.
