@@ -1,7 +1,7 @@
 (** * What follows from the five theorems of [Headline], worked out by hand: each of their clauses is used *)
 From Coq Require Import Reals ZArith List FunctionalExtensionality Lra Lia.
 From Grazing Require Import Defs Statement StatementWords StatementExamples StatementOrbits StatementOrbitsPlane
-  StatementOscillator Headline Farey.
+  StatementUnstable StatementOscillator StatementNonlinear Headline Farey.
 From Grazing Require Import StatementChaos.
 Import ListNotations.
 Open Scope R_scope.
@@ -21,13 +21,53 @@ Proof.
   intros eps He; destruct (W eps He) as (mu0 & Hm & W'); exists mu0; split; [exact Hm|]; intros n mu Hn.
   assert (U : forall i, (1 <= n i <= 2)%nat /\ u 1 (1 / 4) (n i) <> 0) by (intros i; destruct (Hn i) as [-> | ->];
     split; try lia; numbers).
-  split; [|split]; intros Hg Hmu; [apply (W' n Minus Plus mu U) | apply (W' n Minus Minus mu U) | intros E7;
-    apply (W' n Plus Plus mu U)]; try (cbn; lra).
+  split; [|split]; intros Hg Hmu; [apply (W' n Minus Plus mu U) | apply (W' n Minus Minus mu U) | intros E7; apply (W' n
+    Plus Plus mu U)]; try (cbn; lra).
   - intros i; split.
     + destruct (Hn i) as [-> | ->]; split; try numbers; intros k Hk; [lia|]; replace k with 1%nat by lia; numbers.
     + destruct (Hn i) as [-> | ->], (Hn (i + 1)%Z) as [-> | ->]; unfold edge; cbn [sgn]; numbers.
   - exists 0%Z; right; destruct (Hn 0%Z) as [-> | ->], (Hn (0 + 1)%Z) as [-> | ->]; cbn [sgn]; numbers.
   - exists 7%Z; left; exists 1%nat; rewrite E7; split; [lia | cbn [sgn]; numbers].
+Qed.
+(** None of them is stable, not even from some impact on: of oscillators and of maps. *)
+Definition stable_motion (leg : (Z -> R) -> (Z -> R -> R) -> (Z -> R -> R) -> Z -> Z -> Prop) t v : Prop := forall r,
+  0 < r -> exists j eps, 0 < eps /\ forall l t' y' v', (j < l)%Z ->
+  (forall i, (j <= i < l)%Z -> leg t' y' v' i (i + 1)%Z) -> Rabs (t' j - t j) <= eps -> Rabs (v' j (t' j) - v j (t j))
+    <=
+  eps -> Rabs (t' l - t l) <= r /\ Rabs (v' l (t' l) - v l (t l)) <= r.
+Lemma not_stable leg t v : unstable_motion leg t v -> ~ stable_motion leg t v.
+Proof.
+  intros (r & Hr & H) St; destruct (St r Hr) as (j & eps & He & K), (H j eps He) as (l & t' & y' & v' & L & Lg & [N1 N2]
+    & Out). apply Out, (K l t' y' v' L Lg N1 N2).
+Qed.
+Definition ones_and_twos (N : Z -> Z) : Prop := forall i, (N (i + 1) = N i + 1 \/ N (i + 1) = N i + 2)%Z.
+Lemma letters N : ones_and_twos N -> exists n, over_1_2 n /\ forall i, (N (i + 1) = N i + Z.of_nat (n i))%Z.
+Proof. intros H; exists (fun i => Z.to_nat (N (i + 1) - N i)%Z); split; intros i; destruct (H i); lia. Qed.
+Lemma Theorem_1_unstable : Theorem_1_statement -> forall gamma, gamma > 0 -> (forall O m, grazing O m 1 (1 / 4) gamma ->
+  exists mu0 d, mu0 > 0 /\ d > 0 /\ forall mu N t y v, - mu0 < mu < 0 -> ones_and_twos N -> motion O m mu d N t y v ->
+  ~ stable_motion (swing O m mu d N) t v) /\ (forall O, grazing_orbit O -> generic O 1 (1 / 4) gamma 1 ->
+  exists mu0 d, mu0 > 0 /\ d > 0 /\ forall mu N t y v, - mu0 < mu < 0 -> ones_and_twos N ->
+  nonlinear_motion O mu d N t y v -> ~ stable_motion (leg O mu d N) t v) /\ forall M w, planar M 1 (1 / 4) gamma 1 w ->
+  exists mu0 d, mu0 > 0 /\ d > 0 /\ forall mu n x, - mu0 < mu < 0 -> over_1_2 n -> orbit_near M Z (fun i => i + 1)%Z n
+    mu d
+  x -> exists r, 0 < r /\ forall eps, 0 < eps -> exists z i, within (Map.N M) eps (minus z (x 0%Z)) /\
+  ~ within (Map.N M) r (minus (Nat.iter i (step M mu) z) (Nat.iter i (step M mu) (x 0%Z))).
+Proof.
+  intros H gamma Hg; assert (T := fun S G => Theorem_1_numbers H S gamma G); assert (W : forall S, grazes S 1 (1 / 4)
+    gamma -> exists mu0 d, mu0 > 0 /\ d > 0 /\ forall mu n, - mu0 < e_mu S mu < 0 -> over_1_2 n -> one S mu d n).
+  { intros S HS; destruct (T S HS) as (d & Hd & K), (K d ltac:(lra)) as (mu0 & Hm & Q); exists mu0, d; repeat (split;
+    [lra|]).
+    intros mu n Hmu Hn; apply (Q n mu Hn); assumption. }
+  split; [|split].
+  - intros O m HO; destruct (W (Oscillates O m) HO) as (mu0 & d & Hm & Hd & Q); exists mu0, d; repeat (split; [lra|]).
+    intros mu N t y v Hmu HN HM; destruct (letters N HN) as (n & Hn & E); exact (not_stable _ _ _ (proj2 (Q mu n Hmu Hn
+      N E) t y v HM)).
+  - intros O HO HG; destruct (W (Moves O 1) (conj HO HG)) as (mu0 & d & Hm & Hd & Q); exists mu0, d; repeat (split;
+    [lra|]).
+    intros mu N t y v Hmu HN HM; destruct (letters N HN) as (n & Hn & E).
+    exact (not_stable _ _ _ (proj2 (Q mu n ltac:(cbn; lra) Hn N E) t y v HM)).
+  - intros M w HM; destruct (W (Steps M 1 w) HM) as (mu0 & d & Hm & Hd & Q); exists mu0, d; repeat (split; [lra|]).
+    intros mu n x Hmu Hn Hx; exact (proj2 (Q mu n ltac:(cbn; lra) Hn) x 0%Z Hx).
 Qed.
 (** What fails is a b_{n,k} with 1 <= k <= n - 1, or (64). *)
 Lemma breaks_by a1 a2 e g i j : breaks a1 a2 e g i j -> ~ sgn e * sgn g * (p a1 a2 j - q a1 a2 i) < 0 ->
@@ -63,16 +103,16 @@ Proof.
     { intros e E; destruct (U e) as (d & mu0 & Hd & Hm & T); [tauto|]; exists d, mu0.
       split; [exact Hd | split; [exact Hm|]]; intros mu N t y v Hmu HN; exact (T mu Hmu N t y v HN). }
     split; [apply N0; discriminate|]; split; [intros Hg; apply N0; lra|]; intros Hg.
-    destruct (B Hg) as (d & Hd & T); exists d; split; [exact Hd|]; intros eps He;
-      destruct (T eps He) as (mu0 & Hm & T').
+    destruct (B Hg) as (d & Hd & T); exists d; split; [exact Hd|]; intros eps He; destruct (T eps He) as (mu0 & Hm &
+      T').
     exists mu0; split; [exact Hm|]; intros mu N Hmu HN; apply (T' mu); [cbn; lra | exact HN].
   - intros M rate w HG; destruct (H (Steps M rate w) gamma HG) as [B U].
     assert (N0 : forall e, (e = Plus -> sgn g * gamma > 0 -> False) -> no_orbit_of M rate e n).
     { intros e E; destruct (U e) as (d & mu0 & Hd & Hm & T); [tauto|]; exists d, mu0.
       split; [exact Hd | split; [exact Hm|]]; intros mu x Hmu; exact (T mu Hmu x). }
     split; [apply N0; discriminate|]; split; [intros Hg; apply N0; lra|]; intros Hg.
-    destruct (B Hg) as (d & Hd & T); exists d; split; [exact Hd|]; intros eps He;
-      destruct (T eps He) as (mu0 & Hm & T').
+    destruct (B Hg) as (d & Hd & T); exists d; split; [exact Hd|]; intros eps He; destruct (T eps He) as (mu0 & Hm &
+      T').
     exists mu0; split; [exact Hm|]; intros mu Hmu; apply (T' mu); cbn; lra.
 Qed.
 (** Between two stops n counts half periods: with n = 1 the second impact is half a period after the first. *)
@@ -166,8 +206,8 @@ Qed.
 Lemma bullet_3 : Conjecture_1_statement -> exists Rad, above_graph 3 1 Minus (1 / 3) (1 / 2) Rad /\
   tends_up Rad (1 / 3) (1 / 2) (1 / 3).
 Proof.
-  intros C; destruct (leftmost_area _ _ (C 3%nat ltac:(lia))) as ((Rad & A & T) & _); [exists 1%nat; reflexivity|];
-    cbn [Nat.sub] in A; exists Rad.
+  intros C; destruct (leftmost_area _ _ (C 3%nat ltac:(lia))) as ((Rad & A & T) & _); [exists 1%nat; reflexivity|]; cbn
+    [Nat.sub] in A; exists Rad.
   replace ((INR 3 - 1) / (2 * INR 3)) with (1 / 3) in * by (simpl; field); split; [apply area_above, A | apply tends_1,
     T].
 Qed.
@@ -201,11 +241,11 @@ Qed.
 Lemma bullets_4_5 : Conjecture_1_statement -> extends 8 5 Plus (1 / 3) (3 / 8) /\ extends 8 3 Minus (3 / 8) (2 / 5) /\
   extends 4 1 Minus (1 / 4) (1 / 3).
 Proof.
-  intros C; pose proof (left_areas _ _ (C 8%nat ltac:(lia))) as H4; pose proof (right_areas _ _ (C 8%nat ltac:(lia)))
-    as H5.
+  intros C; pose proof (left_areas _ _ (C 8%nat ltac:(lia))) as H4; pose proof (right_areas _ _ (C 8%nat ltac:(lia))) as
+    H5.
   pose proof (right_areas _ _ (C 4%nat ltac:(lia))) as H.
-  set (F := Build_Farey 3 8 1 3 2 5 ltac:(unfold neighbours; lia));
-    set (G := Build_Farey 1 4 0 1 1 3 ltac:(unfold neighbours; lia)).
+  set (F := Build_Farey 3 8 1 3 2 5 ltac:(unfold neighbours; lia)); set (G := Build_Farey 1 4 0 1 1 3 ltac:(unfold
+    neighbours; lia)).
   specialize (H4 3%nat F ltac:(lia) ltac:(cbn; lia)); specialize (H5 3%nat F ltac:(lia) ltac:(cbn; lia)).
   specialize (H 1%nat G ltac:(lia) ltac:(cbn; lia)); cbn [F G m_plus n_plus m_minus n_minus Nat.sub] in *.
   replace (INR 3) with 3 in * by (simpl; lra); replace (INR 8) with 8 in * by (simpl; lra).
@@ -221,27 +261,27 @@ Lemma no_other : Conjecture_1_statement -> (forall e g lo hi, interval 4 e g lo 
   never (2 * r * cos (2 * PI * s)) (r ^ 2) 4) /\ forall n a1 a2, (2 <= n)%nat -> 0 < a2 < 1 -> - (a2 + 1) < a1 <= - 2
   * sqrt a2 -> never a1 a2 (2 * n).
 Proof.
-  assert (X : forall (e e' g g' : sign) (x x' y y' : R), (e, g, x, y) = (e', g', x', y') -> e = e' /\ g = g' /\
-    x = x' /\ y = y') by (intros e e' g g' x x' y y' E; injection E; auto).
+  assert (X : forall (e e' g g' : sign) (x x' y y' : R), (e, g, x, y) = (e', g', x', y') -> e = e' /\ g = g' /\ x = x'
+    /\ y = y') by (intros e e' g g' x x' y y' E; injection E; auto).
   assert (Y : forall (e g : sign) (x x' y y' : R), x = x' -> y = y' -> (e, g, x, y) = (e, g, x', y')) by congruence.
   intros C; split; [|split; [|split]].
   - intros e g lo hi HI; pose proof (no_others _ _ (C 4%nat ltac:(lia))) as H.
     destruct (H e g lo hi HI) as [E|[E|[[[k O] _]|(m & F & Hm & [[Hp E]|[Hq E]])]]]; [left | right; left | lia | |
-      right; right]; [| |assert (m = 1%nat) as -> by lia; destruct (of_4 F) as (Z & _); lia|assert (m = 1%nat) as ->
-      by lia; destruct (of_4 F) as (_ & _ & Em & En); rewrite Em, En in E]; apply X in E;
-      destruct E as (-> & -> & -> & ->); apply Y; simpl; field.
+      right; right]; [| |assert (m = 1%nat) as -> by lia; destruct (of_4 F) as (Z & _); lia|assert (m = 1%nat) as -> by
+      lia; destruct (of_4 F) as (_ & _ & Em & En); rewrite Em, En in E]; apply X in E; destruct E as (-> & -> & -> &
+      ->); apply Y; simpl; field.
   - intros e g lo hi HI; pose proof (no_others _ _ (C 5%nat ltac:(lia))) as H.
-    assert (F5 : forall m, (0 < 2 * m < 5)%nat -> forall F : Farey m 5, m = 1%nat /\ m_plus F = 0%nat /\
-      m_minus F = 1%nat /\ n_minus F = 4%nat \/ m = 2%nat /\ m_plus F = 1%nat /\ n_plus F = 3%nat /\
-      m_minus F = 1%nat /\ n_minus F = 2%nat).
+    assert (F5 : forall m, (0 < 2 * m < 5)%nat -> forall F : Farey m 5, m = 1%nat /\ m_plus F = 0%nat /\ m_minus F =
+      1%nat /\ n_minus F = 4%nat \/ m = 2%nat /\ m_plus F = 1%nat /\ n_plus F = 3%nat /\ m_minus F = 1%nat /\ n_minus F
+      = 2%nat).
     { intros m Hm [mp np mm nm HF]; unfold neighbours in HF; cbn [m_plus n_plus m_minus n_minus].
       assert (m = 1 \/ m = 2)%nat as [-> | ->] by lia; [left | right]; lia. }
     destruct (H e g lo hi HI) as [E|[E|[[_ E]|(m & F & Hm & [[Hp E]|[Hq E]])]]]; [left | right; left | right; right;
-      right; right | right; right; right; left | right; right; left];
-      try (destruct (F5 m Hm F) as [(-> & E1 & E2 & E3)|(-> & E1 & E2 & E3 & E4)]; [try lia | try lia]); try rewrite E1,
-      E2 in E; try rewrite E2, E3 in E; apply X in E; destruct E as (-> & -> & -> & ->); apply Y; simpl; field.
-  - intros r s Hr Hs Hu; apply (none_in_3 _ _ (C 4%nat ltac:(lia)) r s Hr ltac:(lra) Hu); intros e g lo hi HI L;
-      pose proof (interval_4 e g lo hi HI); lra.
+      right; right | right; right; right; left | right; right; left]; try (destruct (F5 m Hm F) as [(-> & E1 & E2 &
+      E3)|(-> & E1 & E2 & E3 & E4)]; [try lia | try lia]); try rewrite E1, E2 in E; try rewrite E2, E3 in E; apply X in
+      E; destruct E as (-> & -> & -> & ->); apply Y; simpl; field.
+  - intros r s Hr Hs Hu; apply (none_in_3 _ _ (C 4%nat ltac:(lia)) r s Hr ltac:(lra) Hu); intros e g lo hi HI L; pose
+      proof (interval_4 e g lo hi HI); lra.
   - intros n a1 a2 Hn H2 H1; apply (none_in_4 _ _ (C (2 * n)%nat ltac:(lia))); trivial; exists n; reflexivity.
 Qed.
 
@@ -275,9 +315,8 @@ Proof.
   intros mu Hmu; split; intros Hg; split.
   - destruct (T2 (fun i => if Z.even i then (2, U) else (3, U))%nat Plus mu) as [E _]; [intros i; destruct (Z.even i);
       cbn; tauto | cbn [sgn]; lra | exact Hmu|].
-    replace (fun i => if Z.even i then 2%nat else 3%nat)
-      with (fun i => fst (if Z.even i then (2%nat, U) else (3%nat, U))) by (apply functional_extensionality; intros i;
-      destruct (Z.even i); reflexivity).
+    replace (fun i => if Z.even i then 2%nat else 3%nat) with (fun i => fst (if Z.even i then (2%nat, U) else (3%nat,
+      U))) by (apply functional_extensionality; intros i; destruct (Z.even i); reflexivity).
     apply E; intros i; destruct (Z.even i), (Z.even (i + 1)); reflexivity.
   - apply (T2 (fun _ => (1, D))%nat Plus mu); [intros i; cbn; tauto | cbn [sgn]; lra | exact Hmu|].
     exists 0%Z; cbn; discriminate.
@@ -306,7 +345,7 @@ Lemma Chaos_numbers : Headline.Chaos_statement -> forall mu N, mu > 0 -> one_or_
   y i x = y' i x /\ v i x = v' i x.
 Proof.
   intros H mu N Hmu HN; destruct (H mu N Hmu HN) as (t0 & y0 & v0 & M & B & U); split; [exists t0, y0, v0; auto|].
-  intros t y v t' y' v' M1 M2 B1 B2 i x; destruct (U _ _ _ M1 B1 i x) as (-> & -> & ->), (U _ _ _ M2 B2 i x)
-    as (-> & -> & ->).
+  intros t y v t' y' v' M1 M2 B1 B2 i x; destruct (U _ _ _ M1 B1 i x) as (-> & -> & ->), (U _ _ _ M2 B2 i x) as (-> & ->
+    & ->).
   auto.
 Qed.

@@ -29,8 +29,8 @@ Qed.
 Notation paper := (Nordmark 0).
 Lemma any_paper d w tau : any_stop (Nordmark d w tau).
 Proof.
-  constructor; [exact (period _ (Nordmark_touching d w tau)) | exact (slope _ (Nordmark_touching d w tau)) |
-    exact (bend _ (Nordmark_touching d w tau))].
+  constructor; [exact (period _ (Nordmark_touching d w tau)) | exact (slope _ (Nordmark_touching d w tau)) | exact (bend
+    _ (Nordmark_touching d w tau))].
 Qed.
 Lemma omega_is d w tau o : 0 < w -> 0 < o -> o ^ 2 = (1 - d ^ 2) / w ^ 2 -> omega (Nordmark d w tau) = o.
 Proof.
@@ -51,8 +51,8 @@ Proof.
 Qed.
 Lemma q_undamped w tau n m : 0 < w -> q (paper w tau) n m = (-1) ^ m.
 Proof.
-  intros Hw; unfold q; cbn [Nordmark Oscillator.c]; replace (- PI * _ * INR n) with 0 by (field; lra);
-    rewrite exp_0; ring.
+  intros Hw; unfold q; cbn [Nordmark Oscillator.c]; replace (- PI * _ * INR n) with 0 by (field; lra); rewrite exp_0;
+    ring.
 Qed.
 Lemma is_six tau : 0 <= tau <= 1 -> resonant (paper 6 tau) 3 1 /\ q (paper 6 tau) 3 1 = -1.
 Proof.
@@ -85,21 +85,21 @@ Lemma period_3 : Exact_statement -> forall nu d, 0 < nu ->
 Proof.
   intros S nu d Hnu; destruct (is_six (1 / 2) ltac:(lra)) as [HR Eq].
   assert (HN : regular (paper 6 (1 / 2)) 3 1) by (apply is_regular; cbn; lra).
-  destruct (S _ 3%nat 1%nat (- nu) d (any_paper 0 6 (1 / 2)) HR) as [Iff Arc _ _]; specialize (Iff HN);
-    specialize (Arc HN). assert (Eo : omega (paper 6 (1 / 2)) = 1 / 6) by (apply (omega_is 0 6 (1 / 2)); lra).
-  assert (Ea : forall t0 s, arc (paper 6 (1 / 2)) (after (paper 6 (1 / 2)) 3 1 (- nu) t0) s = - 18 * (1 + nu) * sin
-    t0 * sin (s / 6)).
+  destruct (S _ 3%nat 1%nat (- nu) d (any_paper 0 6 (1 / 2)) HR) as [Iff Arc _ _]; specialize (Iff HN); specialize (Arc
+    HN). assert (Eo : omega (paper 6 (1 / 2)) = 1 / 6) by (apply (omega_is 0 6 (1 / 2)); lra).
+  assert (Ea : forall t0 s, arc (paper 6 (1 / 2)) (after (paper 6 (1 / 2)) 3 1 (- nu) t0) s = - 18 * (1 + nu) * sin t0 *
+    sin (s / 6)).
   { intros t0 s; unfold arc, after; rewrite Eq, Eo, (proj2 (stop_is 0 6 (1 / 2) nu t0)); cbn [Nordmark Oscillator.c
       Oscillator.tau]; replace (- (2 * 0 / 6) / 2 * s) with 0 by field; rewrite exp_0.
     replace (1 / 6 * s) with (s / 6) by field; field. } split.
-  - intros t y v H V; destruct (proj1 (Iff (t 0%Z)) (ex_intro _ t (ex_intro _ y (ex_intro _ v (conj H eq_refl)))))
-      as (_ & Z & P & _); rewrite (proj1 (stop_is _ _ _ _ _)) in Z; rewrite (proj2 (stop_is _ _ _ _ _)) in P.
+  - intros t y v H V; destruct (proj1 (Iff (t 0%Z)) (ex_intro _ t (ex_intro _ y (ex_intro _ v (conj H eq_refl))))) as (_
+      & Z & P & _); rewrite (proj1 (stop_is _ _ _ _ _)) in Z; rewrite (proj2 (stop_is _ _ _ _ _)) in P.
     destruct (Arc t y v H 4%Z) as [EV Ey]; change (4 + 1)%Z with 5%Z in EV; fold V in EV.
     rewrite Eq, (proj2 (stop_is _ _ _ _ _)) in EV; cbn [Nordmark Oscillator.tau] in EV.
     assert (EV' : V = 4 * (1 + nu) * sin (t 0%Z)) by (rewrite EV; field).
     assert (C : (1 + nu) * cos (t 0%Z) = 1) by lra; pose proof (sin2_cos2 (t 0%Z)) as T; unfold Rsqr in T.
-    split; [apply (Rmult_eq_reg_l (1 + nu)); [rewrite C; field|]; lra|]; split; [nra|]; split; [|split;
-      [rewrite EV'; nra|]].
+    split; [apply (Rmult_eq_reg_l (1 + nu)); [rewrite C; field|]; lra|]; split; [nra|]; split; [|split; [rewrite EV';
+      nra|]].
     + rewrite EV'; set (c := cos (t 0%Z)) in *; set (s := sin (t 0%Z)) in *.
       transitivity (16 * ((1 + nu) ^ 2 * (s * s + c * c) - ((1 + nu) * c) ^ 2)); [ring | rewrite T, C; ring].
     + rewrite Ey, Ea; reflexivity.
@@ -129,8 +129,8 @@ Lemma half : Multipliers_statement -> forall nu d t y v, once (paper 6 (1 / 2)) 
   exists r, 0 < r /\ forall z', norm (sub z' z) <= r -> next_impact (paper 6 (1 / 2)) 3 (- nu) z' (F z').
 Proof.
   intros S nu d t y v H z; destruct (is_six (1 / 2) ltac:(lra)) as [HR Eq].
-  destruct (S _ 3%nat 1%nat (- nu) d t y v (any_paper 0 6 (1 / 2)) HR) as (F & e & [N Fx D]); [apply is_regular;
-    cbn; lra | cbn; lra | exact H|]. exists F, e; split; [exact Fx|]; split; [|exact N].
+  destruct (S _ 3%nat 1%nat (- nu) d t y v (any_paper 0 6 (1 / 2)) HR) as (F & e & [N Fx D]); [apply is_regular; cbn;
+    lra | cbn; lra | exact H|]. exists F, e; split; [exact Fx|]; split; [|exact N].
   rewrite Eq in D; cbn [Nordmark Oscillator.tau] in D; replace (- (1 / 2) * -1) with (1 / 2) in D by field; exact D.
 Qed.
 Lemma attracts : Stable_statement -> forall nu t y v, once (paper 6 (1 / 2)) 3 (- nu) 1 t y v ->
@@ -143,8 +143,8 @@ Lemma attracts : Stable_statement -> forall nu t y v, once (paper 6 (1 / 2)) 3 (
   t2 7%Z = t' 7%Z /\ y2 7%Z 1 = y' 7%Z 1 /\ v2 7%Z 1 = v' 7%Z 1.
 Proof.
   intros S nu t y v H; destruct (is_six (1 / 2) ltac:(lra)) as [HR Eq].
-  destruct (S _ 3%nat 1%nat (- nu) 1 t y v (any_paper 0 6 (1 / 2)) HR) with (eps := 1) as (delta & Hd & A);
-    [apply is_regular; cbn; lra | cbn; lra | exact H | lra|]. exists delta; split; [exact Hd|]; intros s w Hs Hw.
+  destruct (S _ 3%nat 1%nat (- nu) 1 t y v (any_paper 0 6 (1 / 2)) HR) with (eps := 1) as (delta & Hd & A); [apply
+    is_regular; cbn; lra | cbn; lra | exact H | lra|]. exists delta; split; [exact Hd|]; intros s w Hs Hw.
   destruct (A s w) as (t' & y' & v' & Fw & E1 & E2 & Nr & Cv & Un); [apply Rabs_le; lra | apply Rabs_le; lra|].
   exists t', y', v'; replace (1 + 1) with 2 in Fw by ring; split; [exact Fw|]; split; [exact E1|]; split; [exact E2|].
   destruct (Nr 7%Z ltac:(lia)) as [N1 N2]; split; [apply le_abs in N1; lra|]; split; [exact N2|]; split.
@@ -172,9 +172,8 @@ Lemma not_births : Birth_statement -> forall w m, (w = 3 /\ m = 2%nat \/ w = 3 /
   exists mu0, 0 < mu0 /\ forall nu, 0 < nu < mu0 -> forall d t y v, ~ once (paper w (1 / 2)) 3 (- nu) d t y v.
 Proof.
   intros S w m Hw; assert (HR : resonant (paper w (1 / 2)) 3 m).
-  { destruct Hw as [[-> ->]|[[-> ->]|[-> ->]]];
-      [apply (at_resonance 0 3 (1 / 2) (1 / 3)) | apply (at_resonance 0 (3 / 2) (1 / 2) (2 / 3)) |
-       apply (at_resonance 0 (6 / 5) (1 / 2) (5 / 6))]; cbn [INR]; try lra; lia. }
+  { destruct Hw as [[-> ->]|[[-> ->]|[-> ->]]]; [apply (at_resonance 0 3 (1 / 2) (1 / 3)) | apply (at_resonance 0 (3 /
+      2) (1 / 2) (2 / 3)) | apply (at_resonance 0 (6 / 5) (1 / 2) (5 / 6))]; cbn [INR]; try lra; lia. }
   destruct (S _ 3%nat m (Nordmark_touching 0 w (1 / 2)) HR 1 ltac:(lra)) as (mu0 & M0 & B).
   exists mu0; split; [exact M0|]; intros nu Hnu; destruct (B nu Hnu) as [_ _ No]; apply No; intros [_ [N|N]]; [lia|].
   destruct Hw as [[_ ->]|[[_ ->]|[_ ->]]]; discriminate.
@@ -187,8 +186,8 @@ Proof.
   intros S; split.
   - assert (HR : resonant (Nordmark (3 / 5) (4 / 5) (1 / 2)) 1 2).
     { apply (at_resonance (3 / 5) (4 / 5) (1 / 2) 1); cbn [INR]; try lra; lia. }
-    destruct (S _ 1%nat 2%nat (Nordmark_touching _ _ _) HR 1 ltac:(lra)) as (mu0 & M0 & B); exists mu0; split;
-      [exact M0|].
+    destruct (S _ 1%nat 2%nat (Nordmark_touching _ _ _) HR 1 ltac:(lra)) as (mu0 & M0 & B); exists mu0; split; [exact
+      M0|].
     intros nu Hnu; destruct (B nu Hnu) as [_ One _]; destruct One as (t & y & v & H & _); [|exists t, y, v; exact H].
     assert (E : 0 < q (Nordmark (3 / 5) (4 / 5) (1 / 2)) 1 2 < 1).
     { unfold q; cbn [Nordmark Oscillator.c INR]; replace (_ * exp _) with (exp (- (3 / 2 * PI))).
@@ -216,8 +215,8 @@ Lemma curve_2 : Curve_statement -> forall M w V rate, smooth M -> (forall i, (i 
    Rabs (mu + across M V 2 / rate * speed_of M 2 mu x) <= 1 / 10 * speed_of M 2 mu x /\ forall i, (i < Map.N M)%nat ->
    Rabs (x tt i - mu * w i - speed_of M 2 mu x * V i) <= 1 / 10 * speed_of M 2 mu x.
 Proof.
-  intros S M w V rate HM Hw He Ne HD HV; destruct (S M w V rate 2%nat HM Hw He Ne ltac:(lia) HD HV) as (d & Hd & [No
-    One Sl]). exists d; split; [exact Hd|]; split; [|split].
+  intros S M w V rate HM Hw He Ne HD HV; destruct (S M w V rate 2%nat HM Hw He Ne ltac:(lia) HD HV) as (d & Hd & [No One
+    Sl]). exists d; split; [exact Hd|]; split; [|split].
   - intros L mu x Hmu; apply No; [exists 1%nat; split; [lia | exact L] | apply Rabs_le, Hmu].
   - intros L; destruct One as (r & Hr & H); [intros k Hk; replace k with 1%nat by lia; exact L|]; exists r; split;
     [exact Hr|].
@@ -238,20 +237,106 @@ Proof.
   - destruct (S M (1 / 2) (1 / 4) 4%nat 2%nat gamma rate w) as (V & d & Hd & _ & _ & _ & No); cbn [INR]; try lra;
     try lia; [exact H|]; exists d; split; [exact Hd|]; intros mu x Hm; apply No; [left; lia | apply Rabs_le, Hm].
   - destruct (S M (1 / 2) (1 / 8) 4%nat 1%nat gamma rate w) as (V & d & Hd & _ & _ & _ & No); cbn [INR]; try lra;
-    try lia;
-      [exact H|]; exists d; split; [exact Hd|]; intros mu x Hm; apply No; [right; exact Hg | apply Rabs_le, Hm].
+    try lia; [exact H|]; exists d; split; [exact Hd|]; intros mu x Hm; apply No; [right; exact Hg | apply Rabs_le, Hm].
 Qed.
 Lemma one_each : Plane_statement -> forall M gamma rate w, planar M (trace (1 / 2) (1 / 8)) ((1 / 2) ^ 2) gamma rate
   w ->
   0 < gamma -> exists d r, 0 < d /\ 0 < r /\ forall y, 0 < y < r -> exists mu x, single M 4 mu d x /\
   speed_of M 4 mu x = y /\ Rabs mu <= 1 / 1000 * y.
 Proof.
-  intros S M gamma rate w H Hg; destruct (S M (1 / 2) (1 / 8) 4%nat 1%nat gamma rate w) as (V & d & Hd & [_ One Sl] &
-    Z & Pos & _); cbn [INR]; try lra; try lia; [exact H|].
+  intros S M gamma rate w H Hg; destruct (S M (1 / 2) (1 / 8) 4%nat 1%nat gamma rate w) as (V & d & Hd & [_ One Sl] & Z
+    & Pos & _); cbn [INR]; try lra; try lia; [exact H|].
   destruct One as (r & Hr & H1); [intros k Hk; rewrite Z; apply Pos; [reflexivity | exact Hg | exact Hk]|].
   destruct (Sl (1 / 1000) ltac:(lra)) as (r' & Hr' & H2).
   exists d, (Rmin r r'); split; [exact Hd|]; split; [apply Rmin_glb_lt; assumption|]; intros y [Y1 Y2].
   pose proof (Rmin_l r r'); pose proof (Rmin_r r r'); destruct (H1 y ltac:(lra)) as (mu & x & Hmu & Ho & Ey & _).
   exists mu, x; split; [exact Ho|]; split; [exact Ey|]; destruct (H2 mu x Hmu Ho) as [B _]; [lra|].
   rewrite Z, Ey in B; replace (mu + 0 / rate * y) with mu in B; [exact B | unfold Rdiv; ring].
+Qed.
+
+(** The map x -> mu + c x^2 + mu x of the line with the height x and the kick y has slope 0, V = 1, U = c and K = - (1
+  + c):
+    the sign of 1 + c says on which side its fixed points with an impact are, one for each mu. *)
+Definition parabola (c : R) : Map.t := Map.Build_t 1 (fun x mu _ => mu + c * x 0%nat ^ 2 + mu * x 0%nat) (fun x _ => x
+  0%nat)
+  (fun _ _ _ _ => 1) (fun _ _ => 0) (fun _ => 1) (fun _ => 1) 0 (fun _ => 1).
+Lemma difference c d x x' t : Rabs (x + x') <= d -> Rabs (x - x') <= t -> Rabs (c * (x ^ 2 - x' ^ 2)) <= Rabs c * d * t.
+Proof.
+  intros H H'; replace (c * (x ^ 2 - x' ^ 2)) with (c * (x + x') * (x - x')) by ring; rewrite !Rabs_mult.
+  pose proof (Rabs_pos (x + x')); pose proof (Rabs_pos (x - x')); pose proof (Rabs_pos c); apply Rmult_le_compat;
+    trivial; [apply Rmult_le_pos; trivial | apply Rmult_le_compat_l; trivial].
+Qed.
+Lemma parabola_smooth c : smooth (parabola c).
+Proof.
+  split; [|split]; [intros i _ | | intros e He; exists 1; split; [lra|]; intros x x' y y' mu mu' t i _ _ _ _ _ _ _ _ Ht
+    _]; [| |cbn; rewrite !Rmult_1_l, Rmult_1_r, Rminus_eq_0, Rabs_R0; pose proof (Rabs_pos (y - y')); apply
+    Rmult_le_pos; lra].
+  - split; [cbn; unfold zero; ring|]; intros e He; pose proof (Rabs_pos c); exists (e / (2 * (Rabs c + 1))).
+    assert (D : 0 < e / (2 * (Rabs c + 1))) by (apply Rdiv_lt_0_compat; lra); set (d := e / _) in *; split; [exact D|].
+    intros x x' mu mu' t X X' Mu _ Ht Mt; specialize (X 0%nat ltac:(cbn; lia)); specialize (X' 0%nat ltac:(cbn; lia)).
+    specialize (Ht 0%nat ltac:(cbn; lia)); unfold minus in Ht; cbn [Map.f parabola Map.A Map.phi Map.N dot].
+    set (a := x 0%nat) in *; set (a' := x' 0%nat) in *; match goal with |- Rabs ?g <= _ => replace g with (c * (a ^ 2 -
+      a' ^ 2) + (mu * (a - a') + (mu - mu') * a')) by (unfold minus; fold a a'; ring) end.
+    assert (E : (Rabs c + 1) * (2 * d) = e) by (unfold d; field; lra); pose proof (product _ _ _ _ Mu Ht) as P1; pose
+      proof (product _ _ _ _ Mt X') as P2. assert (P0 : Rabs (c * (a ^ 2 - a' ^ 2)) <= Rabs c * (2 * d) * t) by (apply
+      difference; [eapply Rle_trans; [apply Rabs_triang | lra] | exact Ht]).
+    eapply Rle_trans; [apply Rabs_triang|]; pose proof (Rabs_triang (mu * (a - a')) ((mu - mu') * a')); rewrite <- E;
+      lra.
+  - split; [reflexivity|]; intros e He; exists 1; split; [lra|]; intros x x' mu mu' t _ _ _ _ Ht _; cbn; unfold minus.
+    match goal with |- Rabs ?g <= _ => replace g with 0 by ring end; rewrite Rabs_R0; apply Rmult_le_pos; [lra|].
+    eapply Rle_trans; [apply Rabs_pos | apply (Ht 0%nat); cbn; lia].
+Qed.
+Lemma parabola_bends c k : bends 1 (fun _ => 1) (fun y mu x => mu + c * x 0%nat ^ 2 + mu * x 0%nat + k * y) (fun y mu
+  _ => mu + k *
+  y) c.
+Proof.
+  intros e He; pose proof (Rabs_pos c); destruct (two_least 1 (e / (3 * (Rabs c + 1)))) as (r & Hr & L1 & L2); [lra |
+    apply Rdiv_lt_0_compat; lra|]. exists r; split; [exact Hr|]; intros y mu x y' mu' x' Hy Hy' [_ X] [M' X'] [MM XX].
+  specialize (X 0%nat ltac:(lia)); specialize (X' 0%nat ltac:(lia)); specialize (XX 0%nat ltac:(lia)); cbv beta in *.
+  unfold minus in XX; rewrite Rmult_1_r in X, X', XX; rewrite (Rabs_pos_eq y) in X by lra; rewrite (Rabs_pos_eq y') in
+    X', M' by lra; set (a := x 0%nat) in *; set (a' := x' 0%nat) in *; set (s := Rabs (y - y')) in *.
+  assert (Hs : 0 <= s) by apply Rabs_pos; assert (Sy : Rabs (a + a' - (y + y')) <= r * (y + y')) by (replace (a + a' -
+    (y + y')) with ((a - y) + (a' - y')) by ring; eapply Rle_trans; [apply Rabs_triang | lra]).
+  assert (Up : forall z q, 0 <= q -> Rabs (z - q) <= r * q -> Rabs z <= 2 * q) by (intros z q Hq Hz; apply from in Hz;
+    rewrite (Rabs_pos_eq q) in Hz by lra; assert (r * q <= 1 * q) by (apply Rmult_le_compat_r; lra); lra).
+  pose proof (product _ _ _ _ (Up _ (y + y') ltac:(lra) Sy) XX) as P1; pose proof (product _ _ _ _ Sy (Rle_refl s)) as
+    P2.
+  fold s in P2; pose proof (product _ _ _ _ MM (Up _ y ltac:(lra) X)) as P3; assert (Sa : Rabs (a - a') <= 2 * s) by
+    (apply from in XX; fold s in XX; assert (r * s <= 1 * s) by (apply Rmult_le_compat_r; lra); lra).
+  pose proof (product _ _ _ _ M' Sa) as P4; set (p := (a + a') * (a - a' - (y - y')) + (a + a' - (y + y')) * (y - y')).
+  assert (Pp : Rabs (c * p) <= Rabs c * (3 * (r * (y + y') * s))) by (rewrite Rabs_mult; apply Rmult_le_compat_l;
+    [lra|]; eapply Rle_trans; [apply Rabs_triang | lra]).
+  match goal with |- Rabs ?g <= _ => replace g with (c * p + ((mu - mu') * a + mu' * (a - a'))) by (unfold p, minus;
+    ring) end. pose proof (Rabs_triang ((mu - mu') * a) (mu' * (a - a'))); eapply Rle_trans; [apply Rabs_triang|].
+  assert (E : (Rabs c + 1) * (3 * r) <= e) by (apply (Rmult_le_compat_l (3 * (Rabs c + 1))) in L2; [|lra]; replace (3 *
+    (Rabs c + 1) * (e / (3 * (Rabs c + 1)))) with e in L2 by (field; lra); lra).
+  assert (S0 : 0 <= (y + y') * s) by (apply Rmult_le_pos; lra); apply (Rmult_le_compat_r _ _ _ S0) in E.
+  assert (0 <= r * ((y + y') * s)) by (apply Rmult_le_pos; lra); lra.
+Qed.
+Lemma parabola_side c : Side_statement -> 1 + c <> 0 -> exists d mu0, 0 < d /\ 0 < mu0 /\ forall mu, - mu0 < mu < mu0 ->
+  (0 < - (1 + c) * mu -> exists x, single (parabola c) 1 mu d x /\ forall x', single (parabola c) 1 mu d x' ->
+   x' tt 0%nat = x tt 0%nat) /\ (- (1 + c) * mu <= 0 -> forall x, ~ single (parabola c) 1 mu d x).
+Proof.
+  intros S Nc; destruct (S (parabola c) (fun _ => 1) (fun _ => 1) (fun _ => c) 1 1%nat c (fun _ => c)) as (d & mu0 & Hd
+    & Hm & H); cbn [Map.N Map.A Map.C Map.B Map.phi Map.eta parabola].
+  - apply parabola_smooth.
+  - intros i _; unfold mult; cbn; ring.
+  - cbn; ring.
+  - lra.
+  - lia.
+  - intros x Hx i Hi; rewrite (Hx i Hi); unfold power, mult; cbn; ring.
+  - intros i _; unfold power, mult; cbn; split; ring.
+  - constructor; [|intros i Hi]; intros e He; [destruct (parabola_bends c 0 e He) as (r & Hr & B) | destruct
+    (parabola_bends c 1 e He) as (r & Hr & B)]; exists r; (split; [exact Hr|]); intros y mu x y' mu' x' Hy Hy' X X' XX;
+      specialize (B y mu x y' mu' x' Hy Hy' X X' XX); unfold across, power, mult; cbn in B |- *; match goal with |- Rabs
+      ?g <= _ => match type of B with Rabs ?h <= _ => replace g with h by ring; exact B end end.
+  - unfold across, power, mult; cbn; ring.
+  - intros k Hk; lia.
+  - unfold across, power, mult; cbn; intros E; apply Nc; lra.
+  - exists d, mu0; split; [exact Hd | split; [exact Hm|]]; intros mu Hmu; destruct (H mu) as [A B]; [apply Rabs_def1;
+    lra|].
+    assert (E : - (1 + c + across (parabola c) (fun _ => c) 1) / 1 = - (1 + c)) by (unfold across, power, mult; cbn;
+      field).
+    rewrite E in A, B; split; [|exact B]; intros P; destruct (A P) as (x & X & Only); exists x; split; [exact X|].
+    intros x' X'; apply (Only x' X' 0%nat); cbn; lia.
 Qed.

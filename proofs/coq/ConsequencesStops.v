@@ -2,6 +2,7 @@
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs StatementOscillator StatementNonlinear StatementStops StatementNonlinearExamples
   Headline Derivatives ConsequencesSystems.
+From Grazing Require ConsequencesHeadline.
 Import Stops.
 Open Scope R_scope.
 
@@ -27,13 +28,13 @@ Proof.
   intros [[A1 A2] B C D E F G (L0 & L1 & L2) (r & f1 & f2 & f3 & f4 & Hr & Ev & K)]; cbn [sgn] in E.
   split; [split; [lra|]; intros t z k q u mu; destruct (A2 t) as (X & Y & Z); destruct (Z z k q u mu) as (Z1 & Z2 & Z3);
     repeat split; assumption|]. split; [exact B|]; split; [exact C|]; split; [|split; [lra | split; [|split;
-      [|split]]]].
+    [|split]]]].
   - intros t Ht; pose proof (D t Plus Ht ltac:(intros [_ X]; discriminate)) as X; unfold off in X; cbn in X; split;
     [lra|]. intros Ne; pose proof (D t Minus Ht ltac:(intros [Y _]; exact (Ne Y))) as Y; unfold off in Y; cbn in Y; lra.
   - destruct F as (q & Hq & [F1 F2 F3 F4 (F5 & F6 & F7 & F8)]); exists q; split; [exact Hq|].
-    assert (In : forall t y v mu, q0 P t - q <= y <= q0 P t + q /\ u0 P t - q <= v <= u0 P t + q /\ Rabs mu <= q ->
-      Rabs (y - q0 P t) <= q /\ Rabs (v - u0 P t) <= q /\ Rabs mu <= q) by (intros t y v mu (X & Y & Z); repeat split;
-      [apply Rabs_le; lra | apply Rabs_le; lra | exact Z]).
+    assert (In : forall t y v mu, q0 P t - q <= y <= q0 P t + q /\ u0 P t - q <= v <= u0 P t + q /\ Rabs mu <= q -> Rabs
+      (y - q0 P t) <= q /\ Rabs (v - u0 P t) <= q /\ Rabs mu <= q) by (intros t y v mu (X & Y & Z); repeat split; [apply
+      Rabs_le; lra | apply Rabs_le; lra | exact Z]).
     constructor; [intros; auto .. | repeat split; intros t y v mu HD; auto].
   - destruct G as (q & Hq & G); exists q; split; [exact Hq|]; intros z t mu Hm; split.
     + apply (in_t _ _ _ _ _ _ (G z 2%nat ltac:(lia)) t 0 0 mu), Rabs_le, Hm.
@@ -64,8 +65,8 @@ Proof.
   intros H; destruct (H 0%Z 1%Z eq_refl) as [A B C D E F G I J], (H 1%Z 2%Z eq_refl) as [_ B' _ _ _ _ _ _ _].
   cbn in B, B'; apply le_abs in B, B'; unfold rel in I; cbn in I; split; [split; [exact A | split; lra]|]; split;
     [repeat split; trivial; lra|]. split; [exact G|]; intros x Hx; destruct (C x Hx) as [C1' C2'], (D x Hx) as [D1 D2];
-      unfold off, rel in D1,
-    D2; cbn in D1, D2; apply le_abs in D1, D2; split; [exact C1' | split; [exact C2' | split; lra]].
+    unfold off, rel in D1, D2; cbn in D1, D2; apply le_abs in D1, D2; split; [exact C1' | split; [exact C2' | split;
+    lra]].
 Qed.
 Lemma measured_means P : let O := measured P Minus in Nonlinear.y0 O 5 = Q P Minus 0 5 0 - q0 P 5 /\ Nonlinear.v0 O 5 =
   Q P Minus 1 5 0 - u0 P 5 /\ forall mu t y v q u, q = Q P Minus 0 t mu - y -> u = Q P Minus 1 t mu - v -> Nonlinear.a O
@@ -90,10 +91,10 @@ Lemma shapes_means M W t0 : shapes M W t0 Minus -> (derivable_pt_lim (M 2%nat) 5
 Proof.
   intros [A B C D E F]; split; [split; [apply (A 2%nat 5); lia | apply (A 1%nat 5); lia]|]; split; [split; apply (B
     5)|]. split; [destruct (C 2%nat 0) as [C1' _], (C 1%nat 0) as [_ C2']; specialize (C2' Plus); rewrite Rplus_0_l in
-      C1', C2'; auto|].
+    C1', C2'; auto|].
   split; [exact D|]; split; [|cbn in F; lra]; intros t Ht; pose proof (E t Plus Ht ltac:(intros [_ X]; discriminate)) as
     E1; cbn in E1; split; [lra|]; intros Ne; pose proof (E t Minus Ht ltac:(intros [X _]; exact (Ne X))) as E2; cbn in
-      E2; lra.
+    E2; lra.
 Qed.
 
 (** ** cos t above a wall -1 - (1 - cos 2 t) / 10, and below 2; and its mirror image, which grazes the upper stop *)
@@ -110,19 +111,18 @@ Proof.
   assert (P : forall f, (f = cos \/ f = sin) -> forall t, f (t + 2 * PI) = f t /\ f (2 * (t + 2 * PI)) = f (2 * t)).
   { intros f Hf t; replace (2 * (t + 2 * PI)) with (2 * t + 2 * PI + 2 * PI) by ring; destruct Hf as [-> | ->]; pose
       proof cos_periods as Pc; pose proof sin_periods as Ps; split; rewrite ?(cos_plus _ (2 * PI)), ?(sin_plus _ (2 *
-        PI)), Cpi, Spi;
-      rewrite ?(cos_plus _ (2 * PI)), ?(sin_plus _ (2 * PI)), ?Cpi, ?Spi; ring. }
+      PI)), Cpi, Spi; rewrite ?(cos_plus _ (2 * PI)), ?(sin_plus _ (2 * PI)), ?Cpi, ?Spi; ring. }
   constructor.
   - intros [|[|[|n]]] t Hn; try lia; (split; [|intros z]); destruct s; try destruct z; cbv beta iota delta [M W sgn];
       unfold Rdiv; derive_by fail; field.
-  - intros t; split; [|intros z]; destruct s; try destruct z; cbv beta iota delta [M W sgn]; eapply D_continuous;
-      unfold Rdiv; derive_by fail; reflexivity.
+  - intros t; split; [|intros z]; destruct s; try destruct z; cbv beta iota delta [M W sgn]; eapply D_continuous; unfold
+      Rdiv; derive_by fail; reflexivity.
   - intros n t; destruct (P cos ltac:(auto) t) as [C1' C2'], (P sin ltac:(auto) t) as [S1' S2']; split; [|intros z];
       unfold M, W; destruct s; try destruct z; destruct n as [|[|[|[|n]]]]; rewrite ?C1', ?C2', ?S1', ?S2'; reflexivity.
   - split; [lra|]; unfold M, W; rewrite cos_PI, sin_PI, Cpi, Spi; destruct s; cbn [sgn]; split; field.
   - intros t z Ht Ne; pose proof (COS_bound t); pose proof (COS_bound (2 * t)).
-    assert (C : t <> PI -> -1 < cos t) by (intros N; destruct (Rlt_le_dec t PI) as [O|O]; rewrite <- cos_PI;
-      [apply cos_decreasing_1 | apply cos_increasing_1]; lra).
+    assert (C : t <> PI -> -1 < cos t) by (intros N; destruct (Rlt_le_dec t PI) as [O|O]; rewrite <- cos_PI; [apply
+      cos_decreasing_1 | apply cos_increasing_1]; lra).
     unfold M, W; destruct s, z; cbn [sgn]; try lra; assert (-1 < cos t) by (apply C; intros E; apply Ne; auto); lra.
   - unfold M, W; rewrite cos_PI, Cpi; destruct s; cbn [sgn]; lra.
 Qed.
@@ -137,7 +137,7 @@ Lemma gentle_numbers : Driven_statement -> forall c k gamma, matrix c (k + 3) Pl
 Proof.
   intros Dr c k gamma HM Hg Hk; destruct (driven_gently _ _ _ _ (Dr _ _ _ _ (sample Plus)) c k 7 3 0 0 1 0 1 gamma (1 /
     100)) as (A0 & HA0 & Near); [lra | exact HM | exact Hg | exact Hk | lra | lra|]; exists A0; split; [exact HA0|];
-      intros A HA.
+    intros A HA.
   destruct (Near A HA) as (a1 & a2 & gamma' & rate & HG & K1 & K2 & K3 & K4); exists a1, a2, gamma', rate; split; [exact
     HG|]; cbn [sgn] in K4; apply le_abs in K1, K2, K3, K4; repeat split; lra.
 Qed.
@@ -163,42 +163,59 @@ Proof.
     assert (A11 = 1) by lra; assert (A21 = 0) by lra; subst A11 A21; lra. }
   destruct (gentle_periods _ _ _ _ (Dr _ _ _ _ (sample s)) c 0 0 h 0 1 (1 / 2) 0 1 gamma 3%nat Plus Plus) as (A0 & HA0 &
     Near); [lra | rewrite Rplus_0_l; exact HM | lra | lra | lia | exact orbit_0_1_3 | cbn; lra|]. exists c, h, A0;
-      split; [exact
-    HA0|]; intros A HA; rewrite Rplus_0_l in Near; destruct (Near A HA) as (rate & Hs & d & Hd & V).
+    split; [exact HA0|]; intros A HA; rewrite Rplus_0_l in Near; destruct (Near A HA) as (rate & Hs & d & Hd & V).
   set (P := driven (M s) (W s) PI A c 0 0 h 0 1 (1 / 2)) in *.
   pose proof (all_graze _ _ _ _ (Dr _ _ _ _ (sample s)) A c 0 0 h 0 1 (1 / 2) ltac:(lra) ltac:(lra)) as HP; fold P in
     HP; destruct (St P s HP) as (HO & r & Hr & Same).
-  destruct (two_least d r Hd Hr) as (d' & Hd' & L3 & L4); exists rate, d'; split; [exact Hs | split;
-    [exact Hd'|]]; intros eps Heps; destruct (V eps ltac:(lra)) as (mu0 & Hm & X).
+  destruct (two_least d r Hd Hr) as (d' & Hd' & L3 & L4); exists rate, d'; split; [exact Hs | split; [exact Hd'|]];
+    intros eps Heps; destruct (V eps ltac:(lra)) as (mu0 & Hm & X).
   assert (Hrate : 0 < Rabs rate) by (apply Rabs_pos_lt; intros Z; rewrite Z in Hs; lra).
   destruct (two_least mu0 (Rabs rate * r) Hm ltac:(apply Rmult_lt_0_compat; lra)) as (mu1 & Hmu1 & L5 & L6); exists mu1;
     split; [exact Hmu1|]; intros mu Hmu. assert (Hmr : Rabs mu <= r).
   { apply Rmult_le_reg_l with (Rabs rate); [exact Hrate|]; rewrite <- Rabs_mult, Rabs_pos_eq; lra. }
-  specialize (X mu ltac:(cbn; lra) (fun i => 3 * i)%Z ltac:(intros; cbv beta; lia)); apply (Same mu eps _ Hmr
-    ltac:(lra)) in X.
-  destruct X as (t & q & u & HM' & _), (HM' 0%Z 1%Z eq_refl) as [A1 A2 A3 A4 A5 A6 A7 A8 A9], (HM' 1%Z 2%Z eq_refl)
-    as [_ B2 _ _ _ _ _ _ _]; cbn in A2, B2. exists (t 0%Z), (t 1%Z), (q 0%Z), (u 0%Z), (u 1%Z (t 1%Z)).
+  specialize (X mu ltac:(cbn; lra) (fun i => 3 * i)%Z ltac:(intros; cbv beta; lia)); destruct X as [X _]; apply (Same mu
+    eps _ Hmr ltac:(lra)) in X.
+  destruct X as (t & q & u & HM' & _), (HM' 0%Z 1%Z eq_refl) as [A1 A2 A3 A4 A5 A6 A7 A8 A9], (HM' 1%Z 2%Z eq_refl) as
+    [_ B2 _ _ _ _ _ _ _]; cbn in A2, B2. exists (t 0%Z), (t 1%Z), (q 0%Z), (u 0%Z), (u 1%Z (t 1%Z)).
   replace (PI + 2 * PI * 0) with PI in A2 by ring; replace (PI + 2 * PI * 3) with (7 * PI) in B2 by ring.
   split; [exact A2 | split; [exact B2|]]; split; [rewrite A5; cbn; unfold W; destruct s; cbn; lra|]; split; [rewrite A6;
     cbn; unfold W; destruct s; cbn; lra|]; split; [|split].
   - unfold rel in A8; cbn in A8, A9; replace (u 0%Z (t 1%Z) + sgn s * A * sin (2 * t 1%Z) / 5) with (u 0%Z (t 1%Z) - A *
       W s s 1 (t 1%Z)) by (unfold W; destruct s; cbn; field). cbv zeta; split; [exact A8|]; rewrite A9; unfold W;
-        destruct s; cbn; lra.
+      destruct s; cbn; lra.
   - intros x Hx; specialize (A7 x Hx); cbn in A7; unfold W in A7; destruct s; cbn in A7 |- *; lra.
   - intros x Hx; destruct (A3 x Hx) as [D1 D2], (A4 x Hx) as [N _]; split; [exact D1 | split].
     + unfold off in N; cbn in N; match goal with |- Rabs ?w <= _ => match type of N with Rabs ?y <= _ => replace w with
         (sgn s * y) by (unfold M; destruct s; cbn; ring) end end. destruct s; cbn [sgn] in *; [rewrite Rmult_1_l; exact
-          N|]; rewrite Rabs_mult,
-        (Rabs_left (-1)) by lra; lra.
+        N|]; rewrite Rabs_mult, (Rabs_left (-1)) by lra; lra.
     + eapply D_value; [exact D2 | unfold P, M; cbn -[sgn]; ring].
 Qed.
 (** None can be one of [never]: the correspondence of motions, not of the one alone. *)
 Lemma none_between P s mu : Stops_statement -> grazing_at P s -> exists r, r > 0 /\ forall d N, Rabs mu <= r -> d <= r
   -> (forall t y v, ~ nonlinear_motion (measured P s) mu d N t y v) <-> forall t q u, ~ motion_between P s mu d N t q u.
 Proof.
-  intros St HP; destruct (St P s HP) as (_ & r & Hr & H); exists r; split; [exact Hr|]; intros d N Hm Hd;
-    destruct (H mu d N Hm Hd) as [_ [K K']]; split; intros No t q u HM; [destruct K as (t' & y & v & HM'); [eauto|] |
-    destruct K' as (t' & y & v & HM'); [eauto|]]; exact (No _ _ _ HM').
+  intros St HP; destruct (St P s HP) as (_ & r & Hr & H); exists r; split; [exact Hr|]; intros d N Hm Hd; destruct (H mu
+    d N Hm Hd) as [_ [[K K'] _]]; split; intros No t q u HM; [destruct K as (t' & y & v & HM'); [eauto|] | destruct K'
+    as (t' & y & v & HM'); [eauto|]]; exact (No _ _ _ HM').
+Qed.
+(** What is born between the stops is unstable, from its impact 0 on, too: of periods 1 and 2 in any order, at (1,
+  1/4). *)
+Lemma unstable_between : Theorem_1_statement -> Stops_statement -> forall P s gamma, grazing_at P s ->
+  generic (measured P s) 1 (1 / 4) gamma 1 -> gamma > 0 -> exists mu0 d, mu0 > 0 /\ d > 0 /\ forall mu n N t q u,
+  - mu0 < mu < 0 -> ConsequencesHeadline.over_1_2 n -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z ->
+  motion_between P s mu d N t q u -> exists r, r > 0 /\ forall eps, eps > 0 -> exists l t' q' u', (0 < l)%Z /\
+  (forall i, (0 <= i < l)%Z -> flight P s mu d N t' q' u' i (i + 1)%Z) /\ Rabs (t' 0%Z - t 0%Z) <= eps /\
+  Rabs (u' 0%Z (t' 0%Z) - u 0%Z (t 0%Z)) <= eps /\ ~ (Rabs (t' l - t l) <= r /\ Rabs (u' l (t' l) - u l (t l)) <= r).
+Proof.
+  intros T St P s gamma HP HG Hg; destruct (St P s HP) as (HO & r & Hr & H).
+  destruct (ConsequencesHeadline.Theorem_1_numbers T (Moves (measured P s) 1) gamma (conj HO HG)) as (d & Hd & K).
+  destruct (two_least d r Hd Hr) as (e & He & L1 & L2), (K e ltac:(lra)) as (m & Hm & Q), (two_least m r Hm Hr) as (mu0
+    & Hmu0 & L3 & L4). exists mu0, e; split; [exact Hmu0 | split; [exact He|]]; intros mu n N t q u Hmu Hn HN HM.
+  destruct (proj1 (Q n mu Hn) Hg ltac:(cbn; lra) N HN) as [_ Un].
+  destruct (H mu e N ltac:(rewrite Rabs_left; lra) L2) as (_ & _ & U), (U Un t q u HM) as (r0 & Hr0 & V).
+  exists r0; split; [exact Hr0|]; intros eps Heps; destruct (V 0%Z eps Heps) as (l & t' & q' & u' & L & Fl & [N1 N2] &
+    Out).
+  exists l, t', q', u'; auto 6.
 Qed.
 (** All of region 3: at r = 1/2, y = 1/6, (a1, a2) is (1/2, 1/4). *)
 Lemma region_3_again : Driven_statement -> exists c k gamma, gamma < 0 /\
@@ -206,7 +223,7 @@ Lemma region_3_again : Driven_statement -> exists c k gamma, gamma < 0 /\
 Proof.
   intros Dr; destruct (all_region_3 _ _ _ _ (Dr _ _ _ _ (sample Minus)) 1 5 1 (1 / 2) (1 / 2) (1 / 6) Minus ltac:(lra)
     ltac:(lra)) as (c & k & gamma & Hg & HG). replace (2 * PI * (1 / 6)) with (PI / 3) in HG by field; rewrite cos_PI3
-      in HG.
+    in HG.
   replace (2 * (1 / 2) * (1 / 2)) with (1 / 2) in HG by field; replace ((1 / 2) ^ 2) with (1 / 4) in HG by (cbn; field).
   exists c, k, gamma; split; [cbn in Hg; lra | exact HG].
 Qed.

@@ -9,13 +9,14 @@
     - [motion] and [grazing] in [StatementOscillator]: an oscillator and where its impacts are;
     - [grazing_orbit], [generic] and [nonlinear_motion] in [StatementNonlinear]: the same, nonlinear;
     - [orbit_near] in [StatementOrbits], [planar] and [one_orbit] in [StatementOrbitsPlane]: maps, orbits;
+    - [unstable] and [unstable_motion] in [StatementUnstable];
     - [trace], [Farey], [interval], [outside] and [tends_to_1] in [Statement]: Theorem 2's intervals of s;
     - [member], [edge], [path], [vertices], [arrow] and [ends] in [StatementWords];
     - [chaos_motion] and [in_two_boxes] in [StatementChaos], [Nordmark] in [StatementNordmark].
     The proofs end in [Systems], [SystemsAreas], [Conjecture1], [SystemsWords] and [Chaos], in this order. *)
 From Coq Require Import Reals ZArith List Arith.
-From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementWords StatementChaos
-  StatementOscillator StatementNonlinear.
+From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementUnstable StatementWords
+  StatementChaos StatementOscillator StatementNonlinear.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -34,13 +35,16 @@ Definition grazes (S : system) (a1 a2 gamma : R) : Prop := match S with
 Definition e_mu (S : system) (mu : R) : R :=
   match S with Oscillates _ _ => mu | Moves _ rate | Steps _ rate _ => rate * mu end.
 
-(** Exactly one motion has its impacts, and no others, n i periods after one another and within d of grazing;
-    none. Between two stops, m = Minus, n i counts half periods: [motion] has impact i
+(** Exactly one motion has its impacts, and no others, n i periods after one another and within d of grazing,
+    and it is unstable; none. Between two stops, m = Minus, n i counts half periods: [motion] has impact i
     within d of [turn m] (N i). *)
 Definition one (S : system) (mu d : R) (n : Z -> nat) : Prop := match S with
-  | Oscillates osc m => forall N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> one_motion osc m mu d N
-  | Moves osc _ => forall N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> one_nonlinear_motion osc mu d N
-  | Steps M _ _ => one_orbit M Z (fun i => i + 1)%Z n mu d end.
+  | Oscillates osc m => forall N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> one_motion osc m mu d N /\
+    forall t y v, motion osc m mu d N t y v -> unstable_motion (swing osc m mu d N) t v
+  | Moves osc _ => forall N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> one_nonlinear_motion osc mu d N /\
+    forall t y v, nonlinear_motion osc mu d N t y v -> unstable_motion (leg osc mu d N) t v
+  | Steps M _ _ => one_orbit M Z (fun i => i + 1)%Z n mu d /\
+    forall x i, orbit_near M Z (fun i => i + 1)%Z n mu d x -> unstable M mu (x i) end.
 Definition none (S : system) (mu d : R) (n : Z -> nat) : Prop := match S with
   | Oscillates osc m => forall N t y v, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z ->
     ~ motion osc m mu d N t y v

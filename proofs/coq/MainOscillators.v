@@ -2,7 +2,7 @@
 
 From Grazing Require Import StatementOscillator StatementNordmark OscillatorUses Nordmark.
 From Grazing Require Import StatementStops StatementNonlinearExamples NonlinearStops NonlinearExamples.
-From Grazing Require StatementResonance ResonanceExact ResonanceStable ResonanceBirth ResonanceMaps.
+From Grazing Require StatementResonance ResonanceExact ResonanceStable ResonanceBirth ResonanceMaps ResonanceFold.
 
 Theorem Periodic_oscillator : Periodic_oscillator_statement. Proof. exact OscillatorUses.Periodic_oscillator. Qed.
 Theorem Reach : Reach_statement. Proof. exact OscillatorUses.Reach. Qed.
@@ -16,5 +16,6 @@ Theorem At_resonance : StatementResonance.Exact_statement /\ StatementResonance.
   StatementResonance.Stable_statement /\ StatementResonance.Birth_statement.
 Proof. exact (conj ResonanceExact.Exact (conj ResonanceStable.Multipliers (conj ResonanceStable.Stable
   ResonanceBirth.Birth))). Qed.
-Theorem Maps_at_resonance : StatementResonance.Curve_statement /\ StatementResonance.Plane_statement.
-Proof. exact (conj ResonanceMaps.Curve ResonanceMaps.Plane). Qed.
+Theorem Maps_at_resonance : StatementResonance.Curve_statement /\ StatementResonance.Side_statement /\
+  StatementResonance.Plane_statement.
+Proof. exact (conj ResonanceMaps.Curve (conj ResonanceFold.Side ResonanceMaps.Plane)). Qed.

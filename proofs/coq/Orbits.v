@@ -24,8 +24,8 @@ Proof. intros H; unfold step; destruct Rle_dec; [lra | reflexivity]. Qed.
 Lemma zero_meaning x y : zero_at M J next n mu x y <-> forall j, hit (n j) (x j) = - (y j * y j) /\ forall i,
   (i < N)%nat -> x (next j) i = fly M mu (n j) (x j) i + kick M (fly M mu (n j) (x j)) (Rabs (y j)) mu i * y j.
 Proof.
-  unfold zero_at, linear, q_at, Q_at, rest1, rest2; split; intros H j; destruct (H j) as [H1 H2];
-    (split; [lra | intros i Hi; specialize (H2 i Hi); lra]).
+  unfold zero_at, linear, q_at, Q_at, rest1, rest2; split; intros H j; destruct (H j) as [H1 H2]; (split; [lra | intros
+    i Hi; specialize (H2 i Hi); lra]).
 Qed.
 
 Lemma heights x m : (forall k, (S k < m)%nat -> 0 < height M mu x k) ->
@@ -85,6 +85,26 @@ Proof.
 Qed.
 End Orbits.
 
+(** The heights on the way from x to an impact after k steps stay off 0, by c. *)
+Definition clear_at (M : Map.t) (mu : R) (k : nat) (x : vec) (c : R) : Prop := (forall i, (1 <= i < k)%nat ->
+  c <= h M (fly M mu i x) mu) /\ h M (fly M mu k x) mu <= - c.
+
+(** The parts of Theorem 1: existence, where the heights then stay off 0, uniqueness and non-existence, by the signs
+    of the quantities; and asymptotics. *)
+Definition decided (M : Map.t) (e K : R) (n_max : nat) (d : R) : Prop := forall kappa, kappa > 0 -> exists mu0, mu0 >
+  0 /\
+  forall (J : Type) (next : J -> J) n X Y s mu, (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n K ->
+  solution M J next n X Y -> 0 < sgn s * (e * mu) < mu0 -> ((forall j v, quantity M J n X Y s j v -> v >= kappa) ->
+  exists x, orbit_near M J next n mu d x /\ forall x', orbit_near M J next n mu d x' ->
+  (forall j i, (i < N M)%nat -> x' j i = x j i) /\ exists c, 0 < c /\ forall j, clear_at M mu (n j) (x' j) c) /\
+  (forall j v, quantity M J n X Y s j v -> v <= - kappa -> forall x, ~ orbit_near M J next n mu d x).
+Definition leads (M : Map.t) (w : vec) (e K : R) (n_max : nat) (d : R) : Prop := forall eps, eps > 0 -> exists mu1,
+  mu1 > 0 /\ forall (J : Type) (next : J -> J) n X Y mu x, (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n
+    K ->
+  solution M J next n X Y -> 0 < Rabs mu < mu1 -> orbit_near M J next n mu d x -> forall j,
+  within (N M) (eps * Rabs mu) (fun i => x j i - mu * w i - e * mu * X j i) /\
+  Rabs (sqrt (- height M mu (x j) (n j - 1)) - e * mu * Y j) <= eps * Rabs mu.
+
 Lemma invertible_up M J (next : J -> J) n K K' : K <= K' -> invertible M J next n K -> invertible M J next n K'.
 Proof.
   intros HK [H1 H2]; split; [|exact H2]; intros e Q q HQ; destruct (H1 e Q q HQ) as (X & Y & Hb & Hl).
@@ -99,8 +119,8 @@ Proof. intros H i Hi; apply Rminus_diag_uniq, Rabs_zero, (H i Hi). Qed.
 Lemma signed s e mu q kappa : 0 < sgn s * (e * mu) -> kappa <= sgn s * q -> Rabs e * Rabs mu * kappa <= e * mu * q.
 Proof.
   intros H Hq; rewrite <- Rabs_mult.
-  replace (Rabs (e * mu)) with (sgn s * (e * mu)) by (destruct s; cbn [sgn] in *;
-    [rewrite Rabs_pos_eq | rewrite Rabs_left]; lra).
+  replace (Rabs (e * mu)) with (sgn s * (e * mu)) by (destruct s; cbn [sgn] in *; [rewrite Rabs_pos_eq | rewrite
+    Rabs_left]; lra).
   apply (Rmult_le_compat_l _ _ _ (Rlt_le _ _ H)) in Hq.
   replace (e * mu * q) with (sgn s * (e * mu) * (sgn s * q)); [exact Hq | destruct s; cbn; ring].
 Qed.
@@ -173,8 +193,8 @@ Lemma heights_near eps' d' mc m k x X mu r err : remainder M w e n_max eps' d' -
   Rabs (h M (fly M mu k x) mu - e * mu * (dot N (C M) (power M k X) + 1)) <= eps' * r + mc * (m * err).
 Proof.
   intros Hrem' Hk Hd' Hc Hpow Hxd Hx Hmu Hmud Herr Hlin; pose proof (Rabs_pos mu) as Hmu0.
-  destruct (Hrem' k x zero 0 0 mu 0 r) as (_ & _ & Hh); rewrite ?Rminus_0_r, ?Rabs_R0; trivial; try lra;
-    try (apply within_zero; lra).
+  destruct (Hrem' k x zero 0 0 mu 0 r) as (_ & _ & Hh); rewrite ?Rminus_0_r, ?Rabs_R0; trivial; try lra; try (apply
+    within_zero; lra).
   { intros i Hi; unfold minus, zero; rewrite Rminus_0_r; apply Hx, Hi. }
   rewrite (height_zero M w e HM Hw He), !Rminus_0_r in Hh.
   assert (Ez : dot N (C M) (power M k (minus x zero)) = dot N (C M) (power M k x)).
@@ -184,9 +204,8 @@ Proof.
   assert (Ev : dot N (C M) (power M k v) = dot N (C M) (power M k x) - (mu * dot N (C M) (power M k w) + e * mu * dot N
     (C M) (power M k X))).
   { unfold v, power; rewrite power_minus, power_comb, dot_minus, dot_comb; ring. }
-  replace (h M (fly M mu k x) mu - e * mu * (dot N (C M) (power M k X) + 1))
-    with ((h M (fly M mu k x) mu - dot N (C M) (power M k x) - mu * (e - dot N (C M) (power M k w))) + dot N (C M)
-    (power M k v)) by (rewrite Ev; ring).
+  replace (h M (fly M mu k x) mu - e * mu * (dot N (C M) (power M k X) + 1)) with ((h M (fly M mu k x) mu - dot N (C M)
+    (power M k x) - mu * (e - dot N (C M) (power M k w))) + dot N (C M) (power M k v)) by (rewrite Ev; ring).
   apply triangle2; assumption.
 Qed.
 
@@ -258,18 +277,13 @@ Proof.
     + eapply Rle_trans; [exact Hly | exact Herr2].
     + intros k Hk; destruct (Hxs j) as [Hxj _]; destruct (Hxd j) as [Hxdj _].
       apply Rle_trans with (eps' * (2 * M0 * Rabs mu) + mc * (m * err)).
-      { apply (heights_near eps' d' mc m k (x j) (X j) mu (2 * M0 * Rabs mu) err); trivial; try lra;
-          [intros t0 z0 Ht0 Hz0; apply Hpow; trivial | exact (Rabs_nonneg _ _ Hly)]. }
-      replace (eps' * (2 * M0 * Rabs mu) + mc * (m * err)) with (2 * M0 * (1 + mc * m * K) * eps' * Rabs mu)
-        by (unfold err; ring).
+      { apply (heights_near eps' d' mc m k (x j) (X j) mu (2 * M0 * Rabs mu) err); trivial; try lra; [intros t0 z0 Ht0
+          Hz0; apply Hpow; trivial | exact (Rabs_nonneg _ _ Hly)]. }
+      replace (eps' * (2 * M0 * Rabs mu) + mc * (m * err)) with (2 * M0 * (1 + mc * m * K) * eps' * Rabs mu) by (unfold
+        err; ring).
       apply Hbudget; unfold c; lra.
 Qed.
-(** Existence, uniqueness and non-existence: the signs of the quantities decide. *)
-Lemma signs_decide : e <> 0 -> forall kappa, kappa > 0 -> exists mu0, mu0 > 0 /\ forall (J : Type) (next : J -> J) n X Y
-  s mu, (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n K -> solution M J next n X Y -> 0 < sgn s * (e * mu)
-  < mu0 -> ((forall j v, quantity M J n X Y s j v -> v >= kappa) -> exists x, orbit_near M J next n mu d x /\ forall x',
-  orbit_near M J next n mu d x' -> forall j i, (i < N)%nat -> x' j i = x j i) /\
-  (forall j v, quantity M J n X Y s j v -> v <= - kappa -> forall x, ~ orbit_near M J next n mu d x).
+Lemma signs_decide : e <> 0 -> decided M e K n_max d.
 Proof.
   intros He0. intros kappa Hkappa; assert (Hae : 0 < Rabs e) by (apply Rabs_pos_lt, He0).
   destruct (close (Rabs e * kappa / 2)) as (mu1 & Hmu1 & H).
@@ -283,21 +297,37 @@ Proof.
       destruct s; cbn [sgn] in *; [rewrite Rabs_pos_eq | rewrite Rabs_left]; lra. }
   assert (Hkm : 0 < Rabs e * Rabs mu * kappa) by (repeat apply Rmult_lt_0_compat; lra).
   destruct (H J next n X Y mu Hn HInv HX (proj2 Hmu)) as (x & y & Hxd & Hz & Huniq & Hest).
-  assert (Hsame : forall x', orbit_near M J next n mu d x' -> bounded M J 0 (diff J x x')
-    (diff1 J y (speed M mu J n x'))).
+  assert (Hsame : forall x', orbit_near M J next n mu d x' -> bounded M J 0 (diff J x x') (diff1 J y (speed M mu J n
+    x'))).
   { intros x' Hx'; apply Huniq; [apply (orbit_bounded J next n mu x'); trivial; lra|].
     apply (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx'). }
+  assert (Hsame_hit : forall x', orbit_near M J next n mu d x' -> forall j k, (k <= n_max)%nat -> h M (fly M mu k (x j))
+    mu = h M (fly M mu k (x' j)) mu).
+  { intros x' Hx' j k Hk; apply Rminus_diag_uniq, Rabs_zero; rewrite <- (Rmult_0_r l); apply Hfly; trivial; try lra;
+      [apply Hx' | apply (Hsame x' Hx') | unfold Rminus; rewrite Rplus_opp_r, Rabs_R0; lra]. }
   split.
-  + intros Hq; exists x; split.
-    * apply (zero_orbit M mu J next n (fun j => proj1 (Hn j)) d x y Hxd Hz); intros j.
-      destruct (Hest j) as (_ & Hy & Hh); split.
-      -- pose proof (signed s e mu (Y j) kappa Hs (Rge_le _ _ (Hq j _ (or_introl eq_refl)))).
-         apply Rabs_le_inv in Hy; lra.
-      -- intros k Hk; specialize (Hh k ltac:(specialize (Hn j); lia)).
-         pose proof (signed s e mu _ kappa Hs (Rge_le _ _ (Hq j _ (or_intror (ex_intro _ k (conj Hk eq_refl)))))).
-         apply Rabs_le_inv in Hh; lra.
-    * intros x' Hx' j i Hi; symmetry; apply (within_zero_eq _ _ _ (proj1 (Hsame x' Hx' j)) i Hi).
-  + intros j v Hv Hvk x' Hx'; destruct (Hsame x' Hx' j) as [Hxx Hyy].
+  + intros Hq; set (q := Rabs e * Rabs mu * kappa) in *.
+    assert (Big : forall j, q / 2 <= y j /\ forall k, (1 <= k < n j)%nat -> q / 2 <= h M (fly M mu k (x j)) mu).
+    { intros j; destruct (Hest j) as (_ & Hy & Hh); split.
+      - pose proof (signed s e mu (Y j) kappa Hs (Rge_le _ _ (Hq j _ (or_introl eq_refl)))).
+        apply Rabs_le_inv in Hy; unfold q in *; lra.
+      - intros k Hk; specialize (Hh k ltac:(specialize (Hn j); lia)).
+        pose proof (signed s e mu _ kappa Hs (Rge_le _ _ (Hq j _ (or_intror (ex_intro _ k (conj Hk eq_refl)))))).
+        apply Rabs_le_inv in Hh; unfold q in *; lra. }
+    exists x; split.
+    * apply (zero_orbit M mu J next n (fun j => proj1 (Hn j)) d x y Hxd Hz); intros j; destruct (Big j) as [By Bh].
+      split; [lra|]; intros k Hk; specialize (Bh k Hk); lra.
+    * intros x' Hx'; split; [intros j i Hi; symmetry; apply (within_zero_eq _ _ _ (proj1 (Hsame x' Hx' j)) i Hi)|].
+      assert (Hqq : 0 < q / 2 * (q / 2)) by (apply Rmult_lt_0_compat; lra).
+      exists (Rmin (q / 2) (q / 2 * (q / 2))); split; [apply Rmin_glb_lt; lra|]; intros j; destruct (Big j) as [By Bh].
+      destruct (Hsame x' Hx' j) as [_ Hyy], (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx') as [Hz' _];
+        split.
+      -- intros k Hk; apply Rle_trans with (q / 2); [apply Rmin_l|]; rewrite <- (Hsame_hit x' Hx' j k); [apply Bh, Hk |
+         specialize (Hn j); lia].
+      -- destruct (proj1 (zero_meaning M mu J next n x' (speed M mu J n x')) Hz' j) as [-> _].
+         apply Rabs_zero in Hyy; unfold diff1 in Hyy; replace (speed M mu J n x' j) with (y j) by lra.
+         apply Ropp_le_contravar, Rle_trans with (1 := Rmin_r _ _), Rmult_le_compat; lra.
+  + intros j v Hv Hvk x' Hx'; destruct (Hsame x' Hx' j) as [_ Hyy].
     destruct (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx') as [_ Hsigns].
     destruct (Hsigns j) as [Hy' Hh'], (Hest j) as (_ & Hy & Hh). destruct Hv as [->|(k & Hk & ->)].
     * assert (E : kappa <= sgn s * - Y j) by lra; apply (signed s e mu) in E; [|exact Hs].
@@ -305,19 +335,12 @@ Proof.
     * set (q := dot N (C M) (power M k (X j)) + 1) in *.
       assert (E : kappa <= sgn s * - q) by lra; apply (signed s e mu) in E; [|exact Hs].
       specialize (Hh' k Hk); specialize (Hh k ltac:(specialize (Hn j); lia)).
-      assert (Eh : Rabs (h M (fly M mu k (x j)) mu - h M (fly M mu k (x' j)) mu) <= l * 0).
-      { apply Hfly; trivial; try lra; [specialize (Hn j); lia | apply Hx' |].
-        unfold Rminus; rewrite Rplus_opp_r, Rabs_R0; lra. }
-      rewrite Rmult_0_r in Eh; apply Rabs_zero in Eh; fold q in Hh; apply Rabs_le_inv in Hh; lra.
+      rewrite (Hsame_hit x' Hx' j k) in Hh by (specialize (Hn j); lia); fold q in Hh; apply Rabs_le_inv in Hh; lra.
 Qed.
 
-(** Asymptotics: an orbit within d is the solution of the linear problem to the first order. *)
-Lemma leading eps : 0 < eps -> exists mu1, mu1 > 0 /\ forall (J : Type) (next : J -> J) n X Y mu x,
-  (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n K -> solution M J next n X Y -> 0 < Rabs mu < mu1 ->
-  orbit_near M J next n mu d x -> forall j, within N (eps * Rabs mu) (fun i => x j i - mu * w i - e * mu * X j i) /\
-  Rabs (sqrt (- height M mu (x j) (n j - 1)) - e * mu * Y j) <= eps * Rabs mu.
+Lemma leading : leads M w e K n_max d.
 Proof.
-  intros Heps; destruct (close eps Heps) as (mu1 & Hmu1 & H).
+  intros eps Heps; destruct (close eps Heps) as (mu1 & Hmu1 & H).
   exists mu1; split; [lra|]; intros J next n X Y mu x' Hn HInv HX Hmu Hx' j.
   destruct (H J next n X Y mu Hn HInv HX (proj2 Hmu)) as (x & y & Hxd & Hz & Huniq & Hest).
   destruct (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx') as [Hz' _].
@@ -330,9 +353,11 @@ Proof.
 Qed.
 End Uniform.
 
-Theorem Theorem1 : Theorem1_statement.
+Theorem Theorem1_clear M w e : smooth M -> (forall i, (i < N M)%nat -> w i = mult (N M) (A M) w i + phi M i) ->
+  e = dot (N M) (C M) w + eta M -> e <> 0 -> forall n_max K, exists d, d > 0 /\ decided M e K n_max d /\
+  leads M w e K n_max d.
 Proof.
-  intros M w e HM Hw He He0 n_max K.
+  intros HM Hw He He0 n_max K.
   set (K1 := Rmax K 1); assert (HK1 : 1 <= K1) by apply Rmax_r; assert (HK : K <= K1) by apply Rmax_l.
   assert (Heps0 : 0 < / (2 * K1)) by (apply Rinv_0_lt_compat; lra).
   destruct (remainder_exists M w e HM Hw He n_max _ Heps0) as (d1 & Hd1 & Hrem).
@@ -345,15 +370,22 @@ Proof.
     - eapply Rle_trans; [apply Rmin_l | apply Rmin_r].
     - replace (d1 * d1) with (l * (d1 * d1 / l)) by (field; lra). apply Rmult_le_compat_l; [lra | apply Rmin_r]. }
   assert (HflyC : forall k x x' mu mu' t, (k <= n_max)%nat -> within (N M) d x -> within (N M) d x' -> Rabs mu <= d ->
-    Rabs mu' <= d -> within (N M) t (minus x x') -> Rabs (mu - mu') <= t ->
-    Rabs (h M (fly M mu k x) mu - h M (fly M mu' k x') mu') <= l * t).
-  { intros k x x' mu mu' t Hk Hx Hx' Hmu Hmu' Ht Hmt; apply (Hfly k x x' mu mu' t); trivial; try lra;
-      apply within_le with d; trivial; lra. }
+    Rabs mu' <= d -> within (N M) t (minus x x') -> Rabs (mu - mu') <= t -> Rabs (h M (fly M mu k x) mu - h M (fly M mu'
+    k x') mu') <= l * t).
+  { intros k x x' mu mu' t Hk Hx Hx' Hmu Hmu' Ht Hmt; apply (Hfly k x x' mu mu' t); trivial; try lra; apply within_le
+      with d; trivial; lra. }
   assert (Hd12 : 0 < d <= d1) by lra; assert (Hll : 1 <= l /\ l * d <= d1 * d1) by lra. exists d; split; [lra | split].
   - intros kappa Hkappa; destruct (signs_decide M w e K1 n_max HM Hw He HK1 d1 d l Hd1 Hrem Hd12 Hll HflyC He0 kappa
       Hkappa) as (mu0 & Hmu0 & H); exists mu0; split; [exact Hmu0|]; intros J next n X Y s mu Hn HInv.
     apply H; [exact Hn | exact (invertible_up _ _ _ _ _ _ HK HInv)].
-  - intros eps Heps; destruct (leading M w e K1 n_max HM Hw He HK1 d1 d l Hd1 Hrem Hd12 Hll HflyC eps Heps)
-      as (mu1 & Hmu1 & H); exists mu1; split; [exact Hmu1|]; intros J next n X Y mu x Hn HInv.
+  - intros eps Heps; destruct (leading M w e K1 n_max HM Hw He HK1 d1 d l Hd1 Hrem Hd12 Hll HflyC eps Heps) as (mu1 &
+      Hmu1 & H); exists mu1; split; [exact Hmu1|]; intros J next n X Y mu x Hn HInv.
     apply H; [exact Hn | exact (invertible_up _ _ _ _ _ _ HK HInv)].
+Qed.
+Theorem Theorem1 : Theorem1_statement.
+Proof.
+  intros M w e HM Hw He He0 n_max K; destruct (Theorem1_clear M w e HM Hw He He0 n_max K) as (d & Hd & H & L); exists d.
+  split; [exact Hd | split; [|exact L]]; intros kappa Hk; destruct (H kappa Hk) as (mu0 & Hm & W); exists mu0; split;
+    [exact Hm|]; intros J next n X Y s mu Hn HI HX Hmu; destruct (W J next n X Y s mu Hn HI HX Hmu) as [Ex No]; split;
+    [|exact No]. intros Hq; destruct (Ex Hq) as (x & Hx & Only); exists x; split; [exact Hx | apply Only].
 Qed.

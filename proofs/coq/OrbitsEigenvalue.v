@@ -2,7 +2,7 @@
       - (C A^n .) B / (2 y); so B is nearly an eigenvector of what they make together *)
 From Coq Require Import Reals FunctionalExtensionality Lra Lia.
 From Grazing Require Import Defs StatementOrbits StatementOrbitsPeriodic StatementUniform StatementUnstable
-  FreeFlight Finite OrbitVectors OrbitRemainder Orbits Derivatives Contraction OrbitsUnstable.
+  FreeFlight Finite OrbitVectors OrbitRemainder Orbits OrbitsNear Derivatives Contraction OrbitsUnstable.
 Import Map.
 Open Scope R_scope.
 
@@ -292,13 +292,20 @@ Proof.
       by (apply
     Rmult_le_pos; lra); unfold E; lra). assert (EX : E * (b + 1) <= E * X) by (apply Rmult_le_compat_l; lra).
   assert (E1 : E * 1 <= E * (b + 1)) by (apply Rmult_le_compat_l; lra).
-  destruct (there M w n_max ep ep HM Hw ltac:(lra) ltac:(lra)) as (d1 & d & Hd & HR & There); exists d; split; [lra|].
+  destruct (there M w n_max ep ep HM Hw ltac:(lra) ltac:(lra)) as (d1 & d & room & Hd & HR & Hroom & There); exists d;
+    split;
+    [lra|].
   intros J next prev n mu x D Hnext Hn Hmu Orb Der; set (y j := speed_at M mu (n j) (x j)).
   assert (All : forall j, 0 < y j /\ forall v q, 0 <= q -> within (N M) q v -> Rabs (dot (N M) (C M) (power M (n j) v))
     <= K * q /\ Rabs (2 * y j * part M i0 (D j) v + dot (N M) (C M) (power M (n j) v)) <= E * q /\ forall i, (i < N
       M)%nat ->
     Rabs (2 * y j * (mult (N M) (D j) v i - part M i0 (D j) v * B M i)) <= E * q).
-  { intros j; destruct (There J next n mu x (fun j => proj1 (Hn j)) Hmu Orb j) as (r & Hr & Near); split.
+  { intros j; destruct (orbit_clear M J next n mu d x j (fun j => proj1 (proj1 (Hn j))) Orb) as (cl & Hcl & Cl).
+    set (r := room cl); pose proof (Hroom cl Hcl) as Hr; fold r in Hr. assert (Near : forall p, within (N M) r (minus
+      p (x j))
+      -> slow M n_max ep d1 mu (n j) p /\ forall i, (i < N M)%nat -> Nat.iter (n j) (step M mu) p i = go M mu (n j) p i)
+      by (intros p Hp; destruct (There (n j) mu (x j) cl p (proj1 (Hn j)) Hmu (proj1 (Orb j)) Hcl Cl Hp) as (A & _ & B);
+        auto). split.
     - apply (y_pos M n_max (n j) ep ep d1 mu r (x j)); trivial; lra.
     - intros v q Hq Hv; split; [|apply (derivative_is M w (dot (N M) (C M) w + eta M) n_max (n j) m mc b ep ep d1 mu r
         (x j) (D j)); trivial; try split; trivial; try lra; intros; apply Pw; trivial].

@@ -50,8 +50,8 @@ Proof.
   { intros p Hp; unfold place; eapply Rle_trans; [apply apart|]; rewrite Rabs_Ropp; apply Rplus_le_compat_l.
     pose proof (HG p 0 Hp ltac:(rewrite Rabs_R0; exact Pd)) as H; rewrite (touch _ HO), !Rminus_0_r in H.
     eapply Rle_trans; [exact H | apply Rmult_le_compat_l; lra]. }
-  assert (Q : forall p p', Rabs p <= d -> Rabs p' <= d -> Rabs (p - p') <= e -> beside w (z * e) (place mu p)
-    (place mu p')).
+  assert (Q : forall p p', Rabs p <= d -> Rabs p' <= d -> Rabs (p - p') <= e -> beside w (z * e) (place mu p) (place mu
+    p')).
   { intros p p' Hp Hp' He; repeat split; [apply P, Hp | apply P, Hp'|]; unfold place.
     replace (_ - _) with (G mu p' - G mu p) by ring; rewrite Rabs_minus_sym.
     eapply Rle_trans; [apply HG; assumption | apply Rmult_le_compat_l; lra]. }
@@ -82,8 +82,8 @@ Proof.
   apply (Rmult_le_compat_r (h + 1)) in D2; [|lra]; assert (Hhd : 0 <= h * d) by (apply Rmult_le_pos; lra).
   exists d; split; [exact Hd|]; intros n mu x y [Hn HSn] Hmu Hx Hy; pose proof (Rabs_pos mu) as Pm.
   assert (hd : h * Rabs mu <= h * d) by (apply Rmult_le_compat_l; lra).
-  assert (small : forall p, Rabs p <= h * Rabs mu -> Rabs p <= z /\ beside (2 * Rabs mu) (z * Rabs mu) (place mu p)
-    (- mu)).
+  assert (small : forall p, Rabs p <= h * Rabs mu -> Rabs p <= z /\ beside (2 * Rabs mu) (z * Rabs mu) (place mu p) (-
+    mu)).
   { intros p Hp; split; [lra|]; assert (A : Rabs (place mu p - - mu) <= z * Rabs mu).
     { unfold place; replace (_ - _) with (- G mu p) by ring; rewrite Rabs_Ropp.
       destruct (F mu p 0) as [A _]; [lra | lra | rewrite Rabs_R0; lra|]; rewrite (touch _ HO), !Rminus_0_r in A.
@@ -93,8 +93,8 @@ Proof.
     pose proof (from _ _ _ A) as B; rewrite Rabs_Ropp in B; repeat split; rewrite ?Rabs_Ropp; lra. }
   destruct (small x Hx) as [Zx Bx], (small y Hy) as [Zy By].
   assert (Ht : Rabs (y - x - 0) <= 2 * z) by (rewrite Rminus_0_r; eapply Rle_trans; [apply apart | lra]).
-  destruct (legs c k m S V n_max K HK n (y - x) 0 _ _ _ _ _ _ _ (proj2 Hn) HSn ltac:(rewrite Rminus_0_r in Ht;
-    lra) ltac:(rewrite Rabs_R0; lra) Ht Bx By) as (N & A & B).
+  destruct (legs c k m S V n_max K HK n (y - x) 0 _ _ _ _ _ _ _ (proj2 Hn) HSn ltac:(rewrite Rminus_0_r in Ht; lra)
+    ltac:(rewrite Rabs_R0; lra) Ht Bx By) as (N & A & B).
   assert (Ea : aft_leg c m S V n 0 (- mu) (- mu) = mu * aft0 n).
   { unfold OscillatorTurns.aft0, aft_leg, aft_of, Rdiv; ring. }
   assert (Eb : bef_leg c k m S V n 0 (- mu) (- mu) = mu * bef0 n).
@@ -105,8 +105,8 @@ Proof.
   { assert (0 <= z * Rabs mu) as Pz by (apply Rmult_le_pos; lra); assert (P6 := Rmult_le_compat_r _ _ _ Pz HL).
     assert (Q * (z * Rabs mu) <= eps * Rabs mu) as PQ by (rewrite <- Rmult_assoc; apply Rmult_le_compat_r; lra).
     assert (1 * (L * (z * Rabs mu)) <= K * (L * (z * Rabs mu))) by (apply Rmult_le_compat_r; lra).
-    assert (K * (6 * (z * Rabs mu)) <= K * (L * (z * Rabs mu))) by (apply Rmult_le_compat_l; lra). unfold Q in PQ;
-      lra. }
+    assert (K * (6 * (z * Rabs mu)) <= K * (L * (z * Rabs mu))) by (apply Rmult_le_compat_l; lra). unfold Q in PQ; lra.
+      }
   constructor.
   - exact N.
   - destruct A as (_ & _ & A); eapply Rle_trans; [exact A | lra].
@@ -114,8 +114,8 @@ Proof.
   - apply Bx.
   - eapply Rle_trans; [apply A | lra].
   - intros j Hj; assert (E : forall f, entry c k S V f -> beside K (K * z) (turned f j (- x)) (turned f j 0)).
-    { intros f Hf; apply (turned_beside c k m S V n_max K HK); trivial; rewrite ?Rminus_0_r, ?Rabs_Ropp, ?Rabs_R0;
-        lra. }
+    { intros f Hf; apply (turned_beside c k m S V n_max K HK); trivial; rewrite ?Rminus_0_r, ?Rabs_Ropp, ?Rabs_R0; lra.
+        }
     pose proof (beside_plus _ _ _ _ _ _ _ _ (beside_times _ _ _ _ _ _ _ _ (E e11 ltac:(left; reflexivity)) Bx)
       (beside_times _ _ _ _ _ _ _ _ (E S ltac:(right; left; reflexivity)) A)) as (_ & _ & M).
     unfold mid, mid0; fold (aft n mu x y) in M.
@@ -129,17 +129,20 @@ Definition law (n : Z -> nat) (mu : R) (x : Z -> R) : Prop := forall i, (1 + tau
 Definition next (n : Z -> nat) (mu : R) (x : Z -> R) (i : Z) : R := newton mu (x i) -
   (aft (n i) mu (x i) (x (i + 1)%Z) + tau * bef (n (i - 1)%Z) mu (x (i - 1)%Z) (x i)) / ((1 + tau) * g).
 
-Lemma law_fixed n mu x : law n mu x <-> forall i, next n mu x i = x i.
+Lemma law_at n mu x i : (1 + tau) * G1 mu (x i) = - (aft (n i) mu (x i) (x (i + 1)%Z) + tau * bef (n (i - 1)%Z) mu (x (i
+  - 1)%Z) (x i)) <-> next n mu x i = x i.
 Proof.
   pose proof (g_pos O HO) as P; assert (N : 0 < (1 + tau) * g) by (apply Rmult_lt_0_compat; lra).
   assert (E : forall f s y, y - / g * f - s / ((1 + tau) * g) = y - ((1 + tau) * f + s) * / ((1 + tau) * g)) by (intros;
     field; lra).
-  unfold law, next, OscillatorStop.newton; split; intros H i; specialize (H i); rewrite E in *.
+  unfold next, OscillatorStop.newton; rewrite E; split; intros H.
   - rewrite H; ring.
   - assert (Z : ((1 + tau) * G1 mu (x i) + (aft (n i) mu (x i) (x (i + 1)%Z) + tau * bef (n (i - 1)%Z) mu (x (i - 1)%Z)
       (x i))) * / ((1 + tau) * g) = 0) by lra.
     apply Rmult_integral in Z; pose proof (Rinv_0_lt_compat _ N); lra.
 Qed.
+Lemma law_fixed n mu x : law n mu x <-> forall i, next n mu x i = x i.
+Proof. split; intros H i; apply law_at, H. Qed.
 Lemma weigh a b A : Rabs a <= A -> Rabs b <= A -> Rabs ((a + tau * b) / ((1 + tau) * g)) <= A / g.
 Proof.
   intros Ha Hb; pose proof (g_pos O HO) as P; assert (N : 0 < (1 + tau) * g) by (apply Rmult_lt_0_compat; lra).
@@ -149,8 +152,17 @@ Proof.
   - pose proof (Rinv_0_lt_compat _ N); rewrite Rabs_pos_eq; lra.
 Qed.
 
+(** Where two sequences of phases are e apart next to i, the law brings them nearer at i. *)
+Definition nearer (d mu : R) : Prop := forall n x x' i e, (forall i, regular (n i)) ->
+  (forall j, (i - 1 <= j <= i + 1)%Z -> Rabs (x j) <= d /\ Rabs (x' j) <= d /\ Rabs (x j - x' j) <= e) ->
+  Rabs (next n mu x i - next n mu x' i) <= e / 2 /\
+  Rabs (aft (n i) mu (x i) (x (i + 1)%Z) - aft (n i) mu (x' i) (x' (i + 1)%Z)) <= g * e /\
+  Rabs (bef (n (i - 1)%Z) mu (x (i - 1)%Z) (x i) - bef (n (i - 1)%Z) mu (x' (i - 1)%Z) (x' i)) <= g * e /\
+  Rabs (G1 mu (x i) - G1 mu (x' i)) <= 2 * g * e.
+
 (** One d for all words and mu, and the phases have the size of mu. *)
-Theorem one_solution : exists d mu0 C, 0 < d <= 1 /\ 2 * d <= / K /\ 0 < mu0 /\ 0 <= C /\ forall n mu,
+Theorem one_solution : exists d mu0 C, 0 < d <= 1 /\ 2 * d <= / K /\ 0 < mu0 /\ 0 <= C /\
+  (forall mu, Rabs mu <= mu0 -> nearer d mu) /\ forall n mu,
   (forall i, regular (n i)) -> Rabs mu <= mu0 -> exists x, (forall i, Rabs (x i) <= C * Rabs mu) /\ law n mu x /\
   forall x', (forall i, Rabs (x' i) <= d) -> law n mu x' -> forall i, x' i = x i.
 Proof.
@@ -165,26 +177,44 @@ Proof.
   destruct (two_least d1 (d / (2 * (C + 1))) E1 ltac:(apply Rdiv_lt_0_compat; lra)) as (mu0 & M0 & M1 & M2).
   apply (Rmult_le_compat_l (2 * (C + 1))) in M2; [|lra].
   replace (2 * (C + 1) * (d / (2 * (C + 1)))) with d in M2 by (field; lra).
-  exists d, mu0, (2 * C); repeat (split; [lra|]); intros n mu Hn Hmu; pose proof (Rabs_pos mu) as Pm.
+  assert (Nr : forall mu, Rabs mu <= mu0 -> nearer d mu).
+  { intros mu Hmu n y y' i e Hn H; pose proof (Rabs_pos mu) as Pm; destruct (H i ltac:(lia)) as (N & N' & D).
+    assert (Pe : 0 <= e) by (eapply Rle_trans; [apply Rabs_pos | exact D]).
+    assert (Leg : forall n x y x' y', regular n -> Rabs x <= d -> Rabs y <= d -> Rabs x' <= d -> Rabs y' <= d -> Rabs (x
+      - x') <= e -> Rabs (y - y') <= e -> Rabs (aft n mu x y - aft n mu x' y') <= g / 4 * e /\ Rabs (bef n mu x y - bef
+      n mu x' y') <= g / 4 * e).
+    { intros j p q p' q' Hj Hx Hy Hx' Hy' Ex Ey.
+      destruct (legs_beside z d mu j p q p' q' e) as (_ & (_ & _ & A) & (_ & _ & A')); trivial; try lra.
+      { intros t t' Ht Ht'; apply F; lra. }
+      assert (zd : z * d <= z * 1) by (apply Rmult_le_compat_l; lra).
+      assert ((Rabs mu + z * d) * (2 * e) <= 2 * z * (2 * e)) by (apply Rmult_le_compat_r; lra).
+      assert (L * ((Rabs mu + z * d) * (2 * e) + z * e) <= L * (5 * (z * e))) by (apply Rmult_le_compat_l; lra).
+      assert (Q * z * e <= g * e) as PQ by (apply Rmult_le_compat_r; lra); unfold Q in PQ; lra. }
+    destruct (H (i + 1)%Z ltac:(lia)) as (N1 & N1' & D1'), (H (i - 1)%Z ltac:(lia)) as (N2 & N2' & D2').
+    destruct (Leg (n i) _ _ _ _ (Hn i) N N1 N' N1' D D1') as [A _].
+    destruct (Leg (n (i - 1)%Z) _ _ _ _ (Hn _) N2 N N2' N' D2' D) as [_ A'].
+    destruct (F mu (y i) (y' i)) as [_ Nw]; [lra.. |].
+    assert (Zs : z * Rabs (y i - y' i) <= 1 / 4 * e) by (apply Rmult_le_compat; [lra | apply Rabs_pos | exact Z1 | exact
+      D]). assert (ge : 0 <= g * e) by (apply Rmult_le_pos; lra); split; [|split; [lra | split; [lra|]]].
+    - pose proof (weigh _ _ _ A A') as W; unfold next.
+      match type of W with Rabs ((?a - ?a' + tau * (?b - ?b')) / ?q) <= _ => match goal with |- Rabs (?f - _ - (?f' -
+        _)) <= _ => replace (f - _ - (f' - _)) with (f - f' - (a - a' + tau * (b - b')) / q) by (unfold Rdiv; ring) end
+        end.
+      eapply Rle_trans; [apply apart|]; replace (g / 4 * e / g) with (e / 4) in W by (field; lra); lra.
+    - unfold OscillatorStop.newton in Nw; replace (G1 mu (y i) - G1 mu (y' i)) with (g * ((y i - y' i) - (y i - / g * G1
+        mu (y i) - (y' i - / g * G1 mu (y' i))))) by (field; lra).
+      rewrite Rabs_mult, (Rabs_pos_eq g) by lra; replace (2 * g * e) with (g * (2 * e)) by ring.
+      apply Rmult_le_compat_l; [lra|]; eapply Rle_trans; [apply apart | lra]. }
+  exists d, mu0, (2 * C); repeat (split; [lra|]); split; [exact Nr|]; intros n mu Hn Hmu; pose proof (Rabs_pos mu) as
+    Pm.
   assert (Cd : C * Rabs mu <= C * mu0) by (apply Rmult_le_compat_l; lra).
-  assert (Leg : forall n x y x' y' e, regular n -> Rabs x <= d -> Rabs y <= d -> Rabs x' <= d -> Rabs y' <= d ->
-    Rabs (x - x') <= e -> Rabs (y - y') <= e -> Rabs (aft n mu x y - aft n mu x' y') <= g / 4 * e /\
-    Rabs (bef n mu x y - bef n mu x' y') <= g / 4 * e).
-  { intros j x y x' y' e Hj Hx Hy Hx' Hy' Ex Ey; assert (Pe : 0 <= e) by (eapply Rle_trans;
-      [apply Rabs_pos | exact Ex]).
-    destruct (legs_beside z d mu j x y x' y' e) as (_ & (_ & _ & A) & (_ & _ & A')); trivial; try lra.
-    { intros p p' Hp Hp'; apply F; lra. }
-    assert (zd : z * d <= z * 1) by (apply Rmult_le_compat_l; lra).
-    assert ((Rabs mu + z * d) * (2 * e) <= 2 * z * (2 * e)) by (apply Rmult_le_compat_r; lra).
-    assert (L * ((Rabs mu + z * d) * (2 * e) + z * e) <= L * (5 * (z * e))) by (apply Rmult_le_compat_l; lra).
-    assert (Q * z * e <= g * e) as PQ by (apply Rmult_le_compat_r; lra); unfold Q in PQ; lra. }
   assert (Start : forall i, Rabs (next n mu (fun _ => 0) i) <= C * Rabs mu).
-  { intros i; unfold next; assert (A : forall n, regular n -> Rabs (aft n mu 0 0) <= L * Rabs mu /\
-      Rabs (bef n mu 0 0) <= L * Rabs mu).
+  { intros i; unfold next; assert (A : forall n, regular n -> Rabs (aft n mu 0 0) <= L * Rabs mu /\ Rabs (bef n mu 0 0)
+      <= L * Rabs mu).
     { intros j [Hj HSj]; assert (E : beside (Rabs mu) 0 (place mu 0) (place mu 0)).
       { unfold place; rewrite (touch _ HO), Rminus_0_r, <- (Rabs_Ropp mu); repeat split; try lra; apply same; lra. }
-      destruct (legs c k m S V n_max K HK j (0 - 0) (0 - 0) _ _ _ _ _ _ 0 (proj2 Hj) HSj ltac:(apply same;
-        lra) ltac:(apply same; lra) ltac:(apply same; lra) E E) as (_ & A & A'); split; [apply A | apply A']. }
+      destruct (legs c k m S V n_max K HK j (0 - 0) (0 - 0) _ _ _ _ _ _ 0 (proj2 Hj) HSj ltac:(apply same; lra)
+        ltac:(apply same; lra) ltac:(apply same; lra) E E) as (_ & A & A'); split; [apply A | apply A']. }
     pose proof (weigh _ _ _ (proj1 (A _ (Hn i))) (proj2 (A _ (Hn (i - 1)%Z)))) as W; eapply Rle_trans; [apply apart|].
     destruct (St mu 0 ltac:(lra)) as (_ & S1 & _); rewrite (G1_0 O HO), Rminus_0_r in S1.
     unfold OscillatorStop.newton; replace (0 - / g * G1 mu 0) with (- / g * G1 mu 0) by ring.
@@ -192,20 +222,8 @@ Proof.
     replace (C * Rabs mu) with (/ g * (B * Rabs mu) + L * Rabs mu / g) by (unfold C; field; lra); lra. }
   pose proof (contraction Z (fun _ => True) (next n mu) d) as H; cbv zeta in H; destruct H as (x & Hx & Fx & U).
   - lra.
-  - intros e y y' Hy Hy' He i _; assert (Pe : 0 <= e) by (eapply Rle_trans; [apply Rabs_pos | exact (He 0%Z Logic.I)]).
-    assert (near : forall y, near Z (fun _ => True) d y (fun _ => 0) -> forall j, Rabs (y j) <= d) by (intros s Hs j;
-      specialize (Hs j Logic.I); rewrite Rminus_0_r in Hs; exact Hs).
-    specialize (near _ Hy) as N; specialize (near _ Hy') as N'; assert (D : forall j, Rabs (y j - y' j) <= e) by auto.
-    destruct (Leg (n i) _ _ _ _ e (Hn i) (N i) (N (i + 1)%Z) (N' i) (N' (i + 1)%Z) (D _) (D _)) as [A _].
-    destruct (Leg (n (i - 1)%Z) _ _ _ _ e (Hn _) (N (i - 1)%Z) (N i) (N' (i - 1)%Z) (N' i) (D _) (D _)) as [_ A'].
-    destruct (F mu (y i) (y' i)) as [_ Nw]; [lra | eapply Rle_trans; [apply N | lra] | eapply Rle_trans;
-      [apply N' | lra] |].
-    pose proof (weigh _ _ _ A A') as W; unfold next.
-    match type of W with Rabs ((?a - ?a' + tau * (?b - ?b')) / ?q) <= _ => match goal with |- Rabs (?f - _ - (?f' - _))
-      <= _ => replace (f - _ - (f' - _)) with (f - f' - (a - a' + tau * (b - b')) / q) by (unfold Rdiv; ring) end end.
-    eapply Rle_trans; [apply apart|]; assert (z * Rabs (y i - y' i) <= 1 / 4 * e) by (apply Rmult_le_compat;
-      [lra | apply Rabs_pos | exact Z1 | apply D]).
-    replace (g / 4 * e / g) with (e / 4) in W by (field; lra); lra.
+  - intros e y y' Hy Hy' He i _; apply (Nr mu Hmu n y y' i e Hn); intros j _; specialize (Hy j Logic.I); specialize (Hy'
+      j Logic.I); rewrite Rminus_0_r in Hy, Hy'; auto.
   - intros i _; rewrite Rminus_0_r; specialize (Start i); lra.
   - exists x; split; [|split; [apply law_fixed; auto|]].
     + intros i; specialize (U (fun _ => 0) (C * Rabs mu)); unfold near in U.
@@ -239,8 +257,8 @@ Proof.
   { unfold x, phase; rewrite E, plus_IZR, <- INR_IZR_INZ; ring. }
   set (s := x (i + 1)%Z - x i) in *; assert (NS : turned S (n i) s <> 0).
   { intros Z; pose proof (proj2 (proj2 HK) (n i) s (proj2 Hn) HSn) as P; rewrite Z, Rabs_R0 in P.
-    pose proof (inverse_K c k m S V n_max K HK); pose proof (Ph i); pose proof (Ph (i + 1)%Z);
-      pose proof (apart (x (i + 1)%Z) (x i)) as Q; fold s in P, Q; lra. }
+    pose proof (inverse_K c k m S V n_max K HK); pose proof (Ph i); pose proof (Ph (i + 1)%Z); pose proof (apart (x (i +
+      1)%Z) (x i)) as Q; fold s in P, Q; lra. }
   set (f := facing m (N i)) in *; assert (Sq : f * f = 1) by apply side_square.
   assert (E0 : q i (t i) = f * place mu (x i)).
   { replace (place mu (x i)) with (f * q i (t i)) by (unfold place; lra); rewrite <- Rmult_assoc, Sq; ring. }

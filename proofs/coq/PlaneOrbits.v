@@ -2,7 +2,8 @@
 
 From Coq Require Import Reals Arith Lra Lia.
 From Grazing Require Import Defs Algebra StatementOrbits StatementOrbitsPlane
-  OrbitVectors Contraction OrbitRemainder OrbitFixedPoint Orbits PlaneLinear.
+  StatementUniform StatementUnstable OrbitVectors Contraction OrbitRemainder OrbitFixedPoint Orbits OrbitsNear
+    OrbitsUnstable PlaneLinear.
 Open Scope R_scope.
 
 Lemma sgn_above s x kappa : kappa <= Rabs x -> 0 < sgn s * x -> sgn s * x >= kappa.
@@ -35,7 +36,8 @@ Theorem Theorem1_plane : forall M a1 a2 gamma e w,
    ((forall j, (forall k, (1 <= k <= n j - 1)%nat -> sgn s * b a1 a2 (n j) k > 0) /\
                sgn s * sgn g * follows a1 a2 (n j) (n (next j)) > 0) ->
     exists x, orbit_near M J next n mu d x /\
-    forall x', orbit_near M J next n mu d x' -> forall j i, (i < 2)%nat -> x' j i = x j i) /\
+    forall x', orbit_near M J next n mu d x' -> (forall j i, (i < 2)%nat -> x' j i = x j i) /\
+    exists c, 0 < c /\ forall j, clear_at M mu (n j) (x' j) c) /\
    (forall j, (exists k, (1 <= k <= n j - 1)%nat /\ sgn s * b a1 a2 (n j) k < 0) \/
               sgn s * sgn g * follows a1 a2 (n j) (n (next j)) < 0 ->
     forall x, ~ orbit_near M J next n mu d x)) /\
@@ -48,15 +50,15 @@ Proof.
   intros M a1 a2 gamma e w HP n_max; pose proof (is_plane _ _ _ _ _ _ HP) as HN.
   destruct (inverse M a1 a2 gamma e w HP n_max) as (K & HK).
   destruct (is_rate _ _ _ _ _ _ HP) as [He He0]; destruct (is_gamma _ _ _ _ _ _ HP) as [_ Hg0].
-  destruct (Orbits.Theorem1 M w e (is_smooth _ _ _ _ _ _ HP)) with (n_max := n_max) (K := K)
-    as (d & Hd & Hmain & Hlead); [rewrite HN; exact (is_w _ _ _ _ _ _ HP) | rewrite HN; exact He | exact He0|].
+  destruct (Orbits.Theorem1_clear M w e (is_smooth _ _ _ _ _ _ HP)) with (n_max := n_max) (K := K) as (d & Hd & Hmain &
+    Hlead); [rewrite HN; exact (is_w _ _ _ _ _ _ HP) | rewrite HN; exact He | exact He0|].
   destruct (margin (b a1 a2) (S n_max)) as (k1 & Hk1 & Hb).
   destruct (margin (fun i j => follows a1 a2 i j / gamma) (S n_max)) as (k2 & Hk2 & Hf).
   set (kappa := Rmin k1 k2); assert (Hkappa : 0 < kappa) by (apply Rmin_glb_lt; assumption).
   destruct (Hmain kappa Hkappa) as (mu0 & Hmu0 & H); clear Hmain.
-  assert (Hsol : forall (J : Type) (next prev : J -> J) n, (forall j, prev (next j) = j /\ next (prev j) = j) ->
-    (forall j, (1 <= n j <= n_max)%nat /\ u a1 a2 (n j) <> 0) -> exists X Y, bounded M J (K * 1) X Y /\
-    linear M J next n X Y (fun _ => zero) (fun _ => -1)).
+  assert (Hsol : forall (J : Type) (next prev : J -> J) n, (forall j, prev (next j) = j /\ next (prev j) = j) -> (forall
+    j, (1 <= n j <= n_max)%nat /\ u a1 a2 (n j) <> 0) -> exists X Y, bounded M J (K * 1) X Y /\ linear M J next n X Y
+    (fun _ => zero) (fun _ => -1)).
   { intros J next prev n Hnext Hn; apply (proj1 (HK J next prev n Hnext Hn)).
     intros j; split; [apply within_zero; lra | rewrite Rabs_left; lra]. }
   exists d, mu0; split; [exact Hd | split; [exact Hmu0 | split]].
@@ -115,4 +117,22 @@ Lemma follows_itself a1 a2 n : (1 <= n)%nat -> u a1 a2 n <> 0 -> follows a1 a2 n
 Proof.
   intros Hn Hu; unfold follows, c; destruct n as [|m]; [lia|].
   rewrite v_neighbours; cbn [Nat.sub]; rewrite Nat.sub_0_r; field; exact Hu.
+Qed.
+
+(** What is born is unstable: C A^n B is gamma u_n. *)
+Theorem plane_leave M a1 a2 gamma e w : planar M a1 a2 gamma e w -> forall n_max, exists d, d > 0 /\
+  forall J next n mu x c, (forall j : J, (1 <= n j <= n_max)%nat /\ u a1 a2 (n j) <> 0) -> Rabs mu <= d ->
+  orbit_near M J next n mu d x -> 0 < c -> (forall j, clear_at M mu (n j) (x j) c) ->
+  (forall j, unstable M mu (x j)) /\ leaving M J next n mu x.
+Proof.
+  intros HP n_max; destruct (margin (fun n _ => u a1 a2 n * gamma) (S n_max)) as (k & Hk & Mk).
+  pose proof (is_plane _ _ _ _ _ _ HP) as E; destruct (is_gamma _ _ _ _ _ _ HP) as [Eg Ng].
+  destruct (orbits_leave M w (is_smooth _ _ _ _ _ _ HP)) with (n_max := n_max) (kappa := k) as (d & Hd & H); [rewrite E;
+    apply HP | exact Hk|]; exists d; split; [exact Hd|]; intros J next n mu x c Hn; apply H; intros j; destruct (Hn j)
+    as [N0 N1]; split; [exact N0|]; unfold crossing, power; rewrite E.
+  pose proof (row_u M a1 a2 gamma e w HP (n j) (Map.B M)) as R; unfold row in R; rewrite R; change (Nat.iter 0 (mult 2
+    (Map.A M)) (Map.B M)) with (Map.B M); change (Nat.iter 1 (mult 2 (Map.A M)) (Map.B M)) with (mult 2 (Map.A M) (Map.B
+    M)).
+  rewrite (is_CB _ _ _ _ _ _ HP), <- Eg, Rmult_0_r, Rplus_0_r; apply Rle_ge, (Mk (n j) 0%nat); try lia.
+  apply Rmult_integral_contrapositive; auto.
 Qed.

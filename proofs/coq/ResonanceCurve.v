@@ -40,8 +40,8 @@ Proof.
 Qed.
 Lemma left_ext x y : (forall i, (i < S N)%nat -> x i = y i) -> forall i, (i < S N)%nat -> left x i = left y i.
 Proof.
-  intros H; assert (P : forall i, (i < N)%nat -> pow n (hat x) i = pow n (hat y) i) by (apply power_ext; intros;
-    apply H; lia). intros [|i] Hi; unfold left, rows, minus.
+  intros H; assert (P : forall i, (i < N)%nat -> pow n (hat x) i = pow n (hat y) i) by (apply power_ext; intros; apply
+    H; lia). intros [|i] Hi; unfold left, rows, minus.
   - rewrite (dot_ext N _ _ _ P), H by lia; reflexivity.
   - rewrite P by lia; unfold hat at 1 3; rewrite H by lia; reflexivity.
 Qed.
@@ -62,18 +62,18 @@ Definition inverse_bound (K : R) : Prop := 1 <= K /\
   forall Q x, (forall i, (i < S N)%nat -> x i = solved Q i) -> forall k, (k < S N)%nat -> left x k = Q k.
 Lemma inverse_exists : exists K, inverse_bound K.
 Proof.
-  destruct (linear_map_bounded (S N) left) as (K & HK & H); [intros;
-    apply left_comb | exact left_ext | exact left_kernel|].
-  assert (U : forall Q x y, (forall k, (k < S N)%nat -> left x k = Q k) -> (forall k, (k < S N)%nat ->
-    left y k = Q k) -> forall i, (i < S N)%nat -> y i = x i).
+  destruct (linear_map_bounded (S N) left) as (K & HK & H); [intros; apply left_comb | exact left_ext | exact
+    left_kernel|].
+  assert (U : forall Q x y, (forall k, (k < S N)%nat -> left x k = Q k) -> (forall k, (k < S N)%nat -> left y k = Q k)
+    -> forall i, (i < S N)%nat -> y i = x i).
   { intros Q x y Hx Hy i Hi; apply Rminus_diag_uniq; change (y i - x i) with (minus y x i); revert i Hi;
     apply left_kernel. intros i Hi; rewrite minus_comb, left_comb, Hy, Hx by exact Hi; ring. }
   exists (1 + K); split; [lra|]; split.
   - intros t x Ht Hx; destruct (H (left x) t Hx Ht) as (y & Hy & E); intros i Hi.
     rewrite (U (left x) y x E (fun _ _ => eq_refl) i Hi); apply (Rle_trans _ (K * t)); [apply Hy, Hi | lra].
   - intros Q x Hx; destruct (within_exists (S N) Q) as (t & Ht & HQ), (H Q t HQ Ht) as (y & _ & E); intros k Hk.
-    rewrite (left_ext x y); [apply E, Hk | | exact Hk]; intros i Hi; rewrite Hx by exact Hi; apply the_spec;
-      [exists y; auto|]. intros a (x' & E' & ->); apply (U Q); assumption.
+    rewrite (left_ext x y); [apply E, Hk | | exact Hk]; intros i Hi; rewrite Hx by exact Hi; apply the_spec; [exists y;
+      auto|]. intros a (x' & E' & ->); apply (U Q); assumption.
 Qed.
 
 (** ** (19) at the speed y *)
@@ -89,8 +89,8 @@ Lemma solves_is y z : 0 <= y -> solves y z <-> hit n (z O) (point z) = - (y * y)
   point z i = fly M (z O) n (point z) i + Map.kick M (fly M (z O) n (point z)) (Rabs y) (z O) i * y.
 Proof.
   intros Hy; assert (P : pow n (point z) = comb 1 (z O) (pow n (hat z)) (pow n w)) by apply power_comb.
-  assert (E1 : forall i, left z (S i) = right y z (S i) <->
-    point z i = fly M (z O) n (point z) i + Map.kick M (fly M (z O) n (point z)) (Rabs y) (z O) i * y).
+  assert (E1 : forall i, left z (S i) = right y z (S i) <-> point z i = fly M (z O) n (point z) i + Map.kick M (fly M (z
+    O) n (point z)) (Rabs y) (z O) i * y).
   { intros i; unfold left, right, rows, rest1, minus, power; rewrite P; unfold comb.
     assert (pz : point z i = 1 * hat z i + z O * w i) by reflexivity; split; intros E; lra. }
   assert (E2 : left z O = right y z O <-> hit n (z O) (point z) = - (y * y)).
@@ -99,10 +99,24 @@ Proof.
   intros [H1 H2] [|i] Hi; [apply E2, H1 | apply E1, H2; lia].
 Qed.
 
+Lemma right_zero i : (i < S N)%nat -> right 0 zero i = 0.
+Proof.
+  assert (P0 : point zero = zero) by (extensionality j; unfold point, comb, hat, zero; ring).
+  intros Hi; destruct i as [|i]; unfold right, rows; rewrite P0; change (zero O) with 0.
+  - unfold rest2, power; rewrite (height_zero M w e HM Hw He), power_zero, dot_zero; ring.
+  - unfold rest1, power; rewrite (fly_zero M w HM Hw n i) by lia; rewrite power_zero; unfold zero; ring.
+Qed.
+Lemma zero_solves : solves 0 zero.
+Proof.
+  intros i Hi; rewrite right_zero by exact Hi; unfold left; change (hat zero) with zero; rewrite power_zero, dot_zero.
+  destruct i; unfold rows, minus, zero; ring.
+Qed.
+
 (** What remains on a ball of radius d; t bounds z, and y. *)
 Record small (W eps d : R) : Prop := {
-  small_two : forall y z z' t, 0 <= y <= d -> within (S N) d z -> within (S N) d z' -> 0 <= t ->
-    within (S N) t (minus z z') -> within (S N) (eps * t) (minus (right y z) (right y z'));
+  small_two : forall y y' z z' t, 0 <= y <= d -> 0 <= y' <= d -> within (S N) d z -> within (S N) d z' -> 0 <= t ->
+    within (S N) t (minus z z') -> Rabs (y - y') <= t ->
+    within (S N) (eps * t) (minus (minus (right y z) (kicked y)) (minus (right y' z') (kicked y')));
   small_one : forall y z t, 0 <= y <= d -> within (S N) d z -> within (S N) t z -> y <= t ->
     within (S N) (eps * t) (minus (right y z) (kicked y)) /\
     forall k, (k <= n)%nat -> Rabs (hit k (z O) (point z) - C (pow k (hat z)) - z O * e) <= eps * t }.
@@ -117,49 +131,43 @@ Proof.
   intros HW Wb eps Heps.
   destruct (remainder_exists M w e HM Hw He n (eps / (1 + W))) as (d1 & Hd1 & Rem); [apply Rdiv_lt_0_compat; lra|].
   exists (d1 / (1 + W)); split; [apply Rdiv_lt_0_compat; lra|]; intros d [Hd Hd'].
-  assert (D1 : (1 + W) * d <= d1) by (apply (Rmult_le_compat_l (1 + W)) in Hd'; [|lra];
-    replace ((1 + W) * (d1 / (1 + W))) with d1 in Hd' by (field; lra); exact Hd').
-  assert (Up : forall t, 0 <= t -> t <= (1 + W) * t) by (intros t Ht; assert (0 <= W * t) by (apply Rmult_le_pos;
-    lra); lra). pose proof (Up d ltac:(lra)) as Ud; assert (Pt := fun z t => point_within W z t Wb).
+  assert (D1 : (1 + W) * d <= d1) by (apply (Rmult_le_compat_l (1 + W)) in Hd'; [|lra]; replace ((1 + W) * (d1 / (1 +
+    W))) with d1 in Hd' by (field; lra); exact Hd').
+  assert (Up : forall t, 0 <= t -> t <= (1 + W) * t) by (intros t Ht; assert (0 <= W * t) by (apply Rmult_le_pos; lra);
+    lra). pose proof (Up d ltac:(lra)) as Ud; assert (Pt := fun z t => point_within W z t Wb).
   assert (Two : forall y y' z z' t, 0 <= y <= d -> 0 <= y' <= d -> within (S N) d z -> within (S N) d z' -> 0 <= t ->
-    within (S N) t (minus z z') -> Rabs (y - y') <= t ->
-    within (S N) (eps * t) (minus (minus (right y z) (kicked y)) (minus (right y' z') (kicked y'))) /\
-    forall k, (k <= n)%nat -> Rabs (hit k (z O) (point z) - hit k (z' O) (point z') - C (pow k (hat (minus z z'))) -
-      (z O - z' O) * e) <= eps * t).
+    within (S N) t (minus z z') -> Rabs (y - y') <= t -> within (S N) (eps * t) (minus (minus (right y z) (kicked y))
+    (minus (right y' z') (kicked y'))) /\ forall k, (k <= n)%nat -> Rabs (hit k (z O) (point z) - hit k (z' O) (point
+    z') - C (pow k (hat (minus z z'))) - (z O - z' O) * e) <= eps * t).
   { intros y y' z z' t Hy Hy' Hz Hz' Ht Hzz Hyy.
-    assert (Ep : forall i, minus (point z) (point z') i = point (minus z z') i) by (intros i;
-      unfold point, minus, comb, hat; ring).
+    assert (Ep : forall i, minus (point z) (point z') i = point (minus z z') i) by (intros i; unfold point, minus, comb,
+      hat; ring).
     pose proof (Hz O ltac:(lia)) as ZN; pose proof (Hz' O ltac:(lia)) as ZN'; pose proof (Hzz O ltac:(lia)) as ZZ.
-    pose proof (Up t Ht) as Ut; assert (Wd : forall z, within (S N) d z -> within N d1 (point z)) by (intros u Hu;
-      apply (within_le N _ _ _ D1), Pt, Hu).
-    assert (Wz : within N ((1 + W) * t) (minus (point z) (point z'))) by (intros i Hi; rewrite Ep;
-      apply (Pt _ t Hzz i Hi)).
+    pose proof (Up t Ht) as Ut; assert (Wd : forall z, within (S N) d z -> within N d1 (point z)) by (intros u Hu; apply
+      (within_le N _ _ _ D1), Pt, Hu).
+    assert (Wz : within N ((1 + W) * t) (minus (point z) (point z'))) by (intros i Hi; rewrite Ep; apply (Pt _ t Hzz i
+      Hi)).
     assert (R := fun k Hk => Rem k (point z) (point z') y y' (z O) (z' O) ((1 + W) * t) Hk (Wd z Hz) (Wd z' Hz')
-      ltac:(rewrite Rabs_pos_eq; lra) ltac:(rewrite Rabs_pos_eq; lra) ltac:(lra) ltac:(lra) Wz ltac:(lra)
-      ltac:(unfold minus in ZZ; lra)).
+      ltac:(rewrite Rabs_pos_eq; lra) ltac:(rewrite Rabs_pos_eq; lra) ltac:(lra) ltac:(lra) Wz ltac:(lra) ltac:(unfold
+      minus in ZZ; lra)).
     replace (eps / (1 + W) * ((1 + W) * t)) with (eps * t) in R by (field; lra); split.
     - destruct (R n (Nat.le_refl n)) as (R1 & R2 & _); unfold power in R1, R2.
       intros [|i] Hi; unfold minus, right, kicked, rows; [same_as R2 | specialize (R1 i ltac:(lia)); same_as R1].
     - intros k Hk; destruct (R k Hk) as (_ & _ & R3); unfold power in R3.
-      assert (Ed : C (pow k (minus (point z) (point z'))) = C (pow k (hat (minus z z'))) + (z O - z' O) * C (pow k
-        w)).
+      assert (Ed : C (pow k (minus (point z) (point z'))) = C (pow k (hat (minus z z'))) + (z O - z' O) * C (pow k w)).
       { rewrite (dot_ext N _ _ (pow k (point (minus z z')))) by (apply power_ext; intros; apply Ep).
         unfold point; rewrite power_comb, dot_comb; unfold minus at 2; ring. } rewrite Ed in R3; same_as R3. }
   constructor.
-  - intros y z z' t Hy Hz Hz' Ht Hzz; destruct (Two y y z z' t Hy Hy Hz Hz' Ht Hzz ltac:(rewrite Rminus_eq_0, Rabs_R0;
-      exact Ht)) as [B _]; intros i Hi; specialize (B i Hi); unfold minus in *; same_as B.
+  - intros y y' z z' t Hy Hy' Hz Hz' Ht Hzz Hyy; apply (Two y y' z z' t Hy Hy' Hz Hz' Ht Hzz Hyy).
   - intros y z t Hy Hz Htz Hyt; assert (P0 : point zero = zero) by (extensionality i; unfold point, comb, hat, zero;
-    ring). destruct (Two y 0 z zero t Hy ltac:(lra) Hz ltac:(apply within_zero; lra) ltac:(lra)) as [B1 B2];
-      [intros i Hi; unfold minus, zero; rewrite Rminus_0_r; apply Htz, Hi | rewrite Rminus_0_r, Rabs_pos_eq; lra|].
+    ring). destruct (Two y 0 z zero t Hy ltac:(lra) Hz ltac:(apply within_zero; lra) ltac:(lra)) as [B1 B2]; [intros i
+      Hi; unfold minus, zero; rewrite Rminus_0_r; apply Htz, Hi | rewrite Rminus_0_r, Rabs_pos_eq; lra|].
     rewrite P0 in B2; change (zero O) with 0 in B2; split.
-    + assert (Z : forall i, (i < S N)%nat -> minus (right 0 zero) (kicked 0) i = 0).
-      { intros [|i] Hi; unfold minus, right, kicked, rows; rewrite P0; change (zero O) with 0.
-        - unfold rest2, power; rewrite (height_zero M w e HM Hw He), power_zero, dot_zero; ring.
-        - unfold rest1, power; rewrite (fly_zero M w HM Hw n i) by lia; rewrite power_zero; unfold zero; ring. }
+    + assert (Z : forall i, (i < S N)%nat -> minus (right 0 zero) (kicked 0) i = 0) by (intros i Hi; unfold minus;
+        rewrite (right_zero i Hi); destruct i; unfold kicked, rows; ring).
       intros i Hi; specialize (B1 i Hi); unfold minus at 1 in B1; rewrite (Z i Hi), Rminus_0_r in B1; exact B1.
     + intros k Hk; specialize (B2 k Hk); rewrite (height_zero M w e HM Hw He) in B2.
-      replace (hat (minus z zero)) with (hat z) in B2 by (extensionality i; unfold hat, minus, zero; ring);
-        same_as B2.
+      replace (hat (minus z zero)) with (hat z) in B2 by (extensionality i; unfold hat, minus, zero; ring); same_as B2.
 Qed.
 
 (** ** The solutions in a ball of radius d: they are at most P y, and nearly those of the linear problem *)
@@ -180,82 +188,104 @@ Proof.
     lra].
 Qed.
 Lemma P_pos : 2 <= P. Proof. destruct HK as [K1 _]; assert (0 <= K * beta) by (apply Rmult_le_pos; lra); lra. Qed.
+(** Two solutions differ by at most P times what their speeds differ by. *)
+Lemma Lipschitz y y' z z' : 0 <= y <= d -> 0 <= y' <= d -> within (S N) d z -> within (S N) d z' -> solves y z ->
+  solves y' z' -> within (S N) (P * Rabs (y - y')) (minus z z').
+Proof.
+  intros Hy Hy' Hz Hz' S1 S2; destruct HK as (K1 & KB & _); pose proof (small_two _ _ _ Hsm) as Two; pose proof P_pos as
+    P2.
+  set (s := Rabs (y - y')); assert (Hs : 0 <= s) by apply Rabs_pos; assert (Ps : 2 * s <= P * s) by (apply
+    Rmult_le_compat_r; lra). assert (H : forall m, within (S N) (P * s + 2 * d / 2 ^ m) (minus z z')).
+  { induction m as [|m IH]; [apply (within_le _ (d + d)); [cbn; lra | apply (within_minus _ d d z z' Hz Hz')]|].
+    assert (Pm : 0 < 2 ^ m) by (apply pow_lt; lra); assert (D : 0 < 2 * d / 2 ^ m) by (apply Rdiv_lt_0_compat; lra).
+    set (t := P * s + 2 * d / 2 ^ m) in *; specialize (Two y y' z z' t Hy Hy' Hz Hz' ltac:(unfold t; lra) IH ltac:(fold
+      s; unfold t; lra)). replace (2 * d / 2 ^ S m) with (2 * d / 2 ^ m / 2) by (cbn [Rpow_def.pow]; field; lra).
+    apply (within_le _ (K * (beta * s + eps0 * t))); [assert (K * eps0 * t <= 1 / 2 * t) by (apply Rmult_le_compat_r;
+      unfold t; lra); unfold t in *; lra|]. apply KB; [apply Rplus_le_le_0_compat; apply Rmult_le_pos; unfold t; lra|].
+    intros i Hi; rewrite minus_comb, left_comb, S1, S2 by exact Hi; specialize (Two i Hi); unfold minus in Two.
+    replace (1 * right y z i + -1 * right y' z' i) with ((kicked y i - kicked y' i) + (right y z i - kicked y i - (right
+      y' z' i - kicked y' i))) by ring; apply triangle2; [|exact Two]. destruct i as [|i]; unfold kicked, rows.
+    - rewrite Rminus_eq_0, Rabs_R0; apply Rmult_le_pos; lra.
+    - replace (y * Map.B M i - y' * Map.B M i) with ((y - y') * Map.B M i) by ring; rewrite (Rmult_comm beta).
+      apply Rabs_mult_le; [right; reflexivity | apply Hbeta; lia]. }
+  intros i Hi; apply (squeeze _ _ (2 * d)); intros m; apply (H m i Hi).
+Qed.
 Lemma unique y z z' : 0 <= y <= d -> within (S N) d z -> within (S N) d z' -> solves y z -> solves y z' ->
   forall i, (i < S N)%nat -> z i = z' i.
 Proof.
-  intros Hy Hz Hz' S1 S2; destruct HK as (K1 & KB & _); pose proof (small_two _ _ _ Hsm) as Two.
-  assert (H : forall m, within (S N) (2 * d / 2 ^ m) (minus z z')).
-  { induction m as [|m IH]; [intros i Hi; cbn [Nat.iter]; replace (2 * d / 2 ^ 0) with (d + d) by (cbn; field);
-      apply (within_minus _ d d z z' Hz Hz' i Hi)|].
-    assert (Pm : 0 < 2 ^ m) by (apply pow_lt; lra); set (t := 2 * d / 2 ^ m) in *.
-    assert (Ht : 0 < t) by (apply Rdiv_lt_0_compat; lra); specialize (Two y z z' t Hy Hz Hz' ltac:(lra) IH).
-    replace (2 * d / 2 ^ S m) with (t / 2) by (unfold t; cbn [Rpow_def.pow]; field; lra).
-    apply (within_le _ (K * (eps0 * t))); [assert (K * eps0 * t <= 1 / 2 * t) by (apply Rmult_le_compat_r; lra);
-      lra|]. apply KB; [apply Rmult_le_pos; lra|]; intros i Hi; rewrite minus_comb, left_comb, S1, S2 by exact Hi.
-    specialize (Two i Hi); unfold minus in Two; same_as Two. }
-  intros i Hi; apply Rminus_diag_uniq, Rabs_zero, (squeeze _ 0 (2 * d)); intros m; specialize (H m i Hi);
-    unfold minus in H; lra.
+  intros Hy Hz Hz' S1 S2 i Hi; apply Rminus_diag_uniq, Rabs_zero; rewrite <- (Rmult_0_r P), <- Rabs_R0, <- (Rminus_eq_0
+    y).
+  exact (Lipschitz y y z z' Hy Hy Hz Hz' S1 S2 i Hi).
 Qed.
 Lemma size y z : 0 <= y <= d -> within (S N) d z -> solves y z -> within (S N) (P * y) z.
 Proof.
-  intros Hy Hz HS; destruct HK as (K1 & KB & _); pose proof (small_one _ _ _ Hsm) as One; pose proof P_pos as P2.
-  assert (Py : 0 <= P * y) by (apply Rmult_le_pos; lra); assert (H : forall m, within (S N) (P * y + d / 2 ^ m) z).
-  { induction m as [|m IH]; [apply (within_le _ d); [cbn; lra | exact Hz]|];
-    assert (Pm : 0 < 2 ^ m) by (apply pow_lt; lra).
-    assert (D : 0 < d / 2 ^ m) by (apply Rdiv_lt_0_compat; lra); set (t := P * y + d / 2 ^ m) in *.
-    assert (Y : 2 * y <= P * y) by (apply Rmult_le_compat_r; lra).
-    destruct (One y z t Hy Hz IH ltac:(unfold t; lra)) as [B _].
-    replace (P * y + d / 2 ^ S m) with (P * y + d / 2 ^ m / 2) by (cbn [Rpow_def.pow]; field; lra).
-    apply (within_le _ (K * (beta * y + eps0 * t))).
-    - assert (K * eps0 * t <= 1 / 2 * t) by (apply Rmult_le_compat_r; unfold t; lra); unfold t in *; lra.
-    - apply KB; [apply Rplus_le_le_0_compat; apply Rmult_le_pos; unfold t; lra|]; intros i Hi; rewrite HS by exact Hi.
-      replace (right y z i) with (kicked y i + minus (right y z) (kicked y) i) by (unfold minus; ring).
-      apply triangle2; [apply kicked_within; [lra | exact Hi] | apply B, Hi]. }
-  intros i Hi; apply (squeeze _ _ d); intros m; apply (H m i Hi).
+  intros Hy Hz HS i Hi; pose proof (Lipschitz y 0 z zero Hy ltac:(lra) Hz ltac:(apply within_zero; lra) HS zero_solves i
+    Hi) as L; unfold minus, zero in L; rewrite !Rminus_0_r, (Rabs_pos_eq y) in L by lra; exact L.
 Qed.
 Definition line (y : R) : vec := rows (- (v n / e) * y) (fun i => y * V i).
+(** What lies between two solutions is, to the first order, what lies between those of the linear problem. *)
+Lemma first_order eps : 0 < eps -> exists r, 0 < r /\ forall y y' z z', 0 <= y < r -> 0 <= y' < r -> y <= d -> y' <= d
+  ->
+  within (S N) d z -> within (S N) d z' -> solves y z -> solves y' z' ->
+  within (S N) (eps * Rabs (y - y')) (minus (minus z z') (line (y - y'))).
+Proof.
+  intros Heps; pose proof HK as (K1 & KB & _); pose proof P_pos as P2.
+  destruct (small_exists W (proj1 HW) (proj2 HW) (eps / (P * K))) as (d' & Hd' & Sm); [apply Rdiv_lt_0_compat; [lra |
+    apply Rmult_lt_0_compat; lra]|].
+  destruct (two_least d d' Hd Hd') as (d2 & Hd2 & L1 & L2); exists (d2 / P); split; [apply Rdiv_lt_0_compat; lra|].
+  assert (Small : forall y, 0 <= y < d2 / P -> P * y <= d2 /\ y <= P * y).
+  { intros y [Hy Hy']; apply (Rmult_lt_compat_l P) in Hy'; [|lra]; replace (P * (d2 / P)) with d2 in Hy' by (field;
+      lra); split; [lra|]. rewrite <- (Rmult_1_l y) at 1; apply Rmult_le_compat_r; lra. }
+  intros y y' z z' Hy Hy' Hyd Hyd' Hz Hz' HS HS'; destruct (Small y Hy), (Small y' Hy').
+  pose proof (within_le _ _ _ _ (proj1 (Small y Hy)) (size y z ltac:(lra) Hz HS)) as Z.
+  pose proof (within_le _ _ _ _ (proj1 (Small y' Hy')) (size y' z' ltac:(lra) Hz' HS')) as Z'.
+  pose proof (Lipschitz y y' z z' ltac:(lra) ltac:(lra) Hz Hz' HS HS') as L.
+  set (s := Rabs (y - y')) in *; assert (Hs : 0 <= s) by apply Rabs_pos; assert (Ps : 0 <= P * s) by (apply
+    Rmult_le_pos; lra). assert (Ps' : 1 * s <= P * s) by (apply Rmult_le_compat_r; lra).
+  pose proof (small_two _ _ _ (Sm d2 ltac:(lra)) y y' z z' (P * s) ltac:(lra) ltac:(lra) Z Z' Ps L ltac:(fold s; lra))
+    as B.
+  apply (within_le _ (K * (eps / (P * K) * (P * s)))); [right; field; lra|].
+  apply KB; [apply Rmult_le_pos; [left; apply Rdiv_lt_0_compat; [lra | apply Rmult_lt_0_compat; lra] | exact Ps]|].
+  assert (EL : hat (line (y - y')) = comb (y - y') 0 V V) by (extensionality i; unfold hat, line, rows, comb; ring).
+  intros i Hi; specialize (B i Hi); rewrite minus_comb, left_comb, minus_comb, left_comb, HS, HS' by exact Hi.
+  replace (left (line (y - y')) i) with (kicked y i - kicked y' i); [unfold minus in B; same_as B|].
+  destruct i as [|i]; unfold left, kicked, rows; rewrite EL, power_comb.
+  - rewrite dot_comb; unfold line, rows; field; exact Ne.
+  - unfold minus, comb; rewrite (HV i) by lia; ring.
+Qed.
 Lemma near_line eps : 0 < eps -> exists r, 0 < r /\ forall y z, 0 <= y < r -> y <= d -> within (S N) d z ->
   solves y z ->
   within (S N) (eps * y) (minus z (line y)) /\
   forall k, (k <= n)%nat -> Rabs (hit k (z O) (point z) - (v k - v n) * y) <= eps * y.
 Proof.
-  intros Heps; destruct HK as (K1 & KB & _); pose proof P_pos as P2; pose proof (Rabs_pos e) as Pe.
-  destruct (dot_bound N (Map.C M)) as (mc & Hmc & Cb), (power_bound N (Map.A M) n) as (m & Hm & Pb).
-  assert (Hmm : 0 <= mc * m) by (apply Rmult_le_pos; lra); set (H := P * (K + 1 + K * (mc * m + Rabs e))).
-  assert (HH : 0 < H /\ P * K <= H).
-  { assert (0 <= K * (mc * m + Rabs e)) by (apply Rmult_le_pos; lra); unfold H; split; [apply Rmult_lt_0_compat;
-    lra|]. apply Rmult_le_compat_l; lra. }
-  destruct (small_exists W (proj1 HW) (proj2 HW) (eps / H)) as (d' & Hd' & Sm); [apply Rdiv_lt_0_compat; lra|].
-  destruct (two_least d d' Hd Hd') as (d2 & Hd2 & L1 & L2); exists (d2 / P); split; [apply Rdiv_lt_0_compat; lra|].
-  intros y z Hy Hyd Hz HS; pose proof (size y z ltac:(lra) Hz HS) as Sz; assert (0 <= P * y) by (apply Rmult_le_pos;
-    lra). assert (Y : P * y <= d2) by (destruct Hy as [_ Hy]; apply (Rmult_lt_compat_l P) in Hy; [|lra];
-    replace (P * (d2 / P)) with d2 in Hy by (field; lra); lra).
-  assert (Y' : y <= P * y) by (rewrite <- (Rmult_1_l y) at 1; apply Rmult_le_compat_r; lra).
-  destruct (small_one _ _ _ (Sm d2 ltac:(lra)) y z (P * y) ltac:(lra) (within_le _ _ _ _ Y Sz) Sz Y') as [B1 B2].
-  set (t := eps / H * (P * y)) in *; assert (Ht : 0 <= t) by (apply Rmult_le_pos; [left; apply Rdiv_lt_0_compat;
-    lra | lra]). assert (Et : H * t = eps * (P * y)) by (unfold t; field; lra). assert (Kt : K * t <= eps * y).
-  { apply (Rmult_le_reg_l P); [lra|]; replace (P * (eps * y)) with (H * t) by lra.
-    replace (P * (K * t)) with (P * K * t) by ring; apply Rmult_le_compat_r; lra. }
-  assert (LL : forall i, (i < S N)%nat -> left (line y) i = kicked y i).
-  { assert (EL : hat (line y) = comb y 0 V V) by (extensionality i; unfold hat, line, rows, comb; ring).
-    intros [|i] Hi; unfold left, kicked, rows; rewrite EL, power_comb.
-    - rewrite dot_comb; unfold line, rows; field; exact Ne.
-    - unfold minus, comb; rewrite (HV i) by lia; ring. } assert (B3 : within (S N) (K * t) (minus z (line y))).
-  { apply KB; [exact Ht|]; intros i Hi; rewrite minus_comb, left_comb, HS, LL by exact Hi; specialize (B1 i Hi);
-      unfold minus in B1; same_as B1. }
-  split; [exact (within_le _ _ _ _ Kt B3)|]; intros k Hk; specialize (B2 k Hk); apply within_S in B3;
-    destruct B3 as [B3 B4].
-  assert (Kt0 : 0 <= K * t) by (apply Rmult_le_pos; lra); pose proof (Cb _ _ (Pb k _ _ Hk Kt0 B4)) as B5.
-  assert (E5 : hat (minus z (line y)) = comb 1 (- y) (hat z) V) by (extensionality i;
-    unfold hat, minus, line, rows, comb; ring).
-  rewrite E5, power_comb, dot_comb in B5; pose proof (Rabs_mult_le _ e _ _ B3 (Rle_refl _)) as B6;
-    unfold minus, line, rows in B6.
+  intros Heps; pose proof P_pos as P2; destruct (dot_bound N (Map.C M)) as (mc & Hmc & Cb), (power_bound N (Map.A M) n)
+    as (m & Hm & Pb). assert (Hmm : 0 <= mc * m) by (apply Rmult_le_pos; lra); pose proof (Rabs_pos e) as Pe.
+  set (H := P + mc * m + Rabs e + 1); destruct (first_order (eps / H)) as (r1 & R1 & First); [apply Rdiv_lt_0_compat;
+    unfold H; lra|]. destruct (small_exists W (proj1 HW) (proj2 HW) (eps / H)) as (d' & Hd' & Sm); [apply
+    Rdiv_lt_0_compat; unfold H; lra|]. destruct (two_least d d' Hd Hd') as (d2 & Hd2 & L1 & L2), (two_least r1 (d2 / P)
+    R1) as (r & Hr & L3 & L4); [apply Rdiv_lt_0_compat; lra|]. exists r; split; [exact Hr|]; intros y z Hy Hyd Hz HS.
+  pose proof (First y 0 z zero ltac:(lra) ltac:(lra) Hyd ltac:(lra) Hz ltac:(apply within_zero; lra) HS zero_solves) as
+    B.
+  replace (minus z zero) with z in B by (extensionality i; unfold minus, zero; ring); rewrite Rminus_0_r, (Rabs_pos_eq
+    y) in B by lra. set (t := eps / H * y) in *; assert (Ht : 0 <= t) by (apply Rmult_le_pos; [left; apply
+    Rdiv_lt_0_compat; unfold H; lra | lra]). assert (Et : (P + mc * m + Rabs e + 1) * t = eps * y) by (unfold t, H;
+    field; lra).
+  assert (0 <= P * t /\ 0 <= mc * m * t /\ 0 <= Rabs e * t) as (T1 & T2 & T3) by (repeat split; apply Rmult_le_pos;
+    lra).
+  split; [apply (within_le _ t); [lra | exact B]|]; intros k Hk; pose proof (size y z ltac:(lra) Hz HS) as Sz.
+  assert (Y : P * y <= d2) by (apply (Rle_trans _ (P * (d2 / P))); [apply Rmult_le_compat_l; lra | right; field; lra]).
+  assert (Y' : 1 * y <= P * y) by (apply Rmult_le_compat_r; lra).
+  destruct (small_one _ _ _ (Sm d2 ltac:(lra)) y z (P * y) ltac:(lra) (within_le _ _ _ _ Y Sz) Sz ltac:(lra)) as [_ B2].
+  specialize (B2 k Hk); apply within_S in B; destruct B as [B3 B4]; pose proof (Cb _ _ (Pb k _ _ Hk Ht B4)) as B5.
+  assert (E5 : hat (minus z (line y)) = comb 1 (- y) (hat z) V) by (extensionality i; unfold hat, minus, line, rows,
+    comb; ring).
+  rewrite E5, power_comb, dot_comb in B5; pose proof (Rabs_mult_le _ e _ _ B3 (Rle_refl _)) as B6; unfold minus, line,
+    rows in B6.
   replace ((z O - - (v n / e) * y) * e) with (z O * e + v n * y) in B6 by (field; exact Ne).
-  replace (hit k (z O) (point z) - (v k - v n) * y) with ((hit k (z O) (point z) - C (pow k (hat z)) - z O * e) +
-    (1 * C (pow k (hat z)) + - y * v k) + (z O * e + v n * y)) by ring.
-  apply (Rle_trans _ (t + mc * (m * (K * t)) + K * t * Rabs e)); [apply triangle3; assumption|].
-  apply (Rmult_le_reg_l P); [lra|]; replace (P * (eps * y)) with (H * t) by lra; unfold H.
-  assert (0 <= P * (K * t)) by (apply Rmult_le_pos; lra); lra.
+  replace (hit k (z O) (point z) - (v k - v n) * y) with ((hit k (z O) (point z) - C (pow k (hat z)) - z O * e) + (1 * C
+    (pow k (hat z)) + - y * v k) + (z O * e + v n * y)) by ring.
+  apply (Rle_trans _ (eps / H * (P * y) + mc * (m * t) + t * Rabs e)); [apply triangle3; assumption|].
+  replace (eps / H * (P * y)) with (P * t) by (unfold t; ring); lra.
 Qed.
 End Ball.
 End Curve.

@@ -43,52 +43,58 @@ Proof.
     - apply zero_meaning; intros ?; exact Hs.
     - intros ?; split; [exact Hy | intros k Hkn; apply Hk; lia]. }
   split; [exact Ho|]; destruct (Ho tt) as (_ & Hf & _); unfold speed_of.
-  rewrite (heights M (z O) (x tt) n Hf) by lia; replace (S (n - 1)) with n by lia; unfold x;
-    rewrite (proj1 Hs), Ropp_involutive. apply sqrt_square; lra.
+  rewrite (heights M (z O) (x tt) n Hf) by lia; replace (S (n - 1)) with n by lia; unfold x; rewrite (proj1 Hs),
+    Ropp_involutive. apply sqrt_square; lra.
+Qed.
+
+Lemma orbit_inside W : 0 <= W -> within N W w -> exists l dl, 1 <= l /\ 0 < dl /\ forall d0 d h mu x, 0 < d <= dl ->
+  (1 + W) * d <= d0 -> 0 < h -> l * d <= h * h -> Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in
+  0 < y <= h /\ within (S N) d0 (of w mu (x tt)) /\ solves y (of w mu (x tt)) /\
+  forall k, (0 < k < n)%nat -> 0 < hit k mu (x tt).
+Proof.
+  intros HW Wb; destruct (Lipschitz_fly M w e HM Hw He n) as (l & dl & Hl & Hdl & Lip); exists l, dl; split; [exact Hl |
+    split; [exact Hdl|]]; intros d0 d h mu x Hd D1 Hh D2 Hmu Ho y.
+  destruct (orbit_solution mu d x Ho) as (Hy & Hs & Hk); fold y in Hy, Hs; destruct (Ho tt) as (Hx & _).
+  split; [split; [exact Hy|] | split; [|auto]].
+  - destruct (Lip n (x tt) zero mu 0 d (Nat.le_refl n)) as [_ B]; rewrite ?Rminus_0_r, ?Rabs_R0; try lra;
+      try (apply within_zero; lra); [apply within_le with d; [lra | exact Hx] | intros i Hi; unfold minus, zero;
+      rewrite Rminus_0_r; apply Hx, Hi|].
+    apply (proj1 (solves_is M w e n y _ (Rlt_le _ _ Hy))) in Hs; rewrite point_of in Hs; destruct Hs as [Hs _];
+      change (of w mu (x tt) O) with mu in Hs; rewrite Hs, (height_zero M w e HM Hw He n), Rminus_0_r, Rabs_Ropp,
+      Rabs_pos_eq in B by nra. apply Rsqr_incr_0_var; unfold Rsqr; lra.
+  - apply within_S; unfold of; split; [cbn [rows]; assert (0 <= W * d) by (apply Rmult_le_pos; lra); lra|]; intros i Hi;
+      unfold hat, rows, Rminus. apply (Rle_trans _ (d + d * W)); [|lra]; apply triangle2; [apply Hx, Hi|].
+    rewrite Rabs_Ropp; apply Rabs_mult_le; [exact Hmu | apply Wb, Hi].
 Qed.
 
 Theorem curves : exists d, 0 < d /\ curve M w V e n d.
 Proof.
-  destruct (inverse_exists M e n Ne Hdet) as (K & HK), (within_exists N w) as (W & HW & Wb),
-    (within_exists N (Map.B M)) as (beta & Hb & Bb); pose proof (proj1 HK) as K1.
+  destruct (inverse_exists M e n Ne Hdet) as (K & HK), (within_exists N w) as (W & HW & Wb), (within_exists N (Map.B M))
+    as (beta & Hb & Bb); pose proof (proj1 HK) as K1.
   set (eps0 := / (2 * K)); assert (He0 : 0 < eps0 /\ K * eps0 <= 1 / 2).
   { unfold eps0; split; [apply Rinv_0_lt_compat; lra | right; field; lra]. }
   destruct (small_exists M w e n HM Hw He W HW Wb eps0 (proj1 He0)) as (d0 & Hd0 & Sm).
-  destruct (Lipschitz_fly M w e HM Hw He n) as (l & d2 & Hl & Hd2 & Lip).
-  assert (Wd : 0 <= W /\ within N W w) by auto; assert (Bd : 0 <= beta /\ within N beta (Map.B M)) by auto.
+  destruct (orbit_inside W HW Wb) as (l & d2 & Hl & Hd2 & Inside). assert (Wd : 0 <= W /\ within N W w) by auto;
+    assert (Bd : 0 <= beta /\ within N beta (Map.B M)) by auto.
   specialize (Sm d0 (conj Hd0 (Rle_refl _))).
   pose proof (near_line M w e n V HM Hw He Ne HV K W eps0 d0 beta HK Wd Hd0 He0 Sm Bd) as Near.
   destruct (margin (fun k _ => across M V k - across M V n) n) as (g & Hg & Mg).
-  destruct (Near (g / 2) ltac:(lra)) as (r0 & Hr0 & Near0); destruct (two_least d0 (r0 / 2) Hd0 ltac:(lra)) as (h &
-    Hh & L1 & L2).
-  destruct (two_least (d0 / (1 + W)) (h * h / l)) as (d1 & Hd1 & L5 & L6); [apply Rdiv_lt_0_compat; lra |
-    apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra|].
+  destruct (Near (g / 2) ltac:(lra)) as (r0 & Hr0 & Near0); destruct (two_least d0 (r0 / 2) Hd0 ltac:(lra)) as (h & Hh &
+    L1 & L2).
+  destruct (two_least (d0 / (1 + W)) (h * h / l)) as (d1 & Hd1 & L5 & L6); [apply Rdiv_lt_0_compat; lra | apply
+    Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra|].
   destruct (two_least d1 d2 Hd1 Hd2) as (d & Hd & L3 & L4).
   assert (D1 : (1 + W) * d <= d0) by (apply (Rle_trans _ ((1 + W) * (d0 / (1 + W)))); [apply Rmult_le_compat_l; lra |
     right; field; lra]).
-  assert (D2 : l * d <= h * h) by (apply (Rle_trans _ (l * (h * h / l))); [apply Rmult_le_compat_l; lra | right;
-    field; lra]). assert (Dd : d <= d0) by (assert (0 <= W * d) by (apply Rmult_le_pos; lra); lra).
-  assert (Orb : forall mu x, Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in
-    0 < y <= h /\ within (S N) d0 (of w mu (x tt)) /\ solves y (of w mu (x tt)) /\
-    forall k, (0 < k < n)%nat -> 0 < hit k mu (x tt)).
-  { intros mu x Hmu Ho y; destruct (orbit_solution mu d x Ho) as (Hy & Hs & Hk); fold y in Hy, Hs;
-    destruct (Ho tt) as (Hx & _). split; [split; [exact Hy|]|split; [|auto]].
-    - destruct (Lip n (x tt) zero mu 0 d (Nat.le_refl n)) as [_ B]; rewrite ?Rminus_0_r, ?Rabs_R0; try lra;
-        try (apply within_zero; lra); [apply within_le with d; [lra | exact Hx] | intros i Hi; unfold minus, zero;
-        rewrite Rminus_0_r; apply Hx, Hi|].
-      apply (proj1 (solves_is M w e n y _ (Rlt_le _ _ Hy))) in Hs; rewrite point_of in Hs; destruct Hs as [Hs _];
-        change (of w mu (x tt) O)
-        with mu in Hs; rewrite Hs, (height_zero M w e HM Hw He n), Rminus_0_r, Rabs_Ropp, Rabs_pos_eq in B by nra.
-      apply Rsqr_incr_0_var; unfold Rsqr; lra.
-    - apply within_S; unfold of; split; [cbn [rows]; lra|]; intros i Hi; unfold hat, rows, Rminus.
-      apply (Rle_trans _ (d + d * W)); [|lra]; apply triangle2; [apply Hx, Hi|].
-      rewrite Rabs_Ropp; apply Rabs_mult_le; [exact Hmu | apply Wb, Hi]. }
+  assert (D2 : l * d <= h * h) by (apply (Rle_trans _ (l * (h * h / l))); [apply Rmult_le_compat_l; lra | right; field;
+    lra]). assert (Dd : d <= d0) by (assert (0 <= W * d) by (apply Rmult_le_pos; lra); lra).
+  assert (Orb := fun mu x => Inside d0 d h mu x (conj Hd L4) D1 Hh D2).
   exists d; split; [exact Hd|]; constructor.
   - intros (k & Hk & Neg) mu x Hmu Ho; destruct (Orb mu x Hmu Ho) as (Hy & Hz & Hs & Pos); specialize (Pos k Hk).
-    set (y := speed_of M n mu x) in *; destruct (Near0 y _ ltac:(lra) ltac:(lra) Hz Hs) as [_ B];
-      specialize (B k ltac:(lia)). rewrite point_of in B; change (of w mu (x tt) O) with mu in B.
-    change (dot N (Map.C M) (pow k V)) with (across M V k) in B;
-      change (dot N (Map.C M) (pow n V)) with (across M V n) in B.
+    set (y := speed_of M n mu x) in *; destruct (Near0 y _ ltac:(lra) ltac:(lra) Hz Hs) as [_ B]; specialize (B k
+      ltac:(lia)). rewrite point_of in B; change (of w mu (x tt) O) with mu in B.
+    change (dot N (Map.C M) (pow k V)) with (across M V k) in B; change (dot N (Map.C M) (pow n V)) with (across M V n)
+      in B.
     specialize (Mg k 0%nat ltac:(lia) ltac:(lia) ltac:(lra)); rewrite Rabs_left in Mg by lra; apply le_abs in B.
     assert (g * y <= (across M V n - across M V k) * y) by (apply Rmult_le_compat_r; lra).
     assert (0 < g * y) by (apply Rmult_lt_0_compat; lra); lra.
@@ -99,50 +105,51 @@ Proof.
     { apply Rdiv_lt_0_compat; [|apply Rmult_lt_0_compat]; lra. } exists r; split; [exact Hr|]; intros y Hy.
     assert (Y : P K beta * y * (1 + W) <= d).
     { apply (Rle_trans _ ((1 + W) * P K beta * (d / ((1 + W) * P K beta)))); [|right; field; lra].
-      replace (P K beta * y * (1 + W)) with ((1 + W) * P K beta * y) by ring; apply Rmult_le_compat_l;
-        [apply Rmult_le_pos|]; lra. }
+      replace (P K beta * y * (1 + W)) with ((1 + W) * P K beta * y) by ring; apply Rmult_le_compat_l; [apply
+        Rmult_le_pos|]; lra. }
     assert (Hyd : 0 <= y <= d0) by lra; pose proof (small_two _ _ _ _ _ _ _ Sm) as Two.
     pose proof (small_one _ _ _ _ _ _ _ Sm) as One; destruct HK as (_ & KB & KS).
-    set (T := fun z => solved M e n (right M w e n y z)); assert (TL : forall z, (forall i, (i < S N)%nat ->
-      left M e n (T z) i = right M w e n y z i)) by (intros z; apply KS; reflexivity).
+    set (T := fun z => solved M e n (right M w e n y z)); assert (TL : forall z, (forall i, (i < S N)%nat -> left M e n
+      (T z) i = right M w e n y z i)) by (intros z; apply KS; reflexivity).
     destruct (contraction nat (fun i => (i < S N)%nat) T d0) as (z & Hz & Fz & _); [lra| | |].
     + intros t z z' Hz Hz' Hzz; assert (Ht : 0 <= t) by (eapply Rle_trans; [apply Rabs_pos | apply (Hzz O); lia]).
-      assert (B1 : forall u, near nat (fun i => (i < S N)%nat) d0 u (fun _ => 0) ->
-        within (S N) d0 u) by (intros u Hu i Hi; specialize (Hu i Hi); rewrite Rminus_0_r in Hu; exact Hu).
+      assert (B1 : forall u, near nat (fun i => (i < S N)%nat) d0 u (fun _ => 0) -> within (S N) d0 u) by (intros u Hu i
+        Hi; specialize (Hu i Hi); rewrite Rminus_0_r in Hu; exact Hu).
       intros i Hi; change (T z i - T z' i) with (minus (T z) (T z') i); apply (Rle_trans _ (K * (eps0 * t))).
       * revert i Hi; apply KB; [apply Rmult_le_pos; lra|]; intros i Hi;
         rewrite minus_comb, left_comb, !TL by exact Hi.
-        pose proof (Two y z z' t Hyd (B1 z Hz) (B1 z' Hz') Ht Hzz i Hi) as B2; unfold minus in B2; same_as B2.
+        pose proof (Two y y z z' t Hyd Hyd (B1 z Hz) (B1 z' Hz') Ht Hzz ltac:(rewrite Rminus_eq_0, Rabs_R0; exact Ht) i
+          Hi) as B2; unfold minus in B2; same_as B2.
       * assert (K * eps0 * t <= 1 / 2 * t) by (apply Rmult_le_compat_r; lra); lra.
     + intros i Hi; rewrite Rminus_0_r; apply (Rle_trans _ (K * (beta * y + eps0 * y))).
       * revert i Hi; apply KB; [apply Rplus_le_le_0_compat; apply Rmult_le_pos; lra|]; intros i Hi;
         rewrite TL by exact Hi.
         destruct (One y zero y Hyd) as [B1 _]; [apply within_zero; lra | apply within_zero; lra | lra|].
-        change (fun _ : nat => 0) with zero; replace (right M w e n y zero i) with (kicked M y i + minus (right M w e
-          n y zero) (kicked M y) i) by
-          (unfold minus; ring); apply triangle2; [apply (kicked_within M beta Bd); [lra | exact Hi] | apply B1, Hi].
+        change (fun _ : nat => 0) with zero; replace (right M w e n y zero i) with (kicked M y i + minus (right M w e n
+          y zero) (kicked M y) i) by (unfold minus; ring); apply triangle2; [apply (kicked_within M beta Bd); [lra |
+          exact Hi] | apply B1, Hi].
       * replace (K * (beta * y + eps0 * y)) with (B * y) by (unfold B; ring).
         apply (Rle_trans _ (B * (d0 / (2 * B)))); [apply Rmult_le_compat_l; lra | right; field; lra].
     + assert (Wz : within (S N) d0 z) by (intros i Hi; specialize (Hz i Hi); rewrite Rminus_0_r in Hz; exact Hz).
       assert (Hs : solves y z) by (intros i Hi; rewrite <- (TL z i Hi); apply left_ext; [|exact Hi]; intros j Hj;
         symmetry; apply Fz, Hj).
       assert (HK' : inverse_bound M e n K) by (split; [exact K1 | split; [exact KB | exact KS]]).
-      pose proof (size M w e n K W eps0 d0 beta HK' Hd0 He0 Sm Bd y z Hyd Wz Hs) as Sz.
-      pose proof (point_within M w W z _ Wb Sz) as Pz; replace ((1 + W) * (P K beta * y)) with (P K beta * y * (1 +
-        W)) in Pz by ring. assert (Z0 : Rabs (z O) <= d).
+      pose proof (size M w e n HM Hw He K W eps0 d0 beta HK' Hd0 He0 Sm Bd y z Hyd Wz Hs) as Sz.
+      pose proof (point_within M w W z _ Wb Sz) as Pz; replace ((1 + W) * (P K beta * y)) with (P K beta * y * (1 + W))
+        in Pz by ring. assert (Z0 : Rabs (z O) <= d).
       { assert (0 <= P K beta * y * W) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra).
         eapply Rle_trans; [apply (Sz O); lia | lra]. }
       destruct (solution_orbit z y d ltac:(lra) Hs (within_le _ _ _ _ Y Pz)) as [Ho Ey].
       { intros k Hk; destruct (Near0 y z ltac:(lra) ltac:(lra) Wz Hs) as [_ B1]; specialize (B1 k ltac:(lia)).
-        change (dot N (Map.C M) (pow k V)) with (across M V k) in B1;
-          change (dot N (Map.C M) (pow n V)) with (across M V n)
-          in B1; specialize (Above k Hk); specialize (Mg k 0%nat ltac:(lia) ltac:(lia) ltac:(lra)).
+        change (dot N (Map.C M) (pow k V)) with (across M V k) in B1; change (dot N (Map.C M) (pow n V)) with (across M
+          V n) in B1; specialize (Above k Hk); specialize (Mg k 0%nat ltac:(lia) ltac:(lia) ltac:(lra)).
         rewrite Rabs_pos_eq in Mg by lra; apply le_abs in B1.
         assert (g * y <= (across M V k - across M V n) * y) by (apply Rmult_le_compat_r; lra).
         assert (0 < g * y) by (apply Rmult_lt_0_compat; lra); lra. }
       exists (z O), (fun _ => point z); split; [exact Z0|]; split; [exact Ho|]; split; [exact Ey|].
       intros mu' x' Hmu' Ho' E'; destruct (Orb mu' x' Hmu' Ho') as (_ & Hz' & Hs' & _); rewrite E' in Hs'.
-      pose proof (unique M w e n K W eps0 d0 HK' Hd0 He0 Sm y _ _ Hyd Hz' Wz Hs' Hs) as U; split; [apply (U O); lia|].
+      pose proof (unique M w e n K W eps0 d0 beta HK' Hd0 He0 Sm Bd y _ _ Hyd Hz' Wz Hs' Hs) as U; split; [apply (U O);
+        lia|].
       assert (E : forall i, (i < N)%nat -> point (of w mu' (x' tt)) i = point z i); [|rewrite point_of in E; exact E].
       intros i Hi; unfold ResonanceCurve.point, comb, hat; rewrite (U O), (U (S i)) by lia; reflexivity.
   - intros eps Heps; destruct (Near eps Heps) as (r & Hr & Nr); exists r; split; [exact Hr|]; intros mu x Hmu Ho y Hy.
@@ -171,8 +178,8 @@ Proof.
   set (uu := u (trace r s) (r ^ 2)); assert (Hrs : 0 < r * sin th) by (apply Rmult_lt_0_compat; lra).
   assert (Ek : forall k, uu k * (r * sin th) = r ^ k * sin (PI * (INR k * INR m / INR n))).
   { intros k; rewrite <- Ang; apply (u_polar r th); lra. }
-  assert (Sg : forall k, (0 < sin (PI * (INR k * INR m / INR n)) -> 0 < uu k) /\
-    (sin (PI * (INR k * INR m / INR n)) < 0 -> uu k < 0)).
+  assert (Sg : forall k, (0 < sin (PI * (INR k * INR m / INR n)) -> 0 < uu k) /\ (sin (PI * (INR k * INR m / INR n)) < 0
+    -> uu k < 0)).
   { intros k; assert (Pr : 0 < r ^ k) by (apply pow_lt, Hr); specialize (Ek k); set (x := sin (PI * _)) in *.
     split; intros X; apply (Rmult_lt_reg_r (r * sin th)); trivial; rewrite Ek, Rmult_0_l; nra. }
   assert (Un : uu n = 0).

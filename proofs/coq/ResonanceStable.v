@@ -1,7 +1,7 @@
 (** * Where the motion exists, its return map has both multipliers - tau q, and it is asymptotically stable *)
 From Coq Require Import Reals ZArith Lra Lia.
-From Grazing Require Import Defs StatementPlane StatementAttractor StatementOscillator StatementResonance Derivatives
-  Flow.
+From Grazing Require Import Defs StatementPlane StatementAttractor StatementOscillator StatementUnstable
+  StatementResonance Derivatives Flow.
 From Grazing Require Import AttractorDerivative ResonanceHop ResonanceExact ResonanceReturn.
 Open Scope R_scope.
 

@@ -3,11 +3,11 @@
 
     y'' = - c y' - k y above one stop that moves with period 2 pi, as in [StatementOscillator]: c >= 0, and
     theta = 2 pi omega is the angle of a period. After n periods every free motion is itself, times q: here
-    u_n = 0, and Theorem 1 says nothing. Read [swing] in [StatementOscillator], and [derivative] in
-    [StatementAttractor], first. *)
+    u_n = 0, and Theorem 1 says nothing. Read [swing] in [StatementOscillator], [near] in [StatementUnstable], and
+    [derivative] in [StatementAttractor], first. *)
 From Coq Require Import Reals ZArith.
 From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementPlane.
-From Grazing Require Import StatementAttractor StatementOscillator.
+From Grazing Require Import StatementAttractor StatementOscillator StatementUnstable.
 Open Scope R_scope.
 
 (** The stop may have any shape and change with mu as it likes. *)
@@ -75,8 +75,6 @@ Definition Multipliers_statement : Prop := forall O n m mu d t y v, any_stop O -
     stays near and comes as near as one likes; there is no other with that start. *)
 Definition forward (O : Oscillator.t) (n : nat) (mu d : R) (t : Z -> R) (y v : Z -> R -> R) : Prop :=
   forall i j, (0 <= i)%Z -> j = (i + 1)%Z -> swing O Plus mu d (fun i => Z.of_nat n * i)%Z t y v i j.
-Definition near (t t' : Z -> R) (v v' : Z -> R -> R) (eps : R) (i : Z) : Prop :=
-  Rabs (t' i - t i) <= eps /\ Rabs (v' i (t' i) - v i (t i)) <= eps.
 Definition Stable_statement : Prop := forall O n m mu d t y v, any_stop O -> resonant O n m ->
   regular O n m -> 0 < Oscillator.tau O -> once O n mu d t y v ->
   forall eps, 0 < eps -> exists delta, 0 < delta /\ forall s w, Rabs (s - t 0%Z) <= delta ->
@@ -126,6 +124,34 @@ Definition Curve_statement : Prop := forall M w V rate n, smooth M -> let N := M
   rate = dot N (Map.C M) w + Map.eta M -> rate <> 0 -> (1 <= n)%nat ->
   (forall x, (forall i, (i < N)%nat -> x i = power M n x i) -> forall i, (i < N)%nat -> x i = 0) ->
   (forall i, (i < N)%nat -> V i = power M n V i + Map.B M i) -> exists d, 0 < d /\ curve M w V rate n d.
+
+(** Where that slope is 0, the second order of n steps decides, in the direction (1, 0, V) of (y, mu, x). A
+    function G of these bends by Q y^2 there, besides its linear part L: if it is C2, Q is half its second
+    derivative in this direction. *)
+Definition beside (N : nat) (V : vec) (r y mu : R) (x : vec) : Prop := Rabs mu <= r * Rabs y /\
+  StatementOrbits.within N (r * Rabs y) (fun i => x i - y * V i).
+Definition bends (N : nat) (V : vec) (G L : R -> R -> vec -> R) (Q : R) : Prop := forall eps, 0 < eps ->
+  exists r, 0 < r /\ forall y mu x y' mu' x', 0 <= y <= r -> 0 <= y' <= r ->
+  beside N V r y mu x -> beside N V r y' mu' x' -> beside N V r (y - y') (mu - mu') (minus x x') ->
+  Rabs (G y mu x - G y' mu' x' - L (y - y') (mu - mu') (minus x x') - Q * (y ^ 2 - y' ^ 2)) <=
+    eps * ((y + y') * Rabs (y - y')).
+(** The height after n steps without impact, and the point after an impact of speed y there. *)
+Record second_order (M : Map.t) (w V : vec) (rate : R) (n : nat) (Qh : R) (Q : vec) : Prop := {
+  second_height : bends (Map.N M) V (fun _ mu x => Map.h M (Nat.iter n (fun x => Map.f M x mu) x) mu)
+    (fun _ mu x => across M x n + mu * (rate - across M w n)) Qh;
+  second_impact : forall i, (i < Map.N M)%nat -> bends (Map.N M) V (fun y mu x =>
+    let z := Nat.iter n (fun x => Map.f M x mu) x in z i + Map.kick M z y mu i * y)
+    (fun y mu x => power M n x i + y * Map.B M i + mu * (w i - power M n w i)) (Q i) }.
+(** Then mu is about K y^2 on the curve: exactly one orbit where K mu > 0, and none elsewhere. *)
+Definition Side_statement : Prop := forall M w V U rate n Qh Q, smooth M -> let N := Map.N M in
+  (forall i, (i < N)%nat -> w i = mult N (Map.A M) w i + Map.phi M i) ->
+  rate = dot N (Map.C M) w + Map.eta M -> rate <> 0 -> (1 <= n)%nat ->
+  (forall x, (forall i, (i < N)%nat -> x i = power M n x i) -> forall i, (i < N)%nat -> x i = 0) ->
+  (forall i, (i < N)%nat -> V i = power M n V i + Map.B M i /\ U i = power M n U i + Q i) ->
+  second_order M w V rate n Qh Q -> across M V n = 0 -> (forall k, (0 < k < n)%nat -> 0 < across M V k) ->
+  let K := - (1 + Qh + across M U n) / rate in K <> 0 -> exists d mu0, 0 < d /\ 0 < mu0 /\
+  forall mu, Rabs mu < mu0 -> (0 < K * mu -> exists x, single M n mu d x /\ forall x', single M n mu d x' ->
+    forall i, (i < N)%nat -> x' tt i = x tt i) /\ (K * mu <= 0 -> forall x, ~ single M n mu d x).
 
 (** In the plane at resonance the slope is 0. For m = 1, gamma > 0 there is the curve. At the other resonances
     no orbit of period n with one impact is near grazing, on either side of mu = 0, whatever the second

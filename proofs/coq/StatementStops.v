@@ -2,10 +2,10 @@
 
     q' = u and u' = a (t, q, u, mu) while Q1 < q < Q2; at each mu this a is the paper's a (q, u, t). [measured]
     counts place and velocity from the stop that is touched, upwards from the lower and downwards from the upper
-    one: that is an oscillator of [StatementNonlinear], and its motions are those between the stops. So whatever
-    [Headline] says of [Moves (measured P s) rate] is about them. *)
+    one: that is an oscillator of [StatementNonlinear], its motions are those between the stops, and where they are
+    unstable, so are these. So whatever [Headline] says of [Moves (measured P s) rate] is about them. *)
 From Coq Require Import Reals ZArith.
-From Grazing Require Import Defs StatementNonlinear.
+From Grazing Require Import Defs StatementNonlinear StatementUnstable.
 Open Scope R_scope.
 
 (** Stop s, Plus the lower and Minus the upper, is at Q s 0 t mu; Q s k is its k-th derivative in t, and Q_mu s k
@@ -83,4 +83,7 @@ Definition Stops_statement : Prop := forall P s, grazing_at P s -> grazing_orbit
   exists r, 0 < r /\ forall mu d N, Rabs mu <= r -> d <= r ->
   (one_between P s mu d N <-> one_nonlinear_motion (measured P s) mu d N) /\
   ((exists t q u, motion_between P s mu d N t q u) <->
-   exists t y v, nonlinear_motion (measured P s) mu d N t y v).
+   exists t y v, nonlinear_motion (measured P s) mu d N t y v) /\
+  ((forall t y v, nonlinear_motion (measured P s) mu d N t y v ->
+    unstable_motion (leg (measured P s) mu d N) t v) ->
+   forall t q u, motion_between P s mu d N t q u -> unstable_motion (flight P s mu d N) t u).

@@ -2,8 +2,9 @@
       and of patterns mean by it *)
 
 From Coq Require Import Reals ZArith List Arith Lra Lia.
-From Grazing Require Import Defs StatementOrbits StatementOrbitsPlane StatementWords StatementOscillator
-  StatementNonlinear NonlinearTube PlaneOrbits Oscillators WordAlgebra Headline StatementSystems.
+From Grazing Require Import Defs StatementOrbits StatementOrbitsPlane StatementUnstable StatementWords
+  StatementOscillator StatementNonlinear NonlinearTube OrbitVectors PlaneOrbits Oscillators WordAlgebra Headline
+    StatementSystems.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -41,21 +42,26 @@ Proof.
       replace ((Rabs K + 1) * (eps / (Rabs K + 1))) with eps in L by (field; lra).
       pose proof (Rle_abs K); pose proof (Rabs_pos mu).
       assert (K * Rabs mu <= Rabs K * Rabs mu) by (apply Rmult_le_compat_r; assumption); lra. }
-    assert (W' := fun N (HN : forall i, (N (i + 1) = N i + Z.of_nat (n i))%Z) =>
-      W N n e g mu (fun i => conj (HN i) (Hn i)) Hg Hmu); clear W; split.
+    assert (W' := fun N (HN : forall i, (N (i + 1) = N i + Z.of_nat (n i))%Z) => W N n e g mu (fun i => conj (HN i) (Hn
+      i)) Hg Hmu); clear W; split.
     + intros Hall N HN; destruct (W' N HN) as (E & _ & B).
-      destruct (E (fun i => conj (proj2 (proj1 (Hall i))) (proj2 (Hall i)))) as (t & y & v & HM & Only).
-      exists t, y, v; split.
-      * intros i j Hj; destruct (HM i j Hj); constructor; trivial.
-        eapply Rle_trans; [apply (B t y v HM i) | exact Small].
-      * intros t' y' v' HM'; apply Only; exact (closer_motion _ _ _ _ _ _ _ _ _ (proj2 Heps) HM').
+      destruct (E (fun i => conj (proj2 (proj1 (Hall i))) (proj2 (Hall i)))) as [(t & y & v & HM & Only) Un]; split.
+      * exists t, y, v; split.
+        -- intros i j Hj; destruct (HM i j Hj); constructor; trivial.
+           eapply Rle_trans; [apply (B t y v HM i) | lra].
+        -- intros t' y' v' HM'; apply Only; exact (closer_motion _ _ _ _ _ _ _ _ _ (proj2 Heps) HM').
+      * intros t' y' v' HM'; apply (closer_motion _ _ _ _ _ _ _ _ _ (proj2 Heps)) in HM'.
+        apply (unstable_same (swing osc m mu (K * Rabs mu) N) _ t' v'); [|auto | exact (Un t' y' v' HM')].
+        intros s p q i j [? Nr ? ? ? ? ? ?]; constructor; trivial; lra.
     + intros [i Hi] N t y v HN; destruct (W' N HN) as (_ & F & _); exact (F i Hi t y v).
   - destruct HS as [HO HG], (nonlinear O a1 a2 gamma rate HO HG n_max) as (d & Hd & H); exists d; split; [exact Hd|].
     intros eps Heps; destruct (H eps Heps) as (mu0 & Hm & W); exists mu0; split; [exact Hm|].
     intros n e g mu Hn Hg Hmu; split; [intros Hall N HN | intros Hb N t y v HN]; apply (W n N e g mu Hn HN Hg Hmu);
       assumption.
   - destruct (Theorem1_plane M a1 a2 gamma rate w HS n_max) as (d & mu0 & Hd & Hm & W & Tends).
-    exists d; split; [exact Hd|]; intros eps Heps; destruct (Tends eps (proj1 Heps)) as (mu1 & Hm1 & Near).
+    destruct (plane_leave M a1 a2 gamma rate w HS n_max) as (dL & HdL & Leave).
+    exists d; split; [exact Hd|]; intros eps Heps; destruct (Tends (Rmin eps dL)) as (mu2 & Hm2 & Near); [apply
+      Rmin_glb_lt; lra|]; set (mu1 := Rmin mu2 dL); assert (Hm1 : 0 < mu1) by (apply Rmin_glb_lt; lra).
     destruct (is_rate _ _ _ _ _ _ HS) as [_ Hr]; assert (Pr : 0 < Rabs rate) by (apply Rabs_pos_lt, Hr).
     exists (Rmin mu0 (Rabs rate * mu1)); split; [apply Rmin_glb_lt; [lra | apply Rmult_lt_0_compat; lra]|].
     intros n e g mu Hn Hg [P0 P1].
@@ -65,18 +71,25 @@ Proof.
     assert (Hnext : forall j : Z, (j + 1 - 1 = j /\ j - 1 + 1 = j)%Z) by (intros; lia).
     destruct (W Z (fun i => i + 1)%Z (fun i => i - 1)%Z n e g mu Hnext Hn Hg Hmu) as [Hex Hno]; split.
     + intros Hall; destruct Hex as (x & Hx & Only); [intros i; exact (conj (proj2 (proj1 (Hall i))) (proj2 (Hall i)))|].
-      exists x; split.
-      * intros i; split; [|apply (Hx i)]; rewrite (is_plane _ _ _ _ _ _ HS).
-        exact (Near Z (fun i => i + 1)%Z (fun i => i - 1)%Z n mu x Hnext Hn Hmu1 Hx i).
-      * intros x' Hx'; apply Only; exact (closer_orbit _ _ _ _ _ _ (proj2 Heps) Hx').
+      assert (Tiny : forall x, orbit_near M Z (fun i => i + 1)%Z n mu d x -> forall r, Rmin eps dL <= r -> orbit_near M
+        Z (fun i => i + 1)%Z n mu r x).
+      { intros x' Hx' r Hrr i; split; [|apply (Hx' i)]; rewrite (is_plane _ _ _ _ _ _ HS).
+        apply within_le with (1 := Hrr), (Near Z (fun i => i + 1)%Z (fun i => i - 1)%Z n mu x' Hnext Hn); [|exact Hx'].
+        split; [apply Hmu1 | eapply Rlt_le_trans; [apply Hmu1 | apply Rmin_l]]. }
+      assert (Wide : forall x, orbit_near M Z (fun i => i + 1)%Z n mu eps x -> orbit_near M Z (fun i => i + 1)%Z n mu d
+        x) by (intros x'; exact (closer_orbit _ _ _ _ _ _ (proj2 Heps))). split.
+      * exists x; split; [apply Tiny; [exact Hx | apply Rmin_l]|]; intros x' Hx'; apply Only, Wide, Hx'.
+      * intros x' i Hx'; apply Wide in Hx'; destruct (proj2 (Only x' Hx')) as (c & Hc & Cl).
+        apply (Leave Z (fun i => i + 1)%Z n mu x' c Hn); trivial; [|apply Tiny; [exact Hx' | apply Rmin_r]].
+        left; eapply Rlt_le_trans; [apply Hmu1 | apply Rmin_r].
     + intros [i Hi]; exact (Hno i Hi).
 Qed.
 
 (** ** One impact per period *)
 Lemma some_sign S a1 a2 gamma : grazes S a1 a2 gamma -> exists g, sgn g * gamma > 0.
 Proof.
-  intros HS; assert (gamma <> 0) by (destruct S; [exact (is_generic _ _ _ _ _ HS) |
-    exact (gamma_not_0 _ _ _ _ _ (proj2 HS)) | exact (proj2 (is_gamma _ _ _ _ _ _ HS))]).
+  intros HS; assert (gamma <> 0) by (destruct S; [exact (is_generic _ _ _ _ _ HS) | exact (gamma_not_0 _ _ _ _ _ (proj2
+    HS)) | exact (proj2 (is_gamma _ _ _ _ _ _ HS))]).
   destruct (Rlt_le_dec gamma 0); [exists Minus | exists Plus]; cbn [sgn]; lra.
 Qed.
 
@@ -87,11 +100,11 @@ Proof. exact (follows_itself a1 a2 n). Qed.
 Lemma one_or_none S mu d d' n : d <= d' -> one S mu d n -> none S mu d' n -> (exists N, forall i,
   (N (i + 1) = N i + Z.of_nat (n i))%Z) -> False.
 Proof.
-  intros Hd H1 H0 [N HN]; apply (closer_none _ _ _ _ _ Hd) in H0; destruct S as [osc m|O rate|M rate w];
-    cbn [one none] in *.
-  - destruct (H1 N HN) as (t & y & v & HM & _); exact (H0 N t y v HN HM).
-  - destruct (H1 N HN) as (t & y & v & HM & _); exact (H0 N t y v HN HM).
-  - destruct H1 as (x & Hx & _); exact (H0 x Hx).
+  intros Hd H1 H0 [N HN]; apply (closer_none _ _ _ _ _ Hd) in H0; destruct S as [osc m|O rate|M rate w]; cbn [one none]
+    in *.
+  - destruct (H1 N HN) as [(t & y & v & HM & _) _]; exact (H0 N t y v HN HM).
+  - destruct (H1 N HN) as [(t & y & v & HM & _) _]; exact (H0 N t y v HN HM).
+  - destruct H1 as [(x & Hx & _) _]; exact (H0 x Hx).
 Qed.
 
 Lemma every_parameter S a1 a2 gamma t : grazes S a1 a2 gamma -> exists mu, e_mu S mu = t.
@@ -130,8 +143,8 @@ Proof.
     + intros Hg; apply (Single S a1 a2 gamma n e g HS Hn1 Hu Hg), Ho.
     + intros e' Hne; destruct (some_sign S a1 a2 gamma HS) as [g' Hg'].
       apply (Single S a1 a2 gamma n e' g' HS Hn1 Hu Hg'); specialize (Hb 1%nat ltac:(lia)).
-      destruct e, e'; try (left; exists 1%nat; split; [lia | cbn [sgn] in *; lra]); right; destruct g, g';
-        cbn [sgn] in *; try lra; exfalso; apply Hne; split; trivial; lra.
+      destruct e, e'; try (left; exists 1%nat; split; [lia | cbn [sgn] in *; lra]); right; destruct g, g'; cbn [sgn] in
+        *; try lra; exfalso; apply Hne; split; trivial; lra.
   - intros (Hu & k & k' & Hk & Hk' & Hb & Hb') S gamma e HS; destruct (some_sign S a1 a2 gamma HS) as [g Hg].
     apply (Single S a1 a2 gamma n e g HS Hn1 Hu Hg); left.
     destruct e; [exists k | exists k']; split; trivial; cbn [sgn]; lra.

@@ -109,13 +109,13 @@ other Headline.v one 'of motions, some N' <<'E'
 s/=> forall N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> one_motion osc m mu d N/=> exists N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z \/\\ one_motion osc m mu d N/
 E
 other Headline.v one 'of motions, nothing' <<'E'
-s/^  | Oscillates osc m => forall N, .*one_motion osc m mu d N$/  | Oscillates osc m => True/
+/^  | Oscillates osc m => forall N, .*one_motion osc m mu d N / { N; s/=> .*/=> True/ }
 E
 other Headline.v one 'of nonlinear motions, nothing' <<'E'
-s/^  | Moves osc _ => forall N, .*one_nonlinear_motion osc mu d N$/  | Moves osc _ => True/
+/^  | Moves osc _ => forall N, .*one_nonlinear_motion osc mu d N / { N; s/=> .*/=> True/ }
 E
 other Headline.v one 'of maps, some orbit' <<'E'
-s/  | Steps M _ _ => one_orbit M Z (fun i => i + 1)%Z n mu d end/  | Steps M _ _ => exists x, orbit_near M Z (fun i => i + 1)%Z n mu d x end/
+s/  | Steps M _ _ => one_orbit M Z (fun i => i + 1)%Z n mu d /  | Steps M _ _ => (exists x, orbit_near M Z (fun i => i + 1)%Z n mu d x) /
 E
 other Headline.v none 'of motions, nothing' <<'E'
 /^  | Oscillates osc m => forall N t y v, / { N; s/=> .*/=> True/ }
@@ -250,10 +250,19 @@ other StatementStops.v one_between 'one by its times' <<'E'
 s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i, t' i = t i./
 E
 other StatementStops.v Stops_statement 'of one motion alone' <<'E'
-/^  ((exists t q u, motion_between/,/^   exists/d; s/^  (one_between P s mu d N <-> one_nonlinear_motion (measured P s) mu d N) ..$/  (one_between P s mu d N <-> one_nonlinear_motion (measured P s) mu d N)./
+/^  ((exists t q u, motion_between/,/^   exists/d
 E
 other StatementStops.v measured 'that the velocity is taken as it is' <<'E'
 s/Nonlinear.v0 := fun t => rel P s 0 t (u0 P t)/Nonlinear.v0 := u0 P/
+E
+other StatementUnstable.v unstable_motion 'an r for each impact' <<'E'
+s/exists r, r > 0 \/\\ forall j eps, eps > 0 ->/forall j, exists r, r > 0 \/\\ forall eps, eps > 0 ->/
+E
+other StatementUnstable.v unstable_motion 'from some impact on' <<'E'
+s/forall j eps, eps > 0 -> exists l/exists j, forall eps, eps > 0 -> exists l/
+E
+other StatementUnstable.v unstable_motion 'not so near' <<'E'
+s/forall j eps, eps > 0 -> exists l/forall j eps, eps > 1 -> exists l/
 E
 other StatementChaos.v chaos_motion 'a wider window' <<'E'
 s/(- mu) (6 \/ 5)/(- mu) (7 \/ 5)/

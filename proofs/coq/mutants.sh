@@ -314,7 +314,7 @@ mutant any-number-of-nonlinear-motions 'File "./ConsequencesNonlinear' --pin Sta
 s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i : Z, True./
 E
 mutant headline-without-nonlinear-motions 'File "./Consequences' --pin Headline.v <<'E'
-s/^  | Moves osc _ => forall N, .*one_nonlinear_motion osc mu d N$/  | Moves osc _ => True/
+/^  | Moves osc _ => forall N, .*one_nonlinear_motion osc mu d N / { N; s/=> .*/=> True/ }
 E
 mutant other-stop-anywhere 'File "./ConsequencesStops' --pin StatementStops.v <<'E'
 s/~ (t = tG P \/\\ z = s) -> 0 < off P z 0 t/~ t = tG P -> z = s -> 0 < off P z 0 t/
@@ -468,6 +468,9 @@ s/Rabs (crossing M (n j)) >= kappa/Rabs (crossing M (n j)) >= 0/
 E
 mutant unstable-without-end 'File "./(Consequences|OrbitsUnstable)' --pin StatementUnstable.v <<'E'
 s/finite J ->$/True ->/
+E
+mutant unstable-by-what-is-no-motion 'File "./ConsequencesHeadline' --pin StatementUnstable.v <<'E'
+s/(forall i, (j <= i < l)%Z -> leg/(forall i, (j < i < l)%Z -> leg/
 E
 mutant eigenvalue-of-half-the-speed 'File "./ConsequencesAttractor' --pin StatementUnstable.v <<'E'
 s/Rabs (lambda j \* (2 \* y) + crossing/Rabs (lambda j * y + crossing/
