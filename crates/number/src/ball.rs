@@ -328,7 +328,7 @@ impl Real for Ball {
 }
 
 impl Ball {
-    /// A ball that contains the reals from `lo` to `hi`, `lo` ≤ `hi`.
+    /// A ball that contains the reals between `lo` and `hi`, in either order.
     pub fn between(lo: &BigRational, hi: &BigRational, context: &Precision) -> Ball {
         let two = BigInt::from(2);
         let centre = Ball::ratio(&((lo + hi) / &two), context);

@@ -12,8 +12,8 @@ const WRITTEN: u64 = 100_000;
 /// log₁₀ 2 · 2⁶⁴, to nearest.
 const LOG10_2: i128 = 5_553_023_288_523_357_132;
 
-/// The number between `lo` and `hi` in decimal: the printed text is off by less than one unit of its last
-/// digit.
+/// The number between `lo` and `hi`, in either order, in decimal: the printed text is off by less than one
+/// unit of its last digit.
 ///
 /// At most `most` significant digits, and of an exact number no trailing zeros; `None` if not even one is
 /// certain. Cost: a few products of integers of the size of `lo` and `hi`.
@@ -24,6 +24,7 @@ const LOG10_2: i128 = 5_553_023_288_523_357_132;
 /// let error = parse_rational("1e-9")?;
 /// assert_eq!(certain_digits(&(&x - &error), &(&x + &error), 40).unwrap(), "0.14285714");
 /// assert_eq!(certain_digits(&x, &x, 5).unwrap(), "0.14286");
+/// assert_eq!(certain_digits(&(&x + &error), &(&x - &error), 40).unwrap(), "0.14285714");
 /// assert_eq!(certain_digits(&-&error, &error, 40), None);
 /// # Ok::<(), grazing_number::ParseError>(())
 /// ```
@@ -66,7 +67,7 @@ pub fn ball_digits(ball: &Ball, most: u32) -> Option<String> {
 /// [`certain_digits`] of a number times 10^tens.
 fn digits_times(lo: &BigRational, hi: &BigRational, tens: i64, most: u32) -> Option<String> {
     let half = BigRational::new(1.into(), 2.into());
-    let (middle, radius) = ((lo + hi) * &half, (hi - lo) * &half);
+    let (middle, radius) = ((lo + hi) * &half, (hi - lo).abs() * &half);
     if middle.is_zero() {
         return radius.is_zero().then(|| "0".to_string());
     }

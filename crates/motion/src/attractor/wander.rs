@@ -34,8 +34,8 @@ const EQUAL: f64 = 0.1;
 /// A change between the first block and the last, in one sense throughout, by more than this part is a trend.
 const TREND: f64 = 1e-3;
 
-/// The areas of states, one for each degree of freedom, have shrunk by e to this before an irregular motion
-/// counts as what it tends to: transients of lightly damped machines were seen to last until e to the 20.
+/// Areas of states have shrunk by e to this before an irregular motion counts as what it tends to: transients
+/// of lightly damped machines were seen to last until e to the 20.
 const SHRUNK: f64 = 30.0;
 /// Where they shrink by less per forcing period nothing is lost, and what a motion does it goes on to do.
 const CONSERVED: f64 = 1e-9;
@@ -100,8 +100,9 @@ pub(super) fn wanders<D: Dynamics>(
     Ok(are_equal(&all) || longer(LENGTHS[1])?.is_some_and(|longer| are_equal(&longer.sizes)))
 }
 
-/// The rate per forcing period at which the area of states of a degree of freedom shrinks: the mean of all;
-/// none where the motion ends.
+/// The rate per forcing period at which sets of states of the least dimension that shrinks, from two on, do so:
+/// that of areas in the plane, whatever coordinates there are besides that are soon at rest. None where the
+/// motion ends.
 fn shrinks<D: Dynamics>(dynamics: &D, start: &D::Start, monitor: &dyn Monitor) -> Result<Option<f64>> {
     let size = dynamics.dimension();
     let periods = (MEASURED / size as u64).max(FEWEST);
@@ -110,8 +111,14 @@ fn shrinks<D: Dynamics>(dynamics: &D, start: &D::Start, monitor: &dyn Monitor) -
         Err(_) => return Ok(None),
         Ok(all) => all,
     };
-    let rate = -TAU * all.iter().map(|one| one.rate).sum::<f64>() * 2.0 / size as f64;
-    Ok(all.iter().all(|one| one.end == RunEnd::Reached).then_some(rate))
+    let sums = all.iter().scan(0.0, |sum, one| {
+        *sum += one.rate;
+        Some(*sum)
+    });
+    let sums: Vec<f64> = sums.skip(1).collect();
+    let falls = sums.iter().copied().find(|sum| *sum < 0.0).or(sums.last().copied());
+    let ended = all.iter().any(|one| one.end != RunEnd::Reached);
+    Ok(falls.map(|sum| -TAU * sum).filter(|_| !ended))
 }
 
 /// Whether blocks extend equally far, without a trend, and all of them together no farther: the last is that.

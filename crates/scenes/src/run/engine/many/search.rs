@@ -14,9 +14,6 @@ use crate::{
     scene::orbits::OrbitKeys,
 };
 
-/// Multipliers of one orbit, wherever it begins, differ by no more.
-const ALIKE: f64 = 1e-3;
-
 /// The orbits of the keys: the one that Newton's method finds from `start`, or those of a search.
 pub(crate) fn machine_orbits(
     keys: &OrbitKeys,
@@ -77,11 +74,7 @@ fn through_soft_stops(
     // Where a row sticks all the time, it may do so at all places of a stretch: one of them is enough.
     let rests = |a: &Orbit, b: &Orbit| a.held.is_some() && a.held == b.held;
     // An orbit of several periods is the same one at the next.
-    let turned = |a: &Orbit, b: &Orbit| {
-        let apart = |(x, y): (&(f64, f64), &(f64, f64))| (x.0 - y.0).hypot(x.1 - y.1);
-        let most = a.multipliers.iter().zip(&b.multipliers).map(apart).fold(0.0, f64::max);
-        most <= ALIKE && starts.later(a).iter().any(|later| near(later, &b.state))
-    };
+    let turned = |a: &Orbit, b: &Orbit| starts.later(a).iter().any(|later| near(later, &b.state));
     let alike = |a: &Orbit, b: &Orbit| near(&a.state, &b.state) || rests(a, b) || turned(a, b);
     // Of a shorter period if that period's equations have the same solution: stops that are in the way of the
     // motion, which is listed as such, are no part of them.
