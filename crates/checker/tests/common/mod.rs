@@ -28,6 +28,7 @@ pub const ATTRACTOR_CELLS_SEVERAL: &str = include_str!("../data/attractor-cells-
 pub const PARAMETER: &str = include_str!("../data/parameter.txt");
 pub const PARAMETER_SEVERAL: &str = include_str!("../data/parameter-several.txt");
 pub const PARAMETER_ATTRACTOR: &str = include_str!("../data/parameter-attractor.txt");
+pub const PARAMETER_CELLS: &str = include_str!("../data/parameter-cells.txt");
 pub const PARAMETER_FREQUENCY: &str = include_str!("../data/parameter-frequency.txt");
 pub const PARAMETER_HERTZ: &str = include_str!("../data/parameter-hertz.txt");
 pub const PARAMETER_MIRRORED: &str = include_str!("../data/parameter-mirrored.txt");
