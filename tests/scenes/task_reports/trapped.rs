@@ -100,7 +100,10 @@ fn windows_are_told_where_they_are() {
     }
     assert!(found.certificates.is_empty());
     let reason = windows_reason(&found);
-    assert!(reason.contains("lambda_1 may be below 2/3") && reason.contains("own mu neither"), "{reason}");
+    assert!(
+        reason.contains("lambda_1 may be below 2/3") && reason.contains("own mu neither: no weights"),
+        "{reason}"
+    );
     // That orbits are proved there does not answer what attracts.
     let (found, shown, code) = paper_at("0.013", "3/2", "5", "range = true\n");
     let rows = found.range.unwrap();

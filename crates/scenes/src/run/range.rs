@@ -55,8 +55,8 @@ row! {
         pub zone: Option<f64>,
         /// Of an attractor: displacements grow at least so many times from one impact to the next.
         pub growth: Option<f64>,
-        /// Of an attractor at the scene's own value of the parameter, by a certificate with cells: that value,
-        /// exactly; there `growth` is of displacements times weights.
+        /// Of an attractor at the scene's own value of the parameter, by a certificate with cells: that
+        /// value, exactly; there `growth` is of displacements times weights.
         pub at: Option<String>,
         /// Next to it all values between these are proved.
         pub near: Option<[String; 2]>,

@@ -17,11 +17,11 @@
 //!
 //! ```text
 //! start X                    as of version 1
-//! growth G R L               G > 1, R > 0: displacements times their weights grow at least G-fold and e^Rn-fold
-//!                            over n periods; returns take at most L periods, L up to 200
+//! growth G R L               G > 1, R > 0: displacements times their weights grow at least G-fold, and
+//!                            e^Rn-fold over n periods; returns take at most L periods, L up to 200
 //! cells K                    1 to 2000, then K lines
-//! cell END WEIGHT            contacts with |V|/√ν from the end before, or 0, to END, a decimal; the last is S.
-//!                            WEIGHT is an integer, 1 to 1000000
+//! cell END WEIGHT            contacts with |V|/√ν from the end before, or 0, to END, a decimal; the last is
+//!                            S. WEIGHT is an integer, 1 to 1000000
 //! ```
 //!
 //! # Rules
@@ -36,8 +36,8 @@
 //! - B2: for n = 1, 2, …, T = 2πn + t′ − t, the contacts that return after n periods lie in the intervals
 //!   that three rounds of y′ = P y + F h, z′ = P e^−DT h, |g′|² = 2α (1 − y′), s′ = g′ + √ν (a y′ − z′) and
 //!   t′ = −√ν g′/α give, from 0 ≤ y′ ≤ 1, 0 ≤ z′ ≤ Z and −√ν a ≤ g′ ≤ S + √ν Z on, with 0 ≤ s′ ≤ S; E = Σ
-//!   F/(√ν s₁) + τP, by the last round. For n + 1 only those are left that are above the top, with h ≥ (1 − P y)/F at
-//!   T = 2πn − t. None are for some n ≤ L;
+//!   F/(√ν s₁) + τP, by the last round. For n + 1 only those are left that are above the top, with h ≥ (1 −
+//!   P y)/F at T = 2πn − t. None are for some n ≤ L;
 //! - B3: for each return of B2 E times the least weight of the cells that may hold its s′ is at least G and
 //!   e^Rn times the cell's own.
 //!
@@ -47,12 +47,12 @@
 //!
 //! `tests/data/attractor-cells.txt` is of d = 3/2, w = 5 and τ = 4/5, so that λ₁ = 0.62, at ν from 1/127 to
 //! 1/126, between the windows of periods 8 and 9. Of its cell from s = 0.65515275 to 0.709748813, of weight
-//! 942385, by hand: y is from 0.7477 to 0.7889, t from −0.0635 to −0.0577, h from 13.24 to 14.43 and Σ = 1.7172
-//! (B1). P y + F h is at least 1.049 for n = 7, and more before: none returns within 7 periods. For n = 8 P =
-//! 0.0215 and F = 0.0481, so that y′ is from 0.6525 to 0.7114, |g′| = √(2α (1 − y′)) from 0.757 to 0.834, s′
-//! from 0.761 to 0.839 and E = 1.7172·0.04808/(0.08909·0.70975) + 0.8·0.0215 = 1.3229. At the top of that
-//! pass none is above it: all have returned (B2). The least weight where they do is 871171, and 1.3229·871171 is
-//! 1.22293·942385, where G = 1.2229 and e^8R = 1.22287 (B3).
+//! 942385, by hand: y is from 0.7477 to 0.7889, t from −0.0635 to −0.0577, h from 13.24 to 14.43 and Σ =
+//! 1.7172 (B1). P y + F h is at least 1.049 for n = 7, and more before: none returns within 7 periods. For
+//! n = 8 P = 0.0215 and F = 0.0481, so that y′ is from 0.6525 to 0.7114, |g′| = √(2α (1 − y′)) from 0.757
+//! to 0.834, s′ from 0.761 to 0.839 and E = 1.7172·0.04808/(0.08909·0.70975) + 0.8·0.0215 = 1.3229. At the
+//! top of that pass none is above it: all have returned (B2). The least weight where they do is 871171, and
+//! 1.3229·871171 is 1.22293·942385, where G = 1.2229 and e^8R = 1.22287 (B3).
 //!
 //! # Cost
 //!

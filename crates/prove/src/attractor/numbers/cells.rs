@@ -1,8 +1,7 @@
 //! How many gaps and values are proved by cells. Run with `GRAZING_SAMPLES=20 cargo test -p grazing-prove
 //! --lib attractor::numbers -- --nocapture` for 20 gaps, 20 windows and twice 40 machines.
 
-use std::time::Instant;
-
+use grazing_base::processor::thread_seconds;
 use num_rational::BigRational;
 
 use super::{
@@ -24,13 +23,13 @@ fn about(depth: f64) -> [BigRational; 2] {
     })
 }
 
-/// What cells prove of a machine at a depth, and in how many seconds.
+/// What cells prove of a machine at a depth, and in how many seconds of a processor.
 fn proved(problem: &AttractorProblem, depth: f64) -> (CellsProblem, Option<CellsProof>, f64) {
     let AttractorProblem { ranges, harmonics, .. } = problem.clone();
     let cells = CellsProblem { ranges, harmonics, depths: about(depth) };
-    let start = Instant::now();
+    let start = thread_seconds();
     let proof = prove_cells(&cells, &()).unwrap().ok();
-    (cells, proof, start.elapsed().as_secs_f64())
+    (cells, proof, thread_seconds() - start)
 }
 
 /// The longest certificate, the longest time, and proved growths over those seen.

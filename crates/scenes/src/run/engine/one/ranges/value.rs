@@ -1,5 +1,5 @@
-//! That chaos attracts at the scene's own value of the parameter, by cells with weights: where the formulas do
-//! not reach it.
+//! That chaos attracts at the scene's own value of the parameter, by cells with weights: where the formulas
+//! do not reach it.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -16,7 +16,7 @@ use crate::{
     search::{
         attractor::{CellsProblem, prove_cells},
         chaos::RationalFunction,
-        range::{ParameterRange, Touching, depth_at},
+        range::{ParameterRange, RangeEnd, Touching, depth_at},
     },
 };
 
@@ -24,6 +24,9 @@ use crate::{
 const NEXT_TO: i64 = 1_000_000;
 /// One over a depth next to the touch.
 const NEAR: i64 = 1000;
+/// Why nothing is proved.
+const NO_WEIGHTS: &str =
+    "no weights of cells are found by which displacements grow, and in a window there are none";
 /// Depths are widened by such a part, and have so many places.
 const WIDER: f64 = 1e-9;
 const PLACES: u32 = 14;
@@ -101,6 +104,7 @@ impl Near<'_> {
         let problem = CellsProblem { ranges: parameters, harmonics, depths: depths.clone() };
         let proof = match prove_cells(&problem, self.point.job.monitor)? {
             Ok(proof) => proof,
+            Err(RangeEnd::Map) => return Ok(Err(NO_WEIGHTS.into())),
             Err(end) => return Ok(Err(why_attractor(&end, self.most))),
         };
         let [_, deepest] = &depths;
