@@ -123,7 +123,7 @@ fn the_value_of_the_scene_is_proved_by_cells() {
         let rows = found.range.clone().unwrap();
         let [range, value] = &rows[..] else { panic!("two rows: {shown}") };
         assert_eq!((code, range.verdict, value.verdict), (0, first, "proved"), "{shown}");
-        assert_eq!((value.of, value.at.as_deref(), &value.end), ("attractor", Some(mu), &None));
+        assert_eq!((value.of, value.own_value.as_deref(), &value.end), ("attractor", Some(mu), &None));
         assert!(value.growth.unwrap() > 1.0 && value.rate.unwrap() > 0.0, "{value:?}");
         let [from, to] = value.near.clone().unwrap().map(|end| end.parse::<f64>().unwrap());
         let at: f64 = mu.parse().unwrap();

@@ -57,7 +57,7 @@ row! {
         pub growth: Option<f64>,
         /// Of an attractor at the scene's own value of the parameter, by a certificate with cells: that
         /// value, exactly; there `growth` is of displacements times weights.
-        pub at: Option<String>,
+        pub own_value: Option<String>,
         /// Next to it all values between these are proved.
         pub near: Option<[String; 2]>,
         /// In each period displacements grow by e to the power of this at least.
@@ -198,7 +198,7 @@ impl RangeRow {
             leaves: None,
             zone: None,
             growth: None,
-            at: None,
+            own_value: None,
             near: None,
             rate: None,
             eigenvalue: None,
@@ -261,7 +261,7 @@ impl RangeRow {
         match (self.of, &self.periods[..]) {
             (ORBIT, [n]) => format!("{}-{n}", self.side),
             (PART, _) => format!("{}-part", self.side),
-            (ATTRACTOR, _) if self.at.is_some() => format!("{}-attractor-at", self.side),
+            (ATTRACTOR, _) if self.own_value.is_some() => format!("{}-attractor-at", self.side),
             (ATTRACTOR, _) => format!("{}-attractor", self.side),
             _ => self.side.to_string(),
         }
@@ -347,7 +347,7 @@ impl RangeRow {
         if let (Some(touches), Some(depth)) = (&self.touches, &self.depth) {
             return self.lines_of_all(touches, depth, varied, lines);
         }
-        if let Some(at) = &self.at {
+        if let Some(at) = &self.own_value {
             let said = format!(
                 "{side} the touch, at {varied} = {}: {}",
                 lines.told("end", at),

@@ -112,7 +112,7 @@ impl Near<'_> {
             self.around(&proof.text, touch.clone(), Some(near.clone()), &[[deepest.clone(), far.clone()]])?;
         let row = RangeRow {
             of: ATTRACTOR,
-            at: Some(decimal_or_fraction(value)),
+            own_value: Some(decimal_or_fraction(value)),
             near: Some(ends.map(|end| decimal_or_fraction(&end))),
             depth: Some(deepest.to_string()),
             growth: Some(proof.growth),
