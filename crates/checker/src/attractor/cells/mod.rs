@@ -56,8 +56,8 @@
 //!
 //! # Cost
 //!
-//! 2 exponentials for each cell, 2 to 6 for each return, which are some three in a cell, and 3 L: at most those
-//! of 2000 · 200 returns. With 150 cells it is a twentieth of a second. Memory: the certificate.
+//! 2 exponentials for each cell, 2 to 6 for each return, which are some three in a cell, and 3 L: at most
+//! those of 2000 · 200 returns. With 150 cells it is a twentieth of a second. Memory: the certificate.
 
 mod proof;
 mod returns;
