@@ -297,11 +297,11 @@ fn a_thin_cell_is_as_motions_are() {
     assert!(tried > 8, "{tried}");
 }
 
-/// Only contacts after the top, where the wall falls, are so slow, below aν.
+/// A cell so slow that only contacts after the top are in it, where the wall falls.
 #[test]
 fn contacts_after_the_top_count() {
     let text = |slowest: f64| {
-        let cells = [(3e-4, slowest), (0.24, 1000.0), (0.48, 1000.0)];
+        let cells = [(1e-5, slowest), (0.24, 1000.0), (0.48, 1000.0)];
         answer(&thin(["3/8", "1/64", "4/5"], ["0.72", "0.05892"], &cells)).map_err(|why| why.to_string())
     };
     assert_eq!(text(1000.0).err(), None);
