@@ -69,7 +69,7 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
   nothing: (_, detail) =>
     `Beyond its touch, to the depth listed, nothing is born, and no motion of the oscillator stays near: ${detail.get("leaves") ?? ""}.`,
   attractor: (_, detail) =>
-    `Beyond its touch, to the depth listed, chaos attracts: motions are trapped where none that is periodic is stable, and displacements grow ${detail.get("growth") ?? "at every impact"}.`,
+    `Beyond its touch, for ${detail.get("depth") ?? "the depths listed"}, chaos attracts: motions are trapped where none that is periodic is stable, and displacements grow ${detail.get("growth") ?? "at every impact"}.`,
   single: (_, detail) =>
     `From its touch to the depth listed, the oscillator has exactly one orbit of this kind: ${detail.get("orbit") ?? "one impact in the periods listed"}. Where it is stable is listed below.`,
   parameter: (range, detail, title) => {

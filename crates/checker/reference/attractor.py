@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""A second reader of certificates of kind attractor, for whoever would rather trust Python.
+"""A second reader of certificates of kinds attractor and attractor 2, for whoever would rather trust Python.
 
 usage: attractor.py FILE…   prints "FILE: proved, chaos that attracts" or "FILE: rejected: reason"; exit code 1 if one is
                             rejected.
 
-Written from the form (the head of crates/checker/src/attractor/mod.rs) and from proofs/attractor.md alone. Numbers are
-those of chaos.py, the second reader of kind chaos. Nothing is divided by the depth or its root, as the checker's
-numbers are: these are the constants (1) to (10) of the page. The rates are of the two corners of c and k; the motion
-is e^-aT times what 1 - e^-(b - a)T gives; a growth is compared with its own power of e^R.
+Written from the forms (the heads of crates/checker/src/attractor/mod.rs and of cells/mod.rs beside it) and from proofs/attractor.md alone. Numbers are
+those of chaos.py, the second reader of kind chaos. Of the trap nothing is divided by the depth or its root, as the
+checker's numbers are: these are the constants (1) to (10) of the page. The rates are of the two corners of c and k; the motion
+is e^-aT times what 1 - e^-(b - a)T gives; a growth is compared with its own power of e^R. Of cells the exponentials are
+taken at each time anew, and where a return leads is compared with fractions.
 """
 from fractions import Fraction
 from math import isqrt
@@ -32,7 +33,27 @@ STATEMENT = (
     "at least R in each period 2 pi. Of the motions that begin as said almost all never graze. It is not said that "
     "there is one attractor, that a motion comes near all of it, or how long it is where.")
 
+STATEMENT_2 = (
+    "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b in "
+    "their ranges, all a together 1 and all j b together 0, and for every nu between the listed depths, these "
+    "included, consider the motions of the oscillator q'' = -c q' - k q above the wall Q(t) = nu - 1 + g(t) with "
+    "restitution tau: q is never below the wall, free where it is above, and where it meets the wall it leaves at tau "
+    "times the speed at which it comes. Let a < b be the roots of z^2 - c z + k, which are real and positive, and V = "
+    "q' - Q' before a contact, which is a graze if V = 0. With the listed speed S, slip Z and start X let D be the "
+    "contacts at which Q >= 0, -S sqrt(nu) <= V <= 0 and 0 <= a Q + Q' + V <= Z nu. Then after a contact in D the "
+    "motion is free for a time, until a next contact, which is in D and comes n passages of the wall later, with n "
+    "from 1 to the listed L. Every motion that begins at a time at which Q <= 0, with q >= 0 and 0 <= a q + q' <= X, "
+    "is in D from its third contact on. The listed cells cut the numbers from 0 to S, and a contact in D has the "
+    "weight of a cell that holds -V / sqrt(nu). Small displacements of q and q' at a fixed time, just before a "
+    "contact in D that is no graze, for which neither that of q nor that of a q + q' is below 0, become, but for "
+    "their sign, such displacements just before the next contact, and that of q times the weight of its contact grows "
+    "at least G-fold and e^(R n)-fold, for the listed G > 1 and R > 0. No periodic motion whose contacts are in D, "
+    "grazing or not, is stable in Lyapunov's sense. Every motion whose contacts are in D and no grazes has a Lyapunov "
+    "exponent of at least R in each period 2 pi. Of the motions that begin as said almost all never graze. It is not "
+    "said that there is one attractor, that a motion comes near all of it, or how long it is where.")
+
 TURN = PI.times(2)
+ROUNDS = 3
 
 
 def root(x):
@@ -55,10 +76,12 @@ class File(chaos.File):
     mirrored, side = False, 1
 
     def __init__(self, text):
-        self.start(text, {"attractor": STATEMENT})
+        kind = self.start(text, {"attractor": STATEMENT, "attractor 2": STATEMENT_2})
         self.read_wall()
-        self.depth = fraction(self.words("depth", 1)[0])
-        need(self.depth > 0, "a depth is above 0")
+        self.weighted = kind == "attractor 2"
+        words = self.words("depths", 2) if self.weighted else self.words("depth", 1)
+        self.least, self.depth = fraction(words[0]), fraction(words[-1])
+        need(0 < self.least <= self.depth, "a depth is above 0")
         # `parameter.py` asks for the last cell's depth.
         self.cells = [(self.depth,)]
         self.window, self.bends = self.two("window"), self.two("bends")
@@ -67,6 +90,26 @@ class File(chaos.File):
             self.concave = self.two("concave")
             self.pieces = whole(self.words("pieces", 1)[0], 1, 1000)
         self.speed, self.slip = (decimal(self.words(name, 1)[0], True) for name in ("speed", "slip"))
+        if self.weighted:
+            self.read_cells()
+        else:
+            self.read_growth()
+        need(not self.lines, "the file goes on")
+
+    def read_cells(self):
+        self.begin = decimal(self.words("start", 1)[0], True)
+        grown, rate, last = self.words("growth", 3)
+        self.growth, self.rate, self.last = decimal(grown, True), decimal(rate, True), whole(last, 1, 200)
+        need(self.growth > 1, "a growth is above 1")
+        self.parts, start = [], Fraction(0)
+        for _ in range(whole(self.words("cells", 1)[0], 1, 2000)):
+            end, weight = self.words("cell", 2)
+            self.parts.append((start, decimal(end, True), whole(weight, 1, 10**6)))
+            need(start < self.parts[-1][1], "the ends of cells increase")
+            start = self.parts[-1][1]
+        need(start == self.speed, "the last cell ends at the speed")
+
+    def read_growth(self):
         grown, last = self.words("growth", 2)
         self.growth, self.last = decimal(grown, True), whole(last, 1, 1000)
         need(self.growth > 1, "a growth is above 1")
@@ -77,7 +120,6 @@ class File(chaos.File):
             need(len(words) == 3, "a line exponent")
             self.exponent = fraction(words[0]), decimal(words[1], True), whole(words[2], 1, 2000)
             need(0 < self.exponent[0] <= self.depth, "the depth of an exponent")
-        need(not self.lines, "the file goes on")
 
     def two(self, name): return [decimal(word, True) for word in self.words(name, 2)]
 
@@ -85,6 +127,10 @@ class File(chaos.File):
         """Proves everything; the title."""
         self.wall()
         self.trap()
+        if self.weighted:
+            self.starts()
+            self.weighs()
+            return "chaos that attracts"
         grown = {}
 
         def growths(n):
@@ -199,6 +245,87 @@ class File(chaos.File):
         kick = (ONE + self.tau) * number(self.speed) * root(least) + number(self.slip) * least
         rest = Range(self.corner(self.slow, time)[0].hi) * least
         need((rest + decay(self.rates[0] * time) * kick / self.apart).hi < least.lo, "returns (A7)")
+
+
+    def weighs(self):
+        """B1 to B3, at all depths at once."""
+        self.mu = number(self.least, self.depth)
+        self.unit = root(self.mu)
+        self.bend = number(self.bends[0], self.bends[1])
+        self.slips, self.speeds = Range(0, number(self.slip).hi), Range(0, number(self.speed).hi)
+        step = exponential(number(self.rate))
+        for start, end, weight in self.parts:
+            contacts = self.contacts(number(start, end))
+            n, power = 0, ONE
+            while contacts:
+                n, power = n + 1, power * step
+                need(n <= self.last, "returns may be later (B2)")
+                self.grows(contacts, n, power, weight)
+                contacts = self.clear(contacts, n)
+
+    def contacts(self, speed):
+        """B1: s, y, t, h of contacts and Sigma; or none."""
+        a, b, alpha, _ = self.rates
+        place, steep = Range(0, UNIT), speed
+        for _ in range(ROUNDS):
+            steep = speed + self.unit * (self.slips - a * place)
+            place = (ONE - steep.square() / self.bend.times(2)).both(place)
+            if place.empty():
+                return None
+        left = (ONE + self.tau) * speed + self.unit * self.slips
+        pull = (a + b) * (self.tau * self.mu * self.slips + self.unit * left)
+        sigma = (ONE + self.tau) * (alpha + a.square() * self.mu * place) - pull
+        return speed, place, -(self.unit * steep / self.bend), left / self.unit, Range(sigma.lo)
+
+    def flight(self, time):
+        """What of place and zeta the place comes from, and what is left of zeta."""
+        kept, lost = decay(self.rates[0] * time), decay(self.apart * time)
+        return kept, kept * (ONE - lost) / self.apart, kept * lost
+
+    def grows(self, contacts, n, power, weight):
+        """B2 and B3: a return after n periods, if there is one."""
+        speed, place, begin, left, sigma = contacts
+        a = self.rates[0]
+        fastest = (number(self.speed) + self.unit * self.slips).hi
+        time = -(self.unit * Range(-(a * self.unit).hi, fastest) / self.bend)
+        height = Range(0, UNIT)
+        for _ in range(ROUNDS):
+            kept, reach, rest = self.flight(TURN.times(n) + time - begin)
+            height = (kept * place + reach * left).both(height)
+            slip = (rest * left).both(self.slips)
+            if height.empty() or slip.empty():
+                return
+            drift = self.unit * (a * height - slip)
+            below = ONE - height
+            steep = root(Range(max(below.lo, 0), max(below.hi, 0)) * self.bend.times(2))
+            found = [((steep + drift).both(self.speeds), -steep)]
+            falls = steep.both(Range(0, max(drift.hi, 0)))
+            if not falls.empty():
+                found.append(((drift - falls).both(self.speeds), falls))
+            found = [pair for pair in found if not pair[0].empty()]
+            if not found:
+                return
+            after, moved = found[0]
+            for other in found[1:]:
+                after, moved = after.hull(other[0]), moved.hull(other[1])
+            # The growth of this round, before the time is narrowed again.
+            stretch = Range((sigma * reach / (self.unit * Range(speed.hi)) + self.tau * kept).lo)
+            time = (self.unit * moved / self.bend).both(time)
+            if time.empty():
+                return
+        low, high = (Fraction(x, UNIT) for x in (after.lo, after.hi))
+        lightest = min(w for start, end, w in self.parts if start <= high and low <= end)
+        need(all(up_to(x.times(weight, lightest), stretch) for x in (number(self.growth), power)),
+             f"the growth over {n} (B3)")
+
+    def clear(self, contacts, n):
+        """Those that are above the top of pass n; or none."""
+        speed, place, begin, left, sigma = contacts
+        kept, reach, _ = self.flight(TURN.times(n) - begin)
+        least = ((ONE - kept * place) / reach).lo
+        if least > left.hi:
+            return None
+        return speed, place, begin, Range(max(left.lo, least), left.hi), sigma
 
 
 if __name__ == "__main__":

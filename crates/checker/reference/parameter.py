@@ -234,6 +234,10 @@ class File(branch.File):
             found = ratio(self.outer)[0].at
             need(found.lo > 1 if sigma > 0 else found.hi < 1, "nu before the touch (P3)")
         need(past(ratio(self.inner_end)[0].at, 0), "nu after the touch (P3)")
+        if getattr(self.inner, "weighted", False):
+            least, first = self.inner.least, ratio(self.inner_end)[0].at
+            need(not self.touch, "no depths next to the touch (P3)")
+            need(first.hi <= bound(least) if sigma > 0 else first.lo >= bound(least), "nu is less than the least (P3)")
         for nu, p in self.depths:
             need(short(ratio(p)[0].at, nu), "nu is greater (P4)")
         need(self.depths[-1][0] <= self.deepest, "the certificate does not go so deep (P4)")

@@ -46,6 +46,7 @@
 //! | `nothing`, `nothing 2` | that beyond the touch nothing is born and no motion stays near, to a distance; 2: between mirrored walls | [`nothing`] |
 //! | `single`, `single 2` | an orbit of one impact along its curve, from the touch where it is born to a distance, past its flips, and where it is stable; 2: between mirrored walls | [`single`] |
 //! | `attractor` | that beyond the touch of an overdamped oscillator motions are trapped, to a distance, and what is trapped is chaotic: no periodic motion there is stable, and exponents are positive | [`attractor`] |
+//! | `attractor 2` | the same at one depth, or between two: displacements grow by weights in cells, also where they shrink at some impacts | [`attractor::cells`] |
 //! | `parameter`, `parameter 2` | that a certificate of kind `range`, `nothing`, `single` or `attractor`, which follows in the same file, is of a machine over a range of its own parameter; 2: for all coefficients in intervals | [`parameter`] |
 //! | `share` | in which share of a box of parameters a period or a word occurs, or chaos is born | [`share`], one by hand |
 //! | `entropy` | by the word theorem, for all r ≤ 1, s and eµ > 0: the least upper bounds of the entropy | [`entropy`], a line by hand |
@@ -115,7 +116,7 @@ use touch::about::About;
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 27] = [
+const KINDS: [Kind; 28] = [
     Kind::first(theorem2::KIND, theorem2::STATEMENT, theorem2::check),
     Kind::first(cover::KIND, cover::STATEMENT, cover::check),
     Kind::first(orbit::KIND, orbit::STATEMENT, orbit::check::<orbit::Fraction>),
@@ -136,6 +137,7 @@ const KINDS: [Kind; 27] = [
     Kind::first(single::KIND, single::STATEMENT, single::check::<false>),
     Kind::first(single::KIND, single::STATEMENT_2, single::check::<true>).version(" 2"),
     Kind::first(attractor::KIND, attractor::STATEMENT, attractor::check),
+    Kind::first(attractor::KIND, attractor::cells::STATEMENT, attractor::cells::check).version(" 2"),
     Kind::first(entropy::KIND, entropy::STATEMENT, entropy::check),
     Kind::first(share::KIND, share::STATEMENT, share::check),
     Kind::first(machine::KIND, machine::STATEMENT, machine::check),

@@ -1,6 +1,7 @@
 //! Certificates of kind attractor: what passes, what must be refused, and whether what those say that pass,
 //! also the damaged ones, is true of motions in floats: of where they hit, and how fast they part.
 
+mod cells;
 mod motions;
 mod page;
 

@@ -5,20 +5,21 @@
 use std::f64::consts::TAU;
 
 use crate::common::{
-    NOTHING, PARAMETER, PARAMETER_ATTRACTOR, PARAMETER_FREQUENCY, PARAMETER_HERTZ, PARAMETER_MIRRORED,
-    PARAMETER_SEVERAL, Random, answer, are_refused, damage, damaged_so_are_true, float, nth, rejected,
-    resealed, second_reader, with,
+    NOTHING, PARAMETER, PARAMETER_ATTRACTOR, PARAMETER_CELLS, PARAMETER_FREQUENCY, PARAMETER_HERTZ,
+    PARAMETER_MIRRORED, PARAMETER_SEVERAL, Random, answer, are_refused, damage, damaged_so_are_true, float,
+    nth, rejected, resealed, second_reader, with,
 };
 use crate::samples::samples;
 use grazing_check::parameter::{STATEMENT, STATEMENT_2};
 
-const ALL: [&str; 6] = [
+const ALL: [&str; 7] = [
     PARAMETER,
     PARAMETER_SEVERAL,
     PARAMETER_FREQUENCY,
     PARAMETER_HERTZ,
     PARAMETER_MIRRORED,
     PARAMETER_ATTRACTOR,
+    PARAMETER_CELLS,
 ];
 
 /// The middle of a coefficient at p.
@@ -96,7 +97,10 @@ fn lie(text: &str) -> Option<String> {
     let depths: Vec<[f64; 2]> = words("depth").iter().filter_map(both).collect();
     let last = depths.last()?[1];
     // Before the touch, which may be anywhere in its interval, nu is below 0.
-    let mut before = if words("touch").is_empty() { -1e-9 } else { f64::NEG_INFINITY };
+    let from = if words("touch").is_empty() { -1e-9 } else { f64::NEG_INFINITY };
+    // A certificate with cells has a least depth.
+    let least = words("depths").iter().find(|line| line.len() == 2).map(|line| float(line[0]));
+    let mut before = least.unwrap_or(from);
     for i in 0..=40 {
         let p = start + (last - start) * f64::from(i) / 40.0;
         let found = machine(text, p);
@@ -200,6 +204,11 @@ fn forged_claims_are_refused() {
         (with(PARAMETER, "touch", "touch 0.707106781 0.7071067811"), "(P3)"),
         (with(PARAMETER, "touch", "from 0.70710679"), "(P3)"),
         (nth(PARAMETER, "depth ", 0, "depth 1/10 0.75"), "(P2)"),
+        // Of a certificate with a least depth: one digit too near, and from the touch on.
+        (with(PARAMETER_CELLS, "from", "from 0.0079365"), "less than the certificate's least (P3)"),
+        (with(PARAMETER_CELLS, "from", "touch -0.001 0.001"), "of no depths next to the touch (P3)"),
+        (nth(PARAMETER_CELLS, "depth ", 0, "depth 1/126 0.008001"), "(P4)"),
+        (nth(PARAMETER_CELLS, "depth ", 0, "depth 1/125 0.008001"), "does not go so deep (P4)"),
         // Another machine.
         (head("damping", "damping 101/1000"), "c, k or tau"),
         (head("stiffness", "stiffness 299/1000"), "c, k or tau"),

@@ -10,8 +10,13 @@ use super::grazing_found;
 
 /// The paper's oscillator with some d and w, and keys of the task.
 fn paper(d: &str, w: &str, keys: &str) -> (GrazingReport, String, u8) {
+    paper_at("0.05", d, w, keys)
+}
+
+/// The same at a value of mu.
+fn paper_at(mu: &str, d: &str, w: &str, keys: &str) -> (GrazingReport, String, u8) {
     let text = format!(
-        "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nmu = 0.05\nd = \"{d}\"\nw = \"{w}\"\n[system]\n\
+        "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nmu = {mu}\nd = \"{d}\"\nw = \"{w}\"\n[system]\n\
          damping = \"2*d/w\"\nstiffness = \"1/w^2\"\n[[stops]]\nside = \"lower\"\noffset = -1\n\
          harmonics = [{{ cos = \"1 + mu\" }}]\nrestitution = 0.8\n{}",
         task("mu", keys)
@@ -86,7 +91,8 @@ fn several_harmonics_of_a_drive_are_proved() {
 
 #[test]
 fn windows_are_told_where_they_are() {
-    let (found, shown, code) = paper("3/2", "5", "");
+    // In one of them, where no weights are found.
+    let (found, shown, code) = paper_at("0.013", "3/2", "5", "");
     let [row] = &found.range.clone().unwrap()[..] else { panic!("one row") };
     assert_eq!((code, row.verdict, row.case), (3, "undecided", Some("windows")));
     let windows = &row.windows;
@@ -97,11 +103,45 @@ fn windows_are_told_where_they_are() {
         assert!(shown.contains(part), "{part}: {shown}");
     }
     assert!(found.certificates.is_empty());
+    let reason = windows_reason(&found);
+    assert!(
+        reason.contains("lambda_1 may be below 2/3") && reason.contains("own mu neither: no weights"),
+        "{reason}"
+    );
     // That orbits are proved there does not answer what attracts.
-    let (found, shown, code) = paper("3/2", "5", "range = true\n");
+    let (found, shown, code) = paper_at("0.013", "3/2", "5", "range = true\n");
     let rows = found.range.unwrap();
     assert!(rows.iter().any(|row| row.side == "beyond" && row.verdict == "proved"), "{shown}");
     assert_eq!(code, 3, "{shown}");
+}
+
+fn windows_reason(found: &GrazingReport) -> String {
+    found.range.clone().unwrap()[0].reason.clone().unwrap()
+}
+
+/// Between two windows, and beyond what the formulas reach: there cells with weights prove the scene's value.
+#[test]
+fn the_value_of_the_scene_is_proved_by_cells() {
+    for (mu, w, first) in [("0.008", "5", "undecided"), ("0.05", "5", "undecided"), ("0.12", "8", "proved")] {
+        let (found, shown, code) = paper_at(mu, "3/2", w, "");
+        let rows = found.range.clone().unwrap();
+        let [range, value] = &rows[..] else { panic!("two rows: {shown}") };
+        assert_eq!((code, range.verdict, value.verdict), (0, first, "proved"), "{shown}");
+        assert_eq!((value.of, value.own_value.as_deref(), &value.end), ("attractor", Some(mu), &None));
+        assert!(value.growth.unwrap() > 1.0 && value.rate.unwrap() > 0.0, "{value:?}");
+        let [from, to] = value.near.clone().unwrap().map(|end| end.parse::<f64>().unwrap());
+        let at: f64 = mu.parse().unwrap();
+        assert!(from < at && at < to && to - from < 1e-5 * at, "{from} {to}");
+        let CertificateFile { file, accepted } = found.certificates.last().unwrap();
+        let text = accepted.text();
+        assert_eq!(file, "g-beyond-attractor-at.certificate");
+        let checked = certificate::check(&mut text.as_bytes()).unwrap_or_else(|why| panic!("{why}"));
+        assert_eq!((checked.kind, checked.title), ("parameter", "chaos that attracts"));
+        let said = format!("for {from} <= mu <= {to}");
+        assert!(checked.detail[0].1.starts_with(&said), "{said}: {}", checked.detail[0].1);
+        let said = format!("beyond the touch, at mu = {mu}: chaos attracts: motions are trapped where none");
+        assert!(shown.contains(&said) && shown.contains("by weights, grow"), "{shown}");
+    }
 }
 
 /// Ranges that are asked for beside it leave it its work, and say of themselves that theirs was too little.

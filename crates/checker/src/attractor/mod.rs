@@ -1,5 +1,5 @@
 //! Certificates of kind `attractor`: beyond a touch motions are trapped, and what is trapped is chaotic, at
-//! every depth up to one.
+//! every depth up to one; or, of version 2 ([`cells`]), at one depth or between two.
 //!
 //! The oscillator is that of kind `nothing` ([`super::nothing`]), overdamped: c² > 4k. The theorem with its
 //! proof is in `proofs/attractor.md`. No code is shared with what finds the proof.
@@ -77,6 +77,7 @@
 //!
 //! 6 N + 6 L exponentials, and 3 J + 2 times the harmonics of the wall. Memory: the certificate.
 
+pub mod cells;
 mod proof;
 mod rates;
 mod stop;
@@ -91,7 +92,7 @@ use super::{
     touch::about::About,
 };
 
-pub use text::{Certificate, Decimal, Exponent, Fraction, Harmonic, Range, Shown};
+pub use text::{Certificate, Decimal, Exponent, Fraction, Harmonic, Range, Setting, Shown};
 
 /// The word in the header.
 pub const KIND: &str = "attractor";
@@ -128,7 +129,12 @@ pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     let certificate = text::read(lines)?;
     proof::run(&certificate, &mut || lines.go_on()).map_err(|fault| lines.rejection(fault))?;
     let detail = words::detail(&certificate);
-    let Certificate { ranges, harmonics, depth, .. } = certificate;
-    let about = Some(About { mirrored: false, ranges, behind: true, harmonics, depth });
-    Ok(Proved { title: Some("chaos that attracts"), about, ..Proved::plain(None, detail) })
+    Ok(proved(certificate.setting, None, detail))
+}
+
+/// What is proved of a setting, for depths from `least` on if there is such a number.
+fn proved(setting: Setting, least: Option<Fraction>, detail: Vec<(&'static str, String)>) -> Proved {
+    let Setting { ranges, harmonics, depth, .. } = setting;
+    let about = Some(About { mirrored: false, ranges, behind: true, harmonics, depth, least });
+    Proved { title: Some("chaos that attracts"), about, ..Proved::plain(None, detail) }
 }

@@ -5,44 +5,44 @@ use super::{
     Fault, GoOn, Interval, claim,
     rates::{Rates, decay, growth as exponential},
     stop,
-    text::{Certificate, Exponent},
+    text::{Certificate, Exponent, Setting},
 };
 
 /// What A5 to A7 are told by.
-struct Trap {
-    rates: Rates,
-    tau: Interval,
+pub(super) struct Trap {
+    pub rates: Rates,
+    pub tau: Interval,
     depth: Interval,
     /// √ν.
     root: Interval,
     /// w.
     window: Interval,
     /// α and α′.
-    bends: [Interval; 2],
+    pub bends: [Interval; 2],
     /// S and Z.
-    speed: Interval,
-    slip: Interval,
+    pub speed: Interval,
+    pub slip: Interval,
     /// σ and q.
     strength: Interval,
     height: Interval,
 }
 
 /// 2πn.
-fn periods(n: u64) -> Interval {
+pub(super) fn periods(n: u64) -> Interval {
     (Interval::PI + Interval::PI) * Interval::integer(n)
 }
 
 impl Trap {
     /// A1 to A4, but for the wall.
-    fn new(certificate: &Certificate) -> Result<Trap, Fault> {
+    pub fn new(setting: &Setting) -> Result<Trap, Fault> {
         let [damping, stiffness, tau] =
-            certificate.ranges.map(|[lo, hi]| lo.enclosed::<96>().hull(hi.enclosed()));
+            setting.ranges.map(|[lo, hi]| lo.enclosed::<96>().hull(hi.enclosed()));
         let rates = Rates::new(damping, stiffness)?;
         let Rates { slow, fast, apart } = rates;
-        let (one, depth) = (Interval::ONE, certificate.depth.enclosed::<96>());
-        let [before, after] = certificate.window.map(|end| end.enclosed::<96>());
-        let bends = certificate.bends.map(|bend| bend.enclosed::<96>());
-        let (speed, slip) = (certificate.speed.enclosed::<96>(), certificate.slip.enclosed::<96>());
+        let (one, depth) = (Interval::ONE, setting.depth.enclosed::<96>());
+        let [before, after] = setting.window.map(|end| end.enclosed::<96>());
+        let bends = setting.bends.map(|bend| bend.enclosed::<96>());
+        let (speed, slip) = (setting.speed.enclosed::<96>(), setting.slip.enclosed::<96>());
         let (window, root) = (before + after, depth.roots());
         let short = periods(1) - window;
         // D/(e^x − 1) with x = D(2π − w) falls as D grows.
@@ -81,7 +81,7 @@ impl Trap {
     }
 
     /// A6.
-    fn begins(&self, start: Interval) -> Result<(), Fault> {
+    pub fn begins(&self, start: Interval) -> Result<(), Fault> {
         let Rates { slow, fast, apart } = self.rates;
         claim((self.depth * self.slip).is_up_to(start), "what starts may be less than what is trapped (A6)")?;
         let bend = self.bends[1] + slow.squared() * (self.depth + start.over(apart));
@@ -106,8 +106,8 @@ fn greater([one, other]: [Interval; 2]) -> Interval {
 
 /// Proves everything.
 pub(super) fn run(certificate: &Certificate, go_on: GoOn) -> Result<(), Fault> {
-    stop::holds(certificate, go_on)?;
-    let trap = Trap::new(certificate)?;
+    stop::holds(&certificate.setting, go_on)?;
+    let trap = Trap::new(&certificate.setting)?;
     let (least, last) = (certificate.growth.enclosed::<96>(), certificate.last);
     for n in 1..=last {
         go_on()?;
@@ -138,7 +138,7 @@ pub(super) fn run(certificate: &Certificate, go_on: GoOn) -> Result<(), Fault> {
 
 /// The least growth, in units of 2⁻⁴⁸.
 pub(super) fn growth(certificate: &Certificate) -> Result<i128, Fault> {
-    let trap = Trap::new(certificate)?;
+    let trap = Trap::new(&certificate.setting)?;
     let last = certificate.last;
     let all = (1..=last).map(|n| {
         let both = trap.growths(n);

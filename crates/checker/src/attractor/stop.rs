@@ -7,7 +7,7 @@
 
 use super::{
     Fault, GoOn, Interval, claim,
-    text::{Certificate, Fraction, Shown},
+    text::{Fraction, Setting, Shown},
 };
 use crate::{
     motion::exponential::Ring,
@@ -15,26 +15,26 @@ use crate::{
 };
 
 /// Shows it.
-pub(super) fn holds(certificate: &Certificate, go_on: GoOn) -> Result<(), Fault> {
-    match &certificate.shown {
-        None => cosine(certificate),
-        Some(shown) => several(certificate, shown, go_on),
+pub(super) fn holds(setting: &Setting, go_on: GoOn) -> Result<(), Fault> {
+    match &setting.shown {
+        None => cosine(setting),
+        Some(shown) => several(setting, shown, go_on),
     }
 }
 
 /// Of g = cos t.
-fn cosine(certificate: &Certificate) -> Result<(), Fault> {
-    let depth: Interval = certificate.depth.enclosed();
-    for end in certificate.window {
+fn cosine(setting: &Setting) -> Result<(), Fault> {
+    let depth: Interval = setting.depth.enclosed();
+    for end in setting.window {
         let end: Interval = end.enclosed();
         // Up to π the cosine falls, and by ν < 1 the window ends before π/2.
         let far =
             end.is_below(Interval::PI) && depth.is_up_to(Interval::ONE - Ring::<Interval>::CIRCLE.exp(end).a);
         claim(far, "the wall may be beyond the place of rest outside the window (A1)")?;
     }
-    let [least, greatest] = certificate.bends;
+    let [least, greatest] = setting.bends;
     // α ≤ 1 − ν and 1 ≤ α′, exactly: numbers have at most 15 digits.
-    let Fraction { p, q } = certificate.depth;
+    let Fraction { p, q } = setting.depth;
     let scale = |places: u32| 10i128.pow(places);
     let holds =
         least.digits * q <= (q - p) * scale(least.places) && greatest.digits >= scale(greatest.places);
@@ -42,21 +42,21 @@ fn cosine(certificate: &Certificate) -> Result<(), Fault> {
 }
 
 /// Of several harmonics.
-fn several(certificate: &Certificate, shown: &Shown, go_on: GoOn) -> Result<(), Fault> {
-    let harmonics = certificate.harmonics.iter();
+fn several(setting: &Setting, shown: &Shown, go_on: GoOn) -> Result<(), Fault> {
+    let harmonics = setting.harmonics.iter();
     let harmonics =
         harmonics.map(|one| (one.order, one.parts.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed()))));
     let wall = Wall::free(harmonics.collect());
-    let depth: Coarse = certificate.depth.enclosed();
+    let depth: Coarse = setting.depth.enclosed();
     let ends = |[before, after]: [super::Decimal; 2]| [-before.enclosed::<48>(), after.enclosed()];
-    let ([from, to], [first, last]) = (ends(certificate.window), ends(shown.concave));
+    let ([from, to], [first, last]) = (ends(setting.window), ends(shown.concave));
     let all = last - first;
     claim(first.is_up_to(from) && to.is_up_to(last), "the wall may not be concave in the window (A1)")?;
     claim(all.is_below(Coarse::PI + Coarse::PI), "the window is longer than a period (A1)")?;
     let concave = first.hull(last);
     let rest = last.hull(first + Coarse::PI + Coarse::PI);
     let window = from.hull(to);
-    let [least, greatest] = certificate.bends.map(|bend| bend.enclosed());
+    let [least, greatest] = setting.bends.map(|bend| bend.enclosed());
     for piece in 0..shown.pieces {
         go_on()?;
         let of = |whole: Coarse| wall.at(whole.part(piece, shown.pieces));

@@ -145,7 +145,7 @@ pub(super) fn check<const MIRRORED: bool>(lines: &mut Lines) -> Result<Proved, R
     let detail = detail(&certificate);
     let Certificate { mirrored, ranges, harmonics, .. } = certificate;
     let depth = certificate.cells.last().map_or(Fraction::ZERO, |last| last.depth);
-    let about = Some(About { mirrored, ranges, behind: true, harmonics, depth });
+    let about = Some(About { mirrored, ranges, behind: true, harmonics, depth, least: None });
     Ok(Proved { title: Some("nothing born"), about, ..Proved::plain(None, detail) })
 }
 

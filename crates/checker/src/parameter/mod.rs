@@ -48,7 +48,8 @@
 //!   has a derivative of one sign, by that of M/H or, of one harmonic, of its square: it increases with the
 //!   distance from the touch.
 //! - P3: ν < 0 at the end of `touch` that is farther from the depths, ν > 0 at the other, or at `from`: by
-//!   M/H or its square, which is 1 at the touch.
+//!   M/H or its square, which is 1 at the touch. For a certificate with a least depth, as of kind `attractor
+//!   2`, there is a line `from`, and ν is at least that depth there.
 //! - P4: at each listed P ν is at most NU, by the same; the last NU is at most the certificate's greatest.
 //!
 //! All is evaluated in intervals, derivatives by the rules of calculus along p. What does not depend on

@@ -158,6 +158,15 @@ pub(super) fn run<C: Version>(certificate: &Certificate<C>, about: &About, go_on
     }
     let inner = deeper(at(certificate.begin.inner(above).enclosed())?.0.value, Interval::ONE);
     claim(inner.is_positive(), "nu is not seen to be above 0 after the touch (P3)")?;
+    if let Some(least) = about.least {
+        claim(
+            matches!(certificate.begin, Begin::From(_)),
+            "the certificate is of no depths next to the touch (P3)",
+        )?;
+        let first = at(certificate.begin.inner(above).enclosed())?.0.value;
+        let deep = deeper(first, height.ratio_at(least, about.behind)).is_nonnegative();
+        claim(deep, "nu may be less than the certificate's least (P3)")?;
+    }
     for depth in &certificate.depths {
         let found =
             deeper(height.ratio_at(depth.depth, about.behind), at(depth.parameter.enclosed())?.0.value);

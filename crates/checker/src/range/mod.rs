@@ -277,6 +277,6 @@ pub(super) fn check<const VERSION: u8>(lines: &mut Lines) -> Result<Proved, Reje
     let detail = words::detail(&certificate);
     let Certificate { mirrored, ranges, harmonics, .. } = certificate;
     let depth = certificate.cells.last().map_or(Fraction::ZERO, |last| last.depth);
-    let about = Some(About { mirrored, ranges, behind: certificate.behind, harmonics, depth });
+    let about = Some(About { mirrored, ranges, behind: certificate.behind, harmonics, depth, least: None });
     Ok(Proved { title: Some(title), about, ..Proved::plain(None, detail) })
 }

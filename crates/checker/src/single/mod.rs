@@ -171,6 +171,6 @@ pub(super) fn check<const MIRRORED: bool>(lines: &mut Lines) -> Result<Proved, R
     let detail = words::detail(&certificate);
     let Certificate { mirrored, ranges, harmonics, .. } = certificate;
     let depth = certificate.parts.last().map_or(Fraction::ZERO, |last| last.depth);
-    let about = Some(About { mirrored, ranges, behind: certificate.behind, harmonics, depth });
+    let about = Some(About { mirrored, ranges, behind: certificate.behind, harmonics, depth, least: None });
     Ok(Proved { title: Some("orbit of one impact"), about, ..Proved::plain(None, detail) })
 }

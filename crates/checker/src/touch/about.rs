@@ -13,6 +13,8 @@ pub(crate) struct About {
     pub behind: bool,
     /// The harmonics of g.
     pub harmonics: Vec<Harmonic>,
-    /// Everything is proved for every ν > 0 up to this.
+    /// Everything is proved for every ν > 0 up to this,
     pub depth: Fraction,
+    /// from this one on, if there is such a number.
+    pub least: Option<Fraction>,
 }

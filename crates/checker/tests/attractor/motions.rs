@@ -9,7 +9,8 @@ struct Claim {
     /// c, k, τ, at both ends of their ranges.
     parameters: [[f64; 3]; 2],
     harmonics: Vec<[f64; 3]>,
-    depth: f64,
+    /// The least, 0 of version 1, and the greatest.
+    depths: [f64; 2],
     window: [f64; 2],
     bends: [f64; 2],
     speed: f64,
@@ -18,6 +19,8 @@ struct Claim {
     start: f64,
     /// NU, R and L.
     exponent: Option<[f64; 3]>,
+    /// The ends of cells and their weights; one of version 1.
+    cells: Vec<[f64; 2]>,
 }
 
 impl Claim {
@@ -30,19 +33,38 @@ impl Claim {
         let [c, k, tau] = ["damping", "stiffness", "restitution"].map(two);
         let middle =
             |line: &Vec<f64>| [line[0], f64::midpoint(line[1], line[2]), f64::midpoint(line[3], line[4])];
-        let exponent = (!text.ends_with("none\n")).then(|| named("exponent")[0].clone());
+        let numbers = |words: &[f64]| [words[0], words[1], words[2]];
+        let (growth, speed) = (named("growth")[0].clone(), named("speed")[0][0]);
+        let (depths, exponent, cells) = if text.contains("\nkind attractor 2\n") {
+            let depths = two("depths");
+            let cells = named("cell").iter().map(|line| [line[0], line[1]]).collect();
+            (depths, Some([depths[0], growth[1], growth[2]]), cells)
+        } else {
+            let exponent = (!text.ends_with("none\n")).then(|| numbers(&named("exponent")[0]));
+            ([0.0, named("depth")[0][0]], exponent, vec![[speed, 1.0]])
+        };
         Claim {
             parameters: [0, 1].map(|end| [c[end], k[end], tau[end]]),
             harmonics: named("harmonic").iter().map(middle).collect(),
-            depth: named("depth")[0][0],
+            depths,
             window: two("window"),
             bends: two("bends"),
-            speed: named("speed")[0][0],
+            speed,
             slip: named("slip")[0][0],
-            growth: named("growth")[0][0],
+            growth: growth[0],
             start: named("start")[0][0],
-            exponent: exponent.map(|words| [words[0], words[1], words[2]]),
+            exponent,
+            cells,
         }
+    }
+
+    fn depth(&self) -> f64 {
+        self.depths[1]
+    }
+
+    /// What displacements weigh where a contact is so fast, in units of √ν.
+    fn weight(&self, speed: f64) -> f64 {
+        self.cells.iter().find(|[end, _]| speed <= *end).or(self.cells.last()).unwrap()[1]
     }
 
     /// The machine with parameters drawn from the ranges, and ν.
@@ -51,7 +73,12 @@ impl Claim {
         let [c, k, tau] =
             [0, 1, 2].map(|i| lo[i] + [0.0, 1.0, random.part()][random.below(3)] * (hi[i] - lo[i]));
         // The greatest depth, or a smaller one of any size.
-        let nu = self.depth * [1.0, 10f64.powf(-6.0 * random.part())][random.below(2)];
+        let [least, greatest] = self.depths;
+        let smaller = match least > 0.0 {
+            true => least + (greatest - least) * random.part(),
+            false => greatest * 10f64.powf(-6.0 * random.part()),
+        };
+        let nu = [greatest, smaller][random.below(2)];
         Machine { harmonics: &self.harmonics, c, k, tau, nu }
     }
 }
@@ -166,11 +193,11 @@ pub fn lie(text: &str, motions: usize) -> Option<String> {
     let mut random = Random(11);
     let slack = 1.0 + 1e-6;
     // A window that is too short is seen before it is used.
-    let machine = Machine { harmonics: &claim.harmonics, c: 1.0, k: 0.1, tau: 1.0, nu: claim.depth };
+    let machine = Machine { harmonics: &claim.harmonics, c: 1.0, k: 0.1, tau: 1.0, nu: claim.depth() };
     for i in 0..=400 {
         let t = -TAU / 2.0 + TAU * f64::from(i) / 400.0;
         let inside = -claim.window[0] * slack <= t && t <= claim.window[1] * slack;
-        if !inside && machine.wall(t)[0] > 1e-9 * claim.depth {
+        if !inside && machine.wall(t)[0] > 1e-9 * claim.depth() {
             return Some(format!("the wall is beyond rest at {t}"));
         }
         let bend = -machine.wall(t)[2];
@@ -205,7 +232,7 @@ fn outside(claim: &Claim, machine: &Machine, at: Contact) -> Option<String> {
 /// A motion from a contact of the trap, its next contacts and how it parts from its neighbours.
 fn trapped(claim: &Claim, machine: &Machine, random: &mut Random) -> Option<String> {
     let wide = claim.window[0] + claim.window[1];
-    let scale = (machine.nu / claim.depth).sqrt();
+    let scale = (machine.nu / claim.depth()).sqrt();
     let time = scale * (random.part() * wide - claim.window[0]);
     let [place, slope, _] = machine.wall(time);
     let slip = claim.slip * machine.nu * random.part();
@@ -224,7 +251,9 @@ fn trapped(claim: &Claim, machine: &Machine, random: &mut Random) -> Option<Stri
             return Some(lie);
         }
         let n = ((next.time - at.time) / TAU).round();
-        let grown = machine.after(displaced, next.time - at.time)[0].abs();
+        let stretched = machine.after(displaced, next.time - at.time)[0].abs();
+        let [from, to] = [at, next].map(|one| claim.weight(-machine.seen(one)[0] / machine.nu.sqrt()));
+        let grown = stretched * to / from;
         if grown * (1.0 + 1e-6) < claim.growth || n < 1.0 {
             return Some(format!("growth by {grown} over {n} periods"));
         }
@@ -260,9 +289,10 @@ fn starts(claim: &Claim, machine: &Machine, random: &mut Random) -> Option<Strin
 /// The least growth from one contact to the next that is seen, of motions at the greatest depth.
 pub fn least_growth(text: &str, motions: usize) -> f64 {
     let claim = Claim::of(text);
-    let ([c, k, tau], nu) = (claim.parameters[0], claim.depth);
+    let ([c, k, tau], nu) = (claim.parameters[0], claim.depth());
     let machine = Machine { harmonics: &claim.harmonics, c, k, tau, nu };
     let (mut random, mut least) = (Random(3), f64::INFINITY);
+    let weight = |at: Contact| claim.weight(-machine.seen(at)[0] / nu.sqrt());
     for _ in 0..motions {
         let height = claim.start / machine.slow() * random.part();
         let state = [height, claim.start * random.part() - machine.slow() * height];
@@ -271,10 +301,38 @@ pub fn least_growth(text: &str, motions: usize) -> f64 {
             let (state, displaced) = machine.impact(at);
             let next = machine.next(at.time, state, claim.window).unwrap();
             if i > 2 {
-                least = least.min(machine.after(displaced, next.time - at.time)[0].abs());
+                let grown = machine.after(displaced, next.time - at.time)[0].abs();
+                least = least.min(grown * weight(next) / weight(at));
             }
             at = next;
         }
     }
     least
+}
+
+/// Of contacts with |V| = s√ν and some slips up to the greatest: the least growth to the next ones, and the
+/// least and greatest |V|/√ν of those.
+pub fn returns(text: &str, s: f64) -> [f64; 3] {
+    let claim = Claim::of(text);
+    let ([c, k, tau], nu) = (claim.parameters[0], claim.depth());
+    let machine = Machine { harmonics: &claim.harmonics, c, k, tau, nu };
+    let mut all = [f64::INFINITY, f64::INFINITY, 0.0f64];
+    for i in 0..=20 {
+        let slip = claim.slip * nu * f64::from(i) / 20.0;
+        // The slope falls with the time.
+        let (mut lo, mut hi) = (-claim.window[0], claim.window[1]);
+        for _ in 0..80 {
+            let middle = f64::midpoint(lo, hi);
+            let [place, slope, _] = machine.wall(middle);
+            if slope + machine.slow() * place - slip > s * nu.sqrt() { lo = middle } else { hi = middle }
+        }
+        let place = machine.wall(lo)[0];
+        let at = Contact { time: lo, place, velocity: slip - machine.slow() * place };
+        let (state, displaced) = machine.impact(at);
+        let next = machine.next(at.time, state, claim.window).unwrap();
+        let speed = -machine.seen(next)[0] / nu.sqrt();
+        let grown = machine.after(displaced, next.time - at.time)[0].abs();
+        all = [all[0].min(grown), all[1].min(speed), all[2].max(speed)];
+    }
+    all
 }

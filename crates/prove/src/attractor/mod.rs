@@ -2,8 +2,8 @@
 //!
 //! proofs/attractor.md has the theorem. Nothing is searched for but the depth: at one depth ten formulas
 //! (`constants`) give the trap and how displacements grow in it, and what they prove there they prove below.
-//! The largest depth at which these still grow is found by halving, and the checker judges. Not here:
-//! reports; what is proved of gaps between windows, where λ₁ < 2/3.
+//! The largest depth at which these still grow is found by halving, and the checker judges. Where that gives
+//! nothing, as in gaps between windows, `cells` proves one depth. Not here: reports.
 //!
 //! ```
 //! use grazing_scenes::certificate;
@@ -23,6 +23,7 @@
 //! ```
 
 mod case;
+mod cells;
 mod constants;
 #[cfg(test)]
 mod numbers;
@@ -32,7 +33,10 @@ mod write;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-pub use self::case::{Case, Window, case, eigenvalue, windows};
+pub use self::{
+    case::{Case, Window, case, eigenvalue, windows},
+    cells::{CellsProblem, CellsProof, prove_cells},
+};
 use self::{
     constants::{Constants, Rates},
     stop::Stop,
@@ -202,7 +206,11 @@ mod tests {
         let wall = &[(1, ["9/10", "1/10"]), (2, ["1/10", "-1/20"])];
         let several = problem([["3/8"; 2], ["1/64"; 2], ["4/5"; 2]], wall, 0.999);
         let proof = prove_attractor(&several, &()).unwrap().unwrap();
-        assert!(proof.depth.to_f64().unwrap() > 0.04 && proof.certificate.shown.is_some(), "{}", proof.depth);
+        assert!(
+            proof.depth.to_f64().unwrap() > 0.04 && proof.certificate.setting.shown.is_some(),
+            "{}",
+            proof.depth
+        );
         // Another top, nearly as high.
         let two = &[(1, ["1/20", "0"]), (2, ["19/20", "0"])];
         let refused =

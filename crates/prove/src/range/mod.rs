@@ -50,7 +50,7 @@ pub use self::{
     born::{Born, born, born_of},
     effort::RangeEffort,
     nothing::{NothingProblem, NothingProof, prove_nothing},
-    parameter::{ParameterRange, SystemOver, TouchSide, Touching, is_as_deep},
+    parameter::{ParameterRange, SystemOver, TouchSide, Touching, depth_at, is_as_deep},
     parts::{prove_farther, single_orbits},
     said::Said,
     single::{SingleProblem, SingleProof, prove_single},

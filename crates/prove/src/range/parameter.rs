@@ -232,6 +232,19 @@ pub fn is_as_deep(
     Ok(!limit.is_negative() && if behind { hi <= square * least } else { lo >= square * greatest })
 }
 
+/// The depth beyond the touch at a parameter, about.
+///
+/// # Errors
+/// As [`Touching::of`].
+pub fn depth_at(system: SystemOver, side: Option<Side>, parameter: &BigRational) -> Result<Option<f64>> {
+    let Touch { ratio, top: [least, greatest], .. } =
+        Touch::of(&system(&RationalFunction::ratio(parameter, &()))?, side)?;
+    let Some([lo, hi]) = ratio.value() else { return Ok(None) };
+    // ν = 1 − √(1 − x), where x may be small.
+    let x = BigRational::one() - (lo + hi) / (least + greatest);
+    Ok(x.to_f64().filter(|x| *x < 1.0).map(|x| x / (1.0 + (1.0 - x).sqrt())))
+}
+
 /// The fraction of the least denominator from lo to hi.
 pub(super) fn simplest(lo: &BigRational, hi: &BigRational) -> BigRational {
     if hi.is_negative() {

@@ -58,6 +58,13 @@ row! {
         pub zone: Option<f64>,
         /// Of an attractor: displacements grow at least so many times from one impact to the next.
         pub growth: Option<f64>,
+        /// Of an attractor at the scene's own value of the parameter, by a certificate with cells: that
+        /// value, exactly; there `growth` is of displacements times weights.
+        pub own_value: Option<String>,
+        /// Next to it all values between these are proved.
+        pub near: Option<[String; 2]>,
+        /// In each period displacements grow by e to the power of this at least.
+        pub rate: Option<f64>,
         /// Of an attractor: between which the larger eigenvalue of the local map is, certainly, and what that
         /// says: `chaos`, above 2/3, where it attracts at every small depth; `windows`, between 1/4 and 2/3,
         /// with a stable orbit in each, and gaps; `overlap`, below 1/4, of windows. Absent next to these.
@@ -194,6 +201,9 @@ impl RangeRow {
             leaves: None,
             zone: None,
             growth: None,
+            own_value: None,
+            near: None,
+            rate: None,
             eigenvalue: None,
             case: None,
             windows: Vec::new(),
@@ -254,8 +264,17 @@ impl RangeRow {
         match (self.of, &self.periods[..]) {
             (ORBIT, [n]) => format!("{}-{n}", self.side),
             (PART, _) => format!("{}-part", self.side),
+            (ATTRACTOR, _) if self.own_value.is_some() => format!("{}-attractor-at", self.side),
             (ATTRACTOR, _) => format!("{}-attractor", self.side),
             _ => self.side.to_string(),
+        }
+    }
+
+    /// That nothing is proved at the scene's own value, too.
+    pub(super) fn lacks(&mut self, varied: &str, why: &str) {
+        if self.is_undecided() {
+            let reason = self.reason.take().unwrap_or_default();
+            self.reason = Some(format!("{reason}; at the scene's own {varied} neither: {why}"));
         }
     }
 
@@ -331,6 +350,15 @@ impl RangeRow {
         if let (Some(touches), Some(depth)) = (&self.touches, &self.depth) {
             return self.lines_of_all(touches, depth, varied, lines);
         }
+        if let Some(at) = &self.own_value {
+            let said = format!(
+                "{side} the touch, at {varied} = {}: {}",
+                lines.told("end", at),
+                self.attracting_at()
+            );
+            lines.say(PROVED, said);
+            return self.certificate_lines(varied, lines);
+        }
         let (Some(touch), Some(end)) = (&self.touch, &self.end) else {
             let of = match self.of {
                 ORBIT => format!(" of {}", self.what(half)),
@@ -383,6 +411,16 @@ impl RangeRow {
             "chaos attracts: motions are trapped where none that is periodic is stable, grazing or not, and displacements grow \
              {growth}-fold at least at every impact (that there is one attractor is not said)"
         ))
+    }
+
+    /// In which sense it does at one value.
+    fn attracting_at(&self) -> String {
+        let [growth, rate] = [self.growth, self.rate].map(Option::unwrap_or_default);
+        format!(
+            "chaos attracts: motions are trapped where none that is periodic is stable, grazing or not, and displacements, by \
+             weights, grow {growth}-fold at least at every impact and e^{rate}-fold in a period (that there is one attractor \
+             is not said)"
+        )
     }
 
     /// What is exactly one motion.

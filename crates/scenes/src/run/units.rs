@@ -66,6 +66,8 @@ const COLUMNS: &[(What, &[&str], &[&str])] = &[
             "most",
             "from_rest",
             "proved_at",
+            "own_value",
+            "near",
         ],
     ),
     (Parameter, &["event"], &["parameter", "start"]),

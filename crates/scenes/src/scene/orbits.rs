@@ -254,8 +254,9 @@ keys! {
         /// whether to prove, for either side of the touch, how far what is born there goes on
         range: RangeKey = "false",
         /// whether to prove, of an overdamped machine beside one stop, that beyond the touch chaos attracts:
-        /// how far from it there is a trap in which no periodic motion is stable; of machines with linear
-        /// forces, and where the motion without impacts touches
+        /// how far from it there is a trap in which no periodic motion is stable, and where that does not
+        /// reach the parameter's present value, whether it is so there; of machines with linear forces, and
+        /// where the motion without impacts touches
         attractor: bool = "false",
         /// whether to find the touch again with each other parameter of the scene a little larger and
         /// smaller, to say by how much it moves for one per cent more

@@ -21,7 +21,7 @@ pub type Return = ([f64; 2], u64);
 /// # Errors
 /// An I/O error.
 pub fn trapped(proof: &AttractorProof, returns: &[Return], place: &FigurePlace) -> Result<()> {
-    let speed: f64 = proof.certificate.speed.to_string().parse().unwrap_or(f64::NAN);
+    let speed: f64 = proof.certificate.setting.speed.to_string().parse().unwrap_or(f64::NAN);
     let mut rows = vec![vec!["trap".into(), speed.to_string(), speed.to_string(), String::new()]];
     for ([before, after], periods) in returns {
         rows.push(vec!["impact".into(), before.to_string(), after.to_string(), periods.to_string()]);

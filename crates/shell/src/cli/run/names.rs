@@ -77,6 +77,7 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             Fixed("-beyond.certificate"),
             Fixed("-beyond-part.certificate"),
             Fixed("-beyond-attractor.certificate"),
+            Fixed("-beyond-attractor-at.certificate"),
             Numbered("-beyond", ".certificate"),
             Numbered("-beyond-cell", ".certificate"),
             Numbered("", ".certificate"),

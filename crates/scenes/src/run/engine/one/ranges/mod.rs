@@ -3,6 +3,7 @@
 mod cells;
 mod rows;
 mod said;
+mod value;
 
 use std::cell::{OnceCell, RefCell};
 
@@ -207,7 +208,13 @@ impl Near<'_> {
             None => Vec::new(),
         };
         if wanted.attractor {
-            all.push(self.attractor()?);
+            let mut side = self.attractor()?;
+            let found = self.value(&side.row)?;
+            if let Some(Err(why)) = &found {
+                side.row.lacks(&self.point.task.parameter, why);
+            }
+            all.push(side);
+            all.extend(found.and_then(std::result::Result::ok));
         }
         Ok(all)
     }

@@ -50,20 +50,31 @@ impl Near<'_> {
             }
         }
         add(proof.depth(), to)?;
-        let (job, task) = (self.point.job, self.point.task);
-        let precision = Precision::new(BITS);
-        let (touch, system) = match &self.of {
-            Of::One(_) => {
-                let touch = self.parameters(behind, proof.depth())?.map(|range| range.touch);
-                (touch, system_at(job, &task.parameter, &Quotient::parameter(), &())?)
-            }
+        let touch = match &self.of {
+            Of::One(_) => self.parameters(behind, proof.depth())?.map(|range| range.touch),
             Of::All(all) => {
                 let [at, unit] = &self.start;
-                let touch = all.range([at, unit], proof.depth(), behind)?.map(|range| range.touches);
-                (touch, all.functions()?)
+                all.range([at, unit], proof.depth(), behind)?.map(|range| range.touches)
             }
         };
         let touch = touch.ok_or_else(|| Error::input("the touch is not known"))?;
+        self.around(proof.accepted().text(), touch, from, &depths)
+    }
+
+    /// The same, the touch and the depths with their values being known.
+    pub(super) fn around(
+        &self,
+        text: &str,
+        touch: [BigRational; 2],
+        from: Option<BigRational>,
+        depths: &[[BigRational; 2]],
+    ) -> Result<Accepted> {
+        let (job, task) = (self.point.job, self.point.task);
+        let precision = Precision::new(BITS);
+        let system = match &self.of {
+            Of::One(_) => system_at(job, &task.parameter, &Quotient::parameter(), &())?,
+            Of::All(all) => all.functions()?,
+        };
         // Of one harmonic it is known without.
         let several = self.harmonics.len() > 1;
         let said = Said {
@@ -73,8 +84,8 @@ impl Near<'_> {
             touch,
             from,
             top: several.then(|| self.point.event.phase()),
-            depths: &depths,
+            depths,
         };
-        said.around(proof.accepted().text())
+        said.around(text)
     }
 }

@@ -1,13 +1,16 @@
 //! How many machines are proved: drawn at random, with stops of one to three harmonics. Run with
 //! `GRAZING_SAMPLES=100 cargo test -p grazing-prove --lib attractor::numbers -- --nocapture` for 500.
 
+mod cells;
+mod seen;
+
 use std::f64::consts::TAU;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::{AttractorProblem, prove_attractor, windows};
+use super::{AttractorProblem, Window, prove_attractor, windows};
 use crate::{
     certificate::single::Word,
     chaos::Term,
@@ -26,6 +29,12 @@ impl Random {
     fn between(&mut self, lo: f64, hi: f64) -> f64 {
         lo + (hi - lo) * self.part()
     }
+}
+
+/// So many, or more if that is asked for.
+fn samples<T: TryFrom<u64, Error: std::fmt::Debug>>(number: u64) -> T {
+    let times = std::env::var("GRAZING_SAMPLES").ok().and_then(|text| text.parse().ok()).unwrap_or(1u64);
+    T::try_from(number * times).unwrap()
 }
 
 const DIGITS: f64 = 1e9;
@@ -108,7 +117,7 @@ fn counted(seed: u64, trials: usize, lambdas: [f64; 2]) -> [usize; 5] {
 
 #[test]
 fn most_machines_above_two_thirds_are_proved() {
-    let samples = std::env::var("GRAZING_SAMPLES").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
+    let samples = samples::<usize>(1);
     let each = 5 * samples;
     for (lambdas, most, least) in [
         ([0.667, 0.7], each / 5, [0.0, 0.3, 0.9, 0.5]),
@@ -132,11 +141,32 @@ fn most_machines_above_two_thirds_are_proved() {
     }
 }
 
+/// Between which depths the orbit of a window is proved stable.
+fn stable(problem: &AttractorProblem, window: &Window) -> Option<[f64; 2]> {
+    let single = SingleProblem {
+        mirrored: false,
+        ranges: problem.ranges.clone(),
+        behind: true,
+        harmonics: problem.harmonics.clone(),
+        periods: window.periods,
+        deepest: 1.3 * window.depths[1],
+    };
+    let proof = prove_single(&single, &RangeEffort::new(100_000), &()).unwrap().ok()?;
+    let ends: Vec<f64> = proof.parts.iter().map(|(depth, _)| depth.to_f64().unwrap()).collect();
+    let stable = proof.parts.iter().position(|(_, word)| *word == Word::Stable)?;
+    Some([if stable == 0 { 0.0 } else { ends[stable - 1] }, ends[stable]])
+}
+
+/// Whether it is at a depth.
+fn stable_there(problem: &AttractorProblem, window: &Window, depth: f64) -> bool {
+    stable(problem, window).is_some_and(|[from, to]| from < depth && depth < to)
+}
+
 /// Of machines with λ₁ between 1/4 and 2/3 the windows that are told, to leading order, are where the orbit
 /// of one impact is proved stable, by the certificate of its kind; and nothing is proved to attract there.
 #[test]
 fn the_orbit_is_proved_stable_in_the_windows_that_are_told() {
-    let samples = std::env::var("GRAZING_SAMPLES").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
+    let samples = samples::<usize>(1);
     let mut random = Random(11);
     let (mut told, mut proved, mut farthest) = (0, 0, 0f64);
     for i in 0..samples {
@@ -146,23 +176,10 @@ fn the_orbit_is_proved_stable_in_the_windows_that_are_told() {
         }
         for window in windows(&problem).into_iter().skip(1).take(1) {
             told += 1;
-            let single = SingleProblem {
-                mirrored: false,
-                ranges: problem.ranges.clone(),
-                behind: true,
-                harmonics: problem.harmonics.clone(),
-                periods: window.periods,
-                deepest: 1.3 * window.depths[1],
-            };
-            let Ok(proof) = prove_single(&single, &RangeEffort::new(100_000), &()).unwrap() else { continue };
-            let ends: Vec<f64> = proof.parts.iter().map(|(depth, _)| depth.to_f64().unwrap()).collect();
-            let Some(stable) = proof.parts.iter().position(|(_, word)| *word == Word::Stable) else {
-                continue;
-            };
+            let Some([from, to]) = stable(&problem, &window) else { continue };
             proved += 1;
-            let from = if stable == 0 { 0.0 } else { ends[stable - 1] };
             let apart = |found: f64, told: f64| (found / told - 1.0).abs();
-            farthest = farthest.max(apart(from, window.depths[0])).max(apart(ends[stable], window.depths[1]));
+            farthest = farthest.max(apart(from, window.depths[0])).max(apart(to, window.depths[1]));
             let deep = AttractorProblem { deepest: window.depths[0], ..problem.clone() };
             assert!(prove_attractor(&deep, &()).unwrap().is_err(), "both are proved");
         }
