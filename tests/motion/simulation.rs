@@ -468,8 +468,8 @@ fn attractors_are_detected_with_period_and_impacts() {
     assert!(Detection { longest: 0, ..Detection::default() }.check().unwrap_err().is_input());
 }
 
-/// With light damping and a stop that takes nothing irregular motion lasts for thousands of periods, and comes
-/// to an orbit all the same: before it has, nothing else is said.
+/// With light damping and a stop that takes nothing irregular motion lasts for thousands of periods, and
+/// comes to an orbit all the same: before it has, nothing else is said.
 #[test]
 fn a_long_irregular_transient_is_not_called_what_it_tends_to() {
     let system = System {

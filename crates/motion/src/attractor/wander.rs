@@ -100,9 +100,9 @@ pub(super) fn wanders<D: Dynamics>(
     Ok(are_equal(&all) || longer(LENGTHS[1])?.is_some_and(|longer| are_equal(&longer.sizes)))
 }
 
-/// The rate per forcing period at which sets of states of the least dimension that shrinks, from two on, do so:
-/// that of areas in the plane, whatever coordinates there are besides that are soon at rest. None where the
-/// motion ends.
+/// The rate per forcing period at which sets of states of the least dimension that shrinks, from two on, do
+/// so: that of areas in the plane, whatever coordinates there are besides that are soon at rest. None where
+/// the motion ends.
 fn shrinks<D: Dynamics>(dynamics: &D, start: &D::Start, monitor: &dyn Monitor) -> Result<Option<f64>> {
     let size = dynamics.dimension();
     let periods = (MEASURED / size as u64).max(FEWEST);
