@@ -17,7 +17,8 @@ fn what_is_written_passes_and_says_of_which_machine() {
         (
             RANGE_MIRRORED_BEFORE,
             range::STATEMENT_4,
-            "only within 1.2 of multiples of pi where |w'|, at the upper wall half a period before, <= nu S/2",
+            "the lower one only within 1.2 of even and the upper one of odd multiples of pi, where |w'|, at the upper wall half \
+             a period before, <= nu S/2",
         ),
         (RANGE_MIRRORED_BEYOND, range::STATEMENT_4, "per half period between log 1.61803398874 and log"),
         (SINGLE_MIRRORED_2, single::STATEMENT_2, "one impact every 2 half periods pi, at the lower wall"),

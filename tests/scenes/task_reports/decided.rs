@@ -184,8 +184,8 @@ fn the_exponents_add_up_to_the_damping() {
     }
 }
 
-/// An orbit of two periods is one, whichever of them it is found at: of three masses beside a soft stop, whose
-/// search comes to it at either.
+/// An orbit of two periods is one, whichever of them it is found at: of three masses beside a soft stop,
+/// whose search comes to it at either.
 #[test]
 fn an_orbit_of_two_periods_is_listed_once() {
     let turn = "2*pi/10";
