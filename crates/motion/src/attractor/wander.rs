@@ -39,14 +39,13 @@ const TREND: f64 = 1e-3;
 const SHRUNK: f64 = 30.0;
 /// Where they shrink by less per forcing period nothing is lost, and what a motion does it goes on to do.
 const CONSERVED: f64 = 1e-9;
-/// Forcing periods times vectors by which it is measured how they shrink, and the fewest periods.
-const MEASURED: u64 = 256;
-const FEWEST: u64 = 16;
+/// Forcing periods in which it is measured how they shrink.
+const MEASURED: u64 = 128;
 
 /// Whether the motion from these coordinates of the section at `phase`, which has lasted for so many forcing
 /// periods, wanders; where an orbit is `found` that attracts and there are no impacts, only as neighbours
-/// part. Cost: 1,024 forcing periods, and 128 and 256 with a vector; where that leaves it open 4,096 more and
-/// 10,752 with a vector.
+/// part. Cost: 1,024 forcing periods, 128 with a vector and 128 with one for each coordinate of a state; where
+/// that leaves it open 4,096 more and 10,752 with a vector.
 ///
 /// # Errors
 /// Those of [`Motion::pass`]; the monitor's.
@@ -100,22 +99,17 @@ pub(super) fn wanders<D: Dynamics>(
     Ok(are_equal(&all) || longer(LENGTHS[1])?.is_some_and(|longer| are_equal(&longer.sizes)))
 }
 
-/// The rate per forcing period at which sets of states of the least dimension that shrinks, from two on, do
-/// so: that of areas in the plane, whatever coordinates there are besides that are soon at rest. None where
-/// the motion ends.
+/// The rate per forcing period at which areas of states shrink, the slowest of those that grow one way as
+/// neighbours part and shrink the other: coordinates that have nothing to do with that change nothing. None
+/// where the motion ends.
 fn shrinks<D: Dynamics>(dynamics: &D, start: &D::Start, monitor: &dyn Monitor) -> Result<Option<f64>> {
     let size = dynamics.dimension();
-    let periods = (MEASURED / size as u64).max(FEWEST);
-    let all = match exponents(dynamics, start, size, 0, periods, monitor) {
+    let all = match exponents(dynamics, start, size, 0, MEASURED, monitor) {
         Err(error) if error.is_interrupted() => return Err(error),
         Err(_) => return Ok(None),
         Ok(all) => all,
     };
-    let sums = all.iter().scan(0.0, |sum, one| {
-        *sum += one.rate;
-        Some(*sum)
-    });
-    let sums: Vec<f64> = sums.skip(1).collect();
+    let sums: Vec<f64> = all.iter().skip(1).map(|one| all[0].rate + one.rate).collect();
     let falls = sums.iter().copied().find(|sum| *sum < 0.0).or(sums.last().copied());
     let ended = all.iter().any(|one| one.end != RunEnd::Reached);
     Ok(falls.map(|sum| -TAU * sum).filter(|_| !ended))
