@@ -282,7 +282,10 @@ prove = true
         findings = json.dumps(report.findings, default=dict)
         named = {part for part in findings.split('"') if part.endswith(".certificate")}
         assert named and set(report.certificates) == named
-        for text in report.certificates.values():
-            assert isinstance(grazing.check(text), grazing.Proved)
+        assert set(report.claims) == named
+        for file, text in report.certificates.items():
+            proved = grazing.check(text)
+            assert isinstance(proved, grazing.Proved)
+            assert dict(report.claims[file].detail) == dict(proved.details.detail), file
         # What is seen is floating point, whatever is proved beside it.
         assert not isinstance(report.outcome, grazing.Proved)
