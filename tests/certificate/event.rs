@@ -171,8 +171,8 @@ impl Case {
 
 /// A certificate, and the ends of the parameter that it proves.
 fn written(system: &System<Quotient>, name: &str, event: &ProvedEvent) -> (String, [String; 2]) {
-    let found = orbit::event_certificate(system, name, event).unwrap();
-    (found.accepted.text().to_string(), found.parameter.unwrap())
+    let (found, ends) = orbit::event_certificate(system, name, event).unwrap();
+    (found.accepted.text().to_string(), ends)
 }
 
 fn check(text: &str) -> std::result::Result<certificate::Checked, Rejection> {

@@ -44,8 +44,6 @@ pub struct CertifiedOrbit {
     pub radius: f64,
     /// What is claimed of its multipliers; nothing at an event.
     pub claim: Claim,
-    /// The exact ends of the parameter's interval, in its own unit, in decimals; of an event.
-    pub parameter: Option<[String; 2]>,
 }
 
 /// Bits of the balls of a certified orbit.
@@ -67,7 +65,7 @@ impl CertifiedOrbit {
         let (phases, velocities) = (all(|impact| impact.phase), all(|impact| impact.velocity));
         let radius = exact(radius).to_f64().unwrap_or(f64::NAN);
         let velocities = units.own(velocities, &precision);
-        CertifiedOrbit { accepted, phases, velocities, radius, claim, parameter: None }
+        CertifiedOrbit { accepted, phases, velocities, radius, claim }
     }
 }
 
@@ -162,7 +160,8 @@ pub(super) fn claim(stability: Option<Stability>) -> Claim {
     }
 }
 
-/// A certificate of kind `event`. `system` is the family as a function of the parameter, `name` what the
+/// A certificate of kind `event`, and the exact ends of the parameter's interval that it proves, in the
+/// parameter's own unit, in decimals. `system` is the family as a function of the parameter, `name` what the
 /// parameter is called. Of several boxes it has the first that the checker accepts.
 ///
 /// # Errors
@@ -171,7 +170,7 @@ pub fn event_certificate(
     system: &motion::System<Quotient>,
     name: &str,
     event: &ProvedEvent,
-) -> Result<CertifiedOrbit> {
+) -> Result<(CertifiedOrbit, [String; 2])> {
     let (units, system) = (event.units, event.units.function(system));
     match converted(units, &system, &quotient) {
         // Only version 2 knows orbits without impacts.
@@ -185,7 +184,7 @@ fn accepted_event<C: event::Version + Clone>(
     system: System<C>,
     name: &str,
     event: &ProvedEvent,
-) -> Result<CertifiedOrbit> {
+) -> Result<(CertifiedOrbit, [String; 2])> {
     let m = event.impacts.len();
     let mut certificate = event::Certificate {
         system,
@@ -230,7 +229,7 @@ fn accepted_event<C: event::Version + Clone>(
         let ends = ends.ok_or_else(|| Error::input("the parameter has too many digits"))?;
         let event::Certificate { impacts, radius, within, .. } = certificate;
         let found = CertifiedOrbit::new(accepted, &impacts, [radius, within], Claim::Open, event.units);
-        return Ok(CertifiedOrbit { parameter: Some(ends), ..found });
+        return Ok((found, ends));
     }
     Err(Error::input(format!("the checker does not accept this event: {last}")))
 }

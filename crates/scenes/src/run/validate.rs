@@ -259,10 +259,10 @@ pub(super) fn judged(claim: Claim) -> Judgement {
 }
 
 /// What is enclosed as its certificate has it: what none holds is not proved.
-pub(super) fn certified<T>(
+pub(super) fn certified<T, C>(
     enclosed: Verdict<T>,
-    certificate: impl FnOnce(&T) -> Result<CertifiedOrbit>,
-) -> Verdict<(T, CertifiedOrbit)> {
+    certificate: impl FnOnce(&T) -> Result<C>,
+) -> Verdict<(T, C)> {
     match enclosed {
         Verdict::Proved(found) => match certificate(&found) {
             Ok(certified) => Verdict::Proved((found, certified)),

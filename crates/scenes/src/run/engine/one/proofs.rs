@@ -154,9 +154,8 @@ pub(super) fn events(
             orbit::event_certificate(&family, name, event)
         });
         let mut row = ProofRow::of(&verdict, named(&orbit.itinerary, job), solution.collect());
-        if let Verdict::Proved((_, certified)) = verdict {
-            let Some([lower, upper]) = &certified.parameter else { continue };
-            let [lo, hi] = [parse_rational(lower)?, parse_rational(upper)?];
+        if let Verdict::Proved((_, (certified, [lower, upper]))) = verdict {
+            let [lo, hi] = [parse_rational(&lower)?, parse_rational(&upper)?];
             // The same event from another orbit of its branch.
             if known.iter().any(|other| lo <= *other && *other <= hi) {
                 continue;
@@ -165,7 +164,7 @@ pub(super) fn events(
             let rate = rate_at(job, name, &parameter, &precision)?;
             impacts_of(&mut row, &certified, &rate, &precision);
             (row.parameter, row.width) = (digits(&parameter), (&hi - &lo).to_f64());
-            (row.lower, row.upper) = (Some(lower.clone()), Some(upper.clone()));
+            (row.lower, row.upper) = (Some(lower), Some(upper));
             found.certify(&mut row, &job.task.name, certified.accepted);
             known.push((lo + hi) / BigRational::from_integer(2.into()));
         }
