@@ -13,10 +13,7 @@ use crate::{
     error::Result,
     number::{Ball, certain_digits},
     scene::validate::ValidateTask,
-    search::{
-        Accepted,
-        orbit::{CertifiedOrbit, Verdict},
-    },
+    search::{Accepted, orbit::Verdict},
 };
 
 /// The most digits shown of an enclosed number.
