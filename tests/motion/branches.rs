@@ -131,6 +131,62 @@ fn a_circle_is_followed_through_its_folds_and_closes() {
     }
 }
 
+/// The line y = 0 with a monitor that falls steeply, turns within 0.07 below 0, and rises half as fast.
+struct Valley;
+
+impl Curve for Valley {
+    fn equations(&self, u: &[f64]) -> Result<Equations> {
+        Ok(Equations { residual: vec![u[1]], jacobian: vec![vec![0.0, 1.0]] })
+    }
+}
+
+impl Followed for Valley {
+    type View = ();
+
+    fn view(&self, _: &CurvePoint) -> Result<()> {
+        Ok(())
+    }
+
+    fn monitors(&self, place: &CurvePoint, (): &()) -> Vec<Option<f64>> {
+        let x = place.u[0];
+        vec![Some((9.0 * x * x + 4e-4).sqrt() - x - 0.1)]
+    }
+
+    fn holds(&self, (): &()) -> bool {
+        true
+    }
+
+    fn bounds(&self) -> Vec<(usize, f64, f64)> {
+        vec![(0, -2.0, 2.0)]
+    }
+}
+
+/// Wherever points lie, and either way: where the next step leads steeply down, and where the one before did.
+#[test]
+fn two_events_within_a_step_are_seen() {
+    let corrector = Corrector { tolerance: 1e-12, steps: 8 };
+    for i in 0..20 {
+        for way in [1.0, -1.0] {
+            let place = corrector.correct(&Valley, &[-way - 0.005 * f64::from(i), 0.0], &[way, 0.0]).unwrap();
+            let place = if place.tangent[0] * way < 0.0 {
+                CurvePoint { tangent: vec![way, 0.0], ..place }
+            } else {
+                place
+            };
+            let options = Options { step: 0.1, ..Options::default() };
+            let (steps, end) = follow(&Valley, place, &options).unwrap();
+            assert_eq!(end, CurveEnd::Bound);
+            let events: Vec<f64> = steps.iter().filter(|s| s.event.is_some()).map(|s| s.place.u[0]).collect();
+            // (9x² + 4e-4) = (x + 0.1)²: 8x² - 0.2x - 0.0096 = 0.
+            let [low, high] = [-1.0, 1.0].map(|sign| (0.2 + sign * (0.04f64 + 32.0 * 0.0096).sqrt()) / 16.0);
+            let want = if way > 0.0 { [low, high] } else { [high, low] };
+            assert_eq!(events.len(), 2, "{i} {way}: {events:?}");
+            near(events[0], want[0], 1e-14);
+            near(events[1], want[1], 1e-14);
+        }
+    }
+}
+
 #[test]
 fn saddle_node_and_flip_agree_with_the_closed_formulas() {
     let scene = nordmark("4.9");

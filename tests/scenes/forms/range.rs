@@ -11,10 +11,6 @@ use crate::samples::samples;
 /// shorter one need not be in both.
 const NEAR: f64 = 1e-6;
 
-/// Of two events of a kind within a step none is seen, which `most_step` says: steps so short that drawn
-/// scenes have no two in one.
-const STEP: f64 = 0.02;
-
 /// What happens along a branch from its start on, both ways, as far as it stays within a range: names, in
 /// order, and parameters.
 fn events(
@@ -27,7 +23,7 @@ fn events(
     let (at, from) = start;
     let text = format!(
         "{head}[[tasks]]\nname = \"b\"\nkind = \"branch\"\nparameter = \"p\"\nrange = [{low:?}, {high:?}]\n\
-         starts = [{{ at = {at:?}, {from} }}]\noptions = {{ most_step = {STEP:?} }}\n"
+         starts = [{{ at = {at:?}, {from} }}]\n"
     );
     let scene = Scene::from_toml(&text, NAME).unwrap_or_else(|error| panic!("{error}\n{text}"));
     let reports = run(&scene, Surroundings::default(), &mut ()).map_err(|error| error.to_string())?;

@@ -126,7 +126,9 @@ pub enum CurveEnd {
 }
 
 /// The points from `start` on in the direction of its tangent, the start first, and why there are no more.
-/// Two events of one monitor within a step go unseen: `most_step` bounds what can be missed.
+/// Where a monitor comes so near to zero that it would be past it at the pace of the next step or of the one
+/// before, steps are shortened, to a part of `most_step`: within so short a step two events of one monitor
+/// may go unseen.
 ///
 /// # Errors
 /// An input error if the start itself cannot be looked at.
@@ -150,9 +152,10 @@ pub(crate) fn follow_until<C: Followed>(
 ) -> Result<(Vec<Step<C::View>>, CurveEnd)> {
     let view = curve.view(&start)?;
     let origin = start.clone();
-    let mut walk = Walk { curve, corrector: options.corrector(), options };
+    let mut walk = Walk { curve, corrector: options.corrector(), options, behind: None, back: None };
     let mut steps = vec![Step { place: start, view, event: None, length: 0.0 }];
     let (mut h, mut points, mut first) = (options.step, 1u32, FirstStep::Shorter);
+    let (mut before, mut last) = (0, 0);
     loop {
         if points == options.points {
             return Ok((steps, CurveEnd::Points));
@@ -172,6 +175,11 @@ pub(crate) fn follow_until<C: Followed>(
                 None => return Ok((steps, CurveEnd::Lost(error.to_string()))),
             },
         };
+        if let Some(shorter) = walk.back.take() {
+            steps.truncate(before + 1);
+            (h, points, last, walk.behind) = (shorter, points - 1, before, None);
+            continue;
+        }
         // A start inside the step just made, and close to the curve there: the curve is closed.
         if let Some(Step { place: to, .. }) = new.last()
             && points > 2
@@ -195,6 +203,7 @@ pub(crate) fn follow_until<C: Followed>(
             }
         }
         points += 1;
+        (before, last) = (last, steps.len() - 1);
         if let Some(end) = end {
             return Ok((steps, end));
         }
@@ -236,6 +245,22 @@ struct Walk<'a, C> {
     curve: &'a C,
     corrector: Corrector,
     options: &'a Options,
+    behind: Option<Behind>,
+    /// The length to try where the step before has to be taken again.
+    back: Option<f64>,
+}
+
+/// The monitors at a point before the one that is stepped from, and how far behind that is.
+type Behind = (f64, Vec<Option<f64>>);
+
+/// What monitors tell of a step.
+struct Zeros {
+    /// How far, which, where.
+    found: Vec<(f64, usize, CurvePoint)>,
+    /// Where it begins, seen from its end.
+    behind: Behind,
+    /// Their values at its end.
+    after: Vec<Option<f64>>,
 }
 
 /// The new points of a step, the length to try next, and the end if it came.
@@ -280,9 +305,19 @@ impl<C: Followed> Walk<'_, C> {
         if (hops || self.curve.leaps(&here.view, &view)) && h / 2.0 >= self.options.least_step {
             return Err(Error::input("events may lie closer together than the shortest step"));
         }
-        let zeros = self.events(here, &place, &view, reach)?.into_iter();
+        let Zeros { found, behind, after } = self.events(here, &place, &view, reach)?;
+        self.back = None;
+        if let Some((back, values)) = &self.behind {
+            let finest = FINEST * self.options.most_step;
+            if reach > finest && passes(values, *back, &behind.1, reach, &after) {
+                return Err(Error::input("events may lie closer together than the shortest step"));
+            }
+            if *back > finest && passes(&after, reach, &behind.1, *back, values) {
+                self.back = Some(back / 2.0);
+            }
+        }
         let mut events: Vec<(f64, Told, CurvePoint)> =
-            zeros.map(|(at, which, place)| (at, Told::Zero(which), place)).collect();
+            found.into_iter().map(|(at, which, place)| (at, Told::Zero(which), place)).collect();
         if self.curve.differs(&here.view, &view) {
             self.changes(here, (&place, &view), reach, &mut events)?;
         }
@@ -334,6 +369,7 @@ impl<C: Followed> Walk<'_, C> {
         let next =
             (h * wanted.min(straight).clamp(0.3, 2.0)).clamp(self.options.least_step, self.options.most_step);
         steps.push(Step { length: length(&place), place, view, event: None });
+        self.behind = Some(behind);
         Ok((steps, next, end))
     }
 
@@ -460,14 +496,8 @@ impl<C: Followed> Walk<'_, C> {
         Err(Error::input("what sticks and slides changes too often within the shortest step"))
     }
 
-    /// The events within `reach` of a point: (how far, which, where).
-    fn events(
-        &self,
-        here: &Step<C::View>,
-        place: &CurvePoint,
-        view: &C::View,
-        reach: f64,
-    ) -> Result<Vec<(f64, usize, CurvePoint)>> {
+    /// The events within `reach` of a point.
+    fn events(&self, here: &Step<C::View>, place: &CurvePoint, view: &C::View, reach: f64) -> Result<Zeros> {
         let after = self.curve.monitors(place, view);
         // The points of the step that are known, in order: the nearest two are guessed from.
         let known = RefCell::new(vec![(0.0, here.place.clone()), (reach, place.clone())]);
@@ -529,7 +559,9 @@ impl<C: Followed> Walk<'_, C> {
                 found.extend(search(which, (a.0, a.1[which]), (b.0, b.1[which]))?);
             }
         }
-        Ok(found)
+        let (_, after) = parts.pop().unwrap_or_else(|| unreachable!("the end is there"));
+        let (first, before) = parts.swap_remove(0);
+        Ok(Zeros { found, behind: (reach - first, before), after })
     }
 
     /// The point h along `normal` from the first of some points of a step, guessed from the nearest two.
@@ -540,12 +572,31 @@ impl<C: Followed> Walk<'_, C> {
     }
 }
 
+/// Whether a function that has values before and here, so far apart, would be past 0 at that pace at the end
+/// of the step after, where it has the sign that it has here.
+fn passes(
+    before: &[Option<f64>],
+    back: f64,
+    here: &[Option<f64>],
+    reach: f64,
+    after: &[Option<f64>],
+) -> bool {
+    let past = |i: usize| {
+        let (x, y) = (here[i]?, after[i]?);
+        Some(x * y > 0.0 && x * (x + (x - before[i]?) / back * reach) < 0.0)
+    };
+    (0..here.len()).any(|i| past(i) == Some(true))
+}
+
 /// What tells of an event: a monitor's zero, or what is known of points on both sides.
 #[derive(Clone, Copy)]
 enum Told {
     Zero(usize),
     Change(usize),
 }
+
+/// Steps longer than this part of the longest are shortened where a monitor may have two zeros within.
+const FINEST: f64 = 1.0 / 16.0;
 
 /// More changes than this within a step are too many.
 const MOST_CHANGES: u32 = 8;

@@ -18,7 +18,8 @@ macro_rules! with_options {
                 step: f64 = 0.01,
                 /// no step is shorter (length); where one would have to be, the branch is lost
                 least_step: f64 = 1e-7,
-                /// no step is longer (length); of two events of a kind within a step none is seen
+                /// no step is longer (length); where two events of a kind may lie within a step it is
+                /// shortened, to a sixteenth of this
                 most_step: f64 = 0.1,
                 /// the largest angle, in radians, between the tangents of neighbouring points
                 turn: f64 = 0.2,
