@@ -41,6 +41,8 @@ pub struct Count {
     pub compared: usize,
     /// Those that changes by δ turn over.
     pub undecided: usize,
+    /// Rows of a motion that is settled on one side only: the scene does not tell how long a transient is.
+    pub open: usize,
     /// Tasks that were asked again with more changes, as they differed by more than a few made of them.
     pub again: usize,
 }
@@ -49,6 +51,7 @@ impl Count {
     pub fn add(&mut self, other: Count) {
         self.compared += other.compared;
         self.undecided += other.undecided;
+        self.open += other.open;
         self.again += other.again;
     }
 }
@@ -209,6 +212,10 @@ impl Condition<'_> {
                 changed.into_iter().map(|all| (all, matched(rows, all))).collect();
             for (i, row) in rows.iter().enumerate() {
                 let Some(other) = places[i].map(|j| &others[j]) else { continue };
+                if is_open(row) != is_open(other) {
+                    count.open += 1;
+                    continue;
+                }
                 let like: Vec<&Row> =
                     changed.iter().filter_map(|(all, places)| Some(&all[places[i]?])).collect();
                 for (name, cell) in row.iter().filter(|(name, _)| {
@@ -289,6 +296,13 @@ fn slowness(table: &str, rows: &[Row], sizes: &BTreeMap<Unit, f64>) -> Vec<f64> 
         here
     };
     rows.iter().map(one).collect()
+}
+
+/// Whether a row is of a motion that is not settled.
+fn is_open(row: &Row) -> bool {
+    row.iter().any(|(name, cell)| {
+        matches!(cell, Cell::Word(word) if word.starts_with("not-settled") || name == "periodic" && word == "null")
+    })
 }
 
 enum Judged {

@@ -295,10 +295,10 @@ impl Own {
     fn of(own: &Reports, other: &Reports, form: &Form) -> Own {
         let mut found = Own::default();
         // The reach is a length of the branch, of machines in the parameter. The length is that of the
-        // unknowns: with other lengths where the frame moves, and with the state at phase 0 of motions
-        // without impacts.
+        // unknowns: with other lengths where the frame moves or coordinates are mixed, and with the state at
+        // phase 0 of motions without impacts.
         let moved = !form.view.moving.is_empty();
-        let reaches = form.texts == Texts::Presence || moved || form.view.shift != 0.0;
+        let reaches = form.texts == Texts::Presence || moved || form.view.mixed || form.view.shift != 0.0;
         for one in &own.0 {
             let name = &one.report.task;
             let Some(other) = other.0.iter().find(|other| other.report.task == *name) else { continue };
@@ -470,8 +470,8 @@ fn told(outcome: &Outcome) -> String {
     let mut text = String::new();
     let _ = writeln!(
         text,
-        "{:44} {:>6} {:>9} {:>10} {:>6} {:>9}",
-        "form", "pairs", "compared", "undecided", "again", "differing"
+        "{:44} {:>6} {:>9} {:>10} {:>5} {:>6} {:>9}",
+        "form", "pairs", "compared", "undecided", "open", "again", "differing"
     );
     for (name, (pairs, count)) in &outcome.counts {
         let differing = |difference: &&(String, &str, Difference)| difference.1 == *name;
@@ -480,9 +480,10 @@ fn told(outcome: &Outcome) -> String {
         scenes.dedup();
         let _ = writeln!(
             text,
-            "{name:44} {pairs:>6} {:>9} {:>10} {:>6} {:>9}",
+            "{name:44} {pairs:>6} {:>9} {:>10} {:>5} {:>6} {:>9}",
             count.compared,
             count.undecided,
+            count.open,
             count.again,
             scenes.len()
         );
@@ -538,6 +539,12 @@ fn one_answer(questions: Vec<Question>, whole: bool) {
     }
     let new: Vec<_> = sum.differences.iter().filter(|one| !KNOWN.iter().any(|known| known.is(one))).collect();
     assert!(new.is_empty(), "{} columns differ, the first: {:?}", new.len(), new[0]);
+    let [compared, open] =
+        sum.counts.values().fold([0, 0], |[a, b], (_, one)| [a + one.compared, b + one.open]);
+    assert!(
+        open <= 8 + compared / 5000,
+        "{open} rows are of motions that are settled on one side only, of {compared}"
+    );
     // Of a few scenes none need have it.
     assert!(
         count < SAMPLE.len() as u64 || holds.iter().all(|has| 2 * has >= count),

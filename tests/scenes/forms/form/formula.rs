@@ -60,6 +60,7 @@ fn without_proofs(form: &mut Form) {
 pub(super) fn hidden(base: &Table) -> Option<Form> {
     let mut form = form("a formula that is not recognised", Level::Integrator, base);
     without_proofs(&mut form);
+    form.other.push("range");
     if has_friction(base) && !is_integrated(base) {
         tasks(&mut form.scene).retain(|task| task["kind"].as_str() != Some("branch"));
     }

@@ -62,13 +62,18 @@ pub struct Form {
 }
 
 /// Tasks that a form has not, and why: printed with every run.
-pub const BY_DESIGN: [(&str, &str, &str); 39] = [
+pub const BY_DESIGN: [(&str, &str, &str); 40] = [
+    (
+        "all",
+        "a row of a motion that is settled on one side only",
+        "how long a transient is, is not in the scene",
+    ),
     ("machine of formulas", "criticality", "no normal form is computed through formulas of machines"),
     ("machine of formulas", "what a record's residual could move", "it is told of linear machines"),
     ("machine", "columns that one format has", "each is compared between forms of its own format"),
     ("machine", "whether a grazing is admissible", "format 1 says it but for the tangency"),
     (
-        "machine, moving stops, shifted",
+        "machine, moving stops, shifted, mixed",
         "an event beyond its reach on one side only",
         "it is a length of the branch, in the form's own unknowns",
     ),
@@ -84,7 +89,7 @@ pub const BY_DESIGN: [(&str, &str, &str); 39] = [
     ("machine", "validate and branch over ranges of a parameter", "they are proved of format 1"),
     (
         "hidden, machine of formulas",
-        "what is proved of branches",
+        "what is proved of branches and beside touches",
         "proofs are for linear systems by their keys",
     ),
     ("machine", "grazing of an orbit with impacts", "machines graze from the motion without impacts"),
