@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use num_rational::BigRational;
 
 use super::{
-    Coordinates, Failure, Map, Report, Scalar, Windows,
+    Coordinates, Failure, Map, OpenReason, Report, Scalar, Windows,
     existence::{examine, flat},
     solve,
 };
@@ -61,10 +61,20 @@ impl<'m> Analysis<'m> {
         self.float.as_ref().filter(|map| known && map.dimension() > 2).map(Windows::new)
     }
 
-    /// Theorem 1 for the pattern `periods`, each from 1 to the greatest prepared. Cost: O(m N³ + n N)
+    /// Theorem 1 for the pattern `periods`, each from 1 to the greatest prepared, and for one impact at a
+    /// [resonance](crate::existence::Resonance) what is known there. Cost: O(m N³ + n N)
     /// operations on each rung climbed, n = Σ n_i; on the exact rung with numbers of O(n) times the bits of
     /// the map's.
     pub fn judge(&self, periods: &[u64]) -> Report {
+        let report = self.by_theorem(periods);
+        let resonance = || self.map.at_resonance(*periods.first().filter(|_| periods.len() == 1)?);
+        match report.reason {
+            Some(OpenReason::Singular) => resonance().unwrap_or(report),
+            _ => report,
+        }
+    }
+
+    fn by_theorem(&self, periods: &[u64]) -> Report {
         let mut found = None;
         if self.numbers == Numbers::Enclosed || !self.map.is_exact() {
             if let Some(map) = &self.float {

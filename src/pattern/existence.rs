@@ -5,7 +5,7 @@ use std::fmt;
 use serde::Serialize;
 
 use super::{Coordinates, Failure, Scalar, Solution, Value, matrix::dot};
-use crate::number::Sign;
+use crate::{existence::Resonance, number::Sign};
 
 /// Whether an orbit with a given pattern tends to 0 on one side of the bifurcation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -45,6 +45,9 @@ pub struct PatternQuantity {
 pub enum OpenReason {
     /// det D = 0: a singular boundary, where several branches are possible (section 4.1 of the paper).
     Singular,
+    /// The first resonance of one impact, nθ = π, with γ > 0: one orbit, its speed like √|µ|, on a side that
+    /// the second order decides.
+    Resonance,
     /// The enclosure of det D contains 0.
     PerhapsSingular,
     /// A quantity is 0: for k ≥ 1 the orbit is itself grazing, for k = 0 an impact has no velocity.
@@ -70,6 +73,9 @@ impl fmt::Display for OpenReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             OpenReason::Singular => f.write_str("det D = 0: singular, several branches are possible"),
+            OpenReason::Resonance => f.write_str(
+                "first resonance: an orbit is born, its speed like sqrt|mu|, on the side that the second order decides",
+            ),
             OpenReason::PerhapsSingular => f.write_str("the enclosure of det D contains 0"),
             OpenReason::Zero(place) if place.k == 0 => write!(f, "{place} = 0: an impact without velocity"),
             OpenReason::Zero(place) => write!(f, "{place} = 0: the orbit is itself grazing"),
@@ -144,6 +150,15 @@ impl Report {
             flat,
             orbit: None,
         }
+    }
+
+    /// The report on one impact at a resonance of a map of two dimensions with a₂ < 1, whose f, h and b are
+    /// C².
+    pub(super) fn at_resonance(resonance: Resonance, gamma: Sign, n: u64, e: Option<Sign>) -> Report {
+        let is_born = resonance == Resonance::First && gamma == Sign::Positive;
+        let reason = parameter(e).or(is_born.then_some(OpenReason::Resonance));
+        let side = if reason.is_some() { PatternExistence::Open } else { PatternExistence::NoOrbit };
+        Report { plus: side, minus: side, reason, flat: Some(n), orbit: None }
     }
 
     /// The sign of eµ for which the orbit exists: `true` for eµ > 0, `None` if for neither or if that is not

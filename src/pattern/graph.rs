@@ -32,6 +32,8 @@ pub struct Graph {
     /// `steps[i][j]`: Y of an impact between periods i + 1 and j + 1; `None` if one of them is singular.
     steps: Vec<Vec<Option<Step>>>,
     singular: Vec<Failure>,
+    /// What is born of one impact where that is singular, if it is known.
+    resonances: Vec<Option<Report>>,
 }
 
 /// The patterns of one period by what Theorem 1 says of them.
@@ -84,7 +86,11 @@ impl Graph {
         }
         let e = map.e().sign();
         match Coordinates::<BigRational>::new(map, last, ()) {
-            Some(map) => Ok(Self::build(&map, last, exact, e)),
+            Some(coordinates) => {
+                let mut graph = Self::build(&coordinates, last, exact, e);
+                graph.resonances = (1..=last).map(|n| map.at_resonance(n)).collect();
+                Ok(graph)
+            }
             None => match Coordinates::<Ball>::new(map, last, Precision::new(BITS)) {
                 Some(map) => Ok(Self::build(&map, last, false, e)),
                 None => Err(Error::input("the map cannot be enclosed")),
@@ -136,6 +142,7 @@ impl Graph {
                     }
                 })
                 .collect(),
+            resonances: Vec::new(),
         }
     }
 
@@ -179,6 +186,9 @@ impl Graph {
         let nodes: Option<Vec<&Node>> = (0..m).map(|i| self.nodes[index(i)].as_ref()).collect();
         let steps: Option<Vec<&Step>> = (0..m).map(|i| self.steps[index(i)][index(i + 1)].as_ref()).collect();
         let (Some(nodes), Some(steps)) = (nodes, steps) else {
+            if let Some(report) = self.resonance(periods) {
+                return report.clone();
+            }
             let singular = (0..m).any(|i| self.singular[index(i)] == Failure::Singular);
             let failure = if singular { Failure::Singular } else { Failure::Unknown };
             return Report::unsolved(failure, flat, self.e);
@@ -216,11 +226,17 @@ impl Graph {
         ClosedWalks::from_edges(&periods, &rows)
     }
 
+    /// What is born of one impact at a resonance.
+    fn resonance(&self, periods: &[u64]) -> Option<&Report> {
+        let &[n] = periods else { return None };
+        self.resonances.get(n as usize - 1)?.as_ref()
+    }
+
     /// What [`judge`](Graph::judge) says of all patterns of period 1, …, P, counted without listing one.
     ///
     /// A pattern is open if no edge of it is certainly absent and one is open, or if one of its periods is
-    /// singular. Cost: O(P²) edges and, with C ≤ P classes of periods that follow alike, O(C³P²) products of
-    /// integers of O(P) bits.
+    /// singular, but for one impact at a resonance that decides. Cost: O(P²) edges and, with C ≤ P classes of
+    /// periods that follow alike, O(C³P²) products of integers of O(P) bits.
     pub fn tallies(&self) -> Vec<PatternTally> {
         let last = self.last();
         let solved = |n: u64| self.nodes[n as usize - 1].is_some();
@@ -242,7 +258,9 @@ impl Graph {
             .map(|n| {
                 let existing = &plus[n] + &minus[n];
                 let perhaps = &perhaps_plus[n] + &perhaps_minus[n] - &both[n];
-                let undecided = &all[n] - &solvable[n] + perhaps - &existing;
+                let decided = self.resonance(&[n as u64 + 1]).is_some_and(|report| !report.is_open());
+                let silent = &all[n] - &solvable[n] - u32::from(decided);
+                let undecided = silent + perhaps - &existing;
                 PatternTally {
                     period: n as u64 + 1,
                     neither: &all[n] - &existing - &undecided,

@@ -6,11 +6,13 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::{
-    Matrix, Scalar,
+    Matrix, Report, Scalar,
     matrix::{Failure, certainly_invertible},
 };
 use crate::{
     error::{Error, Result},
+    existence::Resonance,
+    local::{Plane, Point},
     number::{Ball, Precision, Sign},
 };
 
@@ -216,6 +218,25 @@ impl Map {
         exact(&self.a)
             && self.b.iter().chain(&self.c).all(|x| x.exact().is_some())
             && self.section.as_ref().is_none_or(exact)
+    }
+
+    /// What is born of one impact in n periods where u_n = 0, of an exact map of two dimensions with 0 < a₂ <
+    /// 1; `None` of others. Cost: O(1) operations on the map's numbers.
+    pub(super) fn at_resonance(&self, n: u64) -> Option<Report> {
+        if self.dimension() != 2 {
+            return None;
+        }
+        let a = |i: usize, j: usize| self.a.row(i)[j].exact();
+        let (b, c) = (|i: usize| self.b[i].exact(), |i: usize| self.c[i].exact());
+        let plane = Plane::new(a(0, 0)? + a(1, 1)?, a(0, 0)? * a(1, 1)? - a(0, 1)? * a(1, 0)?).ok()?;
+        if *plane.a2() >= BigRational::one() {
+            return None;
+        }
+        let resonance = Resonance::at(&Point::Plane(plane), n)?;
+        // C A B, which has the sign of gamma.
+        let row = |j: usize| Some(c(0)? * a(0, j)? + c(1)? * a(1, j)?);
+        let gamma = row(0)? * b(0)? + row(1)? * b(1)?;
+        Some(Report::at_resonance(resonance, Sign::of(&gamma), n, self.e.sign()))
     }
 
     /// What a user should know about this map, one sentence each.

@@ -4,7 +4,7 @@
 use crate::common;
 
 use grazing::{
-    existence::{Existence, by_definition, large_eigenvalue_sign},
+    existence::{Existence, Resonance, by_definition, large_eigenvalue_sign},
     local::{Ladder, Plane, Point},
     number::{Ball, FloatInterval, Precision, Real, Sign, parse_rational},
     pattern::{
@@ -120,6 +120,21 @@ fn theorem(a: &Dense, b: &[Q], c: &[Q], periods: &[u64]) -> [Option<bool>; 2] {
     })
 }
 
+/// Of one impact in two dimensions at a resonance, where the dense system is singular: whether an orbit is
+/// born, by the second order's conditions C Aᵏ (I − Aⁿ)⁻¹ B > 0 for 0 < k < n as they are written; `None`
+/// elsewhere.
+fn born_at_resonance(a: &Dense, b: &[Q], c: &[Q], periods: &[u64]) -> Option<bool> {
+    let ([n], 2, None) = (periods, a.len(), dense(a, b, c, periods)) else { return None };
+    let det = &a[0][0] * &a[1][1] - &a[0][1] * &a[1][0];
+    let p = power(a, *n);
+    let rows = (0..2).map(|i| {
+        vec![whole(i64::from(i == 0)) - &p[i][0], whole(i64::from(i == 1)) - &p[i][1], b[i].clone()]
+    });
+    let x = gauss(rows.collect()).filter(|_| det.is_positive() && det < Q::one())?;
+    let signs = (1..*n).map(|k| sign(&apply(&power(a, k), &x).iter().zip(c).map(|(x, c)| x * c).sum()));
+    Some(signs.min() == Some(1))
+}
+
 fn sides(report: &Report) -> [Option<bool>; 2] {
     [report.plus, report.minus].map(|side| match side {
         PatternExistence::Orbit => Some(true),
@@ -143,7 +158,13 @@ fn compare(a: &Dense, b: &[Q], c: &[Q], patterns: &[Vec<u64>]) {
     let exact = Analysis::new(&map, last, Numbers::Exact);
     let graph = (a.len() == 2).then(|| Graph::new(&map, last, true).unwrap());
     for periods in patterns {
-        let expected = theorem(a, b, c, periods);
+        let born = born_at_resonance(a, b, c, periods);
+        let expected = if born == Some(false) { [Some(false); 2] } else { theorem(a, b, c, periods) };
+        let silent = match born {
+            Some(false) => None,
+            Some(true) => Some(OpenReason::Resonance),
+            None => Some(OpenReason::Singular),
+        };
         let solution = dense(a, b, c, periods);
         let mut reports = vec![enclosed.judge(periods), exact.judge(periods)];
         reports.extend(graph.as_ref().map(|graph| graph.judge(periods)));
@@ -151,7 +172,7 @@ fn compare(a: &Dense, b: &[Q], c: &[Q], patterns: &[Vec<u64>]) {
             assert_eq!(sides(&report), expected, "{periods:?} {a:?}");
             match &solution {
                 None => {
-                    assert_eq!((report.reason, report.orbit.is_none()), (Some(OpenReason::Singular), true))
+                    assert_eq!((report.reason, report.orbit.is_none()), (silent, true), "{periods:?} {a:?}")
                 }
                 Some((x, y)) => {
                     let orbit = report.orbit.unwrap();
@@ -253,7 +274,14 @@ proptest! {
                 prop_assert_eq!(report.side(), expected, "n = {}, {:?}", n, single);
                 match single {
                     Existence::Orbit(_) | Existence::None { .. } => prop_assert!(!report.is_open()),
-                    Existence::Singular => prop_assert_eq!(report.reason, Some(OpenReason::Singular)),
+                    Existence::Singular => {
+                        let silent = match (Resonance::at(&point, n), gamma) {
+                            (None, _) => Some(OpenReason::Singular),
+                            (Some(Resonance::First), 1) => Some(OpenReason::Resonance),
+                            _ => None,
+                        };
+                        prop_assert_eq!(report.reason, silent);
+                    }
                     Existence::Iterate(_) | Existence::SignBoundary => {
                         prop_assert!(matches!(report.reason, None | Some(OpenReason::Zero(_))));
                     }
@@ -339,7 +367,7 @@ proptest! {
         let analysis = Analysis::new(&map, n, Numbers::Exact);
         let report = analysis.judge(&[n]);
         if u[m].is_zero() {
-            prop_assert_eq!(report.reason, Some(OpenReason::Singular));
+            prop_assert!(report.orbit.is_none());
             prop_assert_eq!(report.flat, Some(n));
             return Ok(());
         }
@@ -561,6 +589,43 @@ fn the_graph_counts_what_exists() {
             }
         }
     }
+}
+
+/// One impact at every resonance θ = mπ/q with rational a₁, a₂, for either sign of γ: born for m = 1 alone,
+/// and for γ > 0; patterns of several impacts, and maps with a₂ ≥ 1, stay open.
+#[test]
+fn at_a_resonance_the_second_order_says_whether_one_impact_is_born() {
+    let mut seen = [0; 2];
+    for (a1, a2, q0) in [
+        ("0", "1/4", 2),
+        ("1/2", "1/4", 3),
+        ("-1/2", "1/4", 3),
+        ("1", "1/2", 4),
+        ("-1", "1/2", 4),
+        ("1/2", "1/12", 6),
+        ("-1/2", "1/12", 6),
+        ("0", "1/1000000", 2),
+        ("1", "1", 3),
+    ] {
+        let a = vec![vec![q(a1), q("1")], vec![-q(a2), q("0")]];
+        for gamma in [1, -1] {
+            let (b, c) = ([q("0"), whole(gamma)], [q("1"), q("0")]);
+            let patterns: Vec<Vec<u64>> =
+                (1..=4).map(|k| vec![k * q0]).chain([vec![1, q0], vec![q0, q0]]).collect();
+            compare(&a, &b, &c, &patterns);
+            let map = build(&a, &b, &c, 1);
+            let graph = Graph::new(&map, 4 * q0, false).unwrap();
+            for periods in &patterns {
+                let report = graph.judge(periods);
+                let first = periods == &[q0] && !a1.starts_with('-') && gamma == 1 && a2 != "1";
+                let open = first || periods.len() == 2 || a2 == "1";
+                assert_eq!(report.is_open(), open, "{a1} {a2} {gamma} {periods:?}");
+                assert_eq!(report.reason == Some(OpenReason::Resonance), first);
+                seen[usize::from(first)] += 1;
+            }
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 4), "{seen:?}");
 }
 
 /// The counts without listing, against judging every pattern: maps with singular periods and open edges among

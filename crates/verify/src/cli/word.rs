@@ -11,7 +11,7 @@ use serde_json::{Value as Json, json};
 
 use super::{
     Outcome, cite,
-    classify::describe,
+    classify::{describe, resonances},
     decides,
     place::{self, Asked, Bounds, Place, REVERSED},
     pretty, reported, returns, samples,
@@ -20,6 +20,7 @@ use super::{
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
+    existence::Resonance,
     local::{Forward, Ladder, Point, Region},
     number::{certain_digits, parse_integer},
     output::{
@@ -56,8 +57,8 @@ const BITS: u32 = 64;
 /// why the answer is right.
 ///
 /// Exit code 0: everything is decided; 2: wrong usage, or a file that cannot be written; 3: a sign is zero or
-/// undecided, the word has more letters than were asked for, what was found could not be certified, or
-/// interrupted.
+/// undecided, of some period up to P u_n = 0, the word has more letters than were asked for, what was found
+/// could not be certified, or interrupted.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing word --r 0.4633 --s 0.16327
@@ -242,8 +243,11 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     };
     let caption = caption(&given, written_to.map(|path| cite::written(path, text_of)));
     let written = destination.write(|out| match args.format {
-        Format::Text => Ok(out.write_all(text(heading, &sides, written_to).as_bytes())?),
-        Format::Json => json_report(&given, &sides, written_to, out),
+        Format::Text => {
+            let silent = resonances_in_words(&given, args.max_period);
+            Ok(out.write_all(text(&format!("{heading}\n{silent}"), &sides, written_to).as_bytes())?)
+        }
+        Format::Json => json_report((&given, args.max_period), &sides, written_to, out),
         Format::Dot => Ok(out.write_all(dot(&sides).as_bytes())?),
         Format::Csv => table(&sides, TableFormat::Csv, &caption, out),
         Format::Latex => table(&sides, TableFormat::Latex, &caption, out),
@@ -253,8 +257,20 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         !matches!(side.word.extent(), Extent::All | Extent::Complete { .. })
             || side.cases.iter().any(|case| case.relation.is_open())
     });
-    let open = open || matches!(certified, Some(Certified::Undecided(_)));
+    let silent = given.point().is_some_and(|point| !resonances(point, args.max_period).is_empty());
+    let open = open || silent || matches!(certified, Some(Certified::Undecided(_)));
     reported(if open { Outcome::Undecided } else { Outcome::Done }, kept.and(written))
+}
+
+/// What the word leaves out: the periods n with u_n = 0, of which it is not.
+fn resonances_in_words(given: &Given, last: u64) -> String {
+    let text = given.point().map_or_else(String::new, |point| resonances(point, last));
+    if text.is_empty() {
+        return text;
+    }
+    format!(
+        "{text}Theorem 1 is silent about patterns of several impacts with such a period: they are not counted below.\n"
+    )
 }
 
 /// `--returns`.
@@ -401,6 +417,14 @@ struct Given {
 }
 
 impl Given {
+    /// The point, if it is one.
+    fn point(&self) -> Option<&Point> {
+        match &self.place {
+            At::Point(point) => Some(point),
+            At::Rectangle(_) | At::Box(_) => None,
+        }
+    }
+
     fn new(args: &Args) -> Result<Given> {
         let (of, bounds) = match args.place.asked()? {
             Asked::Point(asked) => {
@@ -472,7 +496,7 @@ fn digits(entropy: &Entropy) -> Option<String> {
 }
 
 fn text(heading: &str, sides: &[Side], certificate: Option<&Path>) -> String {
-    let mut text = format!("{heading}\n");
+    let mut text = heading.to_string();
     let mut chaotic = Vec::new();
     for side in sides {
         let positive = side.word.is_positive();
@@ -557,7 +581,12 @@ fn edges(relation: &Relation, text: &mut String) {
     }
 }
 
-fn json_report(given: &Given, sides: &[Side], certificate: Option<&Path>, out: &mut dyn Write) -> Result<()> {
+fn json_report(
+    (given, last): (&Given, u64),
+    sides: &[Side],
+    certificate: Option<&Path>,
+    out: &mut dyn Write,
+) -> Result<()> {
     let sides: Vec<Json> = sides
         .iter()
         .map(|side| {
@@ -587,12 +616,17 @@ fn json_report(given: &Given, sides: &[Side], certificate: Option<&Path>, out: &
         })
         .collect();
     let bounds = given.bounds.as_ref().map(|(bounds, gamma)| place::json(bounds, *gamma));
+    let resonances = given.point().map(|point| {
+        let row = |n| Resonance::at(point, n).map(|kind| json!({ "period": n, "resonance": kind }));
+        (1..=last).filter_map(row).collect::<Vec<_>>()
+    });
     let report = json!({
         "format": "grazing-word 1",
         "region": given.heading,
         "box": bounds,
         "reversed": given.reversed,
         "words": sides,
+        "resonances": resonances,
         "certificate": certificate.map(|path| path.display().to_string()),
     });
     pretty(&report, out)
