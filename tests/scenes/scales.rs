@@ -115,8 +115,9 @@ const LENGTHS: [&str; 13] = [
     "impulse",
     "largest_gap",
 ];
-/// Columns whose numbers go with coordinates, or with the metric of a curve.
-const OTHER: [&str; 4] = ["coefficient", "gamma", "e", "B"];
+/// Columns whose numbers go with coordinates, or with the metric of a curve; what a certificate says of
+/// units.
+const OTHER: [&str; 5] = ["coefficient", "gamma", "e", "B", "detail"];
 /// What depends on the last digits where the unit is no power of two.
 const WORK: [&str; 5] = ["residual", "newton_steps", "effects", "points", "length"];
 /// A multiplier beyond this is one over an impact's speed that rounding leaves where it fades.

@@ -58,7 +58,7 @@ fn every_example_runs_and_writes_what_it_says() {
             continue;
         }
         let (code, out, error, folder) = grazing(&["run", path.to_str().unwrap(), "--format", "json"]);
-        // At the resonance of section 4.1 the theory leaves period 3 undecided.
+        // At the resonance of section 4.1 the theory leaves the pattern 1,3 undecided.
         let expected = if path.ends_with("nordmark-2001-w48.toml") { 3 } else { 0 };
         assert_eq!((code, error.as_str()), (expected, ""), "{path:?}");
         let report: serde_json::Value = serde_json::from_str(&out).unwrap();

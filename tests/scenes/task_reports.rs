@@ -19,6 +19,7 @@ mod decided;
 mod enclosed;
 mod linear_touches;
 mod ranges;
+mod resonances;
 mod responses;
 mod sweeps;
 mod tolerances;

@@ -64,7 +64,8 @@ fn sample(ratio: f64, remains: f64, monitor: &dyn Monitor) -> Result<TouchSample
     let scene = format!(
         "format = \"grazing-scene 3\"\ntitle = \"a machine\"\n[parameters]\nF = 1\n[system]\ndamping = {damping:?}\n\
          stiffness = {stiffness:?}\nforcing = [{{ cos = \"F\" }}]\n[[stops]]\nname = \"stop\"\nside = \"upper\"\noffset = 1\n\
-         restitution = {RESTITUTION:?}\n[[tasks]]\nname = \"touch\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 1\n"
+         restitution = {RESTITUTION:?}\n[[tasks]]\nname = \"touch\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 1\n\
+         range = false\n"
     );
     let scene = Scene::from_toml(&scene, "machine.toml")?;
     let around = Surroundings { monitor, ..Surroundings::default() };

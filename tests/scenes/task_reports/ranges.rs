@@ -202,10 +202,34 @@ impl Keeper for Impacts {
     }
 }
 
-/// Not asked for, it is not there; where there is none, the report and the exit code say so.
+/// Of README's machine all that is born has a range before the touch and nothing is beyond, without being
+/// asked for; what the report says is what a certificate of each says, and how to go on.
+#[test]
+fn the_main_claims_are_proved_without_being_asked_for() {
+    let (found, code) = asked(&stop("upper", 1), "");
+    let rows = found.range.clone().unwrap();
+    let told: Vec<_> = rows.iter().map(|row| (row.side, row.verdict, row.of, row.whole)).collect();
+    assert_eq!(told, [("before", "proved", "all", true), ("beyond", "nothing born", "all", true)]);
+    assert!(rows.iter().all(|row| row.share.unwrap() > 0.03 && row.reason.is_some()), "{rows:?}");
+    assert_eq!((found.certificates.len(), code), (2, 0));
+    let (asked_for, _) = asked(&stop("upper", 1), "range = \"main\"");
+    assert_eq!(asked_for.range, found.range);
+    // What is undecided without being asked for is no failure, and numbers that no certificate holds are
+    // none.
+    let zero = asked(&stop("upper", 1).replace("0.8", "0"), "");
+    assert_eq!((zero.0.range, zero.0.range_open, zero.1), (None, None, 0));
+    let long = stop("upper", 1).replace("0.8", "0.8000000000000001");
+    let (found, code) = asked(&long, "");
+    assert_eq!((found.range, code), (None, 0));
+    let (found, code) = asked(&long, "range = true");
+    assert!(found.range_open.as_ref().unwrap().contains("digits that a certificate holds"), "{found:?}");
+    assert_eq!((found.range, code), (None, 3));
+}
+
+/// Not wanted, it is not there; where there is none, the report and the exit code say so.
 #[test]
 fn why_there_is_no_range_is_said() {
-    let (found, code) = asked(&stop("upper", 1), "");
+    let (found, code) = asked(&stop("upper", 1), "range = false");
     assert_eq!((found.range, found.range_open, code), (None, None, 0));
     let (found, code) = asked(&stop("upper", 1), "range = { effort = 1 }");
     let row = &found.range.unwrap()[0];

@@ -15,7 +15,7 @@ pub fn grazing_keys(request: &Request) -> Result<String> {
     let parameter = quoted(request.text("parameter")?);
     let most = request.number("max_period", 4, 1..=12)?;
     Ok(format!(
-        "[[tasks]]\nname = \"born\"\nkind = \"grazing\"\nparameter = {parameter}\nmax_period = {most}\n"
+        "[[tasks]]\nname = \"born\"\nkind = \"grazing\"\nparameter = {parameter}\nmax_period = {most}\nrange = false\n"
     ))
 }
 

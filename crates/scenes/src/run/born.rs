@@ -1,7 +1,11 @@
 //! What is born at a grazing, pattern by pattern: the local theory's verdicts, and the orbits of the true
 //! system near by. Not here: all patterns together (`birth`).
 
-use super::{Analysed, Complex, GrazingMap, Judgement, engine::GrazingPoint, row};
+use super::{
+    Analysed, Complex, GrazingMap, Judgement,
+    engine::{GrazingPoint, ResonantBirth},
+    row,
+};
 use crate::{
     error::{Error, Result},
     pattern::{Pattern, PatternExistence, Report as Verdict},
@@ -36,6 +40,24 @@ row! {
     }
 }
 
+impl BornRow {
+    /// Of a pattern of which nothing is known.
+    fn open(pattern: &Pattern) -> BornRow {
+        BornRow {
+            pattern: pattern.to_string(),
+            side: String::new(),
+            coefficient: None,
+            found_at: None,
+            phases: None,
+            speeds: None,
+            multipliers: None,
+            stable: None,
+            admissible: None,
+            reason: None,
+        }
+    }
+}
+
 /// A side of the bifurcation.
 pub(super) fn side_of(at: &GrazingMap, above: bool, size: f64) -> String {
     format!("{} {} {}", at.varied, if above { '>' } else { '<' }, shown(at.parameter, size / at.map.e.abs()))
@@ -50,18 +72,8 @@ pub(super) fn born_at(
     pattern: &Pattern,
     verdict: &Verdict,
 ) -> Result<BornRow> {
-    let mut row = BornRow {
-        pattern: pattern.to_string(),
-        side: String::new(),
-        coefficient: None,
-        found_at: None,
-        phases: None,
-        speeds: None,
-        multipliers: None,
-        stable: None,
-        admissible: None,
-        reason: verdict.reason.map(|reason| reason.to_string()),
-    };
+    let reason = verdict.reason.map(|reason| reason.to_string());
+    let mut row = BornRow { reason, ..BornRow::open(pattern) };
     let Some(side) = verdict.side() else {
         row.side = side_open(verdict).into();
         return Ok(row);
@@ -85,6 +97,44 @@ pub(super) fn born_at(
         Err(error) => row.reason = Some(error.to_string()),
     }
     Ok(row)
+}
+
+/// The same of one impact at a resonance, where that is known; no row if nothing is born.
+pub(super) fn at_resonance(
+    task: &GrazingTask,
+    (point, size): (&impl GrazingPoint, f64),
+    at: &GrazingMap,
+    pattern: &Pattern,
+    known: &ResonantBirth,
+) -> Result<Option<BornRow>> {
+    let ResonantBirth::Orbit { multiplier, speed } = *known else { return Ok(None) };
+    let (distance, periods) = (task.distance_at(size), pattern.periods()[0] as u32);
+    let away = -distance / at.map.e;
+    let reason = format!(
+        "u_{periods} = 0: its speed is like the root of the distance, both multipliers are {multiplier:.6}"
+    );
+    let row = BornRow {
+        side: side_of(at, away > 0.0, size),
+        stable: Some(if multiplier.abs() < 1.0 { Judgement::Yes } else { Judgement::Marginal }),
+        reason: Some(reason),
+        ..BornRow::open(pattern)
+    };
+    let parameter = match beside(&at.varied, at.parameter, away) {
+        Ok(parameter) => parameter,
+        Err(error) => return Ok(Some(BornRow { reason: Some(error.to_string()), ..row })),
+    };
+    let found = point.orbit_at_resonance((periods, speed), parameter, distance)?;
+    let row = BornRow { found_at: Some(parameter), ..row };
+    Ok(Some(match found {
+        Ok(orbit) => BornRow {
+            phases: Some(orbit.phases),
+            speeds: Some(orbit.speeds),
+            multipliers: Some(orbit.multipliers),
+            admissible: Some(orbit.admissible),
+            ..row
+        },
+        Err(error) => BornRow { reason: Some(error.to_string()), ..row },
+    }))
 }
 
 /// The parameter at a distance from a grazing.

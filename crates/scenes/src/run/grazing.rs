@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::{
     CertificateFile, ChaosRow, Complex, Finding, GrazingMap, GrazingReport, Job, Lines, Status, bands,
     birth::all_patterns,
-    born::{born_at, side_of},
+    born::{at_resonance, born_at, side_of},
     enclosed,
     engine::{Engine, GrazingPoint, by_engine},
     hit::hits,
@@ -27,7 +27,7 @@ use crate::{
     pattern::{Pattern, Patterns},
     scene::{
         Body,
-        orbits::{GrazingTask, RangeKeys},
+        orbits::{GrazingTask, RangeKey},
     },
     search::{range::RangeEffort, touch::InTheory as _},
 };
@@ -168,6 +168,12 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Resul
         for pattern in patterns.filter(Pattern::is_primitive) {
             job.check()?;
             let verdict = theory(pattern.periods());
+            if let (true, &[n]) = (verdict.is_open(), pattern.periods())
+                && let Some(known) = point.at_resonance(n)?
+            {
+                born.extend(at_resonance(task, (&point, size), &at, &pattern, &known)?);
+                continue;
+            }
             if verdict.side().is_some() || verdict.is_open() {
                 born.push(born_at(task, (&point, size), &at, &pattern, &verdict)?);
             }
@@ -228,6 +234,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Resul
         proofs,
         range,
         range_open,
+        main: task.range == RangeKey::Main && !task.attractor,
         tolerance,
         tolerance_open,
         certificates,
@@ -267,6 +274,9 @@ fn not_seen(task: &GrazingTask, job: &Job, at: &GrazingMap) -> Option<&'static s
 /// What is proved of both sides, or why nothing was looked for, and the certificates.
 type Ranges = (Option<Vec<RangeRow>>, Option<String>, Vec<CertificateFile>);
 
+/// Where only the main claim is proved, with one in so many of the work else allowed.
+const MAIN: u64 = 10;
+
 /// How far what is born is proved to go on, if that is asked for.
 fn asked_for_ranges(
     task: &GrazingTask,
@@ -274,16 +284,31 @@ fn asked_for_ranges(
     point: &impl GrazingPoint,
     at: &GrazingMap,
 ) -> Result<Ranges> {
-    let effort = |keys: &RangeKeys| keys.effort.unwrap_or(RangeEffort::DEFAULT);
-    let wanted = WantedProofs { range: task.range.0.as_ref().map(effort), attractor: task.attractor };
+    let main = task.range == RangeKey::Main;
+    let range = match &task.range {
+        RangeKey::None => None,
+        RangeKey::Main => {
+            (task.tolerance.0.is_empty() && !task.attractor).then_some(RangeEffort::DEFAULT / MAIN)
+        }
+        RangeKey::All(keys) => Some(keys.effort.unwrap_or(RangeEffort::DEFAULT)),
+    };
+    let wanted = WantedProofs { range, main, attractor: task.attractor };
     if wanted.is_nothing() {
         return Ok((None, None, Vec::new()));
     }
     let sides = match &at.open {
         Some(_) => Err(NO_THEORY.to_string()),
         None if at.map.e == 0.0 => Err(NEVER_OPENS.to_string()),
-        None => point.ranges(wanted)?,
+        None => match point.ranges(wanted) {
+            // As where a number has more digits than a certificate.
+            Err(error) if error.is_input() => Err(error.to_string()),
+            sides => sides?,
+        },
     };
+    // Nobody has asked for what is tried of every machine.
+    if main && !task.attractor && sides.is_err() {
+        return Ok((None, None, Vec::new()));
+    }
     let mut certificates = Vec::new();
     // Those that follow the first of a row are counted side by side of the touch.
     let mut further = [1; 2];

@@ -47,10 +47,13 @@ pub struct GrazingReport {
     pub influence: Option<Vec<InfluenceRow>>,
     /// What is proved of it, if that was asked for.
     pub proofs: Option<AttractorProofs>,
-    /// How far from the touch what is born is proved to go on; absent if it was not asked for.
+    /// How far from the touch what is born is proved to go on; absent if it is not told.
     pub range: Option<Vec<RangeRow>>,
     /// Why no range was looked for, though it was asked for.
     pub range_open: Option<String>,
+    /// Whether ranges are those that nobody asked for.
+    #[serde(skip)]
+    pub(super) main: bool,
     /// What is born of all machines that the task's tolerances allow; absent if it has none.
     pub tolerance: Option<ToleranceReport>,
     /// Why that is not told, though there are tolerances.
@@ -67,13 +70,17 @@ pub struct GrazingReport {
 const HALF: &str =
     "of half a period, then the mirror: a stop and its mirror are grazed; patterns count halves";
 
+/// What is said of ranges for which little work was done.
+const FARTHER: &str = "that far with little work: `range = true` goes farther, and tells of each orbit of one impact and \
+                       of what else there is";
+
 impl GrazingReport {
     /// How what was asked of ranges ended: undecided where something is born on a side, and no range is
     /// proved there, or of what attracts nothing is. What else was not proved there is told in its own row.
     fn range_status(&self) -> Status {
         let rows = self.range.as_deref().unwrap_or_default();
         let is_proved = |of: &RangeRow| rows.iter().any(|row| row.is_proved() && row.answers_with(of));
-        let undecided = rows.iter().find(|row| row.is_undecided() && !is_proved(row));
+        let undecided = rows.iter().find(|row| row.is_undecided() && !is_proved(row)).filter(|_| !self.main);
         match (&self.range_open, undecided) {
             (Some(why), _) => Status::undecided(format!("no range is proved: {why}")),
             (None, Some(RangeRow { side, reason, .. })) => Status::undecided(format!(
@@ -145,9 +152,14 @@ impl GrazingReport {
         if let Some(reason) = &self.chaos_open {
             lines.say("chaos", format!("not decided: {reason}"));
         }
-        let rows = self.range.as_deref().unwrap_or_default();
+        let mut rows = self.range.clone().unwrap_or_default();
+        let with_little_work = |row: &&mut RangeRow| self.main && row.end.is_some();
+        let main = rows.iter_mut().filter(with_little_work).map(|row| row.reason = None).count();
         for alike in rows.chunk_by(RangeRow::is_told_with) {
             RangeRow::lines(alike, (&at.varied, at.half), lines);
+        }
+        if main > 0 {
+            lines.say("range", FARTHER);
         }
         if let Some(why) = &self.range_open {
             lines.say("range", format!("none: {why}"));

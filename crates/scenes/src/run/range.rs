@@ -162,6 +162,8 @@ pub(crate) const ATTRACTOR: &str = "attractor";
 pub(crate) struct WantedProofs {
     /// How far what is born goes on, with so much work a side.
     pub range: Option<u64>,
+    /// Of all that is born alone.
+    pub main: bool,
     /// That chaos attracts beyond the touch.
     pub attractor: bool,
 }
@@ -485,7 +487,6 @@ impl RangeRow {
 
     /// What else is proved, and why it ends.
     fn further_lines(&self, varied: &str, lines: &mut Lines) {
-        let reason = self.reason.as_deref().unwrap_or_default();
         if let (Some(alone), Some(others)) = (&self.alone, &self.others) {
             let alone = lines.told("end", alone);
             let way = if self.ends_above() { "<=" } else { ">=" };
@@ -494,7 +495,7 @@ impl RangeRow {
         if !self.stability.is_empty() {
             lines.say("stability", self.stability_in_words(varied, lines));
         }
-        lines.say("range_ends", reason);
+        lines.say_known("range_ends", &self.reason);
         self.certificate_lines(varied, lines);
     }
 

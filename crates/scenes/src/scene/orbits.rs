@@ -251,8 +251,11 @@ keys! {
         /// whether to prove of each periodic attractor that is seen there that it is a stable orbit, with a
         /// certificate for each, as a task `validate` does
         prove: bool = "false",
-        /// whether to prove, for either side of the touch, how far what is born there goes on
-        range: RangeKey = "false",
+        /// whether to prove, for either side of the touch, how far what is born there goes on: "main" does it
+        /// of all that is born together, with a tenth of the work, of machines with linear forces and without
+        /// `tolerance` and `attractor`, where the motion without impacts touches; `true` also of each orbit
+        /// of one impact, of a part that goes farther, and of what else there is
+        range: RangeKey = "\"main\"",
         /// whether to prove, of an overdamped machine beside one stop, that beyond the touch chaos attracts:
         /// how far from it there is a trap in which no periodic motion is stable, and where that does not
         /// reach the parameter's present value, whether it is so there; of machines with linear forces, and
@@ -278,13 +281,20 @@ keys! {
     }
 }
 
-/// Whether ranges are proved, and with which work.
+/// Which ranges are proved, and with which work.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RangeKey(pub Option<RangeKeys>);
+pub enum RangeKey {
+    /// None.
+    None,
+    /// Of all that is born, on either side, as far as little work goes.
+    Main,
+    /// Of all that is born, of each orbit of one impact, and of what else there is.
+    All(RangeKeys),
+}
 
 impl Value for RangeKey {
     fn shape() -> String {
-        "`true`, `false` or a table".to_string()
+        "`true`, `false`, `\"main\"` or a table".to_string()
     }
 
     fn table() -> Option<Table> {
@@ -292,11 +302,12 @@ impl Value for RangeKey {
     }
 
     fn read(entry: &Entry) -> Result<Self> {
-        Ok(RangeKey(match entry.item.as_bool() {
-            Some(false) => None,
-            Some(true) => Some(RangeKeys { effort: None }),
-            None => Some(RangeKeys::read(entry)?),
-        }))
+        Ok(match (entry.item.as_bool(), entry.item.as_str()) {
+            (Some(false), _) => RangeKey::None,
+            (Some(true), _) => RangeKey::All(RangeKeys { effort: None }),
+            (None, Some("main")) => RangeKey::Main,
+            (None, _) => RangeKey::All(RangeKeys::read(entry)?),
+        })
     }
 }
 

@@ -12,6 +12,7 @@ pub(crate) use many::Machines;
 pub use many::{MachineSource, form};
 pub use one::OscillatorSource;
 pub(crate) use one::Oscillators;
+pub(crate) use one::ResonantBirth;
 
 use num_rational::BigRational;
 use serde::{Serialize, de::DeserializeOwned};
@@ -525,6 +526,24 @@ pub(crate) trait GrazingPoint {
     /// # Errors
     /// Those of the scene.
     fn tolerated(&self) -> Result<std::result::Result<ToleratedMachines, String>>;
+
+    /// What is born of one impact in n periods where the local theory is silent, at a resonance of a linear
+    /// oscillator; `None` where that is not known.
+    ///
+    /// # Errors
+    /// Those of the scene.
+    fn at_resonance(&self, _: u64) -> Result<Option<ResonantBirth>> {
+        Ok(None)
+    }
+
+    /// That orbit: its periods, the speed of its impact over the stop's, the parameter and how far that is
+    /// beyond the touch; the inner error is why none was found.
+    ///
+    /// # Errors
+    /// Those of the scene.
+    fn orbit_at_resonance(&self, _: (u32, f64), _: f64, _: f64) -> Result<Result<Analysed>> {
+        Ok(Err(Error::input("no such orbit is known")))
+    }
 
     /// The orbit of the true system near the leading-order solution of a pattern, at a parameter `away` from
     /// the bifurcation; the inner error is why none was found.

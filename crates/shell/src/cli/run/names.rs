@@ -7,7 +7,7 @@ use crate::{
     error::{Error, Result},
     figure::PictureFormat,
     output::{Clash, FileRegistry, FileUse, MADE},
-    scene::{Kind, Scene, Task, branches::BranchOrigin},
+    scene::{Kind, Scene, Task, branches::BranchOrigin, orbits::RangeKey},
 };
 
 /// What may follow a task's name in the name of a file.
@@ -62,7 +62,7 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             State(".checkpoint"),
         ],
         Kind::OrbitTask(_) | Kind::EventTask(_) => &[Fixed(".csv")],
-        Kind::GrazingTask(task) if task.prove || task.attractor || task.range.0.is_some() => &[
+        Kind::GrazingTask(task) if task.prove || task.attractor || task.range != RangeKey::None => &[
             Fixed(".csv"),
             Fixed("-touches.csv"),
             Fixed("-seen.csv"),

@@ -10,6 +10,7 @@ use super::{
     },
     analysed,
     ranges::ranges,
+    resonance::ResonantBirth,
     turn,
 };
 use crate::{
@@ -156,6 +157,19 @@ impl GrazingPoint for OscillatorGrazing<'_> {
 
     fn tolerated(&self) -> Result<std::result::Result<ToleratedMachines, String>> {
         self.machines()
+    }
+
+    fn at_resonance(&self, n: u64) -> Result<Option<ResonantBirth>> {
+        self.resonance(n)
+    }
+
+    fn orbit_at_resonance(
+        &self,
+        impact: (u32, f64),
+        parameter: f64,
+        distance: f64,
+    ) -> Result<Result<Analysed>> {
+        self.resonant_orbit(impact, parameter, distance)
     }
 
     fn orbit(&self, periods: &[u64], verdict: &Verdict, parameter: f64, _: f64) -> Result<Result<Analysed>> {

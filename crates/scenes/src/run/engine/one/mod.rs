@@ -4,6 +4,7 @@ mod grazing;
 mod motion;
 mod proofs;
 mod ranges;
+mod resonance;
 mod response;
 mod rest;
 mod sections;
@@ -15,6 +16,7 @@ use std::f64::consts::{PI, TAU};
 use grazing::OscillatorGrazing;
 use num_rational::BigRational;
 use proofs::OrbitProver;
+pub(crate) use resonance::ResonantBirth;
 use rest::RestingOscillator;
 pub use source::OscillatorSource;
 

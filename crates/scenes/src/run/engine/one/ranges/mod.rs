@@ -54,6 +54,8 @@ type Ranges = [[BigRational; 2]; 3];
 /// The machine near the touch.
 struct Near<'a> {
     point: &'a OscillatorGrazing<'a>,
+    /// Whether what is proved of all that is born will do.
+    main: bool,
     /// The work allowed on a side, and what of it is done before the touch and beyond it.
     most: u64,
     efforts: [RangeEffort<'static>; 2],
@@ -138,6 +140,7 @@ pub(super) fn ranges(
     let Touching { mirrored, parameters: about, harmonics, .. } = touching;
     Near {
         point,
+        main: wanted.main,
         most,
         efforts: [most; 2].map(RangeEffort::new),
         mirrored,
@@ -172,6 +175,7 @@ fn of_all(
     let most = wanted.range.unwrap_or(RangeEffort::DEFAULT);
     Near {
         point,
+        main: wanted.main,
         most,
         efforts: [most; 2].map(RangeEffort::new),
         mirrored: false,
@@ -187,7 +191,10 @@ fn of_all(
 }
 
 /// The scene's system where the task's parameter is this number, or runs through these.
-fn functions(point: &OscillatorGrazing, at: &RationalFunction) -> Result<System<RationalFunction>> {
+pub(super) fn functions(
+    point: &OscillatorGrazing,
+    at: &RationalFunction,
+) -> Result<System<RationalFunction>> {
     let (scene, varied) = (&point.job.scene, &point.task.parameter);
     let values: Vec<RationalFunction> = scene
         .parameters
@@ -266,6 +273,10 @@ impl Near<'_> {
                 prove(&of(graph, ranges, deepest), effort, monitor)
             })
         };
+        if self.main {
+            let found = of_graph(&problem.graph, effort)?;
+            return Ok(vec![self.judged(behind, (ALL, &problem.graph, whole), found)?]);
+        }
         let mut found = of_graph(&problem.graph, &effort.part(ALL_BORN))?;
         if whole && let Ok(cells) = &mut found {
             let effort = effort.part(OTHERS);
