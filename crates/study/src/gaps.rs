@@ -59,7 +59,7 @@ const PLACES: u32 = 12;
 /// At how many µ for each window motions are followed, for how many periods until they hit, and for how many
 /// more for each period of its orbit.
 const VALUES: u64 = 48;
-const SETTLED: i64 = 1000;
+const SETTLED: i64 = 5000;
 const SEEN: i64 = 32;
 
 /// λ₁ of the oscillator.
