@@ -126,7 +126,8 @@ def tolerance(findings: Record) -> Tolerance | None:
         sign_gamma=told.sign_gamma,
         before=before,
         beyond=beyond,
-        ranges=tuple(map(_range, findings.get("range") or ())),
+        # What is proved at the scene's own value alone is no range.
+        ranges=tuple(_range(row) for row in findings.get("range") or () if not row.get("own_value")),
         cells=told.cells,
         cut=told.cut,
         settled=Fraction(told.settled),

@@ -317,6 +317,44 @@ fn impacts_beyond_a_touch_stay_in_the_trap() {
     assert_no_overlap(&svg);
 }
 
+/// A window and the gap below it, to the next: nearly all of it is proved, stretch by stretch, and what is
+/// seen is as is proved. Each is about λ₁² times the one before.
+#[test]
+fn windows_and_gaps_are_proved_where_they_are_seen() {
+    let (rows, svg) = draw("gaps 1", "gaps");
+    let (hits, stretches): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row["set"] == "impact");
+    let ends = |row: &HashMap<String, String>| ["from", "to"].map(|end| number(row, end));
+    let long = |row: &&&HashMap<String, String>| (ends(row)[1] / ends(row)[0]).ln();
+    for two in stretches.windows(2) {
+        let [above, below] = [ends(two[0])[0], ends(two[1])[1]];
+        assert!((0.0..1e-9).contains(&(above - below)), "{two:?}");
+    }
+    let share =
+        |what: &str| stretches.iter().filter(|row| row["set"] == what).map(|row| long(&row)).sum::<f64>();
+    let [stable, chaos, open] = ["stable", "chaos", "open"].map(share);
+    let lambda = (-std::f64::consts::TAU * (1.5 - 1.25f64.sqrt()) / 5.0).exp();
+    assert!((stable + chaos + open + 2.0 * lambda.ln()).abs() < 0.05, "{stable} {chaos} {open}");
+    assert!(stable > 0.3 && chaos > 0.45 && open < 0.06, "{stable} {chaos} {open}");
+    for row in &stretches {
+        let [from, to] = ends(row);
+        let within = |mu: &f64| 1.15 * from < *mu && *mu < 0.95 * to;
+        let mut inside: Vec<f64> = hits.iter().map(|hit| number(hit, "from")).filter(within).collect();
+        let seen = inside.len();
+        inside.dedup();
+        match row["set"].as_str() {
+            "stable" => assert!(seen > 8 && seen == inside.len() && row["value"] == "7", "{seen} {row:?}"),
+            "chaos" => assert!(number(row, "value") > 1.0, "{row:?}"),
+            _ => {}
+        }
+    }
+    // Twenty values in the gap, each with more than a few impacts.
+    let gap = hits.iter().filter(|hit| (0.017..0.027).contains(&number(hit, "from")));
+    let mut values: HashMap<&str, usize> = HashMap::new();
+    gap.for_each(|hit| *values.entry(&hit["from"]).or_default() += 1);
+    assert!(values.len() > 15 && values.values().all(|many| *many > 8), "{values:?}");
+    assert_no_overlap(&svg);
+}
+
 /// A picture for each kind of box; its cells cover the box, and their words are those of `word` at a point.
 #[test]
 fn tolerances_are_shown_with_their_words() {
@@ -412,6 +450,7 @@ fn wrong_numbers_are_named() {
         ("records --r 0.9 --s 1/2", "s = 1/2 is outside 0 < s < 1/2"),
         ("5 25", "N = 25: this figure shows one period N, with N from 3 to 24"),
         ("touch 1000", "N = 1000: this figure shows periods up to N, with N from 3 to 30"),
+        ("gaps 10", "N = 10: this figure shows N windows, with N from 1 to 9"),
         ("tips 3", "N = 3: this figure shows periods 4 to N, with N from 4 to 400"),
         ("2 --r 0.9 --s 0.2", "a point or a box belongs to `grazing figure records`"),
         ("records --r 0.9±1% --s 0.2", "figure records shows one point"),

@@ -102,7 +102,9 @@ class File(chaos.File):
         self.growth, self.rate, self.last = decimal(grown, True), decimal(rate, True), whole(last, 1, 200)
         need(self.growth > 1, "a growth is above 1")
         self.parts, start = [], Fraction(0)
-        for _ in range(whole(self.words("cells", 1)[0], 1, 2000)):
+        cells = whole(self.words("cells", 1)[0], 1, 2000)
+        need(cells * self.last <= 40000, "the check would take too long")
+        for _ in range(cells):
             end, weight = self.words("cell", 2)
             self.parts.append((start, decimal(end, True), whole(weight, 1, 10**6)))
             need(start < self.parts[-1][1], "the ends of cells increase")

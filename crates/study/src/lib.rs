@@ -13,6 +13,7 @@ mod digits;
 pub mod effects;
 mod families;
 pub mod flow_accuracy;
+mod gaps;
 mod measure;
 mod naive;
 mod proofs;
@@ -23,6 +24,7 @@ mod zeros;
 
 pub use digits::{DigitsPrice, INPUTS, METHODS, digits_prices};
 pub use families::{FAMILIES, InputFamily};
+pub use gaps::{Hit, Proved, Stretch, eigenvalue, gaps};
 pub use proofs::{CHAOS, PAPER, ProofCost, ProofSizes, proof_costs};
 pub use sign_price::{DISTANCES, QUICK_DISTANCES, SignMethod, SignPrice, sign_prices};
 pub use touches::{RESTITUTION, Sight, TouchSample, touch_samples};

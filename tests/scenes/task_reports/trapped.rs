@@ -144,6 +144,40 @@ fn the_value_of_the_scene_is_proved_by_cells() {
     }
 }
 
+/// So it is of all machines within tolerances, also where each has a depth of its own.
+#[test]
+fn the_value_of_all_machines_within_tolerances_is_proved() {
+    let driven = |keys: &str| {
+        grazing_found(&format!(
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nF = 0.0404\nc = 0.6\n[system]\ndamping = \"c\"\n\
+             stiffness = 0.04\nforcing = [{{ cos = \"F\" }}]\n[[stops]]\nside = \"upper\"\noffset = 0.0354\nrestitution = 0.8\n{}",
+            task("F", keys)
+        ))
+    };
+    let displaced = |keys: &str| paper_at("0.008", "3/2", "5", keys);
+    for (found, shown, code) in
+        [displaced("tolerance = { d = \"0.02%\", w = \"0.02%\" }"), driven("tolerance = { c = \"0.02%\" }")]
+    {
+        let rows = found.range.clone().unwrap();
+        let [_, value] = &rows[..] else { panic!("two rows: {shown}") };
+        assert_eq!(
+            (code, value.verdict, value.touches.is_some(), &value.end),
+            (0, "proved", true, &None),
+            "{shown}"
+        );
+        let text = found.certificates.last().unwrap().accepted.text();
+        assert!(
+            text.contains("\nkind attractor 2\n")
+                && text.starts_with("grazing-certificate 1\nkind parameter 2\n")
+        );
+        let part =
+            ", for every machine within the tolerances: chaos attracts: motions are trapped where none";
+        assert!(shown.contains(part) && shown.contains("by weights, grow"), "{shown}");
+    }
+    let (found, shown, code) = displaced("tolerance = { w = \"5%\" }");
+    assert!(code == 3 && windows_reason(&found).contains("own mu neither: no weights"), "{shown}");
+}
+
 /// Ranges that are asked for beside it leave it its work, and say of themselves that theirs was too little.
 #[test]
 fn what_attracts_over_a_frequency_does_not_wait_for_ranges() {

@@ -48,6 +48,13 @@ fn what_is_written_passes_and_is_named() {
     }
 }
 
+/// The first cell in so many that there are this many, with returns after up to 200 periods.
+fn many(cells: usize) -> String {
+    let text = changed(&changed(ATTRACTOR_CELLS, "growth", "1.21 0.024 200"), "cells", &cells.to_string());
+    let part = |i: usize| format!("{} 1000000", short(2.5e-4 * i as f64));
+    cell(&text, 0, &(1..=cells - 15).map(part).collect::<Vec<_>>().join("\ncell "))
+}
+
 #[test]
 fn weaker_claims_pass() {
     for (name, line) in [
@@ -67,6 +74,7 @@ fn weaker_claims_pass() {
         assert_eq!(answer(&text).map_err(|why| why.to_string()).err(), None, "{name} {line}");
         assert_eq!(lie(&text, 30), None);
     }
+    assert_eq!(answer(&many(200)).map_err(|why| why.to_string()).err(), None);
     // A cell in two, each with its weight.
     let text = cell(&changed(ATTRACTOR_CELLS, "cells", "17"), 12, "0.68 942385\ncell 0.709748813 942385");
     assert_eq!(answer(&text).map_err(|why| why.to_string()).err(), None);
@@ -169,6 +177,7 @@ fn malformed() -> Vec<(String, &'static str)> {
     ] {
         all.push((cell(ATTRACTOR_CELLS, at, line), reason));
     }
+    all.push((many(201), "would take up to 40200 returns, more than 40000: fewer cells or periods"));
     all.push((with(ATTRACTOR_CELLS, "depths", "depth 1/126"), "depths"));
     all.push((with(ATTRACTOR_CELLS, "statement", "statement For all"), "word for word"));
     all.push((format!("{ATTRACTOR_CELLS}cell 1 1\n"), "goes on"));

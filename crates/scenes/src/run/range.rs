@@ -349,17 +349,18 @@ impl RangeRow {
 
     fn own_lines(&self, (varied, half): (&str, bool), lines: &mut Lines) {
         let (side, reason) = (self.side, self.reason.as_deref().unwrap_or_default());
-        if let (Some(touches), Some(depth)) = (&self.touches, &self.depth) {
-            return self.lines_of_all(touches, depth, varied, lines);
-        }
         if let Some(at) = &self.own_value {
+            let all = self.touches.as_ref().map_or("", |_| ", for every machine within the tolerances");
             let said = format!(
-                "{side} the touch, at {varied} = {}: {}",
+                "{side} the touch, at {varied} = {}{all}: {}",
                 lines.told("end", at),
                 self.attracting_at()
             );
             lines.say(PROVED, said);
             return self.certificate_lines(varied, lines);
+        }
+        if let (Some(touches), Some(depth)) = (&self.touches, &self.depth) {
+            return self.lines_of_all(touches, depth, varied, lines);
         }
         let (Some(touch), Some(end)) = (&self.touch, &self.end) else {
             let of = match self.of {

@@ -50,7 +50,7 @@ pub(super) struct Args {
     #[arg(value_enum)]
     figure: Figure,
     /// The largest period shown, for 5 the only one; by default 15, for entropy 40, for tips 200, for 5 8,
-    /// for coexistence 10000. For machine the scene.
+    /// for coexistence 10000. For gaps how many windows, by default 5. For machine the scene.
     #[arg(value_name = "N|SCENE")]
     n: Option<String>,
     /// As it was written once.
@@ -104,6 +104,9 @@ enum Figure {
     /// Impacts beyond the touch of the paper's oscillator with d = 3/2, w = 8 at mu = 0.01, each with the
     /// next, in the trap that is proved.
     Attractor,
+    /// N windows with a stable orbit, and the gaps with chaos between them, proved beyond the touch of that
+    /// oscillator with w = 5, over mu.
+    Gaps,
     /// Theorem 2's intervals for n = 3 to N.
     Intervals,
     /// The powers of an eigenvalue seen from 1: their records are the periods that exist; by default with
@@ -378,6 +381,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     let n = given.unwrap_or(match args.figure {
         Figure::Areas => 8,
         Figure::Tips => 200,
+        Figure::Gaps => 5,
         Figure::Entropy => 40,
         Figure::Coexistence => 10_000,
         _ => 15,
@@ -423,6 +427,10 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         Figure::After => drawn("figure10")?,
         Figure::Chaos => chaos(&place, interrupt)?,
         Figure::Attractor => attractor(&place, interrupt)?,
+        Figure::Gaps => {
+            let (stretches, hits) = study::gaps(n, &Progress::new(interrupt, 0, "stretches"))?;
+            figure::gaps(study::eigenvalue(), &stretches, &hits, &place)?;
+        }
         Figure::Orbits => figure::orbits(&place)?,
         Figure::Machine => figure::machine(&args.machine(files)?, &place)?,
     }

@@ -19,7 +19,7 @@
 //! start X                    as of version 1
 //! growth G R L               G > 1, R > 0: displacements times their weights grow at least G-fold, and
 //!                            e^Rn-fold over n periods; returns take at most L periods, L up to 200
-//! cells K                    1 to 2000, then K lines
+//! cells K                    1 to 2000, K L up to 40000, then K lines
 //! cell END WEIGHT            contacts with |V|/√ν from the end before, or 0, to END, a decimal; the last is
 //!                            S. WEIGHT is an integer, 1 to 1000000
 //! ```
@@ -56,8 +56,9 @@
 //!
 //! # Cost
 //!
-//! 2 exponentials for each cell, 2 to 6 for each return, which are some three in a cell, and 3 L: at most
-//! those of 2000 · 200 returns. With 150 cells it is a twentieth of a second. Memory: the certificate.
+//! 2 exponentials for each cell, up to 6 for each of its returns, which are some three as a rule and L at
+//! most, and 3 L. With 150 cells it is a twentieth of a second, and some 2.5 seconds at most, as K L is
+//! bounded. Memory: the certificate.
 
 mod proof;
 mod returns;

@@ -18,6 +18,8 @@ use crate::{
 /// The most cells, and periods of returns.
 const CELLS: u64 = 2000;
 const RETURNS: u64 = 200;
+/// The most of both, multiplied: as many returns the check may look at.
+const WORK: u64 = 40_000;
 /// The greatest weight.
 const WEIGHT: u64 = 1_000_000;
 
@@ -76,6 +78,10 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
     })?;
     lines.form(growth.digits > 10i128.pow(growth.places), "a growth must be above 1")?;
     let number = count(lines, "cells", "the number of cells", CELLS)?;
+    let work = number * last;
+    let reason =
+        format_args!("the check would take up to {work} returns, more than {WORK}: fewer cells or periods");
+    lines.form(work <= WORK, reason)?;
     let mut cells: Vec<Cell> = Vec::new();
     for _ in 0..number {
         let next = line(lines, "cell", cell)?;

@@ -60,9 +60,11 @@ pub struct CellsProof {
     pub rate: f64,
 }
 
-/// How many cells there are at first; when there are more than this, no more are cut.
+/// How many cells there are at first. No more are cut when there are more than this, or a check would look at
+/// more returns.
 const FIRST: usize = 128;
 const MOST: usize = 1200;
+const WORK: u64 = 40_000;
 /// The least growth that is looked for, as its logarithm.
 const LEAST: f64 = 1e-3;
 /// The greatest growth that is looked for.
@@ -118,6 +120,12 @@ fn prove_from(
     write::proof(certificate, problem.depths.clone(), graph.growth(&weights))
 }
 
+/// Whether there are not too many cells.
+fn is_small(graph: &Graph) -> bool {
+    let cells = graph.ends.len();
+    cells <= MOST && cells as u64 * graph.listed() <= WORK
+}
+
 /// Only impacts are asked to grow.
 fn impacts(impact: f64) -> Asked {
     Asked { impact, period: 0.0 }
@@ -134,7 +142,7 @@ fn grown(
     while let Err(cells) = graph.potential(impacts(LEAST)) {
         monitor.advance(0)?;
         graph = match graph.cut(returns, &cells) {
-            Some(finer) if finer.ends.len() <= MOST => finer,
+            Some(finer) if is_small(&finer) => finer,
             _ => return Ok(None),
         };
     }
@@ -144,7 +152,7 @@ fn grown(
         let most = graph.most(impacts, [LEAST, GREATEST]);
         let Err(cells) = graph.potential(impacts(most * ABOVE)) else { break };
         match graph.cut(returns, &cells) {
-            Some(finer) if finer.ends.len() <= MOST => graph = finer,
+            Some(finer) if is_small(&finer) => graph = finer,
             _ => break,
         }
     }

@@ -60,6 +60,16 @@ fn few_cells_are_enough_where_all_impacts_grow() {
     assert_eq!(proof.accepted.text(), include_str!("../../../../checker/tests/data/attractor-cells.txt"));
 }
 
+/// Where returns are late there are as many cells as a check of bounded work looks at.
+#[test]
+fn the_checks_work_is_bounded() {
+    for (slow, fast) in [(0.92, 0.7), (0.955, 0.7)] {
+        let proof = prove_cells(&problem([slow, fast], 0.01), &()).unwrap().unwrap();
+        let (cells, last) = (proof.certificate.cells.len() as u64, proof.certificate.last);
+        assert!(cells * last <= WORK && proof.growth > 1.0, "{cells} {last}");
+    }
+}
+
 #[test]
 fn what_is_not_so_has_a_reason() {
     let of = |c: &str, harmonics: &[(u64, [&str; 2])], depth: &str| CellsProblem {

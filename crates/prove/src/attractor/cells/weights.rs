@@ -1,7 +1,7 @@
 //! Cells with their returns as a graph, and weights by which every arc of it grows: the least mean of its
 //! cycles, by the potential that Bellman and Ford's method finds where no cycle is below what is asked for.
 
-use super::returns::{Return, Returns};
+use super::returns::{RETURNS, Return, Returns};
 use crate::chaos::span::Span;
 
 /// What an arc must grow by at least: a number, and so much for each of its periods.
@@ -134,9 +134,10 @@ impl Graph {
         least
     }
 
-    /// By how many periods all are back.
-    pub fn last(&self) -> u64 {
-        self.returns.iter().map(|(_, last)| *last).max().unwrap_or(1)
+    /// By how many periods all are back, as a certificate lists it: one more, for other enclosures.
+    pub fn listed(&self) -> u64 {
+        let last = self.returns.iter().map(|(_, last)| *last).max().unwrap_or(1);
+        (last + 1).min(RETURNS)
     }
 }
 

@@ -9,7 +9,6 @@ use super::{
         write::{MOST_PIECES, PIECES, rounded, setting},
     },
     CellsProblem, CellsProof, float_of,
-    returns::RETURNS,
     weights::{Asked, Graph},
 };
 use crate::{
@@ -50,7 +49,7 @@ pub(super) fn cells(certificate: &mut Certificate, graph: &Graph, weights: &[u64
         Ok(Cell { end, weight })
     };
     certificate.cells = graph.ends.iter().zip(weights).enumerate().map(cell).collect::<Result<_>>()?;
-    certificate.last = (graph.last() + 1).min(RETURNS);
+    certificate.last = graph.listed();
     Ok(())
 }
 

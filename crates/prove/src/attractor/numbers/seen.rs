@@ -4,39 +4,44 @@ use std::f64::consts::TAU;
 
 use num_traits::ToPrimitive;
 
-use super::{
-    super::cells::{CellsProblem, CellsProof},
-    Random,
+use super::{AttractorProblem, Random};
+use crate::{
+    certificate::attractor::{Setting, cells::Cell},
+    range::write::float,
 };
-use crate::range::write::float;
 
-/// A machine at a depth, and the weights of a certificate.
+/// The machine of the least parameters at the greatest depth, its trap, and the weights of a certificate.
 pub(super) struct Seen {
     slow: f64,
     fast: f64,
     tau: f64,
     depth: f64,
     window: [f64; 2],
+    /// S√ν and Zν.
+    trap: [f64; 2],
     harmonics: Vec<[f64; 3]>,
     cells: Vec<[f64; 2]>,
 }
 
 impl Seen {
-    pub fn new(problem: &CellsProblem, proof: &CellsProof) -> Seen {
+    /// Without cells all weighs the same.
+    pub fn new(problem: &AttractorProblem, setting: &Setting, cells: &[Cell]) -> Seen {
         let number = |x: &num_rational::BigRational| x.to_f64().unwrap();
         let [c, k, tau] = problem.ranges.each_ref().map(|[x, _]| number(x));
         let fast = 0.5 * (c + (c * c - 4.0 * k).sqrt());
         let harmonic = |(j, [a, b]): &crate::chaos::Term| {
             [*j as f64, 0.5 * (number(&a[0]) + number(&a[1])), 0.5 * (number(&b[0]) + number(&b[1]))]
         };
+        let depth = setting.depth.p as f64 / setting.depth.q as f64;
         Seen {
             slow: k / fast,
             fast,
             tau,
-            depth: number(&problem.depths[1]),
-            window: proof.certificate.setting.window.map(float),
+            depth,
+            window: setting.window.map(float),
+            trap: [float(setting.speed) * depth.sqrt(), float(setting.slip) * depth],
             harmonics: problem.harmonics.iter().map(harmonic).collect(),
-            cells: proof.certificate.cells.iter().map(|cell| [float(cell.end), cell.weight as f64]).collect(),
+            cells: cells.iter().map(|cell| [float(cell.end), cell.weight as f64]).collect(),
         }
     }
 
@@ -88,7 +93,7 @@ impl Seen {
 
     fn weight(&self, speed: f64) -> f64 {
         let speed = speed / self.depth.sqrt();
-        self.cells.iter().find(|[end, _]| speed <= *end).or(self.cells.last()).unwrap()[1]
+        self.cells.iter().find(|[end, _]| speed <= *end).or(self.cells.last()).map_or(1.0, |cell| cell[1])
     }
 
     /// The least growth from contact to contact of so many motions, each followed for so many.
@@ -102,6 +107,8 @@ impl Seen {
                 let [_, closing] = self.gap(at, state, time);
                 let zeta = state[1] * (-self.fast * (time - at)).exp();
                 let ([place, _, bend], after) = (self.wall(time), zeta + (1.0 + self.tau) * -closing);
+                let [fastest, most] = self.trap.map(|most| most * (1.0 + 1e-6));
+                assert!(i < 3 || -closing < fastest && zeta < most, "out of the trap: {closing}, {zeta}");
                 if let Some((stretch, weight)) = before
                     && i > 3
                 {

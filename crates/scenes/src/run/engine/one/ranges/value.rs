@@ -16,7 +16,7 @@ use crate::{
     search::{
         attractor::{CellsProblem, prove_cells},
         chaos::RationalFunction,
-        range::{ParameterRange, RangeEnd, Touching, depth_at},
+        range::{ParameterRange, RangeEnd, ToleratedRange, Touching, depth_at},
     },
 };
 
@@ -30,6 +30,13 @@ const NO_WEIGHTS: &str =
 /// Depths are widened by such a part, and have so many places.
 const WIDER: f64 = 1e-9;
 const PLACES: u32 = 14;
+/// Depths of all machines are within such a part of that of the scene's, and of what is known.
+const APART: f64 = 0.01;
+const DEEP: f64 = 0.9;
+/// Depths are looked at that are wider by so many times what they are between, one after the other.
+const ROOM: [u32; 3] = [0, 1, 4];
+/// How often what lies between is halved.
+const HALVINGS: u32 = 20;
 
 /// Two numbers in few digits, on either side of one and at most about so far from it.
 fn around(value: &BigRational, near: &BigRational) -> [BigRational; 2] {
@@ -47,83 +54,160 @@ fn depth(x: f64, up: bool) -> BigRational {
     BigRational::new(BigInt::from(digits as i64), BigInt::from(10).pow(PLACES))
 }
 
+/// The nearest number to `limit` that holds, from one that does, about; none where that does not.
+fn nearest([mut holding, mut limit]: [f64; 2], holds: &dyn Fn(f64) -> Result<bool>) -> Result<Option<f64>> {
+    if holds(limit)? {
+        return Ok(Some(limit));
+    }
+    if !holds(holding)? {
+        return Ok(None);
+    }
+    for _ in 0..HALVINGS {
+        let middle = (holding * limit).sqrt();
+        if holds(middle)? { holding = middle } else { limit = middle }
+    }
+    Ok(Some(holding))
+}
+
+/// The side beyond the touch.
+struct Beyond {
+    /// Between which values of the parameter it is, or all machines have theirs.
+    touch: [BigRational; 2],
+    /// Whether those beyond are greater.
+    above: bool,
+    /// The touches of all machines.
+    all: Option<ToleratedRange>,
+}
+
+impl Beyond {
+    /// The touch that is nearest to what is beyond.
+    fn inner(&self) -> &BigRational {
+        &self.touch[usize::from(self.above)]
+    }
+
+    /// Whether one value is farther than another.
+    fn is_past(&self, one: &BigRational, other: &BigRational) -> bool {
+        one != other && (one > other) == self.above
+    }
+}
+
 impl Near<'_> {
     /// A row for the scene's own value, or why there is none; nothing where it is not beyond the touch, or
     /// among those that a row proves already.
     pub(super) fn value(&self, known: &RangeRow) -> Result<Option<std::result::Result<SideRange, String>>> {
-        if self.mirrored || matches!(self.of, Of::All(_)) {
+        if self.mirrored {
             return Ok(None);
         }
         let (scene, varied) = (&self.point.job.scene, &self.point.task.parameter);
         let Some((_, value)) = scene.parameters.iter().find(|(name, _)| name == varied) else {
             return Ok(None);
         };
-        // Which side is beyond the touch.
-        let near = BigRational::new(1.into(), NEAR.into());
-        let ParameterRange { touch, end } = match self.parameters(true, &near) {
+        let beyond = match self.beyond() {
             Err(error) if error.is_interrupted() => return Err(error),
             Err(_) | Ok(None) => return Ok(None),
-            Ok(Some(range)) => range,
+            Ok(Some(beyond)) => beyond,
         };
-        let above = end > touch[1];
-        let inner = if above { &touch[1] } else { &touch[0] };
-        let is_past = |one: &BigRational, other: &BigRational| one != other && (one > other) == above;
         let proved = known.end.as_ref().filter(|_| known.verdict == PROVED);
         let proved = proved.map(|end| parse_rational(end)).transpose()?;
-        if !is_past(value, inner) || proved.is_some_and(|end| !is_past(value, &end)) {
+        if !beyond.is_past(value, beyond.inner()) || proved.is_some_and(|end| !beyond.is_past(value, &end)) {
             return Ok(None);
         }
-        match self.proved_at(value, &touch, above) {
+        match self.proved_at(value, &beyond) {
             Err(error) if error.is_interrupted() => Err(error),
             Err(error) => Ok(Some(Err(error.to_string()))),
             Ok(found) => Ok(Some(found)),
         }
     }
 
+    /// What is beyond the touch, or beyond those of all machines.
+    fn beyond(&self) -> Result<Option<Beyond>> {
+        let near = BigRational::new(1.into(), NEAR.into());
+        let Some(ParameterRange { touch, end }) = self.parameters(true, &near)? else { return Ok(None) };
+        let above = end > touch[1];
+        let Of::All(all) = &self.of else { return Ok(Some(Beyond { touch, above, all: None })) };
+        let range = all.range(self.start.each_ref(), &near, true)?;
+        Ok(range.map(|range| Beyond { touch: range.touches.clone(), above, all: Some(range) }))
+    }
+
+    /// Between which depths all machines are between two values of the parameter, the nearer first.
+    fn depths(&self, [near, far]: [&BigRational; 2], beyond: &Beyond) -> Result<Option<[BigRational; 2]>> {
+        let system = |at: &RationalFunction| functions(self.point, at);
+        let (Some(least), Some(greatest)) = (depth_at(&system, None, near)?, depth_at(&system, None, far)?)
+        else {
+            return Ok(None);
+        };
+        let Of::All(all) = &self.of else { return Ok(Some([depth(least, false), depth(greatest, true)])) };
+        let as_deep = |x: f64| Ok(all.are_as_deep(near, &depth(x, false), true));
+        let no_deeper = |x: f64| -> Result<bool> {
+            let end = all.range(self.start.each_ref(), &depth(x, true), true)?.and_then(|range| range.end);
+            Ok(end.is_some_and(|end| !beyond.is_past(far, &end)))
+        };
+        let least = nearest([APART * least, least], &as_deep)?;
+        let greatest = nearest([DEEP.min(greatest / APART), greatest], &no_deeper)?;
+        Ok(least.zip(greatest).map(|(least, greatest)| [depth(least, false), depth(greatest, true)]))
+    }
+
     fn proved_at(
         &self,
         value: &BigRational,
-        touch: &[BigRational; 2],
-        above: bool,
+        beyond: &Beyond,
     ) -> Result<std::result::Result<SideRange, String>> {
-        let inner = if above { &touch[1] } else { &touch[0] };
-        let ends = around(value, &((value - inner) / BigRational::from(BigInt::from(NEXT_TO))));
-        let system = |at: &RationalFunction| functions(self.point, at);
-        let over = RationalFunction::range(&ends[0], Some(&ends[1]));
-        let Touching { parameters, .. } = Touching::of(&system(&over)?, None)?;
-        let [near, far] = if above { [&ends[0], &ends[1]] } else { [&ends[1], &ends[0]] };
-        let (Some(least), Some(greatest)) = (depth_at(&system, None, near)?, depth_at(&system, None, far)?)
-        else {
+        let way = (value - beyond.inner()) / BigRational::from(BigInt::from(NEXT_TO));
+        let ends = around(value, &way);
+        let [near, far] = if beyond.above { [&ends[0], &ends[1]] } else { [&ends[1], &ends[0]] };
+        let Some(depths) = self.depths([near, far], beyond)? else {
             return Ok(Err("the depth is not known there".into()));
         };
-        let depths = [depth(least, false), depth(greatest, true)];
-        if !depths[0].is_positive() {
-            return Ok(Err("it is too near to the touch".into()));
+        let ranges = match &self.of {
+            Of::One(_) => {
+                let over = RationalFunction::range(&ends[0], Some(&ends[1]));
+                Touching::of(&functions(self.point, &over)?, None)?.parameters
+            }
+            Of::All(_) => self.about.clone(),
+        };
+        let mut refused = String::new();
+        // Of all machines the checker's enclosures of depths are wider than what these are between.
+        for times in ROOM {
+            let room = (&depths[1] - &depths[0]) * BigRational::from(BigInt::from(times));
+            let [least, deepest] = [&depths[0] - &room, &depths[1] + &room];
+            if !least.is_positive() {
+                return Ok(Err("it is too near to the touch".into()));
+            }
+            let (ranges, harmonics) = (ranges.clone(), self.harmonics.clone());
+            let problem = CellsProblem { ranges, harmonics, depths: [least, deepest.clone()] };
+            let proof = match prove_cells(&problem, self.point.job.monitor)? {
+                Ok(proof) => proof,
+                Err(RangeEnd::Map) => return Ok(Err(NO_WEIGHTS.into())),
+                Err(end) => return Ok(Err(why_attractor(&end, self.most))),
+            };
+            let (touch, marks) = (beyond.touch.clone(), [[deepest.clone(), far.clone()]]);
+            let text = match self.around(proof.accepted.text(), touch, Some(near.clone()), &marks) {
+                Err(error) if error.is_interrupted() => return Err(error),
+                Err(error) => {
+                    refused = error.to_string();
+                    continue;
+                }
+                Ok(text) => text,
+            };
+            let open = match &beyond.all {
+                None => RangeRow::open(true, PROVED, None),
+                Some(range) => RangeRow::of_all(true, range, &deepest, &self.start[1], String::new()),
+            };
+            let row = RangeRow {
+                of: ATTRACTOR,
+                own_value: Some(decimal_or_fraction(value)),
+                near: Some(ends.each_ref().map(decimal_or_fraction)),
+                depth: Some(deepest.to_string()),
+                growth: Some(proof.growth),
+                rate: Some(proof.rate),
+                end: None,
+                share: None,
+                reason: None,
+                ..open
+            };
+            return Ok(Ok(SideRange { row, proofs: vec![text] }));
         }
-        let harmonics = self.harmonics.clone();
-        let problem = CellsProblem { ranges: parameters, harmonics, depths: depths.clone() };
-        let proof = match prove_cells(&problem, self.point.job.monitor)? {
-            Ok(proof) => proof,
-            Err(RangeEnd::Map) => return Ok(Err(NO_WEIGHTS.into())),
-            Err(end) => return Ok(Err(why_attractor(&end, self.most))),
-        };
-        let [_, deepest] = &depths;
-        let text = self.around(
-            proof.accepted.text(),
-            touch.clone(),
-            Some(near.clone()),
-            &[[deepest.clone(), far.clone()]],
-        )?;
-        let row = RangeRow {
-            of: ATTRACTOR,
-            own_value: Some(decimal_or_fraction(value)),
-            near: Some(ends.map(|end| decimal_or_fraction(&end))),
-            depth: Some(deepest.to_string()),
-            growth: Some(proof.growth),
-            rate: Some(proof.rate),
-            ..RangeRow::open(true, PROVED, None)
-        };
-        Ok(Ok(SideRange { row, proofs: vec![text] }))
+        Ok(Err(refused))
     }
 }
 
