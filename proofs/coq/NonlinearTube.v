@@ -194,8 +194,8 @@ Proof.
   set (gg := a' (tG O) 0 0 0); pose proof v0_touch as V0. assert (Hg : 0 < gg /\ gg = a' (tG O) 0 0 0).
   { split; [|reflexivity]; unfold gg; rewrite agree; [apply (aG O HO) | | rewrite Rabs_R0; lra]; split; rewrite ?Z0,
       ?V0, Rminus_0_r, Rabs_R0; lra. }
-  pose (Fo := NonlinearFlow.Build_force a' (T O) L (y0 O) (v0 O) HT HL Lip' Per Po Orb Flow).
-  pose (To := NonlinearTouch.Build_touch Fo (tG O) gg HtG (conj Z0 V0) Hg (open_elsewhere O HO)).
+  pose (Fo := NonlinearFlow.Build_force a' (T O) L (y0 O) (v0 O) HT HL Lip' Orb Flow).
+  pose (To := NonlinearTouch.Build_touch Fo (tG O) gg HtG (conj Z0 V0) Hg).
   destruct (@NonlinearTouch.window_exists Fo To (gg / 4) ltac:(lra)) as (r0 & d1 & Win).
   pose proof (@NonlinearFlow.M_large Fo) as LM; set (M := @NonlinearFlow.M Fo) in *. assert (Hr0 : 0 < r0) by apply Win;
     assert (Hd1 : 0 < d1) by apply Win.
@@ -219,8 +219,10 @@ Proof.
       Xt | split; lra | lra]. }
   pose (Io := NonlinearKick.Build_impact Fo To (rebound O) (tau O) (k O) (c O) (l O) p1 q1 p2 q2 p3 q3 zb wb (impact O
     HO) ltac:(intros x _; specialize (H1 x); specialize (H2 x); specialize (H3 x); unfold NonlinearFlow.L, Fo, L; lra)
-    Str (conj F1 (conj F2 F3)) Fb ltac:(intros t; destruct (C t) as (_ & _ & _ & K); exact K) Pr).
-  pose proof (@NonlinearWords.core Fo To Wo Io A11 A21 A22 gamma z w HA (gamma_not_0 _ _ _ _ _ HG) Hz ltac:(destruct (Pz
+    Str (conj F1 (conj F2 F3)) Fb).
+  pose (Po' := NonlinearMotions.Build_unbroken Fo To Io (NonlinearFlow.Build_periodic Fo Per Po) (open_elsewhere O HO)
+    ltac:(intros t; destruct (C t) as (_ & _ & _ & K); exact K) Pr).
+  pose proof (@NonlinearMotions.unbroken_core Fo To Wo Io Po' A11 A21 A22 gamma z w HA (gamma_not_0 _ _ _ _ _ HG) Hz ltac:(destruct (Pz
     0) as [Q _]; rewrite Rplus_0_l in Q; exact Q) ltac:(destruct (Pz 0) as [_ Q]; rewrite Rplus_0_l in Q; exact Q)
     ltac:(change (z (tG O) <> 0); rewrite <- Ez; apply (rate_not_0 _ _ _ _ _ HG)) n_max) as Core; cbv zeta in Core;
     change (@NonlinearTouch.tG Fo To) with (tG O) in Core; rewrite <- Ea1, <- Ea2, <- Ez in Core.
@@ -237,7 +239,7 @@ Proof.
           Hm].
       + split; assumption. }
   assert (Same : forall mu d N t y v, d <= r -> Rabs mu <= r -> nonlinear_motion O mu d N t y v <->
-    @NonlinearMotions.motion Fo To Io mu d N t y v) by (intros mu d N t y v Hdr Hm; split; intros H i j Hj; apply
+    @NonlinearWords.motion (@NonlinearMotions.leg_is Fo To Io) mu d N t y v) by (intros mu d N t y v Hdr Hm; split; intros H i j Hj; apply
     SameLeg; trivial; apply H, Hj).
   destruct Core as (d & Hd & Core); destruct (two_least d r Hd Hr) as (d' & Hd' & Q1 & Q2); exists d'; split; [exact
     Hd'|]; intros eps Heps. destruct (Core eps ltac:(lra)) as (mu0 & Hmu0 & W); pose proof (rate_not_0 _ _ _ _ _ HG) as
