@@ -281,7 +281,7 @@ Proof.
       assert (far m * dd' <= far m * dd) by (apply Rmult_le_compat_l; lra); lra. }
     split; [apply G; lra | exact G].
   - intros m dd mu n N D x yy i HW HS HG Hmu F0 F1; exact (orbit_leg m dd mu n N D HW HS HG Hmu x yy i F0 F1).
-  - intros mu n N x yy i; unfold legv, at_; f_equal; ring.
+  - intros m dd mu n N D x yy i _ _ _ _ _; unfold legv, at_; f_equal; ring.
   - intros m dd mu n N D r t y v HW HS HG Hm Hk Hr' HM; assert (Hd : r <= M * r) by (rewrite <- (Rmult_1_l r) at 1;
       apply Rmult_le_compat_r; [pose proof (Rabs_pos mu); lra | lra]).
     pose proof HS as (S0 & S1 & S2 & S4 & S5 & S6); apply (motion_orbit m dd mu n N D HW HS ltac:(here; lra) t y v r

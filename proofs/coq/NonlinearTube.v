@@ -146,25 +146,8 @@ Proof.
   destruct (periodic_bounded (k O) (T O) HT ltac:(intros t; apply C) ltac:(intros t; apply C)) as (B1 & P1 & H1).
   destruct (periodic_bounded (c O) (T O) HT ltac:(intros t; apply C) ltac:(intros t; apply C)) as (B2 & P2 & H2).
   destruct (periodic_bounded (l O) (T O) HT ltac:(intros t; apply C) ltac:(intros t; apply C)) as (B3 & P3 & H3).
-  apply (picard (fun t y v => k O t * y + c O t * v + l O t * m) (B1 + B2)).
-  - lra.
-  - intros t y v y' v'; replace (k O t * y + c O t * v + l O t * m - (k O t * y' + c O t * v' + l O t * m)) with (k O t
-      * (y - y') + c O t * (v - v')) by ring. eapply Rle_trans; [apply Rabs_triang|]; rewrite !Rabs_mult; specialize (H1
-      t); specialize (H2 t); pose proof (Rabs_pos (y - y')); pose proof (Rabs_pos (v - v')).
-    assert (Rabs (k O t) * Rabs (y - y') <= B1 * Rabs (y - y')) by (apply Rmult_le_compat_r; lra); assert (Rabs (c O t)
-      * Rabs (v - v') <= B2 * Rabs (v - v')) by (apply Rmult_le_compat_r; lra).
-    assert (0 <= B2 * Rabs (y - y')) by (apply Rmult_le_pos; lra); assert (0 <= B1 * Rabs (v - v')) by (apply
-      Rmult_le_pos; lra); lra.
-  - intros t y v; destruct (C t) as (C1 & C2 & C3 & _); assert (Cc : forall q, continuity_pt (fun _ : R => q) t) by
-      (intros x; apply (D_continuous _ 0), D_const).
-    apply (continuity_pt_plus (fun t => k O t * y + c O t * v) (fun t => l O t * m)); [apply (continuity_pt_plus (fun t
-      => k O t * y) (fun t => c O t * v))|].
-    + apply (continuity_pt_mult (k O) (fun _ => y)); [exact C1 | apply Cc].
-    + apply (continuity_pt_mult (c O) (fun _ => v)); [exact C2 | apply Cc].
-    + apply (continuity_pt_mult (l O) (fun _ => m)); [exact C3 | apply Cc].
-  - intros y v; exists (B1 * Rabs y + B2 * Rabs v + B3 * Rabs m); intros t; eapply Rle_trans; [apply Rabs_triang|];
-      eapply Rle_trans; [apply Rplus_le_compat_r, Rabs_triang|]; rewrite !Rabs_mult. repeat apply Rplus_le_compat; apply
-      Rmult_le_compat_r; try apply Rabs_pos; auto.
+  apply (linear_picard _ _ _ (B1 + B2 + B3)); intros t; [destruct (C t) as (C1 & C2 & C3 & _); auto|].
+  specialize (H1 t); specialize (H2 t); specialize (H3 t); lra.
 Qed.
 
 Theorem main : decided O a1 a2 gamma rate.

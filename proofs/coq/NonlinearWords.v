@@ -54,7 +54,8 @@ Hypothesis Hgood : forall n_max D, 0 < D <= Dm -> exists dd, 0 < dd /\ Good n_ma
 Hypothesis Hleg : forall n_max dd mu n N D x yy i, word n_max n N -> sized n_max dd D -> Good n_max dd D ->
   Rabs mu <= dd -> flown dd mu n x yy (i - 1) -> flown dd mu n x yy i ->
   Leg mu D N (at_ mu n x yy P N) (Pl mu n N x) (Vl mu n N x) i (i + 1).
-Hypothesis Hvel : forall mu n N x yy i, Vl mu n N x i (at_ mu n x yy P N i) = V (x i) mu (hit mu n x yy (i - 1)).
+Hypothesis Hvel : forall n_max dd mu n N D x yy i, word n_max n N -> sized n_max dd D -> Good n_max dd D ->
+  Rabs mu <= dd -> flown dd mu n x yy (i - 1) -> Vl mu n N x i (at_ mu n x yy P N i) = V (x i) mu (hit mu n x yy (i - 1)).
 Hypothesis Hmotion : forall n_max dd mu n N D r t y v, word n_max n N -> sized n_max dd D -> Good n_max dd D ->
   Rabs mu <= r -> Km * r <= dd -> r <= D -> motion mu r N t y v -> exists x yy, facts dd mu n x yy /\
   Trace mu n N x t y v.
@@ -116,7 +117,8 @@ Proof.
   assert (Wx : forall i, within 2 dd (x i)) by (intros i; apply F).
   assert (Diff : forall i, at_ mu n x' yy' P N i - at_ mu n x yy P N i = hit mu n x' yy' (i - 1) - hit mu n x yy (i - 1)) by (intros
     i; unfold at_; ring).
-  pose proof (Hvel mu n N) as Vel.
+  assert (Vel : forall u yu i, flown dd mu n u yu (i - 1) -> Vl mu n N u i (at_ mu n u yu P N i) = V (u i) mu (hit mu n u yu
+    (i - 1))) by (intros u yu i; apply (Hvel n_max dd mu n N D u yu i (conj Hn HN) HS HG Hmu)).
   split; [unfold l', p; lia | split; [|split]].
   - intros i Hi; apply (Hleg n_max dd mu n N D x' yy' i (conj Hn HN) HS HG Hmu).
     + replace (i - 1)%Z with (p + Z.of_nat (Z.to_nat (i - 1 - p)))%Z by (unfold p; lia); apply F'; unfold l', p in *;
@@ -131,12 +133,14 @@ Proof.
         (fl mu (n p) (x p)) mu)); rewrite (Oh _ _ _ _ _ _ (F p)), Ropp_involutive; apply sqrt_square; left; apply (Oy _ _ _
         _ _ _ (F p)).
     + rewrite (Ex 1%nat : x' (p + 1)%Z = _); exact Z1.
-    + unfold StatementUnstable.near; rewrite Diff, !Vel; replace (p + 1)%Z with j in B by (unfold p; lia); fold p;
+    + unfold StatementUnstable.near; rewrite Diff, (Vel x' yy' j F0), (Vel x yy j (F _)); replace (p + 1)%Z with j in B by (unfold p; lia); fold p;
       split; lra.
-  - intros [A B]; rewrite Diff in A; rewrite !Vel in B; apply Out; rewrite iter_Z; fold l'.
+  - intros [A B]; rewrite Diff in A; apply Out; rewrite iter_Z; fold l'.
     assert (El : x' l' = z l) by apply Ex; rewrite <- El; set (i := (l' - 1)%Z) in *.
     assert (Ei : l' = (i + 1)%Z) by (unfold i; lia); rewrite Ei in B |- *.
     assert (Fi : flown dd mu n x' yy' i) by (replace i with (p + Z.of_nat (l - 1))%Z by (unfold i, l'; lia); apply F'; lia).
+    assert (Fi' : flown dd mu n x' yy' (i + 1 - 1)) by (replace (i + 1 - 1)%Z with i by lia; exact Fi).
+    rewrite (Vel x' yy' _ Fi'), (Vel x yy _ (F _)) in B; replace (i + 1 - 1)%Z with i in B by lia.
     apply (within_le 2 (Q2 * (r / (Q2 + 1)))); [|apply (Far x x' yy yy' i); auto].
     apply (Rmult_le_reg_r (Q2 + 1)); [lra|]; replace (Q2 * (r / (Q2 + 1)) * (Q2 + 1)) with (Q2 * r) by (field; lra);
       lra.
