@@ -137,8 +137,8 @@ Section FromOrbit.
 Variables (x : Z -> vec) (yy : Z -> R).
 Notation flown := (flown x yy).
 Definition hit (j : Z) : R := tc (fl (n j) (x j)) (yy j) mu.
-(** Impact j is at this time, if the period is P. *)
-Definition at_ (P : R) (N : Z -> Z) (j : Z) : R := P * IZR (N j) + hit (j - 1).
+(** Impact j is at this time, if the period is P and the time of the arc of the touch begins at sg. *)
+Definition at_ (P sg : R) (N : Z -> Z) (j : Z) : R := sg + P * IZR (N j) + hit (j - 1).
 Lemma hit_facts p i : flown p -> i = (p + 1)%Z -> let z := fl (n p) (x p) in let c := hit p in box z mu /\ Rabs (c -
   tG) <= r0 /\
   0 <= c <= T /\

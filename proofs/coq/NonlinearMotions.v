@@ -86,7 +86,7 @@ Qed.
 
 Section FromOrbit.
 Variables (x : Z -> vec) (yy : Z -> R).
-Notation flown := (flown x yy). Notation hit := (hit x yy). Notation at_ := (at_ mu n x yy T N).
+Notation flown := (flown x yy). Notation hit := (hit x yy). Notation at_ := (at_ mu n x yy T 0 N).
 Definition leg (j : Z) (t : R) : R := Y (x j) mu (t - T * IZR (N j)).
 Definition legv (j : Z) (t : R) : R := V (x j) mu (t - T * IZR (N j)).
 Lemma leg_near i s : flown i -> 0 <= s < T * (INR (n i) + 1) -> Rabs (Y (x i) mu s - y0 s) <= far * dd /\
@@ -121,9 +121,9 @@ Proof.
   intros P0 P1; destruct (hit_facts x yy (i - 1) i P0 ltac:(lia)) as (_ & Cw & Ci & _ & Vz & E1 & E2 & Cd); destruct
     (hit_facts x yy i (i + 1)%Z P1 eq_refl) as (Bz' & Cw' & Ci' & Ez' & Vz' & E1' & E2' & Cd').
   assert (Ej : at_ (i + 1) = T * IZR (N (i + 1)%Z) + hit i) by (unfold at_; replace (i + 1 - 1)%Z with i by lia;
-    reflexivity).
+    ring).
   assert (EN : T * IZR (N (i + 1)%Z) = T * IZR (N i) + T * INR (n i)) by (rewrite HN, plus_IZR, <- INR_IZR_INZ; ring).
-  assert (Ei : at_ i = T * IZR (N i) + hit (i - 1)) by reflexivity; pose proof Hwin as (Hr & R1 & R2 & _); destruct S6
+  assert (Ei : at_ i = T * IZR (N i) + hit (i - 1)) by (unfold at_; ring); pose proof Hwin as (Hr & R1 & R2 & _); destruct S6
     as [_ S6']. apply le_abs in Cd, Cd'; assert (Tn : T <= T * INR (n i)) by (rewrite <- (Rmult_1_r T) at 1; apply
     Rmult_le_compat_l; [lra | apply (le_INR 1), Hn]).
   assert (Loc : forall s, leg i (T * IZR (N i) + s) = Y (x i) mu s /\ legv i (T * IZR (N i) + s) = V (x i) mu s).
@@ -271,7 +271,7 @@ Proof.
   intros HA Hgam Hz Ez Ew Hr a1 a2 n_max; pose proof M_large as LM; pose proof (proj1 Hwin) as Hr0.
   pose (Good := fun (n_max : nat) (dd D : R) => forall t, 0 <= t <= T -> r0 <= Rabs (t - tG) -> far n_max * dd < y0 t).
   pose (Trace := fun (mu : R) (n : Z -> nat) N x t y v => is_of mu N x t y v).
-  apply (core T (r0 / 4) M leg_is (fun mu _ N x => leg mu N x) (fun mu _ N x => legv mu N x) Good Trace) with (w := w).
+  apply (core T 0 (r0 / 4) M leg_is (fun mu _ N x => leg mu N x) (fun mu _ N x => legv mu N x) Good Trace) with (w := w).
   - lra.
   - intros m D HD; destruct far_from_touch as (ym & Hy & Ym); destruct (size_exists m D (ym / 2) ltac:(here; lra)
       ltac:(here; lra)) as (dd & Hdd & HS & Hf). exists dd; split; [lra|].

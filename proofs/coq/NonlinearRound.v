@@ -268,14 +268,14 @@ Local Existing Instance first.
 Context {To : touch first} {Wo : near To} {Io : impact To}.
 Definition turned : turn first := @Build_turn first once Kf A phi (proj2 (HKf 0%nat)) once_lip once_strict.
 Local Existing Instance turned.
-Variables (ymin wmin : R).
+Variables (ymin wmin sg : R).
 Hypothesis Hym : 0 < ymin /\ forall m s, rho + rho1 <= s <= e m - rho1 -> (forall q, m = (k * q)%nat -> r0 <= Rabs (s -
   tG)) -> ymin <= @y0 (F m) s.
 Hypothesis Hwm : 0 < wmin /\ forall m, wmin <= - @v0 (F m) (e m).
 Hypothesis Hsteep' : forall m x mu s, within 2 r1 x -> Rabs mu <= r1 -> Rabs (s - rho) <= rho1 -> 0 < @V (F m) x mu s.
 Hypothesis Hsep : rho + rho1 < tG - r0 /\ tG + r0 < e 0%nat - rho1 /\ forall m, rho + rho1 < e m - rho1.
-Fixpoint base (m : nat) : R := match m with O => 0 | S m => base m + e m - rho end.
-Definition P := base k.
+Fixpoint base (m : nat) : R := match m with O => sg | S m => base m + e m - rho end.
+Definition P := base k - sg.
 Definition off (N : Z -> Z) (i : Z) (m : nat) : R := base m + P * IZR (N i).
 Definition last (N : Z -> Z) (i j : Z) : nat := (k * Z.to_nat (N j - N i))%nat.
 Lemma F_periods q m : F (k * q + m)%nat = F m /\ e (k * q + m)%nat = e m.
@@ -294,10 +294,11 @@ Definition arc_is (mu d : R) (m : nat) (lo hi : R) (p q : R -> R) : Prop := lo <
 (** From an impact near the touch to the next, in k arcs for each period; al and om are the times, of the arcs, at which
     they begin and end. *)
 Record run mu d (N : Z -> Z) (t : Z -> R) (y v : Z -> R -> R) (i j : Z) (al om : nat -> R) (p q : nat -> R -> R) : Prop :=
-  { run_from : al 0%nat = t i - P * IZR (N i);
-  run_to : om (last N i j) = t j - P * IZR (N j);
+  { run_from : al 0%nat = t i - (sg + P * IZR (N i));
+  run_to : om (last N i j) = t j - (sg + P * IZR (N j));
   run_next : forall m, (m < last N i j)%nat -> al (S m) = om m - e m + rho;
-  run_near : Rabs (al 0%nat - tG) <= d /\ forall m, (m < last N i j)%nat -> Rabs (om m - e m) <= d;
+  run_near : Rabs (al 0%nat - tG) <= d /\ Rabs (om (last N i j) - tG) <= d /\ forall m, (m < last N i j)%nat -> Rabs (om m -
+    e m) <= d;
   run_arc : forall m, (m <= last N i j)%nat -> arc_is mu d m (al m) (om m) (p m) (q m);
   run_law : forall m, (m < last N i j)%nat -> q (S m) (al (S m)) = law m mu (om m - e m) (q m (om m));
   run_path : forall m s, (m <= last N i j)%nat -> al m <= s <= om m -> (s = om m -> m = last N i j) ->
@@ -449,11 +450,11 @@ Proof. unfold last; rewrite HN; replace (N i + Z.of_nat (n i) - N i)%Z with (Z.o
 Lemma last_max i : (1 <= k * n i <= k * n_max)%nat.
 Proof. pose proof (Hn i); split; nia. Qed.
 (** The velocity after an impact. *)
-Lemma vel_start x yy j : flown x yy (j - 1) -> Vl mu n N x j (at_ mu n x yy P N j) = V (x j) mu (hit x yy (j - 1)).
+Lemma vel_start x yy j : flown x yy (j - 1) -> Vl mu n N x j (at_ mu n x yy P sg N j) = V (x j) mu (hit x yy (j - 1)).
 Proof.
   intros F0; destruct (hits x yy (j - 1)%Z j F0 ltac:(lia)) as (_ & _ & _ & _ & _ & _ & _ & Cd); set (c := hit x yy (j - 1))
-    in *; assert (Ej : at_ mu n x yy P N j = off N j 0 + c) by (unfold at_, off, c; cbn [base]; ring).
-  assert (A0 : at_arc n N mu x j (at_ mu n x yy P N j) 0).
+    in *; assert (Ej : at_ mu n x yy P sg N j = off N j 0 + c) by (unfold at_, off, c; cbn [base]; ring).
+  assert (A0 : at_arc n N mu x j (at_ mu n x yy P sg N j) 0).
   { split; [lia | split; [intros m' O; lia|]]; intros _; rewrite Ej; destruct Hsep as (_ & P2 & _), S6 as [_ S6']; assert (e
       0%nat - rho1 <= until (x j) mu 0) by apply Rmax_r; pose proof (proj1 Hwin) as Hr; apply le_abs in Cd; lra. }
   destruct (placed n N mu x j _ 0 A0) as [_ ->]; rewrite Ej; replace (off N j 0 + c - off N j 0) with c by ring.
@@ -543,7 +544,7 @@ Proof.
   - intros s Hs; split; [apply (@flow (F m) (X m) mu)|]; destruct (near_arc (x i) Hx m s Hm' ltac:(lra)); lra.
   - intros s Hs; apply arc_open; assumption.
 Qed.
-Lemma orbit_run : run mu D N (at_ mu n x yy P N) (Pl mu n N x) (Vl mu n N x) i (i + 1) al om (fun m => @Y (F m) (X m) mu)
+Lemma orbit_run : run mu D N (at_ mu n x yy P sg N) (Pl mu n N x) (Vl mu n N x) i (i + 1) al om (fun m => @Y (F m) (X m) mu)
   (fun m => @V (F m) (X m) mu).
 Proof.
   pose proof (last_max i) as LM; pose proof (Hn i) as Hni;
@@ -559,7 +560,8 @@ Proof.
   - cbn [al]; unfold at_; ring.
   - rewrite om_end; unfold at_; replace (i + 1 - 1)%Z with i by lia; ring.
   - intros m Hm; cbn [al]; rewrite om_other by exact Hm; reflexivity.
-  - split; [exact Cd | intros m Hm; rewrite om_other by exact Hm; apply ends_near; [exact Hx | lia]].
+  - split; [exact Cd | split; [rewrite om_end; exact Cd' | intros m Hm; rewrite om_other by exact Hm; apply ends_near;
+      [exact Hx | lia]]].
   - apply orbit_arc.
   - intros m Hm; cbn [al]; rewrite om_other by exact Hm; apply entered.
   - intros m s Hm Hs Hl; destruct (placed n N mu x i _ m (Place m s Hm Hs Hl)) as [-> ->]; replace (off N i m + s - off N i
@@ -581,14 +583,14 @@ Variables (t : Z -> R) (y v : Z -> R -> R) (r : R).
 Hypothesis HM : forall i, Leg mu r N t y v i (i + 1).
 Hypothesis Hm : Rabs mu <= r.
 Hypothesis Hr : Kf * r <= dd /\ r <= D.
-Definition states (i : Z) : vec := origin mu (t i - P * IZR (N i)) (y i (t i)) (v i (t i)).
+Definition states (i : Z) : vec := origin mu (t i - (sg + P * IZR (N i))) (y i (t i)) (v i (t i)).
 Notation x := states.
 Section One.
 Variables (i : Z) (al om : nat -> R) (p q : nat -> R -> R).
 Hypothesis HR : run mu r N t y v i (i + 1) al om p q.
 Notation K := (k * n i)%nat.
 Notation X := (X (x i) mu). Notation ends := (ends (x i) mu).
-Lemma begins : al 0%nat = t i - P * IZR (N i) /\ y i (t i) = 0 /\ p 0%nat (al 0%nat) = 0 /\ v i (t i) = q 0%nat (al 0%nat) /\
+Lemma begins : al 0%nat = t i - (sg + P * IZR (N i)) /\ y i (t i) = 0 /\ p 0%nat (al 0%nat) = 0 /\ v i (t i) = q 0%nat (al 0%nat) /\
   Rabs (al 0%nat - tG) <= r.
 Proof.
   destruct HR as [R1 R2 R3 R4 R5 R6 R7 R8]; rewrite last_is in *; destruct (R5 0%nat ltac:(lia)) as (O & _ & Z & _).
@@ -619,7 +621,7 @@ Proof.
   assert (End : forall m, (m < K)%nat -> (forall s, al m <= s <= om m -> p m s = @Y (F m) (X m) mu s /\ q m s = @V (F m) (X m)
     mu s) -> om m = ends m).
   { intros m Hm' H; destruct (R5 m ltac:(lia)) as (O & _ & _ & Z & _); destruct (ends_spec (x i) Hx m ltac:(lia)) as (_ & _ &
-      _ & _ & U); apply U; [pose proof (proj2 R4 m Hm'); lra|]. rewrite <- (proj1 (H (om m) ltac:(lra))); exact Z. }
+      _ & _ & U); apply U; [pose proof (proj2 (proj2 R4) m Hm'); lra|]. rewrite <- (proj1 (H (om m) ltac:(lra))); exact Z. }
   assert (All : forall m, (m <= K)%nat -> forall s, al m <= s <= om m -> p m s = @Y (F m) (X m) mu s /\ q m s = @V (F m) (X m)
     mu s).
   { intros m; induction m as [|m IH]; intros Hm'.
@@ -657,9 +659,9 @@ Proof.
       & Lw & _); set (l := low (fl c (x i)) mu) in *. destruct (arc_touch (x i) (Hx i) c l Hcn) as (T3 & _ & Ec).
     assert (Hm' : (0 < k * c < K)%nat) by (unfold K; nia); destruct Hsep as (P1 & P2 & _), HG as (_ & _ & _ & _ & _ & G6).
     assert (Ej : exists j, (k * c = S j)%nat) by (exists (k * c - 1)%nat; lia); destruct Ej as (j & Ej).
-    assert (La : al (k * c)%nat < l) by (rewrite Ej, (R3 j ltac:(lia)); pose proof (proj2 R4 j ltac:(lia)) as Q; apply le_abs
+    assert (La : al (k * c)%nat < l) by (rewrite Ej, (R3 j ltac:(lia)); pose proof (proj2 (proj2 R4) j ltac:(lia)) as Q; apply le_abs
       in Q, Lw; lra).
-    assert (Lb : l < om (k * c)%nat) by (pose proof (proj2 R4 (k * c)%nat ltac:(lia)) as Q; rewrite Ec in Q; apply le_abs in
+    assert (Lb : l < om (k * c)%nat) by (pose proof (proj2 (proj2 R4) (k * c)%nat ltac:(lia)) as Q; rewrite Ec in Q; apply le_abs in
       Q, Lw; lra).
     destruct (R5 (k * c)%nat ltac:(lia)) as (_ & _ & _ & _ & Op & _); specialize (Op l (conj La Lb)); rewrite (proj1 (Sa (k *
       c)%nat l ltac:(lia) ltac:(lra))), T3 in Op; exact Op.
@@ -749,7 +751,7 @@ Proof.
     (@NonlinearKick.ll _ _ Io) h z w).
   { intros h u v Hu; rewrite I1, I2, I3; destruct (HF 0) as (_ & _ & _ & E1 & E2 & E3); rewrite Nat.add_0_r in E1, E2, E3;
       rewrite <- E1, <- E2, <- E3; exact Hu. }
-  apply (core P Dm Kf Leg Pl Vl Good (fun mu n N x t y v => Trace mu n N x t y v)) with (w := w 0%nat); trivial.
+  apply (core P sg Dm Kf Leg Pl Vl Good (fun mu n N x t y v => Trace mu n N x t y v)) with (w := w 0%nat); trivial.
   - lra.
   - intros m D HD; apply good_exists; lra.
   - intros m dd mu n N D x yy i HW HZ HG Hmu F0 F1; exists (al mu n x yy i), (om mu n x yy i); eexists; eexists; exact

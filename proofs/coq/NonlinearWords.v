@@ -40,9 +40,10 @@ Proof.
   assert (far n_max * dd' <= far n_max * dd) by (apply Rmult_le_compat_l; lra); unfold sized; repeat split; lra.
 Qed.
 
-(** Given: what a motion is from impact to impact, the period P, and for states x after impacts which motion they make,
+(** Given: what a motion is from impact to impact, the period P, the time sg at which the arc of the touch
+    begins, and for states x after impacts which motion they make,
     where they are as small as [sized] and [Good] say; and what it means that a motion is the one of x. *)
-Variables (P Dm Km : R) (Leg : R -> R -> (Z -> Z) -> (Z -> R) -> (Z -> R -> R) -> (Z -> R -> R) -> Z -> Z -> Prop).
+Variables (P sg Dm Km : R) (Leg : R -> R -> (Z -> Z) -> (Z -> R) -> (Z -> R -> R) -> (Z -> R -> R) -> Z -> Z -> Prop).
 Variables (Pl Vl : R -> (Z -> nat) -> (Z -> Z) -> (Z -> vec) -> Z -> R -> R) (Good : nat -> R -> R -> Prop).
 Variable Trace : R -> (Z -> nat) -> (Z -> Z) -> (Z -> vec) -> (Z -> R) -> (Z -> R -> R) -> (Z -> R -> R) -> Prop.
 Definition word (n_max : nat) (n : Z -> nat) (N : Z -> Z) : Prop :=
@@ -53,9 +54,9 @@ Hypothesis Hgood : forall n_max D, 0 < D <= Dm -> exists dd, 0 < dd /\ Good n_ma
   forall dd', 0 < dd' <= dd -> Good n_max dd' D.
 Hypothesis Hleg : forall n_max dd mu n N D x yy i, word n_max n N -> sized n_max dd D -> Good n_max dd D ->
   Rabs mu <= dd -> flown dd mu n x yy (i - 1) -> flown dd mu n x yy i ->
-  Leg mu D N (at_ mu n x yy P N) (Pl mu n N x) (Vl mu n N x) i (i + 1).
+  Leg mu D N (at_ mu n x yy P sg N) (Pl mu n N x) (Vl mu n N x) i (i + 1).
 Hypothesis Hvel : forall n_max dd mu n N D x yy i, word n_max n N -> sized n_max dd D -> Good n_max dd D ->
-  Rabs mu <= dd -> flown dd mu n x yy (i - 1) -> Vl mu n N x i (at_ mu n x yy P N i) = V (x i) mu (hit mu n x yy (i - 1)).
+  Rabs mu <= dd -> flown dd mu n x yy (i - 1) -> Vl mu n N x i (at_ mu n x yy P sg N i) = V (x i) mu (hit mu n x yy (i - 1)).
 Hypothesis Hmotion : forall n_max dd mu n N D r t y v, word n_max n N -> sized n_max dd D -> Good n_max dd D ->
   Rabs mu <= r -> Km * r <= dd -> r <= D -> motion mu r N t y v -> exists x yy, facts dd mu n x yy /\
   Trace mu n N x t y v.
@@ -81,7 +82,7 @@ Qed.
 (** The motion of an orbit that others leave is left by their motions. *)
 Theorem motion_left n_max dd mu n N D x yy : word n_max n N -> sized n_max dd D -> Good n_max dd D -> Rabs mu <= dd ->
   (forall j, flown dd mu n x yy j) -> (forall j, within 2 (dd / 2) (x j)) ->
-  leaving map Z (fun j => j + 1)%Z n mu x -> unstable_motion (Leg mu D N) (at_ mu n x yy P N) (Vl mu n N x).
+  leaving map Z (fun j => j + 1)%Z n mu x -> unstable_motion (Leg mu D N) (at_ mu n x yy P sg N) (Vl mu n N x).
 Proof.
   intros HW HS HG Hmu F Hx Lv; pose proof HS as (S0 & S1 & S2 & S4 & S5 & S6); destruct HW as [Hn HN].
   destruct (Lv (dd / 2) ltac:(lra)) as (r & Hr & Leave); destruct (after_near n_max dd mu n Hn Hmu S0 S1 S2 S4 D S5 S6) as (Q1 & P1 & Near),
@@ -113,11 +114,11 @@ Proof.
         go.
       rewrite <- Ei; fold (yy' i); change (OrbitRemainder.fly map mu (n i) (x' i)) with (fl mu (n i) (x' i)).
       change (Map.kick map) with kick; rewrite kick_y by assumption; ring. }
-  set (l' := (p + Z.of_nat l)%Z); exists l', (at_ mu n x' yy' P N), (Pl mu n N x'), (Vl mu n N x').
+  set (l' := (p + Z.of_nat l)%Z); exists l', (at_ mu n x' yy' P sg N), (Pl mu n N x'), (Vl mu n N x').
   assert (Wx : forall i, within 2 dd (x i)) by (intros i; apply F).
-  assert (Diff : forall i, at_ mu n x' yy' P N i - at_ mu n x yy P N i = hit mu n x' yy' (i - 1) - hit mu n x yy (i - 1)) by (intros
+  assert (Diff : forall i, at_ mu n x' yy' P sg N i - at_ mu n x yy P sg N i = hit mu n x' yy' (i - 1) - hit mu n x yy (i - 1)) by (intros
     i; unfold at_; ring).
-  assert (Vel : forall u yu i, flown dd mu n u yu (i - 1) -> Vl mu n N u i (at_ mu n u yu P N i) = V (u i) mu (hit mu n u yu
+  assert (Vel : forall u yu i, flown dd mu n u yu (i - 1) -> Vl mu n N u i (at_ mu n u yu P sg N i) = V (u i) mu (hit mu n u yu
     (i - 1))) by (intros u yu i; apply (Hvel n_max dd mu n N D u yu i (conj Hn HN) HS HG Hmu)).
   split; [unfold l', p; lia | split; [|split]].
   - intros i Hi; apply (Hleg n_max dd mu n N D x' yy' i (conj Hn HN) HS HG Hmu).
@@ -204,7 +205,7 @@ Proof.
     assert (Hxe : orbit_near map Z (fun i => i + 1)%Z n mu de x).
     { intros i; split; [intros q Hq; specialize (Hx2 i q Hq); lra | apply (Hx i)]. }
     destruct (orbit_facts n_max de mu n Hn' ltac:(here; lra) (proj1 Hde) E1 E2 E4 x Hxe) as (yy & F). assert (HM :
-      motion mu eps N (at_ mu n x yy P N) (Pl mu n N x) (Vl mu n N x)) by (intros i j ->; apply (Hleg n_max de mu n N
+      motion mu eps N (at_ mu n x yy P sg N) (Pl mu n N x) (Vl mu n N x)) by (intros i j ->; apply (Hleg n_max de mu n N
       eps x yy i HW HSe HGe ltac:(here; lra) (F _) (F _))).
     destruct (proj2 (Only x Hx)) as (low0 & Hlow & Cl).
     destruct (Leave Z (fun i => i + 1)%Z n mu x low0 Hn ltac:(here; lra) (Closer de dL x ltac:(here; lra) Hxe) Hlow Cl)
