@@ -1,7 +1,8 @@
-(** * Near an arc of a motion: the force is changed away from it into a Lipschitz one, which no motion near the arc notices,
-      and is strictly differentiable along the arc, at one distance for all times *)
+(** * Near an arc of a motion: the force is changed away from it into a Lipschitz one, which no motion near
+      the arc notices, and is strictly differentiable along the arc, at one distance for all times *)
 From Coq Require Import Reals ZArith Lra Lia.
-From Grazing Require Import Derivatives StatementNonlinear NonlinearGronwall NonlinearPicard NonlinearSmooth NonlinearTube.
+From Grazing Require Import Derivatives StatementNonlinear NonlinearGronwall NonlinearPicard NonlinearSmooth
+    NonlinearTube.
 From Grazing Require NonlinearFlow NonlinearKick.
 Open Scope R_scope.
 
@@ -95,7 +96,8 @@ Lemma along_continuous f : continuous (fun t y v mu => - r <= t <= T + r /\ insi
   continuity_pt (fun t => arc_at f (froz t)) t.
 Proof.
   intros C t; apply (froz_continuous (fun t => arc_at f t)); intros s Hs e He.
-  assert (I : - r <= s <= T + r) by lra; destruct (C s (yy s) (vv s) 0 (conj I (here_inside r s Hr)) e He) as (d & Hd & H).
+  assert (I : - r <= s <= T + r) by lra; destruct (C s (yy s) (vv s) 0 (conj I (here_inside r s Hr)) e He) as (d & Hd &
+      H).
   destruct (arc_steady s d Hs Hd) as (q & Hq & L1 & _ & N); exists q; split; [exact Hq|]; intros s' _ Hs'; destruct (N
     s' Hs'); apply H; try lra. rewrite Rminus_eq_0, Rabs_R0; lra.
 Qed.
@@ -139,7 +141,8 @@ Proof.
       I].
   - intros t Ht; destruct (arc_strictly t 1 Ht ltac:(lra)) as (d & Hd & Hd1 & H); set (p := a t (yy t) (vv t) 0).
     set (L := 1 + Rabs (arc_at a_t t) + Rabs (arc_at a_y t) + Rabs (arc_at a_v t) + Rabs (arc_at a_mu t)).
-    assert (HL : 1 <= L) by (unfold L; pose proof (Pos (arc_at a_t t) (arc_at a_y t) (arc_at a_v t) (arc_at a_mu t)); lra).
+    assert (HL : 1 <= L) by (unfold L; pose proof (Pos (arc_at a_t t) (arc_at a_y t) (arc_at a_v t) (arc_at a_mu t));
+        lra).
     assert (Lip : forall t1 y1 v1 m1 t2 y2 v2 m2, Rabs (t1 - t) <= d -> Rabs (t2 - t) <= d -> inside d t1 y1 v1 m1 ->
       inside d t2 y2 v2 m2 -> Rabs (a t1 y1 v1 m1 - a t2 y2 v2 m2) <=
       L * (Rabs (t1 - t2) + Rabs (y1 - y2) + Rabs (v1 - v2) + Rabs (m1 - m2))).
@@ -169,8 +172,8 @@ Proof.
         by (apply Rmult_le_compat_l; lra); unfold K in *; lra.
     + eapply Rle_trans; [apply Lip; trivial; lra|]; apply Rmult_le_compat_r; [apply Pos|]; unfold K in *;
         pose proof (Rabs_pos p); lra.
-  - destruct (two_least d r Hd Hr) as (q & Hq & L1 & L2); pose proof (Rinv_0_lt_compat d Hd) as I; exists (/ d + 2 * / d *
-      / d), q; assert (I3 : 0 <= / d * / d) by (apply Rmult_le_pos; lra). split; [lra | split; [lra|]];
+  - destruct (two_least d r Hd Hr) as (q & Hq & L1 & L2); pose proof (Rinv_0_lt_compat d Hd) as I; exists (/ d + 2 * / d
+      * / d), q; assert (I3 : 0 <= / d * / d) by (apply Rmult_le_pos; lra). split; [lra | split; [lra|]];
       intros t y v mu t' y' v' mu' Ht Ht' (X1 & X2 & X3) (X4 & X5 & X6).
     assert (X : inside d t y v mu) by (unfold inside; repeat split; lra);
       assert (X' : inside d t' y' v' mu') by (unfold inside; repeat split; lra).
@@ -192,8 +195,8 @@ Qed.
 (** The force near the arc, for all times, places and velocities. *)
 Lemma vv_continuous t : continuity_pt (fun t => vv (froz t)) t.
 Proof.
-  apply (froz_continuous vv); intros s Hs e He; destruct (arc_steady s e Hs He) as (d & Hd & _ & _ & N); exists d; split;
-    [exact Hd|]; intros s' _ Hs'; apply N, Hs'.
+  apply (froz_continuous vv); intros s Hs e He; destruct (arc_steady s e Hs He) as (d & Hd & _ & _ & N); exists d;
+    split; [exact Hd|]; intros s' _ Hs'; apply N, Hs'.
 Qed.
 Theorem arc_force : exists (F : NonlinearFlow.force) q, 0 < q <= r /\ @NonlinearFlow.T F = T /\
   (forall t, 0 <= t <= T -> @NonlinearFlow.y0 F t = yy t /\ @NonlinearFlow.v0 F t = vv t) /\
@@ -234,7 +237,8 @@ Proof.
       as A3; pose proof (Rabs_pos (mu - mu')) as A4.
     assert (One : forall f u u', Rabs (f (froz t) - f (froz t')) <= B * Rabs (t - t') -> Rabs (f (froz t) + cl q (u - f
       (froz t)) - (f (froz t') + cl q (u' - f (froz t')))) <= 2 * B * Rabs (t - t') + Rabs (u - u')).
-    { intros f u u' Hf; pose proof (cl_lip q Hq0 (u - f (froz t)) (u' - f (froz t'))) as Z; replace (u - f (froz t) - (u'
+    { intros f u u' Hf; pose proof (cl_lip q Hq0 (u - f (froz t)) (u' - f (froz t'))) as Z; replace (u - f (froz t) -
+        (u'
         - f (froz t'))) with ((u - u') - (f (froz t) - f (froz t'))) in Z by ring.
       pose proof (apart (u - u') (f (froz t) - f (froz t'))); match goal with |- Rabs ?e <= _ => replace e with ((f
         (froz t) - f (froz t')) + (cl q (u - f (froz t)) - cl q (u' - f (froz t')))) by ring end.

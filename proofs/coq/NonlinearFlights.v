@@ -1,5 +1,5 @@
-(** * Flights of the map and where they end: what does not depend on how a state is carried around; Theorem 1 of whatever
-      motions are its orbits *)
+(** * Flights of the map and where they end: what does not depend on how a state is carried around; Theorem 1
+      of whatever motions are its orbits *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs StatementOrbits StatementOrbitsPlane StatementUnstable StatementWords Headline
   OrbitVectors OrbitRemainder PlaneOrbits Orbits OrbitsNear OrbitsUnstable Contraction Derivatives.
@@ -229,14 +229,16 @@ Lemma after_near : exists Q, 0 < Q /\ forall x x' yy yy' p e, flown x yy p -> fl
   let c := hit x yy p in let c' := hit x' yy' p in Rabs (c' - c) <= Q * e /\
   Rabs (V (x' (p + 1)%Z) mu c' - V (x (p + 1)%Z) mu c) <= Q * e.
 Proof.
-  destruct tc_lip as (C & HC & Lip); pose proof M_large as LM0; pose proof K_large as LM; pose proof (pow_R1_Rle K n_max LM) as P1.
+  destruct tc_lip as (C & HC & Lip); pose proof M_large as LM0; pose proof K_large as LM; pose proof (pow_R1_Rle K n_max
+      LM) as P1.
   assert (P2 : 1 <= C * K ^ n_max) by (rewrite <- (Rmult_1_l 1); apply Rmult_le_compat; lra).
   set (R := C * K ^ n_max) in *; assert (PR : 0 <= g * R) by (apply Rmult_le_pos; lra).
   exists (R + M + 5 / 4 * g * R); split; [lra|]; intros x x' yy yy' p e F F' Bx H Hy H1 c c'.
   destruct (hits x yy p (p + 1)%Z F eq_refl) as (B & Cw & Ci & _), (hits x' yy' p (p + 1)%Z F' eq_refl) as (B' & Cw' &
     Ci' & _); fold c in Cw, Ci; fold c' in Cw', Ci'.
   assert (He : 0 <= e) by (eapply Rle_trans; [apply Rabs_pos | exact Hy]).
-  assert (Yb : forall x yy, flown x yy p -> ybox (yy p)) by (intros u yu [Ox Oy Oh _ _]; apply (low_y (n p) (u p)); [exact Ox | apply Hn | left; exact Oy | exact Oh]).
+  assert (Yb : forall x yy, flown x yy p -> ybox (yy p)) by (intros u yu [Ox Oy Oh _ _]; apply (low_y (n p) (u p));
+      [exact Ox | apply Hn | left; exact Oy | exact Oh]).
   assert (Pk : 1 <= K ^ n p /\ K ^ n p <= K ^ n_max) by (split; [apply pow_R1_Rle, LM | apply Rle_pow; [exact LM | apply
     Hn]]). assert (E1 : 1 * e <= K ^ n p * e /\ K ^ n p * e <= K ^ n_max * e) by (split; apply Rmult_le_compat_r; lra).
   assert (Rce : Rabs (c' - c) <= R * e).

@@ -1,5 +1,5 @@
-(** * The map of section 3.1 is a smooth grazing map of the plane, whatever strictly differentiable map carries a state
-      from the touch once around to the next one *)
+(** * The map of section 3.1 is a smooth grazing map of the plane, whatever strictly differentiable map
+      carries a state from the touch once around to the next one *)
 From Coq Require Import Reals Lra Lia.
 From Grazing Require Import StatementOrbits StatementOrbitsPlane OrbitRemainder PlaneOrbits Contraction Derivatives.
 From Grazing Require Import NonlinearGronwall NonlinearStrict NonlinearFlow NonlinearTouch NonlinearSpeed NonlinearKick.
@@ -99,10 +99,10 @@ Proof.
   intros e He; destruct (differences e He) as (d & Hd1 & H); exists d; split; [lra|];
       intros x x' mu mu' t Hx Hx' Hm Hm' Ht Htm. destruct (H x x' mu mu' t Hx Hx' Hm Hm' Ht Htm) as (_ & D);
       destruct (D T ltac:(here; lra)) as [D1 D2]. destruct i as [|[|i]]; [| |lia]; cbn; unfold minus.
-  - match goal with |- Rabs ?g <= _ => match type of D1 with Rabs ?u <= _ => replace g with u by (unfold period_map, dz, dw;
-        ring) end end; exact D1.
-  - match goal with |- Rabs ?g <= _ => match type of D2 with Rabs ?u <= _ => replace g with u by (unfold period_map, dz, dw;
-        ring) end end; exact D2.
+  - match goal with |- Rabs ?g <= _ => match type of D1 with Rabs ?u <= _ => replace g with u by (unfold period_map, dz,
+        dw; ring) end end; exact D1.
+  - match goal with |- Rabs ?g <= _ => match type of D2 with Rabs ?u <= _ => replace g with u by (unfold period_map, dz,
+        dw; ring) end end; exact D2.
 Qed.
 Lemma lin_comb m z w s : lin m z w -> 0 <= s <= T -> z s = z 0 * p1 s + w 0 * p2 s + m * p3 s /\
   w s = z 0 * q1 s + w 0 * q2 s + m * q3 s.
@@ -153,7 +153,8 @@ Qed.
 
 End Map.
 
-(** Once around: f, with the derivative FA in the state and Fphi in mu; K is a Lipschitz constant of f, and of the flow. *)
+(** Once around: f, with the derivative FA in the state and Fphi in mu; K is a Lipschitz constant of f, and of
+    the flow. *)
 Class turn (F : force) := { f : vec -> R -> vec; K : R; FA : nat -> vec; Fphi : vec; HK : M <= K;
   f_lip : forall x x' mu mu' r, within 2 r (minus x x') -> Rabs (mu - mu') <= r ->
     within 2 (K * r) (minus (f x mu) (f x' mu'));
@@ -201,8 +202,8 @@ Proof.
         with ((1 + tau) * cg * (zb 0 * p1 tG + wb 0 * p2 tG + 0 * p3 tG)) by ring. rewrite <- C1, Zb1; ring.
   - split; [|apply Rmult_integral_contrapositive; split; [apply Rgt_not_eq, Rmult_lt_0_compat; lra | exact Hgam]].
     unfold mult; cbn; unfold B; rewrite Zb1, Zb2 in S5; cbv zeta in S5.
-    replace gamma with ((FA 0%nat 0%nat * zb 0 + FA 0%nat 1%nat * wb 0) * p1 tG + (FA 1%nat 0%nat * zb 0 + FA 1%nat 1%nat * wb 0) *
-      p2 tG) by (rewrite S5; ring). ring.
+    replace gamma with ((FA 0%nat 0%nat * zb 0 + FA 0%nat 1%nat * wb 0) * p1 tG + (FA 1%nat 0%nat * zb 0 + FA 1%nat
+      1%nat * wb 0) * p2 tG) by (rewrite S5; ring). ring.
   - intros i Hi; unfold mult; destruct i as [|[|i]]; [| |lia]; cbn; lra.
   - split; [rewrite C5; ring | exact Hr].
 Qed.

@@ -93,15 +93,18 @@ Lemma leg_near i s : flown i -> 0 <= s < T * (INR (n i) + 1) -> Rabs (Y (x i) mu
   Rabs (V (x i) mu s - v0 s) <= far * dd.
 Proof.
   intros F Hs; destruct (which_period (n i) s Hs) as (k & u & Hk & Hu & ->). destruct (fl_flow k (x i) u) as [<- <-];
-    rewrite INR_IZR_INZ; destruct (y0_periods (Z.of_nat k) u) as [-> ->]. apply (fl_near k (x i) (Ox _ _ _ _ _ _ F)); [pose
+    rewrite INR_IZR_INZ; destruct (y0_periods (Z.of_nat k) u) as [-> ->]. apply (fl_near k (x i) (Ox _ _ _ _ _ _ F));
+        [pose
     proof (Hn i); lia | lra].
 Qed.
 Lemma leg_open i s : flown (i - 1) -> flown i -> hit (i - 1) < s < T * INR (n i) + hit i -> 0 < Y (x i) mu s.
 Proof.
   intros F0 F Hs; destruct (hit_facts x yy (i - 1) i F0 ltac:(lia)) as (_ & Cw & Ci & _ & Vz & E1 & E2 & _); destruct
-    (hit_facts x yy i (i + 1)%Z F eq_refl) as (Bz' & Cw' & Ci' & Ez' & Vz' & _). set (c := hit (i - 1)) in *; set (c' := hit i)
+    (hit_facts x yy i (i + 1)%Z F eq_refl) as (Bz' & Cw' & Ci' & Ez' & Vz' & _). set (c := hit (i - 1)) in *; set (c' :=
+        hit i)
     in *; destruct (which_period (n i) s) as (k & u & Hk & Hu & ->); [split; [lra|]; rewrite Rmult_plus_distr_l; pose
-    proof (hit_near x yy i F) as A; fold c' in A; apply le_abs in A; destruct S6 as [_ S6']; pose proof Hwin; lra|]. destruct (fl_flow k
+    proof (hit_near x yy i F) as A; fold c' in A; apply le_abs in A; destruct S6 as [_ S6']; pose proof Hwin; lra|].
+        destruct (fl_flow k
     (x i) u) as [<- _]; assert (Hkm : (k <= n_max)%nat) by (pose proof (Hn i); lia).
   destruct (fl_near k (x i) (Ox _ _ _ _ _ _ F) Hkm) as (Bk & Lo & Ne). destruct (Rle_lt_dec r0 (Rabs (u - tG))) as
     [Far|Close].
@@ -110,8 +113,8 @@ Proof.
   - cbn [INR] in Hs; rewrite Rmult_0_r, Rplus_0_r in Hs; change (fl 0 (x i)) with (x i) in *. rewrite <- E1; apply
       rising; trivial; try lra; rewrite E2; apply (proj1 (proj2 (proj2 Hreb))), Vz.
   - rewrite <- Ez'; apply (falling mu _ u c'); trivial; lra.
-  - pose proof (Ok _ _ _ _ _ _ F k ltac:(lia)) as P; pose proof (Y_above (fl k (x i)) mu u Bk ltac:(here; lra)) as A; cbv
-    zeta in A.
+  - pose proof (Ok _ _ _ _ _ _ F k ltac:(lia)) as P; pose proof (Y_above (fl k (x i)) mu u Bk ltac:(here; lra)) as A;
+    cbv zeta in A.
     assert (0 <= 3 / 8 * g * ((u - low (fl k (x i)) mu) * (u - low (fl k (x i)) mu))) by (apply Rmult_le_pos; [lra |
       apply Rle_0_sqr]); lra.
 Qed.
@@ -123,8 +126,9 @@ Proof.
   assert (Ej : at_ (i + 1) = T * IZR (N (i + 1)%Z) + hit i) by (unfold at_; replace (i + 1 - 1)%Z with i by lia;
     ring).
   assert (EN : T * IZR (N (i + 1)%Z) = T * IZR (N i) + T * INR (n i)) by (rewrite HN, plus_IZR, <- INR_IZR_INZ; ring).
-  assert (Ei : at_ i = T * IZR (N i) + hit (i - 1)) by (unfold at_; ring); pose proof Hwin as (Hr & R1 & R2 & _); destruct S6
-    as [_ S6']. apply le_abs in Cd, Cd'; assert (Tn : T <= T * INR (n i)) by (rewrite <- (Rmult_1_r T) at 1; apply
+  assert (Ei : at_ i = T * IZR (N i) + hit (i - 1)) by (unfold at_; ring); pose proof Hwin as (Hr & R1 & R2 & _);
+    destruct S6 as [_ S6']. apply le_abs in Cd, Cd'; assert (Tn : T <= T * INR (n i)) by (rewrite <- (Rmult_1_r T) at 1;
+        apply
     Rmult_le_compat_l; [lra | apply (le_INR 1), Hn]).
   assert (Loc : forall s, leg i (T * IZR (N i) + s) = Y (x i) mu s /\ legv i (T * IZR (N i) + s) = V (x i) mu s).
   { intros s; unfold leg, legv; replace (T * IZR (N i) + s - T * IZR (N i)) with s by ring; auto. }
@@ -219,7 +223,8 @@ Qed.
 
 (** Two motions with the same orbit are the same. *)
 Lemma same_motion t y v t' y' v' Dm x yy x' yy' : motion mu Dm N t y v -> motion mu Dm N t' y' v' -> Dm <= r0 / 4 ->
-  facts x yy -> facts x' yy' -> is_of x t y v -> is_of x' t' y' v' -> (forall j i, (i < 2)%nat -> x' j i = x j i) -> forall i,
+  facts x yy -> facts x' yy' -> is_of x t y v -> is_of x' t' y' v' -> (forall j i, (i < 2)%nat -> x' j i = x j i) ->
+      forall i,
   t' i = t i /\ forall u, t i <= u <= t (i + 1)%Z -> y' i u = y i u /\ v' i u = v i u.
 Proof.
   intros HM HM' HD F F' Leg Leg' Ex; pose proof (proj1 Hwin) as Hr.
@@ -271,12 +276,14 @@ Proof.
   intros HA Hgam Hz Ez Ew Hr a1 a2 n_max; pose proof M_large as LM; pose proof (proj1 Hwin) as Hr0.
   pose (Good := fun (n_max : nat) (dd D : R) => forall t, 0 <= t <= T -> r0 <= Rabs (t - tG) -> far n_max * dd < y0 t).
   pose (Trace := fun (mu : R) (n : Z -> nat) N x t y v => is_of mu N x t y v).
-  apply (core T 0 (r0 / 4) M leg_is (fun mu _ N x => leg mu N x) (fun mu _ N x => legv mu N x) Good Trace) with (w := w).
+  apply (core T 0 (r0 / 4) M leg_is (fun mu _ N x => leg mu N x) (fun mu _ N x => legv mu N x) Good Trace) with (w :=
+      w).
   - lra.
   - intros m D HD; destruct far_from_touch as (ym & Hy & Ym); destruct (size_exists m D (ym / 2) ltac:(here; lra)
       ltac:(here; lra)) as (dd & Hdd & HS & Hf). exists dd; split; [lra|].
     assert (G : forall dd', 0 < dd' <= dd -> Good m dd' D).
-    { intros dd' Hd t Ht Far; specialize (Ym t Ht Far); destruct (size_less m dd dd' D HS Hd) as (_ & _ & _ & _ & _ & _).
+    { intros dd' Hd t Ht Far; specialize (Ym t Ht Far); destruct (size_less m dd dd' D HS Hd) as (_ & _ & _ & _ & _ &
+        _).
       assert (0 <= far m) by (unfold far; apply Rmult_le_pos; [|apply pow_le]; pose proof K_large; lra).
       assert (far m * dd' <= far m * dd) by (apply Rmult_le_compat_l; lra); lra. }
     split; [apply G; lra | exact G].

@@ -1,5 +1,5 @@
-(** * What C1 gives near the orbit: the force is Lipschitz in a tube and strictly differentiable along the orbit, at one
-      distance for all times; the law of impact is strictly differentiable at the touch *)
+(** * What C1 gives near the orbit: the force is Lipschitz in a tube and strictly differentiable along the
+      orbit, at one distance for all times; the law of impact is strictly differentiable at the touch *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Derivatives StatementNonlinear.
 Import Nonlinear.
@@ -45,10 +45,13 @@ Proof.
     lra.
 Qed.
 (** The law of impact at the touch. *)
-Lemma law_strict (reb : R -> R -> R -> R) (ta tg : R) f1 f2 f3 f4 r : (forall mu t, reb mu t 0 = 0) -> 0 < r -> f3 tg 0 0 0 =
-  - ta -> C1 (fun t y v mu => Rabs (t - tg) <= r /\ Rabs v <= r /\ Rabs mu <= r) (fun t y v mu => reb mu t v) f1 f2 f3 f4 ->
+Lemma law_strict (reb : R -> R -> R -> R) (ta tg : R) f1 f2 f3 f4 r : (forall mu t, reb mu t 0 = 0) -> 0 < r -> f3 tg 0
+    0 0 =
+  - ta -> C1 (fun t y v mu => Rabs (t - tg) <= r /\ Rabs v <= r /\ Rabs mu <= r) (fun t y v mu => reb mu t v) f1 f2 f3
+      f4 ->
   forall eps, 0 < eps -> exists d, 0 < d /\ forall mu t v mu' t' v', Rabs mu <= d -> Rabs (t - tg) <= d ->
-  Rabs v <= d -> Rabs mu' <= d -> Rabs (t' - tg) <= d -> Rabs v' <= d -> Rabs (reb mu t v - reb mu' t' v' + ta * (v - v')) <=
+  Rabs v <= d -> Rabs mu' <= d -> Rabs (t' - tg) <= d -> Rabs v' <= d -> Rabs (reb mu t v - reb mu' t' v' + ta * (v -
+      v')) <=
   eps * (Rabs (mu - mu') + Rabs (t - t') + Rabs (v - v')).
 Proof.
   intros R0 Hr E3 HC eps He.
@@ -282,7 +285,7 @@ Lemma impact : 0 <= tau O /\ (forall mu t, rebound O mu t 0 = 0) /\ (forall mu t
   + tau O * (v - v')) <= eps * (Rabs (mu - mu') + Rabs (t - t') + Rabs (v - v')).
 Proof.
   destruct (law O HO) as (Ht & R0 & Rp); split; [exact Ht | split; [exact R0 | split; [exact Rp|]]].
-  destruct (law_C1 O HO) as (r & f1 & f2 & f3 & f4 & Hr & E3 & HC); exact (law_strict (rebound O) (tau O) (tG O) f1 f2 f3 f4 r
-    R0 Hr E3 HC).
+  destruct (law_C1 O HO) as (r & f1 & f2 & f3 & f4 & Hr & E3 & HC); exact (law_strict (rebound O) (tau O) (tG O) f1 f2
+    f3 f4 r R0 Hr E3 HC).
 Qed.
 End Orbit.

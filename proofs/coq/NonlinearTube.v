@@ -1,4 +1,5 @@
-(** * Proof of Theorem 1 for nonlinear oscillators: away from the orbit the force is changed, which no motion notices *)
+(** * Proof of Theorem 1 for nonlinear oscillators: away from the orbit the force is changed, which no motion
+    notices *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs Derivatives PlaneOrbits StatementWords StatementUnstable Headline.
 From Grazing Require Import StatementNonlinear NonlinearSmooth NonlinearPicard.
@@ -205,8 +206,9 @@ Proof.
     Str (conj F1 (conj F2 F3)) Fb).
   pose (Po' := NonlinearMotions.Build_unbroken Fo To Io (NonlinearFlow.Build_periodic Fo Per Po) (open_elsewhere O HO)
     ltac:(intros t; destruct (C t) as (_ & _ & _ & K); exact K) Pr).
-  pose proof (@NonlinearMotions.unbroken_core Fo To Wo Io Po' A11 A21 A22 gamma z w HA (gamma_not_0 _ _ _ _ _ HG) Hz ltac:(destruct (Pz
-    0) as [Q _]; rewrite Rplus_0_l in Q; exact Q) ltac:(destruct (Pz 0) as [_ Q]; rewrite Rplus_0_l in Q; exact Q)
+  pose proof (@NonlinearMotions.unbroken_core Fo To Wo Io Po' A11 A21 A22 gamma z w HA (gamma_not_0 _ _ _ _ _ HG) Hz
+    ltac:(destruct (Pz 0) as [Q _]; rewrite Rplus_0_l in Q; exact Q) ltac:(destruct (Pz 0) as [_ Q]; rewrite Rplus_0_l
+        in Q; exact Q)
     ltac:(change (z (tG O) <> 0); rewrite <- Ez; apply (rate_not_0 _ _ _ _ _ HG)) n_max) as Core; cbv zeta in Core;
     change (@NonlinearTouch.tG Fo To) with (tG O) in Core; rewrite <- Ea1, <- Ea2, <- Ez in Core.
   (* near the orbit motions of the two equations are the same *)
@@ -222,7 +224,8 @@ Proof.
           Hm].
       + split; assumption. }
   assert (Same : forall mu d N t y v, d <= r -> Rabs mu <= r -> nonlinear_motion O mu d N t y v <->
-    @NonlinearWords.motion (@NonlinearMotions.leg_is Fo To Io) mu d N t y v) by (intros mu d N t y v Hdr Hm; split; intros H i j Hj; apply
+    @NonlinearWords.motion (@NonlinearMotions.leg_is Fo To Io) mu d N t y v) by (intros mu d N t y v Hdr Hm; split;
+        intros H i j Hj; apply
     SameLeg; trivial; apply H, Hj).
   destruct Core as (d & Hd & Core); destruct (two_least d r Hd Hr) as (d' & Hd' & Q1 & Q2); exists d'; split; [exact
     Hd'|]; intros eps Heps. destruct (Core eps ltac:(lra)) as (mu0 & Hmu0 & W); pose proof (rate_not_0 _ _ _ _ _ HG) as

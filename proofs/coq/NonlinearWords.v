@@ -1,4 +1,5 @@
-(** * Theorem 1 for motions that are the orbits of the map: which words are motions, and that these are unstable *)
+(** * Theorem 1 for motions that are the orbits of the map: which words are motions, and that these are
+    unstable *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs StatementOrbits StatementOrbitsPlane StatementWords StatementUnstable Headline
   OrbitVectors PlaneOrbits Orbits OrbitsNear OrbitsUnstable Derivatives.
@@ -56,7 +57,8 @@ Hypothesis Hleg : forall n_max dd mu n N D x yy i, word n_max n N -> sized n_max
   Rabs mu <= dd -> flown dd mu n x yy (i - 1) -> flown dd mu n x yy i ->
   Leg mu D N (at_ mu n x yy P sg N) (Pl mu n N x) (Vl mu n N x) i (i + 1).
 Hypothesis Hvel : forall n_max dd mu n N D x yy i, word n_max n N -> sized n_max dd D -> Good n_max dd D ->
-  Rabs mu <= dd -> flown dd mu n x yy (i - 1) -> Vl mu n N x i (at_ mu n x yy P sg N i) = V (x i) mu (hit mu n x yy (i - 1)).
+  Rabs mu <= dd -> flown dd mu n x yy (i - 1) -> Vl mu n N x i (at_ mu n x yy P sg N i) = V (x i) mu (hit mu n x yy (i -
+      1)).
 Hypothesis Hmotion : forall n_max dd mu n N D r t y v, word n_max n N -> sized n_max dd D -> Good n_max dd D ->
   Rabs mu <= r -> Km * r <= dd -> r <= D -> motion mu r N t y v -> exists x yy, facts dd mu n x yy /\
   Trace mu n N x t y v.
@@ -85,8 +87,9 @@ Theorem motion_left n_max dd mu n N D x yy : word n_max n N -> sized n_max dd D 
   leaving map Z (fun j => j + 1)%Z n mu x -> unstable_motion (Leg mu D N) (at_ mu n x yy P sg N) (Vl mu n N x).
 Proof.
   intros HW HS HG Hmu F Hx Lv; pose proof HS as (S0 & S1 & S2 & S4 & S5 & S6); destruct HW as [Hn HN].
-  destruct (Lv (dd / 2) ltac:(lra)) as (r & Hr & Leave); destruct (after_near n_max dd mu n Hn Hmu S0 S1 S2 S4 D S5 S6) as (Q1 & P1 & Near),
-    (after_far n_max dd mu n Hn Hmu S0 S1 S2 S4 D S5 S6) as (Q2 & P2 & Far). exists (r / (Q2 + 1)); split; [apply Rdiv_lt_0_compat; lra|]; intros j eps He; set (p
+  destruct (Lv (dd / 2) ltac:(lra)) as (r & Hr & Leave); destruct (after_near n_max dd mu n Hn Hmu S0 S1 S2 S4 D S5 S6)
+    as (Q1 & P1 & Near), (after_far n_max dd mu n Hn Hmu S0 S1 S2 S4 D S5 S6) as (Q2 & P2 & Far). exists (r / (Q2 + 1));
+        split; [apply Rdiv_lt_0_compat; lra|]; intros j eps He; set (p
     := (j - 1)%Z).
   destruct (two_least r (eps / Q1) ltac:(here; lra) ltac:(here; apply Rdiv_lt_0_compat; lra)) as (e & E0 & E1 & E2).
   apply (Rmult_le_compat_l Q1) in E2; [|lra]; replace (Q1 * (eps / Q1)) with eps in E2 by (field; lra).
@@ -116,10 +119,10 @@ Proof.
       change (Map.kick map) with kick; rewrite kick_y by assumption; ring. }
   set (l' := (p + Z.of_nat l)%Z); exists l', (at_ mu n x' yy' P sg N), (Pl mu n N x'), (Vl mu n N x').
   assert (Wx : forall i, within 2 dd (x i)) by (intros i; apply F).
-  assert (Diff : forall i, at_ mu n x' yy' P sg N i - at_ mu n x yy P sg N i = hit mu n x' yy' (i - 1) - hit mu n x yy (i - 1)) by (intros
-    i; unfold at_; ring).
-  assert (Vel : forall u yu i, flown dd mu n u yu (i - 1) -> Vl mu n N u i (at_ mu n u yu P sg N i) = V (u i) mu (hit mu n u yu
-    (i - 1))) by (intros u yu i; apply (Hvel n_max dd mu n N D u yu i (conj Hn HN) HS HG Hmu)).
+  assert (Diff : forall i, at_ mu n x' yy' P sg N i - at_ mu n x yy P sg N i = hit mu n x' yy' (i - 1) - hit mu n x yy
+    (i - 1)) by (intros i; unfold at_; ring).
+  assert (Vel : forall u yu i, flown dd mu n u yu (i - 1) -> Vl mu n N u i (at_ mu n u yu P sg N i) = V (u i) mu (hit mu
+    n u yu (i - 1))) by (intros u yu i; apply (Hvel n_max dd mu n N D u yu i (conj Hn HN) HS HG Hmu)).
   split; [unfold l', p; lia | split; [|split]].
   - intros i Hi; apply (Hleg n_max dd mu n N D x' yy' i (conj Hn HN) HS HG Hmu).
     + replace (i - 1)%Z with (p + Z.of_nat (Z.to_nat (i - 1 - p)))%Z by (unfold p; lia); apply F'; unfold l', p in *;
@@ -131,15 +134,17 @@ Proof.
     + rewrite E0'; exact Z0.
     + replace (yy p) with (speed_at map mu (n p) (x p)); [unfold yy'; rewrite E0'; exact Y0|].
       unfold speed_at; change (Map.h map (OrbitRemainder.fly map mu (n p) (x p)) mu) with (Y (fl mu (n p) (x p)) mu (low
-        (fl mu (n p) (x p)) mu)); rewrite (Oh _ _ _ _ _ _ (F p)), Ropp_involutive; apply sqrt_square; left; apply (Oy _ _ _
+        (fl mu (n p) (x p)) mu)); rewrite (Oh _ _ _ _ _ _ (F p)), Ropp_involutive; apply sqrt_square; left; apply (Oy _
+            _ _
         _ _ _ (F p)).
     + rewrite (Ex 1%nat : x' (p + 1)%Z = _); exact Z1.
-    + unfold StatementUnstable.near; rewrite Diff, (Vel x' yy' j F0), (Vel x yy j (F _)); replace (p + 1)%Z with j in B by (unfold p; lia); fold p;
-      split; lra.
+    + unfold StatementUnstable.near; rewrite Diff, (Vel x' yy' j F0), (Vel x yy j (F _)); replace (p + 1)%Z with j in B
+      by (unfold p; lia); fold p; split; lra.
   - intros [A B]; rewrite Diff in A; apply Out; rewrite iter_Z; fold l'.
     assert (El : x' l' = z l) by apply Ex; rewrite <- El; set (i := (l' - 1)%Z) in *.
     assert (Ei : l' = (i + 1)%Z) by (unfold i; lia); rewrite Ei in B |- *.
-    assert (Fi : flown dd mu n x' yy' i) by (replace i with (p + Z.of_nat (l - 1))%Z by (unfold i, l'; lia); apply F'; lia).
+    assert (Fi : flown dd mu n x' yy' i) by (replace i with (p + Z.of_nat (l - 1))%Z by (unfold i, l'; lia); apply F';
+        lia).
     assert (Fi' : flown dd mu n x' yy' (i + 1 - 1)) by (replace (i + 1 - 1)%Z with i by lia; exact Fi).
     rewrite (Vel x' yy' _ Fi'), (Vel x yy _ (F _)) in B; replace (i + 1 - 1)%Z with i in B by lia.
     apply (within_le 2 (Q2 * (r / (Q2 + 1)))); [|apply (Far x x' yy yy' i); auto].
@@ -164,11 +169,13 @@ Proof.
     as Hr0.
   destruct (Theorem1_plane map a1 a2 _ _ _ HP n_max) as (dT & muT & HdT & HmT & W & Tends), (plane_leave map a1 a2 _ _ _
     HP n_max) as (dL & HdL & Leave). destruct (two_least dT dL HdT HdL) as (dS & HdS & LT & LL).
-  destruct (both_sizes n_max Dm dS ltac:(here; lra) HdS) as (dd & Hdd & HS & HG); pose proof HS as (_ & S1 & S2 & S4 & _).
+  destruct (both_sizes n_max Dm dS ltac:(here; lra) HdS) as (dd & Hdd & HS & HG); pose proof HS as (_ & S1 & S2 & S4 &
+      _).
   destruct (two_least (dd / Km) Dm ltac:(here; apply Rdiv_lt_0_compat; lra) ltac:(here; lra)) as (d & Hd & L1 &
     L2).
   assert (Md : Km * d <= dd) by (apply Rle_trans with (Km * (dd / Km)); [apply Rmult_le_compat_l; lra | right; field;
-    lra]). assert (d <= Km * d) by (rewrite <- (Rmult_1_l d) at 1; apply Rmult_le_compat_r; lra). exists d; split; [exact
+    lra]). assert (d <= Km * d) by (rewrite <- (Rmult_1_l d) at 1; apply Rmult_le_compat_r; lra). exists d; split;
+        [exact
     Hd|]; intros eps Heps.
   destruct (both_sizes n_max eps dd ltac:(here; lra) (proj1 Hdd)) as (de & Hde & HSe & HGe); pose proof HSe as (_ & E1 &
     E2 & E4 & E5 & E6).
