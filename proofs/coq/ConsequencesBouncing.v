@@ -33,7 +33,7 @@ Proof.
   - intros c; destruct (B c) as (B1 & B2 & B3), (C c) as (C1' & C2' & C3'); repeat split; assumption.
   - split; intros t; [intros Ht Ne | intros Hk Ht]; (apply E; [exact Ht|]); intros N [E1 E2].
     + assert (N = 0%Z) by nia; subst N; apply Ne; rewrite E2; ring.
-    + nia.
+    + destruct (Z_lt_le_dec N 1); nia.
   - exists r; split; [exact Hr | split; [|exact F2]]; intros c; apply F1; pose proof (proj1 (B c)); lra.
   - split; [lra | split; [exact G2|]]; intros mu t v Hv; specialize (G3 mu t v Hv); lra.
 Qed.
@@ -82,7 +82,7 @@ Proof.
   intros E [(p & q & r & -> & -> & H) G (z & w & L & P & Q & ->) R]; rewrite E in *; change (Z.of_nat 2) with 2%Z in *;
     split; [split; assumption|]; split; [exists z, w; auto|]. intros z1 w1 z2 w2 L1 L2 E1 E2 E3 E4; destruct (H z1 w1
         L1) as [A1 A2], (H z2 w2 L2) as
-    [A3 A4]; cbv zeta in *; rewrite E1, E2 in *; rewrite E3, E4 in *. rewrite A1, A2, A3, A4; split; [ring | split;
+    [A3 A4]; cbv zeta beta in *; rewrite E1, E2 in *; rewrite E3, E4 in *. rewrite A1, A2, A3, A4; split; [ring | split;
         ring].
 Qed.
 (** From one touch to the next but one, past three other impacts a period. *)
@@ -107,7 +107,7 @@ Proof.
         (or_intror eq_refl)) as N1; cbn in N0, N1;
     unfold Rabs in N0, N1; split; [repeat destruct Rcase_abs; repeat split; try lra; exact J11|].
   exists r, p, q; pose proof (J4 5%nat ltac:(lia)) as N5; rewrite A in N5; change (Z.of_nat 5) with 5%Z in N5; destruct
-    (J5 3%nat ltac:(lia)) as (B1 & B2 & B3 & B4). split; [exact J1 | split; [exact J2 | split; [unfold Rabs in N5;
+    (J5 3%nat ltac:(lia)) as (B1 & B2 & B3 & B4). split; [exact J1 | split; [exact J2 | split; [unfold Rabs in N5; repeat
         destruct Rcase_abs; lra|]]].
   split; [repeat split; try assumption; apply J9; lia|]; split; [intros x Hx; apply (J8 3%nat); [lia | exact Hx]|];
       split; [|split].
