@@ -159,7 +159,7 @@ Hypothesis Hlaw : forall eps, 0 < eps -> exists d, 0 < d /\ forall mu s v mu' s'
 Hypothesis Hr1 : 0 < r1 /\ 0 < rho1 <= rho /\ 2 * (@M F * r1) < - u1 * rho1.
 Hypothesis Hsteep : forall x mu s, within 2 r1 x -> Rabs mu <= r1 -> Rabs (s - e) <= rho1 ->
   Rabs (V1 x mu s - u1) <= - u1 / 2.
-Let ML := @M_large F. Let ML' := @M_large F'.
+Let M_F := @M_large F. Let M_F' := @M_large F'.
 Let HL1 := @HL F. Let HT1 := @HT F. Let HL2 := @HL F'. Let HT2 := @HT F'.
 Lemma He2 : 0 < rho /\ 0 <= rho - rho /\ rho + rho <= @T F'. Proof. repeat split; lra. Qed.
 
