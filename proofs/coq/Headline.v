@@ -8,6 +8,7 @@
     - [Defs]: u_n, b_{n,k}, c_n of (59) and (60), and signs;
     - [motion] and [grazing] in [StatementOscillator]: an oscillator and where its impacts are;
     - [grazing_orbit], [generic] and [nonlinear_motion] in [StatementNonlinear]: the same, nonlinear;
+    - [bouncing_orbit], [generic_round] and [bouncing_motion] in [StatementBouncing]: with other impacts besides;
     - [orbit_near] in [StatementOrbits], [planar] and [one_orbit] in [StatementOrbitsPlane]: maps, orbits;
     - [unstable] and [unstable_motion] in [StatementUnstable];
     - [trace], [Farey], [interval], [outside] and [tends_to_1] in [Statement]: Theorem 2's intervals of s;
@@ -16,24 +17,26 @@
     The proofs end in [Systems], [SystemsAreas], [Conjecture1], [SystemsWords] and [Chaos], in this order. *)
 From Coq Require Import Reals ZArith List Arith.
 From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementUnstable StatementWords
-  StatementChaos StatementOscillator StatementNonlinear.
+  StatementChaos StatementOscillator StatementNonlinear StatementBouncing.
 Import ListNotations.
 Open Scope R_scope.
 
-(** ** Motions of a linear oscillator with stops m and of a nonlinear one, orbits of a map *)
+(** ** Motions of a linear oscillator with stops m and of nonlinear ones, orbits of a map *)
 Inductive system :=
 | Oscillates (oscillator : Oscillator.t) (m : sign)
 | Moves (oscillator : Nonlinear.t) (rate : R)
+| Bounces (oscillator : Bouncing.t) (rate : R)
 | Steps (map : Map.t) (rate : R) (w : vec).
 
 (** Its linear part has trace a1 and determinant a2; gamma is A_12 or C A B. *)
 Definition grazes (S : system) (a1 a2 gamma : R) : Prop := match S with
   | Oscillates osc m => grazing osc m a1 a2 gamma
   | Moves osc rate => grazing_orbit osc /\ generic osc a1 a2 gamma rate
+  | Bounces osc rate => bouncing_orbit osc /\ generic_round osc a1 a2 gamma rate
   | Steps M rate w => planar M a1 a2 gamma rate w end.
 (** e mu, where e is (26); the stop of a linear oscillator is measured so that e = 1. *)
 Definition e_mu (S : system) (mu : R) : R :=
-  match S with Oscillates _ _ => mu | Moves _ rate | Steps _ rate _ => rate * mu end.
+  match S with Oscillates _ _ => mu | Moves _ rate | Bounces _ rate | Steps _ rate _ => rate * mu end.
 
 (** Exactly one motion has its impacts, and no others, n i periods after one another and within d of grazing,
     and it is unstable; none. Between two stops, m = Minus, n i counts half periods: [motion] has impact i
@@ -43,6 +46,8 @@ Definition one (S : system) (mu d : R) (n : Z -> nat) : Prop := match S with
     forall t y v, motion osc m mu d N t y v -> unstable_motion (swing osc m mu d N) t v
   | Moves osc _ => forall N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> one_nonlinear_motion osc mu d N /\
     forall t y v, nonlinear_motion osc mu d N t y v -> unstable_motion (leg osc mu d N) t v
+  | Bounces osc _ => forall N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> one_bouncing_motion osc mu d N /\
+    forall t y v, bouncing_motion osc mu d N t y v -> unstable_motion (bounces osc mu d N) t v
   | Steps M _ _ => one_orbit M Z (fun i => i + 1)%Z n mu d /\
     forall x i, orbit_near M Z (fun i => i + 1)%Z n mu d x -> unstable M mu (x i) end.
 Definition none (S : system) (mu d : R) (n : Z -> nat) : Prop := match S with
@@ -50,6 +55,8 @@ Definition none (S : system) (mu d : R) (n : Z -> nat) : Prop := match S with
     ~ motion osc m mu d N t y v
   | Moves osc _ => forall N t y v, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z ->
     ~ nonlinear_motion osc mu d N t y v
+  | Bounces osc _ => forall N t y v, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z ->
+    ~ bouncing_motion osc mu d N t y v
   | Steps M _ _ => forall x, ~ orbit_near M Z (fun i => i + 1)%Z n mu d x end.
 
 (** ** Theorem 1 in the plane *)

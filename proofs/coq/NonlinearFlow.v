@@ -1,6 +1,5 @@
-(** * The flow of y'' = a (t, y, y', mu), of period T in t: its solutions
-  as functions of the state at the time 0 and of mu,
-      Lipschitz in both; the state one period later is again one at the time 0 *)
+(** * The flow of y'' = a (t, y, y', mu) on [0, T]: its solutions as functions of the state at the time 0 and of mu,
+      Lipschitz in both; where a has period T, the state one period later is again one at the time 0 *)
 From Coq Require Import Reals Lra Lia.
 From Grazing Require Import StatementOrbits Contraction Derivatives NonlinearGronwall.
 From Grazing Require NonlinearStrict.
@@ -11,13 +10,14 @@ Open Scope R_scope.
 Definition moves (a : R -> R -> R -> R -> R) mu (y v : R -> R) t :=
   derivable_pt_lim y t (v t) /\ derivable_pt_lim v t (a t (y t) (v t) mu).
 Definition runs a mu y v := forall t, moves a mu y v t.
-(** Given: that a is Lipschitz, that solutions exist, and a solution y0, v0 of period T at mu = 0. *)
+(** Given: that a is Lipschitz, that solutions exist, and a solution y0, v0 at mu = 0; and that all has period T. *)
 Class force := { a : R -> R -> R -> R -> R; T : R; L : R; y0 : R -> R; v0 : R -> R; HT : 0 < T; HL : 1 <= L;
   Ha : forall t y v mu t' y' v' mu', Rabs (a t y v mu - a t' y' v' mu') <=
     L * (Rabs (t - t') + Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu'));
-  Hper : forall t y v mu, a (t + T) y v mu = a t y v mu; Hyper : forall t, y0 (t + T) = y0 t /\ v0 (t + T) = v0 t;
   Horb : runs a 0 y0 v0;
   Hflow : forall mu s p r, exists y v, runs a mu y v /\ y s = p /\ v s = r }.
+Class periodic (F : force) := { Hper : forall t y v mu, a (t + T) y v mu = a t y v mu;
+  Hyper : forall t, y0 (t + T) = y0 t /\ v0 (t + T) = v0 t }.
 (** What the context has of the classes here and below, where a term that is being read leaves it open. *)
 Ltac here := repeat match goal with |- context [?e] => is_evar e; let t := type of e in let i :=
   constr:(_ : t) in unify e i end.
@@ -111,19 +111,21 @@ Proof.
 Qed.
 
 (** One period. *)
-Definition f (x : vec) mu : vec := fun i => match i with O => Y x mu T - y0 0 | _ => V x mu T - v0 0 end.
-Lemma f_flow x mu t : Y (f x mu) mu t = Y x mu (t + T) /\ V (f x mu) mu t = V x mu (t + T).
+Definition period_map (x : vec) mu : vec := fun i => match i with O => Y x mu T - y0 0 | _ => V x mu T - v0 0 end.
+Lemma period_flow (P : periodic the_force) x mu t : Y (period_map x mu) mu t = Y x mu (t + T) /\
+  V (period_map x mu) mu t = V x mu (t + T).
 Proof.
-  apply (starts_is mu (f x mu) (fun t => Y x mu (t + T)) (fun t => V x mu (t + T)));
-    destruct (flow x mu) as (A & B & C). split; [|unfold f; rewrite !Rplus_0_l; split; ring]. intros s;
+  apply (starts_is mu (period_map x mu) (fun t => Y x mu (t + T)) (fun t => V x mu (t + T)));
+    destruct (flow x mu) as (A & B & C). split; [|unfold period_map; rewrite !Rplus_0_l; split; ring]. intros s;
     destruct (A (s + T)) as [D E]; split; apply D_later; [exact D|]; rewrite Hper in E; exact E.
 Qed.
-Lemma iterates x mu n t : Y (Nat.iter n (fun x => f x mu) x) mu t = Y x mu (t + T * INR n) /\
-  V (Nat.iter n (fun x => f x mu) x) mu t = V x mu (t + T * INR n).
+Lemma iterates (P : periodic the_force) x mu n t :
+  Y (Nat.iter n (fun x => period_map x mu) x) mu t = Y x mu (t + T * INR n) /\
+  V (Nat.iter n (fun x => period_map x mu) x) mu t = V x mu (t + T * INR n).
 Proof.
   revert t; induction n as [|n IH]; intros t; [cbn [Nat.iter INR]; rewrite Rmult_0_r, Rplus_0_r; auto|].
-  change (Nat.iter (S n) (fun x => f x mu) x) with (f (Nat.iter n (fun x => f x mu) x) mu).
-  destruct (f_flow (Nat.iter n (fun x => f x mu) x) mu t) as [-> ->]; rewrite S_INR.
+  change (Nat.iter (S n) (fun x => period_map x mu) x) with (period_map (Nat.iter n (fun x => period_map x mu) x) mu).
+  destruct (period_flow P (Nat.iter n (fun x => period_map x mu) x) mu t) as [-> ->]; rewrite S_INR.
   replace (t + T * (INR n + 1)) with (t + T + T * INR n) by ring; apply IH.
 Qed.
 

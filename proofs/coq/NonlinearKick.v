@@ -24,9 +24,7 @@ Class impact {F : force} (P : touch F) := { rebound : R -> R -> R -> R; tau : R;
     eps * (Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu'));
   Hfund : (solves kk cc ll 0 p1 q1 /\ p1 0 = 1 /\ q1 0 = 0) /\ (solves kk cc ll 0 p2 q2 /\ p2 0 = 0 /\ q2 0 = 1) /\
     (solves kk cc ll 1 p3 q3 /\ p3 0 = 0 /\ q3 0 = 0);
-  Hzb : solves kk cc ll 0 zb wb /\ zb tG = 0 /\ wb tG = 1;
-  Hkper : forall t, kk (t + T) = kk t /\ cc (t + T) = cc t /\ ll (t + T) = ll t;
-  Hrper : forall t mu v, rebound mu (t + T) v = rebound mu t v }.
+  Hzb : solves kk cc ll 0 zb wb /\ zb tG = 0 /\ wb tG = 1 }.
 Section Kick.
 Context {the_force : force} {the_touch : touch the_force} {the_window : near the_touch} {the_impact : impact the_touch}.
 Let HT := HT. Let HL := HL. Let HtG := HtG. Let Hg := Hg. Let Hd0 := Hd0.

@@ -1,4 +1,5 @@
-(** * The map of section 3.1 is a smooth grazing map of the plane *)
+(** * The map of section 3.1 is a smooth grazing map of the plane, whatever strictly differentiable map
+      carries a state from the touch once around to the next one *)
 From Coq Require Import Reals Lra Lia.
 From Grazing Require Import StatementOrbits StatementOrbitsPlane OrbitRemainder PlaneOrbits Contraction Derivatives.
 From Grazing Require Import NonlinearGronwall NonlinearStrict NonlinearFlow NonlinearTouch NonlinearSpeed NonlinearKick.
@@ -8,10 +9,6 @@ Context {the_force : force} {the_touch : touch the_force} {the_window : near the
 Let HT := HT. Let HL := HL. Let HtG := HtG. Let Hg := Hg. Let Hd0 := Hd0.
 Notation lin := (solves kk cc ll).
 Definition pair (p q : R) : vec := fun i => match i with O => p | _ => q end.
-Definition map : Map.t := {| Map.N := 2; Map.f := f; Map.h := fun x mu => Y x mu (low x mu); Map.kick := kick;
-  Map.A := fun i => match i with O => pair (p1 T) (p2 T) | _ => pair (q1 T) (q2 T) end; Map.phi := pair (p3 T) (q3 T);
-  Map.C := pair (p1 tG) (p2 tG); Map.eta := p3 tG; Map.B := B |}.
-
 Lemma low_rest : low zero 0 = tG.
 Proof.
   destruct zero_box as (B0 & _ & _ & V0); pose proof (proj1 Hwin) as Hr; destruct (low_spec zero 0 B0) as (_ & _ & U);
@@ -54,21 +51,11 @@ Proof.
       by (apply Rmult_le_compat_l; lra). pose proof (Rabs_pos (Y x mu s - Y x' mu' s - z s));
       pose proof (Rabs_pos (V x mu s - V x' mu' s - w s)); split; lra.
 Qed.
-Lemma map_smooth : smooth map.
+Lemma low_strict : strict 2 (fun x mu => Y x mu (low x mu)) (dot 2 (pair (p1 tG) (p2 tG))) (p3 tG).
 Proof.
   pose proof Hwin as (Hr & R1 & R2 & Hd & _); destruct zero_box as (B0 & _); pose proof M_large as LM.
-  assert (Z0 : forall t, Y zero 0 t = y0 t /\ V zero 0 t = v0 t) by apply at_rest. split; [|split].
-  - intros i Hi; split.
-    { cbn; unfold f; rewrite (proj1 (Z0 T)), (proj2 (Z0 T)); destruct (Hyper 0) as [P1 P2]; rewrite Rplus_0_l in P1, P2;
-        destruct i; lra. }
-    intros e He; destruct (differences e He) as (d & Hd1 & H); exists d; split; [lra|];
-      intros x x' mu mu' t Hx Hx' Hm Hm' Ht Htm. destruct (H x x' mu mu' t Hx Hx' Hm Hm' Ht Htm) as (_ & D);
-      destruct (D T ltac:(here; lra)) as [D1 D2]. destruct i as [|[|i]]; [| |cbn in Hi; lia]; cbn; unfold minus.
-    + match goal with |- Rabs ?g <= _ => match type of D1 with Rabs ?u <= _ => replace g with u by (unfold f, dz, dw;
-        ring) end end; exact D1.
-    + match goal with |- Rabs ?g <= _ => match type of D2 with Rabs ?u <= _ => replace g with u by (unfold f, dz, dw;
-        ring) end end; exact D2.
-  - split; [cbn; rewrite low_rest, (proj1 (Z0 tG)); apply Htouch|]; intros e He.
+  assert (Z0 : forall t, Y zero 0 t = y0 t /\ V zero 0 t = v0 t) by apply at_rest.
+  split; [cbn; rewrite low_rest, (proj1 (Z0 tG)); apply Htouch|]; intros e He.
     destruct (differences (e / 2) ltac:(here; lra)) as (d1 & Hd1 & H); set (r := e / (2 * M));
       assert (Pr : 0 < r) by (apply Rdiv_lt_0_compat; lra).
     destruct (two_least d1 (3 * g * r / (4 * M)) ltac:(here; lra)) as (d & Hd2 & L1 & L2);
@@ -102,9 +89,21 @@ Proof.
     pose proof (Sq (low x' mu' - low x mu)); pose proof (Sq (low x mu - low x' mu')); cbn; unfold minus.
     match goal with |- Rabs ?u <= _ => replace u with (Y x mu (low x mu) - Y x' mu' (low x' mu') - zz tG)
       by (unfold zz, dz; ring) end; apply Rabs_le; lra.
-  - intros e He; destruct (kick_strict e He) as (d & Hd1 & K1); exists d; split; [lra|]; exact K1.
 Qed.
-
+Lemma period_strict : y0 T = y0 0 -> v0 T = v0 0 -> forall i, (i < 2)%nat ->
+  strict 2 (fun x mu => period_map x mu i) (dot 2 (match i with O => pair (p1 T) (p2 T) | _ => pair (q1 T) (q2 T) end))
+  (pair (p3 T) (q3 T) i).
+Proof.
+  intros Ey Ev i Hi; split.
+  { unfold period_map; rewrite (proj1 (at_rest T)), (proj2 (at_rest T)); destruct i; lra. }
+  intros e He; destruct (differences e He) as (d & Hd1 & H); exists d; split; [lra|];
+      intros x x' mu mu' t Hx Hx' Hm Hm' Ht Htm. destruct (H x x' mu mu' t Hx Hx' Hm Hm' Ht Htm) as (_ & D);
+      destruct (D T ltac:(here; lra)) as [D1 D2]. destruct i as [|[|i]]; [| |lia]; cbn; unfold minus.
+  - match goal with |- Rabs ?g <= _ => match type of D1 with Rabs ?u <= _ => replace g with u by (unfold period_map, dz,
+        dw; ring) end end; exact D1.
+  - match goal with |- Rabs ?g <= _ => match type of D2 with Rabs ?u <= _ => replace g with u by (unfold period_map, dz,
+        dw; ring) end end; exact D2.
+Qed.
 Lemma lin_comb m z w s : lin m z w -> 0 <= s <= T -> z s = z 0 * p1 s + w 0 * p2 s + m * p3 s /\
   w s = z 0 * q1 s + w 0 * q2 s + m * q3 s.
 Proof.
@@ -121,12 +120,6 @@ Proof.
     pose proof (Rabs_pos (u s)); pose proof (Rabs_pos (v s)). split; apply Rminus_diag_uniq, Rabs_zero;
     [change (Rabs (u s) <= 0) | change (Rabs (v s) <= 0)]; lra.
 Qed.
-Lemma lin_shift z w : lin 0 z w -> lin 0 (fun t => z (t + T)) (fun t => w (t + T)).
-Proof.
-  intros H t; destruct (H (t + T)) as [A A'], (Hkper t) as (K1 & K2 & K3); split; apply D_later; [exact A|];
-    rewrite K1, K2, K3 in A'; exact A'.
-Qed.
-
 (** (11) to (14): trace and determinant do not depend on the section. *)
 Lemma similar P11 P12 P21 P22 A11 A12 A21 A22 B11 B12 B21 B22 : P11 * P22 - P12 * P21 <> 0 ->
   P11 * B11 + P12 * B21 = A11 * P11 + A12 * P21 -> P11 * B12 + P12 * B22 = A11 * P12 + A12 * P22 ->
@@ -158,22 +151,48 @@ Proof.
     [lra | lra | lra].
 Qed.
 
-Theorem map_planar A11 A21 A22 gamma z w : (forall z w, lin 0 z w -> z (tG + T) = A11 * z tG + gamma * w tG /\
-  w (tG + T) = A21 * z tG + A22 * w tG) -> gamma <> 0 -> lin 1 z w -> z T = z 0 -> w T = w 0 -> z tG <> 0 ->
+End Map.
+
+(** Once around: f, with the derivative FA in the state and Fphi in mu; K is a Lipschitz constant of f, and of
+    the flow. *)
+Class turn (F : force) := { f : vec -> R -> vec; K : R; FA : nat -> vec; Fphi : vec; HK : M <= K;
+  f_lip : forall x x' mu mu' r, within 2 r (minus x x') -> Rabs (mu - mu') <= r ->
+    within 2 (K * r) (minus (f x mu) (f x' mu'));
+  f_strict : forall i, (i < 2)%nat -> strict 2 (fun x mu => f x mu i) (dot 2 (FA i)) (Fphi i) }.
+Section Turn.
+Context {the_force : force} {the_touch : touch the_force} {the_window : near the_touch} {the_impact : impact the_touch}
+  {the_turn : turn the_force}.
+Let HT := HT. Let HL := HL. Let HtG := HtG. Let Hg := Hg. Let Hd0 := Hd0.
+Notation lin := (solves kk cc ll).
+Definition map : Map.t := {| Map.N := 2; Map.f := f; Map.h := fun x mu => Y x mu (low x mu); Map.kick := kick;
+  Map.A := FA; Map.phi := Fphi; Map.C := pair (p1 tG) (p2 tG); Map.eta := p3 tG; Map.B := B |}.
+Lemma map_smooth : smooth map.
+Proof.
+  split; [exact f_strict | split; [exact low_strict|]].
+  intros e He; destruct (kick_strict e He) as (d & Hd1 & K1); exists d; split; [lra|]; exact K1.
+Qed.
+
+(** (z, w), a solution for a change m of mu, is (z', w') once around. *)
+Definition carried (m : R) (z w z' w' : R -> R) : Prop := lin m z' w' /\
+  z' 0 = FA 0%nat 0%nat * z 0 + FA 0%nat 1%nat * w 0 + m * Fphi 0%nat /\
+  w' 0 = FA 1%nat 0%nat * z 0 + FA 1%nat 1%nat * w 0 + m * Fphi 1%nat.
+Theorem map_planar A11 A21 A22 gamma z w : (forall z w, lin 0 z w -> exists z' w', carried 0 z w z' w' /\
+  z' tG = A11 * z tG + gamma * w tG /\ w' tG = A21 * z tG + A22 * w tG) -> gamma <> 0 -> lin 1 z w ->
+  carried 1 z w z w -> z tG <> 0 ->
   planar map (A11 + A22) (A11 * A22 - gamma * A21) ((1 + tau) * cg * gamma) (z tG) (pair (z 0) (w 0)).
 Proof.
-  intros HA Hgam Hz Ez Ew Hr; assert (TG : 0 <= tG <= T) by lra; assert (TT : 0 <= T <= T) by lra;
-    pose proof cg_pos as Hc; assert (Ht0 := proj1 Hreb). pose proof Hfund as ((F1 & I1 & J1) & (F2 & I2 & J2) & _);
+  intros HA Hgam Hz (_ & Ez & Ew) Hr; assert (TG : 0 <= tG <= T) by lra; pose proof cg_pos as Hc;
+    assert (Ht0 := proj1 Hreb). pose proof Hfund as ((F1 & I1 & J1) & (F2 & I2 & J2) & _);
     destruct Hzb as (Zb & Zb1 & Zb2).
-  assert (Sh : forall z w, lin 0 z w -> z (tG + T) = z T * p1 tG + w T * p2 tG /\ w (tG + T) = z T * q1 tG + w T *
-    q2 tG).
-  { intros u v Hu; destruct (lin_comb 0 _ _ tG (lin_shift u v Hu) TG) as [E1 E2]; cbv beta in E1, E2;
-      rewrite Rplus_0_l in E1, E2; lra. }
-  destruct (Sh _ _ F1) as [S1 S2], (HA _ _ F1) as [M1 M2], (Sh _ _ F2) as [S3 S4], (HA _ _ F2) as [M3 M4].
-  destruct (similar (p1 tG) (p2 tG) (q1 tG) (q2 tG) A11 gamma A21 A22 (p1 T) (p2 T) (q1 T) (q2 T) det_flow) as [Tr Dt];
-    [lra | lra | lra | lra|]. destruct (lin_comb 0 zb wb tG Zb TG) as [C1 C2];
-    destruct (lin_comb 0 zb wb T Zb TT) as [C3 C4]; destruct (Sh _ _ Zb) as [S5 _]; destruct (HA _ _ Zb) as [M5 _].
-  destruct (lin_comb 1 z w tG Hz TG) as [C5 _]; destruct (lin_comb 1 z w T Hz TT) as [C6 C7]. constructor; cbn -[mult].
+  assert (Sh : forall z w, lin 0 z w -> let x := FA 0%nat 0%nat * z 0 + FA 0%nat 1%nat * w 0 in
+    let y := FA 1%nat 0%nat * z 0 + FA 1%nat 1%nat * w 0 in
+    x * p1 tG + y * p2 tG = A11 * z tG + gamma * w tG /\ x * q1 tG + y * q2 tG = A21 * z tG + A22 * w tG).
+  { intros u v Hu; destruct (HA u v Hu) as (u' & v' & (Hu' & E1 & E2) & E3 & E4);
+      destruct (lin_comb 0 _ _ tG Hu' TG) as [E5 E6]; rewrite E1, E2 in E5, E6; cbv zeta; lra. }
+  destruct (Sh _ _ F1) as [M1 M2], (Sh _ _ F2) as [M3 M4]; rewrite I1, J1 in M1, M2; rewrite I2, J2 in M3, M4.
+  destruct (similar (p1 tG) (p2 tG) (q1 tG) (q2 tG) A11 gamma A21 A22 (FA 0%nat 0%nat) (FA 0%nat 1%nat) (FA 1%nat 0%nat)
+    (FA 1%nat 1%nat) det_flow) as [Tr Dt]; [lra | lra | lra | lra|]. destruct (lin_comb 0 zb wb tG Zb TG) as [C1 C2];
+    destruct (Sh _ _ Zb) as [S5 _]. destruct (lin_comb 1 z w tG Hz TG) as [C5 _]. constructor; cbn -[mult].
   - exact map_smooth.
   - reflexivity.
   - exact Tr.
@@ -182,9 +201,10 @@ Proof.
       replace (0 + p1 tG * ((1 + tau) * cg * zb 0) + p2 tG * ((1 + tau) * cg * wb 0))
         with ((1 + tau) * cg * (zb 0 * p1 tG + wb 0 * p2 tG + 0 * p3 tG)) by ring. rewrite <- C1, Zb1; ring.
   - split; [|apply Rmult_integral_contrapositive; split; [apply Rgt_not_eq, Rmult_lt_0_compat; lra | exact Hgam]].
-    unfold mult; cbn; unfold B; replace gamma with (zb T * p1 tG + wb T * p2 tG) by (rewrite <- S5, M5, Zb1, Zb2; ring);
-      rewrite C3, C4; ring.
+    unfold mult; cbn; unfold B; rewrite Zb1, Zb2 in S5; cbv zeta in S5.
+    replace gamma with ((FA 0%nat 0%nat * zb 0 + FA 0%nat 1%nat * wb 0) * p1 tG + (FA 1%nat 0%nat * zb 0 + FA 1%nat
+      1%nat * wb 0) * p2 tG) by (rewrite S5; ring). ring.
   - intros i Hi; unfold mult; destruct i as [|[|i]]; [| |lia]; cbn; lra.
   - split; [rewrite C5; ring | exact Hr].
 Qed.
-End Map.
+End Turn.

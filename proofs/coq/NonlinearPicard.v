@@ -224,3 +224,27 @@ Proof.
     specialize (D2 (t - s)); cbn in D1, D2; replace (t - s + s) with t in D2 by ring. split;
     (eapply D_value; [apply (D_of (fun t => t - s)); [apply D_shift | eassumption] | ring]).
 Qed.
+(** Linear equations. *)
+Lemma linear_picard (k c l : R -> R) B : (forall t, continuity_pt k t /\ continuity_pt c t /\ continuity_pt l t) ->
+  (forall t, Rabs (k t) <= B /\ Rabs (c t) <= B /\ Rabs (l t) <= B) -> forall m s p q, exists z w,
+  (forall t, derivable_pt_lim z t (w t) /\ derivable_pt_lim w t (k t * z t + c t * w t + l t * m)) /\ z s = p /\
+  w s = q.
+Proof.
+  intros C H m s p q; assert (HB : 0 <= B) by (destruct (H 0) as (A & _); pose proof (Rabs_pos (k 0)); lra).
+  apply (picard (fun t y v => k t * y + c t * v + l t * m) B HB).
+  - intros t y v y' v'; replace (k t * y + c t * v + l t * m - (k t * y' + c t * v' + l t * m)) with (k t
+      * (y - y') + c t * (v - v')) by ring. destruct (H t) as (H1 & H2 & _); eapply Rle_trans; [apply Rabs_triang|];
+      rewrite !Rabs_mult; pose proof (Rabs_pos (y - y')); pose proof (Rabs_pos (v - v')).
+    assert (Rabs (k t) * Rabs (y - y') <= B * Rabs (y - y')) by (apply Rmult_le_compat_r; lra); assert (Rabs (c t)
+      * Rabs (v - v') <= B * Rabs (v - v')) by (apply Rmult_le_compat_r; lra); lra.
+  - intros t y v; destruct (C t) as (C1 & C2 & C3); assert (Cc : forall q, continuity_pt (fun _ : R => q) t) by
+      (intros x; apply (D_continuous _ 0), D_const).
+    apply (continuity_pt_plus (fun t => k t * y + c t * v) (fun t => l t * m)); [apply (continuity_pt_plus (fun t
+      => k t * y) (fun t => c t * v))|].
+    + apply (continuity_pt_mult k (fun _ => y)); [exact C1 | apply Cc].
+    + apply (continuity_pt_mult c (fun _ => v)); [exact C2 | apply Cc].
+    + apply (continuity_pt_mult l (fun _ => m)); [exact C3 | apply Cc].
+  - intros y v; exists (B * Rabs y + B * Rabs v + B * Rabs m); intros t; destruct (H t) as (H1 & H2 & H3); eapply
+      Rle_trans; [apply Rabs_triang|]; eapply Rle_trans; [apply Rplus_le_compat_r, Rabs_triang|]; rewrite !Rabs_mult.
+    repeat apply Rplus_le_compat; apply Rmult_le_compat_r; try apply Rabs_pos; assumption.
+Qed.

@@ -1,5 +1,5 @@
-(** * What C1 gives near the orbit: the force is Lipschitz in a tube and strictly differentiable along the orbit, at one
-      distance for all times; the law of impact is strictly differentiable at the touch *)
+(** * What C1 gives near the orbit: the force is Lipschitz in a tube and strictly differentiable along the
+      orbit, at one distance for all times; the law of impact is strictly differentiable at the touch *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Derivatives StatementNonlinear.
 Import Nonlinear.
@@ -43,6 +43,32 @@ Proof.
   pose proof (near_line (fun x => f t2 y2 v2 x) (fun x => f4 t2 y2 v2 x) (f4 t y v m) eps m d m1 m2 ltac:(intros s Hs;
     split; [apply C1m, HD | apply Q4]; lra) M1 M2) as B4. cbv beta in *; apply le_abs in B1, B2, B3, B4; apply Rabs_le;
     lra.
+Qed.
+(** The law of impact at the touch. *)
+Lemma law_strict (reb : R -> R -> R -> R) (ta tg : R) f1 f2 f3 f4 r : (forall mu t, reb mu t 0 = 0) -> 0 < r -> f3 tg 0
+    0 0 =
+  - ta -> C1 (fun t y v mu => Rabs (t - tg) <= r /\ Rabs v <= r /\ Rabs mu <= r) (fun t y v mu => reb mu t v) f1 f2 f3
+      f4 ->
+  forall eps, 0 < eps -> exists d, 0 < d /\ forall mu t v mu' t' v', Rabs mu <= d -> Rabs (t - tg) <= d ->
+  Rabs v <= d -> Rabs mu' <= d -> Rabs (t' - tg) <= d -> Rabs v' <= d -> Rabs (reb mu t v - reb mu' t' v' + ta * (v -
+      v')) <=
+  eps * (Rabs (mu - mu') + Rabs (t - t') + Rabs (v - v')).
+Proof.
+  intros R0 Hr E3 HC eps He.
+  assert (D0 : Rabs (tg - tg) <= r /\ Rabs 0 <= r /\ Rabs 0 <= r) by (rewrite Rminus_eq_0, Rabs_R0; lra).
+  assert (E1 : f1 tg 0 0 0 = 0).
+  { apply (uniqueness_limite (fun t => reb 0 t 0) tg); [apply (in_t _ _ _ _ _ _ HC), D0|]; eapply D_ext;
+      [apply (D_const 0) | intros; symmetry; apply R0 | reflexivity]. }
+  assert (E4 : f4 tg 0 0 0 = 0).
+  { apply (uniqueness_limite (fun mu => reb mu tg 0) 0); [apply (in_mu _ _ _ _ _ _ HC), D0|]; eapply D_ext;
+      [apply (D_const 0) | intros; symmetry; apply R0 | reflexivity]. }
+  destruct (strictly _ _ _ _ _ _ tg 0 0 0 r HC Hr) with (eps := eps) as (d & Hd & H); [|exact He|].
+  { intros t' y' v' m' A _ B C; rewrite Rminus_0_r in B, C; auto. }
+  exists d; split; [exact Hd|]; intros mu t v mu' t' v' A1 A2 A3 A4 A5 A6;
+    assert (Z : Rabs (0 - 0) <= d) by (rewrite Rminus_0_r, Rabs_R0; lra). specialize (H t 0 v mu t' 0 v' mu');
+    rewrite !Rminus_0_r, Rabs_R0, E1, E3, E4 in H.
+  match type of H with _ -> _ -> _ -> _ -> _ -> _ -> _ -> _ -> Rabs ?u <= _ => match goal with |- Rabs ?w <=
+    _ => replace w with u by ring end end. eapply Rle_trans; [apply H; rewrite ?Rabs_R0; lra | right; ring].
 Qed.
 (** What holds near each time, holds at one distance on [0, T]. *)
 Lemma everywhere (P : R -> R -> Prop) T : 0 <= T -> (forall s d d', P s d -> 0 < d' <= d -> P s d') -> (forall t,
@@ -258,21 +284,8 @@ Lemma impact : 0 <= tau O /\ (forall mu t, rebound O mu t 0 = 0) /\ (forall mu t
   Rabs v <= d -> Rabs mu' <= d -> Rabs (t' - tG O) <= d -> Rabs v' <= d -> Rabs (rebound O mu t v - rebound O mu' t' v'
   + tau O * (v - v')) <= eps * (Rabs (mu - mu') + Rabs (t - t') + Rabs (v - v')).
 Proof.
-  destruct (law O HO) as (Ht & R0 & Rp); split; [exact Ht | split; [exact R0 | split; [exact Rp|]]]; intros eps He.
-  destruct (law_C1 O HO) as (r & f1 & f2 & f3 & f4 & Hr & E3 & HC).
-  assert (D0 : Rabs (tG O - tG O) <= r /\ Rabs 0 <= r /\ Rabs 0 <= r) by (rewrite Rminus_eq_0, Rabs_R0; lra).
-  assert (E1 : f1 (tG O) 0 0 0 = 0).
-  { apply (uniqueness_limite (fun t => rebound O 0 t 0) (tG O)); [apply (in_t _ _ _ _ _ _ HC), D0|]; eapply D_ext;
-      [apply (D_const 0) | intros; symmetry; apply R0 | reflexivity]. }
-  assert (E4 : f4 (tG O) 0 0 0 = 0).
-  { apply (uniqueness_limite (fun mu => rebound O mu (tG O) 0) 0); [apply (in_mu _ _ _ _ _ _ HC), D0|]; eapply D_ext;
-      [apply (D_const 0) | intros; symmetry; apply R0 | reflexivity]. }
-  destruct (strictly _ _ _ _ _ _ (tG O) 0 0 0 r HC Hr) with (eps := eps) as (d & Hd & H); [|exact He|].
-  { intros t' y' v' m' A _ B C; rewrite Rminus_0_r in B, C; auto. }
-  exists d; split; [exact Hd|]; intros mu t v mu' t' v' A1 A2 A3 A4 A5 A6;
-    assert (Z : Rabs (0 - 0) <= d) by (rewrite Rminus_0_r, Rabs_R0; lra). specialize (H t 0 v mu t' 0 v' mu');
-    rewrite !Rminus_0_r, Rabs_R0, E1, E3, E4 in H.
-  match type of H with _ -> _ -> _ -> _ -> _ -> _ -> _ -> _ -> Rabs ?u <= _ => match goal with |- Rabs ?w <=
-    _ => replace w with u by ring end end. eapply Rle_trans; [apply H; rewrite ?Rabs_R0; lra | right; ring].
+  destruct (law O HO) as (Ht & R0 & Rp); split; [exact Ht | split; [exact R0 | split; [exact Rp|]]].
+  destruct (law_C1 O HO) as (r & f1 & f2 & f3 & f4 & Hr & E3 & HC); exact (law_strict (rebound O) (tau O) (tG O) f1 f2
+    f3 f4 r R0 Hr E3 HC).
 Qed.
 End Orbit.

@@ -5,9 +5,9 @@ From Grazing Require NonlinearCrossing.
 Module X := NonlinearCrossing.
 Open Scope R_scope.
 
-(** The orbit touches at tG, there alone, where its acceleration is g > 0. *)
+(** The orbit touches at tG, where its acceleration is g > 0. *)
 Class touch (F : force) := { tG : R; g : R; HtG : 0 < tG < T; Htouch : y0 tG = 0 /\ v0 tG = 0;
-  Hg : 0 < g /\ g = a tG 0 0 0; Hopen : forall t, 0 <= t <= T -> t <> tG -> 0 < y0 t }.
+  Hg : 0 < g /\ g = a tG 0 0 0 }.
 Section Window.
 Context {the_force : force} {the_touch : touch the_force}.
 Let HT := HT. Let HL := HL. Let HtG := HtG. Let Hg := Hg.

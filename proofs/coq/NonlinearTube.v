@@ -1,4 +1,5 @@
-(** * Proof of Theorem 1 for nonlinear oscillators: away from the orbit the force is changed, which no motion notices *)
+(** * Proof of Theorem 1 for nonlinear oscillators: away from the orbit the force is changed, which no motion
+    notices *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs Derivatives PlaneOrbits StatementWords StatementUnstable Headline.
 From Grazing Require Import StatementNonlinear NonlinearSmooth NonlinearPicard.
@@ -146,25 +147,8 @@ Proof.
   destruct (periodic_bounded (k O) (T O) HT ltac:(intros t; apply C) ltac:(intros t; apply C)) as (B1 & P1 & H1).
   destruct (periodic_bounded (c O) (T O) HT ltac:(intros t; apply C) ltac:(intros t; apply C)) as (B2 & P2 & H2).
   destruct (periodic_bounded (l O) (T O) HT ltac:(intros t; apply C) ltac:(intros t; apply C)) as (B3 & P3 & H3).
-  apply (picard (fun t y v => k O t * y + c O t * v + l O t * m) (B1 + B2)).
-  - lra.
-  - intros t y v y' v'; replace (k O t * y + c O t * v + l O t * m - (k O t * y' + c O t * v' + l O t * m)) with (k O t
-      * (y - y') + c O t * (v - v')) by ring. eapply Rle_trans; [apply Rabs_triang|]; rewrite !Rabs_mult; specialize (H1
-      t); specialize (H2 t); pose proof (Rabs_pos (y - y')); pose proof (Rabs_pos (v - v')).
-    assert (Rabs (k O t) * Rabs (y - y') <= B1 * Rabs (y - y')) by (apply Rmult_le_compat_r; lra); assert (Rabs (c O t)
-      * Rabs (v - v') <= B2 * Rabs (v - v')) by (apply Rmult_le_compat_r; lra).
-    assert (0 <= B2 * Rabs (y - y')) by (apply Rmult_le_pos; lra); assert (0 <= B1 * Rabs (v - v')) by (apply
-      Rmult_le_pos; lra); lra.
-  - intros t y v; destruct (C t) as (C1 & C2 & C3 & _); assert (Cc : forall q, continuity_pt (fun _ : R => q) t) by
-      (intros x; apply (D_continuous _ 0), D_const).
-    apply (continuity_pt_plus (fun t => k O t * y + c O t * v) (fun t => l O t * m)); [apply (continuity_pt_plus (fun t
-      => k O t * y) (fun t => c O t * v))|].
-    + apply (continuity_pt_mult (k O) (fun _ => y)); [exact C1 | apply Cc].
-    + apply (continuity_pt_mult (c O) (fun _ => v)); [exact C2 | apply Cc].
-    + apply (continuity_pt_mult (l O) (fun _ => m)); [exact C3 | apply Cc].
-  - intros y v; exists (B1 * Rabs y + B2 * Rabs v + B3 * Rabs m); intros t; eapply Rle_trans; [apply Rabs_triang|];
-      eapply Rle_trans; [apply Rplus_le_compat_r, Rabs_triang|]; rewrite !Rabs_mult. repeat apply Rplus_le_compat; apply
-      Rmult_le_compat_r; try apply Rabs_pos; auto.
+  apply (linear_picard _ _ _ (B1 + B2 + B3)); intros t; [destruct (C t) as (C1 & C2 & C3 & _); auto|].
+  specialize (H1 t); specialize (H2 t); specialize (H3 t); lra.
 Qed.
 
 Theorem main : decided O a1 a2 gamma rate.
@@ -194,8 +178,8 @@ Proof.
   set (gg := a' (tG O) 0 0 0); pose proof v0_touch as V0. assert (Hg : 0 < gg /\ gg = a' (tG O) 0 0 0).
   { split; [|reflexivity]; unfold gg; rewrite agree; [apply (aG O HO) | | rewrite Rabs_R0; lra]; split; rewrite ?Z0,
       ?V0, Rminus_0_r, Rabs_R0; lra. }
-  pose (Fo := NonlinearFlow.Build_force a' (T O) L (y0 O) (v0 O) HT HL Lip' Per Po Orb Flow).
-  pose (To := NonlinearTouch.Build_touch Fo (tG O) gg HtG (conj Z0 V0) Hg (open_elsewhere O HO)).
+  pose (Fo := NonlinearFlow.Build_force a' (T O) L (y0 O) (v0 O) HT HL Lip' Orb Flow).
+  pose (To := NonlinearTouch.Build_touch Fo (tG O) gg HtG (conj Z0 V0) Hg).
   destruct (@NonlinearTouch.window_exists Fo To (gg / 4) ltac:(lra)) as (r0 & d1 & Win).
   pose proof (@NonlinearFlow.M_large Fo) as LM; set (M := @NonlinearFlow.M Fo) in *. assert (Hr0 : 0 < r0) by apply Win;
     assert (Hd1 : 0 < d1) by apply Win.
@@ -219,9 +203,12 @@ Proof.
       Xt | split; lra | lra]. }
   pose (Io := NonlinearKick.Build_impact Fo To (rebound O) (tau O) (k O) (c O) (l O) p1 q1 p2 q2 p3 q3 zb wb (impact O
     HO) ltac:(intros x _; specialize (H1 x); specialize (H2 x); specialize (H3 x); unfold NonlinearFlow.L, Fo, L; lra)
-    Str (conj F1 (conj F2 F3)) Fb ltac:(intros t; destruct (C t) as (_ & _ & _ & K); exact K) Pr).
-  pose proof (@NonlinearWords.core Fo To Wo Io A11 A21 A22 gamma z w HA (gamma_not_0 _ _ _ _ _ HG) Hz ltac:(destruct (Pz
-    0) as [Q _]; rewrite Rplus_0_l in Q; exact Q) ltac:(destruct (Pz 0) as [_ Q]; rewrite Rplus_0_l in Q; exact Q)
+    Str (conj F1 (conj F2 F3)) Fb).
+  pose (Po' := NonlinearMotions.Build_unbroken Fo To Io (NonlinearFlow.Build_periodic Fo Per Po) (open_elsewhere O HO)
+    ltac:(intros t; destruct (C t) as (_ & _ & _ & K); exact K) Pr).
+  pose proof (@NonlinearMotions.unbroken_core Fo To Wo Io Po' A11 A21 A22 gamma z w HA (gamma_not_0 _ _ _ _ _ HG) Hz
+    ltac:(destruct (Pz 0) as [Q _]; rewrite Rplus_0_l in Q; exact Q) ltac:(destruct (Pz 0) as [_ Q]; rewrite Rplus_0_l
+        in Q; exact Q)
     ltac:(change (z (tG O) <> 0); rewrite <- Ez; apply (rate_not_0 _ _ _ _ _ HG)) n_max) as Core; cbv zeta in Core;
     change (@NonlinearTouch.tG Fo To) with (tG O) in Core; rewrite <- Ea1, <- Ea2, <- Ez in Core.
   (* near the orbit motions of the two equations are the same *)
@@ -237,7 +224,8 @@ Proof.
           Hm].
       + split; assumption. }
   assert (Same : forall mu d N t y v, d <= r -> Rabs mu <= r -> nonlinear_motion O mu d N t y v <->
-    @NonlinearMotions.motion Fo To Io mu d N t y v) by (intros mu d N t y v Hdr Hm; split; intros H i j Hj; apply
+    @NonlinearWords.motion (@NonlinearMotions.leg_is Fo To Io) mu d N t y v) by (intros mu d N t y v Hdr Hm; split;
+        intros H i j Hj; apply
     SameLeg; trivial; apply H, Hj).
   destruct Core as (d & Hd & Core); destruct (two_least d r Hd Hr) as (d' & Hd' & Q1 & Q2); exists d'; split; [exact
     Hd'|]; intros eps Heps. destruct (Core eps ltac:(lra)) as (mu0 & Hmu0 & W); pose proof (rate_not_0 _ _ _ _ _ HG) as

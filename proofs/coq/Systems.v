@@ -3,8 +3,8 @@
 
 From Coq Require Import Reals ZArith List Arith Lra Lia.
 From Grazing Require Import Defs StatementOrbits StatementOrbitsPlane StatementUnstable StatementWords
-  StatementOscillator StatementNonlinear NonlinearTube OrbitVectors PlaneOrbits Oscillators WordAlgebra Headline
-    StatementSystems.
+  StatementOscillator StatementNonlinear StatementBouncing NonlinearTube NonlinearBounces OrbitVectors PlaneOrbits
+    Oscillators WordAlgebra Headline StatementSystems.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -16,19 +16,25 @@ Lemma closer_orbit M mu d d' n x : d <= d' -> orbit_near M Z (fun i => i + 1)%Z 
   orbit_near M Z (fun i => i + 1)%Z n mu d' x.
 Proof. intros Hd H i; destruct (H i) as [A B]; split; [|exact B]; intros k Hk; specialize (A k Hk); lra. Qed.
 
-(** What is within eps of d is none if there is none within d; what is one within d and within eps is one there. *)
+(** What is within eps of d is none if there is none within d; what is one within d and within eps is one
+    there. *)
 Lemma closer_none S mu d d' n : d <= d' -> none S mu d' n -> none S mu d n.
 Proof.
-  intros Hd; destruct S as [osc m|O rate|M rate w]; cbn [none].
+  intros Hd; destruct S as [osc m|O rate|O rate|M rate w]; cbn [none].
   - intros H N t y v HN HM; apply (H N t y v HN); exact (closer_motion _ _ _ _ _ _ _ _ _ Hd HM).
   - intros H N t y v HN HM; apply (H N t y v HN); intros i j Hj; destruct (HM i j Hj) as [? ? ? L ? ? ? ? ?].
     constructor; trivial; try lra; intros x Hx; destruct (L x Hx); split; lra.
+  - intros H N t y v HN HM; apply (H N t y v HN); intros i j Hj; destruct (HM i j Hj) as (r & p & q & [J1 J2 J3 J4 J5 J6
+      J7 J8 J9 J10 J11]); exists r, p, q; constructor; trivial.
+    + intros l Hl; specialize (J3 l Hl); lra.
+    + intros k Hk; specialize (J4 k Hk); lra.
+    + intros k x Hk Hx; destruct (J7 k x Hk Hx); split; lra.
   - intros H x Hx; apply (H x); exact (closer_orbit _ _ _ _ _ _ Hd Hx).
 Qed.
 
 Theorem Theorem_1 : Theorem_1_statement.
 Proof.
-  intros S a1 a2 gamma HS n_max; destruct S as [osc m|O rate|M rate w]; cbn [grazes e_mu one none] in *.
+  intros S a1 a2 gamma HS n_max; destruct S as [osc m|O rate|O rate|M rate w]; cbn [grazes e_mu one none] in *.
   - destruct (Word_oscillator osc m a1 a2 gamma HS n_max) as (d & mu0 & K & Hd & Hm & W).
     exists d; split; [exact Hd|]; intros eps Heps; pose proof (Rabs_pos K) as HK.
     exists (Rmin mu0 (eps / (Rabs K + 1))); split; [apply Rmin_glb_lt; [|apply Rdiv_lt_0_compat]; lra|].
@@ -55,6 +61,10 @@ Proof.
         intros s p q i j [? Nr ? ? ? ? ? ?]; constructor; trivial; lra.
     + intros [i Hi] N t y v HN; destruct (W' N HN) as (_ & F & _); exact (F i Hi t y v).
   - destruct HS as [HO HG], (nonlinear O a1 a2 gamma rate HO HG n_max) as (d & Hd & H); exists d; split; [exact Hd|].
+    intros eps Heps; destruct (H eps Heps) as (mu0 & Hm & W); exists mu0; split; [exact Hm|].
+    intros n e g mu Hn Hg Hmu; split; [intros Hall N HN | intros Hb N t y v HN]; apply (W n N e g mu Hn HN Hg Hmu);
+      assumption.
+  - destruct HS as [HO HG], (bouncing O a1 a2 gamma rate HO HG n_max) as (d & Hd & H); exists d; split; [exact Hd|].
     intros eps Heps; destruct (H eps Heps) as (mu0 & Hm & W); exists mu0; split; [exact Hm|].
     intros n e g mu Hn Hg Hmu; split; [intros Hall N HN | intros Hb N t y v HN]; apply (W n N e g mu Hn HN Hg Hmu);
       assumption.
@@ -89,7 +99,7 @@ Qed.
 Lemma some_sign S a1 a2 gamma : grazes S a1 a2 gamma -> exists g, sgn g * gamma > 0.
 Proof.
   intros HS; assert (gamma <> 0) by (destruct S; [exact (is_generic _ _ _ _ _ HS) | exact (gamma_not_0 _ _ _ _ _ (proj2
-    HS)) | exact (proj2 (is_gamma _ _ _ _ _ _ HS))]).
+    HS)) | exact (its_gamma _ _ _ _ _ (proj2 HS)) | exact (proj2 (is_gamma _ _ _ _ _ _ HS))]).
   destruct (Rlt_le_dec gamma 0); [exists Minus | exists Plus]; cbn [sgn]; lra.
 Qed.
 
@@ -100,8 +110,9 @@ Proof. exact (follows_itself a1 a2 n). Qed.
 Lemma one_or_none S mu d d' n : d <= d' -> one S mu d n -> none S mu d' n -> (exists N, forall i,
   (N (i + 1) = N i + Z.of_nat (n i))%Z) -> False.
 Proof.
-  intros Hd H1 H0 [N HN]; apply (closer_none _ _ _ _ _ Hd) in H0; destruct S as [osc m|O rate|M rate w]; cbn [one none]
-    in *.
+  intros Hd H1 H0 [N HN]; apply (closer_none _ _ _ _ _ Hd) in H0; destruct S as [osc m|O rate|O rate|M rate w]; cbn [one
+    none] in *.
+  - destruct (H1 N HN) as [(t & y & v & HM & _) _]; exact (H0 N t y v HN HM).
   - destruct (H1 N HN) as [(t & y & v & HM & _) _]; exact (H0 N t y v HN HM).
   - destruct (H1 N HN) as [(t & y & v & HM & _) _]; exact (H0 N t y v HN HM).
   - destruct H1 as [(x & Hx & _) _]; exact (H0 x Hx).
@@ -109,9 +120,10 @@ Qed.
 
 Lemma every_parameter S a1 a2 gamma t : grazes S a1 a2 gamma -> exists mu, e_mu S mu = t.
 Proof.
-  destruct S as [osc m|O rate|M rate w]; cbn [grazes e_mu]; intros HS; [exists t; reflexivity| |]; exists (t / rate);
-    field.
+  destruct S as [osc m|O rate|O rate|M rate w]; cbn [grazes e_mu]; intros HS; [exists t; reflexivity| | |]; exists (t /
+    rate); field.
   - exact (rate_not_0 _ _ _ _ _ (proj2 HS)).
+  - exact (its_rate_not_0 _ _ _ _ _ (proj2 HS)).
   - exact (proj2 (is_rate _ _ _ _ _ _ HS)).
 Qed.
 

@@ -103,7 +103,10 @@ other Headline.v e_mu 'mu for e mu in maps' <<'E'
 s/Steps _ rate _ => rate \* mu end/Steps _ rate _ => mu end/
 E
 other Headline.v e_mu 'mu for e mu in nonlinear oscillators' <<'E'
-s/Moves _ rate | Steps _ rate _ => rate/Moves _ _ => mu | Steps _ rate _ => rate/
+s/Moves _ rate | Bounces/Moves _ _ => mu | Bounces/
+E
+other Headline.v e_mu 'mu for e mu with other impacts' <<'E'
+s/ Bounces _ rate | Steps/ Steps/; s/  match S with Oscillates _ _ => mu | Moves/  match S with Oscillates _ _ | Bounces _ _ => mu | Moves/
 E
 other Headline.v one 'of motions, some N' <<'E'
 s/=> forall N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> one_motion osc m mu d N/=> exists N, (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z \/\\ one_motion osc m mu d N/
@@ -114,6 +117,9 @@ E
 other Headline.v one 'of nonlinear motions, nothing' <<'E'
 /^  | Moves osc _ => forall N, .*one_nonlinear_motion osc mu d N / { N; s/=> .*/=> True/ }
 E
+other Headline.v one 'with other impacts, nothing' <<'E'
+/^  | Bounces osc _ => forall N, .*one_bouncing_motion osc mu d N / { N; s/=> .*/=> True/ }
+E
 other Headline.v one 'of maps, some orbit' <<'E'
 s/  | Steps M _ _ => one_orbit M Z (fun i => i + 1)%Z n mu d /  | Steps M _ _ => (exists x, orbit_near M Z (fun i => i + 1)%Z n mu d x) /
 E
@@ -122,6 +128,9 @@ other Headline.v none 'of motions, nothing' <<'E'
 E
 other Headline.v none 'of nonlinear motions, nothing' <<'E'
 /^  | Moves osc _ => forall N t y v, / { N; s/=> .*/=> True/ }
+E
+other Headline.v none 'with other impacts, nothing' <<'E'
+/^  | Bounces osc _ => forall N t y v, / { N; s/=> .*/=> True/ }
 E
 other Headline.v none 'of maps, nothing' <<'E'
 s/^  | Steps M _ _ => forall x, ~ .* end\./  | Steps M _ _ => True end./
@@ -162,6 +171,9 @@ E
 other Headline.v exactly 'not of nonlinear oscillators' <<'E'
 /^Definition exactly/ s/grazes S a1 a2 gamma ->/match S with Moves _ _ => False | _ => True end -> &/
 E
+other Headline.v exactly 'not with other impacts' <<'E'
+/^Definition exactly/ s/grazes S a1 a2 gamma ->/match S with Bounces _ _ => False | _ => True end -> &/
+E
 other Headline.v exactly 'of one gamma' <<'E'
 /^Definition exactly/ s/grazes S a1 a2 gamma ->/sgn g * gamma > 0 -> &/
 E
@@ -173,6 +185,9 @@ other Headline.v never 'of oscillators alone' <<'E'
 E
 other Headline.v never 'not of nonlinear oscillators' <<'E'
 /^Definition never/ s/grazes S a1 a2 gamma ->/match S with Moves _ _ => False | _ => True end -> &/
+E
+other Headline.v never 'not with other impacts' <<'E'
+/^Definition never/ s/grazes S a1 a2 gamma ->/match S with Bounces _ _ => False | _ => True end -> &/
 E
 other Headline.v never 'for e mu > 0' <<'E'
 /^Definition never/ s/unborn S n e\./match e with Plus => unborn S n e | Minus => True end./
@@ -236,6 +251,15 @@ s/  leg_moves : forall x, t i <= x <= t j/  leg_moves : forall x, t i < x < t j/
 E
 other StatementNonlinear.v one_nonlinear_motion 'one by its times' <<'E'
 s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i, t' i = t i./
+E
+other StatementBouncing.v journey 'moves between impacts alone' <<'E'
+s/r m <= x <= r (S m) -> runs O mu/r m < x < r (S m) -> runs O mu/
+E
+other StatementBouncing.v one_bouncing_motion 'one by its times' <<'E'
+s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i, t' i = t i./
+E
+other StatementBouncing.v linear_impact 'an impact that is not later' <<'E'
+s/z + v \* h = 0/h = 0/
 E
 other StatementNonlinearExamples.v driven 'restitution at any speed' <<'E'
 s/ \* exp (x \* (sgn z \* (u - w z 1%nat t))))/)/
