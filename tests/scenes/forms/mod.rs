@@ -304,7 +304,8 @@ impl Own {
             let Some(other) = other.0.iter().find(|other| other.report.task == *name) else { continue };
             let [far, there] = [one, other].map(|one| reaches && one.beyond_reach());
             let settled = !moved || one.unsettled() == other.unsettled();
-            if far != there || !settled || one.many_harmonics() != other.many_harmonics() {
+            let shifted = form.view.shift != 0.0 && one.orbits() != other.orbits();
+            if far != there || !settled || shifted || one.many_harmonics() != other.many_harmonics() {
                 found.left_out.push(name.clone());
             } else if far {
                 found.told.push(name.clone());

@@ -286,6 +286,13 @@ impl Reported {
         ["event", "grazing"].contains(&self.report.kind) && reason.contains("beyond reach")
     }
 
+    /// How many orbits a search found, of a task that tells it.
+    pub fn orbits(&self) -> Option<u64> {
+        let report = serde_json::to_value(&self.report).expect("a report");
+        let orbits = report.get("orbits")?;
+        orbits.as_u64().or(orbits.as_array().map(|all| all.len() as u64))
+    }
+
     /// Times in periods and speeds of the impacts of a motion, as its format has them.
     pub fn impacts(&self) -> Vec<[f64; 2]> {
         let impact = |event: &StopEvent| {
