@@ -264,8 +264,11 @@ def test_pictures_of_tasks_are_their_arrays(pyplot, root):
         drawn = sum(len(line.get_xdata()) for line in axes.lines)
         assert drawn == len(report.data.points)
     assert axes.lines[0].get_xdata().tolist() == report.data.value.tolist()
+    # The main claims of a touch, on either side.
+    assert len(grazing.Scene(MACHINE).run("first-touch")[0].plot().get_yticks()) == 2
+    bare = MACHINE.replace('kind = "grazing"', 'kind = "grazing"\nrange = false')
     with pytest.raises(grazing.InputError, match="simulate, section, diagram, basins, map, branch"):
-        grazing.Scene(MACHINE).run("first-touch")[0].plot()
+        grazing.Scene(bare).run("first-touch")[0].plot()
 
 
 def test_motions_are_drawn_on_the_axes_that_are_given(pyplot):
