@@ -266,7 +266,7 @@ def test_pictures_of_tasks_are_their_arrays(pyplot, root):
     assert axes.lines[0].get_xdata().tolist() == report.data.value.tolist()
     # The main claims of a touch, on either side.
     assert len(grazing.Scene(MACHINE).run("first-touch")[0].plot().get_yticks()) == 2
-    bare = MACHINE.replace('kind = "grazing"', 'kind = "grazing"\nrange = false')
+    bare = {**MACHINE, "tasks": [{**MACHINE["tasks"][0], "range": False}]}
     with pytest.raises(grazing.InputError, match="simulate, section, diagram, basins, map, branch"):
         grazing.Scene(bare).run("first-touch")[0].plot()
 
