@@ -152,7 +152,16 @@ fn no_chaos_is_said_only_where_the_words_end() {
     let (code, out, _) = run("word --a1 -1807/1000 --a2 807/1000");
     assert_eq!(code, 3);
     assert!(out.contains("(+,-) with entropy at least 0.609377863436006"), "{out}");
-    let (code, out, _) = run("word --r 1/10 --s 2/5");
+    let (code, out, _) = run("word --r 1/10 --s 4001/10000");
     assert_eq!(code, 0);
-    assert!(out.contains("Chaos is born in none of the four cases"), "{out}");
+    assert!(out.contains("Chaos is born in none of the four cases (sign e*mu, sign gamma).\n"), "{out}");
+    // u_5 = 0, and Theorem 1 is silent about patterns of several impacts with the period 5.
+    let (code, out, _) = run("word --r 1/10 --s 2/5");
+    assert_eq!(code, 3);
+    assert!(
+        out.contains(
+            "in none of the four cases (sign e*mu, sign gamma) by patterns without such a period.\n"
+        ),
+        "{out}"
+    );
 }

@@ -245,7 +245,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     let written = destination.write(|out| match args.format {
         Format::Text => {
             let silent = resonances_in_words(&given, args.max_period);
-            Ok(out.write_all(text(&format!("{heading}\n{silent}"), &sides, written_to).as_bytes())?)
+            Ok(out.write_all(text((heading, &silent), &sides, written_to).as_bytes())?)
         }
         Format::Json => json_report((&given, args.max_period), &sides, written_to, out),
         Format::Dot => Ok(out.write_all(dot(&sides).as_bytes())?),
@@ -495,8 +495,8 @@ fn digits(entropy: &Entropy) -> Option<String> {
     Some(certain_digits(&lo, &hi, 15).unwrap_or_else(|| "0".into()))
 }
 
-fn text(heading: &str, sides: &[Side], certificate: Option<&Path>) -> String {
-    let mut text = heading.to_string();
+fn text((heading, silent): (&str, &str), sides: &[Side], certificate: Option<&Path>) -> String {
+    let mut text = format!("{heading}\n{silent}");
     let mut chaotic = Vec::new();
     for side in sides {
         let positive = side.word.is_positive();
@@ -550,7 +550,10 @@ fn text(heading: &str, sides: &[Side], certificate: Option<&Path>) -> String {
         .map(|case| case.relation.case().to_string())
         .collect();
     let sentence = match (&chaotic[..], &open[..]) {
-        ([], []) => "Chaos is born in none of the four cases (sign e*mu, sign gamma).".into(),
+        ([], []) => {
+            let by = if silent.is_empty() { "" } else { " by patterns without such a period" };
+            format!("Chaos is born in none of the four cases (sign e*mu, sign gamma){by}.")
+        }
         ([], _) => {
             "Whether chaos is born is not decided: it is certain in none of the four cases (sign e*mu, sign gamma)."
                 .into()
