@@ -342,7 +342,7 @@ fn tasks(random: &mut Random, plan: &Plan) -> String {
 /// Where the motion without impacts grazes, and orbits of impacts begin or fade.
 fn touches(size: f64, one: &str) -> String {
     format!(
-        "[[tasks]]\nname = \"grazing\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 3\nreach = 2.0\ndistance = {:?}\nseen = false\nset = {{ F = 0.8 }}\n\
+        "[[tasks]]\nname = \"grazing\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 3\nrange = false\nreach = 2.0\ndistance = {:?}\nseen = false\nset = {{ F = 0.8 }}\n\
          [[tasks]]\nname = \"touch\"\nkind = \"event\"\nevent = \"grazing\"\nparameter = \"F\"\nreach = 1.0\nset = {{ F = 0.8 }}\norbit = {{ pattern = [], starts = 8 }}\n\
          [[tasks]]\nname = \"fade\"\nkind = \"event\"\nevent = \"fade\"\nparameter = \"F\"\nreach = 1.0\norbit = {one}\n",
         size / 1_048_576.0

@@ -96,7 +96,8 @@ fn a_touch_and_a_fold_have_one_place_in_all_tasks() {
              starts = [{{ q = 0 }}]\nsweep = \"both\"\npoints = 20\n"
         );
         let tasks = format!(
-            "{sweep}[[tasks]]\nname = \"grazing\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 2\nreach = 0.5\n\
+            "{sweep}[[tasks]]\nname = \"grazing\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 2\nrange = false\n\
+             reach = 0.5\n\
              [[tasks]]\nname = \"event\"\nkind = \"event\"\nevent = \"grazing\"\nparameter = \"F\"\nreach = 0.5\norbit = {{}}\n\
              [[tasks]]\nname = \"branch\"\nkind = \"branch\"\nparameter = \"F\"\nrange = [{low:?}, {high:?}]\nstarts = [{{ orbit = {{}} }}]\n\
              [[tasks]]\nname = \"response\"\nkind = \"response\"\nparameter = \"F\"\nrange = [{low:?}, {high:?}]\ncount = {}\n",

@@ -26,7 +26,8 @@ impl Driven {
         format!(
             "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nF = {force:?}\n[system]\ndamping = {c:?}\n\
              stiffness = {k:?}\nforcing = [{{ cos = \"F\" }}]\n[[stops]]\nname = \"stop\"\nside = \"upper\"\noffset = 1\n\
-             restitution = {restitution:?}\n[[tasks]]\nname = \"it\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 1\n"
+             restitution = {restitution:?}\n[[tasks]]\nname = \"it\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 1\n\
+             range = false\n"
         )
     }
 
@@ -215,8 +216,9 @@ fn what_is_born_and_what_is_seen_are_told_apart() {
 fn where_no_orbit_is_to_begin_with_the_touch_is_told() {
     let of = |c: f64, kind: &str| {
         let text = Driven { c, k: 1.0, restitution: 0.8 }.scene(0.5);
-        let text =
-            text.replace("kind = \"grazing\"", kind).replace("max_period = 1", "orbit = { pattern = [1] }");
+        let text = text
+            .replace("kind = \"grazing\"", kind)
+            .replace("max_period = 1\nrange = false", "orbit = { pattern = [1] }");
         let scene = Scene::from_toml(&text, "t.toml").unwrap();
         run(&scene, Surroundings::default(), &mut ()).unwrap().remove(0).to_string()
     };

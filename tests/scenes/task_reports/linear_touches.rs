@@ -132,7 +132,8 @@ impl Linear {
         format!(
             "format = \"grazing-scene 3\"\ntitle = \"t\"\nengine = \"one\"\n[parameters]\nF = {start:?}\n[system]\n\
              damping = {:?}\nstiffness = {:?}\nforcing = [{}]\n[[stops]]\nname = \"stop\"\nside = \"{side}\"\noffset = {:?}\n\
-             restitution = 0.8\n[[tasks]]\nname = \"it\"\nkind = \"grazing\"\nparameter = \"F\"\nseen = false\nmax_period = 1\n",
+             restitution = 0.8\n[[tasks]]\nname = \"it\"\nkind = \"grazing\"\nparameter = \"F\"\nseen = false\nmax_period = 1\n\
+             range = false\n",
             self.damping[0][0],
             self.stiffness[0][0],
             waves.join(", "),
@@ -272,7 +273,7 @@ fn a_touch_at_resonance_is_found_by_event_and_grazing_however_little_damps() {
                 part * c
             )
         };
-        let grazing = "kind = \"grazing\"\nparameter = \"A\"\nseen = false\nmax_period = 1\n";
+        let grazing = "kind = \"grazing\"\nparameter = \"A\"\nseen = false\nmax_period = 1\nrange = false\n";
         let at = grazing_found(&scene(grazing)).0.at.parameter;
         assert!((at / c - 1.0).abs() < 1e-14, "{engine} {c}: {at}");
         let found = |task: &str| {
