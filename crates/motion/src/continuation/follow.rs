@@ -245,6 +245,7 @@ struct Walk<'a, C> {
     curve: &'a C,
     corrector: Corrector,
     options: &'a Options,
+    /// What the step before began with.
     behind: Option<Behind>,
     /// The length to try where the step before has to be taken again.
     back: Option<f64>,
@@ -268,6 +269,7 @@ type Advance<V> = (Vec<Step<V>>, f64, Option<CurveEnd>);
 
 impl<C: Followed> Walk<'_, C> {
     fn advance(&mut self, here: &Step<C::View>, h: f64) -> Result<Advance<C::View>> {
+        self.back = None;
         let ahead: Vec<f64> = here.place.u.iter().zip(&here.place.tangent).map(|(u, t)| u + h * t).collect();
         let bounds = self.curve.bounds();
         let leads_out = |u: &[f64]| {
@@ -306,7 +308,6 @@ impl<C: Followed> Walk<'_, C> {
             return Err(Error::input("events may lie closer together than the shortest step"));
         }
         let Zeros { found, behind, after } = self.events(here, &place, &view, reach)?;
-        self.back = None;
         if let Some((back, values)) = &self.behind {
             let finest = FINEST * self.options.most_step;
             if reach > finest && passes(values, *back, &behind.1, reach, &after) {
