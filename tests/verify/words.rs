@@ -155,6 +155,21 @@ fn no_chaos_is_said_only_where_the_words_end() {
     let (code, out, _) = run("word --r 1/10 --s 4001/10000");
     assert_eq!(code, 0);
     assert!(out.contains("Chaos is born in none of the four cases (sign e*mu, sign gamma).\n"), "{out}");
+    // On the circle u_n = 0 is told, too, and without a resonance.
+    let (code, out, _) = run("word --r 1 --s 1/6 --format json");
+    let report: Value = serde_json::from_str(&out).unwrap();
+    let all: Vec<_> =
+        report["resonances"].as_array().unwrap().iter().map(|row| row["period"].as_u64()).collect();
+    assert_eq!((code, all), (3, vec![Some(3), Some(6), Some(9), Some(12)]));
+    assert!(report["resonances"][0]["resonance"].is_null());
+    let (_, out, _) = run("word --r 1 --s 1/6");
+    assert!(
+        out.contains("n = 3, ..., u_n = 0\nTheorem 1 is silent about patterns with such a period"),
+        "{out}"
+    );
+    let (_, out, _) = run("word --r 1/2 --s 1/6 --format json");
+    let report: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(report["resonances"][0], serde_json::json!({ "period": 3, "resonance": "first" }));
     // u_5 = 0, and Theorem 1 is silent about patterns of several impacts with the period 5.
     let (code, out, _) = run("word --r 1/10 --s 2/5");
     assert_eq!(code, 3);

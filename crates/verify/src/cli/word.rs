@@ -241,13 +241,14 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         Some(Certified::Text(text)) => text,
         _ => "",
     };
+    let silent = given.silent(args.max_period);
     let caption = caption(&given, written_to.map(|path| cite::written(path, text_of)));
     let written = destination.write(|out| match args.format {
         Format::Text => {
-            let silent = resonances_in_words(&given, args.max_period);
+            let silent = in_words(&given, &silent, args.max_period);
             Ok(out.write_all(text((heading, &silent), &sides, written_to).as_bytes())?)
         }
-        Format::Json => json_report((&given, args.max_period), &sides, written_to, out),
+        Format::Json => json_report((&given, &silent), &sides, written_to, out),
         Format::Dot => Ok(out.write_all(dot(&sides).as_bytes())?),
         Format::Csv => table(&sides, TableFormat::Csv, &caption, out),
         Format::Latex => table(&sides, TableFormat::Latex, &caption, out),
@@ -257,20 +258,18 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         !matches!(side.word.extent(), Extent::All | Extent::Complete { .. })
             || side.cases.iter().any(|case| case.relation.is_open())
     });
-    let silent = given.point().is_some_and(|point| !resonances(point, args.max_period).is_empty());
-    let open = open || silent || matches!(certified, Some(Certified::Undecided(_)));
+    let open = open || !silent.is_empty() || matches!(certified, Some(Certified::Undecided(_)));
     reported(if open { Outcome::Undecided } else { Outcome::Done }, kept.and(written))
 }
 
-/// What the word leaves out: the periods n with u_n = 0, of which it is not.
-fn resonances_in_words(given: &Given, last: u64) -> String {
-    let text = given.point().map_or_else(String::new, |point| resonances(point, last));
-    if text.is_empty() {
-        return text;
-    }
-    format!(
-        "{text}Theorem 1 is silent about patterns of several impacts with such a period: they are not counted below.\n"
-    )
+/// What the word leaves out, in words.
+fn in_words(given: &Given, silent: &[(u64, Option<Resonance>)], last: u64) -> String {
+    let (Some(point), [(n, first), rest @ ..]) = (given.point(), silent) else { return String::new() };
+    let (text, of) = match first {
+        Some(_) => (resonances(point, last), " of several impacts"),
+        None => (format!("n = {n}{}, u_n = 0\n", if rest.is_empty() { "" } else { ", ..." }), ""),
+    };
+    format!("{text}Theorem 1 is silent about patterns{of} with such a period: they are not counted below.\n")
 }
 
 /// `--returns`.
@@ -423,6 +422,17 @@ impl Given {
             At::Point(point) => Some(point),
             At::Rectangle(_) | At::Box(_) => None,
         }
+    }
+
+    /// The periods up to the last that is counted with u_n = 0, of which the word is not, and their
+    /// resonance, which is none for a₂ = 1.
+    fn silent(&self, last: u64) -> Vec<(u64, Option<Resonance>)> {
+        let Some(point) = self.point() else { return Vec::new() };
+        let is_singular = |n: &u64| match point {
+            Point::Polar(polar) => polar.is_singular(*n),
+            Point::Plane(plane) => plane.is_singular(*n),
+        };
+        (1..=last).filter(is_singular).map(|n| (n, Resonance::at(point, n))).collect()
     }
 
     fn new(args: &Args) -> Result<Given> {
@@ -585,7 +595,7 @@ fn edges(relation: &Relation, text: &mut String) {
 }
 
 fn json_report(
-    (given, last): (&Given, u64),
+    (given, silent): (&Given, &[(u64, Option<Resonance>)]),
     sides: &[Side],
     certificate: Option<&Path>,
     out: &mut dyn Write,
@@ -619,10 +629,8 @@ fn json_report(
         })
         .collect();
     let bounds = given.bounds.as_ref().map(|(bounds, gamma)| place::json(bounds, *gamma));
-    let resonances = given.point().map(|point| {
-        let row = |n| Resonance::at(point, n).map(|kind| json!({ "period": n, "resonance": kind }));
-        (1..=last).filter_map(row).collect::<Vec<_>>()
-    });
+    let row = |(n, kind): &(u64, Option<Resonance>)| json!({ "period": n, "resonance": kind });
+    let resonances = given.point().map(|_| silent.iter().map(row).collect::<Vec<_>>());
     let report = json!({
         "format": "grazing-word 1",
         "region": given.heading,
