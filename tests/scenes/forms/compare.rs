@@ -43,6 +43,8 @@ pub struct Count {
     pub undecided: usize,
     /// Rows of a motion that is settled on one side only: the scene does not tell how long a transient is.
     pub open: usize,
+    /// Tasks that are not compared as their search found another number of orbits.
+    pub searches: usize,
     /// Tasks that were asked again with more changes, as they differed by more than a few made of them.
     pub again: usize,
 }
@@ -52,6 +54,7 @@ impl Count {
         self.compared += other.compared;
         self.undecided += other.undecided;
         self.open += other.open;
+        self.searches += other.searches;
         self.again += other.again;
     }
 }

@@ -289,6 +289,8 @@ struct Own {
     left_out: Vec<String>,
     /// Tasks whose reasons tell how far a branch was followed.
     told: Vec<String>,
+    /// How many are not compared as their search found another number of orbits.
+    searches: usize,
 }
 
 impl Own {
@@ -305,6 +307,7 @@ impl Own {
             let [far, there] = [one, other].map(|one| reaches && one.beyond_reach());
             let settled = !moved || one.unsettled() == other.unsettled();
             let shifted = form.view.shift != 0.0 && one.orbits() != other.orbits();
+            found.searches += usize::from(shifted);
             if far != there || !settled || shifted || one.many_harmonics() != other.many_harmonics() {
                 found.left_out.push(name.clone());
             } else if far {
@@ -348,7 +351,8 @@ fn against(
     other: &Reports,
     count: &mut Count,
 ) -> Vec<Difference> {
-    let Own { left_out, told } = Own::of(own_reports, other, form);
+    let Own { left_out, told, searches } = Own::of(own_reports, other, form);
+    count.searches += searches;
     let read = |reports: &Reports, view: &report::View| -> BTreeMap<String, Answer> {
         let all = answers(reports, view, form.texts);
         let one = |(task, answer): (String, Answer)| {
@@ -540,12 +544,14 @@ fn one_answer(questions: Vec<Question>, whole: bool) {
     }
     let new: Vec<_> = sum.differences.iter().filter(|one| !KNOWN.iter().any(|known| known.is(one))).collect();
     assert!(new.is_empty(), "{} columns differ, the first: {:?}", new.len(), new[0]);
-    let [compared, open] =
-        sum.counts.values().fold([0, 0], |[a, b], (_, one)| [a + one.compared, b + one.open]);
+    let mut all = Count::default();
+    sum.counts.values().for_each(|(_, count)| all.add(*count));
+    let Count { compared, open, searches, .. } = all;
     assert!(
-        open <= 8 + compared / 5000,
+        open <= 8 + compared / 50_000,
         "{open} rows are of motions that are settled on one side only, of {compared}"
     );
+    assert!(searches <= 16 + questions.len() / 10, "{searches} searches found another number of orbits");
     // Of a few scenes none need have it.
     assert!(
         count < SAMPLE.len() as u64 || holds.iter().all(|has| 2 * has >= count),
