@@ -47,6 +47,35 @@ fn the_orbit_of_the_first_resonance_is_that_of_section_4_1() {
     }
 }
 
+/// What is born is stable however little is lost, and its multipliers are told however small they are; of
+/// numbers that are not rational nothing is known, and the report says so. A sentence says what is a theorem.
+#[test]
+fn the_ends_of_damping_and_numbers_that_are_not_rational() {
+    let row = |c: &str, tau: &str| {
+        let (found, shown, code) = paper(c, "1/3", tau, "max_period = 3");
+        let row =
+            found.born.iter().find(|row| row.pattern == "3").unwrap_or_else(|| panic!("{shown}")).clone();
+        (row, found.in_words, code)
+    };
+    let (light, told, _) = row("1/100000000000000000000", "1");
+    assert_eq!(light.stable, Some(Judgement::Yes), "{light:?}");
+    assert!(
+        told.contains("Of one impact in 3 periods u_3 = 0: that exactly one such orbit is born"),
+        "{told}"
+    );
+    // Its arc falls so soon that it clears the stop much nearer to the touch alone.
+    let (heavy, _, _) = row("4", "1");
+    let why = heavy.reason.as_ref().unwrap();
+    assert!(
+        heavy.stable == Some(Judgement::Yes) && why.contains("e-17; so far from the touch: "),
+        "{heavy:?}"
+    );
+    assert!(row("1/4", "0").0.reason.unwrap().ends_with(" 0"));
+    let (open, told, code) = row("1/4", "sqrt(1/2)");
+    assert_eq!((&*open.side, open.stable, code), ("open", None, 3), "{open:?}");
+    assert!(!told.contains("u_3 = 0"), "{told}");
+}
+
 /// Nothing of one impact is born in n periods at a higher resonance, with m even or odd, nor where the
 /// exceptions of the theorem are; for n = 1 it is at all.
 #[test]

@@ -8,6 +8,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
+    many::elements::Short,
     pattern::{Pattern, PatternExistence, Report as Verdict},
     scene::orbits::GrazingTask,
 };
@@ -111,11 +112,12 @@ pub(super) fn at_resonance(
     let (distance, periods) = (task.distance_at(size), pattern.periods()[0] as u32);
     let away = -distance / at.map.e;
     let reason = format!(
-        "u_{periods} = 0: its speed is like the root of the distance, both multipliers are {multiplier:.6}"
+        "u_{periods} = 0: its speed is like the root of the distance, both multipliers are {}",
+        Short(multiplier)
     );
     let row = BornRow {
         side: side_of(at, away > 0.0, size),
-        stable: Some(if multiplier.abs() < 1.0 { Judgement::Yes } else { Judgement::Marginal }),
+        stable: Some(Judgement::Yes),
         reason: Some(reason),
         ..BornRow::open(pattern)
     };
@@ -131,6 +133,11 @@ pub(super) fn at_resonance(
             speeds: Some(orbit.speeds),
             multipliers: Some(orbit.multipliers),
             admissible: Some(orbit.admissible),
+            // It is one nearer to the touch.
+            reason: row.reason.map(|known| match orbit.reason {
+                Some(why) => format!("{known}; so far from the touch: {why}"),
+                None => known,
+            }),
             ..row
         },
         Err(error) => BornRow { reason: Some(error.to_string()), ..row },

@@ -159,7 +159,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Resul
         return Ok(Reached::Far(touch));
     }
     let (at, mut born, mut undecided) = (point.report(), Vec::new(), 0);
-    let (mut chaos, mut chaos_open) = (None, None);
+    let (mut chaos, mut chaos_open, mut resonant) = (None, None, None);
     if at.open.is_none() {
         let (map, size) = (point.local().to_map()?, point.size()?);
         (chaos, chaos_open) = asked_for_chaos(task, job, (&point, size), &at)?;
@@ -171,7 +171,10 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Resul
             if let (true, &[n]) = (verdict.is_open(), pattern.periods())
                 && let Some(known) = point.at_resonance(n)?
             {
-                born.extend(at_resonance(task, (&point, size), &at, &pattern, &known)?);
+                if let Some(row) = at_resonance(task, (&point, size), &at, &pattern, &known)? {
+                    born.push(row);
+                    resonant = Some(n);
+                }
                 continue;
             }
             if verdict.side().is_some() || verdict.is_open() {
@@ -210,7 +213,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Resul
     let is_covered =
         |system: &System<f64>| job.is_linear() || system.lower.is_none() || system.upper.is_none();
     if job.system().is_ok_and(is_covered) && born.len() > undecided {
-        sentences.splice(1..1, told::theorem(&at));
+        sentences.splice(1..1, told::theorem(&at).into_iter().chain(resonant.map(told::resonance)));
     }
     let touches_open = point.touches().open();
     let touches = task.within().map(|_| point.touches().found.iter().map(TouchRow::of).collect());

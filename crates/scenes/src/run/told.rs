@@ -95,6 +95,15 @@ pub(super) fn theorem(at: &GrazingMap) -> Option<Sentence> {
     })
 }
 
+/// What of it is about one impact in n periods at a resonance (`proofs/coq/StatementResonance.v`).
+pub(super) fn resonance(n: u64) -> Sentence {
+    Mark::Located.of(format!(
+        "Of one impact in {n} period{} u_{n} = 0: that exactly one such orbit is born, beyond the touch, and that it is \
+         stable is a theorem about this equation, too; the touch is located.",
+        if n == 1 { "" } else { "s" }
+    ))
+}
+
 /// The bands in a sentence.
 pub(super) fn of_bands(bands: &[BandRow], at: &GrazingMap, unit: Option<&WrittenUnit>) -> Option<String> {
     bands::sentence(bands, &|value| parameter(at, value, unit))

@@ -19,7 +19,7 @@ use crate::{
 pub(crate) enum ResonantBirth {
     /// Nothing, on either side.
     Nothing,
-    /// One orbit beyond the touch; both its multipliers are this.
+    /// One orbit beyond the touch, asymptotically stable; both its multipliers are this.
     Orbit {
         /// −τq, q = (−1)^m e^{−πcn}.
         multiplier: f64,
@@ -30,7 +30,8 @@ pub(crate) enum ResonantBirth {
 
 impl OscillatorGrazing<'_> {
     /// What is born of one impact in n periods if nθ = mπ exactly, for numbers c, k and τ that are rational
-    /// and do not change with the parameter, where the motion without impacts touches one stop once a period.
+    /// in the time in which the period is 2π and do not change with the parameter, where the motion without
+    /// impacts touches one stop once a period.
     ///
     /// # Errors
     /// Those of the scene.
@@ -43,8 +44,13 @@ impl OscillatorGrazing<'_> {
         }
         let near =
             |way: f64| BigRational::from_float(event.parameter + way * 1e-6 * unit / event.map.e.abs());
+        // Over one value of the parameter alone nothing changes with it.
         let (Some(from), Some(to)) = (near(-1.0), near(1.0)) else { return Ok(None) };
-        let system = functions(self, &RationalFunction::range(&from, Some(&to)))?;
+        let Some(over) = (from < to).then(|| RationalFunction::range(&from, Some(&to))) else {
+            return Ok(None);
+        };
+        // Of coefficients that are no rational functions nothing is known.
+        let Ok(system) = functions(self, &over) else { return Ok(None) };
         let Some(wall) = system.wall(event.side()) else { return Ok(None) };
         let number = |x: &RationalFunction| x.value().and_then(|[lo, hi]| (lo == hi).then_some(lo));
         let numbers = [&system.damping, &system.stiffness, &wall.restitution].map(number);
@@ -59,9 +65,16 @@ impl OscillatorGrazing<'_> {
         if !regular || n > 1 && m % (2 * n) != 1 {
             return Ok(Some(ResonantBirth::Nothing));
         }
-        let [c, tau] = [c, tau].map(|x| x.to_f64().unwrap_or(f64::NAN));
-        let q = (-PI * c * n as f64).exp() * if is_odd { -1.0 } else { 1.0 };
-        Ok(Some(ResonantBirth::Orbit { multiplier: -tau * q, speed: (1.0 - q) / (1.0 + tau * q) }))
+        let loses = BigRational::one() - &tau;
+        let [c, tau, loses] = [c, tau, loses].map(|x| x.to_f64().unwrap_or(f64::NAN));
+        // |q| and 1 − |q|, each with its digits, however much or little is damped.
+        let fades = -PI * c * n as f64;
+        let (kept, lost) = (fades.exp(), -fades.exp_m1());
+        let (multiplier, speed) = match is_odd {
+            true => (tau * kept, (1.0 + kept) / (loses + tau * lost)),
+            false => (0.0 - tau * kept, lost / (1.0 + tau * kept)),
+        };
+        Ok(Some(ResonantBirth::Orbit { multiplier, speed }))
     }
 
     /// The orbit of one impact in n periods at a parameter and a distance d beyond the touch; the inner error
