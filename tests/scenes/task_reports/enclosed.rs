@@ -33,7 +33,7 @@ fn the_ends_are_on_either_side_of_the_touch_exactly() {
         ];
         for engine in ["one", "many"] {
             for (place, name) in NAMES.into_iter().enumerate() {
-                let mut text = driven(engine, "seen = false\nrange = false\nmax_period = 1\n")
+                let mut text = driven(engine, "seen = false\nmax_period = 1\n")
                     .replace("parameter = \"F\"", &format!("parameter = {name:?}"));
                 for ((name, own), value) in
                     NAMES.iter().zip(["0.9", "2", "0.3", "0.6", "1.1", "0.7"]).zip(values)
@@ -82,8 +82,8 @@ fn attempt(text: &str) -> Option<(grazing_scenes::run::GrazingReport, String)> {
 /// Where a touch is not enclosed the report says why, and that it is located.
 #[test]
 fn what_is_not_linear_is_located() {
-    let one = driven("one", "seen = false\nrange = false\nmax_period = 1\n");
-    let many = driven("many", "seen = false\nrange = false\nmax_period = 1\n");
+    let one = driven("one", "seen = false\nmax_period = 1\n");
+    let many = driven("many", "seen = false\nmax_period = 1\n");
     let cases = [
         (one.replace("stiffness = \"k\"", "stiffness = \"k\"\ncubic = 0.01"), "of a linear motion"),
         (many.replace("damping = \"c\"\n", "damping_ratio = [0.1]\n"), "by ratios of modes"),

@@ -15,23 +15,20 @@ use grazing_scenes::{
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+use super::grazing_found;
+
 /// README's machine, F the amplitude of its drive, with other stops and keys of the task.
-fn asked(stops: &str, keys: &str) -> (GrazingReport, u8) {
-    let text = format!(
+fn scene(stops: &str, keys: &str) -> String {
+    format!(
         "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nF = 0.5\nd = 0.1\n[system]\ndamping = \"d\"\n\
          stiffness = 0.3\nforcing = [{{ cos = \"F\" }}]\n{stops}[[tasks]]\nname = \"g\"\nkind = \"grazing\"\n\
          parameter = \"F\"\nmax_period = 1\nseen = false\n{keys}\n"
-    );
-    let scene = Scene::from_toml(&text, "range.toml").unwrap_or_else(|error| panic!("{error}"));
-    let report = run(&scene, Surroundings::default(), &mut ()).unwrap().remove(0);
-    let code = report.status.outcome().code();
-    match report.findings.unwrap() {
-        Findings::Grazing(found) => match *found {
-            GrazingFindings::Found(found) => (*found, code),
-            nothing => panic!("{nothing:?}"),
-        },
-        other => panic!("{other:?}"),
-    }
+    )
+}
+
+fn asked(stops: &str, keys: &str) -> (GrazingReport, u8) {
+    let (found, _, code) = grazing_found(&scene(stops, keys));
+    (found, code)
 }
 
 /// README's machine itself, which several tests ask of.
@@ -212,6 +209,15 @@ fn the_main_claims_are_proved_without_being_asked_for() {
     assert_eq!(told, [("before", "proved", "all", true), ("beyond", "nothing born", "all", true)]);
     assert!(rows.iter().all(|row| row.share.unwrap() > 0.03 && row.reason.is_some()), "{rows:?}");
     assert_eq!((found.certificates.len(), code), (2, 0));
+    // Two lines a side, and one that says how to go on.
+    let (_, shown, _) = grazing_found(&scene(&stop("upper", 1), ""));
+    let keys: Vec<&str> = shown.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    let first = keys.iter().position(|key| *key == "proved").unwrap();
+    assert_eq!(
+        keys[first..first + 5],
+        ["proved", "certificate", "proved", "certificate", "range"],
+        "{shown}"
+    );
     let (asked_for, _) = asked(&stop("upper", 1), "range = \"main\"");
     assert_eq!(asked_for.range, found.range);
     // What is undecided without being asked for is no failure, and numbers that no certificate holds are

@@ -19,7 +19,7 @@ pub(super) fn driven(engine: &str, more: &str) -> String {
         "format = \"grazing-scene 3\"\ntitle = \"t\"\nengine = {engine:?}\n[parameters]\nF = 0.9\nm = 2\nc = 0.3\n\
          k = 0.6\nw = 1.1\ngap = 0.7\ntau = 0.8\nz = 0\n[system]\n{system}\nforcing = [{{ cos = \"F + z\" }}]\n\
          [[stops]]\nname = \"stop\"\nrow = [-1]\noffset = \"-gap\"\nrestitution = \"tau\"\n[[tasks]]\nname = \"it\"\n\
-         kind = \"grazing\"\nparameter = \"F\"\n{more}"
+         kind = \"grazing\"\nparameter = \"F\"\nrange = false\n{more}"
     )
 }
 

@@ -384,7 +384,7 @@ impl RangeRow {
         let part = self.share.map_or(String::new(), |share| format!(" ({:.2} %)", 100.0 * share));
         if let Some(leaving) = self.leaving(half) {
             lines.say(PROVED, format!("{side} the touch, for {above}{part}: nothing is born; {leaving}"));
-            lines.say("range_ends", reason);
+            lines.say_known("range_ends", &self.reason);
             return self.certificate_lines(varied, lines);
         }
         if let Some(attracting) = self.attracting() {

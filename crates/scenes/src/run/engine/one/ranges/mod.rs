@@ -40,6 +40,8 @@ const OTHERS: u64 = 4;
 /// Steps of work for the values of the parameter up to a depth: some 125 at which the machine's coefficients
 /// are enclosed.
 const ENCLOSED: u64 = 500;
+/// Where machines change with the parameter one in so many of the work is done that nobody asked for.
+const MAIN_OF_CHANGING: u64 = 4;
 /// How often a step from an end is made longer.
 const STEPS: u32 = 6;
 /// Next to a value of the parameter are those as near as one in so many of its way from the touch.
@@ -136,7 +138,9 @@ pub(super) fn ranges(
     let there = [damping, stiffness].map(|[value, _]| value);
     // Several depths are tried where the machines change.
     let changes = touching.changes;
-    let most = wanted.range.unwrap_or(RangeEffort::DEFAULT);
+    // Coefficients that change are enclosed, which takes more time than it counts for.
+    let share = if wanted.main && changes { MAIN_OF_CHANGING } else { 1 };
+    let most = wanted.range.unwrap_or(RangeEffort::DEFAULT) / share;
     let Touching { mirrored, parameters: about, harmonics, .. } = touching;
     Near {
         point,
