@@ -7,7 +7,8 @@ usage: share.py FILE…     prints "FILE: proved, share P/Q to P/Q" or "FILE: re
 Written from the form and the rules (the head of crates/checker/src/share) and from proofs/words.md alone. a1 is 2 exp(-zt)
 cos sqrt((1 - z^2) t^2), t = 2 pi w, by functions that are entire, so that z = 1 is no case of its own. Signs of u and N
 are exact: about the middle of a rectangle both are polynomials with whole coefficients, whose constant term exceeds all
-others together. A part on which that does not decide is cut into four, twice. Slow: some milliseconds a part.
+others together. A part on which that does not decide is cut into four, up to eight times: what a checker with narrower
+enclosures decides of the whole part is found so. Slow: some milliseconds a part.
 """
 from fractions import Fraction
 
@@ -149,7 +150,7 @@ class File(chaos.File):
                 need(depth < DEEPEST, "too many halvings")
                 parts += [(half, depth + 1) for half in reversed(halves(box, int(line) - 1))]
             elif line in ("+", "-"):
-                need(self.everywhere(box, line == "+", 2), "it does not certainly hold in a part")
+                need(self.everywhere(box, line == "+", 8), "it does not certainly hold in a part")
                 sums[line == "-"] += Fraction(1 if line == "+" else -1, 1 << depth)
             else:
                 need(line == "?", f"no part: {line}")
