@@ -2,9 +2,9 @@
 
 The functions are those of the command line ``grazing``: :func:`check`, :func:`verify`, :func:`intervals`,
 :func:`classify` (:func:`classify_many` for arrays), :func:`word`, :func:`evaluate`, :func:`boundary`,
-:func:`existence`, :func:`decay`, :func:`fuzz`; and :class:`Scene` for oscillators and machines. Numbers are
-exact: ``int``, ``Fraction``, ``Decimal``, or text such as ``"3/8+2^-200"``. Work that ends in a proof, or not, gives an
-:class:`Outcome`, which is never a bool.
+:func:`existence`, :func:`decay`, :func:`fuzz`; :class:`Scene` for oscillators and machines, and :func:`machine` for
+one that is typed in a line. Numbers are exact: ``int``, ``Fraction``, ``Decimal``, or text such as ``"3/8+2^-200"``.
+Work that ends in a proof, or not, gives an :class:`Outcome`, which is never a bool.
 
 >>> import grazing
 >>> [str(i.left) for i in grazing.intervals(5)]
@@ -47,7 +47,7 @@ from ._places import (
     word,
 )
 from ._proofs import Edge, Interval, Intervals, boundary, check, intervals, verify
-from ._scene import EVENT_KINDS, Run, Scene, Task, TaskReport
+from ._scene import EVENT_KINDS, Answer, Run, Scene, Task, TaskReport, machine
 from ._theory import FuzzReport, PatternReport, existence, fuzz
 from ._tolerances import Tolerance, ToleranceRange, ToleranceSide
 
@@ -55,12 +55,12 @@ from ._tolerances import Tolerance, ToleranceRange, ToleranceSide
 STYLE = str(_Path(__file__).with_name("grazing.mplstyle"))
 
 __all__ = [
-    "Case", "Classification", "Decay", "Done", "EVENT_KINDS", "Edge", "End", "Error", "Estimate", "Existence",
-    "Failed", "FileError", "ForkedError", "Fractions", "FuzzReport", "GrazingWarning", "InputError",
+    "Answer", "Case", "Classification", "Decay", "Done", "EVENT_KINDS", "Edge", "End", "Error", "Estimate",
+    "Existence", "Failed", "FileError", "ForkedError", "Fractions", "FuzzReport", "GrazingWarning", "InputError",
     "InternalError", "InterruptedWork", "Interval", "Intervals", "MissingPackageError", "Motions",
     "NothingFound", "NumberOverflowError", "Outcome", "PatternReport", "Pending", "Proved", "Record",
     "Refuted", "Rejected", "Run", "STYLE", "Scene", "Share", "Shares", "Task", "TaskReport", "Tolerance",
     "ToleranceRange", "ToleranceSide", "Undecided", "Value", "Word", "WordCase", "WordReport", "__version__",
     "boundary", "check", "classify", "classify_many", "decay", "evaluate", "existence", "frame", "fuzz",
-    "intervals", "shares", "verify", "word",
+    "intervals", "machine", "shares", "verify", "word",
 ]

@@ -85,10 +85,16 @@ def forced(what: str) -> Any: ...
 def fuzz(
     first: int, last: int, cases: int, seed: int, definition_share: float, progress: _Progress
 ) -> str: ...
+_Answer = tuple[
+    str, str, dict[str, npt.NDArray[Any]], str | None, list[tuple[str, str]], tuple[str, int | None, bool] | None
+]
+
 @final
 class Scene:
     @staticmethod
     def from_toml(text: str, name: str) -> Scene: ...
+    @staticmethod
+    def from_words(words: str) -> Scene: ...
     @property
     def title(self) -> str: ...
     @property
@@ -108,9 +114,10 @@ class Scene:
     def check(self, task: int, changes: list[tuple[str, _Exact]]) -> None: ...
     def run(
         self, task: int, changes: list[tuple[str, _Exact]], folder: str | os.PathLike[str] | None, progress: _Progress
-    ) -> tuple[
-        str, str, dict[str, npt.NDArray[Any]], str | None, list[tuple[str, str]], tuple[str, int | None, bool] | None
-    ]: ...
+    ) -> _Answer: ...
+    def answer(
+        self, changes: list[tuple[str, _Exact]], progress: _Progress
+    ) -> tuple[str, list[tuple[str, str]], list[_Answer]]: ...
     def simulate(
         self,
         starts: npt.NDArray[np.float64],

@@ -170,6 +170,29 @@ class Run(Sequence[TaskReport]):
         return min(outcomes, key=lambda outcome: order.index(type(outcome)), default=Done("no task"))
 
 
+@dataclass(frozen=True)
+class Answer:
+    """What a machine does as its drive is turned up: ``print(answer)`` shows the page that the command line prints."""
+
+    #: The sentences: ``mark``, ``"proved"``, ``"located"`` or ``"seen"`` (docs/marks.md), and ``text``.
+    sentences: Sequence[Record]
+    #: The report of the touch, a task of kind ``grazing``.
+    touch: TaskReport
+    #: How far the machine swings about it, of kind ``response``; ``None`` where no touch was found, or at 0.
+    swing: TaskReport | None = field(repr=False)
+    #: The page as text.
+    text: str = field(repr=False)
+
+    def __str__(self) -> str:
+        return self.text.rstrip("\n")
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    def _repr_html_(self) -> str:
+        return _html.preformatted(str(self))
+
+
 class Scene:
     """An oscillator or a machine, and tasks. It is pickled with its source, its name and its values; scenes are equal
     where these are.
@@ -273,6 +296,17 @@ class Scene:
                 answer = self._scene.run(index, changes, where, bar)
             yield _report(*answer)
 
+    def answer(self, *, set: Mapping[str, Exact] | None = None, progress: Progress = None) -> Answer:
+        """What the machine does as the parameter of its first task of kind ``grazing`` is turned up, on a page.
+
+        :raises InputError: where the scene has no such task.
+        """
+        with shown(progress) as bar:
+            text, sentences, reports = self._scene.answer(list((set or {}).items()), bar)
+        said = tuple(Record({"mark": mark, "text": sentence}) for mark, sentence in sentences)
+        touch, *rest = (_report(*report) for report in reports)
+        return Answer(said, touch, rest[0] if rest else None, text)
+
     def _chosen(self, only: str | Iterable[str] | None) -> list[int]:
         tasks = self.tasks
         if not tasks:
@@ -312,6 +346,20 @@ class Scene:
         rows = ((one.name, one.kind, one.group, tuple(f"{k} = {v}" for k, v in one.set.items())) for one in self.tasks)
         head = ("task", "kind", "group", "with")
         return _html.table(f"{self.title}: {values}", head, rows, len(self.tasks))
+
+
+def machine(words: str) -> Scene:
+    """The scene of a driven mass beside a stop, from its numbers, in any units, SI units without one.
+
+    >>> grazing.machine("m = 2 kg, k = 800 N/m, c = 3 N s/m, f = 4 Hz, gap = 10 mm, e = 0.6").parameters["gap"]
+    Fraction(1, 100)
+
+    The damping is c, or the damping ratio ζ (also ``zeta``); without the amplitude F of the drive it is nine tenths of
+    what touches, without the restitution e this is 0.8. :meth:`Scene.answer` says what it does.
+
+    :raises InputError: with what is missing, or what is none of a machine's numbers.
+    """
+    return Scene._of(_grazing.Scene.from_words(words))
 
 
 def _again(text: str, name: str, parameters: tuple[tuple[str, Fraction], ...]) -> Scene:

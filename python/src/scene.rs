@@ -4,6 +4,7 @@ use std::{path::PathBuf, sync::Arc};
 
 use grazing_scenes::{
     Error, Result,
+    answer::scene_of,
     num_rational::BigRational,
     run::{Job, Surroundings, TaskReport, run_task},
     scene::{Body, Scene as Inner, Task},
@@ -43,6 +44,13 @@ impl Scene {
     #[staticmethod]
     fn from_toml(py: Python<'_>, text: String, name: String) -> PyResult<Scene> {
         watched(py, None, move |_| Ok(Scene { inner: Arc::new(Inner::from_toml(&text, &name)?), text, name }))
+    }
+
+    /// A machine as it is typed.
+    #[staticmethod]
+    fn from_words(py: Python<'_>, words: String) -> PyResult<Scene> {
+        let text = scene_of(&words).map_err(|error| raise(py, &error))?;
+        Scene::from_toml(py, text, "machine.toml".into())
     }
 
     #[getter]
@@ -116,6 +124,33 @@ impl Scene {
             Ok((report, collector.data))
         })?;
         answer(py, &report, data)
+    }
+
+    /// Runs the two tasks of a page of answer: the page, its sentences, each after its mark, and the report
+    /// of each task.
+    #[allow(clippy::type_complexity)]
+    fn answer<'py>(
+        &self,
+        py: Python<'py>,
+        changes: Vec<(String, Given)>,
+        progress: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<(String, Vec<(String, String)>, Vec<Answer<'py>>)> {
+        let changes = self.exact(py, &changes)?;
+        let scene = self.inner.clone();
+        let (page, found) = watched(py, progress.as_ref(), move |watch| {
+            let around = Surroundings { changes: &changes, folder: None, monitor: watch };
+            let mut found = Vec::new();
+            let page = grazing_scenes::answer::answer(&scene, around, |job| {
+                let mut collector = Collector::default();
+                let report = run_task(job, &mut collector);
+                found.push((report.clone(), collector.data));
+                Ok(report)
+            })?;
+            Ok((page, found))
+        })?;
+        let sentences = page.sentences().into_iter().map(|said| (said.mark.to_string(), said.text.clone()));
+        let reports = found.into_iter().map(|(report, data)| answer(py, &report, data));
+        Ok((page.to_string(), sentences.collect(), reports.collect::<PyResult<_>>()?))
     }
 
     /// Checks all that can be checked of a task before it runs.

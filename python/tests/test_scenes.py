@@ -289,3 +289,20 @@ prove = true
             assert dict(report.claims[file].detail) == dict(proved.details.detail), file
         # What is seen is floating point, whatever is proved beside it.
         assert not isinstance(report.outcome, grazing.Proved)
+
+
+def test_a_machine_in_a_line_has_the_answer_that_the_command_prints(program):
+    words = "m = 2 kg, k = 800 N/m, c = 3 N s/m, f = 4 Hz, gap = 10 mm, e = 0.6"
+    scene = grazing.machine(words)
+    answer = scene.answer()
+    printed = subprocess.run([program, words], capture_output=True, text=True, check=True).stdout
+    assert printed == f"{scene.title}\n{answer}\n"
+    assert {sentence.mark for sentence in answer.sentences} == {"proved", "located", "seen"}
+    assert answer.touch.kind == "grazing" and answer.swing is not None and answer.swing.kind == "response"
+    assert len(answer.swing.data.value) > 100 and "proved" in answer._repr_html_()
+    assert grazing.Scene(scene.text).answer(set={"gap": "20 mm"}).sentences != answer.sentences
+    with pytest.raises(grazing.InputError, match="k, c, f, gap: missing"):
+        grazing.machine("m = 2 kg")
+    bare = {"title": "t", "system": {"stiffness": 1}, "tasks": []}
+    with pytest.raises(grazing.InputError, match="has no task of kind grazing"):
+        grazing.Scene(bare).answer()

@@ -8,6 +8,7 @@ mod process;
 #[path = "../samples/mod.rs"]
 mod samples;
 
+mod answer;
 mod arguments;
 mod cli;
 mod decay;

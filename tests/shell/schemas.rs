@@ -16,7 +16,7 @@ use serde_json::Value;
 
 /// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a
 /// command of the list writes itself.
-const JSON: [&str; 52] = [
+const JSON: [&str; 53] = [
     "intervals 3..=5",
     "intervals 3..=5 --decimals 4",
     "intervals --pattern 3,5",
@@ -60,6 +60,7 @@ const JSON: [&str; 52] = [
     "run {root}/tests/data/measured.toml",
     "run {root}/examples/machines/belt.toml",
     "run seen.toml",
+    "answer seen.toml",
     "run {root}/tests/data/recorded.toml",
     "run {root}/tests/data/kinds.toml --only basins --shard 1/2 -o rows",
     "run {root}/tests/data/kinds.toml --only map --shard 2/2 -o map-rows",

@@ -288,7 +288,8 @@ fn reader() -> tempfile::TempDir {
     folder
 }
 
-pub const COMMANDS: [&str; 21] = [
+pub const COMMANDS: [&str; 22] = [
+    "answer",
     "verify",
     "cover",
     "check",

@@ -9,8 +9,11 @@ export type Found = { check: string } | { panel: "plane" | "motion"; state: Reco
 /** Reads an exact number as the command line does. */
 export type Read = (text: string) => Promise<Exact>;
 
-/** The scene of a machine, by names and texts with units, as a scene reads them. */
-export type Build = (named: Record<string, string>) => Promise<string>;
+/** The scene of a machine, from its text. */
+export type Build = (text: string) => Promise<string>;
+
+/** What the scene of a machine that was typed is called. */
+export const MACHINE = "machine.toml";
 
 /** What may be typed, said where nothing was understood. */
 export const KINDS =
@@ -29,10 +32,10 @@ export async function guess(text: string, read: Read, build: Build): Promise<Fou
     return { panel: "motion", state: { scene: bare, name: "scene.toml" } };
   }
   const plain = hyphens(bare);
-  const named = names(plain);
-  if (named.has("k") || named.has("m")) {
-    return { panel: "motion", state: { scene: await build(Object.fromEntries(named)), name: "machine.toml" } };
+  if (/(^|[\s,;])(m|mass|k|stiffness)\s*[=:]/.test(plain)) {
+    return { panel: "motion", state: { scene: await build(plain), name: MACHINE } };
   }
+  const named = names(plain);
   if (named.size > 0) return point(named, read);
   const rows = rowsOf(plain);
   if (rows.length === 1 && rows[0]!.length === 2) return at(await read(rows[0]![0]!), await read(rows[0]![1]!));
@@ -63,11 +66,9 @@ async function matrix(text: string, read: Read): Promise<Found> {
 /** What names are written for what. */
 const MEANINGS: Record<string, string> = {
   "a₁": "a1", trace: "a1", "a₂": "a2", det: "a2", determinant: "a2", modulus: "r", angle: "s",
-  mass: "m", stiffness: "k", damping: "c", zeta: "ζ", ratio: "ζ", frequency: "f", drive: "f", g: "gap", offset: "gap", stop: "gap",
-  force: "F", restitution: "e",
 };
 
-/** Names with their numbers and units, as `m = 2 kg`. */
+/** Names with their numbers, as `a1 = -1/4`. */
 function names(text: string): Map<string, string> {
   const found = new Map<string, string>();
   const pattern = new RegExp(`([\\p{L}][\\p{L}\\d₁₂_]*)\\s*[=:]\\s*(${NUMBER})[ \\t]*([^=:,;\\n]*?)\\s*(?=$|[,;\\n]|\\s[\\p{L}][\\p{L}\\d₁₂_]*\\s*[=:])`, "gu");

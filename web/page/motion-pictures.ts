@@ -56,6 +56,8 @@ export interface BornRow {
 
 /** The answer of `motion_born`. */
 export interface BornAnswer {
+  /** The page of answer, as the command line prints it. */
+  answer: { mark: string; text: string }[];
   sentences: string[];
   place: { a1: string; a2: string } | null;
   slopes: (number[] | null)[];

@@ -21,6 +21,7 @@ import {
   type Slice,
   type StrikesAnswer,
 } from "./motion-pictures";
+import { MACHINE } from "./guess";
 import { type Context, csv, element, Failure, type Panel, scroller } from "./panel";
 import { inWords, proofOfRange, type RangeRow } from "./parts";
 import { canPack, type Linked, linked, unpack } from "./packed";
@@ -708,22 +709,24 @@ class MotionPanel implements Panel {
     }
     let found: BornAnswer | null;
     try {
-      found = await this.long.latest("motion_born", [this.request({ max_period: 4, from: parts.from.value, to: parts.to.value })]);
+      found = await this.long.latest("motion_born", [this.request({ max_period: 4, from: parts.from.value, to: parts.to.value, answer: this.name === MACHINE })]);
     } catch (failed) {
       if (mine === this.change) this.noTheory(failed instanceof Error ? failed.message : String(failed));
       return;
     }
     if (!found || mine !== this.change) return;
     this.born = found;
-    if (found.sentences.length === 0) {
+    if (found.answer.length === 0) {
       this.noTheory(String(found.report.reason ?? "no grazing was found"));
       return;
     }
-    const children: (Node | string)[] = [element("h2", {}, "What is born, and what is seen"), ...found.sentences.map((text) => element("p", {}, text))];
+    const said = found.answer.map(({ mark, text }) => element("p", {}, element("b", {}, mark), ` ${text}`));
+    const children: (Node | string)[] = [element("h2", {}, "What it does"), ...said];
     const varied = parts.parameter.value;
     const unit = this.scene?.parameters.find(({ name }) => name === varied)?.unit ?? null;
     const bar = bandsBar(found.report.bands ?? null, { name: varied, unit, now: this.now() });
     if (bar) children.push(bar);
+    children.push(element("h2", {}, "What is born, by the theory"), ...found.sentences.map((text) => element("p", {}, text)));
     if (found.place) {
       const query = new URLSearchParams(found.place as unknown as Record<string, string>).toString();
       children.push(element("p", {}, element("a", { href: `#plane?${query}` }, "Show this (a₁, a₂) in the plane")));
@@ -736,7 +739,7 @@ class MotionPanel implements Panel {
   private noTheory(reason: string): void {
     this.born = null;
     this.parts.theory.replaceChildren(
-      element("h2", {}, "What is born, and what is seen"),
+      element("h2", {}, "What it does"),
       element("p", {}, `Nothing here: ${reason}.`),
     );
     if (this.view === "born") this.draw([]);

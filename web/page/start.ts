@@ -297,7 +297,7 @@ class StartPanel implements Panel {
       const found = await guess(
         text,
         async (number) => Exact.parse((await compute("number", number)).exact),
-        async (named) => (await compute("machine", JSON.stringify(named))).scene,
+        async (machine) => (await compute("machine", machine)).scene,
       );
       if ("check" in found) this.context.openCheck(found.check);
       else this.context.go(found.panel, found.state);

@@ -53,8 +53,8 @@ pub fn number(text: &str) -> String {
 
 /// [`machine::machine`].
 #[wasm_bindgen]
-pub fn machine(named: &str) -> String {
-    machine::machine(named)
+pub fn machine(text: &str) -> String {
+    machine::machine(text)
 }
 
 /// [`theory::classify`].

@@ -83,7 +83,7 @@ test("the paper's oscillator: sliders by keyboard, numbers, theory", async () =>
   assert.ok(Math.abs(Number(re) - stable.multipliers[0][0]) < 1e-5, multipliers);
   if (sign) assert.ok(Math.abs(parseFloat(im) - Math.abs(stable.multipliers[0][1])) < 1e-5, multipliers);
   // The theory, and its link to the plane.
-  await root.getByText("At mu = 0 the motion without impacts grazes the lower stop.").waitFor();
+  await root.getByText("located At mu = 0 the motion without impacts touches stop lower,").waitFor();
   await root.getByText(/mu > 0, case \(−,\+\): the orbits of periods 1, 2, 3 with one impact/).waitFor();
   const link = await root.getByRole("link", { name: "Show this (a₁, a₂) in the plane" }).getAttribute("href");
   assert.match(link, /^#plane\?a1=0\.48034776895\d*&a2=0\.2146515509\d*$/);
@@ -136,7 +136,7 @@ test("every view draws, light, dark and on a phone, and a link leads back to it"
       const { page, errors, root } = await panel(`#motion?view=${view}&${state}`, options);
       assert.equal(await root.getByRole("button", { pressed: true }).textContent(), name);
       await drawn(root);
-      await root.getByRole("heading", { name: "What is born, and what is seen" }).waitFor();
+      await root.getByRole("heading", { name: "What it does" }).waitFor();
       if (view === "attractor" || view === "born") {
         await page.locator("#live").filter({ hasText: /Attractor at 30 values|branches followed/ }).waitFor({ state: "attached", timeout: 60_000 });
       }

@@ -5,6 +5,7 @@
 //! | --- | --- |
 //! | [`scene`] | an oscillator or a machine and what to do with it, as a file |
 //! | [`run`] | the tasks of a scene run, each with a typed result |
+//! | [`answer`] | of a machine as somebody types it, or of a scene, one page of answer |
 //!
 //! The other chapters, under their names:
 //!
@@ -40,6 +41,7 @@
 // They panic once nobody reads; `output` has what does not.
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+pub mod answer;
 #[doc(hidden)]
 pub mod internals;
 pub mod run;

@@ -12,8 +12,8 @@ mod figure;
 // The library's chapters, under the names that they have there.
 use grazing_base::{error, monitor, output, printable, profile, random};
 use grazing_scenes::{
-    certificate, continuation, existence, farey, local, many, motion, number, one, pattern, run, scene,
-    search, tolerance, word,
+    answer, certificate, continuation, existence, farey, local, many, motion, number, one, pattern, run,
+    scene, search, tolerance, word,
 };
 use grazing_study as study;
 

@@ -7,8 +7,8 @@ use grazing_scenes::{
     certificate,
     number::parse_rational,
     run::{
-        CertificateFile, Findings, GrazingFindings, GrazingReport, Job, Keeper, StopEvent, Surroundings, run,
-        run_task,
+        CertificateFile, Findings, GrazingFindings, GrazingReport, Job, Keeper, Mark, StopEvent,
+        Surroundings, run, run_task,
     },
     scene::Scene,
 };
@@ -212,12 +212,27 @@ fn the_main_claims_are_proved_without_being_asked_for() {
     // Two lines a side, and one that says how to go on.
     let (_, shown, _) = grazing_found(&scene(&stop("upper", 1), ""));
     let keys: Vec<&str> = shown.lines().filter_map(|line| line.split_whitespace().next()).collect();
-    let first = keys.iter().position(|key| *key == "proved").unwrap();
-    assert_eq!(
-        keys[first..first + 5],
-        ["proved", "certificate", "proved", "certificate", "range"],
-        "{shown}"
+    let lines = ["proved", "certificate", "proved", "certificate", "range"];
+    assert!(keys.windows(5).any(|five| five == lines), "{shown}");
+    // And a sentence a side, its end rounded towards the touch, by less than a thousandth.
+    let proved: Vec<&str> = found
+        .sentences
+        .iter()
+        .filter(|said| said.mark == Mark::Proved)
+        .map(|said| said.text.as_str())
+        .collect();
+    assert!(proved.len() == 2 && proved[0].contains(" before the touch goes on to F = "), "{proved:?}");
+    assert!(
+        proved[1].starts_with("From the touch to F = ") && proved[1].contains(" no motion stays near it")
     );
+    for (row, text) in rows.iter().zip(proved) {
+        let number = text.split("F = ").nth(1).unwrap().split([':', ' ']).next().unwrap();
+        let [said, end] = [number, row.end.as_ref().unwrap()].map(|text| parse_rational(text).unwrap());
+        let inside = if row.side == "before" { &said - &end } else { &end - &said };
+        let end = end.to_f64().unwrap();
+        let inside = inside.to_f64().unwrap();
+        assert!((0.0..1e-3 * end).contains(&inside), "{text}: {row:?}");
+    }
     let (asked_for, _) = asked(&stop("upper", 1), "range = \"main\"");
     assert_eq!(asked_for.range, found.range);
     // What is undecided without being asked for is no failure, and numbers that no certificate holds are

@@ -156,7 +156,7 @@ fn how_hard_it_hits_is_told_with_what_is_seen() {
             assert!(words.contains(part), "{part}: {words}");
         }
         // Each on a line of its own under its mark; what was followed is never called located.
-        for Sentence { mark, text } in &found.sentences {
+        for Sentence { mark, text, .. } in &found.sentences {
             let root = ["At F = ", "Chaos is born for ", "One per cent more ", "That near the touch "]
                 .iter()
                 .any(|begin| text.starts_with(begin));

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::{
     attractor::value,
-    document::{self, quoted},
+    document::quoted,
     request::Request,
     task::{finished, job},
     theory::{self, Local},
@@ -14,8 +14,10 @@ use super::{
 pub fn grazing_keys(request: &Request) -> Result<String> {
     let parameter = quoted(request.text("parameter")?);
     let most = request.number("max_period", 4, 1..=12)?;
+    // A page of answer has what is proved and what moves the touch, which takes a moment.
+    let how = if request.is_set("answer") { "sensitivity = true" } else { "range = false" };
     Ok(format!(
-        "[[tasks]]\nname = \"born\"\nkind = \"grazing\"\nparameter = {parameter}\nmax_period = {most}\nrange = false\n"
+        "[[tasks]]\nname = \"born\"\nkind = \"grazing\"\nparameter = {parameter}\nmax_period = {most}\n{how}\n"
     ))
 }
 
@@ -61,20 +63,19 @@ pub fn born(request: &Request) -> Result<Value> {
             json!(speeds)
         })
         .collect();
-    // The largest value that was looked at: the end of the range, or the scene's own.
-    let size =
-        |key: &str| request.exact(key).ok().and_then(|end| document::float(&end)).map_or(0.0, f64::abs);
-    let own = changeable.scene.parameters.iter().find(|(name, _)| name == parameter);
-    let own = own.and_then(|(_, value)| document::float(value)).map_or(0.0, f64::abs);
-    let size = size("from").max(size("to")).max(own);
-    let unit = changeable.parameters.iter().find(|known| known.name == parameter);
-    let unit = unit.and_then(|known| known.unit.as_ref()).map_or(String::new(), |unit| format!(" {unit}"));
     Ok(json!({
-        "sentences": theory::sentences(&json, most, size, &unit),
+        "answer": said(&json),
+        "sentences": theory::sentences(&json, most),
         "place": theory::place(&json),
         "slopes": predicted,
         "report": json,
     }))
+}
+
+/// The sentences of a page of answer, each with its mark.
+fn said(report: &Value) -> Vec<&Value> {
+    let all = report["sentences"].as_array().map_or(&[][..], Vec::as_slice);
+    all.iter().filter(|sentence| sentence["detail"] == false).collect()
 }
 
 /// The local map of a grazing's report.

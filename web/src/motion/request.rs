@@ -15,6 +15,11 @@ impl Request {
         self.0[key].as_str().ok_or_else(|| Error::input(format!("the page's request has no text {key:?}")))
     }
 
+    /// Whether something is asked for.
+    pub(super) fn is_set(&self, key: &str) -> bool {
+        self.0[key] == true
+    }
+
     pub(super) fn number(
         &self,
         key: &str,

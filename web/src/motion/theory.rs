@@ -103,11 +103,6 @@ fn digits(x: f64, decimals: usize) -> String {
     trimmed.to_string()
 }
 
-/// A number found by rounded steps in a range of that size: what rounding leaves of 0 is 0.
-fn located(x: f64, size: f64) -> f64 {
-    if x.abs() <= 1e-12 * size { 0.0 } else { x }
-}
-
 /// What a grazing's report says of one side of the bifurcation.
 fn side(row: &Value, born: &[Value], per: &str, most: u64, place: Option<[f64; 2]>) -> String {
     let text = |key: &str| row[key].as_str().unwrap_or_default().to_string();
@@ -168,19 +163,14 @@ fn letters([a1, a2]: [f64; 2], positive: bool) -> Option<String> {
     }
 }
 
-/// The report of a task of kind `grazing` with patterns up to the period `most`, in sentences; empty for one
-/// that found nothing. `size` is that of the parameter's values, the largest one looked at; `unit` is what it
-/// is in, after a blank, or empty.
-pub fn sentences(report: &Value, most: u64, size: f64, unit: &str) -> Vec<String> {
-    let Some(parameter) = report["parameter"].as_f64() else { return Vec::new() };
+/// What the local theory says of the report of a task of kind `grazing` with patterns up to the period
+/// `most`, beside the report's own sentences; empty for one that found nothing.
+pub fn sentences(report: &Value, most: u64) -> Vec<String> {
+    if !report["parameter"].is_number() {
+        return Vec::new();
+    }
     let name = report["varied"].as_str().unwrap_or_default();
-    let wall = match report["stop"].as_str() {
-        Some(side @ ("lower" | "upper")) => format!("the {side} stop"),
-        Some(stop) => format!("the stop “{stop}”"),
-        None => "a stop".to_string(),
-    };
-    let parameter = digits(located(parameter, size), 9);
-    let mut all = vec![format!("At {name} = {parameter}{unit} the motion without impacts grazes {wall}.")];
+    let mut all = Vec::new();
     if let (Some(a1), Some(a2)) = (report["a1"].as_f64(), report["a2"].as_f64()) {
         let region = match report["region"].as_str() {
             Some("line") => ", on the line between two regions".to_string(),
@@ -224,7 +214,7 @@ pub fn sentences(report: &Value, most: u64, size: f64, unit: &str) -> Vec<String
     if born.iter().any(|row| !row["coefficient"].is_null()) {
         all.push(format!(
             "Stability: close to the grazing every one of them is unstable. The large multiplier of a pattern with m impacts \
-             is L ({name} − {parameter})^(−m) to leading order, so it falls as the orbit leaves the grazing; it is a saddle \
+             is L ({name} − its value at the touch)^(−m) to leading order, so it falls as the orbit leaves the grazing; it is a saddle \
              where this is positive, and turns over each round where it is negative."
         ));
     }
@@ -232,54 +222,7 @@ pub fn sentences(report: &Value, most: u64, size: f64, unit: &str) -> Vec<String
     if open > 0 {
         all.push(format!("{open} of the patterns looked at are open: a sign is too close to zero."));
     }
-    all.extend(seen(report, name, unit));
-    all.extend(report["bands_in_words"].as_str().map(String::from));
     all
-}
-
-/// What attracts beside the grazing, in sentences.
-fn seen(report: &Value, name: &str, unit: &str) -> Option<String> {
-    let rows = report["seen"].as_array()?;
-    // What is said of one begun at rest stands among the bands.
-    let bands = report["bands"].as_array().map_or(&[][..], Vec::as_slice);
-    let in_bands = bands.iter().any(|row| !row["from_rest"].is_null());
-    let row = |row: &Value| {
-        let at = row["value"]
-            .as_f64()
-            .map_or(String::new(), |value| format!("{name} = {}{unit}", digits(value, 6)));
-        let from = match row["place"].as_str()? {
-            "rest" if in_bands || row["motion"].is_null() => return None,
-            "rest" => "begun at rest, from",
-            "before" => "just before, at",
-            "beyond" => "just beyond, at",
-            _ => "taken back from there, at",
-        };
-        let what = match row["what"].as_str()? {
-            "stays" => "the motion stays",
-            "jumps" => "it jumps away",
-            "leaves" => "it leaves again",
-            "hits" => "on it hits for ever",
-            "partly" => "on it hits for ever at some of the values looked at",
-            _ => return Some(format!("{from} {at}, it leaves every bound")),
-        };
-        let ends = |key: &str| {
-            row[key].as_array().and_then(|ends| Some((ends.first()?.as_f64()?, ends.get(1)?.as_f64()?)))
-        };
-        let quantity = if row["gap"].is_null() { "" } else { "a gap " };
-        let ends = ends("gap").or_else(|| ends("extent"));
-        let ends = ends.map_or(String::new(), |(low, high)| {
-            let [low, high] = [low, high].map(|end| digits(located(end, low.abs().max(high.abs())), 4));
-            format!(", {quantity}from {low} to {high}")
-        });
-        Some(format!("{from} {at}, {what} ({}{ends})", row["motion"].as_str()?))
-    };
-    let all: Vec<String> = rows.iter().filter_map(row).collect();
-    (!all.is_empty()).then(|| {
-        format!(
-            "Seen, which is evidence and no theory: {}. What is born exists, and is mostly unstable; what is seen attracts.",
-            all.join("; ")
-        )
-    })
 }
 
 /// What the page links to in the plane: a₁ and a₂ as exact texts; none for machines of several degrees of
@@ -296,7 +239,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn small_numbers_are_shown_and_what_rounding_leaves_is_not() {
+    fn small_numbers_are_shown() {
         for (x, decimals, text) in [
             (0.0, 4, "0"),
             (1e-20, 9, "1e-20"),
@@ -309,21 +252,6 @@ mod tests {
             (3e12, 6, "3e12"),
         ] {
             assert_eq!(digits(x, decimals), text);
-        }
-        assert_eq!(digits(located(1.4e-17, 0.1), 9), "0");
-        assert_eq!(digits(located(1e-20, 2e-20), 9), "1e-20");
-        // A machine whose parameter is of that size, and what is seen beside its touch.
-        let report = json!({
-            "engine": { "name": "many" }, "parameter": 1e-20, "varied": "gap", "stop": "upper", "a1": 1e-9,
-            "a2": 0.2, "region": "3", "open": null, "chaos": [], "born": [], "half": false,
-            "seen": [{ "value": 1.0001e-20, "place": "before", "what": "stays", "motion": "period 1",
-                "gap": [-1e-20, 1e-20] }],
-        });
-        let all = sentences(&report, 4, 2e-20, " m").join(" ");
-        for text in
-            ["At gap = 1e-20 m the", "a₁ = 1e-9,", "at gap = 1.0001e-20 m,", "a gap from -1e-20 to 1e-20"]
-        {
-            assert!(all.contains(text), "{text}: {all}");
         }
     }
 }

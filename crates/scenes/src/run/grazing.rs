@@ -201,20 +201,23 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Resul
     let seen = seen.as_ref().map(|seen| seen::rows(seen, of_gap));
     let units = (job.scene.units, job.scene.turns);
     let told = bands.as_deref().unwrap_or_default();
-    let bands_in_words = told::of_bands(told, &at, job.scene.unit(&at.varied));
+    let all_seen = seen.as_deref().unwrap_or_default();
+    let bands_in_words = told::of_bands((told, all_seen), &at, job.scene.unit(&at.varied));
     let mut sentences = told::sentences(
         &at,
         (job.model.period(), units, job.scene.unit(&at.varied), given),
-        (chaos.as_deref().unwrap_or_default(), seen.as_deref().unwrap_or_default()),
+        (chaos.as_deref().unwrap_or_default(), all_seen),
         (told, bands_in_words.as_deref()),
         hits.as_deref().unwrap_or_default(),
-        influence.as_deref().unwrap_or_default(),
     );
     let is_covered =
         |system: &System<f64>| job.is_linear() || system.lower.is_none() || system.upper.is_none();
     if job.system().is_ok_and(is_covered) && born.len() > undecided {
         sentences.splice(1..1, told::theorem(&at).into_iter().chain(resonant.map(told::resonance)));
     }
+    let unit = job.scene.unit(&at.varied);
+    sentences.extend(range.iter().flatten().filter_map(|row| row.sentence((&at.varied, at.half), unit)));
+    sentences.extend(told::influences(influence.as_deref().unwrap_or_default()));
     let touches_open = point.touches().open();
     let touches = task.within().map(|_| point.touches().found.iter().map(TouchRow::of).collect());
     Ok(Reached::Whole(GrazingFindings::Found(Box::new(GrazingReport {

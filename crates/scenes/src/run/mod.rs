@@ -52,6 +52,7 @@ pub mod parts;
 mod pieces;
 mod proved;
 mod range;
+mod ranged;
 mod report;
 mod response;
 mod rest;

@@ -32,6 +32,9 @@ row! {
         /// for ever at all values looked at from there to the touch, at some of them (`partly`), or is `free`
         /// at all; at none that is decided, and some are `open`.
         pub what: String,
+        /// Where on the way back it leaves, what ends the motion that it was on, as the jump of a `diagram`
+        /// has it; of one that is not periodic "seen": another start may leave a little before or after.
+        pub ends: Option<&'static str>,
         /// What is seen there.
         pub motion: Option<String>,
         /// Its least and greatest displacement, where the engine is `one`.
@@ -74,6 +77,7 @@ pub(super) fn rows<S>(seen: &Seen<S>, of_gap: bool) -> Vec<SeenRow> {
             place: place.into(),
             value,
             what: if settled.is_some() { what } else { "lost" }.into(),
+            ends: seen.back.as_ref().filter(|_| what == "leaves").map(Jump::ends_in),
             motion: portrait.map(Portrait::words),
             extent,
             gap,

@@ -36,12 +36,14 @@ pub struct Sentence {
     pub mark: Mark,
     /// The sentence.
     pub text: String,
+    /// Whether it says more than a page of answer does.
+    pub detail: bool,
 }
 
 impl Sentence {
     /// A line for each, under its mark.
     pub(super) fn lines(all: &[Sentence], lines: &mut Lines) {
-        for Sentence { mark, text } in all {
+        for Sentence { mark, text, .. } in all {
             lines.say(&mark.to_string(), text.as_str());
         }
     }
@@ -50,6 +52,11 @@ impl Sentence {
 impl Mark {
     /// A sentence with this mark.
     pub(super) fn of(self, text: impl Into<String>) -> Sentence {
-        Sentence { mark: self, text: text.into() }
+        Sentence { mark: self, text: text.into(), detail: false }
+    }
+
+    /// A sentence that says more than a page of answer does.
+    pub(super) fn in_detail(self, text: impl Into<String>) -> Sentence {
+        Sentence { detail: true, ..self.of(text) }
     }
 }

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::{Lines, row};
 use crate::{
     attractor::{
-        diagram::{Ends, Jump, SweepStep},
+        diagram::{Jump, SweepStep},
         portrait::{OnAttractor, Portrait},
     },
     scene::branches::SweepWay,
@@ -128,11 +128,12 @@ impl<S> Leg<'_, S> {
         let of = |begin: &str, portrait: &Portrait| {
             drawn.starts_with(begin).then(|| portrait.range.extent.to_vec())
         };
-        self.jumps.iter().map(move |Jump { stays, left, ends, before, after }| {
+        self.jumps.iter().map(move |jump| {
+            let Jump { stays, left, before, after, .. } = jump;
             let (before, after) = (&before.portrait, &after.portrait);
             JumpRow {
                 sweep: self.way(),
-                ends: ends.map_or("seen", Ends::name),
+                ends: jump.ends_in(),
                 stays: *stays,
                 left: *left,
                 before: before.words(),

@@ -54,6 +54,21 @@ fn parameter(at: &GrazingMap, value: f64, unit: Option<&WrittenUnit>) -> String 
     }
 }
 
+/// The value at which a motion that is not periodic is left, if one is.
+fn loose(seen: &[SeenRow]) -> Option<f64> {
+    seen.iter().find(|row| row.ends == Some("seen")).map(|row| row.value)
+}
+
+/// The same as [`parameter`], with few digits at the value that is `loose`.
+fn parameter_about(at: &GrazingMap, value: f64, unit: Option<&WrittenUnit>, loose: Option<f64>) -> String {
+    if loose != Some(value) {
+        return parameter(at, value, unit);
+    }
+    let own = unit.map_or(value, |unit| unit.of(value));
+    let rounded = format!("{own:.2e}").parse().map_or(value, |few: f64| few * value / own);
+    format!("about {}", parameter(at, rounded, unit))
+}
+
 /// The sentences; `period` is that of the forcing; of the parameter the unit and the value in the scene.
 pub(super) fn sentences(
     at: &GrazingMap,
@@ -61,9 +76,9 @@ pub(super) fn sentences(
     (born, seen): (&[ChaosRow], &[SeenRow]),
     (bands, in_bands): (&[BandRow], Option<&str>),
     hits: &[HitRow],
-    influence: &[InfluenceRow],
 ) -> Vec<Sentence> {
-    let value = |value: f64| parameter(at, value, unit);
+    let loose = loose(seen);
+    let value = |value: f64| parameter_about(at, value, unit, loose);
     let touch = first(at, &value(at.parameter), &told(at.phase * period, Time, units));
     let order = unit.and_then(|_| far(at, given, &value(given)));
     let apart = if seen.is_empty() { None } else { chaos(born, at.half, &value(at.parameter)) };
@@ -77,7 +92,6 @@ pub(super) fn sentences(
         .flatten()
         .map(|text| Mark::Located.of(text))
         .chain(found.map(|text| Mark::Seen.of(text)))
-        .chain(influences(influence).map(|text| Mark::Located.of(text)))
         .collect()
 }
 
@@ -87,7 +101,7 @@ pub(super) fn sentences(
 pub(super) fn theorem(at: &GrazingMap) -> Option<Sentence> {
     let is_free = at.open.is_none() && !at.half && at.orbit.as_deref().is_none_or(|orbit| orbit == "free 1");
     (is_free && at.map.acceleration > 0.0 && at.map.e != 0.0 && at.map.gamma? != 0.0).then(|| {
-        Mark::Located.of(
+        Mark::Located.in_detail(
             "That near the touch exactly one orbit is born of each pattern that is told with a side, on that side, and none of \
              it on the other, is a theorem about this equation: it asks that the acceleration of the gap is above 0 and that \
              gamma and the numbers that decide are not 0, which are located.",
@@ -97,7 +111,7 @@ pub(super) fn theorem(at: &GrazingMap) -> Option<Sentence> {
 
 /// What of it is about one impact in n periods at a resonance (`proofs/coq/StatementResonance.v`).
 pub(super) fn resonance(n: u64) -> Sentence {
-    Mark::Located.of(format!(
+    Mark::Located.in_detail(format!(
         "Of one impact in {n} period{} u_{n} = 0: that exactly one such orbit is born, beyond the touch, and that it is \
          stable is a theorem about this equation, too; the touch is located.",
         if n == 1 { "" } else { "s" }
@@ -105,8 +119,13 @@ pub(super) fn resonance(n: u64) -> Sentence {
 }
 
 /// The bands in a sentence.
-pub(super) fn of_bands(bands: &[BandRow], at: &GrazingMap, unit: Option<&WrittenUnit>) -> Option<String> {
-    bands::sentence(bands, &|value| parameter(at, value, unit))
+pub(super) fn of_bands(
+    (bands, seen): (&[BandRow], &[SeenRow]),
+    at: &GrazingMap,
+    unit: Option<&WrittenUnit>,
+) -> Option<String> {
+    let loose = loose(seen);
+    bands::sentence(bands, &|value| parameter_about(at, value, unit, loose))
 }
 
 fn first(at: &GrazingMap, value: &str, after: &str) -> String {
@@ -144,14 +163,30 @@ fn chaos(rows: &[ChaosRow], half: bool, touch: &str) -> Option<String> {
         Some(format!("for {side}, of entropy {at_least}{}", Short(entropy)))
     };
     let sides: Vec<String> = rows.iter().filter_map(side).collect();
-    (!sides.is_empty()).then(|| {
-        format!(
-            "Chaos is born {} per {}. Born and seen are different sets: what is born exists, most of it unstable; what is \
-             seen attracts.",
-            sides.join(", and "),
-            if half { "half period" } else { "period" }
-        )
-    })
+    if sides.is_empty() {
+        return without_chaos(rows, touch);
+    }
+    Some(format!(
+        "Chaos is born {} per {}. Born and seen are different sets: what is born exists, most of it unstable; what is \
+         seen attracts.",
+        sides.join(", and "),
+        if half { "half period" } else { "period" }
+    ))
+}
+
+/// That no such set is born, and on which side orbits are; none where that is not decided of a side.
+fn without_chaos(rows: &[ChaosRow], touch: &str) -> Option<String> {
+    let side = |row: &ChaosRow| {
+        let sign = if row.side.contains('<') { "<" } else { ">" };
+        let what = match row.entropy {
+            _ if row.chaos != Some(false) => return None,
+            Some(_) => "orbits, and no chaos",
+            None => "nothing",
+        };
+        Some(format!("for {} {what}", touch.replacen('=', sign, 1)))
+    };
+    let sides: Vec<String> = rows.iter().map(side).collect::<Option<_>>()?;
+    (!sides.is_empty()).then(|| format!("Born there: {}.", sides.join("; ")))
 }
 
 /// What is seen at a value of the parameter.
@@ -215,7 +250,8 @@ fn blows(hits: &[HitRow], place: &str, units: Units) -> Option<String> {
     (!each.is_empty()).then(|| format!("There {}.", each.join("; ")))
 }
 
-fn influences(rows: &[InfluenceRow]) -> Option<String> {
+/// What moves the touch; none where it was not asked for.
+pub(super) fn influences(rows: &[InfluenceRow]) -> Option<Sentence> {
     let text = |row: &InfluenceRow| {
         let (percent, change) = (row.percent, row.change?);
         if change == 0.0 {
@@ -228,8 +264,8 @@ fn influences(rows: &[InfluenceRow]) -> Option<String> {
     let all: Vec<String> = rows.iter().filter_map(text).collect();
     if all.is_empty() {
         return (!rows.is_empty())
-            .then(|| "No parameter of the scene is known to move the touch.".to_string());
+            .then(|| Mark::Located.of("No parameter of the scene is known to move the touch."));
     }
     let most = all.iter().take(NAMED).cloned().collect::<Vec<_>>().join(", ");
-    Some(format!("One per cent more of a parameter moves the touch most by: {most}."))
+    Some(Mark::Located.of(format!("One per cent more of a parameter moves the touch most by: {most}.")))
 }

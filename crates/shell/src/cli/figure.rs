@@ -23,7 +23,7 @@ use crate::{
     error::{Error, Result},
     figure::{self, FigurePlace, MachinePicture, PictureFormat},
     motion::{Contact, Time},
-    number::{Plain, Real, parse_integer, parse_rational},
+    number::{parse_integer, parse_rational},
     one::simulate::{Event, Settings, Simulator},
     output::{Destination, FileRegistry, FileUse, make_folder, say_to},
     scene::{Kind, Scene},
@@ -224,14 +224,7 @@ impl Args {
     /// The scene that the figure shows.
     fn machine(&self, files: &FileRegistry) -> Result<MachinePicture> {
         let scene = self.n.as_ref().ok_or_else(|| self.wants("a scene: give its file"))?;
-        let scene = scene_with(Path::new(scene), &self.set, files)?;
-        let float = |x: &BigRational| Plain::ratio(x, &()).0;
-        let parameters = scene.parameters.iter().map(|(name, value)| (name.clone(), float(value)));
-        Ok(MachinePicture {
-            title: scene.title.clone(),
-            written: scene.written()?,
-            parameters: parameters.collect(),
-        })
+        MachinePicture::of(&scene_with(Path::new(scene), &self.set, files)?)
     }
 
     fn wants(&self, what: &str) -> Error {

@@ -12,7 +12,7 @@ use std::{path::Path, process::ExitCode};
 use clap::{Parser, Subcommand};
 use grazing_verify::{
     Commands, Theory,
-    cli::{self, OrbitPicture},
+    cli::{self, OrbitPicture, Short},
 };
 // What every command has, under the names that it has there.
 use grazing_verify::cli::{
@@ -28,12 +28,13 @@ use crate::{
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Answer(run::AnswerArgs),
+    Run(Box<run::Args>),
     #[command(flatten)]
     Theory(Box<Theory>),
     Figure(Box<figure::Args>),
-    Accuracy(accuracy::Args),
-    Run(Box<run::Args>),
     Export(export::Args),
+    Accuracy(accuracy::Args),
     Completions(shell::CompletionsArgs),
     Man(shell::ManArgs),
 }
@@ -49,12 +50,15 @@ impl Commands for Command {
         orbit(map, pattern, side, &FigurePlace::svg(folder, "orbit"))
     });
 
+    const SHORT: Option<Short> = Some(("answer", run::is_answered));
+
     fn run(self, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
         match self {
             Command::Theory(command) => command.run_in::<Command>(files, interrupt),
             Command::Figure(args) => figure::run(&args, files, interrupt),
             Command::Accuracy(args) => accuracy::run(&args, files, interrupt),
             Command::Run(args) => run::run(&args, files, interrupt),
+            Command::Answer(args) => run::answer(&args, files, interrupt),
             Command::Export(args) => export::run(&args, files),
             Command::Completions(args) => shell::completions(&args, files, cli::command::<Command>()),
             Command::Man(args) => shell::man(&args, files, cli::command::<Command>()),
@@ -64,7 +68,7 @@ impl Commands for Command {
     fn has_profile(&self) -> bool {
         match self {
             Command::Theory(command) => command.has_profile(),
-            command => matches!(command, Command::Run(_)),
+            command => matches!(command, Command::Run(_) | Command::Answer(_)),
         }
     }
 
@@ -72,6 +76,7 @@ impl Commands for Command {
         match self {
             Command::Theory(command) => command.json(),
             Command::Run(args) if args.format.report() == ReportFormat::Json => Some("grazing-run 4"),
+            Command::Answer(args) if args.format == ReportFormat::Json => Some("grazing-run 4"),
             _ => None,
         }
     }

@@ -5,7 +5,7 @@ use std::ffi::OsString;
 
 use clap::{ArgMatches, Command, error::ContextKind, error::ContextValue, error::ErrorKind};
 
-use super::EVERYTHING;
+use super::{EVERYTHING, Short};
 use crate::output::say;
 
 /// Reads the process's arguments.
@@ -14,8 +14,17 @@ use crate::output::say;
 /// Clap's: what cannot be read, and `--help`, `--version`.
 pub(super) fn read(
     cli: Command,
+    short: Option<Short>,
     arguments: impl Iterator<Item = OsString>,
 ) -> Result<ArgMatches, clap::Error> {
+    let mut arguments: Vec<OsString> = arguments.collect();
+    // The first is the program's name.
+    let first = arguments.iter().skip(1).position(|argument| !argument.to_string_lossy().starts_with('-'));
+    if let (Some((command, is_meant)), Some(first)) = (short, first)
+        && is_meant(&arguments[first + 1].to_string_lossy())
+    {
+        arguments.insert(first + 1, command.into());
+    }
     let cli = with_negatives(cli);
     let mut options = Vec::new();
     long_options(&cli, &mut options);

@@ -61,12 +61,17 @@ use crate::{
 /// Draws the predicted orbit of a pattern, for a sign of eµ, into a folder, with its data.
 pub type OrbitPicture = fn(&Map, &Pattern, Option<bool>, &Path) -> Result<()>;
 
+/// A command whose name may be left out, and before which words.
+pub type Short = (&'static str, fn(&str) -> bool);
+
 /// The commands of a program.
 pub trait Commands: Subcommand {
     /// The program's name.
     const NAME: &'static str;
     /// Commands that it has not, but the program with every command.
     const ELSEWHERE: &'static [&'static str] = &[];
+    /// The command whose name may be left out.
+    const SHORT: Option<Short> = None;
     /// Draws a pattern's orbit, in a program with pictures.
     const ORBIT: Option<OrbitPicture> = None;
 
@@ -201,7 +206,7 @@ const STACK: usize = 8 << 20;
 
 /// Parses and runs; the exit code.
 fn started<C: Commands>(interrupt: &Interrupt, events: &Sender<Event>) -> u8 {
-    let read = arguments::read(command::<C>(), env::args_os());
+    let read = arguments::read(command::<C>(), C::SHORT, env::args_os());
     let cli = match read.and_then(|read| Cli::<C>::from_arg_matches(&read)) {
         Ok(cli) => cli,
         Err(error) => {

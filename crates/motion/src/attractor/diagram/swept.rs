@@ -54,6 +54,13 @@ pub struct Jump<S> {
     pub after: OnAttractor<S>,
 }
 
+impl<S> Jump<S> {
+    /// What ends the motion that it was on: the name of what ends the orbit, or "seen".
+    pub fn ends_in(&self) -> &'static str {
+        self.ends.map_or("seen", Ends::name)
+    }
+}
+
 /// Two neighbouring values whose attractors differ by less than this, relative to their widths, are no sign
 /// of a jump.
 const LIKELY: f64 = 0.1;

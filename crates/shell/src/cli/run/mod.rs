@@ -1,6 +1,7 @@
 //! `grazing run`: the tasks of a scene, run by the library ([`run`](crate::run)); here their reports are
 //! written and what they found becomes files, each kind of task by the file of its name.
 
+mod answer;
 mod axis;
 mod bars;
 mod basins;
@@ -46,6 +47,7 @@ use crate::{
     scene::{Kind, Scene},
     study,
 };
+pub(super) use answer::{AnswerArgs, answer, is_answered};
 use axis::Axis;
 use bars::Bars;
 pub(super) use shard::merge;

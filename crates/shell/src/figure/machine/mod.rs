@@ -9,8 +9,15 @@ mod sheet;
 mod symbols;
 mod table;
 
+use num_rational::BigRational;
+
 use super::{FigurePlace, canvas::Canvas};
-use crate::{error::Result, many::elements::Elements, scene::WrittenMachine};
+use crate::{
+    error::Result,
+    many::elements::Elements,
+    number::{Plain, Real},
+    scene::{Scene, WrittenMachine},
+};
 
 /// What is drawn of a scene.
 #[derive(Debug, Clone)]
@@ -21,6 +28,22 @@ pub struct MachinePicture {
     pub written: WrittenMachine,
     /// The parameters and their values.
     pub parameters: Vec<(String, f64)>,
+}
+
+impl MachinePicture {
+    /// Of a scene's machine.
+    ///
+    /// # Errors
+    /// Those of [`Scene::written`].
+    pub fn of(scene: &Scene) -> Result<MachinePicture> {
+        let float = |x: &BigRational| Plain::ratio(x, &()).0;
+        let parameters = scene.parameters.iter().map(|(name, value)| (name.clone(), float(value)));
+        Ok(MachinePicture {
+            title: scene.title.clone(),
+            written: scene.written()?,
+            parameters: parameters.collect(),
+        })
+    }
 }
 
 /// Writes the picture and the data beside it.
@@ -47,7 +70,6 @@ mod tests {
     use std::{fs, path::Path};
 
     use super::*;
-    use crate::scene::Scene;
 
     fn picture(text: &str) -> MachinePicture {
         let scene = Scene::from_toml(text, "scene.toml").unwrap();
