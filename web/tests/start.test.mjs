@@ -144,7 +144,7 @@ test("one field finds the tab of a point, a matrix, a scene, a certificate", asy
     ["m = 2 kg, k = 800 N/m", "c, f, gap: missing"],
     ["m = 2 lb, k = 800 N/m, c = 3, f = 4 Hz, gap = 1 mm", 'm = "2 lb": there is no unit "lb"'],
     ["m = 2 N, k = 800 N/m, c = 3, f = 4 Hz, gap = 1 mm", "is a force; here stands a mass, in kg or the like"],
-    ["m = 2 kg, k = 800 N/m, c = 3, f = 4 Hz, gap = 0,5 mm", "“5 mm” is not understood"],
+    ["m = 2 kg, k = 800 N/m, c = 3, f = 4 Hz, gap = 0,5 mm", "“gap = 0,5 mm” is not understood"],
   ]) {
     await give(text);
     await page.locator("#panel-start").getByRole("alert").filter({ hasText: why }).waitFor();

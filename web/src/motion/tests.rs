@@ -194,7 +194,7 @@ restitution = "80 %"
     let words =
         ask(super::motion_born(&request(text, "s.toml", json!({ "parameter": "F", "max_period": 2 }))));
     let first = words["answer"][0]["text"].as_str().unwrap();
-    assert!(first.contains(" N the motion without impacts touches"), "{first}");
+    assert!(first.contains(" mN the motion without impacts touches"), "{first}");
 }
 
 #[test]
