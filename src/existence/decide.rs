@@ -9,9 +9,9 @@
 //!
 //! A sweep goes from cut to cut. Of 2n and of the k and n − k of its witnesses it knows the next multiples of
 //! 1/j, and so ⌊js⌋, whose parity is the sign of sin jπs, without a division. All k are counted at once: the
-//! integer ⌊ns⌋ − ⌊ks⌋ − ⌊(n−k)s⌋ is 0 or 1, and 1 for (n−1)⌊ns⌋ − 2 Σ ⌊ks⌋ of them, a sum that takes O(log n)
-//! operations. Just right of s, by (B1), (B2) and ⌊ns⌋ + ⌊ns + ½⌋ = ⌊2ns⌋, b_{n,k} > 0 for these if ⌊2ns⌋ is
-//! even, and for the others if it is odd; c_n > 0 if it is odd.
+//! integer ⌊ns⌋ − ⌊ks⌋ − ⌊(n−k)s⌋ is 0 or 1, and 1 for (n−1)⌊ns⌋ − 2 Σ ⌊ks⌋ of them, a sum that takes O(log
+//! n) operations. Just right of s, by (B1), (B2) and ⌊ns⌋ + ⌊ns + ½⌋ = ⌊2ns⌋, b_{n,k} > 0 for these if ⌊2ns⌋
+//! is even, and for the others if it is odd; c_n > 0 if it is odd.
 
 use num_integer::Integer;
 use num_rational::Ratio;
