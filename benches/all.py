@@ -90,7 +90,7 @@ def benches():
     one = "decide one period"
     for n in ("500", "8000"):
         if (one, n) in found:
-            row(f"deciding one period n = {n}, over n²", nanoseconds(found[one, n]), command="cargo bench --bench theorem2")
+            row(f"deciding one period n = {n}, over n", nanoseconds(found[one, n]), command="cargo bench --bench theorem2")
     rows_of = "Theorem 2's intervals for n = 3..=2000"
     pair("an interval of Theorem 2", (rows_of, "by modular inverses"), (rows_of, "by the Farey tree"), "by the Farey tree",
          "cargo bench --bench theorem2")
@@ -162,6 +162,13 @@ def peers():
         for name, ns, plain, flint in re.findall(r"^(\S.*?)  +([\d.]+) +([\d.]+) +([\d.]+)$", text, re.M):
             if not name.startswith("FLINT"):
                 row(f"a term of F_10000: {name}", f"{ns} ns", "FLINT", float(flint), "benches/peers/farey.sh")
+    if text := step("theorem2", "benches/peers/theorem2.sh"):
+        for last, *times in re.findall(r"^ *(\d+)" + r" +([\d.]+)" * 5 + "$", text, re.M):
+            here, walk, ratio, intervals, other = map(float, times)
+            beside = f"C, the same walk: {seconds(walk)}; the intervals alone: {seconds(intervals)}"
+            rows.append((f"Theorem 2, decided for n = 3 to {last}", seconds(here), beside, f"{digits(ratio)} {digits(other)}",
+                         "`benches/peers/theorem2.sh`"))
+        row("the exponent of that in N", text.split()[-3], f"C: {text.split()[-2]}; {text.split()[-1]}", command="benches/peers/theorem2.sh")
     if text := step("simulation", "benches/peers/simulation.sh"):
         found = {cells[0]: float(cells[-1]) for cells in (line.split(",") for line in text.splitlines()[1:])}
         for other in found.keys() - {"grazing"}:

@@ -108,6 +108,8 @@ step effects "$GRAZING" -q accuracy --of effects ${quick:+--quick} -o "$build/ef
 step arb benches/peers/arb.sh
 step operations benches/peers/operations.sh
 step farey benches/peers/farey.sh
+# shellcheck disable=SC2086
+step theorem2 benches/peers/theorem2.sh ${quick:+100 200}
 step simulation benches/peers/simulation.sh
 step branch benches/peers/branch.sh
 [ -n "$quick" ] || step machines cargo bench --quiet -p grazing-scenes --bench machines

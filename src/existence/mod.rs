@@ -52,6 +52,7 @@ pub use case::Case;
 pub(crate) use claim::claimed_with;
 pub use claim::{Claim, Variant, claimed};
 pub use coexistence::{Coexistence, Coexisting, MAX_COEXISTENCE, coexisting, landau, landau_scaled};
+pub(crate) use decide::each_piece;
 pub use decide::{Decision, Piece, Reason, decide};
 pub use eigenvalue::large_eigenvalue_sign;
 pub(crate) use intervals::intervals_between;

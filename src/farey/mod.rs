@@ -24,6 +24,7 @@ mod tree;
 mod walk;
 
 pub use neighbours::{Neighbours, neighbours};
+pub(crate) use rank::floor_sum;
 pub use rank::{Ranker, kth, rank};
 pub use sequence::{Sequence, bracket, next, previous};
 pub use tree::{BreadthFirst, Gap, InOrder, Turn, from_path, path};

@@ -6,6 +6,7 @@
 
 use num_integer::Roots;
 use num_rational::Ratio;
+use num_traits::PrimInt;
 
 use super::{Gap, sequence::bracket};
 use crate::error::{Error, Result};
@@ -112,8 +113,11 @@ impl Ranker {
 
     /// The number of terms in (0, p/q], for p ≤ q ≤ N.
     fn count(&self, p: u64, q: u64) -> u128 {
-        let sum: i128 =
-            self.weights.iter().map(|&(t, weight)| i128::from(weight) * floor_sum(t, p, q) as i128).sum();
+        let sum: i128 = self
+            .weights
+            .iter()
+            .map(|&(t, weight)| i128::from(weight) * floor_sum::<u128>(t.into(), p.into(), q.into()) as i128)
+            .sum();
         sum as u128
     }
 }
@@ -143,13 +147,16 @@ pub fn kth(index: u128, order: u64) -> Result<Ratio<u64>> {
     Ranker::new(order)?.kth(index)
 }
 
-/// Σ_{i=1}^{n} ⌊i p/q⌋ for p ≤ q, by Euclid's algorithm on lattice points. Below n (n + 1)/2 ≤ 2^67.
-fn floor_sum(n: u64, p: u64, q: u64) -> u128 {
-    let (mut n, mut a, mut b, mut m) = (u128::from(n) + 1, u128::from(p), 0u128, u128::from(q));
+/// Σ_{i=1}^{n} ⌊i p/q⌋ for p ≤ q, by Euclid's algorithm on lattice points. Below n (n + 1)/2.
+///
+/// Precondition: (n + 1) (n + q) fits the type.
+pub(crate) fn floor_sum<T: PrimInt>(n: T, p: T, q: T) -> T {
+    let (one, two) = (T::one(), T::one() + T::one());
+    let (mut n, mut a, mut b, mut m) = (n + one, p, T::zero(), q);
     // Invariant: the answer is `sum` + sign · Σ_{i=0}^{n-1} ⌊(a i + b)/m⌋, all terms counted from above.
-    let mut sum = 0;
+    let mut sum = T::zero();
     loop {
-        sum += n * (n - 1) / 2 * (a / m) + n * (b / m);
+        sum = sum + n * (n - one) / two * (a / m) + n * (b / m);
         (a, b) = (a % m, b % m);
         let top = a * n + b;
         if top < m {

@@ -22,6 +22,7 @@ mod map_input;
 mod measure;
 mod overflow;
 mod patterns;
+mod pieces;
 mod share;
 mod smooth_map;
 mod solvers;

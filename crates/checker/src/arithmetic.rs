@@ -35,6 +35,12 @@ impl Fraction {
         self.p * other.q < other.p * self.q
     }
 
+    /// Whether every fraction x/y between the two has y ≥ n: they are neighbours p/q < p'/q', for which y =
+    /// q(p'y − q'x) + q'(xq − py) ≥ q + q'.
+    pub(super) fn nothing_below(self, right: Fraction, n: u64) -> bool {
+        right.p * self.q == self.p * right.q + 1 && self.q + right.q >= n
+    }
+
     /// Whether j·self is an integer.
     pub(super) fn times_is_integer(self, j: u64) -> bool {
         (j * self.p).is_multiple_of(self.q)
@@ -47,48 +53,16 @@ impl fmt::Display for Fraction {
     }
 }
 
-/// j·s as ⌊j·s⌋ and what is left over, which a step from j to j ± 1 brings up to date by additions.
+/// j·s as ⌊j·s⌋.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Multiple {
-    s: Fraction,
     j: u64,
     floor: u64,
-    /// j p − q floor, from 0 to q − 1.
-    rest: u64,
 }
 
 impl Multiple {
     pub fn of(s: Fraction, j: u64) -> Multiple {
-        Multiple { s, j, floor: j * s.p / s.q, rest: j * s.p % s.q }
-    }
-
-    pub fn j(self) -> u64 {
-        self.j
-    }
-
-    /// To j + 1.
-    pub fn up(&mut self) {
-        self.j += 1;
-        self.rest += self.s.p;
-        // p ≤ q: the floor rises by at most 1.
-        if self.rest >= self.s.q {
-            self.rest -= self.s.q;
-            self.floor += 1;
-        }
-    }
-
-    /// To j − 1.
-    pub fn down(&mut self) {
-        self.j -= 1;
-        if self.rest < self.s.p {
-            self.rest += self.s.q;
-            self.floor -= 1;
-        }
-        self.rest -= self.s.p;
-    }
-
-    pub fn is_integer(self) -> bool {
-        self.rest == 0
+        Multiple { j, floor: j * s.p / s.q }
     }
 
     /// Whether ⌊j s⌋ is odd: sin πjs < 0 just right of s, and at s unless it is 0 there.
@@ -128,6 +102,24 @@ impl Signs {
     }
 }
 
+/// For how many k, 0 < k < n, ⌊ks⌋ + ⌊(n−k)s⌋ is one less than ⌊ns⌋; for the others they are equal. So their
+/// number is the sum of ⌊ns⌋ − ⌊ks⌋ − ⌊(n−k)s⌋ over k.
+pub(super) fn carries(n: u64, s: Fraction) -> u64 {
+    (n - 1) * (n * s.p / s.q) - 2 * floors(n, s.p, s.q, 0)
+}
+
+/// Σ ⌊(kp + c)/q⌋ over 0 ≤ k < n, n ≥ 1, q > 0.
+///
+/// With p, c < q it is the number of points (k, y) of integers with 0 ≤ k < n and 1 ≤ y ≤ (kp + c)/q. There
+/// are none with y > Y = ⌊last/q⌋, last = np + c. Of y = Y − i there are those with n > k ≥ (yq − c)/p,
+/// ⌊(last − yq)/p⌋ = ⌊(iq + last mod q)/p⌋ of them: the same sum again, over 0 ≤ i < Y.
+fn floors(n: u64, p: u64, q: u64, c: u64) -> u64 {
+    let whole = n * (n - 1) / 2 * (p / q) + n * (c / q);
+    let (p, c) = (p % q, c % q);
+    let last = n * p + c;
+    if last < q { whole } else { whole + floors(last / q, q, p, last % q) }
+}
+
 pub(super) fn gcd(mut a: u64, mut b: u64) -> u64 {
     while b != 0 {
         (a, b) = (b, a % b);
@@ -149,20 +141,41 @@ pub(super) fn inverse(m: u64, n: u64) -> u64 {
 mod tests {
     use super::*;
 
+    fn carries_by_definition(n: u64, s: Fraction) -> u64 {
+        let floor = |j| Multiple::of(s, j).floor;
+        (1..n).filter(|&k| floor(k) + floor(n - k) < floor(n)).count() as u64
+    }
+
     #[test]
-    fn steps_and_jumps_agree() {
-        for (p, q) in [(0, 1), (1, 1), (1, 2), (3, 7), (7, 16)] {
+    fn carries_are_counted() {
+        for q in 1..=60 {
+            for s in (0..=q).filter_map(|p| Fraction::new(p, q)) {
+                (1..=60).for_each(|n| assert_eq!(carries(n, s), carries_by_definition(n, s), "{n} {s}"));
+            }
+        }
+    }
+
+    /// With the largest numbers that are allowed.
+    #[test]
+    fn counts_do_not_overflow() {
+        let (n, q) = (MOST, 2 * MOST);
+        for (p, q) in [(1, 1), (1, 2), (1, q), (3, q), (n - 1, q), (q - 1, q), (123_456, 199_999)] {
             let s = Fraction::new(p, q).unwrap();
-            let (mut up, mut down) = (Multiple::of(s, 0), Multiple::of(s, 60));
-            for j in 0..=60 {
-                for (j, walked) in [(j, up), (60 - j, down)] {
-                    let jumped = Multiple::of(s, j);
-                    assert_eq!((walked.j, walked.floor, walked.rest), (j, jumped.floor, jumped.rest));
-                }
-                if j < 60 {
-                    up.up();
-                    down.down();
-                }
+            assert_eq!(carries(n, s), carries_by_definition(n, s), "{s}");
+        }
+    }
+
+    /// Of all fractions between two.
+    #[test]
+    fn between_neighbours_denominators_are_large() {
+        let all: Vec<Fraction> =
+            (1..=12).flat_map(|q| (0..=q).filter_map(move |p| Fraction::new(p, q))).collect();
+        for (&left, &right) in all.iter().flat_map(|left| all.iter().map(move |right| (left, right))) {
+            let least = (1..=30).find(|&j| !Multiple::of(left, j).no_integer_before(right));
+            for n in 1..=30 {
+                let holds = left.nothing_below(right, n);
+                assert!(!holds || least.is_none_or(|least| least >= n), "{left} {right} {n}");
+                assert!(holds || right.p * left.q != left.p * right.q + 1 || least.unwrap() < n);
             }
         }
     }

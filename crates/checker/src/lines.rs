@@ -180,16 +180,20 @@ impl<'a> Lines<'a> {
 /// The words of a line, taken from left to right; an error says what was expected.
 #[derive(Clone)]
 pub(super) struct Words<'a> {
-    rest: std::str::Split<'a, char>,
+    /// What follows the space after the latest word; none after the last word.
+    rest: Option<&'a str>,
 }
 
 impl<'a> Words<'a> {
     pub fn new(line: &'a str) -> Self {
-        Words { rest: line.split(' ') }
+        Words { rest: Some(line) }
     }
 
     pub fn word(&mut self, what: &str) -> Result<&'a str, String> {
-        self.rest.next().ok_or_else(|| format!("expected {what}, found the end of the line"))
+        let rest = self.rest.ok_or_else(|| format!("expected {what}, found the end of the line"))?;
+        let end = rest.bytes().position(|byte| byte == b' ');
+        self.rest = end.map(|end| &rest[end + 1..]);
+        Ok(&rest[..end.unwrap_or(rest.len())])
     }
 
     /// The word that a line begins with.
@@ -211,16 +215,17 @@ impl<'a> Words<'a> {
     }
 
     pub fn end(&mut self) -> Result<(), String> {
-        match self.rest.next() {
-            None => Ok(()),
-            Some(_) => Err("unexpected words at the end of the line".into()),
-        }
+        ensure(self.rest.is_none(), "unexpected words at the end of the line")
     }
 }
 
 /// A decimal number up to `most`, without sign or leading zeros.
 pub(super) fn number(word: &str, most: u64) -> Option<u64> {
-    let plain = word.bytes().all(|byte| byte.is_ascii_digit());
-    let canonical = plain && (word == "0" || !word.starts_with('0'));
-    word.parse().ok().filter(|&value| canonical && value <= most)
+    let mut value: u64 = 0;
+    for byte in word.bytes() {
+        let digit = byte.is_ascii_digit().then(|| u64::from(byte - b'0'))?;
+        value = value.checked_mul(10)?.checked_add(digit)?;
+    }
+    let canonical = word == "0" || !(word.is_empty() || word.starts_with('0'));
+    (canonical && value <= most).then_some(value)
 }

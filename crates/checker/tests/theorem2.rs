@@ -54,3 +54,27 @@ fn the_largest_period_is_checked_without_overflow() {
     let why = rejected(&block(n + 1, &first));
     assert!(why.contains("a number from 0 to 200000"), "{why}");
 }
+
+/// Every point of the sample where some b is 0 and two others have opposite signs, taken for a boundary.
+#[test]
+fn a_zero_among_opposite_signs_is_no_boundary() {
+    let (mut n, mut tried) = (0, 0);
+    for line in THEOREM2.lines() {
+        let words: Vec<&str> = line.split(' ').collect();
+        if words[0] == "n" {
+            n = words[1].parse().unwrap();
+        }
+        let ("point", Some(&"excluded")) = (words[0], words.get(2)) else { continue };
+        let q: u64 = words[1].split_once('/').unwrap().1.parse().unwrap();
+        if q < n {
+            let block = format!("\nn {n} ");
+            let start = THEOREM2.find(&block).unwrap();
+            let boundary = format!("point {} boundary {q}", words[1]);
+            let damaged = THEOREM2[start..].replacen(line, &boundary, 1);
+            let why = rejected(&format!("{}{damaged}", &THEOREM2[..start]));
+            assert!(why.contains("two b of strictly opposite sign"), "{boundary} of n = {n}: {why}");
+            tried += 1;
+        }
+    }
+    assert!(tried >= 20, "{tried}");
+}

@@ -33,7 +33,7 @@ pub use hash::{fingerprint, fnv64};
 pub use journal::{Journal, SavedRun, torn};
 pub use registry::MADE;
 pub use registry::{Clash, FileRegistry, FileUse, NamedFile};
-pub use row::RowSetter;
+pub use row::{Numbers, RowSetter};
 pub use samples::{SampleColumns, SampleLine, WrongLine, samples};
 pub use shard::{Shard, ShardFile, ShardWriter, ShardedTask, TaskInput};
 pub use table::{Caption, Column, Print, Setting, TableCell, TableFormat, TableWriter, decimal};

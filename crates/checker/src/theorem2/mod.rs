@@ -18,6 +18,10 @@
 //! open interval it has a zero exactly if an integer lies strictly between j times its ends. cos nπs is sin
 //! (ns + ½)π. So every sign is decided by integers, at the left end of an interval without zeros.
 //!
+//! Whether all b have one sign is counted. ⌊ns⌋ − ⌊ks⌋ − ⌊(n−k)s⌋ is 0 or 1. Where it is 0, b_{n,k} has the
+//! sign of c_n, else the other one; so all have one sign where it is 0 for every k, or 1. Its sum over k,
+//! (n−1)⌊ns⌋ − 2 Σ ⌊ks⌋, is 0 then, or n − 1.
+//!
 //! Theorem 2 lists for n ≥ 2, from left to right,
 //!
 //! ```text
@@ -76,8 +80,9 @@
 //!
 //! # Cost
 //!
-//! O(1) per line, O(n) steps of two additions each for an `orbit` or `boundary` line, of which a true block
-//! has about n. Memory: one line. What long blocks take is measured in docs/trust.md.
+//! O(1) per line, O(log n) for an `orbit` or `boundary` line, of which a true block has about n; O(n) for the
+//! one `orbit` line whose ends are no neighbours, and for one that is false. Memory: one line. What long
+//! blocks take is measured in docs/trust.md.
 
 mod claim;
 mod intervals;
@@ -86,7 +91,7 @@ use std::ops::RangeInclusive;
 
 use super::{
     Proved, Rejection,
-    arithmetic::{Fraction, MOST, Multiple, Signs},
+    arithmetic::{Fraction, MOST, Multiple, Signs, carries},
     header::{self, Header},
     lines::Lines,
 };
@@ -236,20 +241,20 @@ impl Block {
     fn orbit(&self, left: Fraction, right: Fraction, emu: bool, gamma: bool) -> Result<(), String> {
         let n = self.n;
         self.no_singularity(left, right)?;
+        let zero = |&j: &u64| !Multiple::of(left, j).no_integer_before(right);
+        if !left.nothing_below(right, n)
+            && let Some(j) = (1..n).find(zero)
+        {
+            let what = format!("sin {j} pi s, a factor of b_{{{n},{j}}}");
+            return Err(format!("{what}, has a zero in ({left}, {right})"));
+        }
+        // Those that carry have not the sign of c.
         let signs = Signs::new(n, left);
-        let (mut low, mut high) = (Multiple::of(left, 0), Multiple::of(left, n));
-        for k in 1..=n / 2 {
-            low.up();
-            high.down();
-            if let Some(zero) = [low, high].into_iter().find(|multiple| !multiple.no_integer_before(right)) {
-                return Err(format!(
-                    "sin {} pi s, a factor of b_{{{n},{k}}}, has a zero in ({left}, {right})",
-                    zero.j()
-                ));
-            }
-            if signs.b_negative(low, high) == emu {
-                return Err(format!("b_{{{n},{k}}} has the wrong sign on ({left}, {right})"));
-            }
+        let wanted = if emu == signs.c_negative() { n - 1 } else { 0 };
+        if carries(n, left) != wanted {
+            let wrong = |&k: &u64| signs.b_negative(Multiple::of(left, k), Multiple::of(left, n - k)) == emu;
+            let k = (1..n).find(wrong).expect("not all have the right sign");
+            return Err(format!("b_{{{n},{k}}} has the wrong sign on ({left}, {right})"));
         }
         let holds = (emu == gamma) != signs.c_negative();
         ensure(holds, format_args!("c_{n} has the wrong sign on ({left}, {right})"))
@@ -260,20 +265,11 @@ impl Block {
         let n = self.n;
         self.not_singular(at)?;
         ensure(self.zero(at, k), format_args!("b_{{{n},{k}}} is not 0 at {at}"))?;
-        let signs = Signs::new(n, at);
-        let (mut low, mut high, mut first) = (Multiple::of(at, 0), Multiple::of(at, n), None);
-        for _ in 1..=n / 2 {
-            low.up();
-            high.down();
-            if low.is_integer() || high.is_integer() {
-                continue;
-            }
-            let negative = signs.b_negative(low, high);
-            if *first.get_or_insert(negative) != negative {
-                return Err(format!("two b of strictly opposite sign at {at}: excluded, not a boundary"));
-            }
-        }
-        Ok(())
+        // What is 0 does not carry: q divides k for ⌊(n−1)/q⌋ of them, n − k for as many others, as it does
+        // not divide n.
+        let (carry, zeros) = (carries(n, at), 2 * ((n - 1) / at.parts().1));
+        let holds = carry == 0 || carry + zeros == n - 1;
+        ensure(holds, format_args!("two b of strictly opposite sign at {at}: excluded, not a boundary"))
     }
 
     /// Whether b_{n,k} = 0 at a point that is not singular.

@@ -89,7 +89,7 @@ pub(super) fn outcome(path: &Path, rejection: &Rejection) -> Outcome {
 }
 
 pub(super) fn check(path: &Path, interrupt: &Interrupt) -> Answer {
-    hashed(path, interrupt).map(|(checked, _)| checked)
+    read(path, interrupt, |stream, stop| check_until(stream, stop))
 }
 
 /// What a certificate proves, and the SHA-256 of the bytes that were checked: the file's, since the checker
@@ -98,16 +98,25 @@ pub(super) fn hashed(
     path: &Path,
     interrupt: &Interrupt,
 ) -> std::result::Result<(Checked, String), Rejection> {
+    read(path, interrupt, |stream, stop| {
+        let mut hashed = Hashed::new(stream);
+        let checked = check_until(&mut BufReader::with_capacity(1 << 16, &mut hashed), stop)?;
+        Ok((checked, hashed.finish()))
+    })
+}
+
+/// What `check` says of a file, ended early when the user wants it.
+fn read<T>(
+    path: &Path,
+    interrupt: &Interrupt,
+    check: impl FnOnce(&mut Reader, &mut dyn FnMut() -> bool) -> std::result::Result<T, Rejection>,
+) -> std::result::Result<T, Rejection> {
     let mut stop = || interrupt.check().is_err();
     if stop() {
         return Err(Rejection::Interrupted { line: 1 });
     }
     match Reader::open(path, interrupt) {
-        Ok(mut stream) => {
-            let mut hashed = Hashed::new(&mut stream);
-            let checked = check_until(&mut BufReader::with_capacity(1 << 16, &mut hashed), &mut stop)?;
-            Ok((checked, hashed.finish()))
-        }
+        Ok(mut stream) => check(&mut stream, &mut stop),
         Err(_) if stop() => Err(Rejection::Interrupted { line: 1 }),
         Err(source) => Err(Rejection::Unreadable { line: 0, source }),
     }

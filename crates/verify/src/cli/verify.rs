@@ -30,7 +30,7 @@ use crate::{
     },
 };
 
-/// The largest period: deciding it takes minutes.
+/// The largest period, as in certificates.
 const LIMIT: u64 = 200_000;
 
 /// Prove Theorem 2 for every period in a range, by exact decision, by enclosures, or both.
