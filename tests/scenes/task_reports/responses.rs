@@ -279,6 +279,111 @@ fn narrow_peaks_are_found_and_peaks_that_overlap_have_no_width() {
     assert_eq!(overlaps.count(), 2, "{:?}", two.peaks);
 }
 
+/// A chain of four masses, drawn: masses, dampers to the ground, springs (the first to the ground) and drive.
+struct Chain {
+    mass: [f64; 4],
+    damping: [f64; 4],
+    springs: [f64; 4],
+    drive: [C; 4],
+}
+
+impl Chain {
+    fn drawn(seed: u32) -> Chain {
+        let mut state = seed;
+        let mut draw = |from: f64, to: f64| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let part = f64::from(state >> 8) / f64::from(1 << 24);
+            ((from + (to - from) * part) * 1e4).round() / 1e4
+        };
+        Chain {
+            mass: [(); 4].map(|()| draw(1.0, 3.0)),
+            damping: [(); 4].map(|()| draw(0.05, 0.15)),
+            springs: [(); 4].map(|()| draw(1.0, 4.0)),
+            drive: [(); 4].map(|()| Complex::new(draw(-1.5, 1.5), -draw(-1.5, 1.5))),
+        }
+    }
+
+    fn stiffness(&self, i: usize) -> f64 {
+        self.springs[i] + self.springs.get(i + 1).unwrap_or(&0.0)
+    }
+
+    fn scene(&self) -> String {
+        let part = |of: fn(&C) -> f64| self.drive.each_ref().map(of);
+        let row = |i: usize| {
+            [0, 1, 2, 3].map(|j: usize| match i.abs_diff(j) {
+                0 => self.stiffness(i),
+                1 => -self.springs[i.max(j)],
+                _ => 0.0,
+            })
+        };
+        format!(
+            "[parameters]\nw = 1\n[system]\nperiod = \"2*pi/w\"\nmass = {{ diagonal = {:?} }}\ndamping = {{ diagonal = {:?} }}\n\
+             stiffness = {:?}\nforcing = [{{ cos = {:?}, sin = {:?} }}]\n",
+            self.mass,
+            self.damping,
+            [0, 1, 2, 3].map(row),
+            part(|z| z.re),
+            part(|z| -z.im)
+        )
+    }
+
+    /// The squares of the amplitudes, by elimination from the last mass on.
+    fn squares(&self, w: f64) -> [f64; 4] {
+        let own = |i: usize| Complex::new(self.stiffness(i) - w * w * self.mass[i], w * self.damping[i]);
+        let (mut left, mut right) = ([0, 1, 2, 3].map(own), self.drive);
+        for i in (0..3).rev() {
+            let factor = self.springs[i + 1] / left[i + 1];
+            left[i] -= factor * self.springs[i + 1];
+            let more = factor * right[i + 1];
+            right[i] += more;
+        }
+        let mut z = [Complex::new(0.0, 0.0); 4];
+        for i in 0..4 {
+            let before = if i == 0 { Complex::new(0.0, 0.0) } else { z[i - 1] * self.springs[i] };
+            z[i] = (right[i] + before) / left[i];
+        }
+        z.map(|z| z.norm_sqr())
+    }
+}
+
+/// Peaks that are no mode's are found however few values are looked at: those that many looks at the closed
+/// form see, and no others.
+#[test]
+fn all_peaks_are_found_whatever_the_count() {
+    let looks: Vec<f64> = (0..=4000).map(|i| 0.1 + f64::from(i) * 3.9 / 4000.0).collect();
+    let mut all = 0;
+    for seed in 0..10 {
+        let chain = Chain::drawn(seed);
+        let squares: Vec<[f64; 4]> = looks.iter().map(|w| chain.squares(*w)).collect();
+        for count in [3, 12, 60] {
+            let found = found(&format!("{}{}", chain.scene(), task("w", [0.1, 4.0], count, "")));
+            for i in 0..4 {
+                let own: Vec<f64> = found
+                    .peaks
+                    .iter()
+                    .filter(|row| row.coordinate == format!("q{}", i + 1))
+                    .map(|row| row.value)
+                    .collect();
+                for &at in &own {
+                    let here = chain.squares(at)[i];
+                    assert!(
+                        [1.0 - 1e-6, 1.0 + 1e-6].iter().all(|x| chain.squares(at * x)[i] < here),
+                        "{seed} {at}"
+                    );
+                }
+                for (x, three) in looks.windows(3).zip(squares.windows(3)) {
+                    if three[1][i] > three[0][i] && three[1][i] >= three[2][i] {
+                        let near = own.iter().filter(|at| (x[0]..=x[2]).contains(at)).count();
+                        assert_eq!(near, 1, "{seed}, {count} values: q{} near {}, of {own:?}", i + 1, x[1]);
+                        all += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(all > 250, "{all}");
+}
+
 /// Where a hardening spring jumps: at the saddle-nodes of its branch.
 #[test]
 fn a_duffing_oscillator_jumps_at_its_saddle_nodes() {

@@ -20,7 +20,8 @@ use crate::{
     error::{Error, Result},
     many::{
         Machine,
-        resonance::{self, FreeResponse, Peak},
+        peaks::{Peak, peaks},
+        resonance::{self, FreeResponse},
     },
     scene::{Frame, branches::DiagramTask, response::ResponseTask},
 };
@@ -148,6 +149,9 @@ pub struct ResponseFindings {
     /// All swings. Not in JSON: they are the task's CSV file.
     #[serde(skip)]
     pub rows: Vec<ResponseRow>,
+    /// Whether peaks are all that there are; if not, a warning says so.
+    #[serde(skip)]
+    pub all_peaks: bool,
 }
 
 impl Finding for ResponseFindings {
@@ -177,7 +181,9 @@ impl Finding for ResponseFindings {
                 self.values
             )
         });
-        at.into_iter().collect()
+        let open = "how the linear response changes with the parameter is not resolved everywhere: between values a peak may be \
+                    missed";
+        at.into_iter().chain((!self.all_peaks).then(|| open.to_string())).collect()
     }
 
     fn lines(&self, lines: &mut Lines) {
@@ -250,7 +256,7 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
     }
     let ends = [values[0], values[values.len() / 2], values[values.len() - 1]];
     let is_frequency = resonance::is_frequency(&at, ends)?;
-    let peaks = resonance::peaks(&at, &values, k, &mut || job.check())?;
+    let (peaks, all_peaks) = peaks(&at, &values, k, &mut || job.check())?;
     let peaks = peaks.into_iter().map(|peak| PeakRow::new(peak, &names, is_frequency)).collect();
     let contact = contacts(&rows);
     let found = ResponseFindings {
@@ -267,6 +273,7 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
         sweep: None,
         not_settled: Vec::new(),
         rows,
+        all_peaks,
     };
     let clear = found.contact.is_empty() && (found.floating.is_empty() || machine.stops.is_empty());
     let same = is_linear && machine.friction.is_empty() && clear;
