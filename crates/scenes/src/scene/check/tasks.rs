@@ -340,6 +340,10 @@ impl Checked<'_> {
         let (driven, told) = self.drive();
         if !told && !driven.contains(&task.harmonic) {
             let known: Vec<String> = driven.iter().map(u32::to_string).collect();
+            // The free machine swings without one.
+            if known.is_empty() && task.backbone && task.seen != Some(true) {
+                return self.backbone(task);
+            }
             let message = match &known[..] {
                 [] => "has no drive to respond to: give `forcing`, a formula in t, or a stop or surface that moves".to_string(),
                 all => format!("is not in the drive, which has {}", all.join(", ")),
@@ -350,17 +354,19 @@ impl Checked<'_> {
             let message = format!("is looked for in formulas in t up to {FORMULA}: give it as `forcing`");
             return self.fail("harmonic", &message);
         }
-        let why = match self.model {
-            Model::One(system) => Machine::of_oscillator(system, ["lower", "upper"], 1.0).no_backbone(),
-            Model::Many(machine) => machine.no_backbone(),
-        };
-        if let Some(why) = why.filter(|_| task.backbone) {
-            return self.fail("backbone", why);
-        }
+        self.backbone(task)?;
         if task.seen == Some(false) {
             return Ok(());
         }
         self.start(&task.start, "start")
+    }
+
+    fn backbone(&self, task: &ResponseTask) -> Result<()> {
+        let why = match self.model {
+            Model::One(system) => Machine::of_oscillator(system, ["lower", "upper"], 1.0).no_backbone(),
+            Model::Many(machine) => machine.no_backbone(),
+        };
+        why.filter(|_| task.backbone).map_or(Ok(()), |why| self.fail("backbone", why))
     }
 
     /// The harmonics of all that drives the system, and whether a formula may have more.
