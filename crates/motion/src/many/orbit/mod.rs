@@ -137,7 +137,7 @@ pub fn find_beside(
             2 * m
         )));
     }
-    simulator.check_no_kinks()?;
+    simulator.check_kinks_of_time()?;
     check_given(simulator.contacts().rubs().iter().map(|rub| (&rub.name, rub.stop)))?;
     check_stops(pattern, simulator.contacts())?;
     let size = simulator.scale_at(pattern.strikes().iter().map(|strike| strike.place));

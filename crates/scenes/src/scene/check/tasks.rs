@@ -81,8 +81,8 @@ impl Checked<'_> {
     }
 
     /// With dry friction motions are followed, attractors and orbits found, and branches of these over one
-    /// parameter; with forces that have kinks motions are followed, and attractors found. Nothing that takes
-    /// a map that is smooth, or has an inverse.
+    /// parameter; with forces that have kinks motions are followed, and attractors found, with those of the
+    /// time alone orbits and branches, too. Nothing that takes a map that is smooth, or has an inverse.
     fn rubbing(&self, kind: &Kind) -> Result<()> {
         let Model::Many(machine) = self.model else { return Ok(()) };
         let (first, kinked) = (machine.friction.first(), machine.kinked());
@@ -90,11 +90,12 @@ impl Checked<'_> {
         let on_stop = machine.friction.iter().find(|friction| friction.normal.stop().is_some());
         let on_stop = on_stop.map(|friction| format!("the normal force of {} is a stop's", friction.name));
         let kinks = kinked.map(|text| format!("a force has kinks ({text})"));
+        let moving = machine.kinked_by_motion().map(|text| format!("a force has kinks ({text})"));
         let formula = friction.as_ref().filter(|_| machine.is_smooth());
         let formula = formula.map(|friction| format!("{friction}, and a force is a formula"));
         let Some(what) = friction.or_else(|| kinks.clone()) else { return Ok(()) };
         let refused = |key: &str, what: &str| {
-            let orbits = if kinks.is_none() && on_stop.is_none() {
+            let orbits = if moving.is_none() && on_stop.is_none() {
                 ", `orbit`, `branch` over one parameter"
             } else {
                 ""
@@ -106,7 +107,7 @@ impl Checked<'_> {
             self.fail(key, &message)
         };
         // Why orbits are not found, and why branches are not followed.
-        let orbits = kinks.as_ref().or(on_stop.as_ref());
+        let orbits = moving.as_ref().or(on_stop.as_ref());
         let branches = orbits.or(formula.as_ref());
         match (kind, orbits, branches) {
             (Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_) | Kind::RestTask(_), ..) => {
@@ -114,7 +115,9 @@ impl Checked<'_> {
             }
             (Kind::OrbitTask(_), None, _) => Ok(()),
             (Kind::OrbitTask(_), Some(why), _) | (Kind::BranchTask(_), _, Some(why)) => refused("kind", why),
-            (Kind::BranchTask(task), ..) if task.second.is_some() => refused("second", &what),
+            (Kind::BranchTask(task), ..) if task.second.is_some() && first.is_some() => {
+                refused("second", &what)
+            }
             (Kind::DiagramTask(task), _, Some(why)) if !task.branches.is_empty() => refused("branches", why),
             (Kind::BranchTask(_) | Kind::DiagramTask(_), ..) => Ok(()),
             (Kind::SectionTask(task), ..) if task.orbits.is_empty() => Ok(()),
@@ -274,8 +277,9 @@ impl Checked<'_> {
     }
 
     fn branch(&self, task: &BranchTask) -> Result<()> {
-        // Friction alone makes a motion worth following, too.
-        if !matches!(self.model, Model::Many(machine) if !machine.friction.is_empty()) {
+        // Friction alone, or a force that is a formula, makes a motion worth following, too.
+        if !matches!(self.model, Model::Many(machine) if !machine.friction.is_empty() || machine.is_smooth())
+        {
             self.stops()?;
         }
         self.frame(task.frame)?;
