@@ -55,9 +55,9 @@ struct Sample {
 }
 
 /// The peaks of a harmonic, by coordinate or gap and then by value, and whether these are all: if not, a
-/// climb is not resolved somewhere, as where the parameter makes it jump. `values` ascend. Cost: a response per
-/// value, some 200 per peak and 12 per piece, of which there are some ten per mode and more the less it is
-/// damped, each O(n³) for n coordinates.
+/// climb is not resolved somewhere, as where the parameter makes it jump. `values` ascend. Cost: a response
+/// per value, some 200 per peak and 12 per piece, of which there are some ten per mode and more the less it
+/// is damped, each O(n³) for n coordinates.
 ///
 /// # Errors
 /// Those of [`FreeResponse::at`].
@@ -272,7 +272,8 @@ mod tests {
         (ends, seen)
     }
 
-    /// Two zeros 2e-5 apart, five of a cosine, none beside a pole that is close: each zero in a piece of its own.
+    /// Two zeros 2e-5 apart, five of a cosine, none beside a pole that is close: each zero in a piece of its
+    /// own.
     #[test]
     fn pieces_separate_zeros() {
         let (ends, seen) = cuts(|x| (x - 0.61803) * (x - 0.61805));

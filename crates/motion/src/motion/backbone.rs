@@ -8,8 +8,8 @@
 //!
 //! which is smooth up to the turning point where G is positive. A rigid stop before b cuts the integral off,
 //! a spring that begins on the way is a kink of G, at which it is cut in two. Each piece is summed by Gauss's
-//! rule of eight points on eight panels, more beside a hill. What a force that is a formula adds to V(b) − V(q) is summed from
-//! point to point, from b on.
+//! rule of eight points on eight panels, more beside a hill. What a force that is a formula adds to V(b) −
+//! V(q) is summed from point to point, from b on.
 
 use std::{
     cell::Cell,
