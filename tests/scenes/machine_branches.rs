@@ -2,6 +2,7 @@
 //! other, against data that a script of its own computed (`tests/data/make_machine_bifurcations.py`).
 
 mod normal_forms;
+mod touches;
 use crate::tasks;
 
 use std::{f64::consts::TAU, fs, process::Command};

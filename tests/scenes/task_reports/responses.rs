@@ -279,6 +279,111 @@ fn narrow_peaks_are_found_and_peaks_that_overlap_have_no_width() {
     assert_eq!(overlaps.count(), 2, "{:?}", two.peaks);
 }
 
+/// A chain of four masses, drawn: masses, dampers to the ground, springs (the first to the ground) and drive.
+struct Chain {
+    mass: [f64; 4],
+    damping: [f64; 4],
+    springs: [f64; 4],
+    drive: [C; 4],
+}
+
+impl Chain {
+    fn drawn(seed: u32) -> Chain {
+        let mut state = seed;
+        let mut draw = |from: f64, to: f64| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let part = f64::from(state >> 8) / f64::from(1 << 24);
+            ((from + (to - from) * part) * 1e4).round() / 1e4
+        };
+        Chain {
+            mass: [(); 4].map(|()| draw(1.0, 3.0)),
+            damping: [(); 4].map(|()| draw(0.05, 0.15)),
+            springs: [(); 4].map(|()| draw(1.0, 4.0)),
+            drive: [(); 4].map(|()| Complex::new(draw(-1.5, 1.5), -draw(-1.5, 1.5))),
+        }
+    }
+
+    fn stiffness(&self, i: usize) -> f64 {
+        self.springs[i] + self.springs.get(i + 1).unwrap_or(&0.0)
+    }
+
+    fn scene(&self) -> String {
+        let part = |of: fn(&C) -> f64| self.drive.each_ref().map(of);
+        let row = |i: usize| {
+            [0, 1, 2, 3].map(|j: usize| match i.abs_diff(j) {
+                0 => self.stiffness(i),
+                1 => -self.springs[i.max(j)],
+                _ => 0.0,
+            })
+        };
+        format!(
+            "[parameters]\nw = 1\n[system]\nperiod = \"2*pi/w\"\nmass = {{ diagonal = {:?} }}\ndamping = {{ diagonal = {:?} }}\n\
+             stiffness = {:?}\nforcing = [{{ cos = {:?}, sin = {:?} }}]\n",
+            self.mass,
+            self.damping,
+            [0, 1, 2, 3].map(row),
+            part(|z| z.re),
+            part(|z| -z.im)
+        )
+    }
+
+    /// The squares of the amplitudes, by elimination from the last mass on.
+    fn squares(&self, w: f64) -> [f64; 4] {
+        let own = |i: usize| Complex::new(self.stiffness(i) - w * w * self.mass[i], w * self.damping[i]);
+        let (mut left, mut right) = ([0, 1, 2, 3].map(own), self.drive);
+        for i in (0..3).rev() {
+            let factor = self.springs[i + 1] / left[i + 1];
+            left[i] -= factor * self.springs[i + 1];
+            let more = factor * right[i + 1];
+            right[i] += more;
+        }
+        let mut z = [Complex::new(0.0, 0.0); 4];
+        for i in 0..4 {
+            let before = if i == 0 { Complex::new(0.0, 0.0) } else { z[i - 1] * self.springs[i] };
+            z[i] = (right[i] + before) / left[i];
+        }
+        z.map(|z| z.norm_sqr())
+    }
+}
+
+/// Peaks that are no mode's are found however few values are looked at: those that many looks at the closed
+/// form see, and no others.
+#[test]
+fn all_peaks_are_found_whatever_the_count() {
+    let looks: Vec<f64> = (0..=4000).map(|i| 0.1 + f64::from(i) * 3.9 / 4000.0).collect();
+    let mut all = 0;
+    for seed in 0..10 {
+        let chain = Chain::drawn(seed);
+        let squares: Vec<[f64; 4]> = looks.iter().map(|w| chain.squares(*w)).collect();
+        for count in [3, 12, 60] {
+            let found = found(&format!("{}{}", chain.scene(), task("w", [0.1, 4.0], count, "")));
+            for i in 0..4 {
+                let own: Vec<f64> = found
+                    .peaks
+                    .iter()
+                    .filter(|row| row.coordinate == format!("q{}", i + 1))
+                    .map(|row| row.value)
+                    .collect();
+                for &at in &own {
+                    let here = chain.squares(at)[i];
+                    assert!(
+                        [1.0 - 1e-6, 1.0 + 1e-6].iter().all(|x| chain.squares(at * x)[i] < here),
+                        "{seed} {at}"
+                    );
+                }
+                for (x, three) in looks.windows(3).zip(squares.windows(3)) {
+                    if three[1][i] > three[0][i] && three[1][i] >= three[2][i] {
+                        let near = own.iter().filter(|at| (x[0]..=x[2]).contains(at)).count();
+                        assert_eq!(near, 1, "{seed}, {count} values: q{} near {}, of {own:?}", i + 1, x[1]);
+                        all += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(all > 250, "{all}");
+}
+
 /// Where a hardening spring jumps: at the saddle-nodes of its branch.
 #[test]
 fn a_duffing_oscillator_jumps_at_its_saddle_nodes() {
@@ -702,12 +807,132 @@ fn a_free_vibration_of_the_backbone_is_back_after_a_period() {
     }
     for (text, why) in [
         (
-            "[parameters]\nf = 1\n[system]\nforce = \"-f*sin(q) + cos(t)\"\n".to_string(),
-            "a force is a formula",
+            "[parameters]\nf = 1\n[system]\nforce = \"-f*sin(q)*(1 + cos(t))\"\n".to_string(),
+            "a term of it with velocity or time",
         ),
         (stop.replace("offset = 0.02", "offset = 0.02\nharmonics = [{ cos = 0.001 }]"), "a stop moves"),
     ] {
         let error = reports(&format!("{text}{}", task("f", [1.0, 2.0], 5, "backbone = true"))).unwrap_err();
         assert!(error.to_string().contains(why), "{error}");
+    }
+}
+
+/// The amplitude A of u″ + u + u³ at a frequency: 2π f = √(1 + A²) M(1, √(1 − A²/(2 + 2A²))), by halving.
+fn duffing_amplitude(frequency: f64) -> f64 {
+    let (mut low, mut high) = (0.0, 10.0);
+    for _ in 0..100 {
+        let middle: f64 = (low + high) / 2.0;
+        let whole = 1.0 + middle * middle;
+        let rate = whole.sqrt() * agm(1.0, (1.0 - middle * middle / (2.0 * whole)).sqrt());
+        *(if rate < TAU * frequency { &mut low } else { &mut high }) = middle;
+    }
+    low
+}
+
+/// A backbone is of the free machine: the same points without a drive, under one that is next to nothing, and
+/// under one that is large, of a cube as a key and as a formula.
+#[test]
+fn a_backbone_depends_on_no_drive() {
+    let task = task("f", [0.17, 0.3], 14, "backbone = true\nseen = false");
+    near(duffing_amplitude(0.25), 1.416805854, 1e-9);
+    let undriven = task.replace("seen = false", "");
+    let forced = "stiffness = 1\ncubic = 1\nforcing = [{ cos = 1e-9 }]\ndamping = 0.001";
+    for (system, task) in [
+        ("stiffness = 1\ncubic = 1", &undriven),
+        (forced, &task),
+        (&forced.replace("1e-9", "30"), &task),
+        ("force = \"-q - q^3\"", &undriven),
+        ("force = \"-0.3*u - (q + 2*q^3/2 - 4*cos(t) + 0.2*u*q^2)\"", &task),
+    ] {
+        for engine in ["one", "many"] {
+            let found = found(&format!(
+                "engine = {engine:?}\n[parameters]\nf = 0.2\n[system]\nfrequency = \"f\"\n{system}\n{task}"
+            ));
+            let backbone = found.backbone.as_ref().unwrap();
+            assert_eq!(backbone.len(), 14, "{system}");
+            for row in backbone {
+                near(row.swing, duffing_amplitude(row.value), 1e-12);
+            }
+            let ends: Vec<_> =
+                found.backbone_ends.as_ref().unwrap().iter().map(|end| (end.value, end.why)).collect();
+            assert_eq!(ends, [(0.17, "range"), (0.3, "range")]);
+        }
+    }
+}
+
+/// Where a backbone ends: at the natural frequency, with the swing up to which all have it; where ever larger
+/// swings tend to; at a hill, which a pendulum slower than any that rounding knows comes to; and where two
+/// swings become one.
+#[test]
+fn a_backbone_says_where_it_ends() {
+    let ends = |system: &str, range: [f64; 2]| {
+        let task = task("w", range, 6, "backbone = true");
+        let found = found(&format!("[parameters]\nw = 1\n[system]\nperiod = \"2*pi/w\"\n{system}\n{task}"));
+        found
+            .backbone_ends
+            .unwrap()
+            .into_iter()
+            .map(|end| (end.why, end.value, end.swing))
+            .collect::<Vec<_>>()
+    };
+    let cubic = ends("stiffness = 1\ncubic = 0.216", [0.9, 3.0]);
+    let [("natural frequency", w, Some(0.0)), ("range", 3.0, Some(swing))] = cubic[..] else {
+        panic!("{cubic:?}")
+    };
+    near(w, 1.0, 1e-11);
+    near(swing, duffing_amplitude(3.0 / TAU) / 0.216f64.sqrt(), 1e-11);
+    let stop = "stiffness = 1\n[[stops]]\nside = \"upper\"\noffset = 0.495\nrestitution = 0.9";
+    let stopped = ends(stop, [0.9, 3.0]);
+    let [("natural frequency", w, Some(touch)), ("largest swings", most, None)] = stopped[..] else {
+        panic!("{stopped:?}")
+    };
+    near(w, 1.0, 1e-11);
+    near(touch, 0.495, 1e-6);
+    near(most, 2.0, 1e-5);
+    let pendulum = ends("force = \"-sin(q)\"", [0.01, 1.2]);
+    let [("hill", slow, Some(top)), ("natural frequency", w, Some(0.0))] = pendulum[..] else {
+        panic!("{pendulum:?}")
+    };
+    near(w, 1.0, 1e-11);
+    near(top, PI, 4e-6);
+    near(slow, agm(1.0, (5e-7 * PI).sin()), 1e-4);
+    // k = 1, softer, then harder: the least frequency, by the elliptic integral's own quadrature.
+    let bent = ends("force = \"-q + 1.5*q^3 - q^5\"", [0.5, 1.5]);
+    let [("turns back", least, Some(swing)), ("natural frequency", w, Some(0.0)), ("range", 1.5, Some(_))] =
+        bent[..]
+    else {
+        panic!("{bent:?}")
+    };
+    near(w, 1.0, 1e-11);
+    let rate = |a: f64| {
+        let v = |q: f64| q * q / 2.0 - 1.5 * q.powi(4) / 4.0 + q.powi(6) / 6.0;
+        let n = 4000;
+        // q = a sin s, by the midpoint rule, which is exact to rounding for a period.
+        let time = (0..n).map(|i| {
+            let s = PI / 2.0 * (f64::from(i) + 0.5) / f64::from(n);
+            a * s.cos() / (2.0 * (v(a) - v(a * s.sin()))).sqrt() * PI / 2.0 / f64::from(n)
+        });
+        PI / 2.0 / time.sum::<f64>()
+    };
+    near(rate(swing), least, 1e-8);
+    assert!(rate(0.9 * swing) > least && rate(1.1 * swing) > least);
+}
+
+/// Nothing is found, and why: of a linear spring, and of one that is too fast for the range.
+#[test]
+fn a_backbone_without_points_is_not_done() {
+    for (system, why) in [
+        ("stiffness = 1\ndamping = 0.1\nforcing = [{ cos = 0.05 }]", "have one frequency"),
+        ("stiffness = 25\ncubic = 1", "are faster at every value"),
+        ("stiffness = 0.01\ncubic = -1", "are slower at every value"),
+        ("force = 1", "no place of rest"),
+    ] {
+        let task = task("w", [0.9, 3.0], 4, "backbone = true");
+        let report =
+            reports(&format!("[parameters]\nw = 1\n[system]\nperiod = \"2*pi/w\"\n{system}\n{task}"));
+        let report = report.unwrap().remove(0);
+        assert_eq!(report.status.word(), "nothing found", "{report}");
+        let reason = report.status.reason().unwrap_or_default();
+        assert!(reason.contains("the backbone has no point") && reason.contains(why), "{reason}");
     }
 }

@@ -62,7 +62,8 @@ pub trait FollowedOrbit: Clone {
     /// Whether all multipliers are inside the unit circle.
     fn is_stable(&self) -> bool;
 
-    /// Whether, where there is dry friction, both slide and stick in the same order.
+    /// Whether, where there is dry friction, both slide and stick in the same order, and both touch stops
+    /// that give way as often.
     fn slides_as(&self, _other: &Self) -> bool {
         true
     }

@@ -95,7 +95,7 @@ impl Solved {
         tally: Option<&Arc<EffectTally>>,
     ) -> Result<Solved> {
         let flow = LinearFlow::new(machine.equations()?)?;
-        machine.check_no_kinks()?;
+        machine.check_kinks_of_time()?;
         check_given(machine.friction.iter().map(|friction| (&friction.name, friction.normal.stop())))?;
         let contacts = Contacts::new(flow.equations(), machine.contacts()?, machine.rubs()?);
         check_stops(pattern, &contacts)?;
@@ -251,7 +251,8 @@ impl FollowedOrbit for Orbit {
     }
 
     fn slides_as(&self, other: &Orbit) -> bool {
-        self.grips.len() == other.grips.len()
+        self.touches.contacts == other.touches.contacts
+            && self.grips.len() == other.grips.len()
             && self.grips.iter().zip(&other.grips).all(|(a, b)| sliding::same(a, b))
     }
 
@@ -264,6 +265,9 @@ impl FollowedOrbit for Orbit {
         let slow = |orbit: &Orbit| FollowedOrbit::speeds(orbit).iter().any(|speed| speed.abs() <= 1e-9);
         if slow(self) || slow(other) {
             return Bifurcation::Fade;
+        }
+        if self.touches.contacts != other.touches.contacts {
+            return Bifurcation::Grazing;
         }
         sliding::between(&self.grips, &other.grips)
     }
@@ -299,7 +303,8 @@ impl FollowedOrbit for Orbit {
                 moving && pairs.any(|pair| pair.complex && pair.off.abs() <= 1e-8)
             }
             Bifurcation::Grazing => {
-                moving && FollowedOrbit::least_gap(self).is_some_and(|gap| gap.abs() <= 1e-9)
+                let gaps = self.least.iter().chain(&self.touches.nearest);
+                moving && gaps.map(|found| found.gap / self.scale).any(|gap| gap.abs() <= 1e-9)
             }
             Bifurcation::Fade => speeds.iter().any(|speed| speed.abs() <= 1e-9),
             // Known by what lies on both sides.
@@ -369,9 +374,11 @@ impl PatternPlane for Plane<'_> {
             Bifurcation::Flip => product(&multipliers()?, 1.0) * scale,
             Bifurcation::Torus => nearest_pair(&multipliers()?).map_or(f64::NAN, |pair| pair.off),
             Bifurcation::Grazing => {
-                let least = equations.least(z)?;
-                let least = least.ok_or_else(|| Error::input("no minimum of a gap to graze at"))?;
-                least.gap / self.common.scale
+                let (least, touches) = equations.extremes(z)?;
+                let gaps = least.iter().chain(&touches.nearest).map(|found| found.gap);
+                let nearest = gaps.min_by(|a, b| a.abs().total_cmp(&b.abs()));
+                let nearest = nearest.ok_or_else(|| Error::input("no minimum of a gap to graze at"))?;
+                nearest / self.common.scale
             }
             Bifurcation::Fade => *speeds().min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(&0.0),
             Bifurcation::Crossing => {

@@ -81,6 +81,14 @@ impl<T> Machine<T> {
     pub(crate) fn check_no_kinks(&self) -> Result<()> {
         refused_kinks(self.kinked().as_deref())
     }
+
+    /// Refuses a machine with forces that have kinks other than of the time alone.
+    ///
+    /// # Errors
+    /// An input error if there is any.
+    pub(super) fn check_kinks_of_time(&self) -> Result<()> {
+        refused_kinks(self.kinked_by_motion().as_deref())
+    }
 }
 
 /// Refuses friction under the force of a stop, given by names and stops, where orbits are followed.

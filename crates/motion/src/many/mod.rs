@@ -70,6 +70,7 @@ mod modes;
 pub mod normal_form;
 pub mod orbit;
 mod pair;
+pub mod peaks;
 pub mod push;
 pub mod resonance;
 mod response;

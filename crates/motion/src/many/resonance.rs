@@ -1,13 +1,7 @@
-//! The linear response of a machine to its drive over a parameter: its harmonics, its peaks, their half-power
-//! points.
+//! The linear response of a machine to its drive over a parameter: its harmonics, and where modes resonate.
 //!
-//! The machine is linear here: without contact and friction, forces that are formulas linearised at rest. A
-//! harmonic a cos kt + b sin kt of a displacement or a gap has the amplitude A = √(a² + b²), and d(A²)/dp = 2
-//! (aa′ + bb′) has no error but rounding's (of formulas a′ and b′ are differences, to some 10⁻¹⁰). So a peak
-//! is a zero of it, where it falls, between two neighbouring floats. It is looked for between neighbouring
-//! samples: those that are given, and at each resonance of a mode (|λ| = k) the instants of parameter half a
-//! bandwidth, one and four away from it. A peak that is no mode's and narrower than the given samples may be
-//! missed.
+//! The machine is linear here: without contact and friction, forces that are formulas linearised at rest.
+//! Peaks are found in `peaks`.
 
 use crate::{
     error::{Error, Result},
@@ -31,25 +25,8 @@ pub struct FreeResponse {
     floats: bool,
 }
 
-/// A peak of a harmonic's amplitude.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Peak {
-    /// Which coordinate or gap.
-    pub place: usize,
-    /// Where it is.
-    pub value: f64,
-    /// How high; none where nothing damps the mode that resonates.
-    pub harmonic: Option<[f64; 2]>,
-    /// Where the amplitude is 1/√2 of it, before and after; none for a reason.
-    pub half: std::result::Result<[f64; 2], &'static str>,
-    /// The natural frequency, as a multiple of the drive's, and damping ratio of the mode that is nearest.
-    pub mode: Option<[f64; 2]>,
-}
-
 /// Halvings of the interval in which a mode resonates.
 const HALVINGS: u32 = 40;
-/// A damping ratio up to which a mode counts as undamped.
-const UNDAMPED: f64 = 1e-13;
 /// The step of differences, relative to the parameter: their error goes with its fourth power.
 const STEP: f64 = 1e-3;
 
@@ -165,10 +142,10 @@ impl FreeResponse {
         self.motions.iter().map(|motion| harmonic(&motion[0], k)).collect()
     }
 
-    /// The derivative of the square of its amplitude.
-    fn climb(&self, place: usize, k: u32) -> f64 {
+    /// The derivative of the square of its amplitude, and the size of its terms.
+    pub(super) fn climb(&self, place: usize, k: u32) -> (f64, f64) {
         let [[a, b], [c, d]] = self.motions[place].each_ref().map(|series| harmonic(series, k));
-        2.0 * (a * c + b * d)
+        (2.0 * (a * c + b * d), 2.0 * ((a * c).abs() + (b * d).abs()))
     }
 
     /// The least and the greatest of each coordinate and gap.
@@ -182,6 +159,11 @@ impl FreeResponse {
     /// are not known.
     pub fn floats(&self) -> bool {
         self.floats
+    }
+
+    /// How many displacements there are, coordinates and gaps.
+    pub(super) fn places(&self) -> usize {
+        self.motions.len()
     }
 
     /// How many of the displacements are coordinates; the others are gaps.
@@ -198,143 +180,6 @@ fn harmonic(series: &Series, k: u32) -> [f64; 2] {
 /// ascending; none where its modes are not known.
 pub(crate) fn modes(family: AtValue, value: f64) -> Result<Vec<(f64, f64)>> {
     Ok(LinearFlow::new(linear(family, value)?.2).map(|flow| flow.frequencies()).unwrap_or_default())
-}
-
-/// A value at which the response is known: the square of each amplitude, and its derivative.
-struct Sample {
-    value: f64,
-    squares: Vec<[f64; 2]>,
-}
-
-/// The peaks of a harmonic, by coordinate or gap and then by value; `values` ascend. Cost: a response per
-/// value and some 200 per peak, each O(n³) for n coordinates.
-///
-/// # Errors
-/// Those of [`FreeResponse::at`].
-pub fn peaks(
-    family: AtValue,
-    values: &[f64],
-    k: u32,
-    check: &mut dyn FnMut() -> Result<()>,
-) -> Result<Vec<Peak>> {
-    let sample = |value: f64| -> Result<Option<Sample>> {
-        let Some(found) = FreeResponse::at(family, value)? else { return Ok(None) };
-        let square = |(place, [a, b]): (usize, [f64; 2])| [a * a + b * b, found.climb(place, k)];
-        Ok(Some(Sample { value, squares: found.harmonics(k).into_iter().enumerate().map(square).collect() }))
-    };
-    let mut all = values.to_vec();
-    all.extend(near_resonances(family, values, &[k], check)?);
-    all.sort_by(f64::total_cmp);
-    all.dedup();
-    let mut samples = Vec::new();
-    for value in all {
-        check()?;
-        samples.extend(sample(value)?);
-    }
-    let Some(first) = samples.first() else { return Ok(Vec::new()) };
-    let mut found = Vec::new();
-    for place in 0..first.squares.len() {
-        // What rounding leaves of a displacement that the drive does not move has no peaks.
-        let most = samples.iter().map(|sample| sample.squares[place][0]).fold(0.0, f64::max);
-        let whole = samples.iter().flat_map(|sample| &sample.squares).map(|x| x[0]).fold(0.0, f64::max);
-        if most <= 1e-24 * whole {
-            continue;
-        }
-        for i in 1..samples.len() {
-            let [before, after] = [&samples[i - 1], &samples[i]].map(|sample| sample.squares[place][1]);
-            if !(before > 0.0 && after <= 0.0) {
-                continue;
-            }
-            check()?;
-            let climbs = |value: f64| Ok(sample(value)?.map(|found| found.squares[place][1]));
-            let value = turn([samples[i - 1].value, samples[i].value], climbs)?;
-            let mode = nearest(&modes(family, value)?, k);
-            let response = FreeResponse::at(family, value)?;
-            let damped = mode.is_none_or(|[_, ratio]| ratio.abs() > UNDAMPED);
-            let harmonic = response.filter(|_| damped).map(|found| found.harmonics(k)[place]);
-            let square = |value: f64| Ok(sample(value)?.map(|found| found.squares[place]));
-            let half = match harmonic {
-                None => Err("undamped"),
-                Some([a, b]) => half_power((value, (a * a + b * b) / 2.0), &samples, square)?,
-            };
-            found.push(Peak { place, value, harmonic, half, mode });
-        }
-    }
-    Ok(found)
-}
-
-/// The mode whose frequency is nearest to the harmonic's.
-fn nearest(modes: &[(f64, f64)], k: u32) -> Option<[f64; 2]> {
-    let off = |mode: &&(f64, f64)| (mode.0 - f64::from(k)).abs();
-    modes.iter().min_by(|a, b| off(a).total_cmp(&off(b))).map(|mode| [mode.0, mode.1])
-}
-
-/// Where a derivative that is known between two values, positive at the first and not at the last, turns: the
-/// float at which or before which it does. Where there is no response, there.
-fn turn([mut low, mut high]: [f64; 2], climb: impl Fn(f64) -> Result<Option<f64>>) -> Result<f64> {
-    loop {
-        let middle = low + (high - low) / 2.0;
-        if middle <= low || middle >= high {
-            return Ok(high);
-        }
-        match climb(middle)? {
-            None => return Ok(middle),
-            Some(climb) if climb > 0.0 => low = middle,
-            Some(_) => high = middle,
-        }
-    }
-}
-
-/// Where the square of an amplitude falls to `level` on either side of its peak, between its neighbouring
-/// troughs.
-fn half_power(
-    (peak, level): (f64, f64),
-    samples: &[Sample],
-    square: impl Fn(f64) -> Result<Option<[f64; 2]>>,
-) -> Result<std::result::Result<[f64; 2], &'static str>> {
-    let after: Vec<f64> = samples.iter().map(|sample| sample.value).filter(|value| *value > peak).collect();
-    let before: Vec<f64> =
-        samples.iter().rev().map(|sample| sample.value).filter(|value| *value < peak).collect();
-    let mut ends = [0.0; 2];
-    for (end, (sign, walk)) in ends.iter_mut().zip([(-1.0, before), (1.0, after)]) {
-        let mut inside = peak;
-        let mut found = Err("beyond the range");
-        for value in walk {
-            let Some([here, climb]) = square(value)? else { break };
-            if here <= level {
-                found = Ok([inside, value]);
-                break;
-            }
-            if sign * climb > 0.0 {
-                // It rises again: the trough is between.
-                let fall = |x: f64| Ok(square(x)?.map(|[_, climb]| -sign * climb));
-                let trough = between([inside, value], &fall)?;
-                let deep = square(trough)?.is_some_and(|[here, _]| here <= level);
-                found = if deep { Ok([inside, trough]) } else { Err("overlaps with another") };
-                break;
-            }
-            inside = value;
-        }
-        match found {
-            Err(why) => return Ok(Err(why)),
-            Ok(bracket) => *end = between(bracket, &|x| Ok(square(x)?.map(|[here, _]| here - level)))?,
-        }
-    }
-    Ok(Ok(ends))
-}
-
-/// Where what is positive at the first of two values and not at the last turns; they may descend.
-fn between([mut from, mut to]: [f64; 2], of: &dyn Fn(f64) -> Result<Option<f64>>) -> Result<f64> {
-    loop {
-        let middle = from + (to - from) / 2.0;
-        if middle == from || middle == to {
-            return Ok(to);
-        }
-        match of(middle)? {
-            Some(x) if x > 0.0 => from = middle,
-            _ => to = middle,
-        }
-    }
 }
 
 /// Values at and beside each at which a mode resonates with a harmonic, within those given, which ascend.

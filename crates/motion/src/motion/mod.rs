@@ -21,8 +21,10 @@ pub(crate) mod minimum;
 mod series;
 mod state;
 mod time;
+mod vibrations;
 
 pub(crate) use algebra::Matrix2;
+
 pub(crate) use cell::minimum_within;
 pub use contact::{Contact, Side};
 pub(crate) use counter::Share;
@@ -36,3 +38,4 @@ pub use series::Series;
 pub(crate) use series::finite;
 pub use state::{Flow, State};
 pub use time::Time;
+pub use vibrations::{AmplitudeEnd, Vibrations};

@@ -27,6 +27,7 @@
 //! names.
 
 mod analysed;
+mod backbone;
 mod bands;
 mod basins;
 mod birth;
@@ -76,6 +77,7 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 pub use analysed::Analysed;
+pub use backbone::{BackboneEndRow, BackboneRow};
 pub use bands::{BandRow, DiagramBandRow};
 pub(crate) use basins::basins;
 pub use basins::{BasinRow, BasinsFindings};
@@ -115,7 +117,7 @@ pub use proved::{AttractorProofs, ProvedRow};
 pub use range::{CellRow, RangeRow, StabilityRow, StableRow};
 pub use report::{RunReport, TaskReport};
 pub(crate) use response::response;
-pub use response::{BackboneRow, ContactRow, HighestRow, PeakRow, ResponseFindings, ResponseRow};
+pub use response::{ContactRow, HighestRow, PeakRow, ResponseFindings, ResponseRow};
 pub(crate) use rest::rest;
 pub use rest::{ReleaseRow, RestFindings, RestOrbitRow};
 pub(crate) use section::section;

@@ -9,6 +9,7 @@ use serde::Serialize;
 
 use super::{
     Finding, Job, Lines, Status,
+    backbone::{Backbone, BackboneEndRow, BackboneRow, backbone},
     diagram::{sweep_steps, value, ways},
     engine::{Engine, by_engine},
     row,
@@ -17,10 +18,11 @@ use super::{
 use crate::{
     attractor::{diagram::SweepStep, swing::Swing},
     continuation::Options,
-    error::{Error, Result},
+    error::Result,
     many::{
         Machine,
-        resonance::{self, FreeResponse, Peak},
+        peaks::{Peak, peaks},
+        resonance::{self, FreeResponse},
     },
     scene::{Frame, branches::DiagramTask, response::ResponseTask},
 };
@@ -104,16 +106,6 @@ row! {
     }
 }
 
-row! {
-    /// A point of the backbone curve.
-    pub struct BackboneRow {
-        /// The parameter's value.
-        pub value: f64,
-        /// Half of the way from the least to the greatest displacement of the free vibration.
-        pub swing: f64,
-    }
-}
-
 /// The response over a parameter, and what it amounts to.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ResponseFindings {
@@ -138,9 +130,10 @@ pub struct ResponseFindings {
     /// Where each coordinate and gap is seen to swing most, each way; none where only the linear response is
     /// asked for or is what is seen.
     pub highest: Option<Vec<HighestRow>>,
-    /// The backbone curve, value by value, up to twice the largest swing that is seen; if motions are not
-    /// followed, up to that of the linear response. None where it is not asked for.
+    /// The backbone curve, value by value. None where it is not asked for.
     pub backbone: Option<Vec<BackboneRow>>,
+    /// Where it ends, and why.
+    pub backbone_ends: Option<Vec<BackboneEndRow>>,
     /// What is seen up and down, as of a `diagram` that sweeps.
     pub sweep: Option<SweepFindings>,
     /// Values at which it is not decided whether a motion tends to a periodic orbit.
@@ -148,6 +141,12 @@ pub struct ResponseFindings {
     /// All swings. Not in JSON: they are the task's CSV file.
     #[serde(skip)]
     pub rows: Vec<ResponseRow>,
+    /// Whether peaks are all that there are; if not, a warning says so.
+    #[serde(skip)]
+    pub all_peaks: bool,
+    /// Why the backbone has no points, if it has none. In JSON it is the status's reason.
+    #[serde(skip)]
+    pub no_backbone: Option<String>,
 }
 
 impl Finding for ResponseFindings {
@@ -162,7 +161,10 @@ impl Finding for ResponseFindings {
                 self.not_settled.len()
             ));
         }
-        match self.rows.is_empty() {
+        if let Some(why) = &self.no_backbone {
+            return Status::nothing(format!("the backbone has no point: {why}"));
+        }
+        match self.rows.is_empty() && self.backbone.is_none() {
             false => Status::Done,
             true => Status::nothing("at no value is there a response"),
         }
@@ -177,7 +179,9 @@ impl Finding for ResponseFindings {
                 self.values
             )
         });
-        at.into_iter().collect()
+        let open = "how the linear response changes with the parameter is not resolved everywhere: between values a peak may be \
+                    missed";
+        at.into_iter().chain((!self.all_peaks).then(|| open.to_string())).collect()
     }
 
     fn lines(&self, lines: &mut Lines) {
@@ -198,6 +202,9 @@ impl Finding for ResponseFindings {
         if let Some(backbone) = &self.backbone {
             lines.say("backbone", format!("{} points", backbone.len()));
         }
+        if let Some(ends) = &self.backbone_ends {
+            lines.table("backbone_ends", ends);
+        }
         if let Some(sweep) = &self.sweep {
             sweep.lines(lines);
         }
@@ -207,8 +214,6 @@ impl Finding for ResponseFindings {
     }
 }
 
-/// How many times the largest swing that is seen the backbone curve goes up to.
-const BEYOND: f64 = 2.0;
 /// A displacement so small beside the largest is what rounding leaves of 0.
 const NOTHING: f64 = 1e-14;
 
@@ -227,18 +232,17 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
     let [machine, _] = at(values[0])?;
     let (names, k) = (names(&machine), task.harmonic);
     let is_linear = !machine.is_smooth() && job.system().map_or(true, |system| system.cubic == 0.0);
-    for &value in values.iter().filter(|_| task.backbone) {
-        if at(value)?[0].conservative(engine.cubic(&family, value)?)?.0.leads_away() {
-            return Err(Error::input(format!(
-                "backbone = true: at {} = {value} all forces lead away from q = 0, and a backbone is of vibrations about a \
-                 place of rest there: leave it out",
-                task.parameter
-            )));
+    let backbone = match task.backbone {
+        true => {
+            backbone(task, job, &values, &|value| Ok((at(value)?[0].clone(), engine.cubic(&family, value)?)))?
         }
-    }
+        false => Backbone::default(),
+    };
+    // Without a drive there is nothing but the free machine.
+    let linear = if machine.is_driven() { &values[..] } else { &[] };
     let (mut rows, mut resonant, mut floating) = (Vec::new(), Vec::new(), Vec::new());
     job.monitor.begin(values.len() as u64, "values, linear");
-    for &value in &values {
+    for &value in linear {
         match FreeResponse::at(&at, value)? {
             Some(free) => {
                 floating.extend(free.floats().then_some(value));
@@ -250,7 +254,10 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
     }
     let ends = [values[0], values[values.len() / 2], values[values.len() - 1]];
     let is_frequency = resonance::is_frequency(&at, ends)?;
-    let peaks = resonance::peaks(&at, &values, k, &mut || job.check())?;
+    let (peaks, all_peaks) = match linear.is_empty() {
+        true => (Vec::new(), true),
+        false => peaks(&at, &values, k, &mut || job.check())?,
+    };
     let peaks = peaks.into_iter().map(|peak| PeakRow::new(peak, &names, is_frequency)).collect();
     let contact = contacts(&rows);
     let found = ResponseFindings {
@@ -263,33 +270,20 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
         resonant,
         floating,
         highest: None,
-        backbone: None,
+        backbone: backbone.rows,
+        backbone_ends: backbone.ends,
         sweep: None,
         not_settled: Vec::new(),
         rows,
+        all_peaks,
+        no_backbone: backbone.why,
     };
     let clear = found.contact.is_empty() && (found.floating.is_empty() || machine.stops.is_empty());
     let same = is_linear && machine.friction.is_empty() && clear;
-    let found = match task.seen.unwrap_or(!same) {
-        true => followed(task, job, engine, (&names, is_linear && machine.stops.is_empty()), found)?,
-        false => found,
-    };
-    if !task.backbone {
-        return Ok(found);
+    match task.seen.unwrap_or(!same) && !linear.is_empty() {
+        true => followed(task, job, engine, (&names, is_linear && machine.stops.is_empty()), found),
+        false => Ok(found),
     }
-    let own = |seen: bool| {
-        let all = found.rows.iter().filter(|row| row.coordinate == names[0] && (row.way != "linear") == seen);
-        all.map(|row| row.swing).fold(0.0, f64::max)
-    };
-    let size = if found.sweep.is_some() { BEYOND * own(true) } else { own(false) };
-    let mut backbone = Vec::new();
-    for &value in &values {
-        job.check()?;
-        let (free, factor) = at(value)?[0].conservative(engine.cubic(&family, value)?)?;
-        let swings = free.swings(k, size / factor);
-        backbone.extend(swings.into_iter().map(|swing| BackboneRow { value, swing: swing * factor }));
-    }
-    Ok(ResponseFindings { backbone: Some(backbone), ..found })
 }
 
 /// Adds what is seen up and down. Where only friction bounds what resonates without damping, a motion that is

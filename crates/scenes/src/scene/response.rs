@@ -24,9 +24,9 @@ keys! {
         seen: Option<bool>,
         /// which way the parameter goes there
         sweep: SweepWay = "\"both\"",
-        /// whether to add the backbone curve, of one coordinate with `cubic` or stops that stand still: how
-        /// far it swings in a free vibration at `harmonic` times the drive's frequency, without damping,
-        /// friction and losses at impacts
+        /// whether to add the backbone curve, of one coordinate with smooth forces of the displacement and
+        /// stops that stand still: how far it swings in a free vibration at `harmonic` times the drive's
+        /// frequency, without damping, friction and losses at impacts, whatever the drive, and without one
         backbone: bool = "false",
         /// where the motion starts, at the first value
         start: Start = "{ q = 0 }",

@@ -56,6 +56,10 @@ fn draw(rows: &[ResponseRow], peaks: &[PeakRow], backbone: &[BackboneRow], param
         }
     }
     names.truncate(MOST);
+    // Without a drive there is but the backbone of the only coordinate.
+    if rows.is_empty() && !backbone.is_empty() {
+        names.push("q");
+    }
     let mut legend = Legend::default();
     for (i, (way, name)) in WAYS.iter().enumerate() {
         if rows.iter().any(|row| row.way == *way) {
@@ -92,12 +96,14 @@ fn draw(rows: &[ResponseRow], peaks: &[PeakRow], backbone: &[BackboneRow], param
         .enumerate()
         .map(|(i, name)| {
             let own = || rows.iter().filter(|row| row.coordinate == **name);
-            let across = inside(rows.iter().map(|row| row.value));
+            let across = inside(rows.iter().map(|row| row.value).chain(backbone.iter().map(|row| row.value)));
+            let free = backbone.iter().map(|row| row.swing).fold(0.0, f64::max);
+            let high = if rows.is_empty() { 1.06 * free } else { highest(own()) };
             let top = 2.0 + each * i as f64;
             let swings = PlotFrame::new(
                 [2.0, top, COLUMN - 2.0, top + HIGH[0]],
                 Axis::linear("", across, 6),
-                Axis::linear(Words::plain(&format!("swing of {name}")), (0.0, highest(own())), 5),
+                Axis::linear(Words::plain(&format!("swing of {name}")), (0.0, high), 5),
             );
             let marks = [0, 90, 180, 270, 360].map(|x| (f64::from(x), Words::plain(&x.to_string())));
             let lags = PlotFrame::new(

@@ -37,6 +37,53 @@ pub struct Minimum {
     pub acceleration: f64,
 }
 
+/// How an orbit touches the stops that give way.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Touches {
+    /// The least or greatest gap to one, of those between which it changes one way, that is nearest to 0:
+    /// there contact without speed begins or ends.
+    pub nearest: Option<Minimum>,
+    /// Of each stop, how often contact begins, and whether there is any.
+    pub(crate) contacts: Vec<(usize, bool)>,
+}
+
+/// How often contact begins at each stop, once round, and whether there is any.
+fn begins(pieces: &[Vec<(bool, bool)>]) -> Vec<(usize, bool)> {
+    let stops = pieces.first().map_or(0, Vec::len);
+    let before = |i: usize| &pieces[(i + pieces.len() - 1) % pieces.len()];
+    let each = |stop: usize| {
+        let begun = |i: &usize| pieces[*i][stop] == (true, true) && !before(*i)[stop].0;
+        ((0..pieces.len()).filter(begun).count(), pieces.iter().any(|piece| piece[stop].0))
+    };
+    (0..stops).map(each).collect()
+}
+
+/// Which extremes of which gaps are looked for: gaps to rigid stops, which are not negative, or to those that
+/// give way; minima, or with the sign turned maxima.
+#[derive(Clone, Copy)]
+struct Sought {
+    soft: bool,
+    sign: f64,
+}
+
+impl Sought {
+    const MINIMA: Sought = Sought { soft: false, sign: 1.0 };
+    const TOUCHES: [Sought; 2] = [Sought { soft: true, sign: 1.0 }, Sought { soft: true, sign: -1.0 }];
+
+    fn is_of(self, contact: &StopContact) -> bool {
+        contact.soft.is_some() == self.soft
+    }
+
+    fn turned(self, gap: [f64; 3]) -> [f64; 3] {
+        gap.map(|x| self.sign * x)
+    }
+
+    fn found(self, minimum: Minimum) -> Minimum {
+        let Minimum { gap, acceleration, .. } = minimum;
+        Minimum { gap: self.sign * gap, acceleration: self.sign * acceleration, ..minimum }
+    }
+}
+
 /// Whether a solution is an orbit.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Admissibility {
@@ -202,7 +249,7 @@ impl StopEquations<'_> {
         }
     }
 
-    /// The least of the gaps' local minima between impacts.
+    /// The least of the gaps' local minima between impacts, and how stops that give way are touched.
     ///
     /// A cell is a sixteenth of the fastest period among forces, stops and the modes that still move a gap
     /// (but there are no more than 10⁶ on a leg); within one z″ is taken to change sign once at most. Cost:
@@ -210,10 +257,13 @@ impl StopEquations<'_> {
     ///
     /// # Errors
     /// Legs that do not follow one another.
-    pub fn least(&self, z: &[f64]) -> Result<Option<Minimum>> {
+    pub fn extremes(&self, z: &[f64]) -> Result<(Option<Minimum>, Touches)> {
         let (mut state, times, speeds) = self.begun(z)?;
         let m = times.len();
         let mut least: Option<Minimum> = None;
+        let mut nearest: Option<Minimum> = None;
+        let mut contacts = Vec::new();
+        let gives_way = self.contacts.all().iter().any(|contact| contact.soft.is_some());
         for leg in 0..m.max(1) {
             // Without impacts a little more than the period: a minimum at its ends counts too.
             let duration = match m {
@@ -222,25 +272,27 @@ impl StopEquations<'_> {
             };
             let mut begun = 0.0;
             for piece in self.between.pieces(&state, duration)?.0 {
-                let mut each = |found: Minimum| {
+                let mut lower = |found: Minimum| {
                     if least.is_none_or(|least| found.gap < least.gap) {
                         least = Some(found);
                     }
                 };
-                let place = (leg, begun, duration);
-                match &piece.stage {
-                    Some(stage) if stage.smooth.is_some() => {
-                        self.minima_by_steps(stage, &piece, place, &mut each)?;
+                self.extremes_of(&piece, (leg, begun, duration, Sought::MINIMA), &mut lower)?;
+                if gives_way {
+                    let mut nearer = |found: Minimum| {
+                        if nearest.is_none_or(|nearest| found.gap.abs() < nearest.gap.abs()) {
+                            nearest = Some(found);
+                        }
+                    };
+                    for sought in Sought::TOUCHES {
+                        self.extremes_of(&piece, (leg, begun, duration, sought), &mut nearer)?;
                     }
-                    Some(stage) if stage.holds.stuck().next().is_some() => {
-                        self.minima_where_it_sticks(stage, &piece, place, &mut each);
+                    // What is beyond the period was there at its beginning.
+                    if m > 0 || begun < TAU * f64::from(self.pattern.periods()) {
+                        contacts.push(self.contact_at(&piece));
                     }
-                    _ => self.minima(&piece, place, &mut each)?,
                 }
                 begun += piece.duration;
-                if let Some(turn) = &piece.turn {
-                    self.minima_where_it_turns(turn, (leg, begun, duration), &mut each);
-                }
             }
             if m > 0 {
                 let next = (leg + 1) % m;
@@ -249,7 +301,35 @@ impl StopEquations<'_> {
                 state.u.axpy(speeds[next], &self.kick(next, speeds[next]), 1.0);
             }
         }
-        Ok(least)
+        Ok((least, Touches { nearest, contacts: begins(&contacts) }))
+    }
+
+    /// Of each stop, whether it pushes on a piece, and whether that can have begun there by a touch: deep in
+    /// contact damping makes it push again.
+    fn contact_at(&self, piece: &LegPiece) -> Vec<(bool, bool)> {
+        let all = self.contacts.all().iter().enumerate();
+        let touched = |contact: &StopContact| contact.gap(&piece.start)[0] >= -STILL * self.scale;
+        all.map(|(stop, contact)| (piece.pushing.contains(&stop), touched(contact))).collect()
+    }
+
+    fn extremes_of(
+        &self,
+        piece: &LegPiece,
+        place: (usize, f64, f64, Sought),
+        each: &mut impl FnMut(Minimum),
+    ) -> Result<()> {
+        match &piece.stage {
+            Some(stage) if stage.smooth.is_some() => self.minima_by_steps(stage, piece, place, each)?,
+            Some(stage) if stage.holds.stuck().next().is_some() => {
+                self.minima_where_it_sticks(stage, piece, place, each);
+            }
+            _ => self.minima(piece, place, each)?,
+        }
+        if let Some(turn) = &piece.turn {
+            let (leg, begun, whole, sought) = place;
+            self.minima_where_it_turns(turn, (leg, begun + piece.duration, whole, sought), each);
+        }
+        Ok(())
     }
 
     /// Where forces are formulas: on each step of the motion z″ is taken to change sign once at most.
@@ -257,14 +337,14 @@ impl StopEquations<'_> {
         &self,
         stage: &Stage,
         piece: &LegPiece,
-        (leg, before, whole): (usize, f64, f64),
+        (leg, before, whole, sought): (usize, f64, f64, Sought),
         each: &mut impl FnMut(Minimum),
     ) -> Result<()> {
         let Some(smooth) = &stage.smooth else { return Ok(()) };
-        let rigid: Vec<(usize, &StopContact)> =
-            self.contacts.all().iter().enumerate().filter(|(_, contact)| contact.soft.is_none()).collect();
+        let watched: Vec<(usize, &StopContact)> =
+            self.contacts.all().iter().enumerate().filter(|known| sought.is_of(known.1)).collect();
         let impacts = !self.pattern.strikes().is_empty();
-        let mut ends: Vec<Option<[f64; 3]>> = vec![None; rigid.len()];
+        let mut ends: Vec<Option<[f64; 3]>> = vec![None; watched.len()];
         let (mut time, mut state, mut begun) = (Time::new(0, piece.start.t), piece.start.clone(), 0.0);
         while begun < piece.duration {
             let leap = smooth.leap(time, &state);
@@ -272,11 +352,11 @@ impl StopEquations<'_> {
                 return Err(Error::input("a leg could not be followed to its end"));
             }
             let last = ((piece.duration - begun) / leap.h).min(1.0);
-            for ((stop, contact), end) in rigid.iter().zip(&mut ends) {
+            for ((stop, contact), end) in watched.iter().zip(&mut ends) {
                 let (polynomial, _) = seen(&leap, &contact.gap_watch(1.0));
                 let gap = |x: f64| {
                     let [z, slope, bend] = Gap::new(&polynomial, 0.0, false).at(x);
-                    [z, slope / leap.h, bend / (leap.h * leap.h)]
+                    sought.turned([z, slope / leap.h, bend / (leap.h * leap.h)])
                 };
                 let b = gap(last);
                 let a = end.replace(b).unwrap_or_else(|| gap(0.0));
@@ -285,7 +365,7 @@ impl StopEquations<'_> {
                 let ([gap, _, acceleration], after) = (gap(x / leap.h), before + begun + x);
                 if !impacts || after.min(whole - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
                     let phase = turned(leap.start.phase + x);
-                    each(Minimum { stop: *stop, leg, after, phase, gap, acceleration });
+                    each(sought.found(Minimum { stop: *stop, leg, after, phase, gap, acceleration }));
                 }
             }
             begun = if last < 1.0 { piece.duration } else { begun + leap.h };
@@ -298,18 +378,19 @@ impl StopEquations<'_> {
     fn minima_where_it_turns(
         &self,
         turn: &Turn,
-        (leg, after, whole): (usize, f64, f64),
+        (leg, after, whole, sought): (usize, f64, f64, Sought),
         each: &mut impl FnMut(Minimum),
     ) {
         let impacts = !self.pattern.strikes().is_empty();
-        for (stop, contact) in self.contacts.all().iter().enumerate().filter(|known| known.1.soft.is_none()) {
+        for (stop, contact) in self.contacts.all().iter().enumerate().filter(|known| sought.is_of(known.1)) {
             let [gap, rate] = contact.gap(&turn.at);
             let still = rate.abs() <= STILL * self.scale;
             let bends = turn.bends().map(|bend| contact.row.dot(&bend) - contact.position.at(turn.at.t)[2]);
+            let [gap, bends @ ..] = sought.turned([gap, bends[0], bends[1]]);
             let own = impacts && after.min(whole - after) <= NEAR && gap.abs() <= NEAR * NEAR * self.scale;
             if still && bends[0] > 0.0 && bends[1] >= 0.0 && !own {
                 let (phase, acceleration) = (turned(turn.at.t), bends[1]);
-                each(Minimum { stop, leg, after, phase, gap, acceleration });
+                each(sought.found(Minimum { stop, leg, after, phase, gap, acceleration }));
             }
         }
     }
@@ -319,7 +400,7 @@ impl StopEquations<'_> {
         &self,
         stage: &Stage,
         piece: &LegPiece,
-        (leg, before, whole): (usize, f64, f64),
+        (leg, before, whole, sought): (usize, f64, f64, Sought),
         each: &mut impl FnMut(Minimum),
     ) {
         let now = Time::new(0, piece.start.t);
@@ -327,12 +408,12 @@ impl StopEquations<'_> {
         let fastest = stage.flow.rates().into_iter().fold(f64::from(order), f64::max);
         let cells = (piece.duration / (PI / 8.0 / fastest).max(1e-6 * piece.duration)).ceil();
         let impacts = !self.pattern.strikes().is_empty();
-        for (stop, contact) in self.contacts.all().iter().enumerate().filter(|known| known.1.soft.is_none()) {
+        for (stop, contact) in self.contacts.all().iter().enumerate().filter(|known| sought.is_of(known.1)) {
             let seen = |after: f64| {
                 let state = State { t: now.after(after).phase, ..stage.after(now, &piece.start, after) };
                 let [gap, rate] = contact.gap(&state);
                 let bend = stage.acceleration(Time::new(0, state.t), &state);
-                [gap, rate, contact.row.dot(&bend) - contact.position.at(state.t)[2]]
+                sought.turned([gap, rate, contact.row.dot(&bend) - contact.position.at(state.t)[2]])
             };
             let width = piece.duration / cells;
             let mut a = seen(0.0);
@@ -344,7 +425,7 @@ impl StopEquations<'_> {
                     let after = before + own;
                     if !impacts || after.min(whole - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
                         let phase = turned(now.after(own).phase);
-                        each(Minimum { stop, leg, after, phase, gap, acceleration });
+                        each(sought.found(Minimum { stop, leg, after, phase, gap, acceleration }));
                     }
                 }
                 a = b;
@@ -355,14 +436,13 @@ impl StopEquations<'_> {
     fn minima(
         &self,
         piece: &LegPiece,
-        (leg, before, whole): (usize, f64, f64),
+        (leg, before, whole, sought): (usize, f64, f64, Sought),
         each: &mut impl FnMut(Minimum),
     ) -> Result<()> {
         let (flow, from, duration) = (&piece.flow, &piece.start, piece.duration);
         let equations = flow.equations();
-        // Gaps to soft stops may be negative.
-        let rigid = |stop: &usize| self.contacts.all()[*stop].soft.is_none();
-        let watched: Vec<usize> = (0..self.contacts.all().len()).filter(rigid).collect();
+        let own = |stop: &usize| sought.is_of(&self.contacts.all()[*stop]);
+        let watched: Vec<usize> = (0..self.contacts.all().len()).filter(own).collect();
         if watched.is_empty() {
             return Ok(());
         }
@@ -401,7 +481,7 @@ impl StopEquations<'_> {
             };
             let (first, last) = (motion(0.0), motion(width));
             for (i, (&stop, sight)) in watched.iter().zip(&sights).enumerate() {
-                let seen = |motion: &RealVector, x: f64| sight.gap(motion, t + x);
+                let seen = |motion: &RealVector, x: f64| sought.turned(sight.gap(motion, t + x));
                 let b = seen(&last, width);
                 let a = ends[i].replace(b).unwrap_or_else(|| seen(&first, 0.0));
                 let Some(x) = minimum_within(|x| seen(&motion(x), x), a, b, width) else { continue };
@@ -409,7 +489,8 @@ impl StopEquations<'_> {
                 // A leg that begins or ends without speed has a minimum there, which rounding may bring
                 // inside.
                 if !impacts || after.min(whole - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
-                    each(Minimum { stop, leg, after, phase: turned(t + x), gap, acceleration });
+                    let phase = turned(t + x);
+                    each(sought.found(Minimum { stop, leg, after, phase, gap, acceleration }));
                 }
             }
             flow.advance(&mut y, width);

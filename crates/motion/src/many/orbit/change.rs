@@ -95,6 +95,17 @@ impl Change {
             }
         });
         let stops = stops.collect();
+        let forces = machine.smooth.iter().zip(&slope.smooth);
+        for (force, own) in forces.filter_map(|(force, own)| Some((force.as_ref()?, own.as_ref()?))) {
+            let first = 2 * machine.points() + 1;
+            let moves = |place: usize| place >= first && own.coefficients[place - first] != 0.0;
+            if force.formula.turns_with(&moves) {
+                return Err(Error::input(format!(
+                    "the parameter moves the time of a kink ({}): how orbits change with that is not followed",
+                    force.text
+                )));
+            }
+        }
         let smooth = Smooth::new(machine)?.map(|smooth| {
             let own = smooth.slope(machine, slope);
             (smooth, own)
@@ -133,7 +144,10 @@ impl Change {
             return Ok(RealVector::zeros(2 * n));
         };
         let slope = self.slope.pushed(contacts, &stage.holds.soft.pushing);
-        let program = formulas.changing(&stage.equations, (&slope, own))?;
+        let program = match formulas.switches() {
+            [] => formulas.changing(&stage.equations, (&slope, own)),
+            _ => formulas.in_mode(&stage.holds.below).changing(&stage.equations, (&slope, own)),
+        }?;
         let start = from.q.iter().chain(from.u.iter()).map(|x| Gradient::constant(*x)).collect();
         let end = smooth.flow.carried(&program, start, from.t, duration);
         let slopes = RealVector::from_fn(2 * n, |i, _| end[i].0[1]);

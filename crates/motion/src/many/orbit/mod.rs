@@ -30,7 +30,7 @@ mod surface;
 
 use std::f64::consts::TAU;
 
-pub use admissible::{Admissibility, Minimum, Obstacle};
+pub use admissible::{Admissibility, Minimum, Obstacle, Touches};
 pub(super) use change::Change;
 pub(super) use equations::StopEquations;
 pub(super) use leg::Between;
@@ -84,6 +84,8 @@ pub struct Orbit {
     pub admissibility: Admissibility,
     /// The least minimum of a gap away from the impacts; none if no gap has one.
     pub least: Option<Minimum>,
+    /// How it touches stops that give way.
+    pub touches: Touches,
     /// How each row with friction moves, one after the other.
     pub(crate) grips: Vec<Vec<Grip>>,
     /// How it moves at each where the orbit begins.
@@ -135,7 +137,7 @@ pub fn find_beside(
             2 * m
         )));
     }
-    simulator.check_no_kinks()?;
+    simulator.check_kinks_of_time()?;
     check_given(simulator.contacts().rubs().iter().map(|rub| (&rub.name, rub.stop)))?;
     check_stops(pattern, simulator.contacts())?;
     let size = simulator.scale_at(pattern.strikes().iter().map(|strike| strike.place));
@@ -220,6 +222,7 @@ pub(super) fn describe(simulator: &Simulator, pattern: &Itinerary, scale: f64, r
     let impacts = pattern.strikes().iter().zip(times.iter().zip(&speeds));
     let (parts, lost) = equations.parts(&z)?;
     let mut multipliers = multipliers(&equations, &z)?;
+    let (least, touches) = equations.extremes(&z)?;
     // What is lost where it sticks is 0, whatever rounding leaves of it: its root, of two that are one
     // eigenvector's.
     let rounded = 64.0 * f64::EPSILON.sqrt();
@@ -236,7 +239,8 @@ pub(super) fn describe(simulator: &Simulator, pattern: &Itinerary, scale: f64, r
         steps,
         multipliers,
         admissibility: equations.admissibility(&z, simulator)?,
-        least: equations.least(&z)?,
+        least,
+        touches,
         held: held(&parts).first().copied(),
         grips: parts.into_iter().map(told).collect(),
         begins: equations.begins(&z)?,

@@ -490,12 +490,15 @@ impl Simulator {
         Run::new(self, time, state)
     }
 
-    /// Refuses a machine with forces that have kinks, where motions between impacts must be smooth.
+    /// Refuses a machine with forces that have kinks other than of the time alone, where motions between
+    /// impacts must be smooth but for the drive.
     ///
     /// # Errors
     /// An input error if there is any.
-    pub(crate) fn check_no_kinks(&self) -> Result<()> {
-        refused_kinks(self.switches().first().map(|switch| switch.text.as_str()))
+    pub(crate) fn check_kinks_of_time(&self) -> Result<()> {
+        refused_kinks(
+            self.switches().iter().find(|switch| !switch.is_of_time()).map(|switch| switch.text.as_str()),
+        )
     }
 
     /// v at each row with friction; where it is rounding's, 0.

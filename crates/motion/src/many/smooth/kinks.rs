@@ -25,6 +25,14 @@ pub struct Switch {
     /// What it stands in, as it was written.
     pub text: String,
     pub(crate) of: SwitchOf,
+    of_time: bool,
+}
+
+impl Switch {
+    /// Whether the time alone decides.
+    pub fn is_of_time(&self) -> bool {
+        self.of_time
+    }
 }
 
 /// What a switch decides.
@@ -39,9 +47,12 @@ pub(crate) enum SwitchOf {
 }
 
 /// The switches of a machine, those inside others first.
-pub(super) fn switches(formulas: &[(usize, SmoothForce<f64>)]) -> Vec<Switch> {
+fn switches(formulas: &[(usize, SmoothForce<f64>)], points: usize) -> Vec<Switch> {
     let mut all = Vec::new();
     formulas.iter().for_each(|(_, force)| collect(&force.formula, &mut all));
+    for known in &mut all {
+        known.of_time = !known.formula.mentions(&|place| place < 2 * points);
+    }
     all
 }
 
@@ -57,7 +68,7 @@ fn collect(formula: &Formula, all: &mut Vec<Switch>) {
             choice.parts().into_iter().for_each(|part| collect(part, all));
             if all.iter().all(|known| known.formula != choice.switch) {
                 let (formula, text) = (choice.switch.clone(), choice.text.clone());
-                all.push(Switch { formula, text, of: SwitchOf::Kink });
+                all.push(Switch { formula, text, of: SwitchOf::Kink, of_time: false });
             }
         }
     }
@@ -79,16 +90,31 @@ fn sum(terms: impl Iterator<Item = (f64, Formula)>) -> Formula {
     all.reduce(|sum, part| joined(Operation::Sum, sum, part)).unwrap_or_else(|| number(0.0))
 }
 
-/// The same force without coefficients of its own: `variables` come before them.
-pub(super) fn closed(force: &SmoothForce<f64>, variables: usize) -> SmoothForce<f64> {
-    let known = |place: usize| match place.checked_sub(variables) {
+/// The numbers in the place of a force's coefficients: `variables` come before them.
+fn known(force: &SmoothForce<f64>, variables: usize) -> impl Fn(usize) -> Formula {
+    move |place: usize| match place.checked_sub(variables) {
         Some(coefficient) => number(force.coefficients[coefficient]),
         None => Formula::Variable(place),
-    };
-    SmoothForce {
-        formula: Arc::new(force.formula.substituted(&known)),
-        text: force.text.clone(),
-        coefficients: vec![],
+    }
+}
+
+/// The same with numbers for the coefficients of its switches, so that equal switches of two forces are one.
+fn closed(formula: &Formula, known: &dyn Fn(usize) -> Formula) -> Formula {
+    let inside = |inner: &Formula| Box::new(closed(inner, known));
+    match formula {
+        Formula::Number(_) | Formula::Variable(_) | Formula::Pi => formula.clone(),
+        Formula::Negated(inner) => Formula::Negated(inside(inner)),
+        Formula::Power(inner, exponent) => Formula::Power(inside(inner), *exponent),
+        Formula::Call(function, inner) => Formula::Call(*function, inside(inner)),
+        Formula::Raised(inner, exponent) => Formula::Raised(inside(inner), exponent.clone()),
+        Formula::Binary(operation, parts) => {
+            Formula::Binary(*operation, Box::new(parts.each_ref().map(|part| closed(part, known))))
+        }
+        Formula::Choice(choice) => {
+            let Choice { text, above, below, .. } = choice.mapped(|part| closed(part, known));
+            let switch = choice.switch.substituted(known);
+            Formula::Choice(Box::new(Choice { text, switch, above, below }))
+        }
     }
 }
 
@@ -112,8 +138,8 @@ fn law(machine: &Machine<f64>, stop: &Stop<f64>, force: &SmoothForce<f64>) -> [F
     let seen = |from: usize| row.iter().enumerate().map(move |(i, w)| (-w, Formula::Variable(from + i)));
     let depth = joined(Operation::Sum, number(stop.wall.offset), sum(seen(0).chain(place)));
     let closing = sum(seen(points).chain(speed));
-    let known =
-        closed(force, 3).formula.substituted(&|at| if at == 0 { depth.clone() } else { closing.clone() });
+    let own = force.formula.substituted(&known(force, 3));
+    let known = own.substituted(&|at| if at == 0 { depth.clone() } else { closing.clone() });
     let (zero, name) = (number(0.0), &stop.name);
     let chosen = |what: &str, switch: &Formula, above: Formula| {
         let (text, below) = (format!("{what} of {name}"), zero.clone());
@@ -128,7 +154,8 @@ impl Smooth {
     pub(super) fn with_kinks(mut self, machine: &Machine<f64>) -> Smooth {
         let variables = 2 * machine.points() + 1;
         for (_, force) in self.formulas.iter_mut().filter(|(_, force)| force.formula.chooses()) {
-            *force = closed(force, variables);
+            let own = closed(&force.formula, &known(force, variables));
+            force.formula = Arc::new(own);
         }
         let mut roles = Vec::new();
         for (place, stop) in machine.stops.iter().enumerate() {
@@ -141,7 +168,7 @@ impl Smooth {
             self.laws.push((self.shape.tr_mul(&row), stop.name.clone()));
             roles.extend([(depth, SwitchOf::Depth(place)), (push, SwitchOf::Push(place))]);
         }
-        let mut all = switches(&self.formulas);
+        let mut all = switches(&self.formulas, machine.points());
         for (formula, of) in roles {
             all.iter_mut().filter(|known| known.formula == formula).for_each(|known| known.of = of);
         }

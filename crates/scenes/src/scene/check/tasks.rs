@@ -81,8 +81,8 @@ impl Checked<'_> {
     }
 
     /// With dry friction motions are followed, attractors and orbits found, and branches of these over one
-    /// parameter; with forces that have kinks motions are followed, and attractors found. Nothing that takes
-    /// a map that is smooth, or has an inverse.
+    /// parameter; with forces that have kinks motions are followed, and attractors found, with those of the
+    /// time alone orbits and branches, too. Nothing that takes a map that is smooth, or has an inverse.
     fn rubbing(&self, kind: &Kind) -> Result<()> {
         let Model::Many(machine) = self.model else { return Ok(()) };
         let (first, kinked) = (machine.friction.first(), machine.kinked());
@@ -90,11 +90,12 @@ impl Checked<'_> {
         let on_stop = machine.friction.iter().find(|friction| friction.normal.stop().is_some());
         let on_stop = on_stop.map(|friction| format!("the normal force of {} is a stop's", friction.name));
         let kinks = kinked.map(|text| format!("a force has kinks ({text})"));
+        let moving = machine.kinked_by_motion().map(|text| format!("a force has kinks ({text})"));
         let formula = friction.as_ref().filter(|_| machine.is_smooth());
         let formula = formula.map(|friction| format!("{friction}, and a force is a formula"));
         let Some(what) = friction.or_else(|| kinks.clone()) else { return Ok(()) };
         let refused = |key: &str, what: &str| {
-            let orbits = if kinks.is_none() && on_stop.is_none() {
+            let orbits = if moving.is_none() && on_stop.is_none() {
                 ", `orbit`, `branch` over one parameter"
             } else {
                 ""
@@ -106,7 +107,7 @@ impl Checked<'_> {
             self.fail(key, &message)
         };
         // Why orbits are not found, and why branches are not followed.
-        let orbits = kinks.as_ref().or(on_stop.as_ref());
+        let orbits = moving.as_ref().or(on_stop.as_ref());
         let branches = orbits.or(formula.as_ref());
         match (kind, orbits, branches) {
             (Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_) | Kind::RestTask(_), ..) => {
@@ -114,7 +115,9 @@ impl Checked<'_> {
             }
             (Kind::OrbitTask(_), None, _) => Ok(()),
             (Kind::OrbitTask(_), Some(why), _) | (Kind::BranchTask(_), _, Some(why)) => refused("kind", why),
-            (Kind::BranchTask(task), ..) if task.second.is_some() => refused("second", &what),
+            (Kind::BranchTask(task), ..) if task.second.is_some() && first.is_some() => {
+                refused("second", &what)
+            }
             (Kind::DiagramTask(task), _, Some(why)) if !task.branches.is_empty() => refused("branches", why),
             (Kind::BranchTask(_) | Kind::DiagramTask(_), ..) => Ok(()),
             (Kind::SectionTask(task), ..) if task.orbits.is_empty() => Ok(()),
@@ -274,8 +277,9 @@ impl Checked<'_> {
     }
 
     fn branch(&self, task: &BranchTask) -> Result<()> {
-        // Friction alone makes a motion worth following, too.
-        if !matches!(self.model, Model::Many(machine) if !machine.friction.is_empty()) {
+        // Friction alone, or a force that is a formula, makes a motion worth following, too.
+        if !matches!(self.model, Model::Many(machine) if !machine.friction.is_empty() || machine.is_smooth())
+        {
             self.stops()?;
         }
         self.frame(task.frame)?;
@@ -340,6 +344,10 @@ impl Checked<'_> {
         let (driven, told) = self.drive();
         if !told && !driven.contains(&task.harmonic) {
             let known: Vec<String> = driven.iter().map(u32::to_string).collect();
+            // The free machine swings without one.
+            if known.is_empty() && task.backbone && task.seen != Some(true) {
+                return self.backbone(task);
+            }
             let message = match &known[..] {
                 [] => "has no drive to respond to: give `forcing`, a formula in t, or a stop or surface that moves".to_string(),
                 all => format!("is not in the drive, which has {}", all.join(", ")),
@@ -350,17 +358,19 @@ impl Checked<'_> {
             let message = format!("is looked for in formulas in t up to {FORMULA}: give it as `forcing`");
             return self.fail("harmonic", &message);
         }
-        let why = match self.model {
-            Model::One(system) => Machine::of_oscillator(system, ["lower", "upper"], 1.0).no_backbone(),
-            Model::Many(machine) => machine.no_backbone(),
-        };
-        if let Some(why) = why.filter(|_| task.backbone) {
-            return self.fail("backbone", why);
-        }
+        self.backbone(task)?;
         if task.seen == Some(false) {
             return Ok(());
         }
         self.start(&task.start, "start")
+    }
+
+    fn backbone(&self, task: &ResponseTask) -> Result<()> {
+        let why = match self.model {
+            Model::One(system) => Machine::of_oscillator(system, ["lower", "upper"], 1.0).no_backbone(),
+            Model::Many(machine) => machine.no_backbone(),
+        };
+        why.filter(|_| task.backbone).map_or(Ok(()), |why| self.fail("backbone", why))
     }
 
     /// The harmonics of all that drives the system, and whether a formula may have more.
