@@ -47,7 +47,7 @@ from ._places import (
     word,
 )
 from ._proofs import Edge, Interval, Intervals, boundary, check, intervals, verify
-from ._scene import EVENT_KINDS, Answer, Run, Scene, Task, TaskReport, machine
+from ._scene import EVENT_KINDS, Answer, Run, Scene, Task, TaskReport, machine, simulate
 from ._theory import FuzzReport, PatternReport, existence, fuzz
 from ._tolerances import Tolerance, ToleranceRange, ToleranceSide
 
@@ -62,5 +62,5 @@ __all__ = [
     "Refuted", "Rejected", "Run", "STYLE", "Scene", "Share", "Shares", "Task", "TaskReport", "Tolerance",
     "ToleranceRange", "ToleranceSide", "Undecided", "Value", "Word", "WordCase", "WordReport", "__version__",
     "boundary", "check", "classify", "classify_many", "decay", "evaluate", "existence", "frame", "fuzz",
-    "intervals", "machine", "shares", "verify", "word",
+    "intervals", "machine", "shares", "simulate", "verify", "word",
 ]

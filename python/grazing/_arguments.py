@@ -1,7 +1,8 @@
 """What functions are given: exact numbers, periods, points, TOML sources; and files that are written whole.
 
 Exact numbers are ``int``, ``fractions.Fraction``, ``decimal.Decimal``, or text as on the command line
-(``"3/8"``, ``"0.375"``, ``"2^-10"``, ``"3/8+2^-200"``). Floats are refused there, since 0.2 is not 1/5.
+(``"3/8"``, ``"0.375"``, ``"2^-10"``, ``"3/8+2^-200"``). Floats are refused there, since 0.2 is not 1/5; a parameter of a
+scene takes them as a file does.
 """
 
 from __future__ import annotations
@@ -16,6 +17,8 @@ from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, Union
+
+import numpy as np
 
 from ._errors import InputError, refused
 from ._toml import to_toml
@@ -41,6 +44,19 @@ def as_periods(periods: Periods) -> tuple[int, int]:
     else:
         ends = periods, periods
     return natural("periods", ends[0]), natural("periods", ends[1])
+
+
+def changes(given: Mapping[str, Exact | float] | None) -> list[tuple[str, Exact]]:
+    """New values of a scene's parameters, a float by its shortest decimal, as it stands in a file: 0.8 is 4/5."""
+    return [(name, _decimal(name, value)) for name, value in (given or {}).items()]
+
+
+def _decimal(name: str, value: Any) -> Exact:
+    if not isinstance(value, (float, np.floating)):
+        return value  # type: ignore[no-any-return]
+    if not np.isfinite(value):
+        raise InputError(f"{name} = {value}: is not finite", key=name, value=str(value))
+    return str(value)
 
 
 def natural(name: str, value: Any) -> int:

@@ -101,6 +101,16 @@ class Classification(Sequence[Existence]):
         back."""
         return _plots.classification(self, axes)
 
+    def __str__(self) -> str:
+        """The region and the orbits, a line each, then the other verdicts."""
+        turned = ", time reversed" if self.reversed else ""
+        lines = [f"region {self.region}{turned}, periods 1 to {len(self)}"]
+        lines += [f"  period {row.n}: an orbit, case {', '.join(map(_html.case, row.cases))}" for row in self.orbits()]
+        for verdict in dict.fromkeys(row.verdict for row in self.found if row.verdict != "orbit"):
+            periods = ", ".join(str(row.n) for row in self.found if row.verdict == verdict)
+            lines.append(f"  {verdict}: {periods}")
+        return "\n".join(lines)
+
     def _repr_html_(self) -> str:
         head = ("n", "verdict", "cases (sign eµ, sign γ)", "because")
         rows = ((row.n, row.verdict, tuple(map(_html.case, row.cases)), _because(row)) for row in self)

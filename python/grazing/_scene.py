@@ -9,10 +9,11 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, overload
 
+import numpy as np
 import numpy.typing as npt
 
 from . import _grazing, _html, _motions, _plots
-from ._arguments import Exact, toml_source
+from ._arguments import Exact, changes, toml_source
 from ._errors import FileError, InputError, refused
 from ._frames import dataset, frame
 from ._motions import Motions
@@ -250,18 +251,18 @@ class Scene:
         tasks = ", ".join(task.name for task in self.tasks)
         return f"<Scene {self.title!r}: {kind}; {values or 'no parameters'}; tasks: {tasks or 'none'}>"
 
-    def with_parameters(self, **values: Exact) -> Scene:
-        """The same scene with other values of some parameters, as exact numbers."""
-        return Scene._of(self._scene.with_parameters(list(values.items())))
+    def with_parameters(self, **values: Exact | float) -> Scene:
+        """The same scene with other values of some parameters; a float is its shortest decimal."""
+        return Scene._of(self._scene.with_parameters(changes(values)))
 
     def run(
-        self, only: str | Iterable[str] | None = None, *, set: Mapping[str, Exact] | None = None,
+        self, only: str | Iterable[str] | None = None, *, set: Mapping[str, Exact | float] | None = None,
         folder: str | os.PathLike[str] | None = None, progress: Progress = None,
     ) -> Run:
         """Run the tasks, all or those named (or of a group that is named), in their order.
 
         All are checked before the first begins. A task that fails does not end the rest: see its outcome. What
-        ``set`` gives is the parameters' values in every task. In ``folder`` long tasks keep checkpoints, from
+        ``set`` gives is the parameters' values in every task, a float by its shortest decimal. In ``folder`` long tasks keep checkpoints, from
         which the same call goes on after an interruption; nothing else is written.
 
         :raises KeyboardInterrupt: on Ctrl-C, within a second; its attribute ``reports`` has the reports of
@@ -277,12 +278,12 @@ class Scene:
         return Run(done)
 
     def each(
-        self, only: str | Iterable[str] | None = None, *, set: Mapping[str, Exact] | None = None,
+        self, only: str | Iterable[str] | None = None, *, set: Mapping[str, Exact | float] | None = None,
         folder: str | os.PathLike[str] | None = None, progress: Progress = None,
     ) -> Iterator[TaskReport]:
         """As :meth:`run`, each report as soon as its task is done."""
         chosen = self._chosen(only)
-        changes = list((set or {}).items())
+        changed = changes(set)
         where = None if folder is None else os.fspath(folder)
         if where is not None:
             try:
@@ -290,19 +291,19 @@ class Scene:
             except OSError as error:
                 raise refused("make the folder", where, error) from error
         for index in chosen:
-            self._scene.check(index, changes)
+            self._scene.check(index, changed)
         for index in chosen:
             with shown(progress) as bar:
-                answer = self._scene.run(index, changes, where, bar)
+                answer = self._scene.run(index, changed, where, bar)
             yield _report(*answer)
 
-    def answer(self, *, set: Mapping[str, Exact] | None = None, progress: Progress = None) -> Answer:
+    def answer(self, *, set: Mapping[str, Exact | float] | None = None, progress: Progress = None) -> Answer:
         """What the machine does as the parameter of its first task of kind ``grazing`` is turned up, on a page.
 
         :raises InputError: where the scene has no such task.
         """
         with shown(progress) as bar:
-            text, sentences, reports = self._scene.answer(list((set or {}).items()), bar)
+            text, sentences, reports = self._scene.answer(changes(set), bar)
         said = tuple(Record({"mark": mark, "text": sentence}) for mark, sentence in sentences)
         touch, *rest = (_report(*report) for report in reports)
         return Answer(said, touch, rest[0] if rest else None, text)
@@ -346,6 +347,55 @@ class Scene:
         rows = ((one.name, one.kind, one.group, tuple(f"{k} = {v}" for k, v in one.set.items())) for one in self.tasks)
         head = ("task", "kind", "group", "with")
         return _html.table(f"{self.title}: {values}", head, rows, len(self.tasks))
+
+
+def simulate(
+    M: npt.ArrayLike = 1.0, C: npt.ArrayLike = 0.0, K: npt.ArrayLike = 0.0, *, stops: Sequence[Mapping[str, Any]] = (),
+    force: npt.ArrayLike = 0.0, load: npt.ArrayLike = 0.0, frequency: float | None = None, q: npt.ArrayLike = 0.0,
+    u: npt.ArrayLike = 0.0, periods: int = 10, transient: int = 0, samples: int = 64, progress: Progress = None,
+) -> TaskReport:
+    """One motion of M q″ + C q′ + K q = ``load`` + Re(``force`` e^{iωt}) between stops, without a scene.
+
+    :param M, C, K: numbers, or arrays of shape (n, n); floats mean their shortest decimals.
+    :param stops: for each its keys as in a scene: ``offset``, ``restitution``, and ``side`` of one coordinate, or
+        ``row``, n numbers: the gap is row · q − offset.
+    :param force: n amplitudes, complex for a phase of their own; ``load`` a constant force.
+    :param frequency: of the drive, in cycles per unit of time; without it ω = 1.
+    :param q, u: the start, n displacements and velocities.
+    :param periods: of the drive that are recorded, after ``transient``; ``samples`` times in each.
+
+    ``data.time`` (in periods), ``data.q`` and ``data.u`` are the motion, ``data.event_time`` and the like its impacts,
+    ``findings`` what it amounts to.
+
+    :raises InputError: of what makes no machine, by the scene's key.
+    """
+    amplitudes = np.atleast_1d(np.asarray(force, dtype=complex))
+    numbers = {"mass": M, "damping": C, "stiffness": K, "force": load}
+    system: dict[str, Any] = {key: np.asarray(value, dtype=float).tolist() for key, value in numbers.items()}
+    size = np.atleast_1d(np.asarray(M)).shape[0]
+    if system["force"] == 0.0:
+        del system["force"]
+    if amplitudes.any():
+        parts = {"cos": amplitudes.real, "sin": -amplitudes.imag}
+        system["forcing"] = [{key: _one(part, size) for key, part in parts.items()}]
+    if frequency is not None:
+        system["frequency"] = float(frequency)
+    start = {"q": _one(np.asarray(q, dtype=float), size), "u": _one(np.asarray(u, dtype=float), size)}
+    task = {"name": "motion", "kind": "simulate", "start": start, "periods": periods, "transient": transient,
+            "samples": samples}
+    tree = {"format": "grazing-scene 3", "title": "a motion", "system": system, "stops": list(stops), "tasks": [task]}
+    report = Scene({key: value for key, value in tree.items() if value != []}).run(progress=progress)[0]
+    if isinstance(report.outcome, Failed):
+        raise report.outcome.error
+    return report
+
+
+def _one(values: npt.NDArray[np.float64], size: int) -> Any:
+    """A list of numbers, a number for all; of one coordinate the number."""
+    if values.ndim > 1 or values.size not in (1, size):
+        raise InputError(f"{values.tolist()!r}: a number for each of {size} coordinates, or one for all")
+    whole = np.broadcast_to(values, (size,)).tolist()
+    return whole[0] if size == 1 else whole
 
 
 def machine(words: str) -> Scene:

@@ -211,3 +211,14 @@ def test_fuzzing_is_the_same_for_a_seed():
     for bad in [{"cases": 0}, {"periods": "1..=5000"}, {"definition_share": 2.0}, {"periods": "1..=2"}]:
         with pytest.raises(grazing.InputError):
             grazing.fuzz(**bad)
+
+
+def test_a_classification_is_printed_by_its_orbits():
+    lines = str(grazing.classify(r=1, s="1/4", max_n=6)).splitlines()
+    assert lines == [
+        "region 3, periods 1 to 6",
+        "  period 1: an orbit, case (+, −), (−, +)",
+        "  period 3: an orbit, case (+, +)",
+        "  singular boundary: 2, 4, 6",
+        "  iterate boundary: 5",
+    ]
