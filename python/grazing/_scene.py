@@ -385,7 +385,7 @@ def simulate(
             "samples": samples}
     tree = {"format": "grazing-scene 3", "title": "a motion", "system": system, "stops": list(stops), "tasks": [task]}
     report = Scene({key: value for key, value in tree.items() if value != []}).run(progress=progress)[0]
-    if isinstance(report.outcome, Failed):
+    if isinstance(report.outcome, Failed) and isinstance(report.outcome.error, Exception):
         raise report.outcome.error
     return report
 
