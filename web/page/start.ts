@@ -94,7 +94,7 @@ class StartPanel implements Panel {
         element(
           "p",
           { class: "start-lead" },
-          "A machine vibrates freely beside a stop. Turn up its drive until it just touches: at that moment new motions are born. Which, is number theory.",
+          "A machine vibrates freely beside a stop. Turn up its drive until it just touches: at that moment new motions are born. Which ones is a question of number theory.",
         ),
         element("div", { class: "start-picture" }, canvas, element("div", { class: "row" }, pause, this.keys())),
         element(
@@ -239,7 +239,7 @@ class StartPanel implements Panel {
     const beyond = drive > 1;
     parts.says.textContent =
       drive < 1
-        ? `Before the touch: the mass rests, and stays at rest. The stop stays ${Number((1 - drive).toFixed(6))} below it; a mass that is thrown may hit it.`
+        ? `Before the touch: the mass rests, and stays at rest. The stop stays ${Number((1 - drive).toFixed(6))} below it; a mass that is set moving may still hit it.`
         : beyond
           ? "Beyond the touch: the mass cannot rest any more. However gently it is touched, it jumps."
           : "The touch: the stop just reaches the mass, at no speed.";
