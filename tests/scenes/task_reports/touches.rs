@@ -58,6 +58,17 @@ fn the_touch_moves_with_each_parameter_as_its_formula_says() {
             let (own, change) = (row.percent.unwrap(), row.change.unwrap());
             assert!((own - percent).abs() < 2e-7, "{engine} {name}: {own}, not {percent}");
             assert!((change - own * at / 100.0).abs() < 1e-12 && row.reason.is_none(), "{row:?}");
+            // With a tenth less of it and a tenth more.
+            let names = ["m", "c", "k", "w", "gap"];
+            let with = |part: f64| {
+                let one = |(value, of): (f64, &str)| if of == name { part * value } else { value };
+                let there: Vec<f64> = VALUES.into_iter().zip(names).map(one).collect();
+                touch(there.try_into().unwrap())
+            };
+            for (found, part) in [(row.less, 0.9), (row.more, 1.1)] {
+                let found = found.unwrap();
+                assert!((found / with(part) - 1.0).abs() < 1e-9, "{engine} {name} {part}: {found}");
+            }
         }
         let order: Vec<&str> =
             found.influence.as_ref().unwrap().iter().map(|row| row.parameter.as_str()).collect();
@@ -65,6 +76,9 @@ fn the_touch_moves_with_each_parameter_as_its_formula_says() {
         let zero = of(&found, "z");
         assert!(zero.change.is_none() && zero.reason.as_deref().unwrap().contains("it is 0"), "{zero:?}");
         assert!(shown.contains("moves the touch most by: w (+2."), "{shown}");
+        let [less, more] = [0.9, 1.1].map(|part| Short(touch([2.0, 0.3, 0.6, 1.1 * part, 0.7])));
+        let far = format!("; F = {less} with ten less, F = {more} with ten more), m (");
+        assert!(shown.contains(&far) && zero.less.is_none(), "{far}: {shown}");
     }
 }
 

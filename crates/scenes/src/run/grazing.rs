@@ -217,7 +217,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Resul
     }
     let unit = job.scene.unit(&at.varied);
     sentences.extend(range.iter().flatten().filter_map(|row| row.sentence((&at.varied, at.half), unit)));
-    sentences.extend(told::influences(influence.as_deref().unwrap_or_default()));
+    sentences.extend(told::influences(influence.as_deref().unwrap_or_default(), &at, unit));
     let touches_open = point.touches().open();
     let touches = task.within().map(|_| point.touches().found.iter().map(TouchRow::of).collect());
     Ok(Reached::Whole(GrazingFindings::Found(Box::new(GrazingReport {

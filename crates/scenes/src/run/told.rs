@@ -250,8 +250,12 @@ fn blows(hits: &[HitRow], place: &str, units: Units) -> Option<String> {
     (!each.is_empty()).then(|| format!("There {}.", each.join("; ")))
 }
 
-/// What moves the touch; none where it was not asked for.
-pub(super) fn influences(rows: &[InfluenceRow]) -> Option<Sentence> {
+/// What moves the touch; none where it was not asked for. Of the parameter the unit.
+pub(super) fn influences(
+    rows: &[InfluenceRow],
+    at: &GrazingMap,
+    unit: Option<&WrittenUnit>,
+) -> Option<Sentence> {
     let text = |row: &InfluenceRow| {
         let (percent, change) = (row.percent, row.change?);
         if change == 0.0 {
@@ -259,7 +263,10 @@ pub(super) fn influences(rows: &[InfluenceRow]) -> Option<Sentence> {
         }
         let by = percent.map_or_else(|| Short(change).to_string(), |percent| format!("{} %", Short(percent)));
         let sign = if by.starts_with('-') { "" } else { "+" };
-        Some(format!("{} ({sign}{by})", row.parameter))
+        let value = |value: Option<f64>| Some(parameter(at, value?, unit));
+        let far = value(row.less).zip(value(row.more));
+        let far = far.map(|(less, more)| format!("; {less} with ten less, {more} with ten more"));
+        Some(format!("{} ({sign}{by}{})", row.parameter, far.unwrap_or_default()))
     };
     let all: Vec<String> = rows.iter().filter_map(text).collect();
     if all.is_empty() {
