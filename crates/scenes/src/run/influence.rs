@@ -26,8 +26,8 @@ row! {
         pub change: Option<f64>,
         /// The same, in per cent of the touch.
         pub percent: Option<f64>,
-        /// The touch where the parameter is nine tenths of its value; absent where another stop is touched, or
-        /// none.
+        /// The touch where the parameter is nine tenths of its value; absent where another stop is touched,
+        /// or none.
         pub less: Option<f64>,
         /// The same at eleven tenths.
         pub more: Option<f64>,
@@ -104,8 +104,8 @@ pub(super) fn influences(
     Ok(rows)
 }
 
-/// The touch with a parameter at another value. What a value of its own forbids, as a damping below 0, is told
-/// of that parameter alone.
+/// The touch with a parameter at another value. What a value of its own forbids, as a damping below 0, is
+/// told of that parameter alone.
 fn moved(task: &GrazingTask, job: &Job, name: &str, there: BigRational) -> Result<Moved> {
     match job.with(&[(name.to_string(), there)]).and_then(|job| touch(task, &job)) {
         Err(error) if error.is_interrupted() => Err(error),
