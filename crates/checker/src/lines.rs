@@ -20,13 +20,15 @@ pub(super) struct Lines<'a> {
     input: &'a mut dyn BufRead,
     stop: &'a mut dyn FnMut() -> bool,
     number: u64,
+    /// The latest line.
+    bytes: Vec<u8>,
 }
 
 impl<'a> Lines<'a> {
     /// The lines of a part that `number` lines come before; `stop` is asked again and again whether the work
     /// should end.
     pub fn after(number: u64, input: &'a mut dyn BufRead, stop: &'a mut dyn FnMut() -> bool) -> Self {
-        Lines { input, stop, number }
+        Lines { input, stop, number, bytes: Vec::new() }
     }
 
     /// The number of the latest line, from 1.
@@ -41,16 +43,16 @@ impl<'a> Lines<'a> {
 
     /// The next line without its end, or `None` after the last.
     pub fn next(&mut self) -> Result<Option<String>, Rejection> {
-        self.next_within(LONGEST)
+        Ok(self.next_within(LONGEST)?.map(String::from))
     }
 
     /// A line ends with a line feed, with a carriage return and a line feed, or with the file.
-    fn next_within(&mut self, longest: usize) -> Result<Option<String>, Rejection> {
+    fn next_within(&mut self, longest: usize) -> Result<Option<&str>, Rejection> {
         self.number += 1;
         self.go_on().map_err(|fault| self.rejection(fault))?;
-        let mut bytes = Vec::new();
+        self.bytes.clear();
         // Two bytes more, for the end of the line.
-        let read = (&mut *self.input).take(longest as u64 + 2).read_until(b'\n', &mut bytes);
+        let read = (&mut *self.input).take(longest as u64 + 2).read_until(b'\n', &mut self.bytes);
         match read {
             // What is read may have been cut short by the caller's wish to end.
             Err(_) if (self.stop)() => return Err(self.rejection(Fault::Interrupted)),
@@ -61,16 +63,16 @@ impl<'a> Lines<'a> {
             }
             Ok(_) => {}
         }
-        if bytes.last() == Some(&b'\n') {
-            bytes.pop();
-            if bytes.last() == Some(&b'\r') {
-                bytes.pop();
+        if self.bytes.last() == Some(&b'\n') {
+            self.bytes.pop();
+            if self.bytes.last() == Some(&b'\r') {
+                self.bytes.pop();
             }
         }
-        if bytes.len() > longest {
+        if self.bytes.len() > longest {
             return Err(self.malformed(format!("the line is longer than {longest} bytes")));
         }
-        match String::from_utf8(bytes) {
+        match str::from_utf8(&self.bytes) {
             Ok(line) => Ok(Some(line)),
             Err(_) => Err(self.malformed("the line is not text")),
         }
@@ -83,8 +85,18 @@ impl<'a> Lines<'a> {
 
     /// The next line, which must exist, of up to `longest` bytes.
     pub fn expect_within(&mut self, longest: usize, what: &str) -> Result<String, Rejection> {
-        match self.next_within(longest)? {
-            Some(line) => Ok(line),
+        self.parsed(longest, what, |line| Ok(line.to_string()))
+    }
+
+    /// The same, as `parse` reads it.
+    pub fn parsed<T>(
+        &mut self,
+        longest: usize,
+        what: &str,
+        parse: impl FnOnce(&str) -> Result<T, String>,
+    ) -> Result<T, Rejection> {
+        match self.next_within(longest)?.map(parse) {
+            Some(read) => read.map_err(|reason| self.malformed(reason)),
             None => {
                 self.number += 1;
                 Err(self.malformed(format!("the file ends where {what} should stand")))
@@ -208,9 +220,17 @@ impl<'a> Words<'a> {
 
     /// A fraction p/q in lowest terms with 0 ≤ p/q ≤ 1 and q ≤ `most`.
     pub fn fraction(&mut self, most: u64) -> Result<Fraction, String> {
+        self.fraction_again(most, Fraction::ZERO)
+    }
+
+    /// The same; if it is this one, known already, no gcd is taken again.
+    pub fn fraction_again(&mut self, most: u64, known: Fraction) -> Result<Fraction, String> {
         let word = self.word("a fraction p/q")?;
         word.split_once('/')
-            .and_then(|(p, q)| Fraction::new(number(p, most)?, number(q, most)?))
+            .and_then(|(p, q)| {
+                let parts = (number(p, most)?, number(q, most)?);
+                if parts == known.parts() { Some(known) } else { Fraction::new(parts.0, parts.1) }
+            })
             .ok_or_else(|| format!("expected a fraction p/q in lowest terms, 0 <= p <= q <= {most}"))
     }
 

@@ -210,8 +210,9 @@ impl<'a> Numbers<'a> {
         if value >= 10_000 {
             return self.long(value, sign);
         }
-        let (digits, count) = short_integer(value);
-        self.word(u64::from(digits) | (u64::from(sign) << (8 * count)), count + 1);
+        let zeros = leading_zeros(value);
+        let digits = u64::from(FOUR[value as usize]) | (u64::from(sign) << 32);
+        self.word(digits >> (8 * zeros), 5 - zeros);
     }
 
     #[cold]
@@ -249,17 +250,16 @@ fn integer(rows: &mut Vec<u8>, value: u64) {
     if value >= 10_000 {
         return long_integer(rows, value);
     }
-    // What lies behind the digits is zeros.
-    let (digits, count) = short_integer(value);
-    rows.extend_from_slice(&digits.to_le_bytes());
-    rows.truncate(rows.len() + count - 4);
+    // Leading zeros are shifted out, and lie behind the end.
+    let zeros = leading_zeros(value);
+    rows.extend_from_slice(&(FOUR[value as usize] >> (8 * zeros)).to_le_bytes());
+    rows.truncate(rows.len() - zeros);
 }
 
-/// The digits of a number below 10⁴, the first in the lowest byte, and how many they are.
+/// How many of the four digits of a number below 10⁴ are leading zeros, but of 0 three.
 #[inline]
-fn short_integer(value: u64) -> (u32, usize) {
-    let zeros = 3 - usize::from(value > 9) - usize::from(value > 99) - usize::from(value > 999);
-    (FOUR[value as usize] >> (8 * zeros), 4 - zeros)
+fn leading_zeros(value: u64) -> usize {
+    3 - usize::from(value > 9) - usize::from(value > 99) - usize::from(value > 999)
 }
 
 /// The digits of a number that has two or more.

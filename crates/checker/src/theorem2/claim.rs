@@ -69,16 +69,21 @@ impl Claim {
     /// # Errors
     /// What was expected.
     pub fn parse(line: &str, n: u64) -> Result<Self, String> {
+        Claim::parse_from(line, n, Fraction::ZERO)
+    }
+
+    /// The same, of a line that should begin at a fraction.
+    pub(super) fn parse_from(line: &str, n: u64, begin: Fraction) -> Result<Self, String> {
         let mut words = Words::new(line);
         let claim = match words.word("orbit, stretch or point")? {
             "orbit" => Claim::Orbit {
-                left: words.fraction(2 * n)?,
+                left: words.fraction_again(2 * n, begin)?,
                 right: words.fraction(2 * n)?,
                 emu: sign(&mut words)?,
                 gamma: sign(&mut words)?,
             },
             "stretch" => {
-                let (left, right) = (words.fraction(2 * n)?, words.fraction(2 * n)?);
+                let (left, right) = (words.fraction_again(2 * n, begin)?, words.fraction(2 * n)?);
                 Claim::Stretch {
                     left,
                     right,
@@ -87,7 +92,7 @@ impl Claim {
                 }
             }
             "point" => {
-                let at = words.fraction(2 * n)?;
+                let at = words.fraction_again(2 * n, begin)?;
                 match words.word("singular, boundary or excluded")? {
                     "singular" => Claim::Singular(at),
                     "boundary" => Claim::Boundary(at, index(&mut words, n)?),

@@ -93,7 +93,7 @@ use super::{
     Proved, Rejection,
     arithmetic::{Fraction, MOST, Multiple, Signs, carries},
     header::{self, Header},
-    lines::Lines,
+    lines::{LONGEST, Lines},
 };
 use crate::rejection::ensure;
 
@@ -150,8 +150,8 @@ impl Block {
         let [n, count] = header::numbers(lines, "n", [("the period", MOST), ("the number of lines", COUNT)])?;
         lines.form(n == self.n, format_args!("expected the block of n = {}", self.n))?;
         for _ in 0..count {
-            let line = lines.expect("a line of this block")?;
-            let claim = Claim::parse(&line, n).map_err(|reason| lines.malformed(reason))?;
+            let parse = |line: &str| Claim::parse_from(line, n, self.reached);
+            let claim = lines.parsed(LONGEST, "a line of this block", parse)?;
             self.place(claim).map_err(|reason| lines.false_claim(reason))?;
             self.prove(claim).map_err(|reason| lines.false_claim(reason))?;
         }
