@@ -75,11 +75,18 @@ impl Conservative {
             here *= RATIO;
         }
         pieces.retain(|piece| piece.len() > 1);
-        // As long as rounding alone tells frequencies apart, they are one.
+        let mut linear = 0.0;
         if let Some(piece) = pieces.first_mut().filter(|piece| piece[0].amplitude <= least) {
             let natural = piece[0].rate;
-            let same = |look: &&mut Look| (look.rate / natural - 1.0).abs() <= SMOOTHLY;
-            piece.iter_mut().take_while(same).for_each(|look| look.rate = natural);
+            let same = piece.iter().take_while(|look| (look.rate / natural - 1.0).abs() <= SMOOTHLY).count();
+            // As long as rounding alone tells frequencies apart, they are one; at the natural frequency the
+            // swing is 0 then, and no vibration.
+            piece[..same].iter_mut().for_each(|look| look.rate = natural);
+            linear = alike(piece);
+            if linear == 0.0 && (natural - 1.0).abs() <= SMOOTHLY && same < piece.len() {
+                let beside = piece[same].rate;
+                piece[..same].iter_mut().for_each(|look| look.rate = beside);
+            }
         }
         let all = pieces.iter().flatten();
         let rates = all.fold([f64::INFINITY, 0.0], |[a, b], look| [look.rate.min(a), look.rate.max(b)]);
@@ -89,7 +96,7 @@ impl Conservative {
             for end in [0, piece.len() - 1] {
                 let Look { amplitude, rate, swing } = piece[end];
                 let (why, swing) = match () {
-                    () if end == 0 && amplitude <= least => ("natural frequency", Some(alike(piece))),
+                    () if end == 0 && amplitude <= least => ("natural frequency", Some(linear)),
                     () if end > 0 && amplitude * RATIO > most => ("largest swings", bounded.then_some(swing)),
                     () => ("hill", Some(swing)),
                 };
