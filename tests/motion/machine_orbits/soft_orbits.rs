@@ -302,11 +302,11 @@ fn the_equations_of_soft_orbits_change_with_a_parameter_as_differences_say() {
     assert!(touched > 1, "{touched}");
 }
 
-/// The bilinear oscillator's branch grazes its second spring at F² = (1 − w²)² + 4ζ²w²: no label stands
-/// there, the branch goes on, and up to it multipliers are those of the linear oscillator. The labels beyond
-/// are those of contact: at a flip the second integrator's period map has a multiplier −1.
+/// The bilinear oscillator's branch grazes its second spring at F² = (1 − w²)² + 4ζ²w²: it has a label there
+/// and goes on, and up to it multipliers are those of the linear oscillator. The labels beyond are those of
+/// contact: at a flip the second integrator's period map has a multiplier −1.
 #[test]
-fn a_branch_passes_the_grazing_of_a_soft_stop_without_a_label() {
+fn a_branch_goes_on_beyond_the_grazing_of_a_soft_stop() {
     let file = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
         .join("examples/machines/bilinear.toml");
     let text = std::fs::read_to_string(file).unwrap();
@@ -316,7 +316,9 @@ fn a_branch_passes_the_grazing_of_a_soft_stop_without_a_label() {
     let report = &reports(&format!("{head}{task}"))[0];
     let (w, zeta) = (0.7f64, 0.075f64);
     let grazing = ((1.0 - w * w).powi(2) + 4.0 * (zeta * w).powi(2)).sqrt();
-    let labels = report["labels"].as_array().unwrap();
+    let [touch, labels @ ..] = &report["labels"].as_array().unwrap()[..] else { panic!("{report}") };
+    assert_eq!(touch["label"], "grazing 1", "{report}");
+    assert!((touch["parameters"][0].as_f64().unwrap() - grazing).abs() < 1e-11, "{touch}");
     let start = &report["starts"][0];
     for end in ["backward", "forward"] {
         assert_eq!(start[end], "a parameter is at its bound", "{report}");

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{labels, near, number, run, task};
+use super::{ALONE, labels, near, number, run, task};
 
 /// x″ + 2ζx′ + x = a w² sin wt above the one and below the other of two springs.
 const RIG: &str = r#"
@@ -165,4 +165,54 @@ fn a_square_wave_is_no_kink_of_the_motion() {
             }
         }
     }
+}
+
+/// (A³ − A⁴)(1 − A⁴)⁻¹, its upper right entry, A being the free motion of the paper's oscillator over a
+/// period.
+fn together(w: f64) -> f64 {
+    let (damping, stiffness) = (0.6 / w, 1.0 / (w * w));
+    let turn = (stiffness - damping * damping).sqrt();
+    let (decay, (sin, cos)) = ((-damping * TAU).exp(), (turn * TAU).sin_cos());
+    let (a, b) = (decay * (cos + damping / turn * sin), decay * sin / turn);
+    let (c, d) = (-decay * stiffness / turn * sin, decay * (cos - damping / turn * sin));
+    let map = nalgebra::Matrix2::new(a, b, c, d);
+    let four = map * map * map * map;
+    let all = (map * map * map - four) * (nalgebra::Matrix2::identity() - four).try_inverse().unwrap();
+    all[(0, 1)]
+}
+
+/// A curve of grazings of an orbit with one impact in four periods comes to the place where that impact has
+/// no speed. There it is at the touch of the free motion, µ = 0, and to first order the gap three periods
+/// later vanishes with that of the impact: C (A³ − A⁴)(1 − A⁴)⁻¹ B = 0.
+#[test]
+fn a_curve_of_grazings_says_where_an_impact_fades() {
+    let folder = tempfile::tempdir().unwrap();
+    let tasks = [
+        task(
+            "one",
+            "branch",
+            "parameter = \"mu\"\nrange = [-0.1, 0.01]\nstarts = [{ at = -0.05, orbit = { pattern = [4] } }]",
+        ),
+        task(
+            "two",
+            "branch",
+            "parameter = \"mu\"\nrange = [-0.3, 0.2]\nsecond = \"w\"\nsecond_range = [4, 6]\n\
+             starts = [{ restart = { file = \"one.json\", label = \"grazing 1\" } }]",
+        ),
+    ];
+    let (found, code, error) = run(ALONE, &tasks, folder.path());
+    assert_eq!(code, 0, "{error}{found}");
+    let end = found["tasks"][1]["starts"][0]["backward"].as_str().unwrap();
+    let place = end.strip_prefix("an impact loses its speed, about at ").unwrap_or_else(|| panic!("{end}"));
+    let [mu, w] = place.split(", ").map(|x| x.parse().unwrap()).collect::<Vec<f64>>()[..] else {
+        panic!("{end}")
+    };
+    let (mut low, mut high) = (4.1, 4.3);
+    assert!(together(low) * together(high) < 0.0);
+    for _ in 0..60 {
+        let middle = (low + high) / 2.0;
+        *(if together(middle) * together(low) > 0.0 { &mut low } else { &mut high }) = middle;
+    }
+    near(mu, 0.0, 1e-8);
+    near(w, low, 1e-7);
 }

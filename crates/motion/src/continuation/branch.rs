@@ -148,6 +148,7 @@ impl<O: FollowedOrbit> OrbitBranch<O> {
         };
         if direction != Direction::Forward {
             let (steps, end) = follow(curve, start.reversed(), options)?;
+            let end = faded(curve, &steps, &end).unwrap_or(end);
             branch.points.extend(steps.into_iter().rev().map(|mut step| {
                 step.place = step.place.reversed();
                 point(step, -1.0)
@@ -161,6 +162,7 @@ impl<O: FollowedOrbit> OrbitBranch<O> {
         // A closed curve has come back to the start from behind: it is all there.
         if direction != Direction::Backward && branch.ends[0] != CurveEnd::Closed {
             let (steps, end) = follow(curve, start.clone(), options)?;
+            let end = faded(curve, &steps, &end).unwrap_or(end);
             branch.points.extend(steps.into_iter().map(|step| point(step, 1.0)));
             branch.ends[1] = end;
         }
@@ -212,6 +214,46 @@ impl<O: FollowedOrbit> OrbitBranch<O> {
             Error::input(format!("the branch has no label {label:?}; it has {}", names.join(", ")))
         })
     }
+}
+
+/// An impact so much slower than any on a curve of grazings is about to lose its speed.
+const FADING: f64 = 1e-2;
+/// So close, over the parameters' units, a line and a parabola come to the same end.
+const CLOSE: f64 = 1e-6;
+
+/// The end of a curve of grazings where an impact of its orbits loses its speed: beside it the least gap is
+/// one of that impact's, so that the curve is lost before. It is where a parabola in that speed leads, if a
+/// line leads there, too.
+fn faded<C: OrbitCurve<View: FollowedOrbit>>(
+    curve: &C,
+    steps: &[Step<C::View>],
+    end: &CurveEnd,
+) -> Option<CurveEnd> {
+    if curve.subject() != Some(Bifurcation::Grazing) || !matches!(end, CurveEnd::Lost(_)) {
+        return None;
+    }
+    let speeds: Vec<f64> =
+        steps.iter().map(|step| step.view.speeds().into_iter().fold(f64::INFINITY, f64::min)).collect();
+    let last = *speeds.last()?;
+    if !(last > 0.0 && last <= FADING * speeds.iter().copied().fold(0.0, f64::max)) {
+        return None;
+    }
+    let before = |from: usize, least: f64| speeds[..from].iter().rposition(|speed| *speed >= least);
+    let first = before(speeds.len(), 2.0 * last)?;
+    let places = [speeds.len() - 1, first, before(first, 4.0 * last)?];
+    let at = places.map(|i| curve.parameters(&steps[i].place.u));
+    let [a, b, c] = places.map(|i| speeds[i]);
+    let mut found = Vec::new();
+    for (i, unit) in curve.units().into_iter().enumerate() {
+        let line = (at[0][i] * b - at[1][i] * a) / (b - a);
+        let other = (at[1][i] * c - at[2][i] * b) / (c - b);
+        let curved = (line * c - other * a) / (c - a);
+        if (curved - line).abs() > CLOSE * unit {
+            return None;
+        }
+        found.push(curved);
+    }
+    Some(CurveEnd::Fades(found))
 }
 
 impl CurvePoint {

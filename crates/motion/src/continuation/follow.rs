@@ -121,6 +121,8 @@ pub enum CurveEnd {
     Found,
     /// As far as was asked for.
     Reach,
+    /// On a curve of grazings: an impact of the orbits loses its speed at these parameters, by extrapolation.
+    Fades(Vec<f64>),
     /// Even the shortest step could not be taken.
     Lost(String),
 }
@@ -627,6 +629,10 @@ impl std::fmt::Display for CurveEnd {
             CurveEnd::Start => "the start",
             CurveEnd::Found => "what was looked for",
             CurveEnd::Reach => "as far as was asked for",
+            CurveEnd::Fades(at) => {
+                let at: Vec<String> = at.iter().map(f64::to_string).collect();
+                return write!(f, "an impact loses its speed, about at {}", at.join(", "));
+            }
             CurveEnd::Lost(why) => return write!(f, "lost: {why}"),
         })
     }

@@ -39,13 +39,14 @@ const SMOOTHLY: f64 = 1e-12;
 /// So close to the edge of a hill energies are one to rounding: there it is not looked.
 const BESIDE: f64 = 1e-6;
 /// Steps of the search for the place where a frequency comes closest to what is asked for.
-const SECTIONS: u32 = 60;
+const SECTIONS: u32 = 50;
 
 impl Conservative {
     /// The vibrations at k times the drive's frequency; none where there is no place of rest. Amplitudes are
     /// looked at over all lengths at which forces change, and 10⁶ times beyond; between three at which the
-    /// frequency comes closest to k in the middle it is looked whether it comes to k.
-    pub fn vibrations(&self, k: u32) -> Option<Vibrations> {
+    /// frequency comes closest to k in the middle it is looked whether it comes to k. Swings are to rounding
+    /// if they are to be `located`, else to a factor of two.
+    pub fn vibrations(&self, k: u32, located: bool) -> Option<Vibrations> {
         let rest = self.rest()?;
         let [least, most] = self.amplitudes(rest);
         let sign = if self.stops[1] > rest { 1.0 } else { -1.0 };
@@ -75,11 +76,18 @@ impl Conservative {
             here *= RATIO;
         }
         pieces.retain(|piece| piece.len() > 1);
-        // As long as rounding alone tells frequencies apart, they are one.
+        let mut linear = 0.0;
         if let Some(piece) = pieces.first_mut().filter(|piece| piece[0].amplitude <= least) {
             let natural = piece[0].rate;
-            let same = |look: &&mut Look| (look.rate / natural - 1.0).abs() <= SMOOTHLY;
-            piece.iter_mut().take_while(same).for_each(|look| look.rate = natural);
+            let same = piece.iter().take_while(|look| (look.rate / natural - 1.0).abs() <= SMOOTHLY).count();
+            // As long as rounding alone tells frequencies apart, they are one; at the natural frequency the
+            // swing is 0 then, and no vibration.
+            piece[..same].iter_mut().for_each(|look| look.rate = natural);
+            linear = alike(piece);
+            if linear == 0.0 && (natural - 1.0).abs() <= SMOOTHLY && same < piece.len() {
+                let beside = piece[same].rate;
+                piece[..same].iter_mut().for_each(|look| look.rate = beside);
+            }
         }
         let all = pieces.iter().flatten();
         let rates = all.fold([f64::INFINITY, 0.0], |[a, b], look| [look.rate.min(a), look.rate.max(b)]);
@@ -89,13 +97,13 @@ impl Conservative {
             for end in [0, piece.len() - 1] {
                 let Look { amplitude, rate, swing } = piece[end];
                 let (why, swing) = match () {
-                    () if end == 0 && amplitude <= least => ("natural frequency", Some(alike(piece))),
+                    () if end == 0 && amplitude <= least => ("natural frequency", Some(linear)),
                     () if end > 0 && amplitude * RATIO > most => ("largest swings", bounded.then_some(swing)),
                     () => ("hill", Some(swing)),
                 };
                 ends.push(AmplitudeEnd { why, swing, faster: is_faster(rate) });
             }
-            swings.extend(passes(piece, &look));
+            swings.extend(passes(piece, located, &look));
         }
         Some(Vibrations { swings, rates, ends })
     }
@@ -135,7 +143,7 @@ fn alike(piece: &[Look]) -> f64 {
 }
 
 /// The swings at which a frequency passes that asked for.
-fn passes(piece: &[Look], look: &dyn Fn(f64) -> Option<Look>) -> Vec<f64> {
+fn passes(piece: &[Look], located: bool, look: &dyn Fn(f64) -> Option<Look>) -> Vec<f64> {
     let mut all = piece.to_vec();
     for three in piece.windows(3) {
         let faster = is_faster(three[1].rate);
@@ -150,7 +158,9 @@ fn passes(piece: &[Look], look: &dyn Fn(f64) -> Option<Look>) -> Vec<f64> {
     let mut swings = Vec::new();
     for pair in all.windows(2) {
         let [before, after] = [pair[0], pair[1]].map(|look| is_faster(look.rate));
-        if before != after {
+        if before != after && !located {
+            swings.push(pair[1].swing);
+        } else if before != after {
             // To rounding, where rounding does not decide.
             let sure = pair.iter().all(|look| is_faster(look.rate) == (look.rate > 1.0));
             let faster = |rate: f64| if sure { rate > 1.0 } else { is_faster(rate) };
@@ -171,15 +181,17 @@ fn closest(
     look: &dyn Fn(f64) -> Option<Look>,
 ) -> Option<Look> {
     let golden = (5f64.sqrt() - 1.0) / 2.0;
+    let [mut a, mut b] = [look(high - golden * (high - low))?, look(low + golden * (high - low))?];
     for _ in 0..SECTIONS {
-        let [a, b] = [look(high - golden * (high - low))?, look(low + golden * (high - low))?];
         if let Some(other) = [a, b].into_iter().find(|look| is_faster(look.rate) != faster) {
             return Some(other);
         }
         if off(&a) < off(&b) {
-            high = b.amplitude;
+            (high, b) = (b.amplitude, a);
+            a = look(high - golden * (high - low))?;
         } else {
-            low = a.amplitude;
+            (low, a) = (a.amplitude, b);
+            b = look(low + golden * (high - low))?;
         }
     }
     None

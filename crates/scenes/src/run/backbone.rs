@@ -55,7 +55,7 @@ const HALVINGS: u32 = 45;
 /// # Errors
 /// Those of the machine at a value; an input error where all forces lead away from q = 0; an interruption.
 pub(super) fn backbone(task: &ResponseTask, job: &Job, values: &[f64], at: AtValue) -> Result<Backbone> {
-    let look = |value: f64| -> Result<Option<Vibrations>> {
+    let look = |value: f64, located: bool| -> Result<Option<Vibrations>> {
         job.check()?;
         let (machine, cubic) = at(value)?;
         let (free, factor) = machine.conservative(cubic)?;
@@ -71,10 +71,10 @@ pub(super) fn backbone(task: &ResponseTask, job: &Job, values: &[f64], at: AtVal
             found.ends.iter_mut().filter_map(|end| end.swing.as_mut()).for_each(|swing| *swing *= factor);
             found
         };
-        Ok(free.vibrations(task.harmonic).map(scaled))
+        Ok(free.vibrations(task.harmonic, located).map(scaled))
     };
     let count = |found: &Option<Vibrations>| found.as_ref().map_or(0, |found| found.swings.len());
-    let all = values.iter().map(|value| look(*value)).collect::<Result<Vec<_>>>()?;
+    let all = values.iter().map(|value| look(*value, true)).collect::<Result<Vec<_>>>()?;
     let swings = |i: usize| all[i].iter().flat_map(|found| found.swings.iter().copied());
     let rows: Vec<BackboneRow> = (0..values.len())
         .flat_map(|i| swings(i).map(move |swing| BackboneRow { value: values[i], swing }))
@@ -91,12 +91,12 @@ pub(super) fn backbone(task: &ResponseTask, job: &Job, values: &[f64], at: AtVal
         }
         for _ in 0..HALVINGS {
             let middle = low.0 + (high.0 - low.0) / 2.0;
-            let here = look(middle)?;
+            let here = look(middle, false)?;
             let end = if count(&here) == before { &mut low } else { &mut high };
             *end = (middle, here);
         }
         let (more, less) = if before > count(&high.1) { (low, high) } else { (high, low) };
-        ends.extend(more.1.and_then(|found| end(more.0, &found, less.1.as_ref())));
+        ends.extend(look(more.0, true)?.and_then(|found| end(more.0, &found, less.1.as_ref())));
     }
     ends.extend(bound(values.len() - 1));
     let why = rows.is_empty().then(|| no_points(&all));
