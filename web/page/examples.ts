@@ -1,6 +1,6 @@
 // The certificates that the page brings along: the checker's own samples, and one of them damaged.
 
-import branch from "../../crates/checker/tests/data/branch.txt";
+import branch from "../../crates/checker/tests/data/branch-frequency.txt";
 import chaos from "../../crates/checker/tests/data/chaos-12.txt";
 import cover from "../../crates/checker/tests/data/cover.txt";
 import event from "../../crates/checker/tests/data/event-gr3.txt";
