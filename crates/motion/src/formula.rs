@@ -179,18 +179,24 @@ impl Formula {
 
     /// The same with a formula in place of each number, variable and π.
     pub fn replaced(&self, leaves: &dyn Fn(&Formula) -> Formula) -> Formula {
-        let inside = |inner: &Formula| Box::new(inner.replaced(leaves));
         match self {
             Formula::Number(_) | Formula::Pi | Formula::Variable(_) => leaves(self),
-            Formula::Negated(inner) => Formula::Negated(inside(inner)),
-            Formula::Power(inner, exponent) => Formula::Power(inside(inner), *exponent),
-            Formula::Call(function, inner) => Formula::Call(*function, inside(inner)),
+            _ => self.mapped(&mut |part| part.replaced(leaves)),
+        }
+    }
+
+    /// The same with other parts; a number, a variable and π have none.
+    pub fn mapped(&self, map: &mut dyn FnMut(&Formula) -> Formula) -> Formula {
+        match self {
+            Formula::Number(_) | Formula::Pi | Formula::Variable(_) => self.clone(),
+            Formula::Negated(inner) => Formula::Negated(Box::new(map(inner))),
+            Formula::Power(inner, exponent) => Formula::Power(Box::new(map(inner)), *exponent),
+            Formula::Call(function, inner) => Formula::Call(*function, Box::new(map(inner))),
             Formula::Binary(operation, parts) => {
-                let parts = parts.each_ref().map(|part| part.replaced(leaves));
-                Formula::Binary(*operation, Box::new(parts))
+                Formula::Binary(*operation, Box::new(parts.each_ref().map(map)))
             }
-            Formula::Choice(choice) => Formula::Choice(Box::new(choice.mapped(|part| part.replaced(leaves)))),
-            Formula::Raised(inner, exponent) => Formula::Raised(inside(inner), exponent.clone()),
+            Formula::Choice(choice) => Formula::Choice(Box::new(choice.mapped(map))),
+            Formula::Raised(inner, exponent) => Formula::Raised(Box::new(map(inner)), exponent.clone()),
         }
     }
 

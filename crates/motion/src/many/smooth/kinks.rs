@@ -100,21 +100,13 @@ fn known(force: &SmoothForce<f64>, variables: usize) -> impl Fn(usize) -> Formul
 
 /// The same with numbers for the coefficients of its switches, so that equal switches of two forces are one.
 fn closed(formula: &Formula, known: &dyn Fn(usize) -> Formula) -> Formula {
-    let inside = |inner: &Formula| Box::new(closed(inner, known));
     match formula {
-        Formula::Number(_) | Formula::Variable(_) | Formula::Pi => formula.clone(),
-        Formula::Negated(inner) => Formula::Negated(inside(inner)),
-        Formula::Power(inner, exponent) => Formula::Power(inside(inner), *exponent),
-        Formula::Call(function, inner) => Formula::Call(*function, inside(inner)),
-        Formula::Raised(inner, exponent) => Formula::Raised(inside(inner), exponent.clone()),
-        Formula::Binary(operation, parts) => {
-            Formula::Binary(*operation, Box::new(parts.each_ref().map(|part| closed(part, known))))
-        }
         Formula::Choice(choice) => {
             let Choice { text, above, below, .. } = choice.mapped(|part| closed(part, known));
             let switch = choice.switch.substituted(known);
             Formula::Choice(Box::new(Choice { text, switch, above, below }))
         }
+        _ => formula.mapped(&mut |part| closed(part, known)),
     }
 }
 
@@ -255,19 +247,9 @@ impl Smooth {
 
 /// A formula in a mode, the switches that it looks at being added to `reached`.
 fn resolved(formula: &Formula, switches: &[Switch], below: &[usize], reached: &mut Vec<usize>) -> Formula {
-    let mut inside = |inner: &Formula| Box::new(resolved(inner, switches, below, reached));
     match formula {
-        Formula::Number(_) | Formula::Variable(_) | Formula::Pi => formula.clone(),
-        Formula::Negated(inner) => Formula::Negated(inside(inner)),
-        Formula::Power(inner, exponent) => Formula::Power(inside(inner), *exponent),
-        Formula::Call(function, inner) => Formula::Call(*function, inside(inner)),
-        Formula::Raised(inner, exponent) => Formula::Raised(inside(inner), exponent.clone()),
-        Formula::Binary(operation, parts) => {
-            let parts = parts.each_ref().map(|part| *inside(part));
-            Formula::Binary(*operation, Box::new(parts))
-        }
         Formula::Choice(choice) => {
-            let switch = *inside(&choice.switch);
+            let switch = resolved(&choice.switch, switches, below, reached);
             let above = if switch.mentions(&|_| true) {
                 let place = switches.iter().position(|known| known.formula == choice.switch);
                 let place = place.unwrap_or(usize::MAX);
@@ -281,5 +263,6 @@ fn resolved(formula: &Formula, switches: &[Switch], below: &[usize], reached: &m
             };
             resolved(if above { &choice.above } else { &choice.below }, switches, below, reached)
         }
+        _ => formula.mapped(&mut |part| resolved(part, switches, below, reached)),
     }
 }
