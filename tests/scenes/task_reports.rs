@@ -14,6 +14,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 mod attractors;
+mod backbones;
 mod bands;
 mod decided;
 mod enclosed;
