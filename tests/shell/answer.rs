@@ -64,7 +64,9 @@ fn a_line_and_its_scene_have_one_answer() {
     assert_eq!((code, same), (0, page), "{err}");
     let proved = said(&["check", "out/first-touch-before.certificate"], folder);
     assert!(proved.0 == 0 && proved.1.contains("proved, range"), "{proved:?}");
-    for file in ["first-touch-swing.svg", "first-touch-swing.csv", "machine.svg", "first-touch-seen.csv"] {
+    for file in
+        ["first-touch-swing.svg", "first-touch-swing.csv", "first-touch-machine.svg", "first-touch-seen.csv"]
+    {
         assert!(fs::metadata(folder.join("out").join(file)).unwrap().len() > 0, "{file}");
     }
 }
@@ -108,6 +110,9 @@ fn what_is_wrong_with_a_line_is_told() {
     .unwrap();
     for (words, told) in [
         (&["m = 2 kg, k = 800 N/m"][..], "c, f, gap: missing"),
+        (&["m = 2 kg"], "k, c, f, gap: missing"),
+        (&["no-touch.toml", "--save", "saved.toml", "--set", "F=1"], "cannot be used with"),
+        (&["no-touch.toml", "--save", "saved.toml", "-o", "out"], "has no task of kind grazing"),
         (&["m = 2 lb, k = 800 N/m, c = 3, f = 4, gap = 1 mm"], "there is no unit \"lb\""),
         (&["m = -2 kg, k = 800 N/m, c = 3, f = 4, gap = 1 mm"], "mass"),
         (&["m = 2 kg, k = 800 N/m, c = 3, f = 4, gap = 1 mm", "--set", "G=3"], "G"),
@@ -118,4 +123,6 @@ fn what_is_wrong_with_a_line_is_told() {
         let (code, out, err) = said(words, folder.path());
         assert!(code == 2 && out.is_empty() && err.contains(told), "{words:?}: {code} {out} {err}");
     }
+    // Nothing is left of what failed.
+    assert_eq!(crate::process::names(folder.path()), ["no-touch.toml"]);
 }

@@ -62,9 +62,12 @@ const FILE: &str = "machine.toml";
 
 /// Whether a text is such a machine: names and numbers, and not the name of a file or a scene.
 pub fn is_machine(text: &str) -> bool {
-    let names: Vec<&str> = text.match_indices(['=', ':']).map(|(at, _)| name_before(text, at)).collect();
-    let known = |name: &&str| PARTS.iter().any(|part| part.is(name));
-    !text.contains('[') && names.iter().filter(|name| known(name)).count() >= 2
+    let known = |sign: char| {
+        let names = text.match_indices(sign).map(|(at, _)| name_before(text, at));
+        names.filter(|name| PARTS.iter().any(|part| part.is(name))).count()
+    };
+    // A single colon may stand in the name of a file.
+    !text.contains('[') && (known('=') > 0 || known(':') > 1)
 }
 
 /// The scene of a machine, with a task of kind `grazing` over the force; where no force is typed, of the
@@ -259,7 +262,8 @@ mod tests {
         let message = scene_of("m = 2 kg, k = 800 N/m, c = 3 N s/m, f = 4 s, gap = 1 mm").unwrap_err();
         assert!(message.to_string().contains("is a time; here stands a frequency, in Hz"), "{message}");
         assert!(scene_of("m = 2 kg").unwrap_err().to_string().starts_with("k, c, f, gap: missing"));
-        for text in ["machine.toml", "[parameters]\nm = 2\nk = 3", "a1 = 1, a2 = 2"] {
+        assert!(is_machine("m = 2 kg"));
+        for text in ["machine.toml", "c:\\machine.toml", "[parameters]\nm = 2\nk = 3", "a1 = 1, a2 = 2"] {
             assert!(!is_machine(text), "{text}");
         }
     }

@@ -11,7 +11,6 @@ mod machine;
 use std::fmt;
 
 use num_rational::BigRational;
-use serde::Serialize;
 
 pub use machine::{is_machine, scene_of};
 
@@ -28,7 +27,7 @@ const BEYOND: f64 = 1.4;
 const BELOW: f64 = 0.7;
 
 /// What the two tasks came to.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
     /// Of the touch.
     pub touch: TaskReport,
@@ -43,27 +42,20 @@ impl Answer {
         found.map_or_else(Vec::new, |found| found.sentences.iter().filter(|said| !said.detail).collect())
     }
 
-    /// How it ended: as the task of the touch, or, where that was done, as that of the swing.
-    pub fn status(&self) -> &Status {
-        let swing = self.swing.as_ref().map(|swing| &swing.status);
-        if self.touch.status == Status::Done { swing.unwrap_or(&Status::Done) } else { &self.touch.status }
+    /// The reports of its tasks, as of a run of the scene.
+    pub fn reports(&self) -> impl Iterator<Item = &TaskReport> {
+        std::iter::once(&self.touch).chain(&self.swing)
     }
 
     /// What should be known before its numbers are trusted.
-    pub fn warnings(&self) -> Vec<&str> {
-        let all = [Some(&self.touch), self.swing.as_ref()].into_iter().flatten();
+    fn warnings(&self) -> Vec<&str> {
         let mut warnings: Vec<&str> = Vec::new();
-        for text in all.flat_map(|report| &report.warnings) {
+        for text in self.reports().flat_map(|report| &report.warnings) {
             if !warnings.contains(&text.as_str()) {
                 warnings.push(text);
             }
         }
         warnings
-    }
-
-    /// The reports of its tasks, as of a run of the scene.
-    pub fn reports(&self) -> Vec<TaskReport> {
-        [Some(&self.touch), self.swing.as_ref()].into_iter().flatten().cloned().collect()
     }
 }
 
@@ -165,7 +157,7 @@ impl fmt::Display for Answer {
         for Sentence { mark, text, .. } in self.sentences() {
             lines.say(&mark.to_string(), text.as_str());
         }
-        for report in [Some(&self.touch), self.swing.as_ref()].into_iter().flatten() {
+        for report in self.reports() {
             if report.status != Status::Done {
                 lines.say(&report.task, report.status.to_string());
             }

@@ -12,7 +12,8 @@ const DIGITS: i32 = 4;
 
 impl RangeRow {
     /// What is proved of one machine in the parameter's own unit, of all that is born or attracts on a side;
-    /// none of a part, and where nothing is proved. With `half` periods are half periods.
+    /// none of a part, and where nothing is proved; located where the certificate is of ν alone. With `half`
+    /// periods are half periods.
     pub(super) fn sentence(
         &self,
         (varied, half): (&str, bool),
@@ -58,6 +59,44 @@ impl RangeRow {
                 )
             }
         };
-        Some(Mark::Proved.of(what))
+        Some(match self.left {
+            None => Mark::Proved.of(what),
+            // The weaker of both is what the sentence rests on.
+            Some(_) => Mark::Located.of(format!(
+                "{what} That is proved of the depth behind the stop; that {varied} has these depths is located."
+            )),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::run::range::PROVED;
+
+    /// An end is rounded towards the touch, on either side of it, and a certificate that is of ν alone proves
+    /// no value of the parameter.
+    #[test]
+    fn a_sentence_says_no_more_than_its_row() {
+        let row = |touch: &str, end: &str| RangeRow {
+            touch: Some(touch.into()),
+            end: Some(end.into()),
+            periods: vec![1],
+            whole: true,
+            ..RangeRow::open(false, PROVED, None)
+        };
+        for (touch, end, told) in [
+            ("0.70710678", "0.66669317", "F = 0.6667:"),
+            ("0.70710678", "0.76664", "F = 0.7666:"),
+            ("-1", "-1.000066", "F = -1.000066:"),
+            ("1e-9", "1.23456e-9", "F = 1.234e-9:"),
+        ] {
+            let said = row(touch, end).sentence(("F", false), None).unwrap();
+            assert!(said.mark == Mark::Proved && said.text.contains(told), "{said:?}");
+        }
+        let left = RangeRow { left: Some("why".into()), ..row("1", "2") };
+        let said = left.sentence(("F", false), None).unwrap();
+        assert!(said.mark == Mark::Located && said.text.ends_with("is located."), "{said:?}");
+        assert_eq!(RangeRow { end: None, ..row("1", "2") }.sentence(("F", false), None), None);
     }
 }

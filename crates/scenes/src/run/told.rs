@@ -65,6 +65,9 @@ fn parameter_about(at: &GrazingMap, value: f64, unit: Option<&WrittenUnit>, loos
         return parameter(at, value, unit);
     }
     let own = unit.map_or(value, |unit| unit.of(value));
+    if own == 0.0 {
+        return parameter(at, value, unit);
+    }
     let rounded = format!("{own:.2e}").parse().map_or(value, |few: f64| few * value / own);
     format!("about {}", parameter(at, rounded, unit))
 }

@@ -8,7 +8,7 @@ use std::{
 
 use clap::Parser;
 
-use super::{Bars, Job, last_words, names, setting, write_json, write_text};
+use super::{Bars, DIGITS, Job, last_words, names, setting, write_json, write_text};
 use crate::{
     answer::{self, is_machine, scene_of},
     cli::{Outcome, ReportFormat, in_pool, progress::Interrupt, reported},
@@ -40,7 +40,7 @@ pub(in crate::cli) struct AnswerArgs {
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
     set: Vec<(String, String)>,
     /// Write the machine as a scene, for `grazing run`.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with = "set")]
     save: Option<PathBuf>,
     /// Write the machine's drawing, the picture of its swing, tables and certificates into this folder.
     #[arg(short, long, value_name = "DIR")]
@@ -58,9 +58,6 @@ pub(in crate::cli) fn is_answered(word: &str) -> bool {
     is_machine(word) || Path::new(word).extension().is_some_and(|ending| ending == "toml")
 }
 
-/// Digits of the report.
-const DIGITS: usize = 6;
-
 pub(in crate::cli) fn answer(
     args: &AnswerArgs,
     files: &FileRegistry,
@@ -76,12 +73,7 @@ pub(in crate::cli) fn answer(
     }
     let changes = scene.values(&args.set)?;
     let (folder, format) = (args.output.as_deref(), PictureFormat::Svg);
-    if let Some(folder) = folder {
-        make_folder(folder)?;
-    }
-    if let Some(file) = &args.save {
-        files.write("--save", file)?.write(|out| Ok(out.write_all(text.as_bytes())?))?;
-    }
+    let save = args.save.as_ref().map(|file| files.write("--save", file)).transpose()?;
     let bars = Bars::new(interrupt);
     let around = Surroundings { changes: &changes, folder, monitor: &bars };
     let done: Arc<Mutex<Vec<TaskReport>>> = Arc::default();
@@ -93,6 +85,7 @@ pub(in crate::cli) fn answer(
         ));
         if let Some(folder) = folder {
             names::task(&scene, job.task, folder, format, files)?;
+            make_folder(folder)?;
         }
         let report = in_pool(0, || {
             Ok(match folder {
@@ -104,10 +97,13 @@ pub(in crate::cli) fn answer(
         Ok(report)
     })?;
     bars.clear();
-    if let Some(folder) = &args.output {
-        drawn(&scene.with(&changes)?, folder, files)?;
+    if let Some(file) = save {
+        file.write(|out| Ok(out.write_all(text.as_bytes())?))?;
     }
-    let reports = answer.reports();
+    if let Some(folder) = folder {
+        drawn(&scene.with(&changes)?, &format!("{}-machine", answer.touch.task), folder, files)?;
+    }
+    let reports: Vec<TaskReport> = answer.reports().cloned().collect();
     let written = Destination::Stdout.write(|out| match (args.format, args.full) {
         (ReportFormat::Json, _) => write_json(&scene.title, &reports, None, out),
         (ReportFormat::Text, true) => reports.iter().try_for_each(|report| write_text(report, DIGITS, out)),
@@ -135,8 +131,8 @@ fn read(file: &str) -> Result<String> {
 }
 
 /// The machine's drawing and its data.
-fn drawn(scene: &Scene, folder: &Path, files: &FileRegistry) -> Result<()> {
-    let place = FigurePlace::svg(folder, "machine");
+fn drawn(scene: &Scene, name: &str, folder: &Path, files: &FileRegistry) -> Result<()> {
+    let place = FigurePlace::svg(folder, name);
     for file in [place.picture(), place.data()] {
         files.write("the drawing", &file)?;
     }
