@@ -61,7 +61,7 @@ pub use local_map::{Known, LeadingImpact, LocalMap, Near};
 pub use locate::nearest;
 pub use locate::{BranchSearch, Located, Nothing, SearchReach};
 pub use multipliers::Multipliers;
-pub(crate) use newton::newton;
+pub(crate) use newton::{newton, project};
 pub use newton::{Linearised, Root};
 pub use options::Options;
 pub use orbits::PatternCurve;

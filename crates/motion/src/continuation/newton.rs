@@ -104,6 +104,54 @@ pub(crate) fn newton(
     Err(unended(size, most))
 }
 
+/// The unknowns near `start` where equations hold that are linear in all unknowns but `kept`: Newton's method
+/// goes in `kept`, by as many `rows` of the equations; the other unknowns solve the other rows at every step
+/// (variable projection). So a search fills few dimensions, and comes to solutions that are missed where all
+/// unknowns are spread. Cost: two of `equations` a step, and a linear solution for each of `kept`.
+///
+/// # Errors
+/// As [`newton`]; an input error where the other rows have not one solution.
+pub(crate) fn project(
+    start: &[f64],
+    kept: &[usize],
+    rows: &[usize],
+    known: &Known,
+    equations: impl Fn(&[f64]) -> Result<Linearised>,
+) -> Result<Vec<f64>> {
+    let others = |some: &[usize]| (0..start.len()).filter(|i| !some.contains(i)).collect::<Vec<usize>>();
+    let (linear, solved) = (others(kept), others(rows));
+    let solution = |at: &Linearised, right: &dyn Fn(usize) -> f64| {
+        let matrix =
+            solved.iter().map(|&row| linear.iter().map(|&k| at.jacobian[row][k]).collect()).collect();
+        solve(matrix, solved.iter().map(|&row| -right(row)).collect())
+            .ok_or_else(|| Error::input("the linear unknowns have not one solution"))
+    };
+    let whole = |part: &[f64]| {
+        let mut z = vec![0.0; start.len()];
+        kept.iter().zip(part).for_each(|(&k, x)| z[k] = *x);
+        let at = equations(&z)?;
+        linear.iter().zip(solution(&at, &|row| at.residual[row])?).for_each(|(&k, x)| z[k] = x);
+        Ok(z)
+    };
+    let begin = kept.iter().map(|&k| start[k]).collect();
+    let root = newton(begin, known, |part| {
+        let at = equations(&whole(part)?)?;
+        let moved: Vec<Vec<f64>> =
+            kept.iter().map(|&k| solution(&at, &|row| at.jacobian[row][k])).collect::<Result<_>>()?;
+        let entry = |row: usize, (k, moved): (usize, &[f64])| {
+            let by = linear.iter().zip(moved).map(|(&other, x)| at.jacobian[row][other] * x);
+            at.jacobian[row][k] + by.sum::<f64>()
+        };
+        let columns = || kept.iter().copied().zip(moved.iter().map(Vec::as_slice));
+        Ok(Linearised {
+            residual: rows.iter().map(|&row| at.residual[row]).collect(),
+            jacobian: rows.iter().map(|&row| columns().map(|column| entry(row, column)).collect()).collect(),
+            slope: vec![0.0; rows.len()],
+        })
+    })?;
+    whole(&root.z)
+}
+
 /// It comes no nearer, or too slowly: which of the two depends on the unknowns, and says nothing.
 fn unended(size: f64, steps: usize) -> Error {
     Error::input(format!("Newton's method did not converge: residual {size:.1e} after {steps} steps"))

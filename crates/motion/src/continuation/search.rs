@@ -171,8 +171,8 @@ pub fn search_all<O: Send + Sync>(
 pub(crate) struct Known {
     /// Where among the unknowns those begin that count.
     from: usize,
-    /// Whether they are times and speeds, one after the other.
-    impacts: bool,
+    /// How many of them an impact has, the first its time: 2 with its speed, 1 without, 0 if there is none.
+    each: usize,
     points: Vec<Vec<f64>>,
 }
 
@@ -180,12 +180,19 @@ impl Known {
     /// Of solutions whose unknowns are, from `from` on, times in radians and speeds of `impacts` impacts; of
     /// 0, all else. A solution of several impacts is one with each of them called the first.
     pub fn new(from: usize, impacts: usize, solutions: impl Iterator<Item = Vec<f64>>) -> Known {
-        let from = if impacts > 0 { from } else { 0 };
+        let (from, each) = if impacts > 0 { (from, 2) } else { (0, 0) };
         let turned = |z: Vec<f64>| {
             let own = z[from..].to_vec();
-            (0..impacts.max(1)).map(move |shift| [&own[2 * shift..], &own[..2 * shift]].concat())
+            (0..impacts.max(1)).map(move |shift| [&own[each * shift..], &own[..each * shift]].concat())
         };
-        Known { from, impacts: impacts > 0, points: solutions.flat_map(turned).collect() }
+        Known { from, each, points: solutions.flat_map(turned).collect() }
+    }
+
+    /// By the times alone, which are then all unknowns.
+    pub fn of_times(impacts: usize, solutions: impl Iterator<Item = Vec<f64>>) -> Known {
+        let points = Known::new(0, impacts, solutions).points.into_iter();
+        let times = |point: Vec<f64>| point.into_iter().step_by(2).collect();
+        Known { from: 0, each: 1, points: points.map(times).collect() }
     }
 
     /// Whether there are none.
@@ -201,7 +208,7 @@ impl Known {
             for (k, known) in point.iter().enumerate() {
                 let (by, step) = (z[self.from + k] - known, step[self.from + k]);
                 // A time that is a period later is the same.
-                let (square, half) = match self.impacts && k.is_multiple_of(2) {
+                let (square, half) = match self.each > 0 && k.is_multiple_of(self.each) {
                     true => (2.0 * (1.0 - by.cos()), by.sin()),
                     false => (by * by, by),
                 };

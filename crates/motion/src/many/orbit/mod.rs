@@ -46,7 +46,7 @@ use super::{
     simulate::Simulator,
 };
 use crate::{
-    continuation::{KnownOrbits, Root, newton},
+    continuation::{KnownOrbits, Root, newton, project},
     error::{Error, Result},
 };
 
@@ -140,16 +140,7 @@ pub fn find_beside(
     simulator.check_kinks_of_time()?;
     check_given(simulator.contacts().rubs().iter().map(|rub| (&rub.name, rub.stop)))?;
     check_stops(pattern, simulator.contacts())?;
-    let size = simulator.scale_at(pattern.strikes().iter().map(|strike| strike.place));
-    let size = if size > 0.0 { size } else { simulator.rub_scale(&[]) };
-    let fastest = start.iter().skip(1).step_by(2).fold(0.0, |most: f64, v| most.max(v.abs()));
-    let scale = if size > 0.0 {
-        size
-    } else if fastest > 0.0 {
-        fastest
-    } else {
-        1.0
-    };
+    let scale = scale(simulator, pattern, start);
     let soft = simulator.through()?;
     let equations = StopEquations::new(between(simulator, soft.as_ref()), pattern, scale);
     let scaled: Vec<f64> =
@@ -178,6 +169,46 @@ pub fn find_beside(
         }
     }
     describe(simulator, pattern, scale, root)
+}
+
+/// The same, of a machine that is linear between impacts and whose motion its forces hold: state and speeds are
+/// solved for with the times, as [`project`] does.
+///
+/// # Errors
+/// As [`project`] and [`find`].
+pub fn find_projected(
+    simulator: &Simulator,
+    pattern: &Itinerary,
+    start: &[f64],
+    known: &[Orbit],
+) -> Result<Orbit> {
+    check_stops(pattern, simulator.contacts())?;
+    let scale = scale(simulator, pattern, start);
+    let equations = StopEquations::new(between(simulator, None), pattern, scale);
+    let states = 2 * equations.size();
+    let known = known.iter().map(|orbit| orbit.z[states..].to_vec());
+    let known = KnownOrbits::of_times(pattern.strikes().len(), known);
+    let begin: Vec<f64> = std::iter::repeat_n(0.0, states).chain(start.iter().copied()).collect();
+    let times: Vec<usize> = (states..begin.len()).step_by(2).collect();
+    let rates: Vec<usize> = (1..start.len()).step_by(2).collect();
+    let found = project(&begin, &times, &rates, &known, |z| equations.linearise(z, None))?;
+    let impacts: Vec<f64> =
+        found[states..].iter().enumerate().map(|(i, x)| if i % 2 == 0 { *x } else { x * scale }).collect();
+    find_beside(simulator, pattern, &impacts, None, &[])
+}
+
+/// The unit of lengths and speeds: the size of motions at the stops, or the fastest of the start, or 1.
+fn scale(simulator: &Simulator, pattern: &Itinerary, start: &[f64]) -> f64 {
+    let size = simulator.scale_at(pattern.strikes().iter().map(|strike| strike.place));
+    let size = if size > 0.0 { size } else { simulator.rub_scale(&[]) };
+    let fastest = start.iter().skip(1).step_by(2).fold(0.0, |most: f64, v| most.max(v.abs()));
+    if size > 0.0 {
+        size
+    } else if fastest > 0.0 {
+        fastest
+    } else {
+        1.0
+    }
 }
 
 /// Whether a motion from these times and speeds takes too long to follow.

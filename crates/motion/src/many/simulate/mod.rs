@@ -305,6 +305,12 @@ impl Simulator {
         self.is_smooth() || self.is_rough() || soft()
     }
 
+    /// Whether motion between impacts is that of one linear machine with a periodic motion that its forces
+    /// bring about: state and speeds at impacts follow from their times.
+    pub fn is_held(&self) -> bool {
+        !self.is_pieced() && self.flow().particular(0.0).iter().all(|x| x.is_finite())
+    }
+
     /// Whether there is dry friction.
     pub(crate) fn is_rough(&self) -> bool {
         !self.contacts.rubs().is_empty()

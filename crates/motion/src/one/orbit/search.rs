@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::{
     Itinerary, Orbit, Oscillator, find,
-    solution::{find_beside, obstacle},
+    solution::{find_beside, find_projected, obstacle},
 };
 use crate::{
     continuation::{NEAR, OrbitSearch, Starts, search_all},
@@ -35,7 +35,9 @@ pub fn search_while(
     }
     let begin = begin(oscillator, itinerary, speed);
     let periods = whole_periods(itinerary);
-    let look = |i: u32, known: &[Orbit]| find_beside(oscillator, itinerary, &begin.of(&periods, i), known);
+    // Of several impacts the times alone are spread where speeds follow from them.
+    let find = if m > 1 && oscillator.response().is_some() { find_projected } else { find_beside };
+    let look = |i: u32, known: &[Orbit]| find(oscillator, itinerary, &begin.of(&periods, i), known);
     let whole = |orbit: &Orbit| {
         let moving = orbit.z.chunks(2).all(|impact| impact[1] > NEAR * orbit.unit);
         Ok(moving && (1..m).all(|shift| !same(orbit, orbit, shift)))

@@ -7,7 +7,7 @@ use super::{
     passage::Unknowns,
 };
 use crate::{
-    continuation::{KnownOrbits, Multipliers, Root, counted, newton},
+    continuation::{KnownOrbits, Linearised, Multipliers, Root, counted, newton, project},
     error::{Error, Result},
     motion::{
         Flow, RunEnd, Side, State,
@@ -71,16 +71,45 @@ pub(super) fn find_beside(
     known: &[Orbit],
 ) -> Result<Orbit> {
     let unit = oscillator.unit(itinerary);
-    let own = |i: usize| Unknowns::unit(itinerary, i, unit);
-    let measured = |z: &[f64]| z.iter().enumerate().map(|(i, z)| z / own(i)).collect::<Vec<_>>();
-    let points = known.iter().map(|orbit| measured(&orbit.z));
+    let points = known.iter().map(|orbit| measured(itinerary, unit, &orbit.z, f64::recip));
     let known = KnownOrbits::new(0, itinerary.strikes().len(), points);
-    let root = newton(measured(start), &known, |scaled| {
-        let z: Vec<f64> = scaled.iter().enumerate().map(|(i, z)| z * own(i)).collect();
-        Ok(linearise(oscillator, itinerary, &z)?.measured(unit, own))
+    let root = newton(measured(itinerary, unit, start, f64::recip), &known, |z| {
+        measured_equations(oscillator, itinerary, z)
     })?;
-    let z = root.z.iter().enumerate().map(|(i, z)| z * own(i)).collect();
+    let z = measured(itinerary, unit, &root.z, |own| own);
     describe(oscillator, itinerary, Root { z, residual: root.residual * unit, ..root })
+}
+
+/// The same, where the forces are linear and hold the motion: speeds are solved for with the times, as
+/// [`project`] does.
+///
+/// # Errors
+/// As [`project`] and [`find`].
+pub(super) fn find_projected(
+    oscillator: &Oscillator,
+    itinerary: &Itinerary,
+    start: &[f64],
+    known: &[Orbit],
+) -> Result<Orbit> {
+    let unit = oscillator.unit(itinerary);
+    let known = KnownOrbits::of_times(itinerary.strikes().len(), known.iter().map(|orbit| orbit.z.clone()));
+    let [times, rows] = [0, 1].map(|first| (first..start.len()).step_by(2).collect::<Vec<_>>());
+    let z = project(&measured(itinerary, unit, start, f64::recip), &times, &rows, &known, |z| {
+        measured_equations(oscillator, itinerary, z)
+    })?;
+    find_beside(oscillator, itinerary, &measured(itinerary, unit, &z, |own| own), &[])
+}
+
+/// Unknowns, each times a factor of what an unknown of 1 is ([`Unknowns::unit`]).
+fn measured(itinerary: &Itinerary, unit: f64, z: &[f64], factor: impl Fn(f64) -> f64) -> Vec<f64> {
+    z.iter().enumerate().map(|(i, z)| z * factor(Unknowns::unit(itinerary, i, unit))).collect()
+}
+
+/// The equations in such units.
+fn measured_equations(oscillator: &Oscillator, itinerary: &Itinerary, scaled: &[f64]) -> Result<Linearised> {
+    let unit = oscillator.unit(itinerary);
+    let z = measured(itinerary, unit, scaled, |own| own);
+    Ok(linearise(oscillator, itinerary, &z)?.measured(unit, |i| Unknowns::unit(itinerary, i, unit)))
 }
 
 /// Why the pattern equations cannot be asked at z, if a flight there cannot be followed: place, velocity and

@@ -8,7 +8,9 @@ use crate::{
     error::{Error, Result},
     many::{
         Machine, RealVector, State,
-        orbit::{FreeStarts, Itinerary, Orbit, Strike, find, find_beside, find_from, is_hopeless},
+        orbit::{
+            FreeStarts, Itinerary, Orbit, Strike, find, find_beside, find_from, find_projected, is_hopeless,
+        },
         simulate::Simulator,
     },
     scene::orbits::OrbitKeys,
@@ -36,8 +38,15 @@ pub(crate) fn machine_orbits(
     let times = if simulator.is_smooth() { 1.0 } else { 4.0 };
     let greatest = keys.speed.map_or(times * simulator.scale_at(met), |speed| speed / rate);
     let begin = Starts::new(greatest, |t| simulator.on_stop(pattern.strikes()[0].place, t));
-    let look =
-        |i: u32, known: &[Orbit]| find_beside(simulator, &pattern, &begin.of(&keys.pattern, i), None, known);
+    // Of several impacts the times alone are spread where state and speeds follow from them.
+    let projects = m > 1 && simulator.is_held();
+    let look = |i: u32, known: &[Orbit]| {
+        let start = begin.of(&keys.pattern, i);
+        match projects {
+            true => find_projected(simulator, &pattern, &start, known),
+            false => find_beside(simulator, &pattern, &start, None, known),
+        }
+    };
     let whole = |orbit: &Orbit| {
         let fastest = orbit.impacts.iter().fold(0.0, |most: f64, impact| most.max(impact.speed));
         let moving = orbit.impacts.iter().all(|impact| impact.speed > NEAR * fastest);
