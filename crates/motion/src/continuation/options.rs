@@ -61,15 +61,13 @@ impl Options {
     /// An input error that names the option, its value and what it may be.
     pub fn checked(&self) -> Result<Options> {
         let positive = |x: f64| x > 0.0 && x.is_finite();
+        // The default of the other is not in the scene.
+        let [least, step] = [("least_step", self.least_step), ("step", self.step)]
+            .map(|(name, value)| format!("at least {name}, which is {value}"));
         let claims = [
             (positive(self.least_step), "least_step", self.least_step, "a positive number"),
-            (positive(self.step) && self.step >= self.least_step, "step", self.step, "at least least_step"),
-            (
-                positive(self.most_step) && self.most_step >= self.step,
-                "most_step",
-                self.most_step,
-                "at least step",
-            ),
+            (positive(self.step) && self.step >= self.least_step, "step", self.step, &least),
+            (positive(self.most_step) && self.most_step >= self.step, "most_step", self.most_step, &step),
             (
                 positive(self.turn) && self.turn <= 1.0,
                 "turn",
