@@ -21,6 +21,8 @@ pub mod formula;
 pub mod many;
 pub mod motion;
 pub mod one;
+#[doc(hidden)]
+pub mod rounding;
 
 use grazing_base::{error, monitor, output, random};
 

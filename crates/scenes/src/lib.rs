@@ -48,7 +48,7 @@ pub mod run;
 pub mod scene;
 
 use grazing_base::{error, monitor, outcome, output, printable, quantity, source, typed};
-use grazing_motion::formula;
+use grazing_motion::{formula, rounding};
 
 pub use grazing::{
     Error, Monitor, Outcome, Profile, Result, Spent, Spot, certificate, existence, farey, local, num_bigint,

@@ -27,6 +27,7 @@ use super::{
 use crate::{
     error::Result,
     motion::{RunEnd, Time, algebra::solve},
+    rounding::{CIRCLE, SUM},
 };
 
 /// Closer than this to an orbit, relative to its extent, a motion need not be followed to be told to tend
@@ -34,8 +35,6 @@ use crate::{
 const NEAR: f64 = 1e-5;
 /// Farther than this, relative to the extent, an orbit is another motion's unless the map is linear so far.
 const FAR: f64 = 1e-2;
-/// States this close are the same up to rounding: relative to the largest coordinate.
-pub(super) const ROUNDING: f64 = 1e-12;
 /// Orbits this close are the same: relative to the extent.
 const SAME: f64 = 1e-7;
 /// The same for rounding, relative to the largest coordinate.
@@ -50,8 +49,6 @@ const NEARER: f64 = 1e-3;
 const DOUBLINGS: u32 = 24;
 /// Halvings of the distance from which motions are seen to come nearer.
 const LEVELS: u32 = 24;
-/// A spectral radius of rounds without impacts this near 1 is 1.
-pub(super) const SMOOTH_NEUTRAL: f64 = 1e-11;
 /// A spectral radius this near 1 is 1: what is on such an orbit stays, what is beside it is not attracted.
 pub const NEUTRAL: f64 = 1e-7;
 /// Steps of Newton's method: to an orbit at rest in 0, which has no size, each takes 16 digits off, until
@@ -98,7 +95,7 @@ impl Size {
 
     /// This part of the extent, with room for rounding.
     pub fn part(&self, of_extent: f64) -> f64 {
-        of_extent * self.extent + ROUNDING * self.magnitude
+        of_extent * self.extent + SUM * self.magnitude
     }
 
     /// Orbits this close are the same.
@@ -242,7 +239,7 @@ fn of_period<D: Dynamics>(
     let off: Vec<f64> = minus(from, &x);
     let distance = length(&off);
     let on_it = distance <= size.part(0.0);
-    let neutral = if at.impacts == 0 { SMOOTH_NEUTRAL } else { NEUTRAL };
+    let neutral = if at.impacts == 0 { CIRCLE } else { NEUTRAL };
     let attracts = radius < if on_it { 1.0 + NEUTRAL } else { 1.0 - neutral };
     let bent = length(&minus(&minus(&after, &x), &times(&at.slope, &off)));
     let linear = bent <= (1.0 - radius) / 4.0 * distance;
@@ -401,7 +398,7 @@ fn follows<D: Dynamics>(
             return Ok(false);
         }
         let apart = minus(&minus(run.point().coordinates(), x), &expected);
-        if length(&apart) > norm(&power) * length(off) / 2.0 + ROUNDING * length(x) {
+        if length(&apart) > norm(&power) * length(off) / 2.0 + SUM * length(x) {
             return Ok(false);
         }
         if norm(&power) <= NEAR {

@@ -13,6 +13,7 @@ use std::f64::consts::TAU;
 use crate::{
     error::Result,
     motion::{Event, RunEnd, Time, event::Place},
+    rounding::PHASE,
 };
 
 /// A machine with one coordinate and rigid stops.
@@ -156,9 +157,6 @@ const PARTS_OF_HARMONIC: u32 = 64;
 const HALVINGS: u32 = 60;
 /// A motion begins at rest so much before its release, as a part of the period, or half of what is there.
 const BEFORE: f64 = 0.01;
-/// A release is one of the phases if it is as near to it, in radians.
-const NEAR: f64 = 1e-6;
-
 impl Rests {
     /// Of a machine; a motion is followed for so many periods after a release.
     ///
@@ -241,7 +239,7 @@ fn flight(
     };
     let is_at = |one: &Release, time: Time, stop: usize| {
         let apart = (one.phase - time.phase + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
-        one.stop == stop && apart.abs() <= NEAR
+        one.stop == stop && apart.abs() <= PHASE
     };
     let mut left: Option<Time> = None;
     let mut resting: Option<(Time, usize)> = None;

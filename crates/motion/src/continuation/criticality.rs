@@ -1,7 +1,7 @@
 //! Which way a bifurcation on a branch goes: the coefficient of its normal form, by derivatives of the
 //! Poincaré map.
 
-use crate::continuation::Criticality;
+use crate::{continuation::Criticality, rounding::SUM};
 
 /// The normal form of a bifurcation: see [`Derivatives`](super::Derivatives) for what the coefficient is.
 ///
@@ -57,9 +57,6 @@ fn located(z: f64, is_time: bool) -> f64 {
     LOCATED * if is_time { 1.0 } else { z.abs() }
 }
 
-/// How exact a coefficient of the Poincaré map's expansion is, as a part of itself: to the rounding of some
-/// thousand operations.
-const ROUNDED: f64 = 1e-12;
 /// How many coefficients the expansion has.
 const COEFFICIENTS: usize = 20;
 
@@ -84,7 +81,7 @@ impl Estimate {
         number: impl Fn(&[f64], &[f64]) -> Option<f64>,
     ) -> Option<Estimate> {
         let all: Vec<f64> = z.iter().copied().chain([1.0; COEFFICIENTS]).collect();
-        let off = |i: usize| z.get(i).map_or(ROUNDED, |z| located(*z, is_time(i)));
+        let off = |i: usize| z.get(i).map_or(SUM, |z| located(*z, is_time(i)));
         Estimate::within(&all, off, |all| {
             let (z, factors) = all.split_at(z.len());
             number(z, factors)

@@ -63,9 +63,6 @@ pub struct Known {
     pub outward: Option<Vec<Vec<f64>>>,
 }
 
-/// How far entries may be off that were computed in floats, by their size.
-pub(crate) const ERROR: f64 = 1e-12;
-
 fn applied(a: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
     a.iter().map(|row| row.iter().zip(x).map(|(a, x)| a * x).sum()).collect()
 }

@@ -10,6 +10,7 @@ use crate::{
     continuation::{Linearised, Root},
     error::Result,
     motion::event::Place,
+    rounding::SUM,
 };
 
 /// A solution of the equations of a pattern.
@@ -92,7 +93,7 @@ pub trait FollowedOrbit: Clone {
     /// everywhere.
     fn circles(&self) -> Vec<f64> {
         let moduli: Vec<f64> = self.multipliers().iter().map(|(re, im)| re.hypot(*im)).collect();
-        let rounding = NEUTRAL * moduli.first().map_or(1.0, |most| most.max(1.0));
+        let rounding = SUM * moduli.first().map_or(1.0, |most| most.max(1.0));
         let beyond = |modulus: &f64| if (modulus - 1.0).abs() <= rounding { 0.0 } else { modulus - 1.0 };
         moduli.iter().skip(1).step_by(2).map(beyond).collect()
     }
@@ -108,9 +109,6 @@ pub trait FollowedOrbit: Clone {
 
 /// Slower than this, in units of the motion, an impact's speed is rounding's.
 pub(crate) const STILL: f64 = 1e-10;
-
-/// Closer to the unit circle than this part of the largest multiplier, rounding decides on which side one is.
-const NEUTRAL: f64 = 1e-12;
 
 /// The pattern of the orbits of a family.
 pub type PatternOf<O> = Itinerary<<O as FollowedOrbit>::Place>;

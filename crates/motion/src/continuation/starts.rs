@@ -7,6 +7,8 @@
 
 use std::f64::consts::TAU;
 
+use crate::rounding::SUM;
+
 /// Times and speeds to start from, of any number of impacts: the i-th of a search.
 #[derive(Debug, Clone, Copy)]
 pub struct Starts {
@@ -21,9 +23,6 @@ const LOOKS: u32 = 64;
 
 /// Of the strongest part, what a harmonic has at least that the phase is told by.
 const TOLD: f64 = 0.125;
-
-/// Of what there is, and of a quarter period: less is rounding.
-const ROUNDING: f64 = 1e-12;
 
 impl Starts {
     /// With the acceleration of the gap at a phase while it is closed.
@@ -41,11 +40,11 @@ impl Starts {
         let strongest = all.iter().map(size).fold(0.0, f64::max);
         // Where nothing moves, rounding does.
         let sum: f64 = looks.iter().map(|(_, a)| a.abs()).sum();
-        let told = (1..).zip(&all).find(|(_, one)| size(one) > f64::max(TOLD * strongest, ROUNDING * sum));
+        let told = (1..).zip(&all).find(|(_, one)| size(one) > f64::max(TOLD * strongest, SUM * sum));
         let phase = told.map_or(0.0, |(k, [c, s])| {
             let quarters = s.atan2(*c) / (TAU / 4.0);
             let near = quarters.round();
-            TAU / 4.0 * if (quarters - near).abs() < ROUNDING { near } else { quarters } / f64::from(k)
+            TAU / 4.0 * if (quarters - near).abs() < SUM { near } else { quarters } / f64::from(k)
         });
         Starts { phase: if phase.is_finite() { phase } else { 0.0 }, speed }
     }

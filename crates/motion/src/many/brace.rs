@@ -14,13 +14,13 @@
 //! that n and T have no unit.
 
 use super::{RealMatrix, RealVector, contact::Contacts};
-use crate::error::{Error, Result};
+use crate::{
+    error::{Error, Result},
+    rounding::DIRECTION,
+};
 
 /// Most choices of rows that may leave a facet open.
 const MOST: u64 = 1000;
-
-/// Components of unit vectors below this are rounding.
-const NOTHING: f64 = 1e-9;
 
 /// A facet: what is needed along it and what there is at most, both as accelerations.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,7 +74,7 @@ impl Contacts {
         let directions: Vec<RealVector> = stuck.iter().map(direction).collect();
         let shared = |i: usize| {
             let others = stuck.iter().zip(&directions).filter(|(j, _)| **j != basis[i]);
-            others.into_iter().any(|(_, direction)| direction[i].abs() > NOTHING)
+            others.into_iter().any(|(_, direction)| direction[i].abs() > DIRECTION)
         };
         let (together, apart): (Vec<usize>, Vec<usize>) = (0..basis.len()).partition(|&i| shared(i));
         let mut all: Vec<Brace> = apart.iter().map(|&i| alone(&basis[i])).collect();
@@ -97,10 +97,10 @@ impl Contacts {
         }
         let size = together.iter().map(|&i| root(basis[i])).fold(0.0, f64::max);
         for normal in normals(&own) {
-            let needed = together.iter().zip(normal.iter()).filter(|(_, part)| part.abs() > NOTHING);
+            let needed = together.iter().zip(normal.iter()).filter(|(_, part)| part.abs() > DIRECTION);
             let needed = needed.map(|(&i, part)| (basis[i], part * size / root(basis[i]))).collect();
             let parts = own.iter().map(|(j, direction)| (*j, normal.dot(direction)));
-            let parts = parts.filter(|(_, part)| part.abs() > NOTHING);
+            let parts = parts.filter(|(_, part)| part.abs() > DIRECTION);
             let parts = parts.map(|(j, part)| (j, part * size * root(j))).collect();
             all.push(Brace { needed, parts });
         }
@@ -122,10 +122,10 @@ fn normals(all: &[(usize, RealVector)]) -> Vec<RealVector> {
         };
         let normal = RealVector::from_fn(r, |j, _| minor(j));
         let long = normal.norm();
-        let first = normal.iter().find(|part| part.abs() > NOTHING * long);
-        let Some(first) = first.filter(|_| long > NOTHING) else { continue };
+        let first = normal.iter().find(|part| part.abs() > DIRECTION * long);
+        let Some(first) = first.filter(|_| long > DIRECTION) else { continue };
         let normal = &normal / (long * first.signum());
-        if found.iter().all(|known| (known - &normal).amax() > NOTHING) {
+        if found.iter().all(|known| (known - &normal).amax() > DIRECTION) {
             found.push(normal);
         }
     }

@@ -9,6 +9,7 @@
 use crate::{
     continuation::Starts,
     many::{RealVector, State, simulate::Simulator},
+    rounding::DIRECTION,
 };
 
 /// Deflections of the motion that the forces bring about.
@@ -20,9 +21,6 @@ pub(crate) struct Deflections<'s> {
 
 /// Most displacements of starts from the motion that the forces bring about, in sizes of the gaps' motion.
 const DEFLECTED: f64 = 2.0;
-
-/// Less than this part of a direction is left of it by rounding.
-const ROUNDING: f64 = 1e-9;
 
 impl<'s> Deflections<'s> {
     /// With speeds up to `greatest`, per radian of the forcing.
@@ -71,7 +69,7 @@ fn directions(simulator: &Simulator, stop: Option<usize>) -> Vec<RealVector> {
             next.axpy(-part, known, 1.0);
         }
         let left = product(&next, &next).sqrt();
-        if left <= ROUNDING * whole || left.is_nan() {
+        if left <= DIRECTION * whole || left.is_nan() {
             break;
         }
         let direction = &next * (size / left);

@@ -16,6 +16,8 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Machine, RealMatrix};
 
+use crate::rounding::SUM;
+
 /// A coefficient at the parameters' values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Evaluated {
@@ -155,9 +157,6 @@ pub struct Elements {
 
 /// Most coordinates of which the signs of the matrices are looked at.
 const MOST: usize = 300;
-/// A rate below this share of the largest is 0 up to rounding.
-const SMALL: f64 = 1e-12;
-
 impl Elements {
     /// Those of a machine.
     pub fn of(machine: &Machine<Evaluated>) -> Elements {
@@ -255,7 +254,7 @@ impl Elements {
             let Some(both) = root.solve_lower_triangular(&left.transpose()) else { continue };
             let found = ((&both + both.transpose()) * 0.5).symmetric_eigen();
             let (place, least) = found.eigenvalues.argmin();
-            if least >= -SMALL * found.eigenvalues.amax() {
+            if least >= -SUM * found.eigenvalues.amax() {
                 continue;
             }
             let along = root.transpose().solve_upper_triangular(&found.eigenvectors.column(place));

@@ -22,10 +22,8 @@ use super::{
 use crate::{
     error::{Error, Result},
     motion::Series,
+    rounding::SUM,
 };
-
-/// Velocities within this of their size have no sign.
-const SMALL: f64 = 1e-12;
 
 /// More rows than this at one impact are refused: all ways in which they go on are tried.
 const MOST: usize = 6;
@@ -186,7 +184,7 @@ impl Contacts {
         let parts: Vec<(f64, &Series)> = [(1.0, &own)].into_iter().chain(others).collect();
         let size = |series: &Series| series.mean().abs() + series.derivative_bound(0);
         let whole: f64 = parts.iter().map(|(weight, series)| weight.abs() * size(series)).sum();
-        size(&Series::combination(&parts)) <= SMALL * whole
+        size(&Series::combination(&parts)) <= SUM * whole
     }
 
     /// A row as a combination of others, which are independent, if it is one.
@@ -198,7 +196,7 @@ impl Contacts {
         let seen = RealVector::from_fn(others.len(), |i, _| self.coupled(others[i], row));
         let weights = inverse * &seen;
         let left = self.mobility(row) - weights.dot(&seen);
-        (left <= SMALL * self.mobility(row)).then_some(weights)
+        (left <= SUM * self.mobility(row)).then_some(weights)
     }
 
     /// The friction under the force of one of some stops.
@@ -266,7 +264,7 @@ impl Contacts {
         for Brace { needed, parts } in self.braces(&stuck).ok()? {
             let force = |(j, factor): &(usize, f64)| factor * held_by(*j) * self.mobility(self.rub_row(*j));
             let most = |(j, part): &(usize, f64)| {
-                let spare = SMALL * size / self.mobility(self.rub_row(*j));
+                let spare = SUM * size / self.mobility(self.rub_row(*j));
                 at(*j).map_or(0.0, |at| part.abs() * (self.rubs()[*j].holding * impulses[at] + spare))
             };
             if needed.iter().map(force).sum::<f64>().abs() > parts.iter().map(most).sum() {
@@ -281,7 +279,7 @@ impl Contacts {
                 // What depends on the rest of what sticks is held by that, if its surface moves along.
                 Grip::Stuck if !basis.contains(&j) && !self.follows(j, &held) => return None,
                 Grip::Stuck => held_by(j),
-                _ if way[j].sign() * after < -SMALL * size => return None,
+                _ if way[j].sign() * after < -SUM * size => return None,
                 _ => -way[j].sign() * rub.sliding * impulses[at],
             };
             rubbed[at] -= 0.5 * impulse * (sliding[j] + after);

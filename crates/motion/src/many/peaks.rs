@@ -19,6 +19,7 @@ use std::f64::consts::PI;
 use crate::{
     error::Result,
     many::resonance::{AtValue, FreeResponse, modes, near_resonances},
+    rounding::SUM,
 };
 
 /// A peak of a harmonic's amplitude.
@@ -45,9 +46,6 @@ const DEEP: u32 = 40;
 const MOST: u32 = 10_000;
 /// A climb so small beside its terms is rounding's, of differences too.
 const ROUNDED: f64 = 1e-9;
-/// So small a square beside the largest is what rounding leaves of 0.
-const NOTHING: f64 = 1e-24;
-
 /// A value at which the response is known: the square of each amplitude, and its derivative.
 struct Sample {
     value: f64,
@@ -99,7 +97,7 @@ pub fn peaks(
         // What rounding leaves of a displacement that the drive does not move has no peaks.
         let most = samples.iter().map(|sample| sample.squares[place][0]).fold(0.0, f64::max);
         let whole = samples.iter().flat_map(|sample| &sample.squares).map(|x| x[0]).fold(0.0, f64::max);
-        if most <= NOTHING * whole {
+        if most <= SUM * SUM * whole {
             continue;
         }
         for i in 1..samples.len() {
@@ -166,7 +164,7 @@ fn turns_once(looks: &[&Vec<(f64, f64)>], place: usize) -> bool {
     c[0] /= 2.0;
     let whole = looks.iter().copied().flatten().map(|look| look.1).fold(0.0, f64::max);
     let own = looks.iter().map(|look| look[place].1).fold(0.0, f64::max);
-    if c.iter().map(|c| c.abs()).sum::<f64>() <= ROUNDED * own + NOTHING * whole {
+    if c.iter().map(|c| c.abs()).sum::<f64>() <= ROUNDED * own + SUM * SUM * whole {
         return true;
     }
     // Of a series that halves from term to term, twice the last two are more than what is missing, and n²

@@ -3,6 +3,8 @@
 
 use super::backbone::{Conservative, SAME, between};
 
+use crate::rounding::SUM;
+
 /// Vibrations at one frequency, of all that there are.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Vibrations {
@@ -35,7 +37,6 @@ const SPAN: f64 = 1e6;
 /// By so much a frequency differs from the natural one; and this is no rounding, where amplitudes are a
 /// sixteenth as large: it changes smoothly.
 const DEPARTS: f64 = 1e-4;
-const SMOOTHLY: f64 = 1e-12;
 /// So close to the edge of a hill energies are one to rounding: there it is not looked.
 const BESIDE: f64 = 1e-6;
 /// Steps of the search for the place where a frequency comes closest to what is asked for.
@@ -79,12 +80,12 @@ impl Conservative {
         let mut linear = 0.0;
         if let Some(piece) = pieces.first_mut().filter(|piece| piece[0].amplitude <= least) {
             let natural = piece[0].rate;
-            let same = piece.iter().take_while(|look| (look.rate / natural - 1.0).abs() <= SMOOTHLY).count();
+            let same = piece.iter().take_while(|look| (look.rate / natural - 1.0).abs() <= SUM).count();
             // As long as rounding alone tells frequencies apart, they are one; at the natural frequency the
             // swing is 0 then, and no vibration.
             piece[..same].iter_mut().for_each(|look| look.rate = natural);
             linear = alike(piece);
-            if linear == 0.0 && (natural - 1.0).abs() <= SMOOTHLY && same < piece.len() {
+            if linear == 0.0 && (natural - 1.0).abs() <= SUM && same < piece.len() {
                 let beside = piece[same].rate;
                 piece[..same].iter_mut().for_each(|look| look.rate = beside);
             }

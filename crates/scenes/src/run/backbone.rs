@@ -6,6 +6,7 @@ use crate::{
     error::{Error, Result},
     many::Machine,
     motion::{AmplitudeEnd, Vibrations},
+    rounding::PLACE,
     scene::response::ResponseTask,
 };
 
@@ -44,8 +45,6 @@ pub(super) struct Backbone {
 /// A machine at a value, and the coefficient of what is cubic beside it.
 type AtValue<'a> = &'a dyn Fn(f64) -> Result<(Machine<f64>, f64)>;
 
-/// So close are frequencies that are one for all swings.
-const SAME: f64 = 1e-9;
 /// How often the step between two values is halved in which the curve ends.
 const HALVINGS: u32 = 45;
 
@@ -137,7 +136,7 @@ fn no_points(all: &[Option<Vibrations>]) -> String {
     let Some(known) = all.iter().flatten().next() else {
         return "there is no place of rest to swing about".into();
     };
-    let same = |[least, most]: [f64; 2]| most - least <= SAME * most;
+    let same = |[least, most]: [f64; 2]| most - least <= PLACE * most;
     let rates = || all.iter().flatten().map(|found| found.rates);
     let word = match () {
         () if rates().all(same) => {

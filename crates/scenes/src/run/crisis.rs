@@ -11,6 +11,7 @@ use crate::{
         attractor::crisis::{CrisisSearch, crisis as locate},
         orbit::Family,
     },
+    rounding::PLACE,
     scene::{branches::CrisisTask, phase},
 };
 
@@ -60,16 +61,12 @@ pub struct CrisisFindings {
     width: f64,
 }
 
-/// From different distances the same crisis is found to this part of the parameter or of the bracket, or it
-/// is not one.
-const AGREEMENT: f64 = 1e-9;
-
 impl Finding for CrisisFindings {
     fn status(&self) -> Status {
         let values = self.crisis.iter().map(|row| row.parameter);
         let (low, high) =
             values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-        if high - low <= AGREEMENT * low.abs().max(self.width) {
+        if high - low <= PLACE * low.abs().max(self.width) {
             return Status::Done;
         }
         Status::undecided(format!("the answers for different offsets differ by {:e}", high - low))

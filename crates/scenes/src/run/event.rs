@@ -10,6 +10,7 @@ use super::{
 use crate::{
     continuation::{Bifurcation, BranchSearch, Located, Options, SearchReach, nearest},
     error::Result,
+    rounding::PLACE,
     scene::orbits::EventTask,
 };
 
@@ -98,12 +99,9 @@ impl Finding for EventFindings {
     }
 }
 
-/// Events at parameters that differ by less than this part of them, or of how far they are, are one.
-const SAME: f64 = 1e-9;
-
 /// Whether an event was found before, `start` being where the search for it began.
 fn is_known(known: impl IntoIterator<Item = f64>, parameter: f64, start: f64) -> bool {
-    let near = SAME * parameter.abs().max((parameter - start).abs());
+    let near = PLACE * parameter.abs().max((parameter - start).abs());
     known.into_iter().any(|old| (old - parameter).abs() <= near)
 }
 

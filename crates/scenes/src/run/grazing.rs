@@ -25,6 +25,7 @@ use crate::{
     motion::System,
     output::decimal_or_fraction,
     pattern::{Pattern, Patterns},
+    rounding::CIRCLE,
     scene::{
         Body,
         orbits::{GrazingTask, RangeKey},
@@ -104,9 +105,6 @@ impl Finding for GrazingFindings {
 
 /// How attractors beside a touch are looked at; the phase is half a period from the touch.
 const LOOK: Look = Look { phase: 0.0, transient: 500, points: 64, longest: 64 };
-
-/// Multipliers closer than this to the unit circle are on it.
-const MARGIN: f64 = 1e-9;
 
 /// Why nothing further is looked for.
 const NO_THEORY: &str = "the local theory does not apply";
@@ -264,7 +262,7 @@ fn enclosed_touch(
 
 /// Why what attracts beside the touch is not looked for.
 fn not_seen(task: &GrazingTask, job: &Job, at: &GrazingMap) -> Option<&'static str> {
-    let attracts = at.map.eigenvalues.iter().all(|&Complex(re, im)| re.hypot(im) < 1.0 - MARGIN);
+    let attracts = at.map.eigenvalues.iter().all(|&Complex(re, im)| re.hypot(im) < 1.0 - CIRCLE);
     match task.seen {
         Some(false) => Some("it is not asked for"),
         None if !job.is_linear() => {

@@ -24,6 +24,7 @@ use crate::{
         peaks::{Peak, peaks},
         resonance::{self, FreeResponse},
     },
+    rounding::SUM,
     scene::{Frame, branches::DiagramTask, response::ResponseTask},
 };
 
@@ -214,9 +215,6 @@ impl Finding for ResponseFindings {
     }
 }
 
-/// A displacement so small beside the largest is what rounding leaves of 0.
-const NOTHING: f64 = 1e-14;
-
 /// The response over the task's values, resuming from the checkpoint of an interrupted run if there is one.
 ///
 /// # Errors
@@ -358,7 +356,7 @@ fn names(machine: &Machine<f64>) -> Vec<String> {
 fn polar([a, b]: [f64; 2], size: f64) -> (f64, Option<f64>) {
     let amplitude = a.hypot(b);
     let lag = (b.atan2(a) / TAU).rem_euclid(1.0);
-    (amplitude, (amplitude > NOTHING * size).then_some(if lag < 1.0 { lag } else { 0.0 }))
+    (amplitude, (amplitude > SUM * size).then_some(if lag < 1.0 { lag } else { 0.0 }))
 }
 
 fn half([low, high]: [f64; 2]) -> f64 {

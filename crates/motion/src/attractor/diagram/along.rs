@@ -6,7 +6,7 @@
 
 use crate::{
     attractor::{
-        confirm::{SMOOTH_NEUTRAL, Size, fixed_point},
+        confirm::{Size, fixed_point},
         dynamics::{Dynamics, Motion, SectionState},
         observe::{Attraction, Observation},
         portrait::{OnAttractor, settle},
@@ -14,6 +14,7 @@ use crate::{
     error::Result,
     monitor::Monitor,
     motion::{RunEnd, Time},
+    rounding::CIRCLE,
 };
 
 /// How the attraction of an orbit ends.
@@ -84,7 +85,7 @@ fn place<D: Dynamics>(dynamics: &D, from: &[f64], phase: f64, period: u32) -> Re
     let Some(&multiplier) = all.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else {
         return Ok(None);
     };
-    if radius > 1.0 + SMOOTH_NEUTRAL {
+    if radius > 1.0 + CIRCLE {
         return Ok(None);
     }
     let (impacts, end) = round(dynamics, &found.x, phase, period)?;

@@ -16,6 +16,7 @@ use crate::{
     error::Result,
     many::{RealVector, contact::StopContact},
     motion::Series,
+    rounding::PHASE,
 };
 
 /// The local map over half a period.
@@ -26,9 +27,6 @@ pub struct HalfPeriod {
     /// The stop that mirrors the one that is grazed.
     pub(crate) mirror: usize,
 }
-
-/// Phases this near to half a period apart are that.
-const NEAR: f64 = 1e-6;
 
 impl HalfPeriod {
     /// The map where the motion grazes a stop and another at the same time, if the machine is symmetric and
@@ -43,7 +41,7 @@ impl HalfPeriod {
         }
         let ([other], Some(mirror)) = (others, mirror(motion, at.stop)) else { return Ok(None) };
         let apart = (other.phase - at.phase).abs();
-        if other.stop != mirror || (apart - PI).abs() > NEAR {
+        if other.stop != mirror || (apart - PI).abs() > PHASE {
             return Ok(None);
         }
         Ok(Some(HalfPeriod { map: local_map(motion, at, PI)?, mirror }))

@@ -4,13 +4,14 @@ use std::f64::consts::TAU;
 
 use super::free::{FreeMotion, LeastGap};
 use crate::{
-    continuation::{ERROR, Known, LocalMap, Near},
+    continuation::{Known, LocalMap, Near},
     error::Result,
     many::{
         LinearFlow, RealMatrix, RealVector,
         algebra::{eigenvalues, stacked},
         pair::Pair,
     },
+    rounding::SUM,
 };
 
 /// The map at a minimum of a gap that is zero, over `span`: 2π, or π where all is mirrored after it. An a_G
@@ -77,7 +78,7 @@ fn in_blocks(flow: &LinearFlow, span: f64, [change, row]: [&RealVector; 2], e: f
         let first = i / 2 * 2;
         let largest = own.view((first, first), (2, 2)).amax();
         // The phase of a fast mode after a period is off by some ε times its rate.
-        (own[(i, j)], ERROR.max(64.0 * f64::EPSILON * rates[i / 2]) * condition * largest)
+        (own[(i, j)], SUM.max(64.0 * f64::EPSILON * rates[i / 2]) * condition * largest)
     };
     let size = own.nrows();
     Known { a: (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect(), ..known }
@@ -85,10 +86,10 @@ fn in_blocks(flow: &LinearFlow, span: f64, [change, row]: [&RealVector; 2], e: f
 
 /// The map in coordinates that couple everything.
 fn whole(a: &RealMatrix, [b, c]: [&RealVector; 2], condition: f64, e: f64) -> Known {
-    let off = ERROR * condition * a.amax().max(1.0);
-    let vector = |v: &RealVector| v.iter().map(|&x| (x, ERROR * condition * x.abs())).collect::<Vec<Near>>();
+    let off = SUM * condition * a.amax().max(1.0);
+    let vector = |v: &RealVector| v.iter().map(|&x| (x, SUM * condition * x.abs())).collect::<Vec<Near>>();
     let a = by_rows(a).into_iter().map(|row| row.into_iter().map(|x| (x, off)).collect()).collect();
-    Known { a, b: vector(b), c: vector(c), e: (e, ERROR * e.abs()), outward: None }
+    Known { a, b: vector(b), c: vector(c), e: (e, SUM * e.abs()), outward: None }
 }
 
 fn by_rows(matrix: &RealMatrix) -> Vec<Vec<f64>> {

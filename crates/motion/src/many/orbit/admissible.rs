@@ -18,6 +18,7 @@ use crate::{
         simulate::{Event, Run, Simulator, Stage, seen},
     },
     motion::{RunEnd, Series, Time, minimum::Gap, minimum_within},
+    rounding::PHASE,
 };
 
 /// A local minimum of a gap between impacts.
@@ -363,7 +364,7 @@ impl StopEquations<'_> {
                 let width = last * leap.h;
                 let Some(x) = minimum_within(|x| gap(x / leap.h), a, b, width) else { continue };
                 let ([gap, _, acceleration], after) = (gap(x / leap.h), before + begun + x);
-                if !impacts || after.min(whole - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
+                if !impacts || after.min(whole - after) > PHASE || gap.abs() > PHASE * PHASE * self.scale {
                     let phase = turned(leap.start.phase + x);
                     each(sought.found(Minimum { stop: *stop, leg, after, phase, gap, acceleration }));
                 }
@@ -387,7 +388,7 @@ impl StopEquations<'_> {
             let still = rate.abs() <= STILL * self.scale;
             let bends = turn.bends().map(|bend| contact.row.dot(&bend) - contact.position.at(turn.at.t)[2]);
             let [gap, bends @ ..] = sought.turned([gap, bends[0], bends[1]]);
-            let own = impacts && after.min(whole - after) <= NEAR && gap.abs() <= NEAR * NEAR * self.scale;
+            let own = impacts && after.min(whole - after) <= PHASE && gap.abs() <= PHASE * PHASE * self.scale;
             if still && bends[0] > 0.0 && bends[1] >= 0.0 && !own {
                 let (phase, acceleration) = (turned(turn.at.t), bends[1]);
                 each(sought.found(Minimum { stop, leg, after, phase, gap, acceleration }));
@@ -423,7 +424,8 @@ impl StopEquations<'_> {
                 if let Some(x) = minimum_within(|x| seen(begun + x), a, b, width) {
                     let ([gap, _, acceleration], own) = (seen(begun + x), begun + x);
                     let after = before + own;
-                    if !impacts || after.min(whole - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
+                    if !impacts || after.min(whole - after) > PHASE || gap.abs() > PHASE * PHASE * self.scale
+                    {
                         let phase = turned(now.after(own).phase);
                         each(sought.found(Minimum { stop, leg, after, phase, gap, acceleration }));
                     }
@@ -488,7 +490,7 @@ impl StopEquations<'_> {
                 let ([gap, _, acceleration], after) = (seen(&motion(x), x), before + begun + x);
                 // A leg that begins or ends without speed has a minimum there, which rounding may bring
                 // inside.
-                if !impacts || after.min(whole - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
+                if !impacts || after.min(whole - after) > PHASE || gap.abs() > PHASE * PHASE * self.scale {
                     let phase = turned(t + x);
                     each(sought.found(Minimum { stop, leg, after, phase, gap, acceleration }));
                 }
@@ -545,10 +547,6 @@ impl Sight<'_> {
         [z - place, rate - speed, turn + force - bend]
     }
 }
-
-/// How near the end of a leg a contact without speed belongs to the impact there: gaps there are of the order
-/// of its square.
-const NEAR: f64 = 1e-6;
 
 /// A gap's rate below this part of the unit of speeds is rounding's where friction has stopped it.
 const STILL: f64 = 1e-9;

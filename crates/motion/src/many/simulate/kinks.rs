@@ -23,10 +23,8 @@ use crate::{
         event::{Kink, Release, Touch},
         minimum::norm,
     },
+    rounding::SUM,
 };
-
-/// Within this of what it is added up from a switch has no sign.
-const NONE: f64 = 1e-12;
 
 /// Within this of their size derivatives of a switch have none, and accelerations on both sides are the same.
 const LEAD: f64 = 1e-9;
@@ -63,7 +61,7 @@ impl Simulator {
         };
         let mut open = Vec::new();
         for (k, [value, size]) in smooth.switched(state).into_iter().enumerate() {
-            if value.abs() <= (NONE * size).max(self.depth(&What::Kink(k))) {
+            if value.abs() <= (SUM * size).max(self.depth(&What::Kink(k))) {
                 open.push(k);
             } else if (value < 0.0) != holds.below.contains(&k) {
                 holds = holds.turned(k);

@@ -1,13 +1,14 @@
 //! The local map at a grazing orbit, from flow and saltation matrices.
 
 use crate::{
-    continuation::{ERROR, Known, LocalMap, Multipliers},
+    continuation::{Known, LocalMap, Multipliers},
     error::{Error, Result},
     motion::{
         Flow,
         algebra::{IDENTITY, Matrix2, add, apply, product, resolve},
     },
     one::orbit::{Itinerary, Leg, Oscillator, Unknowns, flow_determinant},
+    rounding::SUM,
 };
 
 /// The map at a solution whose first impact has speed 0, and the derivative in the parameter of the orbit's
@@ -50,7 +51,7 @@ pub(super) fn in_plane(
     [e, rate_drift, acceleration]: [f64; 3],
 ) -> LocalMap {
     let largest = a.as_flattened().iter().fold(1.0, |most: f64, x| most.max(x.abs()));
-    let near = |x: f64| (x, ERROR * largest.max(x.abs()));
+    let near = |x: f64| (x, SUM * largest.max(x.abs()));
     LocalMap {
         a: a.map(|row| row.to_vec()).to_vec(),
         b: vec![0.0, kick],

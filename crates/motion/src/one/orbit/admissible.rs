@@ -4,7 +4,10 @@
 use std::f64::consts::PI;
 
 use super::{Itinerary, Oscillator, gap::LinearGap, passage::Unknowns};
-use crate::motion::{Flow, Side, State, minimum_within};
+use crate::{
+    motion::{Flow, Side, State, minimum_within},
+    rounding::PHASE,
+};
 
 /// A local minimum of the gap to a wall between impacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,10 +81,6 @@ pub(crate) fn check(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -
     Check { admissibility, least }
 }
 
-/// How near the end of a leg a contact without speed belongs to the impact there: gaps there are of the order
-/// of its square, times their second derivative.
-const ROUNDING: f64 = 1e-6;
-
 /// The local minima of the gaps on an open stretch of motion.
 ///
 /// A cell is a sixteenth of the fastest period (but there are no more than 10⁶), searched by
@@ -95,7 +94,7 @@ pub(crate) fn minima(oscillator: &Oscillator, leg: usize, from: State, time: f64
         let mut keep = |after: f64, [gap, _, bend]: [f64; 3]| {
             searches += 1;
             // A leg that begins or ends without speed has a minimum there, which rounding may bring inside.
-            if after.min(time - after) > ROUNDING || gap.abs() > ROUNDING * ROUNDING * bend.abs() {
+            if after.min(time - after) > PHASE || gap.abs() > PHASE * PHASE * bend.abs() {
                 found.push(Minimum { side, leg, after, gap });
             }
         };

@@ -377,10 +377,6 @@ pub(crate) struct StartPlane<D: Dynamics> {
     pub size: f64,
 }
 
-/// Closer than this to a bifurcation, or a multiplier to the unit circle, rounding decides on which side an
-/// orbit is.
-const MARGIN: f64 = 1e-11;
-
 /// Why a motion without impacts is not proved.
 const SEVERAL_PERIODS: &str = "of motions without impacts the one that comes back after one period is proved";
 

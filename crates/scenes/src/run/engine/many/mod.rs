@@ -25,7 +25,7 @@ use super::{
         Analysed, Complex, Job, Judgement, Keeper, SectionFindings, SimulationFindings, StartNumbers,
         ValidateFindings, rest::RestsHere,
     },
-    Engine, JudgedOrbit, MARGIN, OrbitSource as _, Prover, RangeProver, StartPlane, asked_touches,
+    Engine, JudgedOrbit, OrbitSource as _, Prover, RangeProver, StartPlane, asked_touches,
 };
 use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, dynamics::Dynamics, swing::Swing},
@@ -40,6 +40,7 @@ use crate::{
         simulate::Simulator,
     },
     number::{Plain, Real},
+    rounding::CIRCLE,
     scene::{
         BasinsTask, MachineSceneFamily, SectionTask,
         orbits::{GrazingTask, OrbitKeys},
@@ -66,8 +67,8 @@ impl JudgedOrbit for Orbit {
         all.sort_by(|a, b| off(a).total_cmp(&off(b)));
         let largest = all[critical.min(all.len())..].iter().map(|x| x.0.hypot(x.1)).fold(0.0, f64::max);
         match () {
-            () if largest > 1.0 + MARGIN => Judgement::No,
-            () if critical > 0 || (largest - 1.0).abs() <= MARGIN => Judgement::Marginal,
+            () if largest > 1.0 + CIRCLE => Judgement::No,
+            () if critical > 0 || (largest - 1.0).abs() <= CIRCLE => Judgement::Marginal,
             () => Judgement::Yes,
         }
     }

@@ -26,7 +26,7 @@ use super::{
         ValidateFindings,
         rest::{RestsHere, all_rests},
     },
-    Engine, JudgedOrbit, MARGIN, Prover, RangeProver, StartPlane, asked_touches, no_orbit,
+    Engine, JudgedOrbit, Prover, RangeProver, StartPlane, asked_touches, no_orbit,
 };
 use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle, detection::Detection, swing::Swing},
@@ -45,6 +45,7 @@ use crate::{
         orbit::{Admissibility, Family, Itinerary, Orbit, Oscillator, find},
         simulate::Simulator,
     },
+    rounding::CIRCLE,
     scene::{
         BasinsTask, SceneFamily, SectionTask, StartAxis,
         orbits::{GrazingTask, OrbitKeys},
@@ -56,7 +57,7 @@ use crate::{
 
 /// How often it is gone nearer to a touch that is not found, each time by this part of the way, which is
 /// halved as often where there is no motion;
-/// and the step of differences, in the parameter's own unit.
+/// and the step of differences, in the parameter's own unit, or by which a proof's gap opens.
 const NEARER: u32 = 8;
 const MOST: f64 = 0.9;
 const SMALL: f64 = 1e-6;
@@ -68,7 +69,7 @@ impl JudgedOrbit for Orbit {
     fn stable(&self, at: Option<Bifurcation>) -> Judgement {
         let multipliers = &self.multipliers;
         let test = |value: f64, here: bool| match () {
-            () if here || value.abs() <= MARGIN * (1.0 + multipliers.trace.abs()) => Judgement::Marginal,
+            () if here || value.abs() <= CIRCLE * (1.0 + multipliers.trace.abs()) => Judgement::Marginal,
             () if value > 0.0 => Judgement::Yes,
             () => Judgement::No,
         };
@@ -90,7 +91,7 @@ fn admissible(orbit: &Orbit, job: &Job, at: Option<Bifurcation>) -> (Judgement, 
     if matches!(at, Some(Bifurcation::Grazing | Bifurcation::Fade)) {
         return (Judgement::Marginal, None);
     }
-    let margin = MARGIN * orbit.unit;
+    let margin = CIRCLE * orbit.unit;
     let grazes = orbit.least.is_some_and(|least| least.gap.abs() <= margin);
     let fades = orbit.impacts().any(|impact| impact.speed.abs() <= margin);
     let others = orbit.impacts().all(|impact| impact.speed > -margin)

@@ -12,6 +12,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::{
     super::super::range::{ALL, NOTHING, PART, RangeRow, SideRange, WantedProofs},
+    SMALL,
     grazing::OscillatorGrazing,
     tolerated::AllMachines,
 };
@@ -32,8 +33,6 @@ use crate::{
 const LONGEST: u64 = 30;
 /// The greatest depths that are asked for, before the touch and beyond it.
 const DEEPEST: [f64; 2] = [4.0, 0.999];
-/// A small step of the parameter: it opens the gap by this part of the motion's size.
-const STEP: f64 = 1e-6;
 /// Such parts of the work that is left are for all that is born, and for what else there is.
 const ALL_BORN: u64 = 3;
 const OTHERS: u64 = 4;
@@ -120,7 +119,7 @@ pub(super) fn ranges(
         }
     }
     let exact = |x: f64| BigRational::from_float(x).ok_or_else(|| Error::input("not a number"));
-    let unit = STEP * point.unit()? / point.event.map.e.abs();
+    let unit = SMALL * point.unit()? / point.event.map.e.abs();
     let start = [exact(point.event.parameter)?, exact(unit)?];
     if !point.task.tolerance.0.is_empty() {
         return of_all(point, wanted, start);
