@@ -51,8 +51,8 @@ impl Resonance {
         Some(if first { Resonance::First } else { Resonance::Higher })
     }
 
-    /// The periods n ≤ `last` with u_n = 0, each with its resonance, of which there is none for a₂ = 1. Exact.
-    /// Cost: `last` times that of [`at`](Resonance::at).
+    /// The periods n ≤ `last` with u_n = 0, each with its resonance, of which there is none for a₂ = 1.
+    /// Exact. Cost: `last` times that of [`at`](Resonance::at).
     pub fn up_to(point: &Point, last: u64) -> Vec<(u64, Option<Resonance>)> {
         let is_singular = |n: &u64| match point {
             Point::Polar(polar) => polar.is_singular(*n),

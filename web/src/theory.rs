@@ -50,7 +50,8 @@ pub fn number(text: &str) -> String {
 }
 
 /// Which orbits with one impact exist at a place, for the periods 1 to `max_n`: the rows of `grazing classify
-/// --format json`, with the region in words, whether time was reversed (a₂ > 1), and what is born at resonances.
+/// --format json`, with the region in words, whether time was reversed (a₂ > 1), and what is born at
+/// resonances.
 pub fn classify(place: &str, x: &str, y: &str, max_n: u32) -> String {
     answer::json(classified(place, x, y, max_n.into()))
 }

@@ -319,8 +319,8 @@ impl Claim {
         [e11 * q + e12 * a, e21 * q + e22 * a]
     }
 
-    /// The velocity with which a motion leaves at the phase t, so that its arrival obeys the law of impact; and
-    /// by how much that misses the wall.
+    /// The velocity with which a motion leaves at the phase t, so that its arrival obeys the law of impact;
+    /// and by how much that misses the wall.
     fn wrong(&self, parameters: [f64; 3], depth: f64, t: f64) -> [f64; 2] {
         let ([c, k, tau], time) = (parameters, self.time());
         let [_, _, e21, e22] = flow([c, k], time).map(|x| self.sign() * x);

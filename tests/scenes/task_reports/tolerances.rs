@@ -411,8 +411,8 @@ fn the_page_has_the_shares_of_its_scene() {
 }
 
 /// A box across s = 1/6 says of which machines the orbit of one impact in 3 periods is born beyond the touch,
-/// with machines on both sides, of which Theorem 1 says so; and what is born on the line, as its own task does.
-/// For γ < 0 none is on either side.
+/// with machines on both sides, of which Theorem 1 says so; and what is born on the line, as its own task
+/// does. For γ < 0 none is on either side.
 #[test]
 fn a_box_across_a_resonance_says_what_holds_on_both_sides_and_on_it() {
     let of = |k: &str, keys: &str| {

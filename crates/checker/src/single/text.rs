@@ -95,8 +95,8 @@ impl Certificate {
     }
 
     /// Whether E₁₂ = 0 exactly, E being that of all the periods: nω = m/2 for a whole m > 0, of half periods
-    /// nω = m, where ω² = k − c²/4; of c = a/b and k that are single numbers, n²(4kb² − a²) = (mb)² or (2mb)².
-    /// Where these have more digits than fit it is not seen.
+    /// nω = m, where ω² = k − c²/4; of c = a/b and k that are single numbers, n²(4kb² − a²) = (mb)² or
+    /// (2mb)². Where these have more digits than fit it is not seen.
     pub(super) fn is_resonant(&self) -> bool {
         let [damping, stiffness, _] = self.ranges;
         let (Fraction { p: a, q: b }, Fraction { p, q }) = (damping[0], stiffness[0]);

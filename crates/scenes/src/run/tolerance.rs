@@ -72,8 +72,8 @@ pub struct ToleranceSide {
     pub without: Option<Vec<ParameterValue>>,
 }
 
-/// A first resonance, s = 1/(2n) and u_n = 0, that some machines have, or may have. Beyond the touch the orbit
-/// of one impact in n periods is born below it and at it, for γ > 0, and nowhere else.
+/// A first resonance, s = 1/(2n) and u_n = 0, that some machines have, or may have. Beyond the touch the
+/// orbit of one impact in n periods is born below it and at it, for γ > 0, and nowhere else.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ToleranceResonance {
     /// n.
