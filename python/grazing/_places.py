@@ -296,6 +296,11 @@ class WordReport:
     certificate: str | None = field(default=None, repr=False)
     #: Why there is none.
     no_certificate: str | None = None
+    #: The periods n up to ``max_period`` with u_n = 0, of which the words are not, each with its resonance: ``"first"``,
+    #: ``"higher"``, or ``None`` for a₂ = 1. Of a box the n whose s = 1/(2n) may be in it, where the word for eµ < 0 ends.
+    resonances: tuple[tuple[int, str | None], ...] = ()
+    #: What is born there, in words.
+    born_there: tuple[str, ...] = field(default=(), repr=False)
 
     def case(self, sign_emu: int, sign_gamma: int) -> WordCase:
         """One of the four cases."""
@@ -309,6 +314,8 @@ class WordReport:
         why = [f"the word for eµ {'>' if w.sign_emu > 0 else '<'} 0: {w.end}" for w in self.words
                if w.end not in ("all", "complete")]
         why += [f"edges of case {c.case}" for w in self.words for c in w.cases if c.open]
+        if self.resonances:
+            why.append(f"patterns with a period n of which u_n = 0: {', '.join(str(n) for n, _ in self.resonances)}")
         return Undecided(statement, budget="; ".join(why)) if why else Proved(statement)
 
     def to_frame(self) -> Any:
@@ -364,7 +371,11 @@ def word(
         text, written, why = _grazing.word(*point(a1, a2, r, s), *limits)
     report = json.loads(text)
     words = tuple(_word(side) for side in report["words"])
-    return WordReport(report["region"] or "", report["reversed"], (words[0], words[1]), written, why)
+    resonances = tuple((n, kind) for n, kind in report["resonances"])
+    return WordReport(
+        report["region"] or "", report["reversed"], (words[0], words[1]), written, why, resonances,
+        tuple(report["born_there"]),
+    )
 
 
 def _word(side: dict[str, Any]) -> Word:

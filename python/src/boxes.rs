@@ -2,6 +2,7 @@
 
 use grazing_scenes::{
     Error, Monitor, Result,
+    existence::Resonance,
     local::Region,
     num_rational::BigRational,
     search::WordPlace,
@@ -67,7 +68,15 @@ fn word_in_box(
         };
         let sides: Vec<Json> =
             words.iter().map(|word| side(word, false, max_period)).collect::<Result<_>>()?;
-        let report = json!({ "region": region, "reversed": false, "words": sides }).to_string();
+        let met = words[1].straddled_resonance();
+        let report = json!({
+            "region": region,
+            "reversed": false,
+            "words": sides,
+            "resonances": met.iter().map(|n| (n, Resonance::First)).collect::<Vec<_>>(),
+            "born_there": met.map(Resonance::across).iter().collect::<Vec<_>>(),
+        });
+        let report = report.to_string();
         let Some(certificate) = certificate else { return Ok((report, None, None)) };
         let Some(rectangle) = &rectangle else {
             return Err(Error::input(

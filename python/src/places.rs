@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 
 use grazing_scenes::{
     Error, Monitor, Result,
+    existence::Resonance,
     local::{Answer, Forward, Ladder, Plane, Point, Polar, Quantity},
     num_rational::BigRational,
     number::{Precision, Sign, ball_digits},
@@ -97,10 +98,13 @@ fn word(
         }
         let sides: Vec<Json> =
             words.iter().map(|word| side(word, place.reversed, max_period)).collect::<Result<_>>()?;
+        let found = Resonance::up_to(&place.point, max_period);
         let report = json!({
             "region": place.region,
             "reversed": place.reversed,
             "words": sides,
+            "resonances": found,
+            "born_there": Resonance::in_words(&found),
         });
         let Some(certificate) = certificate else { return Ok((report.to_string(), None, None)) };
         let kind = certificate_kind(&certificate, max_period)?;

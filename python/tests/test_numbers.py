@@ -25,6 +25,13 @@ def test_fractions_of_any_size_pass_unrounded():
     below = grazing.classify(r=1, s=Fraction(1, 10) - tiny, max_n=5)[4]
     above = grazing.classify(r=1, s=Fraction(1, 10) + tiny, max_n=5)[4]
     assert at.verdict == "singular boundary" and at.resonance is None
+    report = grazing.word(r="9/10", s="1/6", max_period=7)
+    assert report.resonances == ((3, "first"), (6, "higher")) and len(report.born_there) == 2
+    assert report.born_there[0].startswith("n = 3, u_n = 0, first resonance: for gamma > 0 one orbit")
+    assert isinstance(report.outcome, grazing.Undecided) and "u_n = 0: 3, 6" in report.outcome.budget
+    wide = grazing.word(r="9/10", s=("16/100", "17/100"))
+    assert wide.resonances == ((3, "first"),) and "s = 1/6 may be among them" in wide.born_there[0]
+    assert grazing.word(r="9/10", s=("16/100", "165/1000")).resonances == ()
     damped = [grazing.classify(r="9/10", s=s, max_n=5)[4].resonance for s in ("1/10", "1/5", "1/7")]
     assert damped == ["first", "higher", None]
     assert below.cases == ((-1, 1),)

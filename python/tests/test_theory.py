@@ -123,7 +123,9 @@ def test_points_are_those_of_the_command_line(program, place):
             rows.append({**own, "existence": found.verdict, **signs})
     assert rows == said("classify", "--max-n", "8")["rows"]
     report = grazing.word(**place)
-    for word in said("word")["words"]:
+    found = said("word")
+    assert report.resonances == tuple((row["period"], row["resonance"]) for row in found["resonances"])
+    for word in found["words"]:
         for case in word["cases"]:
             one = report.case(word["sign_emu"], case["sign_gamma"])
             assert {e for e in one.edges if max(e) <= 8} == {tuple(e) for e in case["edges"] if max(e) <= 8}

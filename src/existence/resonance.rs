@@ -51,6 +51,48 @@ impl Resonance {
         Some(if first { Resonance::First } else { Resonance::Higher })
     }
 
+    /// The periods n ≤ `last` with u_n = 0, each with its resonance, of which there is none for a₂ = 1.
+    /// Exact. Cost: `last` times that of [`at`](Resonance::at).
+    pub fn up_to(point: &Point, last: u64) -> Vec<(u64, Option<Resonance>)> {
+        let is_singular = |n: &u64| match point {
+            Point::Polar(polar) => polar.is_singular(*n),
+            Point::Plane(plane) => plane.is_singular(*n),
+        };
+        (1..=last).filter(is_singular).map(|n| (n, Resonance::at(point, n))).collect()
+    }
+
+    /// What is born at these, a line for each resonance, the least of its periods first.
+    ///
+    /// ```
+    /// use grazing::{existence::Resonance, local::{Point, Polar}, number::parse_rational};
+    /// let point = Point::Polar(Polar::new(parse_rational("0.9")?, parse_rational("1/6")?)?);
+    /// let lines = Resonance::in_words(&Resonance::up_to(&point, 9));
+    /// assert!(lines[0].starts_with("n = 3, u_n = 0, first resonance: for gamma > 0 one orbit"));
+    /// assert!(lines[1].starts_with("n = 6, ..., u_n = 0, higher resonance: no orbit"));
+    /// # Ok::<(), grazing::Error>(())
+    /// ```
+    pub fn in_words(found: &[(u64, Option<Resonance>)]) -> Vec<String> {
+        let line = |kind: Option<Resonance>| {
+            let mut all = found.iter().filter(|(_, own)| *own == kind);
+            let (n, _) = all.next()?;
+            let more = if all.next().is_some() { ", ..." } else { "" };
+            let what = kind.map_or(String::new(), |kind| format!(", {} resonance: {kind}", kind.name()));
+            Some(format!("n = {n}{more}, u_n = 0{what}"))
+        };
+        [Some(Resonance::First), Some(Resonance::Higher), None].into_iter().filter_map(line).collect()
+    }
+
+    /// What is born of one impact in n ≥ 2 periods on both sides of s = 1/(2n), and there, for 0 < a₂ < 1.
+    pub fn across(n: u64) -> String {
+        let first = Resonance::First;
+        format!(
+            "n = {n}: s = 1/{} may be among them. Below it, for gamma > 0, one orbit with one impact is born for \
+             e*mu < 0; above it none is, but next to it one for e*mu > 0; for gamma < 0 none on either side. At it \
+             u_n = 0, first resonance: {first}",
+            2 * n
+        )
+    }
+
     /// The word that tables have for it.
     pub fn name(self) -> &'static str {
         match self {

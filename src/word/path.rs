@@ -332,6 +332,15 @@ impl Word {
         self.extent
     }
 
+    /// Of the word for eµ < 0 of a set of points the n ≥ 2 at which it ends, as s = 1/(2n) may be among them:
+    /// that word is of the n with s < 1/(2n).
+    pub fn straddled_resonance(&self) -> Option<u64> {
+        match self.extent {
+            Extent::Straddled { next } if !self.is_positive() && next > 1 => Some(next),
+            _ => None,
+        }
+    }
+
     /// Whether the periods listed are certainly all.
     pub fn is_whole(&self) -> bool {
         matches!(self.extent, Extent::All | Extent::Complete { .. } | Extent::Boundary { .. })

@@ -487,6 +487,32 @@ fn existence_gives_the_numbers_of_the_paper() {
     }
 }
 
+/// A box across s = 1/6 says what is born on both sides and on the line; one beside it has nothing to say.
+#[test]
+fn a_box_across_a_resonance_says_what_is_born_there() {
+    for place in [
+        "--r 0.9 --s 0.16..=0.17",
+        "--a1 9/10 --a2 0.8..=0.82",
+        "--frequency 1Hz+-1% --damping-ratio 0.1 --drive 6Hz",
+    ] {
+        let (code, out, _) = run(&format!("word {place}"));
+        assert!(
+            code == 3 && out.contains("n = 3: s = 1/6 may be among them. Below it, for gamma > 0,"),
+            "{out}"
+        );
+        assert!(
+            out.contains("on the side that the second order decides; of a damped linear oscillator"),
+            "{out}"
+        );
+        let (_, json, _) = run(&format!("word {place} --format json"));
+        let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+        assert_eq!(json["resonances"], serde_json::json!([{ "period": 3, "resonance": "first" }]), "{place}");
+    }
+    let beside: serde_json::Value =
+        serde_json::from_str(&stdout("word --r 0.9 --s 0.16..=0.165 --format json")).unwrap();
+    assert_eq!(beside["resonances"], serde_json::json!([]));
+}
+
 #[test]
 fn existence_names_what_it_cannot_decide() {
     let (code, out, _) = run(&format!("existence {} --max-period 4 --format csv", example("singular.toml")));

@@ -140,7 +140,9 @@ export const theory: Panel = {
           because(row),
         ]);
         const caption = `${found.region}${found.reversed ? ", after reversing time" : ""}`;
-        return table(caption, ["n", "orbit", "eµ", "γ", "large eigenvalue", "because"], rows);
+        const shown = table(caption, ["n", "orbit", "eµ", "γ", "large eigenvalue", "because"], rows);
+        const born = found.resonances.map((text: string) => element("p", {}, formula(text)));
+        return element("div", {}, ...born, shown);
       }),
     );
     values.addEventListener("click", () =>

@@ -50,7 +50,8 @@ pub fn number(text: &str) -> String {
 }
 
 /// Which orbits with one impact exist at a place, for the periods 1 to `max_n`: the rows of `grazing classify
-/// --format json`, with the region in words and whether time was reversed (a₂ > 1).
+/// --format json`, with the region in words, whether time was reversed (a₂ > 1), and what is born at
+/// resonances.
 pub fn classify(place: &str, x: &str, y: &str, max_n: u32) -> String {
     answer::json(classified(place, x, y, max_n.into()))
 }
@@ -66,7 +67,14 @@ fn classified(place: &str, x: &str, y: &str, max_n: u64) -> Answer {
     let ladder = Ladder::default();
     let found = up_to(&ladder, &forward.point, max_n, || Ok(()))?;
     let rows: Vec<Value> = (1..).zip(found).flat_map(|(n, existence)| rows(&forward, n, existence)).collect();
-    Ok(json!({ "region": describe(forward.region), "reversed": forward.reversed, "rows": rows }))
+    let resonances: Vec<_> =
+        Resonance::up_to(&forward.point, max_n).into_iter().filter(|(_, kind)| kind.is_some()).collect();
+    Ok(json!({
+        "region": describe(forward.region),
+        "reversed": forward.reversed,
+        "rows": rows,
+        "resonances": Resonance::in_words(&resonances),
+    }))
 }
 
 /// One row per case of an orbit, or one that says why there is none.

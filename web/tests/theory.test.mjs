@@ -67,6 +67,7 @@ test("200 exact points: which orbits exist, values and signs, as on the command 
     const here = await compute("classify", place, x, y, 7);
     assert.deepEqual(here.rows, said("classify", ...at, "--max-n", "7").rows, `${at}: ${here.failed}`);
     here.rows.forEach((row) => kinds.add(row.existence));
+    assert.equal(here.resonances.length > 0, here.rows.some(({ resonance }) => resonance !== null), `${at}`);
     if (here.reversed) {
       reversed++;
       if (place === "polar") continue;

@@ -10,6 +10,7 @@ checker's. What a motion is between two impacts is found from the linear equatio
 multipliers from the product of matrices.
 """
 from fractions import Fraction
+from math import isqrt
 
 import chaos
 from chaos import CIRCLE, ONE, PI, ZERO, Flow, Range, decimal, fraction, need, number, whole
@@ -108,6 +109,9 @@ class File(chaos.File):
         self.c, self.k, self.tau = (number(*ends) for ends in self.ranges)
         self.flow = Flow(self.c, self.k)
         self.turns = [self.turn(n) for n in range(self.n + 1)]
+        self.resonant = self.meets()
+        if self.resonant:
+            self.turns[-1] = self.turns[-1][0], ZERO
         e = self.full(self.turns[-1])
         one = ONE + self.tau
         # Rows (E₁₁ − 1, E₁₂ | 0) and (τE₂₁, 1 + τE₂₂ | 1 + τ); the determinant with e^(−cT) put in.
@@ -119,6 +123,13 @@ class File(chaos.File):
         fast = (self.tau * (ONE - e[0][0] - e[1][1] + decay) / whole_det).times(self.way)
         need(fast.lo > 0, "the speed may not be positive (S2)")
         self.fast, self.e, self.decay = fast.times(self.way), e, decay
+
+    def meets(self):
+        """Whether sin of the angle of all the periods is 0: it is a whole number of half turns."""
+        (c, k), more = (ends[0] for ends in self.ranges[:2]), (ends[1] for ends in self.ranges[:2])
+        square = (k - c * c / 4) * (self.n if self.mirrored else 2 * self.n) ** 2
+        whole_turns = square > 0 and square.denominator == 1 and isqrt(square.numerator) ** 2 == square
+        return whole_turns and (c, k) == tuple(more)
 
     def time(self, n): return PI.times(n if self.mirrored else 2 * n)
 
@@ -159,9 +170,12 @@ class File(chaos.File):
         ends = [number(x).times(self.way) for x in (last, phase)]
         t = ends[0].hull(ends[1])
         drop, slope, bend = here = self.wall(t)
+        leaves = bend if last == 0 else slope.times(self.way)
         rate = (slope - self.start[0] * bend).times(self.side * self.way)
+        # At a resonance the rate is that of 1 - g alone, and 0 at the touch.
+        rate = leaves.times(self.side) if self.resonant else rate
         need(rate.lo > 0, "nu may not increase (S1)")
-        need((bend if last == 0 else slope.times(self.way)).lo > 0, "the speed may not be positive (S2)")
+        need(leaves.lo > 0, "the speed may not be positive (S2)")
         need(self.clear(t, here), "the gap may not be positive (S3)")
         first = ZERO if last == 0 else self.depth(ends[0])
         self.found.append((first.lo, self.depth(ends[1]), self.word(slope.times(self.way), bend)))
@@ -169,6 +183,8 @@ class File(chaos.File):
     def word(self, w, bend):
         """By trace and determinant of E times an impact's derivative, times w = |g′|."""
         c, k, tau = self.c, self.k, self.tau
+        # At a resonance all terms are multiples of w.
+        w = ONE if self.resonant else w
         # The velocity before the impact is −fast/τ times −g′; accelerations are relative to the wall.
         kick = (ONE + tau) * (bend.times(self.way) + (c + k * self.start[0]) * w)
         below = -(tau * kick) / self.fast

@@ -5,7 +5,8 @@
 use crate::common::{
     NOTHING, NOTHING_MIRRORED, RANGE_1, RANGE_12, RANGE_13, RANGE_ALONE, RANGE_MIRRORED,
     RANGE_MIRRORED_BEFORE, RANGE_MIRRORED_BEYOND, Random, SINGLE_1, SINGLE_2, SINGLE_MIRRORED_1,
-    SINGLE_MIRRORED_2, SINGLE_MIRRORED_3, answer, are_refused, damage, first_cells, nth, second_reader, with,
+    SINGLE_MIRRORED_2, SINGLE_MIRRORED_3, answer, are_refused, damage, first_cells, mirrored_at_resonance,
+    nth, second_reader, with,
 };
 use crate::samples::{one_in, samples};
 use grazing_check::{nothing, range, single};
@@ -48,6 +49,7 @@ fn weaker_claims_pass() {
         with(SINGLE_MIRRORED_2, "part ", "part 7/25 open"),
         with(SINGLE_MIRRORED_3, "pieces", "pieces 48"),
         with(NOTHING_MIRRORED, "rounds", "rounds 3"),
+        mirrored_at_resonance(),
     ] {
         assert!(answer(&text).is_ok(), "{:?}: {text}", answer(&text));
     }
@@ -98,6 +100,12 @@ fn forgeries() -> Vec<(String, &'static str)> {
         (nth(RANGE_MIRRORED_BEYOND, "others", 0, "others 900 2 1"), "(C)"),
         (with(SINGLE_MIRRORED_2, "periods", "periods 5"), "(S"),
         (with(SINGLE_MIRRORED_2, "direction", "direction 1"), "(S"),
+        (with(&mirrored_at_resonance(), "stiffness", "stiffness 17/64 17/64"), "(S3)"),
+        (
+            with(&mirrored_at_resonance(), "stiffness", "stiffness 145000001/64000000 145000001/64000000"),
+            "(S1)",
+        ),
+        (with(&mirrored_at_resonance(), "periods", "periods 1"), "may not be stable"),
         (with(SINGLE_MIRRORED_3, "part ", "part 7/100 stable"), "may not be stable"),
         (with(SINGLE_MIRRORED_2, "part ", "part 3/10 unstable"), "may not reach"),
         (with(NOTHING_MIRRORED, "longest", "longest 1"), "(C)"),
@@ -114,10 +122,11 @@ fn forgeries_are_refused() {
 #[test]
 fn two_readers_agree() {
     let mut random = Random(9);
+    let resonant = mirrored_at_resonance();
     let one = [RANGE_MIRRORED, RANGE_MIRRORED_BEYOND].map(|text| first_cells(text, 1));
     for (kind, right) in [
         ("range", vec![&one[0], RANGE_MIRRORED_BEFORE, &one[1]]),
-        ("single", vec![SINGLE_MIRRORED_2, SINGLE_MIRRORED_3, SINGLE_MIRRORED_1]),
+        ("single", vec![SINGLE_MIRRORED_2, SINGLE_MIRRORED_3, SINGLE_MIRRORED_1, &resonant]),
         ("nothing", vec![NOTHING_MIRRORED]),
     ] {
         let named = format!("kind {kind}");

@@ -5,8 +5,8 @@ use crate::samples::{one_in, samples};
 use std::f64::consts::{PI, TAU};
 
 use crate::common::{
-    Random, SINGLE_1, SINGLE_2, SINGLE_3, SINGLE_MIRRORED_2, SINGLE_MIRRORED_3, answer, are_refused, damage,
-    damaged_are_true, float, flow, nth, second_reader, with,
+    Random, SINGLE_1, SINGLE_2, SINGLE_3, SINGLE_MIRRORED_2, SINGLE_MIRRORED_3, SINGLE_RESONANCE, answer,
+    are_refused, damage, damaged_are_true, float, flow, mirrored_at_resonance, nth, second_reader, with,
 };
 use grazing_check::single::STATEMENT;
 
@@ -26,7 +26,7 @@ fn what_is_written_passes_and_is_named() {
   phase: t from 0 to -0.5845, in 49 cells
   stability: unstable for 0 < nu <= 53/100; open for 53/100 < nu <= 27/50; stable for 27/50 < nu <= 37/50"
     );
-    for text in [SINGLE_1, SINGLE_3] {
+    for text in [SINGLE_1, SINGLE_3, SINGLE_RESONANCE] {
         let said = answer(text).unwrap().to_string();
         assert!(said.starts_with("proved, orbit of one impact\n"), "{said}");
     }
@@ -53,9 +53,25 @@ fn weaker_claims_pass() {
         nth(SINGLE_2, "part ", 1, "part 3/5 open"),
         nth(SINGLE_2, "part ", 2, "part 37/50 open"),
         nth(SINGLE_2, "cell ", 0, "cell 0.02"),
+        with(SINGLE_RESONANCE, "restitution", "restitution 1/2 1/1"),
+        // θ = π and 2π; undamped, and of small loss; a turn more in each period.
+        resonant(1, "1/4", "17/64", "4/5"),
+        resonant(1, "1/4", "65/64", "4/5"),
+        resonant(3, "0/1", "1/36", "4/5"),
+        resonant(2, "1/10", "13/200", "1/1"),
+        resonant(3, "1/4", "793/576", "1/1"),
     ] {
         assert!(answer(&text).is_ok(), "{:?}: {text}", answer(&text));
     }
+}
+
+/// The first cells at a resonance.
+fn resonant(n: u64, damping: &str, stiffness: &str, restitution: &str) -> String {
+    let text = with(SINGLE_RESONANCE, "periods", &format!("periods {n}"));
+    let text = [("damping", damping), ("stiffness", stiffness), ("restitution", restitution)]
+        .iter()
+        .fold(text, |text, (name, x)| with(&text, name, &format!("{name} {x} {x}")));
+    cells(&text, "1/1000 stable", &["0.02", "0.05"])
 }
 
 /// False claims, with what is seen of them: ten or more of each condition.
@@ -76,6 +92,18 @@ fn forgeries() -> Vec<(String, &'static str)> {
     // E₁₂ = 0: an impact at the place of rest stays there.
     let undamped = with(SINGLE_1, "damping", "damping 0/1 0/1");
     folded.push(cells(&with(&undamped, "stiffness", "stiffness 1/4 1/4"), "1/100 open", &["0.012"]));
+    // At a resonance: before the touch; and next to one, in one number or a range.
+    let at_once = |text: &str| cells(text, "1/1000 open", &["0.02", "0.05"]);
+    folded.push(at_once(&with(SINGLE_RESONANCE, "side", "side -1")));
+    for (name, range) in [
+        ("stiffness", "25/576 25000001/576000000"),
+        ("stiffness", "25000001/576000000 25000001/576000000"),
+        ("stiffness", "833333/19200000 25/576"),
+        ("damping", "249999999/1000000000 1/4"),
+        ("damping", "249999999/1000000000 249999999/1000000000"),
+    ] {
+        folded.push(at_once(&with(SINGLE_RESONANCE, name, &format!("{name} {range}"))));
+    }
     add("nu may not increase (S1)", folded);
     let backward = |text: &str| with(text, "direction", "direction 1");
     let mut slow: Vec<String> = [SINGLE_1, SINGLE_2, SINGLE_3].iter().map(|text| backward(text)).collect();
@@ -84,6 +112,9 @@ fn forgeries() -> Vec<(String, &'static str)> {
         slow.push(with(&text, "stiffness", &format!("stiffness {stiffness} {stiffness}")));
     }
     slow.push(cells(&backward(SINGLE_1), "1/1000 open", &["0.001"]));
+    // Undamped, where nothing is lost at m odd, and no speed is left at m even.
+    slow.push(resonant(3, "0/1", "1/36", "1/1"));
+    slow.push(resonant(1, "0/1", "1/1", "4/5"));
     // S = 0 for some damping of the range: the motion is not determined.
     slow.push(with(&with(SINGLE_1, "damping", "damping -1/10 1/10"), "restitution", "restitution 4/5 3/2"));
     slow.push(with(SINGLE_1, "stiffness", "stiffness -1/2 3/10"));
@@ -113,6 +144,9 @@ fn forgeries() -> Vec<(String, &'static str)> {
         }
     }
     assert!(touching.len() > before + 2, "{}", touching.len() - before);
+    // At a higher resonance, as twice the first.
+    touching.push(resonant(6, "1/4", "25/576", "1/1"));
+    touching.extend(["73/576", "265/576", "409/576"].map(|k| resonant(3, "1/4", k, "1/1")));
     add("the gap may not be positive (S3)", touching);
     let parts = |index: usize, lines: &[&str]| -> Vec<String> {
         lines.iter().map(|line| nth(SINGLE_2, "part ", index, &format!("part {line}"))).collect()
@@ -121,6 +155,10 @@ fn forgeries() -> Vec<(String, &'static str)> {
     words.extend(parts(1, &["27/50 stable", "27/50 unstable", "5339/10000 open"]));
     words.extend(parts(2, &["37/50 unstable", "541/1000 unstable", "7/10 unstable"]));
     words.push(with(SINGLE_1, "part ", "part 7/20 stable"));
+    words.push(with(SINGLE_RESONANCE, "part ", "part 63/100 unstable"));
+    words.push(resonant(1, "1/4", "65/64", "3/1"));
+    // Next to the resonance, where the orbit is born before θ = π/3, one multiplier is large at first.
+    words.push(resonant(3, "1/4", "833333/19200000", "1/1"));
     words.push(with(SINGLE_1, "part ", "part 1/1000000000 stable"));
     add("the orbit may not be", words);
     let mut far = parts(2, &["3/4 stable", "1/1 stable", "19/25 open", "100/1 stable"]);
@@ -195,8 +233,11 @@ fn two_readers_agree() {
     let small = cells(SINGLE_1, "1/100 unstable", &["0.003", "0.006", "0.009", "0.012"]);
     let changed =
         (0..samples::<usize>(30)).map(|i| damage(&mut random, if i % 25 == 0 { SINGLE_2 } else { &small }));
-    let all: Vec<String> =
-        wrong.into_iter().chain([SINGLE_1, SINGLE_2, SINGLE_3].map(String::from)).chain(changed).collect();
+    let all: Vec<String> = wrong
+        .into_iter()
+        .chain([SINGLE_1, SINGLE_2, SINGLE_3, SINGLE_RESONANCE].map(String::from))
+        .chain(changed)
+        .collect();
     let Some(verdicts) = second_reader("single.py", &all) else { return };
     let mut accepted = 0;
     for (at, (text, line)) in all.iter().zip(&verdicts).enumerate() {
@@ -278,15 +319,14 @@ impl Claim {
         [e11 * q + e12 * a, e21 * q + e22 * a]
     }
 
-    /// The velocity with which a motion leaves at the phase t, to be there after the periods; and by how much
-    /// its arrival breaks the law of impact then.
+    /// The velocity with which a motion leaves at the phase t, so that its arrival obeys the law of impact;
+    /// and by how much that misses the wall.
     fn wrong(&self, parameters: [f64; 3], depth: f64, t: f64) -> [f64; 2] {
         let ([c, k, tau], time) = (parameters, self.time());
-        let [e11, e12, ..] = flow([c, k], time).map(|x| self.sign() * x);
-        let a = (1.0 - e11) * self.place(depth, t) / e12;
-        let [_, p] = self.after(parameters, depth, [t, a], time).map(|x| self.sign() * x);
-        let speed = self.wall(t)[1];
-        [a, a - speed + tau * (p - speed)]
+        let [_, _, e21, e22] = flow([c, k], time).map(|x| self.sign() * x);
+        let (q, speed) = (self.place(depth, t), self.wall(t)[1]);
+        let a = ((1.0 + tau) * speed - tau * e21 * q) / (1.0 + tau * e22);
+        [a, self.sign() * self.after(parameters, depth, [t, a], time)[0] - q]
     }
 
     /// The orbit's phases between 0 and the last.
@@ -398,7 +438,10 @@ fn lie(text: &str) -> Option<String> {
 #[test]
 fn what_is_accepted_of_damaged_certificates_is_true() {
     let mirrored = [(4, SINGLE_MIRRORED_2), (5, SINGLE_MIRRORED_3)];
-    for (seed, text) in [(1, SINGLE_1), (2, SINGLE_2), (3, SINGLE_3)].into_iter().chain(mirrored) {
+    let resonant = mirrored_at_resonance();
+    let mirrored = mirrored.into_iter().chain([(7, &resonant[..])]);
+    let plain = [(1, SINGLE_1), (2, SINGLE_2), (3, SINGLE_3), (6, SINGLE_RESONANCE)];
+    for (seed, text) in plain.into_iter().chain(mirrored) {
         damaged_are_true(seed, samples::<usize>(400), text, lie);
     }
 }
@@ -415,6 +458,9 @@ fn floats_notice_lies() {
         (SINGLE_2, "27/50 open", "27/50 stable", "not stable"),
         (SINGLE_2, "37/50 stable", "37/50 unstable", "not unstable"),
         (SINGLE_2, "periods 2\n", "periods 5\n", "not unstable"),
+        (SINGLE_RESONANCE, "side 1", "side -1", "0 orbits"),
+        (SINGLE_RESONANCE, "25/576 25/576", "73/576 73/576", "no gap"),
+        (SINGLE_RESONANCE, "100 stable", "100 unstable", "not unstable"),
     ] {
         assert_eq!(text.matches(from).count(), 1, "{from}");
         let found = lie(&text.replace(from, to)).unwrap_or_default();

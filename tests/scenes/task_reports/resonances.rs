@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use grazing_scenes::run::{GrazingReport, Judgement};
+use grazing_scenes::run::{GrazingReport, Judgement, RangeRow};
 
 use super::grazing_found;
 
@@ -13,7 +13,8 @@ fn paper(c: &str, turns: &str, tau: &str, keys: &str) -> (GrazingReport, String,
         "format = \"grazing-scene 3\"\ntitle = \"a resonance\"\n[parameters]\nmu = 0\nc = \"{c}\"\ns = \"{turns}\"\n\
          [system]\ndamping = \"c\"\nstiffness = \"s^2/4 + c^2/4\"\n[[stops]]\nside = \"lower\"\noffset = -1\n\
          harmonics = [{{ k = 1, cos = \"1 + mu\" }}]\nrestitution = \"{tau}\"\n[[tasks]]\nname = \"g\"\n\
-         kind = \"grazing\"\nparameter = \"mu\"\nseen = false\nrange = false\n{keys}\n"
+         kind = \"grazing\"\nparameter = \"mu\"\nseen = false\n{}{keys}\n",
+        if keys.contains("range") { "" } else { "range = false\n" }
     ))
 }
 
@@ -99,4 +100,37 @@ fn at_a_higher_resonance_nothing_is_born() {
     let (found, _, _) = paper("1/4", "1/3 + 1/1000000", "1", "max_period = 3");
     let row = found.born.iter().find(|row| row.pattern == "3").unwrap();
     assert!(row.coefficient.is_some() && row.side == "mu < 0", "{row:?}");
+}
+
+/// From the touch on it is exactly one motion, stable, with a certificate, of one impact in n periods: at the
+/// first resonance of one stop, at n = 1 for θ = 2π; beside it none is stable from the touch on.
+#[test]
+fn from_the_touch_on_it_is_proved() {
+    let rows = |c: &str, turns: &str, n: u64| {
+        let (found, shown, _) = paper(c, turns, "1", "max_period = 3\nrange = { effort = 5000 }");
+        let of = |row: &&RangeRow| row.of == "orbit" && row.side == "beyond" && row.periods == [n];
+        let rows: Vec<RangeRow> =
+            found.range.unwrap_or_else(|| panic!("{shown}")).iter().filter(of).cloned().collect();
+        (rows, found.certificates, shown)
+    };
+    for (c, turns, n, least) in [("1/4", "1/3", 3, 0.5), ("1/4", "2", 1, 0.5), ("1/50", "1/5", 5, 0.05)] {
+        let (rows, certificates, shown) = rows(c, turns, n);
+        let [row] = &rows[..] else { panic!("{turns}: {shown}") };
+        let end: f64 = row.end.as_ref().unwrap_or_else(|| panic!("{turns}: {shown}")).parse().unwrap();
+        assert!(row.verdict == "proved" && end > least, "{turns}: {row:?}");
+        let [part] = &row.stability[..] else { panic!("{row:?}") };
+        assert!(
+            part.word == "stable" && part.from.is_none() && Some(&part.to) == row.end.as_ref(),
+            "{row:?}"
+        );
+        let named = certificates.iter().find(|file| Some(&file.file) == row.certificate.as_ref()).unwrap();
+        let text = named.accepted.text();
+        let checked = grazing_scenes::certificate::check(&mut text.as_bytes()).unwrap();
+        assert_eq!((checked.kind, row.left.clone()), ("parameter", None), "{shown}");
+        assert!(text.contains("kind single\n") && text.contains(&format!("\nperiods {n}\n")), "{text}");
+    }
+    for turns in ["1/3 + 1/30000", "2/3"] {
+        let (rows, _, shown) = rows("1/4", turns, 3);
+        assert!(rows.is_empty(), "{turns}: {shown}");
+    }
 }

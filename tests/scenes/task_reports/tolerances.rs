@@ -6,7 +6,7 @@ use std::sync::Arc;
 use grazing_scenes::{
     internals::random::Random,
     number::{Ball, Elementary, Precision, Real, parse_rational},
-    run::{Findings, GrazingFindings, GrazingReport, Surroundings, ToleranceReport, run},
+    run::{Findings, GrazingFindings, GrazingReport, Judgement, Surroundings, ToleranceReport, run},
     scene::Scene,
     tolerance::{Coefficients, ParameterBox, Partition, Sloped, Spread, Statement},
     word::{Entropy, Rectangle, Word},
@@ -408,4 +408,55 @@ fn the_page_has_the_shares_of_its_scene() {
             && page.contains("with 20 % and 0.05 before it in 89.27 % to 89.97 %"),
         "{shown}"
     );
+}
+
+/// A box across s = 1/6 says of which machines the orbit of one impact in 3 periods is born beyond the touch,
+/// with machines on both sides, of which Theorem 1 says so; and what is born on the line, as its own task
+/// does. For γ < 0 none is on either side.
+#[test]
+fn a_box_across_a_resonance_says_what_holds_on_both_sides_and_on_it() {
+    let of = |k: &str, keys: &str| {
+        let (report, shown, _) = found(
+            &text(&format!("k = \"{k}\""), "1/4", "k", keys).replace("max_period = 1\n", "max_period = 3\n"),
+        );
+        (report, shown)
+    };
+    let born = |k: &str| {
+        let (report, shown) = of(k, "");
+        let row = report.born.iter().find(|row| row.pattern == "3");
+        row.map(|row| (row.side.contains(" > "), row.stable, shown))
+    };
+    let (resonant, negative) = ("25/576", "409/576");
+    let (report, shown) = of(resonant, "tolerance = { k = \"1%\" }");
+    let told = report.tolerance.unwrap();
+    let [row] = &told.resonances[..] else { panic!("{shown}") };
+    let [below, above] = [&row.below, &row.above].map(|point| point.as_ref().unwrap()[0].value.clone());
+    assert!(row.period == 3 && q(&below) < q(resonant) && q(&above) > q(resonant), "{row:?}");
+    let [least, most] = row.share.each_ref().map(|end| q(end));
+    assert!(least <= q("1/2") && q("1/2") <= most && most - least < q("1/50"), "{row:?}");
+    for part in [
+        " for 4",
+        "so at k = ",
+        "u_n = 0 at s = 1/(2n), n = 3: s < 1/6 for ",
+        "stable, both multipliers tau r^n",
+    ] {
+        assert!(shown.contains(part), "{part}: {shown}");
+    }
+    // Beyond the touch the drive is larger.
+    for (k, beyond) in [(below.as_str(), true), (resonant, true), (above.as_str(), false)] {
+        let (larger, stable, shown) = born(k).unwrap();
+        assert!(larger == beyond && (stable == Some(Judgement::Yes)) == (k == resonant), "{k}: {shown}");
+    }
+    let (report, shown) = of(negative, "tolerance = { k = \"1%\" }");
+    let told = report.tolerance.unwrap();
+    assert!(told.sign_gamma == Some(-1) && told.resonances.iter().any(|row| row.period == 3), "{shown}");
+    assert!(
+        shown.contains("of one impact in n periods no orbit is born, where s = 1/(2n) or next to it"),
+        "{shown}"
+    );
+    for k in [negative, "41/58", "71/100"] {
+        assert!(born(k).is_none(), "{k}");
+    }
+    let (report, _) = of("1/20", "tolerance = { k = \"1%\" }");
+    assert_eq!(report.tolerance.unwrap().resonances, []);
 }

@@ -20,6 +20,9 @@
 //! ```text
 //! Δ = τ² det E,    Θ w = −τ tr E w + (1 + τ)E₁₂ S/(1 − tr E + det E) (D(−g″) + (c + kK) w)
 //! ```
+//!
+//! At a resonance E₁₂ = 0 exactly, E = ζ, and so K = 0: σν = 1 − g, whose slope vanishes at t = 0 as the
+//! speed does; and Θ = −2τζ, Δ = τ²ζ², both multipliers being −τζ.
 
 use super::{
     Fault, Interval,
@@ -57,6 +60,8 @@ pub(super) struct Curve {
     own: Interval,
     turned: Interval,
     bound: Interval,
+    /// Whether E₁₂ = 0.
+    resonant: bool,
 }
 
 impl Curve {
@@ -78,7 +83,11 @@ impl Curve {
             let e = flow.exp(turn * Interval::integer(n));
             if mirrored && n % 2 == 1 { Matrix { a: -e.a, b: -e.b } } else { e }
         };
-        let turns: Vec<Matrix> = (0..=certificate.periods).map(turned).collect();
+        let mut turns: Vec<Matrix> = (0..=certificate.periods).map(turned).collect();
+        let resonant = certificate.is_resonant();
+        if resonant {
+            turns[certificate.periods as usize].b = Interval::ZERO;
+        }
         let e = turns[certificate.periods as usize];
         let one = Interval::ONE;
         let [trace, determinant] = flow.invariants(e);
@@ -103,6 +112,7 @@ impl Curve {
             turned: e.b * (one + tau) * sum.over(left),
             bound: damping + stiffness * place,
             flow,
+            resonant,
         })
     }
 
@@ -119,15 +129,17 @@ impl Curve {
 
     /// S1 and S2 at phases from 0, if these are the `first`, where the wall is this.
     pub fn runs(&self, shape: &Shape, first: bool) -> Result<(), Fault> {
-        claim(self.slope(shape).is_positive(), "nu may not increase (S1)")?;
         let moves = if first { shape.bend } else { self.direction * shape.slope };
+        let grows = if self.resonant { self.side * moves } else { self.slope(shape) };
+        claim(grows.is_positive(), "nu may not increase (S1)")?;
         claim(moves.is_positive(), "the speed of the impact may not be positive (S2)")
     }
 
     /// What is certain of the multipliers where the wall is this.
     pub fn word(&self, shape: &Shape) -> Word {
         let one = Interval::ONE;
-        let w = self.direction * shape.slope;
+        // At a resonance all are multiples of w.
+        let w = if self.resonant { one } else { self.direction * shape.slope };
         let sum = self.own * w + self.turned * (self.direction * shape.bend + self.bound * w);
         let whole = (one + self.contraction) * w;
         let [flip, fold] = [whole + sum, whole - sum];

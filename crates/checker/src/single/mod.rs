@@ -43,7 +43,8 @@
 //!
 //! In every cell, for all its phases t and all parameters:
 //!
-//! - S1: σD(−g′(t) + K g″(t)) > 0: ν increases in the direction D;
+//! - S1: σD(−g′(t) + K g″(t)) > 0: ν increases in the direction D; at a resonance, where K = 0, σ = 1 and S2
+//!   will do;
 //! - S2: D(−g′(t)) > 0, or, in the first cell, g″(t) < 0; and −D(1 − tr E + det E)/S > 0: the speed of the
 //!   impact is positive;
 //! - S3: the gap is positive strictly between impacts (`gap`);
@@ -57,6 +58,9 @@
 //! ```
 //!
 //! Δ < 1 and |Θ| < 1 + Δ, or |Θ| > 1 + Δ, for all phases of the cell (but t = 0) and all parameters.
+//!
+//! A *resonance* is E₁₂ = 0, which no enclosure tells. It is decided in whole numbers: c and k are single
+//! numbers, and n²(4k − c²) = m² for a whole m > 0; in version 2 = (2m)². Then E₁₂ is 0 in all rules.
 //!
 //! # Version 2
 //!

@@ -93,6 +93,25 @@ impl Certificate {
         let cell = 2 * harmonics * (pieces + 2) + all * (2 + harmonics);
         first + self.cells.len() as u64 * cell * (1 + u64::from(self.mirrored))
     }
+
+    /// Whether E₁₂ = 0 exactly, E being that of all the periods: nω = m/2 for a whole m > 0, of half periods
+    /// nω = m, where ω² = k − c²/4; of c = a/b and k that are single numbers, n²(4kb² − a²) = (mb)² or
+    /// (2mb)². Where these have more digits than fit it is not seen.
+    pub(super) fn is_resonant(&self) -> bool {
+        let [damping, stiffness, _] = self.ranges;
+        let (Fraction { p: a, q: b }, Fraction { p, q }) = (damping[0], stiffness[0]);
+        // At most (2·1000·10¹⁵)², far below 2¹²⁷.
+        let n = i128::from(self.periods);
+        let (spring, loss) = ((2 * n * b).pow(2), (n * a).pow(2));
+        let square = (spring % q == 0).then(|| (spring / q).checked_mul(p)).flatten();
+        let single = damping[0] == damping[1] && stiffness[0] == stiffness[1];
+        square.and_then(|square| square.checked_sub(loss)).filter(|square| single && *square > 0).is_some_and(
+            |square| {
+                let (root, unit) = (square.isqrt(), if self.mirrored { 2 * b } else { b });
+                root * root == square && root % unit == 0
+            },
+        )
+    }
 }
 
 /// The text of the certificate, header included.

@@ -50,6 +50,7 @@ pub const SINGLE_3: &str = include_str!("../data/single-3.txt");
 pub const SINGLE_MIRRORED_1: &str = include_str!("../data/single-mirrored-1.txt");
 pub const SINGLE_MIRRORED_2: &str = include_str!("../data/single-mirrored-2.txt");
 pub const SINGLE_MIRRORED_3: &str = include_str!("../data/single-mirrored-3.txt");
+pub const SINGLE_RESONANCE: &str = include_str!("../data/single-resonance.txt");
 pub const NOTHING_MIRRORED: &str = include_str!("../data/nothing-mirrored.txt");
 pub const NOTHING: &str = include_str!("../data/nothing.txt");
 pub const SHARE: &str = include_str!("../data/share.txt");
@@ -112,6 +113,13 @@ pub fn nth(text: &str, start: &str, at: usize, line: &str) -> String {
     let all: Vec<&str> = lines.collect();
     assert!(seen > at, "{start}: line {at} is not there");
     all.join("\n") + "\n"
+}
+
+/// Between mirrored walls at a resonance, of two half periods: ω = 3/2.
+pub fn mirrored_at_resonance() -> String {
+    let (head, _) = SINGLE_MIRRORED_2.split_once("parts ").unwrap();
+    let text = with(&with(head, "damping", "damping 1/4 1/4"), "stiffness", "stiffness 145/64 145/64");
+    text + "parts 1\npart 1/25 stable\ncells 3\ncell 0.1\ncell 0.2\ncell 0.3\n"
 }
 
 /// A branch with its first cells alone.

@@ -132,7 +132,7 @@ pub use swept::{HysteresisRow, JumpRow, SweepFindings, SweptRow};
 pub(crate) use table::row;
 pub use table::{Complex, Judgement, Tabular};
 pub(crate) use table::{Row, Shown};
-pub use tolerance::{ParameterValue, ToleranceReport, ToleranceSide, ToleratedParameter};
+pub use tolerance::{ParameterValue, ToleranceReport, ToleranceResonance, ToleranceSide, ToleratedParameter};
 pub use units::ColumnUnit;
 pub(crate) use validate::validate;
 pub use validate::{ProofRow, Proved, UnprovedRow, ValidateFindings};

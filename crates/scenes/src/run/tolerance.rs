@@ -14,7 +14,7 @@ use crate::{
         is_hidden,
         tolerated::{Tolerated, ToleratedMachines},
     },
-    tolerance::{Partition, Statement},
+    tolerance::{Partition, Share, Spread, Statement},
     word::Word,
 };
 
@@ -23,6 +23,8 @@ const CELLS: u64 = 2000;
 const CELLS_OF_MORE: u64 = 8000;
 /// How many letters of a word are followed.
 const LETTERS: usize = 100;
+/// The longest period whose resonance is told.
+const RESONANCES: u64 = 60;
 /// Decimals of shares.
 const PLACES: u32 = 6;
 /// The longest numbers in words, in characters, and the digits of others.
@@ -70,6 +72,20 @@ pub struct ToleranceSide {
     pub without: Option<Vec<ParameterValue>>,
 }
 
+/// A first resonance, s = 1/(2n) and u_n = 0, that some machines have, or may have. Beyond the touch the
+/// orbit of one impact in n periods is born below it and at it, for γ > 0, and nowhere else.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct ToleranceResonance {
+    /// n.
+    pub period: u64,
+    /// At least this share of the box is below it, s < 1/(2n), and at most this.
+    pub share: [String; 2],
+    /// A machine below it.
+    pub below: Option<Vec<ParameterValue>>,
+    /// One above it.
+    pub above: Option<Vec<ParameterValue>>,
+}
+
 /// A parameter of a machine.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ParameterValue {
@@ -88,6 +104,8 @@ pub struct ToleranceReport {
     pub sign_gamma: Option<i32>,
     /// Before the touch, and beyond it.
     pub sides: [ToleranceSide; 2],
+    /// The first resonances among the machines, of periods up to 60.
+    pub resonances: Vec<ToleranceResonance>,
     /// How many cells the box was cut into, those that were cut again included.
     pub cells: u64,
     /// Whether more cells might tell more.
@@ -118,10 +136,11 @@ pub(super) fn told(machines: &ToleratedMachines, monitor: &dyn Monitor) -> Resul
     let parameters = &parameters[..];
     let cells = if of.sides().count() > 2 { CELLS_OF_MORE } else { CELLS };
     let partition = Partition::new(of, cells, monitor)?;
+    let place = |point: &Option<Vec<BigRational>>| point.as_ref().map(|point| named(parameters, point));
+    let shares = |share: &Share| [decimal_below(&share.lower, PLACES), decimal_above(&share.upper, PLACES)];
     let one = |positive: bool| -> Result<ToleranceSide> {
         let word: Word = of.word(positive, LETTERS, monitor)?;
         let share = partition.share(Statement::ChaosAt { positive });
-        let place = |point: &Option<Vec<BigRational>>| point.as_ref().map(|point| named(parameters, point));
         Ok(ToleranceSide {
             side: side(positive),
             sign_emu: if positive { 1 } else { -1 },
@@ -130,9 +149,19 @@ pub(super) fn told(machines: &ToleratedMachines, monitor: &dyn Monitor) -> Resul
             whole: word.is_whole(),
             word_ends: word.extent().in_words(),
             chaos: share.spread().word(),
-            share: [decimal_below(&share.lower, PLACES), decimal_above(&share.upper, PLACES)],
+            share: shares(&share),
             with: place(&share.with),
             without: place(&share.without),
+        })
+    };
+    // For eµ < 0 the periods that occur are those with s < 1/(2n).
+    let resonance = |period: u64| {
+        let share = partition.share(Statement::Period { positive: false, n: period });
+        matches!(share.spread(), Spread::Differs | Spread::Open).then(|| ToleranceResonance {
+            period,
+            share: shares(&share),
+            below: place(&share.with),
+            above: place(&share.without),
         })
     };
     let open = partition.open().and_then(|leaf| {
@@ -148,6 +177,7 @@ pub(super) fn told(machines: &ToleratedMachines, monitor: &dyn Monitor) -> Resul
         parameters: parameters.iter().map(ToleratedParameter::of).collect(),
         sign_gamma: of.gamma_is_positive().map(|positive| if positive { 1 } else { -1 }),
         sides: [one(true)?, one(false)?],
+        resonances: (2..=RESONANCES).filter_map(resonance).collect(),
         cells: partition.cells(),
         cut: partition.is_cut(),
         settled: decimal_below(&partition.settled(), PLACES),
@@ -198,28 +228,62 @@ impl ToleranceSide {
 
     fn chaos_in_words(&self) -> String {
         let side = in_words(self.sign_emu > 0);
-        let point = |point: &Vec<ParameterValue>| {
-            let all = point.iter().map(|ParameterValue { name, value }| format!("{name} = {value}"));
-            all.collect::<Vec<_>>().join(", ")
-        };
         match (self.chaos, &self.with, &self.without) {
             ("everywhere", ..) => format!("{side} born in all of them"),
             ("nowhere", ..) => format!("{side} born in none of them"),
             (_, Some(with), Some(without)) => {
-                let [with, without] = [with, without].map(point);
-                format!("{side} born in {} of them: so at {with}, not at {without}", self.part())
+                let [with, without] = [with, without].map(|point| told_of(point));
+                format!("{side} born in {} of them: so at {with}, not at {without}", per_cent(&self.share))
             }
-            _ => format!("{side} open: born in {} of them", self.part()),
+            _ => format!("{side} open: born in {} of them", per_cent(&self.share)),
+        }
+    }
+}
+
+/// A machine in words.
+fn told_of(point: &[ParameterValue]) -> String {
+    let all = point.iter().map(|ParameterValue { name, value }| format!("{name} = {value}"));
+    all.collect::<Vec<_>>().join(", ")
+}
+
+/// Two shares in per cent.
+fn per_cent(share: &[String; 2]) -> String {
+    let [lower, upper] = share.each_ref().map(|end| {
+        let number = crate::number::parse_rational(end);
+        number.map_or_else(|_| BigRational::from_integer(0.into()), |x| x * BigInt::from(100))
+    });
+    format!("{} % to {} %", decimal_below(&lower, 2), decimal_above(&upper, 2))
+}
+
+impl ToleranceResonance {
+    /// Where it is; whether it is among the machines is certain if one is below it and one above.
+    fn place_in_words(&self) -> String {
+        let (n, twice) = (self.period, 2 * self.period);
+        match (&self.below, &self.above) {
+            (Some(below), Some(above)) => {
+                let [below, above] = [below, above].map(|point| told_of(point));
+                let part = per_cent(&self.share);
+                format!(
+                    "n = {n}: s < 1/{twice} for {part} of them, so at {below}, and s > 1/{twice} at {above}"
+                )
+            }
+            _ => format!("n = {n}: s = 1/{twice} may be among them"),
         }
     }
 
-    /// The share in per cent.
-    fn part(&self) -> String {
-        let [lower, upper] = self.share.each_ref().map(|end| {
-            let number = crate::number::parse_rational(end);
-            number.map_or_else(|_| BigRational::from_integer(0.into()), |x| x * BigInt::from(100))
-        });
-        format!("{} % to {} %", decimal_below(&lower, 2), decimal_above(&upper, 2))
+    /// What is born of one impact on both sides of all of them, and there.
+    fn born_in_words(gamma: Option<i32>) -> String {
+        let none = "where s = 1/(2n) or next to it";
+        if gamma == Some(-1) {
+            return format!("of one impact in n periods no orbit is born, {none}");
+        }
+        let some = "of one impact in n periods one orbit is born beyond the touch where s < 1/(2n), and where s = 1/(2n), there \
+                    with a speed like the root of the distance, stable, both multipliers tau r^n (damped, restitution at \
+                    most 1); none where s > 1/(2n), but next to it one before the touch";
+        match gamma {
+            Some(_) => some.into(),
+            None => format!("for gamma > 0 {some}; for gamma < 0 none, {none}"),
+        }
     }
 }
 
@@ -257,6 +321,12 @@ impl ToleranceReport {
         lines.say("tolerance", format!("{all}, where each touches the stop once a period: {gamma}{rest}"));
         for side in &self.sides {
             lines.say("tolerance_word", side.word_in_words());
+        }
+        if !self.resonances.is_empty() {
+            let places: Vec<String> =
+                self.resonances.iter().map(ToleranceResonance::place_in_words).collect();
+            let born = ToleranceResonance::born_in_words(self.sign_gamma);
+            lines.say("tolerance_resonance", format!("u_n = 0 at s = 1/(2n), {}: {born}", places.join("; ")));
         }
         for side in &self.sides {
             lines.say("tolerance_chaos", side.chaos_in_words());

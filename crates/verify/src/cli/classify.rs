@@ -105,7 +105,11 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
             let time = if place.reversed { ", after reversing time (a2 > 1)" } else { "" };
             writeln!(out, "{}{time}", describe(place.region))?;
             words(&place.point, out)?;
-            out.write_all(resonances(&place.point, args.max_period).as_bytes())?;
+            let resonances = Resonance::up_to(&place.point, args.max_period).into_iter();
+            let resonances: Vec<_> = resonances.filter(|(_, kind)| kind.is_some()).collect();
+            for line in Resonance::in_words(&resonances) {
+                writeln!(out, "{line}")?;
+            }
         }
         write(args.format, (&place, &at), &found, out)
     });
@@ -116,19 +120,6 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     };
     let open = (1..).zip(&found).any(open);
     reported(if open { Outcome::Undecided } else { Outcome::Done }, written)
-}
-
-/// What is born where u_n = 0, once for each resonance, a line each.
-pub(super) fn resonances(point: &Point, last: u64) -> String {
-    let mut text = String::new();
-    for kind in [Resonance::First, Resonance::Higher] {
-        let mut all = (1..=last).filter(|&n| Resonance::at(point, n) == Some(kind));
-        if let Some(n) = all.next() {
-            let more = if all.next().is_some() { ", ..." } else { "" };
-            text += &format!("n = {n}{more}, u_n = 0, {} resonance: {kind}\n", kind.name());
-        }
-    }
-    text
 }
 
 /// The words for both signs of eµ, as far as they are soon found.

@@ -11,7 +11,7 @@ use serde_json::{Value as Json, json};
 
 use super::{
     Outcome, cite,
-    classify::{describe, resonances},
+    classify::describe,
     decides,
     place::{self, Asked, Bounds, Place, REVERSED},
     pretty, reported, returns, samples,
@@ -241,11 +241,11 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         Some(Certified::Text(text)) => text,
         _ => "",
     };
-    let silent = given.silent(args.max_period);
+    let silent = given.silent(args.max_period, &sides);
     let caption = caption(&given, written_to.map(|path| cite::written(path, text_of)));
     let written = destination.write(|out| match args.format {
         Format::Text => {
-            let silent = in_words(&given, &silent, args.max_period);
+            let silent = in_words(&given, &silent);
             Ok(out.write_all(text((heading, &silent), &sides, written_to).as_bytes())?)
         }
         Format::Json => json_report((&given, &silent), &sides, written_to, out),
@@ -263,12 +263,12 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
 }
 
 /// What the word leaves out, in words.
-fn in_words(given: &Given, silent: &[(u64, Option<Resonance>)], last: u64) -> String {
-    let (Some(point), [(n, first), rest @ ..]) = (given.point(), silent) else { return String::new() };
-    let (text, of) = match first {
-        Some(_) => (resonances(point, last), " of several impacts"),
-        None => (format!("n = {n}{}, u_n = 0\n", if rest.is_empty() { "" } else { ", ..." }), ""),
-    };
+fn in_words(given: &Given, silent: &[(u64, Option<Resonance>)]) -> String {
+    let [(n, first), ..] = silent else { return String::new() };
+    let of = if first.is_some() { " of several impacts" } else { "" };
+    let lines =
+        if given.point().is_some() { Resonance::in_words(silent) } else { vec![Resonance::across(*n)] };
+    let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
     format!("{text}Theorem 1 is silent about patterns{of} with such a period: they are not counted below.\n")
 }
 
@@ -425,14 +425,15 @@ impl Given {
     }
 
     /// The periods up to the last that is counted with u_n = 0, of which the word is not, and their
-    /// resonance, which is none for a₂ = 1.
-    fn silent(&self, last: u64) -> Vec<(u64, Option<Resonance>)> {
-        let Some(point) = self.point() else { return Vec::new() };
-        let is_singular = |n: &u64| match point {
-            Point::Polar(polar) => polar.is_singular(*n),
-            Point::Plane(plane) => plane.is_singular(*n),
-        };
-        (1..=last).filter(is_singular).map(|n| (n, Resonance::at(point, n))).collect()
+    /// resonance, which is none for a₂ = 1; of a box the first resonance that it may meet.
+    fn silent(&self, last: u64, sides: &[Side]) -> Vec<(u64, Option<Resonance>)> {
+        match self.point() {
+            Some(point) => Resonance::up_to(point, last),
+            None => {
+                let met = sides.iter().filter_map(|side| side.word.straddled_resonance());
+                met.map(|n| (n, Some(Resonance::First))).collect()
+            }
+        }
     }
 
     fn new(args: &Args) -> Result<Given> {
@@ -630,7 +631,7 @@ fn json_report(
         .collect();
     let bounds = given.bounds.as_ref().map(|(bounds, gamma)| place::json(bounds, *gamma));
     let row = |(n, kind): &(u64, Option<Resonance>)| json!({ "period": n, "resonance": kind });
-    let resonances = given.point().map(|_| silent.iter().map(row).collect::<Vec<_>>());
+    let resonances: Vec<Json> = silent.iter().map(row).collect();
     let report = json!({
         "format": "grazing-word 1",
         "region": given.heading,

@@ -14,6 +14,7 @@ use super::{
     super::super::range::{ALL, NOTHING, PART, RangeRow, SideRange, WantedProofs},
     SMALL,
     grazing::OscillatorGrazing,
+    resonance::ResonantBirth,
     tolerated::AllMachines,
 };
 use crate::{
@@ -249,12 +250,16 @@ impl Near<'_> {
             let row = RangeRow::open(behind, verdict, reason.map(String::from));
             Ok(vec![SideRange { row, proofs: Vec::new() }])
         };
+        let beside = |mut rows: Vec<SideRange>| {
+            rows.append(&mut self.orbits(behind, &[])?);
+            Ok(rows)
+        };
         let (graph, whole) = match self.born(behind)? {
-            Err(why) => return open("undecided", Some(why)),
+            Err(why) => return beside(open("undecided", Some(why))?),
             Ok(Born { graph: None, whole: true }) if behind => return Ok(vec![self.nothing()?]),
             Ok(Born { graph: None, whole: true }) => return open(NOTHING, None),
             Ok(Born { graph: None, whole: false }) => {
-                return open("undecided", Some("it is not decided what is born"));
+                return beside(open("undecided", Some("it is not decided what is born"))?);
             }
             Ok(Born { graph: Some(graph), whole }) => (graph, whole),
         };
@@ -297,13 +302,7 @@ impl Near<'_> {
         let ranges = self.machine_at(farthest.and_then(|(_, machines)| machines.until.as_ref()))?;
         let mut all = vec![self.judged(behind, (ALL, &problem.graph, whole), found)?];
         // Orbits need little, and go far: a part has what they leave.
-        let mut orbits = Vec::new();
-        let letters = single_orbits(&problem.graph);
-        for (left, &periods) in (2..letters.len() as u64 + 2).rev().zip(&letters) {
-            let RangeProblem { ranges, harmonics, deepest, .. } = problem.clone();
-            let problem = SingleProblem { mirrored, ranges, behind, harmonics, periods, deepest };
-            orbits.push(self.single(&problem, &effort.part(left))?);
-        }
+        let mut orbits = self.orbits(behind, &single_orbits(&problem.graph))?;
         let farther = RangeProblem { ranges, ..problem.clone() };
         let share = if self.changes { 2 } else { 1 };
         if let Some((graph, proof)) = prove_farther(&farther, depth, &effort.part(share), monitor)? {
@@ -316,6 +315,25 @@ impl Near<'_> {
         }
         all.append(&mut orbits);
         Ok(all)
+    }
+
+    /// The orbits of one impact in these periods, and at resonances, of which the graph is not.
+    fn orbits(&self, behind: bool, letters: &[u64]) -> Result<Vec<SideRange>> {
+        let mut letters = letters.to_vec();
+        if behind && !self.main && matches!(self.of, Of::One(_)) {
+            for n in 1..=LONGEST {
+                if let Some(ResonantBirth::Orbit { .. }) = self.point.resonance(n)? {
+                    letters.push(n);
+                }
+            }
+        }
+        let (mirrored, deepest) = (self.mirrored, DEEPEST[usize::from(behind)]);
+        let one = |(left, &periods): (u64, &u64)| {
+            let (ranges, harmonics) = (self.about.clone(), self.harmonics.clone());
+            let problem = SingleProblem { mirrored, ranges, behind, harmonics, periods, deepest };
+            self.single(&problem, &self.effort(behind).part(left))
+        };
+        (2..letters.len() as u64 + 2).rev().zip(&letters).map(one).collect()
     }
 
     /// The work on a side.
