@@ -147,7 +147,7 @@ pub(super) fn exp(x: &Ball, bits: u32) -> Ball {
     value.widened(change).without_negatives()
 }
 
-/// e^x of a point: e^|x| = (e^(|x|/2^k))^(2^k), |x|/2^k ≤ 2^−j for a j ≈ √bits.
+/// e^x of a point: e^|x| = (e^(|x|/2^k))^(2^k), |x|/2^k ≤ 2^−j for a j ≈ ∛bits, j ≥ 2.
 pub(super) fn point_exp(x: &Ball, bits: u32) -> Ball {
     let Some(exponent) = x.exponent() else { return Ball::integer_at(1, bits) };
     let negative = x.sign() == Some(Sign::Negative);
@@ -156,25 +156,12 @@ pub(super) fn point_exp(x: &Ball, bits: u32) -> Ball {
         let tiny = || Ball::zero(bits).widened(Radius::new(1, i128::MIN / 2)).without_negatives();
         return if negative { tiny() } else { Ball::whole(bits) };
     }
-    let j = bits.sqrt();
+    let j = bits.cbrt();
     let k = (exponent + i64::from(j)).max(0) as u32;
     // Each squaring doubles the relative error.
     let w = bits + GUARD + k;
     let t = shifted(x.mid().magnitude().clone().into(), x.unit_exponent() - i128::from(k) + i128::from(w));
-    let mut sum = (BigInt::one() << w) + &t;
-    let (mut term, mut n) = (t.clone(), 1u32);
-    loop {
-        n += 1;
-        term = ((term * &t) >> w) / n;
-        if term.is_zero() {
-            break;
-        }
-        sum += &term;
-    }
-    // All cuts go down: t by less than 1, each term (with what it takes over) by less than 2, the tail counts
-    // less than 3.
-    let scale = -i128::from(w);
-    let mut value = Ball::new(sum, scale, Radius::new(2 * u64::from(n) + 8, scale), w);
+    let mut value = Ball::new(exp_series(&t, w), -i128::from(w), Radius::new(EXP_ERROR, -i128::from(w)), w);
     if negative {
         value = Ball::integer_at(1, w) / &value;
     }
@@ -184,6 +171,50 @@ pub(super) fn point_exp(x: &Ball, bits: u32) -> Ball {
     // Below the least number of all a power is 0 with a radius.
     let value = value.cut(bits);
     if value.exponent().is_none() { value.without_negatives() } else { value }
+}
+
+/// The error bound of [`exp_series`], in its last place.
+const EXP_ERROR: u64 = 16;
+
+/// Σ t^i/i! in units of 2^−w, for 0 ≤ t ≤ 1/4, cut by less than 1; all cuts go down. Within [`EXP_ERROR`].
+///
+/// By blocks of m ≈ √N of the N terms, as `ball_sine::series`: `sum` counts in units of 1/(1·2⋯j) for a j
+/// that falls whenever the product `scale` = (i + 1)⋯j would outgrow a word.
+///
+/// Errors: a power is off by e ≤ 1 + e/4 + 1/4, below 1.7, t itself by 1, and the powers weigh at most 1/1! +
+/// 1/2! + … < 1.72: below 3. A product by t^m loses 1 and, the sum being below 2 in its unit, less than 4 for
+/// the power; its unit is 1/i!, i = m, 2m, …, m ≥ 2: together below 5(1/2! + 1/4! + …) < 3. The last division
+/// loses 1, others 1 in a unit below 1/20!, and the tail, whose first term is below 1, less than 2.
+fn exp_series(t: &BigInt, w: u32) -> BigInt {
+    // t < 2^−small; t^i/i! < 2^−w ends the sum.
+    let small = u64::from(w).saturating_sub(t.bits());
+    let (mut terms, mut reached) = (1u64, 0);
+    while reached <= u64::from(w) {
+        reached += small + u64::from(terms.ilog2());
+        terms += 1;
+    }
+    let m = terms.sqrt().max(2) as usize;
+    let mut powers = vec![BigInt::one() << w, t.clone()];
+    for j in 1..m {
+        powers.push((&powers[j] * t) >> w);
+    }
+    let (mut sum, mut scale) = (BigInt::zero(), 1u64);
+    for i in (0..terms).rev() {
+        let place = (i % m as u64) as usize;
+        sum += &powers[place] * scale;
+        if i == 0 {
+            break;
+        }
+        if place == 0 {
+            sum = (sum * &powers[m]) >> w;
+        }
+        if scale.checked_mul(i).is_none() {
+            sum /= scale;
+            scale = 1;
+        }
+        scale *= i;
+    }
+    sum / scale
 }
 
 /// sin x and cos x of a point, to `GUARD` bits more than the context has.

@@ -2,18 +2,19 @@
 //!
 //! With E = e^y for any y, log x = y + 2 artanh((x − E)/(x + E)); with s = sin y and c = cos y, atan x = y +
 //! atan((xc − s)/(c + xs)) for |y| and |atan x| ≤ π/4. Both are identities, and every term is a ball: a bad y
-//! costs terms of the series, never truth. The y is the same function's to an eighth of the bits; where few
-//! terms are needed anyway, there is none. Cost: that of exp or sin, and O(√b) products more for b bits.
+//! costs terms of the series, or leaves nothing known, never truth. The y is the midpoint of the same
+//! function's value to an eighth of the bits; where few terms are needed anyway, there is none. Cost: that of
+//! exp or sin, and O(√b) products more for b bits.
 //!
 //! # The series
 //!
-//! artanh z = z·S, S = Σ z^2i/(2i + 1), and atan z = z·S with alternating signs; |z| ≤ 1/5. S is summed in
-//! units of 2^−w for z² cut by less than 1 unit. A power P_i is off by e_i with e_1 < 1 and e_(i+1) ≤ e_i/25
-//! + P_i + 1 < 1.1, P_i ≤ 1/25 of 2^w weighing z²'s error. So a term is off by less than 1.1/3 + 1 < 2, and n
-//! of them by less than 2n. The first power that is cut to 0 is below 2.1 units, and the tail behind it,
-//! geometric with 1/25 and divided by 3 or more, below 1. Where z is a ball of radius r, S at its midpoint
-//! lies between 0.98 and 1.02 and the slope of artanh and atan between 0.96 and 1.05: the product's radius,
-//! r·S at least, and r/8 more cover the slope.
+//! artanh z = z·S, S = Σ z^2i/(2i + 1), and atan z = z·S with alternating signs; |z| ≤ 1/4. S is summed in
+//! units of 2^−w for z² cut by less than 1 unit. A power P_i ≤ 1/16 is off by e_i, e_1 < 1 and e_(i+1) ≤ 1 +
+//! P_i + e_i/16 < 1.2, where P_i weighs z²'s error. So a term is off by less than 1.2/3 + 1 < 2, and n of
+//! them by less than 2n. The first power that is cut to 0 is below 2.2 units, and the tail behind it,
+//! geometric with 1/16 and divided by 3 or more, below 1. Where z is a ball of radius r, S at its midpoint
+//! lies between 0.97 and 1.03 and the slope of artanh and atan over it between 0.93 and 1.07: the product's
+//! radius, r·S at least, and r/8 more cover the slope.
 
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
@@ -27,8 +28,12 @@ use super::{
 /// The most bits that a series gives for each bit of −log₂ |z|: 32 terms.
 const DIRECT: i64 = 64;
 
-/// artanh z, or atan z if `alternating`, for |z| ≤ 1/5, relative error below 2^−`bits` besides z's own.
+/// artanh z, or atan z if `alternating`, for |z| ≤ 1/4, relative error below 2^−`bits` besides z's own;
+/// beyond that nothing is known.
 fn arc(z: &Ball, bits: u32, alternating: bool) -> Ball {
+    if !z.greatest_magnitude().is_within(-2) {
+        return Ball::whole(bits);
+    }
     let w = i128::from(bits) + 16;
     let square = shifted(z.mid() * z.mid(), 2 * z.unit_exponent() + w);
     let (mut sum, mut power, mut n) = (BigInt::one() << w, square.clone(), 1u32);
@@ -68,7 +73,7 @@ pub(super) fn log(x: &Ball, context: &Precision, bits: u32) -> Ball {
 /// log(1 + u) of a point, −5/16 ≤ u ≤ 3/8, to somewhat more than `bits` bits.
 pub(super) fn log1p(u: &Ball, bits: u32) -> Ball {
     let Some(e) = u.exponent() else { return u.clone() };
-    // |u| < 2^−small, and z = u/(2 + u) is below half of that and below 1/5.
+    // |u| < 2^−small, and z = u/(2 + u) is below 1/5 and about half of u.
     let small = (-e).max(2);
     let w = bits + GUARD;
     if i64::from(bits) <= DIRECT.saturating_mul(small) {
