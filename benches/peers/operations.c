@@ -68,6 +68,12 @@ static void balls(slong bits)
     TIME(ns, arb_div(c, a, b, bits)); put("arb", "quotient", bits, ns, c);
     TIME(ns, arb_sin_pi_fmpq(c, x, bits)); put("arb", "sinpi", bits, ns, c);
     TIME(ns, arb_exp(c, a, bits)); put("arb", "exp", bits, ns, c);
+    TIME(ns, arb_log(c, a, bits)); put("arb", "log", bits, ns, c);
+    TIME(ns, arb_sin(c, a, bits)); put("arb", "sin", bits, ns, c);
+    TIME(ns, arb_tan(c, a, bits)); put("arb", "tan", bits, ns, c);
+    TIME(ns, arb_atan(c, a, bits)); put("arb", "atan", bits, ns, c);
+    TIME(ns, arb_sinh(c, a, bits)); put("arb", "sinh", bits, ns, c);
+    TIME(ns, arb_pow(c, b, a, bits)); put("arb", "pow", bits, ns, c);
     arb_clear(a); arb_clear(b); arb_clear(c);
     fmpq_clear(x); fmpq_clear(y);
 }

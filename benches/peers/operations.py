@@ -34,6 +34,6 @@ def table(title, ours, others, lengths, operations):
             print(row)
 
 
-OPERATIONS = ["sum", "product", "quotient", "sinpi", "exp"]
-table("f64 intervals", "grazing-number-interval", ["inari", "arb", "nfloat"], [53], OPERATIONS[:4])
+OPERATIONS = ["sum", "product", "quotient", "sinpi", "exp", "log", "sin", "tan", "atan", "sinh", "pow"]
+table("f64 intervals", "grazing-number-interval", ["inari", "arb", "nfloat"], [53], OPERATIONS)
 table("balls", "grazing-number", ["arb", "nfloat", "malachite"], [53, 128, 256, 1024, 4096], OPERATIONS)

@@ -463,6 +463,8 @@ fn evaluate_prints_certain_digits_and_the_rung() {
     let json: serde_json::Value =
         serde_json::from_str(&stdout("evaluate --n 2 --s 1/3 --format json")).unwrap();
     assert_eq!(json["values"][0]["sign"], "+");
+    let largest = stdout("evaluate 18446744073709551615 7 --s 1/7 --format json");
+    assert!(largest.contains(r#""n":"18446744073709551615""#), "no reader of floats may round it: {largest}");
     assert_eq!(error("evaluate --n 3 --k 3 --s 1/4"), "K = 3 is outside 1 <= K < N = 3");
     assert!(error("evaluate --n 3 --s 3/4").starts_with("s = 3/4 is outside 0 < s < 1/2"));
 }

@@ -39,6 +39,15 @@ pub(crate) enum Fraction {
 
 impl Angle {
     /// πx.
+    ///
+    /// ```
+    /// use grazing_number::{Angle, Sign, parse_rational};
+    /// let angle = Angle::new(&parse_rational("1/3")?);
+    /// assert_eq!(angle.times(4).sin_sign(), Sign::Negative);
+    /// assert_eq!(angle.complement(), Angle::new(&parse_rational("1/6")?));
+    /// assert!(angle.times(3).is_on_axis() && !angle.is_on_axis());
+    /// # Ok::<(), grazing_number::ParseError>(())
+    /// ```
     pub fn new(x: &BigRational) -> Angle {
         let q = x.denom().magnitude();
         let turn: BigInt = x.denom() * 2;
@@ -49,7 +58,8 @@ impl Angle {
         }
     }
 
-    /// k times the angle, exactly. Cost: one multiplication and one remainder.
+    /// k times the angle, exactly. Cost: one multiplication and one remainder. An example of this and what
+    /// follows is at [`new`](Angle::new).
     #[must_use]
     #[inline]
     pub fn times(&self, k: u64) -> Angle {

@@ -5,6 +5,7 @@
 //! zero with a radius that bounds it. π, sines and cosines live in `ball_sine`.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::sync::OnceLock;
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -26,20 +27,42 @@ pub struct Precision {
     bits: u32,
     /// π·2^w within 2, w = [`Precision::pi_bits`].
     pub(super) pi: BigInt,
+    /// ln 2, likewise, once a logarithm has asked for it.
+    ln_2: OnceLock<BigInt>,
 }
 
 impl Precision {
     /// A working precision of `bits` bits, at least 16.
+    ///
+    /// ```
+    /// use grazing_number::Precision;
+    /// assert_eq!((Precision::new(64).bits(), Precision::new(1).bits()), (64, 16));
+    /// ```
     pub fn new(bits: u32) -> Precision {
         let bits = bits.max(16);
-        Precision { bits, pi: ball_sine::pi(ball_sine::pi_bits(bits)) }
+        Precision { bits, pi: ball_sine::pi(ball_sine::pi_bits(bits)), ln_2: OnceLock::new() }
     }
 
     pub(super) fn pi_bits(&self) -> u32 {
         ball_sine::pi_bits(self.bits)
     }
 
-    /// The number of bits of a midpoint.
+    /// π to `bits` bits, at most 190 more than this precision's.
+    pub(super) fn pi_at(&self, bits: u32) -> Ball {
+        self.constant(self.pi.clone(), bits)
+    }
+
+    /// ln 2, likewise.
+    pub(super) fn ln_2_at(&self, bits: u32) -> Ball {
+        self.constant(self.ln_2.get_or_init(|| ball_sine::ln_2(self.pi_bits())).clone(), bits)
+    }
+
+    fn constant(&self, value: BigInt, bits: u32) -> Ball {
+        let w = i128::from(self.pi_bits());
+        Ball::new(value, -w, Radius::new(2, -w), bits)
+    }
+
+    /// The number of bits of a midpoint; an example is at [`new`](Precision::new).
     pub fn bits(&self) -> u32 {
         self.bits
     }
@@ -103,6 +126,17 @@ impl Ball {
     /// They are the ball's own unless these would take more than 2¹⁷ bits beyond its precision: below 2^−2¹⁷
     /// they are ±2^−2¹⁷ and 0, and for numbers above 2^2¹⁷ there are none. So this is safe for any ball.
     /// Cost: linear in the bits of midpoint and exponent.
+    ///
+    /// ```
+    /// use grazing_number::{Ball, Precision, Real, parse_rational};
+    /// let third = parse_rational("1/3")?;
+    /// let x = Ball::ratio(&third, &Precision::new(64));
+    /// let (low, high) = x.exact_bounds().unwrap();
+    /// assert!(low < third && third < high && x.contains(&third) && x.contains(&low));
+    /// assert_eq!((x.exponent(), x.least_exponent(), x.certain_bits()), (Some(-1), Some(-1), Some(62)));
+    /// assert_eq!(x.centre().certain_bits(), None, "a point is exact");
+    /// # Ok::<(), grazing_number::ParseError>(())
+    /// ```
     pub fn exact_bounds(&self) -> Option<(BigRational, BigRational)> {
         if !self.radius.is_within(WRITTEN) || self.top().is_some_and(|top| top > WRITTEN) {
             return None;
@@ -117,7 +151,7 @@ impl Ball {
             _ => (self.mid.clone(), self.mid.clone(), self.exp.wide()),
         };
         // A radius of 2⁻¹⁰⁰⁰⁰⁰⁰⁰ would be written out: one far below the last place is rounded up.
-        let least = if self.mid.is_zero() { -WRITTEN } else { unit.min(0) } - 64;
+        let least = unit.min(0) - WRITTEN;
         let (m, e) = if m > 0 && e < least - 32 { (1, least) } else { (m, e) };
         let common = if m > 0 { unit.min(e) } else { unit };
         let reach = if m > 0 { BigInt::from(m) << (e - common) } else { BigInt::zero() };
@@ -125,7 +159,8 @@ impl Ball {
         Some((dyadic(low - &reach, common), dyadic(high + reach, common)))
     }
 
-    /// An e with |midpoint| < 2^e, at most twice the midpoint; `None` for the midpoint 0, which has none.
+    /// An e with |midpoint| < 2^e, at most twice the midpoint; `None` for the midpoint 0, which has none. An
+    /// example of this and what follows is at [`exact_bounds`](Ball::exact_bounds).
     pub fn exponent(&self) -> Option<i64> {
         // A stored exponent and a length in bits are far below 2⁶³ together.
         self.top().map(|top| top as i64)
@@ -328,12 +363,27 @@ impl Real for Ball {
 }
 
 impl Ball {
-    /// A ball that contains the reals between `lo` and `hi`, in either order.
+    /// A ball that contains the reals between `lo` and `hi`, in either order. Without numbers below 0 if both
+    /// are at least 0, and without numbers above it if both are at most 0.
+    ///
+    /// ```
+    /// use grazing_number::{Ball, Elementary, Precision, parse_rational};
+    /// let (zero, one, bits) = (parse_rational("0")?, parse_rational("1")?, Precision::new(64));
+    /// let root = Ball::between(&zero, &one, &bits).sqrt();
+    /// assert_eq!(root.exact_bounds(), Some((zero, one)));
+    /// # Ok::<(), grazing_number::ParseError>(())
+    /// ```
     pub fn between(lo: &BigRational, hi: &BigRational, context: &Precision) -> Ball {
         let two = BigInt::from(2);
         let centre = Ball::ratio(&((lo + hi) / &two), context);
         let reach = Ball::ratio(&((hi - lo) / two), context);
-        Ball { radius: centre.radius + Radius::of(&reach.mid, reach.exp.wide()) + reach.radius, ..centre }
+        let radius = centre.radius + Radius::of(&reach.mid, reach.exp.wide()) + reach.radius;
+        let ball = Ball { radius, ..centre };
+        match (lo.is_negative() || hi.is_negative(), lo.is_positive() || hi.is_positive()) {
+            (false, _) => ball.without_negatives(),
+            (true, false) => -(-ball).without_negatives(),
+            _ => ball,
+        }
     }
 
     /// An e with 2^(e−1) ≤ |x| for every enclosed x, the greatest that the bounds show; `None` if zero is
@@ -394,6 +444,13 @@ impl Ball {
         Radius::of(&self.mid, self.exp.wide()) + self.radius
     }
 
+    /// 2^k times the ball.
+    pub(super) fn scaled(&self, k: i128) -> Ball {
+        let (m, e) = self.radius.parts();
+        let radius = if self.radius.is_infinite() { self.radius } else { Radius::new(m, e + k) };
+        Ball::new(self.mid.clone(), self.exp.wide() + k, radius, self.bits)
+    }
+
     /// The same ball with its radius enlarged.
     pub(super) fn widened(self, by: Radius) -> Ball {
         Ball { radius: self.radius + by, ..self }
@@ -402,13 +459,5 @@ impl Ball {
     /// The same ball with at most `bits` bits in its midpoint.
     pub(super) fn cut(self, bits: u32) -> Ball {
         Ball::new(self.mid, self.exp.wide(), self.radius, bits)
-    }
-
-    /// A ball that contains both.
-    pub(super) fn hull(self, other: &Ball) -> Ball {
-        let half = Ball::new(BigInt::one(), -1, Radius::ZERO, self.bits);
-        let reach = (other.centre() - &self.centre()) * &half;
-        let middle = (self.centre() + &other.centre()) * &half;
-        middle.widened(reach.greatest_magnitude() + self.radius + other.radius)
     }
 }

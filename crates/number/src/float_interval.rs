@@ -44,12 +44,22 @@ impl FloatInterval {
     const ZERO: FloatInterval = FloatInterval { lo: 0.0, hi: 0.0 };
 
     /// The interval from `lo` to `hi`; the whole line if that is empty or not a number.
+    ///
+    /// ```
+    /// use grazing_number::{FloatInterval, parse_rational};
+    /// let x = FloatInterval::from_bounds(0.5, f64::INFINITY);
+    /// assert_eq!((x.lo(), x.hi(), x.exact_bounds()), (0.5, f64::INFINITY, None));
+    /// assert!(x.contains(&parse_rational("1/2")?) && !x.contains(&parse_rational("1/3")?));
+    /// assert_eq!(FloatInterval::from_bounds(2.0, 1.0), FloatInterval::WHOLE);
+    /// # Ok::<(), grazing_number::ParseError>(())
+    /// ```
     #[inline]
     pub fn from_bounds(lo: f64, hi: f64) -> FloatInterval {
         if lo <= hi { FloatInterval { lo, hi } } else { FloatInterval::WHOLE }
     }
 
-    /// The lower end: no enclosed number is below it.
+    /// The lower end: no enclosed number is below it. An example of this and what follows is at
+    /// [`from_bounds`](FloatInterval::from_bounds).
     #[inline]
     pub fn lo(&self) -> f64 {
         self.lo

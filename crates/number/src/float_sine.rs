@@ -81,7 +81,7 @@ pub(super) fn enclose(m: u64, error: u64, e: i64) -> FloatInterval {
     FloatInterval::from_bounds(float(lo, e, false), hi)
 }
 
-/// m·2^e rounded down or up to a float, for m > 0; below the normal range, to 0 or the least normal float.
+/// m·2^e rounded down or up to a float, for m > 0.
 fn float(m: u64, e: i64, up: bool) -> f64 {
     let zeros = m.leading_zeros();
     let m = m << zeros;
@@ -91,12 +91,10 @@ fn float(m: u64, e: i64, up: bool) -> f64 {
     // from that of the largest floats (2⁵²·2⁹⁷¹ = 2¹⁰²³) to that of infinity.
     match exponent + 1074 {
         biased @ 0..=2045 => f64::from_bits(top + ((biased as u64) << 52)),
+        // Below the normal range a float's bits count units of 2⁻¹⁰⁷⁴.
         biased if biased < 0 => {
-            if up {
-                f64::MIN_POSITIVE
-            } else {
-                0.0
-            }
+            let cut = biased.unsigned_abs().min(63);
+            f64::from_bits((top >> cut) + u64::from(up && (top >> cut) << cut != top))
         }
         _ if up => f64::INFINITY,
         _ => f64::MAX,

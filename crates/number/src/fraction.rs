@@ -22,6 +22,7 @@ use super::{Real, Sign};
 /// let x = BoundedFraction::ratio(&parse_rational("2/3")?, &100);
 /// assert_eq!(x.power(5).reduced(), Some(parse_rational("32/243")?));
 /// assert!(x.power(1_000_000_000).is_too_large());
+/// assert_eq!(x.reciprocal().reduced(), Some(parse_rational("3/2")?));
 /// # Ok::<(), grazing_number::ParseError>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -39,7 +40,8 @@ impl BoundedFraction {
         BoundedFraction { value: fits.then_some((numerator, denominator)), limit }
     }
 
-    /// The same number in lowest terms; `None` if it is too large. Cost: O(b²) bit operations for b bits.
+    /// The same number in lowest terms; `None` if it is too large. Cost: O(b²) bit operations for b bits. An
+    /// example of this and what follows is at the [type](BoundedFraction).
     pub fn reduced(self) -> Option<BigRational> {
         self.value.map(|(numerator, denominator)| BigRational::new(numerator, denominator))
     }

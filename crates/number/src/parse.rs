@@ -48,6 +48,11 @@ pub fn parse_rational(text: &str) -> Result<BigRational> {
 ///
 /// # Errors
 /// As [`parse_rational`].
+///
+/// ```
+/// use grazing_number::parse_rational_within;
+/// assert!(parse_rational_within("2^99", 100).is_ok() && parse_rational_within("2^100", 100).is_err());
+/// ```
 pub fn parse_rational_within(text: &str, bits: u32) -> Result<BigRational> {
     read(Reader { text, rest: text.trim(), bits, whole: false })
 }
@@ -68,6 +73,13 @@ fn read(mut reader: Reader<'_>) -> Result<BigRational> {
 ///
 /// # Errors
 /// As [`parse_rational`]; also if the value is not whole or does not fit the type.
+///
+/// ```
+/// use grazing_number::parse_integer;
+/// assert_eq!(parse_integer::<u64>("2^64 - 1")?, u64::MAX);
+/// assert!(parse_integer::<u64>("1/2").is_err() && parse_integer::<u8>("256").is_err());
+/// # Ok::<(), grazing_number::ParseError>(())
+/// ```
 pub fn parse_integer<T: TryFrom<BigInt>>(text: &str) -> Result<T> {
     let reader = Reader { text, rest: text.trim(), bits: LIMIT_BITS, whole: true };
     let value = read(reader)?;
@@ -232,7 +244,7 @@ impl<'a> Reader<'a> {
 }
 
 /// A text short enough for an error line.
-fn abbreviate(text: &str) -> String {
+pub(super) fn abbreviate(text: &str) -> String {
     let text = text.trim();
     if text.chars().count() <= 60 {
         return text.to_string();

@@ -49,7 +49,8 @@ impl Radius {
         }
     }
 
-    /// At least |x|·2^e, and at most 1 + 2⁻³⁰ times that (or the least bound, or infinite).
+    /// At least |x|·2^e, and at most 1 + 2⁻³⁰ times that (or the least bound, or infinite); that itself where
+    /// |x| has 32 bits between its first and its last.
     pub fn of(x: &BigInt, e: i128) -> Radius {
         let mut digits = x.magnitude().iter_u64_digits().rev();
         let Some(top) = digits.next() else { return Radius::ZERO };
@@ -57,7 +58,8 @@ impl Radius {
         let next = digits.next().unwrap_or(0);
         let zeros = i128::from(top.leading_zeros());
         let lead = if zeros == 0 { top } else { (top << zeros) | (next >> (64 - zeros)) };
-        Radius::new((lead >> 32) + 1, e + lower - zeros + 32)
+        let cut = x.trailing_zeros().is_some_and(|zeros| zeros + 32 < x.bits());
+        Radius::new((lead >> 32) + u64::from(cut), e + lower - zeros + 32)
     }
 
     pub fn is_zero(self) -> bool {

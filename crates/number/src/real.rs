@@ -11,6 +11,13 @@ use num_rational::BigRational;
 use super::{Angle, Sign};
 
 /// A number that the field operations apply to; an enclosure's result contains every possible true result.
+///
+/// ```
+/// use grazing_number::{FloatInterval, Real, Sign, parse_rational};
+/// let x = FloatInterval::ratio(&parse_rational("1/3")?, &()) - &FloatInterval::integer(1, &());
+/// assert_eq!(x.sign(), Some(Sign::Negative));
+/// # Ok::<(), grazing_number::ParseError>(())
+/// ```
 pub trait Real:
     Clone
     + Neg<Output = Self>
@@ -51,6 +58,16 @@ pub trait Real:
 }
 
 /// A rung with sines and cosines of exact rational multiples of π.
+///
+/// ```
+/// use grazing_number::{Angle, Ball, Circular, Precision, Real, parse_rational};
+/// let (angle, bits) = (Angle::new(&parse_rational("1/5")?), Precision::new(64));
+/// assert_eq!(format!("{:.9}", Ball::sin(&angle, &bits)), "[0.587785252 +/- 1e-9]");
+/// assert_eq!(format!("{:.9}", Ball::cos(&angle, &bits)), "[0.809016994 +/- 1e-9]");
+/// assert_eq!(format!("{:.9}", Ball::sines(&angle, 3, &bits)[3]), "[0.951056516 +/- 1e-9]");
+/// assert_eq!(format!("{:.9}", Ball::cosines(&angle, 3, &bits)[3]), "[-0.309016994 +/- 1e-9]");
+/// # Ok::<(), grazing_number::ParseError>(())
+/// ```
 pub trait Circular: Real {
     /// Whether a sign that it tells is certain. Where it is not, the form that loses least is to be taken.
     const CERTAIN: bool = true;

@@ -23,12 +23,19 @@ pub enum Sign {
 
 impl Sign {
     /// The sign of an exact fraction.
+    ///
+    /// ```
+    /// use grazing_number::{Sign, parse_rational};
+    /// let sign = Sign::of(&parse_rational("1/3 - 0.3334")?);
+    /// assert_eq!((sign, sign.negated_if(true)), (Sign::Negative, Sign::Positive));
+    /// # Ok::<(), grazing_number::ParseError>(())
+    /// ```
     #[inline]
     pub fn of(value: &BigRational) -> Sign {
         value.numer().into()
     }
 
-    /// This sign, turned round if `odd`: the sign of (−1)^odd · x.
+    /// This sign, turned round if `odd`: the sign of (−1)^odd · x. An example is at [`of`](Sign::of).
     #[must_use]
     #[inline]
     pub fn negated_if(self, odd: bool) -> Sign {

@@ -96,7 +96,7 @@ proptest! {
         let (x, y) = (fraction(p, q, e), fraction(u, v, f));
         let (a, b) = (FloatInterval::ratio(&x, &()), FloatInterval::ratio(&y, &()));
         let power = |e: i32| fraction(1, 1, e);
-        // Below 2⁻¹⁰²² and above 2¹⁰²⁴ no width is promised.
+        // Below 2⁻¹⁰²² two neighbouring floats are left, above 2¹⁰²⁴ no width is promised.
         for (found, exact) in [(a, &x), (b, &y)] {
             prop_assert!(found.contains(exact), "{exact} is outside {found:?}");
             if exact.abs() >= power(-1022) && exact.abs() < power(1024) - power(971) {
@@ -151,8 +151,14 @@ fn the_largest_floats_enclose_as_tightly_as_others() {
     }
     let beyond = FloatInterval::ratio(&parse_rational("2^1024").unwrap(), &());
     assert_eq!((beyond.lo(), beyond.hi()), (f64::MAX, f64::INFINITY));
-    let below = FloatInterval::ratio(&parse_rational("1e-310").unwrap(), &());
-    assert_eq!((below.lo(), below.hi()), (0.0, f64::MIN_POSITIVE));
+    // Below the normal floats there are fewer, and they enclose as tightly.
+    for text in ["1e-310", "3e-320", "5e-324", "1e-330"] {
+        let x = parse_rational(text).unwrap();
+        let below = FloatInterval::ratio(&x, &());
+        assert!(below.contains(&x) && below.hi() == below.lo().next_up(), "{text}: {below:?}");
+    }
+    let least = FloatInterval::ratio(&parse_rational("2^-1074").unwrap(), &());
+    assert_eq!((least.lo(), least.hi()), (5e-324, 5e-324));
 }
 
 #[test]

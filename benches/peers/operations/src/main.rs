@@ -10,7 +10,9 @@
 use std::{hint::black_box, time::Instant};
 
 use grazing_number::num_rational::BigRational;
-use grazing_number::{Angle, Ball, Circular, Elementary, FloatInterval, Precision, Real, parse_rational};
+use grazing_number::{
+    Angle, Ball, Circular, Elementary, FloatInterval, Precision, Real, Transcendental, parse_rational,
+};
 use inari::{Interval, interval};
 use malachite_base::rounding_modes::RoundingMode::{Ceiling, Floor};
 use malachite_float::Float;
@@ -48,6 +50,14 @@ fn floats() {
     put("quotient", time(|| black_box(a) / black_box(&b)), a / &b);
     put("sinpi", time(|| FloatInterval::sin(black_box(&angle), &())), FloatInterval::sin(&angle, &()));
 
+    put("exp", time(|| black_box(a).exp(&())), a.exp(&()));
+    put("log", time(|| black_box(a).log(&())), a.log(&()));
+    put("sin", time(|| black_box(a).sin_cos(&()).0), a.sin_cos(&()).0);
+    put("tan", time(|| black_box(a).tan(&())), a.tan(&()));
+    put("atan", time(|| black_box(a).atan(&())), a.atan(&()));
+    put("sinh", time(|| black_box(a).sinh(&())), a.sinh(&()));
+    put("pow", time(|| black_box(b).pow(&a, &())), b.pow(&a, &()));
+
     let [c, d] = [a, b].map(|x| interval!(x.lo(), x.hi()).unwrap());
     let put = |operation: &str, ns, value: Interval| {
         line("inari", operation, 53, ns, [value.inf(), value.sup()].map(|end| format!("{end:e}")));
@@ -73,6 +83,12 @@ fn balls() {
         put("quotient", time(|| black_box(&a).clone() / black_box(&b)), a.clone() / &b);
         put("sinpi", time(|| Ball::sin(black_box(&angle), &context)), Ball::sin(&angle, &context));
         put("exp", time(|| black_box(&a).exp(&context)), a.exp(&context));
+        put("log", time(|| black_box(&a).log(&context)), a.log(&context));
+        put("sin", time(|| black_box(&a).sin_cos(&context).0), a.sin_cos(&context).0);
+        put("tan", time(|| black_box(&a).tan(&context)), a.tan(&context));
+        put("atan", time(|| black_box(&a).atan(&context)), a.atan(&context));
+        put("sinh", time(|| black_box(&a).sinh(&context)), a.sinh(&context));
+        put("pow", time(|| black_box(&b).pow(&a, &context)), b.pow(&a, &context));
     }
 }
 

@@ -11,7 +11,8 @@ import re
 import sys
 
 NAMES = {"neg": 1, "add": 2, "sub": 2, "mul": 2, "div": 2, "intersection": 2, "sqrt": 1, "exp": 1, "sin": 1, "cos": 1,
-         "sqr": 1}
+         "sqr": 1, "log": 1, "pow": 2, "tan": 1, "atan": 1, "sinh": 1, "cosh": 1, "abs": 1, "min": 2, "max": 2,
+         "convex_hull": 2}
 INTERVAL = r"(?:n2i\(([^(),]+),([^(),]+),?\)|(I::ENTIRE)|(I::EMPTY))"
 
 

@@ -106,7 +106,11 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         PrintFormat::Text => rows.iter().try_for_each(|row| Ok(writeln!(out, "{}", row.text())?)),
         PrintFormat::Json => {
             let values: Vec<_> = rows.iter().map(Row::json).collect();
-            Ok(writeln!(out, "{}", json!({ "format": "grazing-evaluate 1", "n": n, "values": values }))?)
+            Ok(writeln!(
+                out,
+                "{}",
+                json!({ "format": "grazing-evaluate 2", "n": n.to_string(), "values": values })
+            )?)
         }
         PrintFormat::Latex => print(&rows, args, out),
     });
@@ -145,7 +149,7 @@ fn print(rows: &[Row], args: &Args, out: &mut dyn Write) -> Result<()> {
     );
     let caption = Caption { text, label: format!("tab:evaluate-{}", args.n()) };
     let setting = Setting { caption: Some(&caption), width: None };
-    let mut table = TableWriter::set(out, TableFormat::Latex, "grazing-evaluate 1", columns, setting)?;
+    let mut table = TableWriter::set(out, TableFormat::Latex, "grazing-evaluate 2", columns, setting)?;
     for row in rows {
         let SignDecision { answer, rung, .. } = row.decision;
         let (name, sign, rung) = (row.quantity.to_string(), answer.to_string(), rung.to_string());

@@ -62,10 +62,10 @@ impl Commands for Theory {
             Theory::Word(args) => (args.format == word::Format::Json).then_some(args.json_name()),
             Theory::Decay(args) => report(args.format, "grazing-decay 1"),
             Theory::Existence(args) => table(args.format, "grazing-existence 1"),
-            Theory::Fuzz(args) => report(args.format, "grazing-fuzz 2"),
+            Theory::Fuzz(args) => report(args.format, "grazing-fuzz 3"),
             Theory::Farey(args) => report(args.format, "grazing-farey 1"),
             Theory::Boundary(args) => table(args.format, "grazing-boundary 1"),
-            Theory::Evaluate(args) => report(args.format.report(), "grazing-evaluate 1"),
+            Theory::Evaluate(args) => report(args.format.report(), "grazing-evaluate 2"),
             Theory::Sequence(_) | Theory::Formula(_) => None,
         }
     }

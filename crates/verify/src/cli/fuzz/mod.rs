@@ -303,7 +303,7 @@ fn tell<C: Told>(
         ReportFormat::Text => text(out, args, options, tally, outcome),
         ReportFormat::Json => {
             let mut report = json!({
-                "format": "grazing-fuzz 2",
+                "format": "grazing-fuzz 3",
                 "verdict": match outcome {
                     Outcome::Done => "no disagreement",
                     other => other.word(),
@@ -312,6 +312,8 @@ fn tell<C: Told>(
                 "block": options.block(),
                 "tally": tally,
             });
+            // It may exceed 2⁵³.
+            report["options"]["seed"] = args.seed.to_string().into();
             for (key, value) in options.more() {
                 report[key] = value;
             }
