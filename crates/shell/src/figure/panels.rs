@@ -4,8 +4,9 @@
 use std::{collections::HashMap, io::Write, path::Path};
 
 use super::{
-    canvas::{Anchor, At, COLUMN, Canvas, Colour, TYPE, Words, line},
+    canvas::{Anchor, At, COLUMN, Canvas, Colour, Words, line},
     frame::PlotFrame,
+    labels::{Labels, TextAt},
 };
 use crate::{
     error::{Error, Result},
@@ -203,14 +204,18 @@ pub fn cross(canvas: &mut Canvas, (x, y): At, ink: Colour) {
     );
 }
 
-/// A small text beside a place, half the size of type away from it.
-pub fn label(canvas: &mut Canvas, text: &str, (x, y): At, anchor: Anchor) {
-    let away = match anchor {
-        Anchor::Start => 0.5 * TYPE,
-        Anchor::Middle => 0.0,
-        Anchor::End => -0.5 * TYPE,
-    };
-    canvas.sized(Words::plain(text), (x + away, y), anchor, SMALL);
+/// Small texts beside points of a panel, where they cover no line and no mark, as far as there is room.
+pub fn labels(
+    canvas: &mut Canvas,
+    frame: &PlotFrame,
+    mut paths: Vec<Vec<At>>,
+    marks: &[At],
+    wanted: Vec<TextAt>,
+) {
+    paths.extend(marks.iter().map(|&(x, y)| vec![(x - 2.0, y - 1.0), (x + 2.0, y + 1.0)]));
+    let mut labels = Labels::new(&paths, frame.inside());
+    labels.wanted = wanted;
+    labels.draw(canvas);
 }
 
 #[cfg(test)]

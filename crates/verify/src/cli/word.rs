@@ -59,7 +59,7 @@ pub struct Args {
     /// Longest word, at most 2000.
     #[arg(long, value_name = "L", default_value_t = 200, value_parser = parse_integer::<usize>)]
     letters: usize,
-    /// Write a certificate for `grazing check`.
+    /// Write a certificate.
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
     /// What that of --shares is of: "chaos +", "period + 3", "word + 5 1D 2U 3U".
@@ -88,7 +88,7 @@ pub struct Args {
     /// Rest the certificate on the word theorem: all periods.
     #[arg(long, requires = "certificate", conflicts_with = "shares")]
     by_theorem: bool,
-    /// How the result is written.
+    /// Form of the result.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
     /// Write to a file.
