@@ -158,7 +158,8 @@ fn panel(canvas: &mut Canvas, rows: &[&PanelRow], family: &str, (left, top): At,
     let digits = |row: &PanelRow| row.number("digits");
     let found = || all.iter().filter_map(digits);
     let least = found().fold(1e4, f64::min);
-    let most = found().fold(10.0, f64::max).log10() + 0.12;
+    // With room for a time behind the last point.
+    let most = found().fold(10.0, f64::max).log10() + 0.9;
     let mut marks: Vec<(f64, Words)> = vec![];
     let from = if least < 1.0 {
         marks.push((NONE, "< 1".into()));
@@ -223,7 +224,7 @@ fn panel(canvas: &mut Canvas, rows: &[&PanelRow], family: &str, (left, top): At,
     let last = |index: usize| rows.iter().rfind(|row| style(row.text("method")) == index);
     let at = |row: &PanelRow| frame.at((x(row), row.times()[0]));
     texts.extend([4, 3, 1].into_iter().filter_map(last).map(|row| (at(row), short(row.times()[0]))));
-    labels(canvas, &frame, lines, &marks, texts);
+    labels(canvas, &frame, &lines, &marks, texts);
     frame.draw(canvas);
 }
 

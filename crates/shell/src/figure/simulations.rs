@@ -149,7 +149,7 @@ fn panel(canvas: &mut Canvas, rows: &[&PanelRow], motion: &str, (left, top): At,
             texts.push((at(row), short(row.times()[0])));
         }
     }
-    labels(canvas, &frame, lines, &marks, texts);
+    labels(canvas, &frame, &lines, &marks, texts);
     frame.draw(canvas);
 }
 
