@@ -204,8 +204,8 @@ pub fn cross(canvas: &mut Canvas, (x, y): At, ink: Colour) {
     );
 }
 
-/// Small texts beside marks of a panel: in the nearest place that covers no line, no mark and no other text, and
-/// that no other mark is nearer to by half a point; where there is none, right of the mark.
+/// Small texts beside marks of a panel: in the nearest place that covers no line, no mark and no other text,
+/// and that no other mark is nearer to by half a point; where there is none, right of the mark.
 pub fn labels(canvas: &mut Canvas, frame: &PlotFrame, paths: &[Vec<At>], marks: &[At], wanted: Vec<TextAt>) {
     const SIDES: [At; 8] = [
         (1.0, 0.0),
