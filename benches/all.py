@@ -1,4 +1,4 @@
-"""Makes the table of docs/benchmarks.md of what benches/all.sh measured.
+"""Makes the table of docs/benchmarks.md, and docs/benchmarks.csv with all rows, of what benches/all.sh measured.
 
 Usage: all.py FOLDER CRITERION [-] PAGE: the folder of the steps' outputs, criterion's, and the page whose table is replaced; with `-` the
 table is printed and the page is left alone. A step that failed, or whose tools are missing, has a row that says so.
@@ -185,6 +185,27 @@ def peers():
                 command="cargo bench -p grazing-scenes --bench machines")
 
 
+def shown(cells):
+    """Whether a row stands on the page: all do in the CSV, of our own benches and of lengths beside others only there."""
+    return not cells[4].startswith("`cargo bench") and not re.search("balls, (53|4096)|b, per k, (128|1024)|term of .*Walk", cells[0])
+
+
+def table(rows):
+    """The rows on the page, below the command that measured them; of effects the ratio to the first of their table."""
+    lines, last = ["| what | here | beside | ratio |", "| --- | ---: | --- | ---: |"], ""
+    for cells in filter(shown, rows):
+        what, here, beside, ratio, command = cells
+        if command.startswith("`grazing -q") or "accuracy" not in command and "peers" not in command:
+            what = f"{what}: {command}"
+        elif command != last:
+            lines.append(f"| **{command}** | | | |")
+            last = command
+        what = re.sub(r": a period, ([\d.]+) impacts", "", what)
+        beside = "" if beside in ("bare", "machine, bare") else beside
+        lines.append("| " + " | ".join((what, here.split(", ")[0], beside, ratio)) + " |")
+    return [line.replace("  |", " |") for line in lines]
+
+
 def coq():
     if text := step("coq", "sh proofs/coq/build.sh"):
         what, clock, user, system, command = text.strip().split("|")
@@ -197,11 +218,13 @@ version = subprocess.run(["rustc", "--version"], capture_output=True, text=True)
 begun = (folder / "load").read_text().strip()
 lines = [
     f"{datetime.date.today().isoformat()}; {machine()}; Rust {version}; load {begun} at the beginning and {load()} at the end.", "",
-    "| what | here | beside | ratio | command |", "| --- | ---: | --- | ---: | --- |",
-] + ["| " + " | ".join(cells) + " |" for cells in rows]
+]
+lines += table(rows)
 if "-" in sys.argv:
     print("\n".join(lines))
 else:
+    with open(Path(page).with_suffix(".csv"), "w") as file:
+        csv.writer(file, lineterminator="\n").writerows([("what", "here", "beside", "ratio", "command"), *rows])
     text = Path(page).read_text()
     before, rest = text.split(BEGIN)
     Path(page).write_text(f"{before}{BEGIN}\n\n" + "\n".join(lines) + f"\n\n{END}{rest.split(END)[1]}")

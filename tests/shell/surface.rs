@@ -390,6 +390,21 @@ fn help_fits_a_terminal() {
     }
 }
 
+/// The list of commands, by question, has each command once; the help of `word` is at most 300 words.
+#[test]
+fn help_is_by_question_and_short() {
+    let (code, help, _) = run("--help", root());
+    assert_eq!(code, 0);
+    let listed = help.lines().filter_map(|line| line.strip_prefix("  ")?.split(' ').next());
+    let mut listed: Vec<&str> = listed.filter(|word| COMMANDS.contains(word)).collect();
+    listed.sort_unstable();
+    let mut all = COMMANDS.to_vec();
+    all.sort_unstable();
+    assert_eq!(listed, all);
+    let (_, help, _) = run("word --help", root());
+    assert!(help.split_whitespace().count() <= 300, "{}", help.split_whitespace().count());
+}
+
 /// Completions name every command, and the manual has a page for each.
 #[test]
 fn completions_and_manual_know_every_command() {

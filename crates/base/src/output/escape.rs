@@ -45,7 +45,7 @@ pub fn is_decimal(text: &str) -> bool {
 }
 
 /// Decimal numbers with commas between, real or complex, in maths mode, where lines may break after every
-/// ten digits; any other text as [`latex`] writes it. No digit is changed.
+/// ten digits of a number of more than 24; any other text as [`latex`] writes it. No digit is changed.
 pub fn latex_numbers(text: &str) -> String {
     let each: Option<Vec<String>> = text.split(", ").map(number).collect();
     each.map_or_else(|| latex(text), |all| format!("${}$", all.join(",\\allowbreak\\ ")))
@@ -65,7 +65,7 @@ fn number(text: &str) -> Option<String> {
     let mut all = String::new();
     let whole = digits.find('.').unwrap_or(digits.len());
     for (at, c) in digits.char_indices() {
-        if at > whole + 1 && (at - whole - 1).is_multiple_of(10) {
+        if digits.len() > 26 && at > whole + 1 && (at - whole - 1).is_multiple_of(10) {
             all.push_str("\\allowbreak ");
         }
         all.push(c);

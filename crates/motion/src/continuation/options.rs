@@ -10,27 +10,24 @@ use crate::error::{Error, Result};
 macro_rules! with_options {
     ($use:ident) => {
         $use! {
-            /// How a branch is followed. Lengths are those of the curve in its unknowns: impact times in
-            /// radians of the forcing period, speeds in units of the motion's size, each parameter as a
-            /// fraction of its range.
+            /// How a branch is followed. Lengths are those of the curve: impact times in radians, speeds in
+            /// units of the motion's size, parameters as fractions of their range.
             pub struct Options {
-                /// the length of the first step
+                /// length of the first step
                 step: f64 = 0.01,
-                /// no step is shorter (length); where one would have to be, the branch is lost
+                /// where a shorter one is needed, the branch is lost
                 least_step: f64 = 1e-7,
-                /// no step is longer (length); where two events of a kind may lie within a step it is
-                /// shortened, to a sixteenth of this
+                /// longest; a sixteenth where two events of a kind may lie in a step
                 most_step: f64 = 0.1,
-                /// the largest angle, in radians, between the tangents of neighbouring points
+                /// largest angle between neighbouring tangents, radians
                 turn: f64 = 0.2,
-                /// most points in one direction, events not counted
+                /// most in one direction, without events
                 points: u32 = 2000,
-                /// a Newton step no longer than this (length) is the last one
+                /// a Newton step this short is the last
                 tolerance: f64 = 1e-11,
-                /// most Newton steps for a point; a step of the branch that needs more is halved
+                /// most Newton steps; a step that needs more is halved
                 newton: u32 = 8,
-                /// whether to go on where solutions are no orbits: an impact that goes out, a forbidden
-                /// excursion
+                /// go on where solutions are no orbits: an impact goes out, a forbidden excursion
                 beyond: bool = false,
             }
         }

@@ -17,16 +17,15 @@ use crate::{
 grazing_motion::with_options!(read_into);
 
 keys! {
-    /// Where a branch starts: at an orbit, at the periodic attractor that a motion leads to, or at a label of
-    /// a branch written before.
+    /// Where a branch starts; one of `orbit`, `attractor`, `restart`.
     pub struct BranchStart {
-        /// the parameter's value at the start; the scene's if absent
+        /// the parameter there; the scene's if absent
         at: Option<BigRational>,
-        /// orbits of a pattern: each starts a branch, unless it lies on one already followed
+        /// each orbit starts a branch, unless it lies on one already
         orbit: Option<OrbitKeys>,
         /// a state whose motion leads to a periodic attractor
         attractor: Option<Start>,
-        /// a labelled point of a branch
+        /// a label of a branch written before
         restart: Option<Restart>,
     }
 }
@@ -61,11 +60,11 @@ impl BranchStart {
 keys! {
     /// A labelled point of a branch that was written before.
     pub struct Restart {
-        /// the branch's JSON file, in the folder that this task writes into
+        /// its JSON file, in this task's folder
         file: String,
-        /// the label, such as "flip 1"
+        /// such as "flip 1"
         label: String,
-        /// whether to change to the branch that is born there (flip) or crosses
+        /// change to the branch born there (flip), or crossing
         switch: bool = "false",
     }
 }
@@ -83,32 +82,28 @@ words! {
 }
 
 keys! {
-    /// Follows branches of periodic orbits over a parameter by pseudo-arclength continuation, through
-    /// saddle-nodes, and labels what happens: saddle-node, crossing, flip, neimark-sacker, grazing (a minimum
-    /// of the gap is zero), fade (an impact's speed is zero); with dry friction crossing-sliding,
-    /// grazing-sliding, switching-sliding, adding-sliding, friction-change.
+    /// Follows periodic orbits over a parameter by pseudo-arclength, through saddle-nodes, and
+    /// [labels](branches.md) what happens.
     pub struct BranchTask {
-        /// the parameter that varies
+        /// what varies
         parameter: String,
         /// its bounds
         range: Vec<f64>,
         /// where branches start
         starts: Vec<BranchStart>,
-        /// which way they are followed
+        /// which way
         direction: Way = "\"both\"",
-        /// a second parameter: what happens at the label of a restart is followed in both
+        /// a second parameter: the event at a restart's label is followed in both
         second: Option<String>,
-        /// the bounds of the second
+        /// its bounds
         second_range: Vec<f64> = "[]",
-        /// how they are followed
+        /// how branches are followed
         options: Options = "{}",
-        /// whether to prove the orbits, piece by piece between saddle-nodes, as a task `validate` over a
-        /// range does, with a certificate for each piece; over one parameter, where the engine is `one`
+        /// prove each piece between saddle-nodes, with certificates; one parameter, engine `one`
         prove: bool = "false",
-        /// when the picture's displacement, where the engine is `many` the gap to a stop, is taken, as a
-        /// fraction of the forcing period
+        /// when the picture's displacement (of `many`, gap) is taken, a fraction of the period
         phase: BigRational = "0",
-        /// the frame in which it is measured
+        /// where it is measured
         frame: Frame = "\"fixed\"",
     }
 }
@@ -126,105 +121,99 @@ words! {
 }
 
 keys! {
-    /// Draws what motions tend to over a parameter (a bifurcation diagram), from several starts at each
-    /// value, in parallel. Every motion begins at one of these starts, unless the parameter is swept. Lists
-    /// windows of periodic motion and values where attractors coexist; of a sweep, jumps and hysteresis. An
-    /// interrupted task resumes from its checkpoint.
+    /// Draws what motions tend to over a parameter (a bifurcation diagram), from starts at each value or
+    /// swept: windows, coexistence, jumps, hysteresis.
     pub struct DiagramTask {
-        /// the parameter that varies
+        /// what varies
         parameter: String,
         /// its bounds
         range: Vec<BigRational>,
-        /// how many values, evenly spaced, both bounds among them
+        /// values, both bounds among them
         count: u32 = "400",
-        /// where motions start, at every value; of a sweep, where the only one starts, at the first value
+        /// at every value; of a sweep the one at the first
         starts: Vec<Start>,
-        /// which way the parameter is swept: each motion goes on from what was settled on at the value before
+        /// go on from what was settled on at the value before
         sweep: Option<SweepWay>,
-        /// whether to prove of each periodic attractor at each value that it is a stable orbit, with a
-        /// certificate for each, as a task `validate` does; without a sweep motions are followed twice
+        /// prove each periodic attractor at each value, with certificates; without a sweep twice the motions
         prove: bool = "false",
         /// when to look, as a fraction of the forcing period
         phase: BigRational = "0",
-        /// the frame in which the displacement is measured
+        /// where the displacement is measured
         frame: Frame = "\"fixed\"",
-        /// what of a state is kept, the first drawn: `q2` and `u2` are displacement and velocity of a
-        /// coordinate, where the engine is `many` `gap NAME` and `rate NAME` the gap of a stop and how fast
-        /// it opens; without it `q1` and `u1`
+        /// what is kept, the first drawn: `q2` and `u2` of a coordinate; of `many` also `gap NAME`, `rate
+        /// NAME`; without it `q1`, `u1`
         plane: Vec<String> = "[]",
-        /// how many periods pass first, unrecorded
+        /// periods that pass first, unrecorded
         transient: u64 = "1000",
-        /// how many periods are looked at
+        /// periods that are looked at
         points: u32 = "400",
-        /// the longest period that counts as periodic, in forcing periods
+        /// longest period that counts as periodic
         longest: u32 = "64",
-        /// draw one point per this many periods, which shows one component of an attractor that has that many
+        /// one point per this many periods: one component of an attractor
         every: u32 = "1",
-        /// branches to draw with it
+        /// to draw with it
         branches: Vec<BranchStart> = "[]",
-        /// how these branches are followed
+        /// how branches are followed
         options: Options = "{}",
-        /// whether to continue from the checkpoint that an interrupted run left in the folder
+        /// whether to continue from an interrupted run's checkpoint
         resume: bool = "true",
     }
 }
 
 keys! {
-    /// Draws over two parameters what one motion tends to: period, impacts and largest Lyapunov exponent at
-    /// every point of a grid, many motions at once. An interrupted task resumes from its checkpoint.
+    /// Draws over two parameters what one motion tends to: period, impacts, largest Lyapunov exponent.
     pub struct MapTask {
-        /// the parameter that varies along the picture
+        /// along the picture
         parameter: String,
         /// its bounds
         range: Vec<BigRational>,
-        /// how many values, evenly spaced, both bounds among them
+        /// values, both bounds among them
         count: u32 = "200",
-        /// the parameter that varies upwards
+        /// upwards
         second: String,
         /// its bounds
         second_range: Vec<BigRational>,
-        /// how many values of it
+        /// values of it
         second_count: u32 = "200",
-        /// where the motion starts, at every point
+        /// at every point
         start: Start,
         /// when to look, as a fraction of the forcing period
         phase: BigRational = "0",
-        /// how many periods pass first, unrecorded
+        /// periods that pass first, unrecorded
         transient: u64 = "1000",
-        /// how many periods are looked at, at least three times `longest`; the exponent is taken over them
+        /// periods looked at, at least three times `longest`, and of the exponent
         points: u32 = "200",
-        /// the longest period that counts as periodic, in forcing periods
+        /// longest period that counts as periodic
         longest: u32 = "64",
-        /// whether to continue from the checkpoint that an interrupted run left in the folder
+        /// whether to continue from an interrupted run's checkpoint
         resume: bool = "true",
     }
 }
 
 keys! {
-    /// Locates the end of an attractor. An unstable orbit's unstable manifold has a corner where it first
-    /// comes to graze; the end is the parameter at which an image of this corner falls on the stable
-    /// manifold. Also simulates on both sides of it.
+    /// Locates the end of an attractor: where an image of the corner of an unstable orbit's unstable manifold
+    /// falls on its stable manifold. Simulates on both sides.
     pub struct CrisisTask {
-        /// the parameter that varies
+        /// what varies
         parameter: String,
         /// a value on each side
         bracket: Vec<f64>,
-        /// the unstable orbit, by its pattern: the saddle among the orbits found in the middle of the bracket
+        /// the pattern: the saddle among its orbits mid-bracket
         orbit: OrbitKeys,
-        /// when the section is taken, as a fraction of the forcing period: not near an impact of the orbit
+        /// of the section, a fraction of the period, away from impacts
         phase: BigRational,
         /// which image of the corner, in periods of the orbit
         images: u32 = "2",
-        /// how far from the orbit its unstable manifold is entered; the answers for each must agree. If
-        /// empty, 5e-5, 5e-6 and 5e-7 of the size of the motion
+        /// entries to the unstable manifold, whose answers must agree; without it 5e-5, 5e-6, 5e-7 of the
+        /// motion's size
         offsets: Vec<f64> = "[]",
-        /// where simulated motions start
+        /// of simulated motions
         start: Start,
-        /// how far from the crisis the simulations are made, on either side
+        /// how far from the crisis they are, either side
         margins: Vec<f64> = "[1e-5, 1e-6]",
-        /// how many periods they last
+        /// how many they last
         periods: u64 = "1000000",
-        /// a motion without an impact for this many periods has escaped
+        /// periods without an impact that mean escape
         quiet: u64 = "100",
     }
 }

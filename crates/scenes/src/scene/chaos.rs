@@ -9,32 +9,26 @@ use super::keys::{Entry, StopName, Value, keys};
 use crate::{error::Result, motion::Side};
 
 keys! {
-    /// Proves, for every parameter in a range, that every bi-infinite word over an alphabet of periods is an
-    /// orbit: exactly one in given boxes, and admissible. Writes a certificate. For linear oscillators with
-    /// one rigid stop that is met, or with two that are both met and each other's mirror images, half a
-    /// period apart. See chaos.md.
+    /// [Proves](chaos.md), for every parameter in a range, that every bi-infinite word over an alphabet of
+    /// periods is one admissible orbit. Linear oscillators; one rigid stop met, or two that mirror each other
+    /// half a period apart.
     pub struct ChaosTask {
-        /// the periods n between impacts; where both stops are met also halves, as in `["1/2", "3/2"]`,
-        /// after which the other stop is met; `"auto"` takes those born at the grazing, and leaves out the
-        /// longest until the proof succeeds
+        /// periods between impacts, with both stops halves; `"auto"`: those born at the grazing, without the
+        /// longest until it succeeds
         alphabet: Alphabet = "\"auto\"",
-        /// for each period of the alphabet, in its order, the periods that may follow it; if empty, all of
-        /// them
+        /// per period of the alphabet, what may follow; if empty, all
         follow: Vec<Vec<Periods>> = "[]",
-        /// a parameter that varies: the proof is for all its values above `from`, up to `to`
+        /// what varies: proved for values above `from`, up to `to`
         parameter: Option<String>,
-        /// the end of its range that is not included
+        /// end that is not included
         from: Option<BigRational>,
-        /// the end that is included, unless the motion without the stop grazes there; if absent, the range
-        /// has no upper end
+        /// end that is included, unless the motion grazes there; if absent, none
         to: Option<BigRational>,
-        /// other parameters that vary, each with its least and greatest value, as in `{ d = [0.59, 0.61] }`;
-        /// only damping, stiffness and restitution may depend on them
+        /// other parameters, as `{ d = [0.59, 0.61] }`: damping, stiffness, restitution
         cell: ParameterCell = "{}",
-        /// of two stops the one that is met; that the other is out of reach is proved too; if absent, both
-        /// are met
+        /// of two the one met, the other proved out of reach; if absent, both
         stop: Option<StopName>,
-        /// a period and a number: boxes are told apart by how many of that period follow, up to that number
+        /// a period and a number: boxes are told apart by how many of it follow, up to that
         history: Vec<Periods> = "[]",
     }
 }

@@ -42,11 +42,10 @@ keys! {
         format: String,
         /// what it is
         title: String,
-        /// what computes its motions: `one` is for one degree of freedom and rigid stops, `many` for any
-        /// number and for compliant stops; `auto` takes `one` where the system qualifies
+        /// what computes its motions ([engines](#the-two-engines)); `auto` takes `one` where the system
+        /// qualifies
         engine: EngineKey = "\"auto\"",
-        /// names and their values: numbers, also with units, which `grazing run --set` and a task's `set`
-        /// can change
+        /// names and their values, with units too; `--set` and a task's `set` change them
         parameters: Parameters = "{}",
         /// the equations of motion
         system: SystemKeys,

@@ -26,20 +26,17 @@ use crate::{
 };
 
 keys! {
-    /// A record of the force, `time` and `force` in columns of a CSV file beside the scene, in its units. The
-    /// phase is 0 where the record's time is.
+    /// A [record of the force](#measured-forces) in a CSV file beside the scene.
     pub struct MeasuredKeys {
-        /// the file; its first line names the columns
+        /// its first line names the columns
         file: String,
-        /// how many harmonics, 1 to 100, are fitted to it besides the mean; this or `once` must be given
+        /// how many are fitted besides the mean, 1 to 100; this or `once`
         harmonics: Option<u32>,
-        /// whether the force is the record itself, straight between its samples, for one run (`simulate`
-        /// only) that begins where it begins; without `frequency` and `period` its length is the period
+        /// the record itself, straight between samples, for one `simulate`
         once: bool = "false",
-        /// the period of the record, if it is not that of the forcing: then the same force is taken faster or
-        /// slower
+        /// the record's, if not the forcing's: the same force faster or slower
         period: Option<Expression>,
-        /// what a force of 1 in the file is on each coordinate; one number for a single coordinate
+        /// what a force of 1 is on each coordinate
         direction: CoordinateList = "1",
     }
 }

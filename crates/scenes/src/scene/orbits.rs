@@ -21,24 +21,20 @@ use crate::{
 };
 
 keys! {
-    /// Which periodic orbit: its impact pattern, and where Newton's method starts.
+    /// Which periodic orbit, and where Newton's method starts.
     pub struct OrbitKeys {
-        /// n_1, …, n_m: the forcing periods from the phase of one impact to that of the next; empty for an
-        /// orbit without impacts
+        /// n_1, …, n_m: forcing periods from one impact's phase to the next's; empty without impacts
         pattern: Vec<u32> = "[]",
-        /// the name of the stop of each impact; needed only if there are several stops
+        /// that of each impact, if there are several
         stops: Vec<StopName> = "[]",
-        /// the period of an orbit without impacts
+        /// of an orbit without impacts
         period: u32 = "1",
-        /// time and incoming speed t_1, V_1, …, t_m, V_m to start from, a time as a fraction of the period,
-        /// or in radians of the forcing, as in "0.5 rad"; without impacts all of q, then all of u at t = 0;
-        /// if empty, all orbits are searched for
+        /// t_1, V_1, …: phases (fractions, or "0.5 rad") and incoming speeds; without impacts q, then u at t
+        /// = 0; if empty, a search
         start: Vec<StartNumber> = "[]",
-        /// how many starts the search makes
+        /// how many the search makes
         starts: u32 = "500",
-        /// the greatest speed at which the search starts, in the scene's units; without it the size of the
-        /// motion (of what the forces do and of the stops that are struck), where the engine is `many` and no
-        /// force is a formula four times the size of the gaps' motion per radian of the forcing
+        /// greatest of the search; without it the [motion's size](#sizes)
         speed: Option<f64>,
     }
 }
@@ -159,12 +155,11 @@ impl OrbitKeys {
 }
 
 keys! {
-    /// Finds periodic orbits, with their impacts and multipliers, and says whether each is admissible
-    /// (positive speeds, no other contact).
+    /// Finds periodic orbits, their impacts and multipliers, and whether each is admissible.
     pub struct OrbitTask {
-        /// which orbit
+        /// which
         orbit: OrbitKeys,
-        /// a parameter that takes several values
+        /// takes several values
         parameter: Option<String>,
         /// its values
         values: Vec<BigRational> = "[]",
@@ -182,23 +177,17 @@ impl Value for Bifurcation {
 }
 
 keys! {
-    /// Locates a bifurcation of an orbit in a parameter, to rounding, from the orbit at the parameter's
-    /// present value.
+    /// Locates a bifurcation of an orbit in a parameter, to rounding.
     pub struct EventTask {
-        /// which bifurcation
+        /// which
         event: Bifurcation,
-        /// the parameter that varies
+        /// what varies
         parameter: String,
-        /// the orbit at the parameter's present value
+        /// at the parameter's present value
         orbit: OrbitKeys,
-        /// how far along its branch to look, both ways, in the norm of times, of speeds in units of the
-        /// motion's size and of the parameter; where the engine is `many`, in the parameter; without it 0.5,
-        /// the parameter in units of what changes a force or a stop by its own size, where the engine is
-        /// `many` half of the parameter's value, or what moves a gap by the size of the gaps' motion, the
-        /// larger; and to the grazing of a motion without impacts that is linear, however far it is
+        /// how far along its branch to look, both ways ([default](#sizes))
         reach: Option<f64>,
-        /// how the branch is followed; lengths are as those of `reach`; where the engine is `many` in units
-        /// of the gaps' motion, and of what `reach` is if it is not given
+        /// how the branch is followed
         options: Options = "{}",
     }
 }
@@ -221,53 +210,39 @@ pub(crate) fn extent(reach: Option<f64>, oscillator: &Oscillator, orbit: &Orbit)
 }
 
 keys! {
-    /// Locates a grazing bifurcation. The local theory there decides which orbits are born on which side;
-    /// each is then found in the true system nearby. One line says whether chaos is born on either side, by
-    /// all patterns together, and with which entropy.
+    /// Locates a grazing bifurcation. The local theory decides which orbits are born on which side, and
+    /// whether chaos is, with its entropy; each orbit is then found in the true system nearby.
     pub struct GrazingTask {
-        /// the parameter that varies
+        /// what varies
         parameter: String,
-        /// the orbit that comes to graze, near the parameter's present value, at its least minimum of a gap;
-        /// where the engine is `many`, the motion without impacts, of several the one near `start`
+        /// the one that comes to graze, near the present value; of `many` the motion without impacts near
+        /// `start`
         orbit: OrbitKeys = "{}",
-        /// how far along its branch to look, both ways, as in a task `event`; without it the touch of a
-        /// motion without impacts that is linear is found however far it is; of another motion, where the
-        /// engine is `one`, also from where it nears a stop, to first order
+        /// how far to look, as of `event` ([default](#sizes))
         reach: Option<f64>,
-        /// two values of the parameter, between which all touches are listed, the nearest being looked at;
-        /// of a motion without impacts that is linear
+        /// two values between which all touches are listed: linear motions without impacts
         within: Vec<f64> = "[]",
-        /// how the branch is followed; lengths are as those of `reach`; not where the engine is `many`
+        /// how the branch is followed; engine `one`
         options: Options = "{}",
-        /// the largest period of the patterns, in periods of that orbit
+        /// largest period of the patterns, in periods of that orbit
         max_period: u32 = "4",
-        /// how far from the bifurcation the born orbits are found: the distance |eµ| between the orbit and
-        /// the stop; without it 1e-6 of the size of the motion, where the engine is `many` of the gaps'
-        /// motion
+        /// |eµ| at which born orbits are found; without it 1e-6 of the motion's size
         distance: Option<f64>,
-        /// whether to follow motions beside the touch, to see whether they stay near or jump, and where they
-        /// come back; without it, only where no force is a formula and no stop gives way
+        /// whether to follow motions beside the touch; without it where no force is a formula and no stop
+        /// compliant
         seen: Option<bool>,
-        /// whether to prove of each periodic attractor that is seen there that it is a stable orbit, with a
-        /// certificate for each, as a task `validate` does
+        /// prove each periodic attractor seen there, with a certificate each
         prove: bool = "false",
-        /// whether to prove, for either side of the touch, how far what is born there goes on: "main" does it
-        /// of all that is born together, with a tenth of the work, of machines with linear forces and without
-        /// `tolerance` and `attractor`, where the motion without impacts touches; `true` also of each orbit
-        /// of one impact, of a part that goes farther, and of what else there is
+        /// prove [how far](ranges.md) what is born goes on; `"main"`: all born together, a tenth of the work;
+        /// `true`: also single orbits and parts
         range: RangeKey = "\"main\"",
-        /// whether to prove, of an overdamped machine beside one stop, that beyond the touch chaos attracts:
-        /// how far from it there is a trap in which no periodic motion is stable, and where that does not
-        /// reach the parameter's present value, whether it is so there; of machines with linear forces, and
-        /// where the motion without impacts touches
+        /// prove [that chaos attracts](attractor.md): overdamped, one stop, linear forces, the motion without
+        /// impacts touching
         attractor: bool = "false",
-        /// whether to find the touch again with each other parameter of the scene a little larger and
-        /// smaller, to say by how much it moves for one per cent more
+        /// how much each other parameter moves the touch, per cent
         sensitivity: bool = "false",
-        /// how exactly parameters are known, as in `{ k = "2%", d = 0.01, m = [0.9, 1.1] }`: a part of the
-        /// value, up to a number, or the least and greatest value (of the task's own parameter about its
-        /// value at the touch); what is born, with `range` how far it goes on, and what `attractor` proves,
-        /// is then told of all machines that this allows
+        /// how exactly parameters are known, as `{ k = "2%", d = 0.01, m = [0.9, 1.1] }`: all is told of
+        /// every machine that this allows
         tolerance: Tolerances = "{}",
     }
 }
@@ -275,8 +250,7 @@ keys! {
 keys! {
     /// How far a range is followed.
     pub struct RangeKeys {
-        /// work allowed on each side of the touch for all that is proved there, in units of some 30 µs: three
-        /// legs of the search or steps of the checker; without it 100000
+        /// work per side, in units of some 30 µs; without it 100000
         effort: Option<u64>,
     }
 }

@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use super::{
     input::FILE,
-    keys::{Key, Record, Table},
+    keys::{Key, Record, Table, Value},
+    matrix::{CoordinateList, MatrixValue},
     simulate::Start,
     system::TABLES,
     task::{KINDS, TaskKeys},
@@ -54,18 +55,34 @@ fn table(text: &mut String, name: &str, about: &str, keys: &[Key]) {
     let mut name = name.to_string();
     name[..1].make_ascii_uppercase();
     let about = wrapped(about);
-    let _ = write!(text, "### {name}\n\n{about}\n\n| key | value | default | |\n| --- | --- | --- | --- |\n");
+    let _ =
+        write!(text, "### {name}\n\n{about}\n\n| key | value; default | meaning |\n| --- | --- | --- |\n");
     for key in keys {
-        let default = match key.default {
-            Some(default) => format!("`{}`", default()),
-            None if key.required => "must be given".to_string(),
-            None => String::new(),
-        };
+        let default = key.default.map_or(String::new(), |default| format!("; `{}`", default()));
+        let must = if key.required { "\\*" } else { "" };
         // A bar would end the cell.
         let about = key.about.trim().replace('|', "\\|");
-        let _ = writeln!(text, "| `{}` | {} | {default} | {about} |", key.name, (key.shape)());
+        let _ = writeln!(text, "| `{}`{must} | {}{default} | {about} |", key.name, short(key));
     }
     text.push('\n');
+}
+
+/// What may stand there in a word, which the page explains once.
+fn short(key: &Key) -> String {
+    let shape = (key.shape)();
+    match (key.table)() {
+        Some(_) if shape.starts_with("list") => return "tables".to_string(),
+        Some(_) if shape.starts_with("table") => return "table".to_string(),
+        _ => {}
+    }
+    match shape.as_str() {
+        _ if shape == MatrixValue::shape() => "matrix".to_string(),
+        _ if shape == CoordinateList::shape() => "vector".to_string(),
+        _ => shape
+            .replace("whole number", "integer")
+            .replace("true` or `false", "true`/`false")
+            .replace(" or `", ", `"),
+    }
 }
 
 /// The words in lines of at most 110 columns.

@@ -5,22 +5,19 @@ use num_rational::BigRational;
 use super::keys::keys;
 
 keys! {
-    /// Finds periodic motions that rest on a stop for a while. Chatter that ends in a rest is part of them.
-    /// Of a machine with one coordinate and without dry friction all: where a stop lets go of what rests on
-    /// it nothing is left of how it came there, so that they are the cycles of a map of the phases of
-    /// release, and their multipliers are 0. Else those that a search finds: motions begin at rest on each
-    /// rigid stop, and after some of their releases Newton's method looks for an orbit, stable or not.
+    /// Finds periodic motions that rest on a stop for a while, chatter included. With one coordinate and no
+    /// dry friction all: the cycles of a map of the phases of release, whose multipliers are 0. Else those
+    /// that a search finds: Newton's method after releases of motions that begin at rest.
     pub struct RestTask {
-        /// a parameter that takes several values
+        /// takes several values
         parameter: Option<String>,
         /// its values
         values: Vec<BigRational> = "[]",
-        /// within how many periods of its release a motion is to come to the next rest that ends, from 1 to
-        /// 100000; of a search for how many periods each motion is followed
+        /// until the next rest that ends, 1 to 100000; of a search, periods followed
         periods: u32 = "200",
-        /// of a search, how many motions begin at rest on each rigid stop, from 1 to 100000
+        /// of a search, motions per rigid stop, 1 to 100000
         starts: u32 = "16",
-        /// of a search, the greatest period looked for, in periods of the forcing, from 1 to 100
+        /// of a search, greatest period, 1 to 100
         longest: u32 = "4",
     }
 }

@@ -12,33 +12,30 @@ use super::{
 use crate::{error::Result, motion::Side};
 
 keys! {
-    /// Draws the stroboscopic (Poincaré) section of the attractors that motions lead to: periods, impacts,
-    /// Lyapunov exponents.
+    /// Draws the stroboscopic (Poincaré) section of attractors: periods, impacts, Lyapunov exponents.
     pub struct SectionTask {
         /// where motions start
         starts: Vec<Start>,
-        /// when to look, as a fraction of the forcing period: at t = 2π `phase` of every period
+        /// when to look, as a fraction of the forcing period
         phase: BigRational = "0",
-        /// the frame in which displacement and velocity are measured: fixed, or moving as a stop does
+        /// where q and u are measured: fixed, or moving with a stop
         frame: Frame = "\"fixed\"",
-        /// how many periods pass first, unrecorded; more, where the report says "not settled"
+        /// periods that pass first, unrecorded; more, where the report says "not settled"
         transient: u64 = "1000",
-        /// how many points show a motion that is not periodic; its Lyapunov exponent is taken over as many
-        /// periods
+        /// points of a motion that is not periodic, and periods of its exponent
         points: u32 = "2000",
-        /// how many Lyapunov exponents are found, the largest first: at most twice as many as coordinates
+        /// Lyapunov exponents, the largest first: at most twice the coordinates
         exponents: u32 = "1",
-        /// by which two numbers of their state points are drawn: `q2` and `u2` are displacement and velocity
-        /// of a coordinate, where the engine is `many` `gap NAME` and `rate NAME` the gap of a stop and how
-        /// fast it opens; without it `q1` and `u1`
+        /// what is drawn: `q2` and `u2` of a coordinate; of `many` also `gap NAME`, `rate NAME`; without it
+        /// `q1`, `u1`
         plane: Vec<String> = "[]",
-        /// the longest period that counts as periodic, in forcing periods
+        /// longest period that counts as periodic
         longest: u32 = "64",
-        /// orbits to mark, stable or not
+        /// to mark, stable or not
         orbits: Vec<OrbitKeys> = "[]",
-        /// whether to draw the stable and the unstable manifolds of the unstable orbits among them
+        /// draw those of the unstable orbits among them
         manifolds: bool = "false",
-        /// whether to draw where the next period grazes a stop
+        /// draw where the next period grazes a stop
         grazing_curve: bool = "false",
     }
 }
@@ -46,23 +43,21 @@ keys! {
 keys! {
     /// Finds which starts lead to which attractor, on a grid.
     pub struct BasinsTask {
-        /// displacements of the starts, ascending; with `plane`, values of its first axis
+        /// displacements, ascending; with `plane`, its first axis
         q: Values,
-        /// velocities of the starts; with `plane`, values of its second
+        /// velocities; with `plane`, its second axis
         u: Values,
-        /// which two numbers of a start are varied: displacements or velocities, as `q2` and `u2` of the
-        /// second coordinate; where the engine is `one` `q`, `u` or `phase`, the time of the start as a
-        /// fraction of the forcing period
+        /// what is varied, as `q2`, `u2`; of `one` `q`, `u` or `phase`
         plane: Vec<String> = "[]",
-        /// with `plane`, the other displacements and velocities of every start; without it 0
+        /// with `plane`, all other displacements and velocities; without it 0
         start: Option<Start>,
-        /// when motions start, unless that is varied, and are looked at, as a fraction of the forcing period
+        /// when to look, as a fraction of the forcing period, and, unless varied, to start
         phase: BigRational = "0",
-        /// how many periods pass first, unrecorded
+        /// periods that pass first, unrecorded
         transient: u64 = "300",
-        /// the longest period that counts as periodic, in forcing periods
+        /// longest period that counts as periodic
         longest: u32 = "16",
-        /// whether to continue from the checkpoint that an interrupted run left in the folder
+        /// whether to continue from an interrupted run's checkpoint
         resume: bool = "true",
     }
 }
@@ -74,7 +69,7 @@ keys! {
         from: Expression,
         /// the last
         to: Expression,
-        /// how many, from 2 to 4000
+        /// 2 to 4000
         count: u32 = "100",
     }
 }

@@ -12,13 +12,13 @@ keys! {
     pub struct SimulateTask {
         /// where it starts
         start: Start,
-        /// how many forcing periods are written
+        /// forcing periods that are written
         periods: u32 = "10",
-        /// in place of `periods`, how long is written, in the scene's unit of time: seconds, say
+        /// in place of `periods`, in the scene's unit of time
         duration: Option<Expression>,
-        /// how many periods pass first, unrecorded
+        /// periods that pass first, unrecorded
         transient: u64 = "0",
-        /// points of the time series per period, from 1 to 10000; at most 100000000 in all
+        /// points per period, 1 to 10000; at most 100000000 in all
         samples: u32 = "64",
     }
 }
@@ -26,11 +26,11 @@ keys! {
 keys! {
     /// A state from which a motion starts.
     pub struct Start {
-        /// the time, as a fraction of the forcing period: t = 2π `phase`
+        /// the time, as a fraction of the forcing period
         phase: BigRational = "0",
-        /// the displacement; of several coordinates a list, or one 0 for all
+        /// displacement; one 0 for all
         q: CoordinateList,
-        /// the velocity, in the same way
+        /// velocity
         u: CoordinateList = "0",
     }
 }

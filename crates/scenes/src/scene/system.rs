@@ -18,34 +18,31 @@ use crate::{
 const LIMIT_K: u32 = 1000;
 
 keys! {
-    /// `mass` q″ + `damping` q′ + `stiffness` q + `cubic` q³ = `force` + `forcing`(t), in consistent units of
-    /// your choice: kilograms, metres, seconds and newtons, say.
+    /// `mass` q″ + `damping` q′ + `stiffness` q + `cubic` q³ = `force` + `forcing`(t), in consistent units.
     pub struct SystemKeys {
-        /// how long the forcing's period is, also without forcing, as times are reported in periods; without
-        /// it and `frequency` 2π: then the unit of time is a radian of the forcing
+        /// the forcing's period, in which times are reported, with forcing or without; without it and
+        /// `frequency` 2π
         period: Option<Expression>,
-        /// in place of `period`, how often the forcing repeats in a unit of time: hertz if times are seconds
+        /// in place of `period`, cycles per unit of time: hertz if that is a second
         frequency: Option<Expression>,
-        /// the masses: symmetric, positive definite; without it and `modes` 1, of a single coordinate
+        /// symmetric, positive definite; without it and `modes` 1, of one coordinate
         mass: Option<MatrixValue>,
         /// the damping
         damping: Option<MatrixValue>,
-        /// instead of `damping`, the damping ratio of every mode, or a list of them by frequency ascending
+        /// instead of `damping`, of every mode, or a list by frequency ascending
         damping_ratio: Option<CoordinateList>,
         /// the stiffness
         stiffness: Option<MatrixValue>,
-        /// of a single coordinate, the coefficient of the displacement cubed (Duffing)
+        /// of one coordinate, the coefficient of q³ (Duffing)
         cubic: Option<Expression>,
-        /// instead of matrices, the modes of the system
+        /// instead of matrices
         modes: Option<ModesKeys>,
-        /// the force on each coordinate beside `forcing`, one 0 for none: a constant, such as preload or
-        /// gravity, or any smooth function of the coordinates q1, q2, …, their velocities u1, u2, … per unit
-        /// of time, and t, the angle of the forcing, 2π in a period; with one coordinate q and u will do
+        /// on each coordinate beside `forcing`: a constant, or a [formula](#forces) in q1, …, u1, … and the
+        /// angle t; one 0 for none
         force: ForceList = "0",
-        /// the harmonics of the force
+        /// its harmonics
         forcing: Vec<LoadKeys> = "[]",
-        /// instead of `forcing`, a measured force: harmonics are fitted to it, its mean is added to `force`;
-        /// or it is taken as it is, once
+        /// instead of `forcing`, a [record](#measured-forces); its mean adds to `force`
         measured: Option<MeasuredKeys>,
     }
 }
@@ -53,11 +50,11 @@ keys! {
 keys! {
     /// A term `cos` cos 2πkt/T + `sin` sin 2πkt/T of the force, T its period.
     pub struct LoadKeys {
-        /// the multiple of the base frequency, 1 to 1000
+        /// multiple of the base frequency, 1 to 1000
         k: u32 = "1",
-        /// the coefficients of the cosine, one for each coordinate; one 0 for none
+        /// coefficients of the cosine; one 0 for none
         cos: CoordinateList = "0",
-        /// the coefficients of the sine
+        /// of the sine
         sin: CoordinateList = "0",
     }
 }
@@ -65,45 +62,40 @@ keys! {
 keys! {
     /// The modes of a system, of modal mass 1.
     pub struct ModesKeys {
-        /// their frequencies, in the unit of `frequency`
+        /// in the unit of `frequency`
         frequencies: Vec<Expression>,
-        /// their damping ratios: one for all, or one for each
+        /// damping ratios: one for all, or one each
         ratios: CoordinateList = "0",
-        /// their shapes: a row for each coordinate q₁, q₂, … of the scene, an entry in it for each mode; the
-        /// coordinates are points where forces act, stops stand or motions are looked at. Without it the
-        /// coordinates are the modes' amplitudes
+        /// a row per coordinate, points of the machine, an entry per mode; without it the coordinates are the
+        /// modes' amplitudes
         shapes: Option<MatrixValue>,
     }
 }
 
 keys! {
-    /// A stop. With `restitution` it is rigid: an impact turns the velocity relative to it into
-    /// −`restitution` times itself. With `stiffness` it is compliant: where the gap z is negative it pushes
-    /// with the force −`stiffness` z − `damping` z′, until that would pull.
+    /// A stop, rigid with `restitution`, compliant with `stiffness` or `law`. Its gap is z = `row`·q −
+    /// `offset` − Σ `harmonics`.
     pub struct StopKeys {
-        /// what it is called in tasks and reports; without it its side, or its number
+        /// without it its side, or its number
         name: Option<String>,
-        /// of a single coordinate, on which side the stop is: the displacement stays above, or below,
-        /// `offset` + Σ `harmonics`
+        /// of one coordinate: q stays above, or below, `offset` + Σ `harmonics`
         side: Option<Side>,
-        /// in place of `side`, what it stops, an entry for each coordinate: its gap is z = `row`·q − `offset`
-        /// − Σ `harmonics`. Two masses that hit each other: [1, −1]. Of a single coordinate [1] if absent
+        /// in place of `side`, an entry per coordinate: two masses that hit each other [1, −1]; of one
+        /// coordinate [1] if absent
         row: Option<CoordinateList>,
-        /// its mean place
+        /// mean place
         offset: Expression,
-        /// its motion, harmonics of the forcing's frequency; none for a stop that stands still
+        /// its motion, in multiples of the forcing's frequency
         harmonics: Vec<HarmonicKeys> = "[]",
-        /// at least 0: 0 for a stop that takes all velocity, 1 for one that keeps the energy; or a rational
-        /// function of the speed v of the impact, as "1/(1 + v/2)". This, `stiffness` or `law` must be given
+        /// at least 0, or a rational function of the impact's speed v, as "1/(1 + v/2)"
         restitution: Option<RestitutionKey>,
-        /// of a compliant stop, the force per displacement along `row`, above 0
+        /// compliant: force per displacement along `row`, above 0
         stiffness: Option<Expression>,
-        /// of a compliant stop, the force per velocity, at least 0; without it 0
+        /// compliant: force per velocity, at least 0; without it 0
         damping: Option<Expression>,
-        /// of a stop that gives way by a law of its own, the force in its depth d and in the speed v with
-        /// which it closes, as "k*d^1.5*(1 + c*v)": where d > 0 it pushes by that, unless it would pull
+        /// compliant: the force in depth d and closing speed v, as "k*d^1.5*(1 + c*v)"
         law: Option<LawKey>,
-        /// the volume that wears off for each unit of energy that contacts take
+        /// volume worn off per energy that contacts take
         wear: Option<Expression>,
     }
 }
@@ -135,14 +127,13 @@ keys! {
 }
 
 keys! {
-    /// A term `cos` cos 2πkt/T + `sin` sin 2πkt/T of the motion of a stop or of a surface, T the forcing's
-    /// period.
+    /// A term `cos` cos 2πkt/T + `sin` sin 2πkt/T of a motion, T the forcing's period.
     pub struct HarmonicKeys {
-        /// the multiple of the base frequency, 1 to 1000
+        /// multiple of the base frequency, 1 to 1000
         k: u32 = "1",
-        /// the coefficient of the cosine
+        /// of the cosine
         cos: Expression = "0",
-        /// the coefficient of the sine
+        /// of the sine
         sin: Expression = "0",
     }
 }
@@ -150,11 +141,10 @@ keys! {
 keys! {
     /// How accurately motions are computed.
     pub struct Accuracy {
-        /// the integrator's tolerance, relative to the motion, where the engine is `one` and the system not
-        /// linear; nothing else needs one
+        /// the integrator's, relative to the motion: engine `one`, not linear
         tolerance: f64 = "1e-12",
-        /// a minimum of a gap that is deeper than this is an impact; a shallower one is a tangency. In the
-        /// scene's unit of length; without it 10⁻¹² of the size of the gaps' motion
+        /// a deeper minimum of a gap is an impact, a shallower one a tangency; length; without it 10⁻¹² of
+        /// the gaps' motion
         minimum_depth: Option<f64>,
     }
 }

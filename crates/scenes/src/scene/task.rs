@@ -34,15 +34,15 @@ pub struct Task {
 }
 
 keys! {
-    /// Something to do with the oscillator; its other keys depend on its kind.
+    /// Something to do; its other keys depend on its kind.
     pub struct TaskKeys {
-        /// the name of its files and of its part of the report: letters, digits, `-` and `_`
+        /// of its files and report: letters, digits, `-` and `_`
         name: String,
-        /// what to do: one of the kinds below
+        /// one of those below
         kind: String,
-        /// a name under which `--only` runs several tasks together
+        /// `--only` runs all of a group
         group: Option<String>,
-        /// parameter values that this task has in place of the scene's, as in `{ mu = -0.05 }`
+        /// parameters in place of the scene's, as `{ mu = -0.05 }`
         set: Assignments = "{}",
     }
 }

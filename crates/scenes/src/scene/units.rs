@@ -46,14 +46,12 @@ words! {
 }
 
 keys! {
-    /// The units of all bare numbers of the scene; what has its unit with it is converted to them. Reports
-    /// and pictures keep them, but for a parameter along an axis, which has the unit in which it is written;
-    /// the sentences of `grazing` tell speeds, impulses, forces, energies and times in SI units. The unit of
-    /// force is that of mass · length / time², and what stops stop are lengths.
+    /// The units of bare numbers; written ones are converted to them. The unit of force is mass · length /
+    /// time².
     pub struct UnitKeys {
         /// of displacements
         length: LengthUnit,
-        /// of times; with neither `period` nor `frequency` a unit of time is a radian of the forcing
+        /// without `period` and `frequency` a radian of the forcing
         time: TimeUnit,
         /// of masses
         mass: MassUnit,

@@ -12,28 +12,25 @@ use crate::{
 };
 
 keys! {
-    /// Proves that exact orbits exist, each the only one in a box, admissible, and stable or not; with `from`
-    /// or `to` at every value of a parameter in a range. With `event` it proves that an orbit bifurcates at a
-    /// parameter in an interval. Writes a certificate for each. For linear systems. Of an orbit without
-    /// impacts, of period 1, it proves that it is the only one and clear of every stop; of its bifurcations
-    /// only a grazing. Bifurcations and ranges are proved where the engine is `one`.
+    /// [Proves](orbits.md) that exact orbits exist, each the only one in a box, admissible, stable or not;
+    /// over a range with `from` or `to`; with `event` that one bifurcates. Linear systems; events and ranges
+    /// engine `one`. Without impacts the period is 1, the only event a grazing.
     pub struct ValidateTask {
-        /// which orbits; the proof starts from their approximations
+        /// which; proofs start from approximations
         orbit: OrbitKeys,
-        /// a bifurcation to enclose, in place of the orbits themselves
+        /// a bifurcation to enclose instead
         event: Option<Bifurcation>,
-        /// the parameter that varies; goes with `event`, or with `from` or `to`
+        /// what varies, with `event`, `from` or `to`
         parameter: Option<String>,
-        /// the least value of the range over which the orbits are proved; if absent, the scene's
+        /// least value of the range; the scene's if absent
         from: Option<BigRational>,
-        /// the greatest; if absent, the scene's, which lies in the range
+        /// greatest; the scene's lies in the range
         to: Option<BigRational>,
-        /// how far along its branch to look for the event, as that of tasks `event` of an
-        /// oscillator
+        /// how far to look for the event
         reach: Option<f64>,
-        /// how the branch is followed to the event
+        /// how the branch is followed to it
         options: Options = "{}",
-        /// bits of the enclosures
+        /// of the enclosures
         bits: u32 = "128",
     }
 }

@@ -12,7 +12,7 @@ use std::{path::Path, process::ExitCode};
 use clap::{Parser, Subcommand};
 use grazing_verify::{
     Commands, Theory,
-    cli::{self, OrbitPicture, Short},
+    cli::{self, OrbitPicture, Question, Short},
 };
 // What every command has, under the names that it has there.
 use grazing_verify::cli::{
@@ -51,6 +51,51 @@ impl Commands for Command {
     });
 
     const SHORT: Option<Short> = Some(("answer", run::is_answered));
+    const QUESTIONS: &'static [Question] = &[
+        (
+            "What does my machine do?",
+            &[
+                ("answer", "as its drive is turned up: where it touches, what it does then, and why"),
+                ("run", "the tasks of a scene: motions, orbits, branches, attractors, and proofs of them"),
+                ("decay", "its frequency and damping, with their deviations, from a free decay"),
+            ],
+        ),
+        (
+            "What is born at a touch?",
+            &[
+                ("classify", "orbits with one impact, period by period, at a point or in a box"),
+                ("word", "every pattern of impacts, and whether chaos is born"),
+                ("existence", "the patterns of a local map of any dimension"),
+                ("boundary", "how much damping an orbit survives"),
+                ("intervals", "where orbits exist without damping"),
+                ("evaluate", "b_{n,k} and c_n, in certain digits"),
+            ],
+        ),
+        (
+            "Is it true?",
+            &[
+                ("check", "certificates, proved again without search"),
+                ("verify", "Theorem 2, for every period in a range"),
+                ("cover", "Conjecture 1, for every period in a range, by computation"),
+                ("fuzz", "Conjecture 1, at random points"),
+                ("formula", "polynomials, and sentences for other tools"),
+            ],
+        ),
+        (
+            "Pictures, numbers, files",
+            &[
+                ("figure", "a figure as SVG, with its data as CSV"),
+                ("export", "a table of `run` for MATLAB, NumPy or AUTO"),
+                ("merge", "the shards of one task, put together"),
+                ("farey", "Farey fractions: neighbours, ranks, walks"),
+                ("sequence", "a sequence of whole numbers, as a b-file"),
+                ("accuracy", "what accuracy costs in time, on this computer"),
+                ("completions", "those of a shell"),
+                ("man", "the manual, a page per command"),
+                ("help", "this, or the help of a command"),
+            ],
+        ),
+    ];
 
     fn run(self, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
         match self {

@@ -169,6 +169,7 @@ impl Curve {
 
 const INKS: [Colour; 4] = [PINK, ORANGE, GREEN, BLUE];
 const PANEL: f64 = 132.0;
+const LEFT: f64 = 36.0;
 
 fn dashed(ink: Colour) -> Stroke {
     Stroke { ink, width: 0.7, dashes: Some([3.0, 2.0]) }
@@ -192,16 +193,16 @@ fn panel(
     legend.add("law", |canvas: &mut Canvas, (x, y): At| {
         canvas.line(vec![(x - 8.0, y), (x + 8.0, y)], dashed(super::canvas::BLACK));
     });
-    canvas.text(title, (24.0, top + 5.0), Anchor::Start);
-    let high = legend.height(COLUMN - 30.0);
-    legend.draw(canvas, (24.0, top + 10.0), COLUMN - 30.0);
+    canvas.text(title, (LEFT, top + 5.0), Anchor::Start);
+    let high = legend.height(COLUMN - LEFT - 6.0);
+    legend.draw(canvas, (LEFT, top + 10.0), COLUMN - LEFT - 6.0);
     let name = if last { "number of periods" } else { "" };
     let frame = PlotFrame::new(
         [2.0, top + 12.0 + high, COLUMN - 4.0, top + PANEL + high + if last { 11.0 } else { 0.0 }],
         Axis::decades(name, [0, 4], 1),
-        Axis::linear("", (0.0, 1.0), 5),
+        Axis::linear("share of s", (0.0, 1.0), 5),
     )
-    .with_left(24.0);
+    .with_left(LEFT);
     canvas.inside(frame.inside(), |canvas| {
         for (curve, ink) in curves.iter().zip(INKS) {
             let steps = |bound: usize| {
@@ -239,7 +240,7 @@ fn draw(last: u64, exact: &[Curve], sampled: &[Curve]) -> Canvas {
          the Landau law; below, a conjecture with N = (1 - r)^(-1/3).",
     );
     let names = exact.iter().map(|curve| curve.name.as_str().into()).collect();
-    panel(&mut canvas, 2.0, "r = 1: share of s with at most this many periods ≤ N", exact, names, false);
+    panel(&mut canvas, 2.0, "r = 1: with at most this many periods ≤ N", exact, names, false);
     let names = DAMPING.into_iter().map(|e| power(-(e as i32))).collect();
     panel(&mut canvas, PANEL + 38.0, "r < 1, by 1 − r: all periods; 99 % bands", sampled, names, true);
     canvas

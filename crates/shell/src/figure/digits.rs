@@ -9,7 +9,7 @@ use super::{
     legend::Legend,
     panels::{
         ACROSS, HIGH, PanelRow, PriceTable, WIDTH, caption, caption_height, corner, cross, draw_caption,
-        label, rows, sample, short, time_range, values, whisker,
+        labels, rows, sample, short, time_range, values, whisker,
     },
 };
 use crate::{
@@ -158,7 +158,8 @@ fn panel(canvas: &mut Canvas, rows: &[&PanelRow], family: &str, (left, top): At,
     let digits = |row: &PanelRow| row.number("digits");
     let found = || all.iter().filter_map(digits);
     let least = found().fold(1e4, f64::min);
-    let most = found().fold(10.0, f64::max).log10() + 0.12;
+    // With room for a time behind the last point.
+    let most = found().fold(10.0, f64::max).log10() + 0.9;
     let mut marks: Vec<(f64, Words)> = vec![];
     let from = if least < 1.0 {
         marks.push((NONE, "< 1".into()));
@@ -188,6 +189,7 @@ fn panel(canvas: &mut Canvas, rows: &[&PanelRow], family: &str, (left, top): At,
         let digits = digits(row).unwrap_or(0.0);
         if digits < 1.0 { 10f64.powf(NONE) } else { digits }
     };
+    let (mut lines, mut marks, mut texts) = (Vec::new(), Vec::new(), Vec::new());
     for (index, (_, mark, ink)) in STYLES.into_iter().enumerate() {
         let of: Vec<&&PanelRow> = rows.iter().filter(|row| style(row.text("method")) == index).collect();
         let points: Vec<At> = of.iter().map(|row| frame.at((x(row), row.times()[0]))).collect();
@@ -197,14 +199,15 @@ fn panel(canvas: &mut Canvas, rows: &[&PanelRow], family: &str, (left, top): At,
                     let time = row.times()[0];
                     let ends = [from, most].map(|digits| (10f64.powf(digits), time));
                     canvas.line(frame.path(ends), Stroke { dashes: Some([4.0, 2.0]), ..line(ink, 1.0) });
-                    let (x, y) = frame.at((10f64.powf(most), time));
-                    label(canvas, &format!("fraction {}", short(time)), (x, y - 4.0), Anchor::End);
+                    lines.push(frame.path(ends));
+                    texts.push((frame.at((3.0, time)), format!("fraction {}", short(time))));
                 }
                 continue;
             }
             Mark::Line(width) => {
                 canvas.line(points.clone(), line(ink, width));
                 canvas.discs(points.clone(), 1.3, ink);
+                lines.push(points.clone());
             }
             Mark::Disc => canvas.discs(points.clone(), 2.0, ink),
             Mark::Ring => canvas.discs(points.clone(), 2.0, line(ink, 0.9)),
@@ -212,26 +215,16 @@ fn panel(canvas: &mut Canvas, rows: &[&PanelRow], family: &str, (left, top): At,
         }
         for row in &of {
             whisker(canvas, &frame, x(row), row.times(), ink);
+            let [_, low, high] = row.times();
+            lines.push(frame.path([(x(row), low), (x(row), high)]));
         }
+        marks.extend(points);
     }
     // The values that matter: an interval's time, and that of the longest balls here and there.
     let last = |index: usize| rows.iter().rfind(|row| style(row.text("method")) == index);
     let at = |row: &PanelRow| frame.at((x(row), row.times()[0]));
-    let name = |row: &PanelRow| short(row.times()[0]);
-    if let Some(row) = last(4) {
-        let (x, y) = at(row);
-        label(canvas, &name(row), (x, y + 7.0), Anchor::Middle);
-    }
-    let (ours, theirs) = (last(3), last(1));
-    let slower = |a: Option<&&PanelRow>, b: Option<&&PanelRow>| {
-        a.is_some_and(|a| b.is_none_or(|b| a.times()[0] >= b.times()[0]))
-    };
-    for (row, above) in [(ours, slower(ours, theirs)), (theirs, !slower(ours, theirs))] {
-        if let Some(row) = row {
-            let (x, y) = at(row);
-            label(canvas, &name(row), (x + 5.0, if above { y - 5.0 } else { y + 6.0 }), Anchor::End);
-        }
-    }
+    texts.extend([4, 3, 1].into_iter().filter_map(last).map(|row| (at(row), short(row.times()[0]))));
+    labels(canvas, &frame, &lines, &marks, texts);
     frame.draw(canvas);
 }
 

@@ -16,7 +16,7 @@ pub const DOT: f64 = 1.6;
 /// Texts beside points, placed where they cover no curve, no dot and no other text, as far as there is room.
 pub struct Labels {
     /// Points of all curves, close together.
-    points: Vec<At>,
+    pub points: Vec<At>,
     /// The events.
     pub dots: Vec<At>,
     /// The panel: left, top, right, bottom.

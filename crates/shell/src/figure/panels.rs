@@ -4,8 +4,9 @@
 use std::{collections::HashMap, io::Write, path::Path};
 
 use super::{
-    canvas::{Anchor, At, COLUMN, Canvas, Colour, TYPE, Words, line},
+    canvas::{Anchor, At, COLUMN, Canvas, Colour, Words, line},
     frame::PlotFrame,
+    labels::{Labels, TextAt},
 };
 use crate::{
     error::{Error, Result},
@@ -203,14 +204,51 @@ pub fn cross(canvas: &mut Canvas, (x, y): At, ink: Colour) {
     );
 }
 
-/// A small text beside a place, half the size of type away from it.
-pub fn label(canvas: &mut Canvas, text: &str, (x, y): At, anchor: Anchor) {
-    let away = match anchor {
-        Anchor::Start => 0.5 * TYPE,
-        Anchor::Middle => 0.0,
-        Anchor::End => -0.5 * TYPE,
-    };
-    canvas.sized(Words::plain(text), (x + away, y), anchor, SMALL);
+/// Small texts beside marks of a panel: in the nearest place that covers no line, no mark and no other text,
+/// and that no other mark is nearer to by half a point; where there is none, right of the mark.
+pub fn labels(canvas: &mut Canvas, frame: &PlotFrame, paths: &[Vec<At>], marks: &[At], wanted: Vec<TextAt>) {
+    const SIDES: [At; 8] = [
+        (1.0, 0.0),
+        (0.0, -1.0),
+        (-1.0, -1.0),
+        (1.0, -1.0),
+        (-1.0, 0.0),
+        (0.0, 1.0),
+        (1.0, 1.0),
+        (-1.0, 1.0),
+    ];
+    let [left, top, right, bottom] = frame.inside();
+    let covered: Vec<At> = Labels::new(paths, [left, top, right, bottom])
+        .points
+        .into_iter()
+        .chain(marks.iter().copied())
+        .collect();
+    let mut placed: Vec<[f64; 4]> = Vec::new();
+    for ((x, y), text) in wanted {
+        let words = Words::plain(&text);
+        let (wide, high) = (words.width(SMALL) / 2.0, 0.5 * SMALL);
+        let spot = |away: f64, (across, down): At| {
+            let middle = (x + across * (wide + away), y + down * (high + away));
+            [middle.0 - wide, middle.1 - high, middle.0 + wide, middle.1 + high]
+        };
+        let apart = |[a, b, c, d]: [f64; 4], (x, y): At| (x - x.clamp(a, c)).hypot(y - y.clamp(b, d));
+        let good = |&spot: &[f64; 4]| {
+            let [a, b, c, d] = spot;
+            let own = apart(spot, (x, y));
+            a > left + 0.2
+                && b > top + 1.0
+                && c < right - 1.0
+                && d < bottom - 1.0
+                && covered.iter().all(|&at| apart(spot, at) > 1.0)
+                && marks.iter().all(|&at| apart(spot, at) > own - 0.5)
+                && placed.iter().all(|&[e, f, g, h]| c < e || g < a || d < f || h < b)
+        };
+        let near = [2.5, 4.0, 6.0, 9.0, 13.0].into_iter();
+        let found = near.flat_map(|away| SIDES.map(|side| spot(away, side))).find(good);
+        let spot = found.unwrap_or_else(|| spot(2.5, SIDES[0]));
+        placed.push(spot);
+        canvas.sized(words, ((spot[0] + spot[2]) / 2.0, (spot[1] + spot[3]) / 2.0), Anchor::Middle, SMALL);
+    }
 }
 
 #[cfg(test)]

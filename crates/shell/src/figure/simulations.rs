@@ -10,7 +10,7 @@ use super::{
     legend::Legend,
     panels::{
         ACROSS, HIGH, PanelRow, PriceTable, WIDTH, caption, caption_height, corner, cross, draw_caption,
-        label, rows, sample, short, time_range, values, whisker,
+        labels, rows, sample, short, time_range, values, whisker,
     },
 };
 use crate::{
@@ -80,8 +80,9 @@ fn draw(rows: &[PanelRow]) -> Canvas {
         "Medians over repetitions; bars: quartiles. Points from right to left: smaller tolerances or steps. \
          Crosses are other motions, with more or fewer impacts than there are.",
     );
-    let down = (motions.len() + 1).div_ceil(ACROSS);
-    let below = 14.0 + HIGH * down as f64;
+    let key = key(rows);
+    let panels = 4.0 + HIGH * motions.len().div_ceil(ACROSS) as f64;
+    let below = panels + 14.0 + key.height(WIDTH - 12.0);
     let mut canvas = Canvas::new(
         WIDTH,
         below + caption_height(&lines),
@@ -93,9 +94,8 @@ fn draw(rows: &[PanelRow]) -> Canvas {
         let of: Vec<&PanelRow> = rows.iter().filter(|row| row.text("motion") == motion).collect();
         panel(&mut canvas, &of, motion, corner(place), rows);
     }
-    let (left, top) = corner(motions.len());
-    key(&mut canvas, rows, (left + 12.0, top + 10.0), WIDTH / ACROSS as f64 - 16.0);
-    canvas.text("error after ten periods", (WIDTH / 2.0, 4.0 + HIGH * down as f64 + 3.0), Anchor::Middle);
+    canvas.text("error after ten periods", (WIDTH / 2.0, panels + 3.0), Anchor::Middle);
+    key.draw(&mut canvas, (6.0, panels + 10.0), WIDTH - 12.0);
     draw_caption(&mut canvas, lines, below);
     canvas
 }
@@ -129,12 +129,15 @@ fn panel(canvas: &mut Canvas, rows: &[&PanelRow], motion: &str, (left, top): At,
         _ => 10f64.powf(OTHER + 0.35 * (place(row).unwrap_or(0) as f64 - 1.0)),
     };
     let at = |row: &PanelRow| frame.at((x(row), row.times()[0]));
+    let (mut lines, mut marks, mut texts) = (Vec::new(), Vec::new(), Vec::new());
     for (method, ink, _) in METHODS {
         let of: Vec<&&PanelRow> = rows.iter().filter(|row| row.text("method") == method).collect();
         let same = || of.iter().filter(|row| missed(row) == 0.0);
         let points: Vec<At> = same().map(|row| at(row)).collect();
         canvas.line(points.clone(), line(ink, 0.8));
-        canvas.discs(points, if method == "closed form" { 2.2 } else { 1.3 }, ink);
+        canvas.discs(points.clone(), if method == "closed form" { 2.2 } else { 1.3 }, ink);
+        marks.extend(of.iter().map(|row| at(row)));
+        lines.push(points);
         for row in &of {
             whisker(canvas, &frame, x(row), row.times(), ink);
         }
@@ -143,15 +146,14 @@ fn panel(canvas: &mut Canvas, rows: &[&PanelRow], motion: &str, (left, top): At,
         }
         // The values that matter: the closed form's time, and that of each method's smallest error.
         if let Some(row) = same().min_by(|a, b| x(a).total_cmp(&x(b))) {
-            let (x, y) = at(row);
-            let y = if method == "closed form" { y + 6.0 } else { y - 6.0 };
-            label(canvas, &short(row.times()[0]), (x - 2.0, y), Anchor::Start);
+            texts.push((at(row), short(row.times()[0])));
         }
     }
+    labels(canvas, &frame, &lines, &marks, texts);
     frame.draw(canvas);
 }
 
-fn key(canvas: &mut Canvas, rows: &[PanelRow], corner: At, width: f64) {
+fn key(rows: &[PanelRow]) -> Legend<'static> {
     let mut legend = Legend::default();
     for (method, ink, name) in
         METHODS.into_iter().filter(|(method, ..)| rows.iter().any(|row| row.text("method") == *method))
@@ -164,7 +166,7 @@ fn key(canvas: &mut Canvas, rows: &[PanelRow], corner: At, width: f64) {
     legend.add(Words::plain("impacts missed or made up"), |canvas: &mut Canvas, at: At| {
         cross(canvas, at, GREY)
     });
-    legend.draw(canvas, corner, width);
+    legend
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::{ops::RangeInclusive, path::PathBuf, str::FromStr};
 use clap::Parser;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
-use num_traits::{One, pow};
+use num_traits::{One, Zero, pow};
 use rayon::prelude::*;
 
 use super::{
@@ -314,6 +314,10 @@ impl<'a> Area<'a> {
 /// Lower and upper bounds of r and a₂, or nothing.
 fn bounds(r: Option<&Enclosure>, digits: u32) -> [String; 4] {
     let Some(r) = r else { return Default::default() };
+    if r.upper.is_zero() {
+        // Exactly: no zeros that look like rounded ones.
+        return ["0"; 4].map(String::from);
+    }
     let a2 = r.square();
     [
         decimal_below(&r.lower, digits),

@@ -64,6 +64,9 @@ pub type OrbitPicture = fn(&Map, &Pattern, Option<bool>, &Path) -> Result<()>;
 /// A command whose name may be left out, and before which words.
 pub type Short = (&'static str, fn(&str) -> bool);
 
+/// A question, and the commands that answer it, each with what it tells.
+pub type Question = (&'static str, &'static [(&'static str, &'static str)]);
+
 /// The commands of a program.
 pub trait Commands: Subcommand {
     /// The program's name.
@@ -72,6 +75,8 @@ pub trait Commands: Subcommand {
     const ELSEWHERE: &'static [&'static str] = &[];
     /// The command whose name may be left out.
     const SHORT: Option<Short> = None;
+    /// All commands by the questions that they answer, for the list of them; if empty the list is clap's.
+    const QUESTIONS: &'static [Question] = &[];
     /// Draws a pattern's orbit, in a program with pictures.
     const ORBIT: Option<OrbitPicture> = None;
 
@@ -116,17 +121,30 @@ struct Cli<C: Subcommand> {
     /// Show no progress bars.
     #[arg(short, long, global = true)]
     quiet: bool,
-    /// Print at the end how long it took and what it used: seconds, processor seconds, peak memory.
+    /// Print at the end the time and memory that it took.
     #[arg(short, long, global = true, conflicts_with = "quiet")]
     verbose: bool,
-    /// Write a table of how much each method decided, and how long it took, on all threads together.
+    /// Write where the time went, as CSV.
     #[arg(long, global = true, value_name = "FILE")]
     profile: Option<PathBuf>,
 }
 
 /// The definition of a program's command line.
 pub fn command<C: Commands>() -> Command {
-    Cli::<C>::command().name(C::NAME).bin_name(C::NAME)
+    let command = Cli::<C>::command().name(C::NAME).bin_name(C::NAME);
+    if C::QUESTIONS.is_empty() {
+        return command;
+    }
+    let mut list = String::new();
+    for (question, commands) in C::QUESTIONS {
+        list += &format!("{question}\n");
+        for (name, tells) in *commands {
+            list += &format!("  {name:<12} {tells}\n");
+        }
+    }
+    command.help_template(format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{list}\nOptions:\n{{options}}{{after-help}}"
+    ))
 }
 
 const EXIT_CODES: &str = "\

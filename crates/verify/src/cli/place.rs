@@ -17,25 +17,25 @@ use crate::{
 /// A point or a box.
 #[derive(Debug, clap::Args)]
 pub struct Place {
-    /// The trace a1, or an interval of it: 0.3, 0.3..=0.301, 0.3±1% (+- is read as ±).
+    /// Trace a1, or an interval: 0.3, 0.3..=0.301, 0.3±1%.
     #[arg(long, requires = "a2", allow_hyphen_values = true, value_name = "X|A..=B")]
     a1: Option<Span>,
-    /// The determinant a2 > 0, or an interval of it.
+    /// Determinant a2 > 0, or an interval.
     #[arg(long, requires = "a1", allow_hyphen_values = true, value_name = "Y|A..=B")]
     a2: Option<Span>,
-    /// The modulus r > 0, or an interval of it.
+    /// Modulus r > 0, or an interval.
     #[arg(long, requires = "s", allow_hyphen_values = true, value_name = "R|A..=B")]
     r: Option<Span>,
-    /// The angle as a fraction of a turn, 0 < s < 1/2, or an interval of it.
+    /// Angle over a turn, 0 < s < 1/2, or an interval.
     #[arg(long, requires = "r", allow_hyphen_values = true, value_name = "S|A..=B")]
     s: Option<Span>,
-    /// A machine's undamped natural frequency, as in 12.3Hz±1%; Hz, mHz, kHz, rpm, rad/s, or none.
+    /// A machine's undamped natural frequency: 12.3Hz±1%, 738rpm.
     #[arg(long, requires_all = ["damping_ratio", "drive"], allow_hyphen_values = true, value_name = "F")]
     frequency: Option<Measure>,
-    /// Its damping ratio, as in 0.02±20%.
+    /// Its damping ratio: 0.02±20%.
     #[arg(long, requires = "frequency", allow_hyphen_values = true, value_name = "Z")]
     damping_ratio: Option<Span>,
-    /// The frequency of its drive, once per period of which it touches the stop.
+    /// The frequency of its drive.
     #[arg(long, requires = "frequency", allow_hyphen_values = true, value_name = "F")]
     drive: Option<Measure>,
 }

@@ -42,84 +42,56 @@ const BITS: u32 = 64;
 
 /// Find every impact pattern at one point: which periods occur between impacts, and which may follow which.
 ///
-/// Give the point as for `classify`. For each sign of e*mu the report has the word: the periods n that can
-/// occur between two impacts, in the order of the Stern-Brocot path to s, each with the letter U (c_n > 0,
-/// m/n above s) or D (c_n < 0). For each sign of gamma it has which period may follow which, the periods that
-/// may follow themselves, the number of patterns of each period, and the topological entropy per forcing
-/// period, which is above 0 exactly where two single-impact periods coexist. An impact pattern exists where
-/// every period in it may follow the one before it, cyclically.
-///
-/// With intervals, as in --a1 0.3..=0.301 --a2 1/2, --r 0.97±1% --s 0.2..=0.21 or --frequency 12.3Hz±1%
-/// --damping-ratio 0.02±20% --drive 10Hz, the answer holds for all points of the box, which may meet several
-/// regions. What is not the same for all of them, or cannot be shown to be, is open; the letter ? stands for
-/// a c_n that is 0 or has not one sign. --shares says in which part of the box chaos is born, each period and
-/// each word occurs; --decides, at which frequency, damping or drive that changes. --certificate writes down
-/// why the answer is right.
-///
-/// Exit code 0: everything is decided; 2: wrong usage, or a file that cannot be written; 3: a sign is zero or
-/// undecided, of some period up to P u_n = 0, the word has more letters than were asked for, what was found
-/// could not be certified, or interrupted.
+/// Explained in docs/words.md; tolerances in docs/measured.md. Exit code 3: something is open.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing word --r 0.4633 --s 0.16327
-  grazing word --a1 1.9 --a2 0.95 --format dot -o word.dot
   grazing word --r 1.25 --s 0.37 --returns
-  grazing word --frequency 3.7Hz±1% --damping-ratio 0.1±20% --drive 10Hz --shares
-  grazing word --frequency 3.7Hz --damping-ratio 0.1 --drive 10Hz --decides --max-period 1")]
+  grazing word --frequency 3.7Hz±1% --damping-ratio 0.1±20% --drive 10Hz --shares")]
 #[command(group = ArgGroup::new("point").required(true).args(["a1", "r", "frequency", "samples"]))]
 #[command(group = ArgGroup::new("of_cells").args(["shares", "decides"]))]
 pub struct Args {
     #[command(flatten)]
     place: Place,
-    /// Count the patterns of periods 1 to P, at most 400.
+    /// Count patterns up to this period, at most 400.
     #[arg(long, value_name = "P", default_value_t = 12, value_parser = parse_integer::<u64>)]
     max_period: u64,
-    /// End a word after L letters, at most 2000.
+    /// Longest word, at most 2000.
     #[arg(long, value_name = "L", default_value_t = 200, value_parser = parse_integer::<usize>)]
     letters: usize,
-    /// Write a certificate, which `grazing check` proves again: every period up to the word's last mediant
-    /// (or P, or 256) and every edge by its own sign; with --shares, the share of the box in which
-    /// what --holds says holds.
+    /// Write a certificate.
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
-    /// What the certificate of --shares is of: "chaos +", where e*mu > 0 (+) or < 0 (-), with a second sign,
-    /// that of gamma, for a box of r and s or of a1 and a2; "period + 3"; or "word + 5 1D 2U 3U", these of
-    /// the periods 1 to 5 and no others. Periods are at most 64.
+    /// What that of --shares is of: "chaos +", "period + 3", "word + 5 1D 2U 3U".
     #[arg(long, value_name = "WHAT", requires_all = ["shares", "certificate"],
           value_parser = ShareStatement::parse)]
     holds: Option<ShareStatement>,
-    /// List instead the first-return times to the line x1 = -1 from the side of 0, and the points (-1, p)
-    /// that have them, for complex eigenvalues of any modulus: where grazing orbits strike next, and for r >
-    /// 1 the return times of a border collision.
+    /// List first-return times to the grazing line.
     #[arg(long, conflicts_with_all = ["certificate", "max_period"])]
     returns: bool,
-    /// Say of a box instead in which share of it chaos is born, each period and each word occurs: bounds,
-    /// from cells on which that is certain.
+    /// Say in which share of a box each verdict holds.
     #[arg(long, conflicts_with = "returns")]
     shares: bool,
-    /// Read X±Y as a normal parameter with deviation Y, independent of the other one: --shares are
-    /// probabilities, from cells as far as five deviations; what lies beyond counts as open.
+    /// X±Y is a normal parameter with deviation Y.
     #[arg(long, requires = "shares", conflicts_with = "certificate")]
     normal: bool,
-    /// Count the verdicts of the machines in a CSV with columns frequency, damping_ratio and drive in one
-    /// unit (or ratio, damping_ratio; r, s; a1, a2), a sample per line: counts, which bound no share.
+    /// Count the verdicts of machines in a CSV.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["certificate", "returns", "shares", "decides"])]
     samples: Option<PathBuf>,
-    /// Say instead how far each parameter may go alone, from the point or the middle of the box, before a
-    /// verdict changes: whether chaos is born, the word, and each period that occurs.
+    /// Say what change of a parameter changes a verdict.
     #[arg(long, conflicts_with_all = ["certificate", "returns", "shares"])]
     decides: bool,
-    /// Look at C cells for --shares, or for each direction of --decides, at most 1000000.
+    /// Cells, at most 1000000.
     #[arg(long, value_name = "C", default_value_t = 2_000, requires = "of_cells",
           value_parser = parse_integer::<u64>)]
     cells: u64,
-    /// Let the certificate rest on the word theorem: one sign per letter, and so all periods.
+    /// Rest the certificate on the word theorem: all periods.
     #[arg(long, requires = "certificate", conflicts_with = "shares")]
     by_theorem: bool,
-    /// How the result is written.
+    /// Form of the result.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
-    /// Write to a file, which appears only when complete.
+    /// Write to a file.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
@@ -138,17 +110,11 @@ impl Args {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum Format {
-    /// For reading.
     Text,
-    /// One JSON object.
     Json,
-    /// The four pattern graphs, for Graphviz.
     Dot,
-    /// A row for each period of each word, or of --returns for each piece of the line, as CSV.
     Csv,
-    /// The same as a LaTeX longtable with booktabs rules, which cites the certificate that is written.
     Latex,
-    /// The same with the numbers in siunitx's \num.
     LatexSiunitx,
 }
 

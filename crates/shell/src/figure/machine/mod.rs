@@ -154,4 +154,28 @@ mod tests {
         }
         assert!(fs::read_to_string(place.picture()).unwrap() == canvas.svg());
     }
+
+    /// The gallery's drawings are those of the scenes of their names.
+    #[test]
+    fn the_checked_in_gallery_is_that_of_the_examples() {
+        let gallery = Path::new("../../docs/gallery");
+        let mut seen = 0;
+        for drawing in fs::read_dir(gallery).unwrap() {
+            let name = drawing.unwrap().path().file_stem().unwrap().to_string_lossy().into_owned();
+            let file = ["machines", "scenes"]
+                .map(|folder| format!("../../examples/{folder}/{name}.toml"))
+                .into_iter()
+                .find(|file| Path::new(file).exists())
+                .unwrap_or_else(|| panic!("no scene {name}"));
+            let scene = Scene::from_toml(&fs::read_to_string(&file).unwrap(), &file).unwrap();
+            let (canvas, _) = drawn(&MachinePicture::of(&scene).unwrap());
+            let place = FigurePlace::svg(gallery, &name);
+            if std::env::var_os("GRAZING_REDRAW").is_some() {
+                place.draw(&canvas).unwrap();
+            }
+            assert!(fs::read_to_string(place.picture()).unwrap() == canvas.svg(), "{name}");
+            seen += 1;
+        }
+        assert!(seen >= 20, "{seen}");
+    }
 }
