@@ -171,8 +171,8 @@ pub fn find_beside(
     describe(simulator, pattern, scale, root)
 }
 
-/// The same, of a machine that is linear between impacts and whose motion its forces hold: state and speeds are
-/// solved for with the times, as [`project`] does.
+/// The same, of a machine that is linear between impacts and whose motion its forces hold: state and speeds
+/// are solved for with the times, as [`project`] does.
 ///
 /// # Errors
 /// As [`project`] and [`find`].
