@@ -103,7 +103,7 @@ fn at_a_higher_resonance_nothing_is_born() {
 }
 
 /// From the touch on it is exactly one motion, stable, with a certificate, of one impact in n periods: at the
-/// first resonance of one stop, at n = 1 for θ = 2π; beside it none is stable from the touch on.
+/// first resonance of one stop, at n = 1 for θ = π and 2π; beside it none is stable from the touch on.
 #[test]
 fn from_the_touch_on_it_is_proved() {
     let rows = |c: &str, turns: &str, n: u64| {
@@ -113,7 +113,9 @@ fn from_the_touch_on_it_is_proved() {
             found.range.unwrap_or_else(|| panic!("{shown}")).iter().filter(of).cloned().collect();
         (rows, found.certificates, shown)
     };
-    for (c, turns, n, least) in [("1/4", "1/3", 3, 0.5), ("1/4", "2", 1, 0.5), ("1/50", "1/5", 5, 0.05)] {
+    for (c, turns, n, least) in
+        [("1/4", "1/3", 3, 0.5), ("1/4", "1", 1, 0.5), ("1/4", "2", 1, 0.5), ("1/50", "1/5", 5, 0.05)]
+    {
         let (rows, certificates, shown) = rows(c, turns, n);
         let [row] = &rows[..] else { panic!("{turns}: {shown}") };
         let end: f64 = row.end.as_ref().unwrap_or_else(|| panic!("{turns}: {shown}")).parse().unwrap();

@@ -322,7 +322,9 @@ impl Near<'_> {
         let mut letters = letters.to_vec();
         if behind && !self.main && matches!(self.of, Of::One(_)) {
             for n in 1..=LONGEST {
-                if let Some(ResonantBirth::Orbit { .. }) = self.point.resonance(n)? {
+                // Where γ = 0 floats may have its letter.
+                let born = self.point.resonance(n)?;
+                if matches!(born, Some(ResonantBirth::Orbit { .. })) && !letters.contains(&n) {
                     letters.push(n);
                 }
             }
