@@ -312,7 +312,8 @@ fn tell<C: Told>(
                 "block": options.block(),
                 "tally": tally,
             });
-            // It may exceed 2⁵³.
+            // They may exceed 2⁵³.
+            report["options"]["cases"] = args.cases.to_string().into();
             report["options"]["seed"] = args.seed.to_string().into();
             for (key, value) in options.more() {
                 report[key] = value;
