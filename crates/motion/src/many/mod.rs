@@ -81,6 +81,7 @@ mod sliding;
 pub mod slope;
 mod smooth;
 mod speed;
+mod stribeck;
 
 pub(crate) use equations::{LinearEquations, Periodic};
 pub use flow::FlowMethod;
@@ -94,6 +95,8 @@ pub(crate) use slope::Slope;
 pub use smooth::Record;
 pub use speed::MOST as MOST_POWERS;
 pub use speed::SpeedLaw;
+#[doc(hidden)]
+pub use stribeck::SlidingLaw;
 
 /// Vectors of coordinates, velocities, forces.
 pub type RealVector = nalgebra::DVector<f64>;

@@ -38,6 +38,11 @@ impl Variables {
         }
     }
 
+    /// That of a coefficient of friction: the sliding speed.
+    pub(super) fn of_sliding() -> Variables {
+        Variables { names: vec![("v".to_string(), 0)], time: 1 }
+    }
+
     /// Of an oscillator: [`Q`], [`U`] and [`TIME`].
     fn of_oscillator() -> Variables {
         let names = [("q", Q), ("u", U), ("t", TIME)].map(|(name, place)| (name.to_string(), place));

@@ -6,7 +6,7 @@ use super::{
     force::Variables,
     format::SceneFormat,
     keys::Entry,
-    law::LawKey,
+    law::{CoefficientKey, LawKey},
     matrix::{CoordinateList, MatrixValue},
     measured::{MeasuredForce, MeasuredKeys},
     restitution::RestitutionKey,
@@ -331,7 +331,11 @@ fn rubbing(
     if row.is_empty() {
         return Err(at(".row").fail("is zero: nothing slides"));
     }
-    let static_coefficient = keys.static_coefficient.unwrap_or_else(|| keys.coefficient.clone());
+    let (coefficient, law) = match keys.coefficient {
+        CoefficientKey::Constant(coefficient) => (coefficient, None),
+        CoefficientKey::Law(law) => (Expression::parse("0", &[])?, Some(law)),
+    };
+    let static_coefficient = keys.static_coefficient.unwrap_or_else(|| coefficient.clone());
     let normal = match (keys.normal, keys.stop) {
         (Some(force), None) => NormalForce::Given(force),
         (None, Some(stop)) => {
@@ -351,8 +355,8 @@ fn rubbing(
             return Err(at("").fail(why));
         }
     };
-    let (coefficient, speed) = (keys.coefficient, keys.speed);
-    Ok(Friction { name, row, normal, coefficient, static_coefficient, speed, harmonics })
+    let speed = keys.speed;
+    Ok(Friction { name, row, normal, coefficient, law, static_coefficient, speed, harmonics })
 }
 
 /// The opposite motion.

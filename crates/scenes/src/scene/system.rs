@@ -4,7 +4,7 @@ use super::{
     expression::Expression,
     force::ForceList,
     keys::{Entry, Key, Record, Value, keys, words},
-    law::LawKey,
+    law::{CoefficientKey, LawKey},
     matrix::{CoordinateList, MatrixValue},
     measured::MeasuredKeys,
     restitution::RestitutionKey,
@@ -123,9 +123,10 @@ keys! {
         /// in place of `normal`, the name of the stop on which it slides: friction acts while the stop is in
         /// contact, and at impacts
         stop: Option<String>,
-        /// the coefficient of kinetic friction, at least 0
-        coefficient: Expression,
-        /// that of static friction, at least `coefficient`; without it the same
+        /// the coefficient of kinetic friction, at least 0; or a law of the sliding speed v, the same for v
+        /// and −v, as "0.2 + 0.2*exp(-abs(v)/0.05)"
+        coefficient: CoefficientKey,
+        /// that of static friction, at least `coefficient` (at v = 0); without it the same
         static_coefficient: Option<Expression>,
         /// the constant velocity of the surface, as of a belt
         speed: Expression = "0",

@@ -63,6 +63,9 @@ impl Simulator {
         };
         let mut open = Vec::new();
         for (k, [value, size]) in smooth.switched(state).into_iter().enumerate() {
+            if matches!(smooth.switches()[k].of, SwitchOf::Slide(_)) {
+                continue;
+            }
             if value.abs() <= (NONE * size).max(self.depth(&What::Kink(k))) {
                 open.push(k);
             } else if (value < 0.0) != holds.below.contains(&k) {

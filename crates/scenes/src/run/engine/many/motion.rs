@@ -84,8 +84,8 @@ pub(super) fn simulate(
     for (row, (friction, (grip, (share, path, energy)))) in found.friction.iter_mut().zip(rubs) {
         (row.stuck, row.path) = (share, path);
         row.dissipated = match friction.normal {
-            NormalForce::Given(normal) => friction.coefficient * normal * path,
-            NormalForce::Stop { .. } => energy,
+            NormalForce::Given(normal) if friction.law.is_none() => friction.coefficient * normal * path,
+            _ => energy,
         };
         row.at_end = match grip {
             Grip::Open => "open",
