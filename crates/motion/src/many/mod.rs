@@ -82,6 +82,7 @@ pub mod slope;
 mod smooth;
 mod speed;
 mod stribeck;
+mod thresholds;
 
 pub(crate) use equations::{LinearEquations, Periodic};
 pub use flow::FlowMethod;
@@ -97,6 +98,8 @@ pub use speed::MOST as MOST_POWERS;
 pub use speed::SpeedLaw;
 #[doc(hidden)]
 pub use stribeck::SlidingLaw;
+#[doc(hidden)]
+pub use thresholds::threshold;
 
 /// Vectors of coordinates, velocities, forces.
 pub type RealVector = nalgebra::DVector<f64>;

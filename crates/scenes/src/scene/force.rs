@@ -111,6 +111,30 @@ impl Value for ForceList {
     }
 }
 
+/// A function of the motion, as it is written.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct FunctionText(ForceList);
+
+impl Value for FunctionText {
+    fn shape() -> String {
+        "expression in the displacements, the velocities and t".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        Ok(FunctionText(ForceList { texts: vec![(entry.expression()?, entry.path.clone())] }))
+    }
+}
+
+impl FunctionText {
+    /// The function, of these variables.
+    pub(super) fn fit(&self, place: &Entry, variables: &Variables) -> Result<SmoothForce<Expression>> {
+        match self.0.read_all(place, variables)?.pop() {
+            Some(ForceKey::Smooth(function)) => Ok(function),
+            _ => Err(place.fail("is a constant, which passes 0 nowhere: write a function of q, u or t")),
+        }
+    }
+}
+
 /// The constant forces, none for all zero, and the others, none if there are none.
 type Forces = (Vec<Expression>, Vec<Option<SmoothForce<Expression>>>);
 

@@ -10,12 +10,12 @@ use super::{
     matrix::{CoordinateList, MatrixValue},
     measured::{MeasuredForce, MeasuredKeys},
     restitution::RestitutionKey,
-    system::{FrictionKeys, ModesKeys, StopKeys, SystemKeys, check_k, derived, harmonics},
+    system::{EventKeys, FrictionKeys, ModesKeys, StopKeys, SystemKeys, check_k, derived, harmonics},
 };
 use crate::{
     error::Result,
     many::{Friction, Load, Machine, NormalForce, Stop, StopLaw},
-    motion::{Harmonic, Side, Wall},
+    motion::{Harmonic, Side, SmoothForce, Wall},
     source::hint,
 };
 
@@ -33,6 +33,8 @@ pub struct MachineScene {
     pub measured: Option<MeasuredForce>,
     /// The damping ratios that the damping is made of, none of which is negative.
     pub(super) ratios: Vec<Expression>,
+    /// The thresholds, each with its name and whether it ends a motion.
+    pub(crate) events: Vec<(String, SmoothForce<Expression>, bool)>,
     /// Of each stop the volume that wears off for a unit of energy, if it is given.
     pub(super) wear: Vec<Option<Expression>>,
 }
@@ -42,7 +44,7 @@ impl MachineScene {
     pub(super) fn new(
         file: &Entry,
         mut keys: SystemKeys,
-        (stops, friction): (Vec<StopKeys>, Vec<FrictionKeys>),
+        (stops, friction, thresholds): (Vec<StopKeys>, Vec<FrictionKeys>, Vec<EventKeys>),
         minimum_depth: Option<f64>,
     ) -> Result<Self> {
         let at = |path: &str| file.at(path);
@@ -122,7 +124,20 @@ impl MachineScene {
             machine.stops = stops;
             machine.friction.push(rub?);
         }
-        Ok(MachineScene { machine, minimum_depth, measured, ratios, wear })
+        let mut events: Vec<(String, SmoothForce<Expression>, bool)> = Vec::new();
+        let alone = thresholds.len() == 1;
+        for (i, EventKeys { name, of, end }) in (1..).zip(thresholds) {
+            let own = || if alone { "event".to_string() } else { format!("event {i}") };
+            let name = name.unwrap_or_else(own);
+            let held = machine.stops.iter().map(|stop| &stop.name);
+            let held = held.chain(machine.friction.iter().map(|rub| &rub.name));
+            if held.chain(events.iter().map(|known| &known.0)).any(|known| *known == name) {
+                let why = "is the name of a stop, of friction or of an earlier event, too";
+                return Err(at(&format!("events[{i}].name")).fail(why));
+            }
+            events.push((name, of.fit(&at(&format!("events[{i}].of")), &variables)?, end));
+        }
+        Ok(MachineScene { machine, minimum_depth, measured, ratios, events, wear })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{
     expression::Expression,
-    force::ForceList,
+    force::{ForceList, FunctionText},
     keys::{Entry, Key, Record, Value, keys, words},
     law::{CoefficientKey, LawKey},
     matrix::{CoordinateList, MatrixValue},
@@ -136,6 +136,19 @@ keys! {
 }
 
 keys! {
+    /// A threshold: where a function of the motion passes 0, either way. It changes nothing, and is told by
+    /// the tasks `simulate`.
+    pub struct EventKeys {
+        /// what it is called in reports; without it `event`, with a number if there are several
+        name: Option<String>,
+        /// the function, as "q - 0.5" or "u1 - u2 + 0.1*cos(t)"
+        of: FunctionText,
+        /// whether a motion ends there, after the transient
+        end: bool = "false",
+    }
+}
+
+keys! {
     /// A term `cos` cos 2πkt/T + `sin` sin 2πkt/T of the motion of a stop or of a surface, T the forcing's
     /// period.
     pub struct HarmonicKeys {
@@ -221,6 +234,7 @@ pub(super) const TABLES: &[(&str, &str, &[Key])] = &[
     ("`modes`", ModesKeys::ABOUT, ModesKeys::KEYS),
     ("`[[stops]]`", StopKeys::ABOUT, StopKeys::KEYS),
     ("`[[friction]]`", FrictionKeys::ABOUT, FrictionKeys::KEYS),
+    ("`[[events]]`", EventKeys::ABOUT, EventKeys::KEYS),
     ("an entry of `harmonics`", HarmonicKeys::ABOUT, HarmonicKeys::KEYS),
     ("`[accuracy]`", Accuracy::ABOUT, Accuracy::KEYS),
 ];

@@ -118,6 +118,11 @@ fn lead(stage: &Stage, switch: usize, time: Time, state: &State) -> f64 {
 }
 
 impl Run<'_> {
+    /// Whether the switch of a kink, as [`Simulator::kinks`] numbers them, is negative from here on.
+    pub fn is_below(&self, kink: usize) -> bool {
+        self.simulator().kinks().nth(kink).is_some_and(|k| self.stage().holds.below.contains(&k))
+    }
+
     /// A switch has come to 0 at x.
     pub(super) fn kinked(&mut self, time: Time, x: f64, switch: usize) -> Result<()> {
         let (state, before) = (self.state_at(x), self.stage());
