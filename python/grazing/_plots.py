@@ -190,6 +190,7 @@ def report(found: TaskReport, axes: Any) -> Any:
 #: Marks of events, by the numbers of EVENT_KINDS.
 _EVENTS = (
     ("impact", "o"), ("tangency", "*"), ("stick", "s"), ("release", "^"), ("touch", "d"), ("reversal", "v"), ("kink", "+"),
+    ("upcrossing", "2"), ("downcrossing", "1"),
 )
 
 

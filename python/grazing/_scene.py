@@ -25,7 +25,7 @@ from ._tolerances import Tolerance, tolerance
 _GRIDS = {"basins": ("q", "u"), "map": ("first", "second")}
 
 #: What the numbers of ``data.event_kind`` mean.
-EVENT_KINDS = ("impact", "tangency", "stick", "release", "touch", "reversal", "kink")
+EVENT_KINDS = ("impact", "tangency", "stick", "release", "touch", "reversal", "kink", "upcrossing", "downcrossing")
 
 
 @dataclass(frozen=True)

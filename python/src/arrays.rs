@@ -121,6 +121,8 @@ impl Keeper for Collector {
             "release" => (3, None),
             "reversal" => (5, None),
             "kink" => (6, None),
+            "upcrossing" => (7, None),
+            "downcrossing" => (8, None),
             _ => (4, event.velocity),
         };
         self.event_time.push(event.time.periods());

@@ -28,6 +28,7 @@ pub mod second;
 mod soft;
 mod steep;
 mod stiff;
+mod thresholds;
 
 /// How far two vectors are apart, at most.
 pub fn apart(a: &[f64], b: &[f64]) -> f64 {

@@ -136,7 +136,8 @@ pub fn machine_effects() -> Vec<MachineWithEffect> {
         let (row, normal, harmonics) = (vec![1.0], NormalForce::Given(1.0), vec![]);
         let (coefficient, static_coefficient) = (0.1, 0.2);
         let name = "belt".into();
-        let belt = Friction { name, row, normal, coefficient, static_coefficient, speed, harmonics };
+        let law = None;
+        let belt = Friction { name, row, normal, coefficient, law, static_coefficient, speed, harmonics };
         rough.machine.friction = vec![belt];
         rough
     };

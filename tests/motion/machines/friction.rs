@@ -22,6 +22,7 @@ mod refusals;
 mod rough;
 mod shared;
 mod stops;
+mod stribeck;
 
 use rough::Rough;
 
@@ -31,6 +32,7 @@ fn friction(row: &[f64], normal: f64, [coefficient, static_coefficient]: [f64; 2
         row: row.to_vec(),
         normal: NormalForce::Given(normal),
         coefficient,
+        law: None,
         static_coefficient,
         speed: 0.0,
         harmonics: vec![],

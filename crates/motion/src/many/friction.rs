@@ -7,14 +7,14 @@
 //! turns into the other is found in `simulate`.
 //!
 //! The normal force is given, or it is that of a stop: then the machine rubs where the stop is in contact,
-//! and at an impact on it.
+//! and at an impact on it. A coefficient may follow the sliding speed (`stribeck`).
 
 use serde::Serialize;
 
-use super::{Machine, RealVector, State, StopLaw, contact::Watch};
+use super::{Machine, RealVector, State, StopLaw, contact::Watch, stribeck::SlidingLaw};
 use crate::{
     error::{Error, Result},
-    motion::{Harmonic, Series},
+    motion::{Harmonic, Series, SmoothForce},
 };
 
 /// Dry friction at a row of a machine.
@@ -26,9 +26,13 @@ pub struct Friction<T> {
     pub row: Vec<T>,
     /// What presses.
     pub normal: NormalForce<T>,
-    /// The force of sliding over the normal force, at least 0.
+    /// The force of sliding over the normal force, at least 0. Not used where there is a `law`.
     pub coefficient: T,
-    /// The largest force of sticking over the normal force, at least `coefficient`.
+    /// The same as a formula in the sliding speed, per unit of time; under a given normal force alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub law: Option<SmoothForce<T>>,
+    /// The largest force of sticking over the normal force, at least `coefficient`; of a `law`, 0 for what
+    /// that is at rest.
     pub static_coefficient: T,
     /// The constant part of the surface's velocity along w.
     pub speed: T,
@@ -128,6 +132,7 @@ impl<T> Friction<T> {
                 NormalForce::Stop { stop } => NormalForce::Stop { stop: *stop },
             },
             coefficient: convert(&self.coefficient)?,
+            law: self.law.as_ref().map(|law| law.try_map(&mut convert)).transpose()?,
             static_coefficient: convert(&self.static_coefficient)?,
             speed: convert(&self.speed)?,
             harmonics: self
@@ -186,8 +191,10 @@ pub struct Rub {
     pub motion: Series,
     /// The stop whose force presses, if it is not given.
     pub stop: Option<usize>,
-    /// F_k; over that force, where it is a stop's.
+    /// F_k; over that force, where it is a stop's. Of a law, that of the least speeds.
     pub sliding: f64,
+    /// F_k where it follows the speed.
+    pub law: Option<SlidingLaw>,
     /// F_s, likewise.
     pub holding: f64,
 }
@@ -255,7 +262,19 @@ impl Machine<f64> {
                     return Err(Error::input(format!("{name} = {value}; it is at least 0")));
                 }
             }
-            let (kinetic, holding) = (friction.coefficient, friction.static_coefficient);
+            if let (Some(SmoothForce { text, .. }), Some(_)) = (&friction.law, stop) {
+                return Err(Error::input(format!(
+                    "coefficient = {text} follows the sliding speed, which is taken under a given normal force alone: give \
+                     `normal`, or a number"
+                )));
+            }
+            let law = friction.law.as_ref().map(|law| SlidingLaw::new(law, pressing, self.rate()));
+            let law = law.transpose()?;
+            let kinetic = law.as_ref().map_or(friction.coefficient, SlidingLaw::at_rest);
+            let holding = match friction.static_coefficient {
+                0.0 if law.is_some() => kinetic,
+                given => given,
+            };
             if !(holding >= kinetic && holding.is_finite()) {
                 return Err(Error::input(format!(
                     "static_coefficient = {holding}, below coefficient = {kinetic}: what sticks holds at least what slides does"
@@ -271,6 +290,7 @@ impl Machine<f64> {
                 motion: Series::new(0.0, &friction.harmonics)?,
                 stop,
                 sliding: kinetic * pressing,
+                law,
                 holding: holding * pressing,
             })
         };

@@ -81,6 +81,8 @@ mod sliding;
 pub mod slope;
 mod smooth;
 mod speed;
+mod stribeck;
+mod thresholds;
 
 pub(crate) use equations::{LinearEquations, Periodic};
 pub use flow::FlowMethod;
@@ -94,6 +96,10 @@ pub(crate) use slope::Slope;
 pub use smooth::Record;
 pub use speed::MOST as MOST_POWERS;
 pub use speed::SpeedLaw;
+#[doc(hidden)]
+pub use stribeck::SlidingLaw;
+#[doc(hidden)]
+pub use thresholds::threshold;
 
 /// Vectors of coordinates, velocities, forces.
 pub type RealVector = nalgebra::DVector<f64>;

@@ -186,12 +186,17 @@ impl<T> Machine<T> {
 impl<T> Machine<T> {
     /// Whether a force on it is a formula: then its motion is no sum of modes.
     pub fn is_smooth(&self) -> bool {
-        self.smooth.iter().any(Option::is_some) || self.has_laws()
+        self.smooth.iter().any(Option::is_some) || self.has_laws() || self.has_sliding_laws()
     }
 
     /// Whether a stop pushes by a formula.
     pub(crate) fn has_laws(&self) -> bool {
         self.stops.iter().any(|stop| matches!(stop.law, StopLaw::Formula(_)))
+    }
+
+    /// Whether friction follows a law of the sliding speed.
+    pub(crate) fn has_sliding_laws(&self) -> bool {
+        self.friction.iter().any(|friction| friction.law.is_some())
     }
 
     /// What of its forces has kinks, if anything has.
@@ -277,8 +282,9 @@ impl Machine<f64> {
     /// Formulas for another number of coordinates; coefficients that are not finite; a constant part that is
     /// no number, as a root of a negative one.
     pub fn check_forces(&self) -> Result<()> {
-        match super::smooth::Smooth::new(self)? {
-            Some(smooth) => smooth.in_mode(&[]).flow(&self.equations()?, None).map(drop),
+        // What friction takes has checks of its own.
+        match super::smooth::Smooth::new(&Machine { friction: Vec::new(), ..self.clone() })? {
+            Some(smooth) => smooth.in_mode(&[], &[]).flow(&self.equations()?, None).map(drop),
             None => Ok(()),
         }
     }

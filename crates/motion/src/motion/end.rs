@@ -14,6 +14,8 @@ pub enum RunEnd {
     Reached,
     /// The limit of impacts is reached; the run stays where it is.
     ImpactLimit,
+    /// A threshold that ends it is crossed.
+    Event,
     /// The motion left every bound (negative stiffness, resonance); the run stays where it is.
     Escaped,
     /// The force has a pole here, or a root or a logarithm of 0; the run stays where it is.
@@ -39,6 +41,7 @@ impl RunEnd {
         match self {
             RunEnd::Reached => "at the time asked for",
             RunEnd::ImpactLimit => "at the limit of impacts",
+            RunEnd::Event => "at an event",
             RunEnd::Escaped => "when it left every bound",
             RunEnd::NotSmooth => "where its force is not smooth",
             RunEnd::TooSteep => "where its force is too steep",

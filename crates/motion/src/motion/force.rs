@@ -61,10 +61,11 @@ impl<T> SmoothForce<T> {
         SmoothForce { formula: Arc::new(self.formula.substituted(&variables)), ..self.clone() }
     }
 
-    pub(crate) fn try_map<U, E>(
-        &self,
-        convert: &mut impl FnMut(&T) -> Result<U, E>,
-    ) -> Result<SmoothForce<U>, E> {
+    /// The same with every coefficient converted.
+    ///
+    /// # Errors
+    /// The first error of `convert`.
+    pub fn try_map<U, E>(&self, convert: &mut impl FnMut(&T) -> Result<U, E>) -> Result<SmoothForce<U>, E> {
         Ok(SmoothForce {
             formula: self.formula.clone(),
             text: self.text.clone(),

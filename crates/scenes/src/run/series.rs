@@ -14,6 +14,8 @@ pub struct SeriesOf {
     pub friction: Vec<String>,
     /// The kinks and jumps of its forces, as they are written.
     pub kinks: Vec<String>,
+    /// The names of its events, in the scene's order.
+    pub events: Vec<String>,
     /// The forcing period, in the scene's unit of time.
     pub period: f64,
     /// When it begins, after the transient, in periods.
@@ -26,7 +28,7 @@ impl SeriesOf {
     /// The names of all places where something happens, as [`StopEvent::stop`] counts them.
     pub fn places(&self) -> Vec<String> {
         let stops = self.stops.iter().map(|stop| &stop.name);
-        stops.chain(&self.friction).chain(&self.kinks).cloned().collect()
+        stops.chain(&self.friction).chain(&self.kinks).chain(&self.events).cloned().collect()
     }
 }
 
@@ -57,11 +59,11 @@ pub struct SeriesPoint<'a> {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StopEvent {
     /// "impact", "tangency", "touch", "stick" or "release"; with friction "stick", "release" or "reversal";
-    /// of a force with kinks "kink".
+    /// of a force with kinks "kink"; of an event "upcrossing" or "downcrossing".
     pub event: &'static str,
     /// When.
     pub time: Time,
-    /// The stop, by its place; friction comes after all stops, kinks of forces after both.
+    /// The stop, by its place; friction comes after all stops, then kinks of forces, then events.
     pub stop: usize,
     /// The gap's rate on arrival, of an impact or a touch.
     pub velocity: Option<f64>,

@@ -83,6 +83,22 @@ row! {
 }
 
 row! {
+    /// How often a threshold was crossed.
+    pub struct ThresholdRow {
+        /// Its name.
+        pub event: String,
+        /// How often upwards.
+        pub up: u64,
+        /// How often downwards.
+        pub down: u64,
+        /// When first, in forcing periods since t = 0; absent if never.
+        pub first: Option<f64>,
+        /// When last.
+        pub last: Option<f64>,
+    }
+}
+
+row! {
     /// What wears off a stop, where the scene says how much.
     pub struct WearRow {
         /// Its name.
@@ -161,6 +177,9 @@ pub struct SimulationFindings {
     /// What happened at each kink or jump of a force, after the transient.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(crate) kinks: Vec<KinkRow>,
+    /// The events, after the transient.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) events: Vec<ThresholdRow>,
     /// What wears off stops that have a coefficient for it, after the transient.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(crate) wear: Vec<WearRow>,
@@ -259,6 +278,7 @@ impl Finding for SimulationFindings {
         listed(lines, "stops", &self.stops);
         listed(lines, "friction", &self.friction);
         listed(lines, "kinks", &self.kinks);
+        listed(lines, "events", &self.events);
         listed(lines, "wear", &self.wear);
         self.measured.iter().for_each(|measured| measured.lines(lines));
     }
@@ -287,6 +307,10 @@ impl MeasuredEffect {
         }
     }
 }
+
+/// The words for an event, as its function passes 0 upwards and downwards.
+pub(super) const UP: &str = "upcrossing";
+pub(super) const DOWN: &str = "downcrossing";
 
 /// Modes that a report lists.
 const LISTED: usize = 10;
@@ -325,6 +349,12 @@ impl StopRow {
     }
 }
 
+impl ThresholdRow {
+    fn new(name: &str) -> ThresholdRow {
+        ThresholdRow { event: name.into(), up: 0, down: 0, first: None, last: None }
+    }
+}
+
 impl FrictionRow {
     fn new(name: &str) -> FrictionRow {
         FrictionRow { friction: name.into(), at_end: "slides", ..FrictionRow::default() }
@@ -355,6 +385,7 @@ impl SimulationFindings {
             stops: stops.map(|(stop, &compliant)| StopRow::new(&stop.name, compliant)).collect(),
             friction: of.friction.iter().map(|name| FrictionRow::new(name)).collect(),
             kinks: of.kinks.iter().map(|kink| KinkRow { kink: kink.clone(), crossings: 0 }).collect(),
+            events: of.events.iter().map(|name| ThresholdRow::new(name)).collect(),
             wear: Vec::new(),
             measured: None,
             begin: of.begin,
@@ -405,7 +436,18 @@ impl SimulationFindings {
         let Some(row) = self.stops.get_mut(event.stop) else {
             let place = event.stop - self.stops.len();
             let Some(row) = self.friction.get_mut(place) else {
-                self.kinks[place - self.friction.len()].crossings += 1;
+                let place = place - self.friction.len();
+                if let Some(row) = self.kinks.get_mut(place) {
+                    row.crossings += 1;
+                    return true;
+                }
+                let (row, now) = (&mut self.events[place - self.kinks.len()], event.time.periods());
+                if event.event == UP {
+                    row.up += 1
+                } else {
+                    row.down += 1
+                }
+                (row.first, row.last) = (row.first.or(Some(now)), Some(now));
                 return true;
             };
             match event.event {

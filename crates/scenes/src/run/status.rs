@@ -81,7 +81,7 @@ impl Status {
     /// How a motion ended after so many forcing periods, in this state and with this acceleration.
     pub(super) fn of_motion(end: RunEnd, periods: f64, [q, u, bend]: [&[f64]; 3]) -> Status {
         match end {
-            RunEnd::Reached => Status::Done,
+            RunEnd::Reached | RunEnd::Event => Status::Done,
             end => {
                 let of = |all: &[f64]| match all {
                     [one] => format!("{one:?}"),

@@ -38,6 +38,11 @@ impl Variables {
         }
     }
 
+    /// That of a coefficient of friction: the sliding speed.
+    pub(super) fn of_sliding() -> Variables {
+        Variables { names: vec![("v".to_string(), 0)], time: 1 }
+    }
+
     /// Of an oscillator: [`Q`], [`U`] and [`TIME`].
     fn of_oscillator() -> Variables {
         let names = [("q", Q), ("u", U), ("t", TIME)].map(|(name, place)| (name.to_string(), place));
@@ -103,6 +108,30 @@ impl Value for ForceList {
             vec![one(entry)?]
         };
         Ok(ForceList { texts })
+    }
+}
+
+/// A function of the motion, as it is written.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct FunctionText(ForceList);
+
+impl Value for FunctionText {
+    fn shape() -> String {
+        "expression in the displacements, the velocities and t".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        Ok(FunctionText(ForceList { texts: vec![(entry.expression()?, entry.path.clone())] }))
+    }
+}
+
+impl FunctionText {
+    /// The function, of these variables.
+    pub(super) fn fit(&self, place: &Entry, variables: &Variables) -> Result<SmoothForce<Expression>> {
+        match self.0.read_all(place, variables)?.pop() {
+            Some(ForceKey::Smooth(function)) => Ok(function),
+            _ => Err(place.fail("is a constant, which passes 0 nowhere: write a function of q, u or t")),
+        }
     }
 }
 

@@ -36,10 +36,10 @@ const RENAMED: [(&[SceneFormat], &[&str], &str, &str); 3] = [
 
 /// Keys that older formats do not have, by the table in which they stand.
 const MISSING: [(SceneFormat, &str, &[&str]); 7] = [
-    (One, "", &["engine", "friction", "units"]),
+    (One, "", &["engine", "friction", "events", "units"]),
     (One, "system", &["period", "frequency", "mass", "damping_ratio", "modes", "measured"]),
     (One, "stops", &["name", "row", "stiffness", "damping"]),
-    (Two, "", &["engine", "friction", "units"]),
+    (Two, "", &["engine", "friction", "events", "units"]),
     (Two, "system", &["cubic"]),
     (Two, "stops", &["side"]),
     (Two, "accuracy", &["tolerance"]),

@@ -19,8 +19,8 @@ use super::{
     oscillator::{Disqualified, oscillator},
     quantity::{Kinds, Scale, WrittenUnit},
     scene::{Body, Engine, Scene},
-    system::{Accuracy, EngineKey, FrictionKeys, StopKeys, SystemKeys},
-    task::Task,
+    system::{Accuracy, EngineKey, EventKeys, FrictionKeys, StopKeys, SystemKeys},
+    task::{Kind, Task},
     units::{SiUnits, UnitKeys},
     wanted::{self, Coordinates},
 };
@@ -53,6 +53,8 @@ keys! {
         stops: Vec<StopKeys> = "[]",
         /// the dry friction
         friction: Vec<FrictionKeys> = "[]",
+        /// thresholds that are told where motions pass them
+        events: Vec<EventKeys> = "[]",
         /// what the numbers' units are
         units: Option<UnitKeys>,
         /// how accurately to compute
@@ -255,6 +257,10 @@ impl Scene {
             }
             self.for_task(task, &[])?;
         }
+        let watched = self.machine_scene().is_ok_and(|scene| !scene.events.is_empty());
+        if watched && !self.tasks.iter().any(|task| matches!(task.kind, Kind::SimulateTask(_))) {
+            return Err(self.fail("events", "are told by tasks `simulate` alone, and there is none"));
+        }
         Ok(())
     }
 }
@@ -282,7 +288,7 @@ impl Known<'_> {
     fn body(&self, read: &File) -> Result<(Vec<StopName>, Body, Engine, Arc<MachineScene>)> {
         let (file, depth) = (self.file, read.accuracy.minimum_depth);
         let machine = {
-            let held = (read.stops.clone(), read.friction.clone());
+            let held = (read.stops.clone(), read.friction.clone(), read.events.clone());
             Arc::new(MachineScene::new(file, read.system.clone(), held, depth)?)
         };
         let names = || machine.machine.stops.iter().map(|stop| stop.name.clone());
@@ -290,6 +296,9 @@ impl Known<'_> {
             Ok(found) if self.format == SceneFormat::One => Ok(found),
             Ok(_) if !read.friction.is_empty() => {
                 Err(Disqualified { key: "friction".into(), why: "has dry friction".into() })
+            }
+            Ok(_) if !read.events.is_empty() => {
+                Err(Disqualified { key: "events".into(), why: "has events".into() })
             }
             Ok((sides, system)) => self.has_weight(read).map(|()| (sides, system)),
             Err(why) => Err(why),

@@ -1,4 +1,5 @@
-//! The key `law` of a stop: its force as a formula of depth and speed.
+//! The key `law` of a stop: its force as a formula of depth and speed; and `coefficient` of friction: a
+//! number, or a formula of the sliding speed.
 
 use super::{
     expression::Expression,
@@ -30,6 +31,33 @@ impl Value for LawKey {
                 let hidden = hidden.unwrap_or_else(|| ": write k*d^1.5, or the like".to_string());
                 Err(entry.fail(&format!("depends on neither the depth d nor the speed of closing v{hidden}")))
             }
+        }
+    }
+}
+
+/// What stands under `coefficient`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum CoefficientKey {
+    /// A number.
+    Constant(Expression),
+    /// A formula in the sliding speed.
+    Law(SmoothForce<Expression>),
+}
+
+impl Value for CoefficientKey {
+    fn shape() -> String {
+        "expression, also in v".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        let (text, names) = (entry.expression()?, entry.scope.names);
+        let key = read(&text, names, &entry.path, &Variables::of_sliding());
+        match key.map_err(|error| entry.fail(&error.to_string()))? {
+            ForceKey::Constant(whole) if whole.mentions(&|place| names[place] == "v") => Err(entry.fail(
+                "is in v, the sliding speed, which is a parameter of the scene, too: rename the parameter",
+            )),
+            ForceKey::Constant(whole) => Ok(CoefficientKey::Constant(whole)),
+            ForceKey::Smooth(law) => Ok(CoefficientKey::Law(law)),
         }
     }
 }

@@ -6,16 +6,16 @@ use super::{
     force::Variables,
     format::SceneFormat,
     keys::Entry,
-    law::LawKey,
+    law::{CoefficientKey, LawKey},
     matrix::{CoordinateList, MatrixValue},
     measured::{MeasuredForce, MeasuredKeys},
     restitution::RestitutionKey,
-    system::{FrictionKeys, ModesKeys, StopKeys, SystemKeys, check_k, derived, harmonics},
+    system::{EventKeys, FrictionKeys, ModesKeys, StopKeys, SystemKeys, check_k, derived, harmonics},
 };
 use crate::{
     error::Result,
     many::{Friction, Load, Machine, NormalForce, Stop, StopLaw},
-    motion::{Harmonic, Side, Wall},
+    motion::{Harmonic, Side, SmoothForce, Wall},
     source::hint,
 };
 
@@ -33,6 +33,8 @@ pub struct MachineScene {
     pub measured: Option<MeasuredForce>,
     /// The damping ratios that the damping is made of, none of which is negative.
     pub(super) ratios: Vec<Expression>,
+    /// The thresholds, each with its name and whether it ends a motion.
+    pub(crate) events: Vec<(String, SmoothForce<Expression>, bool)>,
     /// Of each stop the volume that wears off for a unit of energy, if it is given.
     pub(super) wear: Vec<Option<Expression>>,
 }
@@ -42,7 +44,7 @@ impl MachineScene {
     pub(super) fn new(
         file: &Entry,
         mut keys: SystemKeys,
-        (stops, friction): (Vec<StopKeys>, Vec<FrictionKeys>),
+        (stops, friction, thresholds): (Vec<StopKeys>, Vec<FrictionKeys>, Vec<EventKeys>),
         minimum_depth: Option<f64>,
     ) -> Result<Self> {
         let at = |path: &str| file.at(path);
@@ -122,7 +124,20 @@ impl MachineScene {
             machine.stops = stops;
             machine.friction.push(rub?);
         }
-        Ok(MachineScene { machine, minimum_depth, measured, ratios, wear })
+        let mut events: Vec<(String, SmoothForce<Expression>, bool)> = Vec::new();
+        let alone = thresholds.len() == 1;
+        for (i, EventKeys { name, of, end }) in (1..).zip(thresholds) {
+            let own = || if alone { "event".to_string() } else { format!("event {i}") };
+            let name = name.unwrap_or_else(own);
+            let held = machine.stops.iter().map(|stop| &stop.name);
+            let held = held.chain(machine.friction.iter().map(|rub| &rub.name));
+            if held.chain(events.iter().map(|known| &known.0)).any(|known| *known == name) {
+                let why = "is the name of a stop, of friction or of an earlier event, too";
+                return Err(at(&format!("events[{i}].name")).fail(why));
+            }
+            events.push((name, of.fit(&at(&format!("events[{i}].of")), &variables)?, end));
+        }
+        Ok(MachineScene { machine, minimum_depth, measured, ratios, events, wear })
     }
 }
 
@@ -331,7 +346,11 @@ fn rubbing(
     if row.is_empty() {
         return Err(at(".row").fail("is zero: nothing slides"));
     }
-    let static_coefficient = keys.static_coefficient.unwrap_or_else(|| keys.coefficient.clone());
+    let (coefficient, law) = match keys.coefficient {
+        CoefficientKey::Constant(coefficient) => (coefficient, None),
+        CoefficientKey::Law(law) => (Expression::parse("0", &[])?, Some(law)),
+    };
+    let static_coefficient = keys.static_coefficient.unwrap_or_else(|| coefficient.clone());
     let normal = match (keys.normal, keys.stop) {
         (Some(force), None) => NormalForce::Given(force),
         (None, Some(stop)) => {
@@ -351,8 +370,8 @@ fn rubbing(
             return Err(at("").fail(why));
         }
     };
-    let (coefficient, speed) = (keys.coefficient, keys.speed);
-    Ok(Friction { name, row, normal, coefficient, static_coefficient, speed, harmonics })
+    let speed = keys.speed;
+    Ok(Friction { name, row, normal, coefficient, law, static_coefficient, speed, harmonics })
 }
 
 /// The opposite motion.

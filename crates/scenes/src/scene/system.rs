@@ -2,9 +2,9 @@
 
 use super::{
     expression::Expression,
-    force::ForceList,
+    force::{ForceList, FunctionText},
     keys::{Entry, Key, Record, Value, keys, words},
-    law::LawKey,
+    law::{CoefficientKey, LawKey},
     matrix::{CoordinateList, MatrixValue},
     measured::MeasuredKeys,
     restitution::RestitutionKey,
@@ -115,14 +115,28 @@ keys! {
         /// in place of `normal`, the name of the stop on which it slides: friction acts while the stop is in
         /// contact, and at impacts
         stop: Option<String>,
-        /// the coefficient of kinetic friction, at least 0
-        coefficient: Expression,
-        /// that of static friction, at least `coefficient`; without it the same
+        /// the coefficient of kinetic friction, at least 0; or a law of the sliding speed v, the same for v
+        /// and −v, as "0.2 + 0.2*exp(-abs(v)/0.05)"
+        coefficient: CoefficientKey,
+        /// that of static friction, at least `coefficient` (at v = 0); without it the same
         static_coefficient: Option<Expression>,
         /// the constant velocity of the surface, as of a belt
         speed: Expression = "0",
         /// the surface's vibration: displacements along `row`, harmonics of the forcing's frequency
         harmonics: Vec<HarmonicKeys> = "[]",
+    }
+}
+
+keys! {
+    /// A threshold: where a function of the motion passes 0, either way. It changes nothing, and is told by
+    /// the tasks `simulate`.
+    pub struct EventKeys {
+        /// what it is called in reports; without it `event`, with a number if there are several
+        name: Option<String>,
+        /// the function, as "q - 0.5" or "u1 - u2 + 0.1*cos(t)"
+        of: FunctionText,
+        /// whether a motion ends there, after the transient
+        end: bool = "false",
     }
 }
 
@@ -210,6 +224,7 @@ pub(super) const TABLES: &[(&str, &str, &[Key])] = &[
     ("`modes`", ModesKeys::ABOUT, ModesKeys::KEYS),
     ("`[[stops]]`", StopKeys::ABOUT, StopKeys::KEYS),
     ("`[[friction]]`", FrictionKeys::ABOUT, FrictionKeys::KEYS),
+    ("`[[events]]`", EventKeys::ABOUT, EventKeys::KEYS),
     ("an entry of `harmonics`", HarmonicKeys::ABOUT, HarmonicKeys::KEYS),
     ("`[accuracy]`", Accuracy::ABOUT, Accuracy::KEYS),
 ];

@@ -57,7 +57,9 @@ fn wanted(path: &str) -> Wanted {
         "friction.harmonics.cos" | "friction.harmonics.sin" | "accuracy.minimum_depth" => LENGTH,
         "stops.wear" => always(of(1, 2, -1)),
         "friction.speed" => SPEED,
-        "stops.row" | "friction.row" | "system.modes.shapes" | "system.measured.direction" => Anything,
+        "stops.row" | "friction.row" | "events.of" | "system.modes.shapes" | "system.measured.direction" => {
+            Anything
+        }
         _ => of_task(path),
     }
 }

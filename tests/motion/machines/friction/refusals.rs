@@ -5,7 +5,7 @@ use super::*;
 const ROUGH: &str = "[parameters]\nF = 1\nG = 1\n[system]\nforcing = [{ cos = \"F\" }]\nstiffness = 2\n[[stops]]\noffset = -1\n\
                      restitution = 0.5\n[[friction]]\nname = \"table\"\nnormal = 1\ncoefficient = 0.3\n";
 
-fn refusal(format: u32, body: &str) -> String {
+pub fn refusal(format: u32, body: &str) -> String {
     let text = format!("format = \"grazing-scene {format}\"\ntitle = \"t\"\n{body}");
     match Scene::from_toml(&text, "t.toml") {
         Ok(_) => panic!("{body}"),

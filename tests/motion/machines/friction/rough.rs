@@ -13,6 +13,8 @@ pub struct Rough<'a> {
     time: f64,
     pub x: Vec<f64>,
     pub load: fn(&[f64], &[f64]) -> Vec<f64>,
+    /// Of each row µ₀, µ₁ and s, where its coefficient is µ₀ + µ₁ exp(−|v|/s); empty where they are numbers.
+    pub stribeck: Vec<[f64; 3]>,
     /// How often each velocity changed its sign, and the sign that it had last.
     pub turns: Vec<usize>,
     signs: Vec<f64>,
@@ -63,6 +65,7 @@ impl<'a> Rough<'a> {
             time: 0.0,
             x,
             load: |q, _| vec![0.0; q.len()],
+            stribeck: vec![],
             turns: vec![0; n],
             signs: u.to_vec(),
         };
@@ -81,6 +84,13 @@ impl<'a> Rough<'a> {
             all[1] -= k * k * (h.cos * cos + h.sin * sin);
         }
         all
+    }
+
+    /// The largest force that holds.
+    fn most(&self, j: usize) -> f64 {
+        let rub = &self.machine.friction[j];
+        let rest = self.stribeck.get(j).map_or(0.0, |[low, drop, _]| low + drop);
+        rub.static_coefficient.max(rest) * normal(rub)
     }
 
     fn speed(&self, j: usize, t: f64, x: &[f64]) -> f64 {
@@ -117,7 +127,11 @@ impl<'a> Rough<'a> {
                 b.push(self.surface(j, t)[1]);
             } else {
                 a[n + j][n + j] = 1.0;
-                b.push(-f64::from(modes[j]) * rub.coefficient * normal(rub));
+                let way = f64::from(modes[j]);
+                let falls =
+                    |[low, drop, scale]: &[f64; 3]| low + drop * (-way * self.speed(j, t, x) / scale).exp();
+                let coefficient = self.stribeck.get(j).map_or(rub.coefficient, falls);
+                b.push(-way * coefficient * normal(rub));
             }
         }
         let mut found = solved(a, b);
@@ -137,10 +151,7 @@ impl<'a> Rough<'a> {
     fn watched(&self, t: f64, x: &[f64]) -> Vec<f64> {
         let (_, forces) = self.solve(&self.modes, t, x);
         let rubs = (0..self.modes.len()).map(|j| match self.modes[j] {
-            0 => {
-                let rub = &self.machine.friction[j];
-                rub.static_coefficient * normal(rub) - forces[j].abs()
-            }
+            0 => self.most(j) - forces[j].abs(),
             mode => f64::from(mode) * self.speed(j, t, x),
         });
         let gaps = self.machine.stops.iter().map(|stop| dot(&stop.row, x) - stop.wall.offset);
@@ -166,11 +177,10 @@ impl<'a> Rough<'a> {
         let fits = |modes: &Vec<i32>| {
             let (a, forces) = self.solve(modes, t, &x);
             (0..m).all(|j| {
-                let rub = &self.machine.friction[j];
-                let bend = dot(&rub.row, &a) - self.surface(j, t)[1];
+                let bend = dot(&self.machine.friction[j].row, &a) - self.surface(j, t)[1];
                 let sure = sure.is_some_and(|known| known.0 == j);
                 match modes[j] {
-                    0 => forces[j].abs() <= rub.static_coefficient * normal(rub) + 1e-10,
+                    0 => forces[j].abs() <= self.most(j) + 1e-10,
                     way if still[j] && !sure => f64::from(way) * bend > -1e-10,
                     _ => true,
                 }

@@ -146,7 +146,9 @@ impl Change {
         let slope = self.slope.pushed(contacts, &stage.holds.soft.pushing);
         let program = match formulas.switches() {
             [] => formulas.changing(&stage.equations, (&slope, own)),
-            _ => formulas.in_mode(&stage.holds.below).changing(&stage.equations, (&slope, own)),
+            _ => formulas
+                .in_mode(&stage.holds.below, &stage.holds.grips)
+                .changing(&stage.equations, (&slope, own)),
         }?;
         let start = from.q.iter().chain(from.u.iter()).map(|x| Gradient::constant(*x)).collect();
         let end = smooth.flow.carried(&program, start, from.t, duration);

@@ -61,6 +61,9 @@ impl Simulator {
         };
         let mut open = Vec::new();
         for (k, [value, size]) in smooth.switched(state).into_iter().enumerate() {
+            if matches!(smooth.switches()[k].of, SwitchOf::Slide(_)) {
+                continue;
+            }
             if value.abs() <= (SUM * size).max(self.depth(&What::Kink(k))) {
                 open.push(k);
             } else if (value < 0.0) != holds.below.contains(&k) {
@@ -113,6 +116,11 @@ fn lead(stage: &Stage, switch: usize, time: Time, state: &State) -> f64 {
 }
 
 impl Run<'_> {
+    /// Whether the switch of a kink, as [`Simulator::kinks`] numbers them, is negative from here on.
+    pub fn is_below(&self, kink: usize) -> bool {
+        self.simulator().kinks().nth(kink).is_some_and(|k| self.stage().holds.below.contains(&k))
+    }
+
     /// A switch has come to 0 at x.
     pub(super) fn kinked(&mut self, time: Time, x: f64, switch: usize) -> Result<()> {
         let (state, before) = (self.state_at(x), self.stage());

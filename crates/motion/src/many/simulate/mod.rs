@@ -228,7 +228,7 @@ impl Simulator {
             return match self.switches()[k].of {
                 // What a force changes by must be seen in the motion.
                 SwitchOf::Push(stop) => depth / self.contacts.mobility(stop),
-                SwitchOf::Depth(_) => depth,
+                SwitchOf::Depth(_) | SwitchOf::Slide(_) => depth,
                 SwitchOf::Kink => depth * self.steepness[k],
             };
         }
@@ -503,7 +503,7 @@ impl Simulator {
     /// An input error if there is any.
     pub(crate) fn check_kinks_of_time(&self) -> Result<()> {
         refused_kinks(
-            self.switches().iter().find(|switch| !switch.is_of_time()).map(|switch| switch.text.as_str()),
+            self.switches().iter().find(|switch| switch.is_of_motion()).map(|switch| switch.text.as_str()),
         )
     }
 

@@ -2,13 +2,13 @@
 //!
 //! Between two events a velocity keeps its sign, so that the path is the difference of two places. The energy
 //! under a stop's force is an integral over each flight, by Gauss's rule on pieces as short as `pushes` takes
-//! them.
+//! them; that by a law of the speed by the same rule on each step of the motion.
 
 use std::sync::Arc;
 
 use super::{Stage, pushes};
 use crate::{
-    many::{Grip, State, simulate::engine::Run},
+    many::{Grip, Rub, State, simulate::engine::Run},
     motion::{RunEnd, Time},
 };
 
@@ -20,7 +20,7 @@ pub struct Slid {
     begin: Time,
     from: Time,
     stage: Arc<Stage>,
-    /// Where the force of a stop presses anywhere.
+    /// Where the energy of anything is an integral.
     state: Option<State>,
     /// Where each row is, and the surface but for its constant velocity.
     places: Vec<f64>,
@@ -34,7 +34,7 @@ impl Slid {
     pub fn new(run: &Run) -> Slid {
         let (now, places) = (run.time(), places(run));
         let none = vec![0.0; places.len()];
-        let (stage, state) = (run.stage(), pressed(run));
+        let (stage, state) = (run.stage(), looked_at(run));
         let (stuck, paths) = (none.clone(), none.clone());
         Slid { begin: now, from: now, stage, state, places, stuck, paths, energies: none }
     }
@@ -53,29 +53,33 @@ impl Slid {
                 grip => {
                     let path = grip.sign() * (places[j] - self.places[j] - rub.speed * duration);
                     self.paths[j] += path;
-                    if let Some(stop) = rub.stop {
-                        self.energies[j] += rub.sliding * self.work(run, (j, stop), duration);
-                    }
+                    self.energies[j] += self.work(run, rub, duration);
                 }
             }
         }
-        (self.from, self.places, self.stage, self.state) = (now, places, run.stage(), pressed(run));
+        (self.from, self.places, self.stage, self.state) = (now, places, run.stage(), looked_at(run));
     }
 
-    /// ∫ N |v| dt on the flight of that duration, N being the force of a stop.
-    fn work(&self, run: &Run, (rub, stop): (usize, usize), duration: f64) -> f64 {
+    /// ∫ F_k |v| dt on the flight of that duration.
+    fn work(&self, run: &Run, rub: &Rub, duration: f64) -> f64 {
         let Some(from) = &self.state else { return 0.0 };
         let contacts = run.simulator().contacts();
+        if let (Some(law), Some(smooth)) = (&rub.law, &self.stage.smooth) {
+            let power = |state: &State| law.at(rub.rate(state)) * rub.rate(state).abs();
+            return smooth.integral(self.from, from, duration, power);
+        }
+        let Some(stop) = rub.stop else { return 0.0 };
         let look = |after: f64| {
             let state = self.stage.after(self.from, from, after);
             let force = self.stage.pressing(contacts, stop, self.from.after(after), &state);
-            force * contacts.rubs()[rub].rate(&state).abs()
+            force * rub.rate(&state).abs()
         };
-        pushes::places(&self.stage, duration, false).map(|(after, part)| part * look(after)).sum()
+        let places = pushes::places(&self.stage, duration, false);
+        rub.sliding * places.map(|(after, part)| part * look(after)).sum::<f64>()
     }
 
     /// For each row with friction the part of the time in which it sticks, how far it slid under a normal
-    /// force, and of a stop's force the energy that this took.
+    /// force, and of a stop's force, or by a law, the energy that this took.
     pub fn rows(&self) -> impl Iterator<Item = (f64, f64, f64)> {
         let whole = self.from.since(self.begin);
         let part = move |stuck: &f64| if whole > 0.0 { stuck / whole } else { 0.0 };
@@ -85,9 +89,9 @@ impl Slid {
     }
 }
 
-/// The state, where the force of a stop presses anywhere.
-fn pressed(run: &Run) -> Option<State> {
-    let any = run.simulator().contacts().rubs().iter().any(|rub| rub.stop.is_some());
+/// The state, where the energy of anything is an integral.
+fn looked_at(run: &Run) -> Option<State> {
+    let any = run.simulator().contacts().rubs().iter().any(|rub| rub.stop.is_some() || rub.law.is_some());
     any.then(|| State { t: run.time().phase, ..run.state() })
 }
 

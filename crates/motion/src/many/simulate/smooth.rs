@@ -209,20 +209,26 @@ impl SmoothStage {
         self.flow.step_transition(state, longest.min(left), &given)
     }
 
-    /// The determinant of [`transition`](Self::transition), by Liouville: exp ∫ tr ∂q″/∂q′ dt by Gauss's rule
-    /// on each step; NaN where the motion cannot be followed.
+    /// The determinant of [`transition`](Self::transition), by Liouville: exp ∫ tr ∂q″/∂q′ dt; NaN where the
+    /// motion cannot be followed.
     pub fn determinant(&self, state: &State, duration: f64) -> f64 {
-        let (mut now, mut here, mut left, mut sum) = (Time::new(0, state.t), state.clone(), duration, 0.0);
+        let trace =
+            |State { t, q, u }: &State| self.flow.jacobian(*t, q, u).map_or(f64::NAN, |by| by[1].trace());
+        self.integral(Time::new(0, state.t), state, duration, trace).exp()
+    }
+
+    /// The integral of a function along the motion, by Gauss's rule on each step; NaN where that cannot be
+    /// followed.
+    pub fn integral(&self, time: Time, state: &State, duration: f64, of: impl Fn(&State) -> f64) -> f64 {
+        let (mut now, mut here, mut left, mut sum) = (time, state.clone(), duration, 0.0);
         loop {
             let leap = self.leap(now, &here);
             let part = (left / leap.h).min(1.0);
             for (x, weight) in GAUSS {
-                let State { t, q, u } = leap.state(part * x);
-                let Some([_, by_rate]) = self.flow.jacobian(t, &q, &u) else { return f64::NAN };
-                sum += part * leap.h * weight * by_rate.trace();
+                sum += part * leap.h * weight * of(&leap.state(part * x));
             }
             if left <= leap.h {
-                return sum.exp();
+                return sum;
             }
             if leap.over().is_some() {
                 return f64::NAN;

@@ -140,7 +140,7 @@ impl Stage {
     ) -> Result<Stage> {
         let Holds { resting, soft, grips, below } = holds;
         let whole = formulas;
-        let mode = formulas.filter(|all| !all.switches().is_empty()).map(|all| all.in_mode(below));
+        let mode = formulas.filter(|all| !all.switches().is_empty()).map(|all| all.in_mode(below, grips));
         let formulas = mode.as_ref().or(formulas);
         let (all, rubs) = (contacts.all(), contacts.rubs());
         let watched = |j: usize| !(resting.contains(&j) || through && all[j].soft.is_none());

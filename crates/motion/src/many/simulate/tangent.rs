@@ -353,8 +353,13 @@ mod tests {
 
     use super::*;
     use crate::{
-        many::{Friction, Load, Machine, NormalForce, Stop, StopLaw, simulate::Settings},
-        motion::Wall,
+        formula::{Formula, Operation, kink},
+        many::{
+            Friction, Load, Machine, NormalForce, Stop, StopLaw,
+            simulate::Settings,
+            smooth::{joined, number},
+        },
+        motion::{SmoothForce, Wall},
     };
 
     /// Two coupled masses on a rough row, with a stop that gives way; numbers from a seed.
@@ -390,6 +395,7 @@ mod tests {
                 row: vec![1.0, 0.0],
                 normal: NormalForce::Given(1.0),
                 coefficient: sliding,
+                law: None,
                 static_coefficient: sliding * more,
                 speed: between(-0.2, 0.2),
                 harmonics: vec![],
@@ -466,6 +472,24 @@ mod tests {
         let mut random = Random::of_unit(7, 0);
         let compared: usize = (0..40).map(|trial| compared(&rough(&mut random), trial)).sum();
         assert!(compared > 3000, "{compared}");
+    }
+
+    /// The same where friction falls with the sliding speed.
+    #[test]
+    fn vectors_pass_a_law_of_the_sliding_speed() {
+        let mut random = Random::of_unit(9, 0);
+        let one = |trial: u32| {
+            let mut machine = rough(&mut random);
+            let [low, drop] = [0.3, 0.7].map(|part| number(part * machine.friction[0].coefficient));
+            let speed = kink("abs", "abs(v)", vec![Formula::Variable(0)]).unwrap();
+            let under = joined(Operation::Sum, number(1.0), joined(Operation::Product, number(4.0), speed));
+            let formula = joined(Operation::Sum, low, joined(Operation::Quotient, drop, under));
+            let (formula, text) = (Arc::new(formula), "mu".into());
+            machine.friction[0].law = Some(SmoothForce { formula, text, coefficients: vec![] });
+            compared(&machine, trial)
+        };
+        let compared: usize = (0..12).map(one).sum();
+        assert!(compared > 800, "{compared}");
     }
 
     /// The same through impacts, rest and contact with friction under the stops' forces.

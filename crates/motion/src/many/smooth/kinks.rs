@@ -12,9 +12,10 @@ use num_traits::Zero;
 
 use super::Smooth;
 use crate::{
+    error::Result,
     formula::{Choice, Formula, Function, Operation},
-    many::{Machine, RealVector, State, Stop, StopLaw},
-    motion::SmoothForce,
+    many::{Friction, Grip, Machine, RealVector, State, Stop, StopLaw},
+    motion::{Harmonic, SmoothForce},
 };
 
 /// A function whose sign chooses.
@@ -29,9 +30,9 @@ pub struct Switch {
 }
 
 impl Switch {
-    /// Whether the time alone decides.
-    pub fn is_of_time(&self) -> bool {
-        self.of_time
+    /// Whether the motion decides, and no event of its own says when.
+    pub fn is_of_motion(&self) -> bool {
+        !self.of_time && !matches!(self.of, SwitchOf::Slide(_))
     }
 }
 
@@ -44,6 +45,8 @@ pub(crate) enum SwitchOf {
     Depth(usize),
     /// Whether it would push.
     Push(usize),
+    /// Which way a row with friction slides: its grip tells, and nothing is watched.
+    Slide(usize),
 }
 
 /// The switches of a machine, those inside others first.
@@ -75,11 +78,11 @@ fn collect(formula: &Formula, all: &mut Vec<Switch>) {
 }
 
 /// A number as a formula.
-fn number(value: f64) -> Formula {
+pub(in crate::many) fn number(value: f64) -> Formula {
     Formula::Number(BigRational::from_float(value).unwrap_or_else(BigRational::zero))
 }
 
-fn joined(operation: Operation, x: Formula, y: Formula) -> Formula {
+pub(in crate::many) fn joined(operation: Operation, x: Formula, y: Formula) -> Formula {
     Formula::Binary(operation, Box::new([x, y]))
 }
 
@@ -91,7 +94,7 @@ fn sum(terms: impl Iterator<Item = (f64, Formula)>) -> Formula {
 }
 
 /// The numbers in the place of a force's coefficients: `variables` come before them.
-fn known(force: &SmoothForce<f64>, variables: usize) -> impl Fn(usize) -> Formula {
+pub(in crate::many) fn known(force: &SmoothForce<f64>, variables: usize) -> impl Fn(usize) -> Formula {
     move |place: usize| match place.checked_sub(variables) {
         Some(coefficient) => number(force.coefficients[coefficient]),
         None => Formula::Variable(place),
@@ -110,23 +113,39 @@ fn closed(formula: &Formula, known: &dyn Fn(usize) -> Formula) -> Formula {
     }
 }
 
+/// cos kt or sin kt, the time standing at a place.
+fn turn(function: Function, k: u32, time: usize) -> Formula {
+    let angle = joined(Operation::Product, number(f64::from(k)), Formula::Variable(time));
+    Formula::Call(function, Box::new(angle))
+}
+
+/// The terms of the velocity of a surface per unit of time, Ω being `rate`.
+fn velocity(harmonics: &[Harmonic<f64>], rate: f64, time: usize) -> impl Iterator<Item = (f64, Formula)> {
+    harmonics.iter().flat_map(move |h| {
+        let by = rate * f64::from(h.k);
+        [(-by * h.cos, turn(Function::Sin, h.k, time)), (by * h.sin, turn(Function::Cos, h.k, time))]
+    })
+}
+
+/// The velocity at a row with friction as a formula in the motion, per unit of time.
+fn sliding(machine: &Machine<f64>, friction: &Friction<f64>) -> Formula {
+    let points = machine.points();
+    let seen = friction.row.iter().enumerate().map(|(i, w)| (*w, Formula::Variable(points + i)));
+    let surface = velocity(&friction.harmonics, machine.rate(), 2 * points);
+    let surface = surface.chain([(friction.speed, number(1.0))]).map(|(factor, of)| (-factor, of));
+    sum(seen.chain(surface))
+}
+
 /// The force of a stop with a law as a formula in the motion: 0 where its depth is negative, or its force.
 fn law(machine: &Machine<f64>, stop: &Stop<f64>, force: &SmoothForce<f64>) -> [Formula; 3] {
     let (points, rate) = (machine.points(), machine.rate());
     let (time, row) = (2 * points, &stop.row);
-    let turn = |function, k: u32| {
-        let angle = joined(Operation::Product, number(f64::from(k)), Formula::Variable(time));
-        Formula::Call(function, Box::new(angle))
-    };
     let place = stop
         .wall
         .harmonics
         .iter()
-        .flat_map(|h| [(h.cos, turn(Function::Cos, h.k)), (h.sin, turn(Function::Sin, h.k))]);
-    let speed = stop.wall.harmonics.iter().flat_map(|h| {
-        let by = rate * f64::from(h.k);
-        [(-by * h.cos, turn(Function::Sin, h.k)), (by * h.sin, turn(Function::Cos, h.k))]
-    });
+        .flat_map(|h| [(h.cos, turn(Function::Cos, h.k, time)), (h.sin, turn(Function::Sin, h.k, time))]);
+    let speed = velocity(&stop.wall.harmonics, rate, time);
     let seen = |from: usize| row.iter().enumerate().map(move |(i, w)| (-w, Formula::Variable(from + i)));
     let depth = joined(Operation::Sum, number(stop.wall.offset), sum(seen(0).chain(place)));
     let closing = sum(seen(points).chain(speed));
@@ -142,8 +161,8 @@ fn law(machine: &Machine<f64>, stop: &Stop<f64>, force: &SmoothForce<f64>) -> [F
 }
 
 impl Smooth {
-    /// Adds the forces of stops with laws, and finds all switches.
-    pub(super) fn with_kinks(mut self, machine: &Machine<f64>) -> Smooth {
+    /// Adds the forces of stops with laws and of friction with one, and finds all switches.
+    pub(super) fn with_kinks(mut self, machine: &Machine<f64>) -> Result<Smooth> {
         let variables = 2 * machine.points() + 1;
         for (_, force) in self.formulas.iter_mut().filter(|(_, force)| force.formula.chooses()) {
             let own = closed(&force.formula, &known(force, variables));
@@ -157,15 +176,26 @@ impl Smooth {
             let acting = SmoothForce { formula: Arc::new(whole), text, coefficients: vec![] };
             let row = RealVector::from_column_slice(&stop.row);
             self.formulas.push((machine.points() + self.laws.len(), acting));
-            self.laws.push((self.shape.tr_mul(&row), stop.name.clone()));
+            self.laws.push((self.shape.tr_mul(&row), format!("law of stop {}", stop.name)));
             roles.extend([(depth, SwitchOf::Depth(place)), (push, SwitchOf::Push(place))]);
+        }
+        self.without_friction = self.formulas.len();
+        let rubs = if machine.has_sliding_laws() { machine.rubs()? } else { Vec::new() };
+        for (place, (rub, friction)) in rubs.iter().zip(&machine.friction).enumerate() {
+            let (Some(law), Some(own)) = (&rub.law, &friction.law) else { continue };
+            let (v, text) = (sliding(machine, friction), own.text.clone());
+            let acting =
+                SmoothForce { formula: Arc::new(law.beside_coulomb(&v)), text, coefficients: vec![] };
+            self.formulas.push((machine.points() + self.laws.len(), acting));
+            self.laws.push((rub.row.clone(), format!("coefficient of friction {}", rub.name)));
+            roles.push((v, SwitchOf::Slide(place)));
         }
         let mut all = switches(&self.formulas, machine.points());
         for (formula, of) in roles {
             all.iter_mut().filter(|known| known.formula == formula).for_each(|known| known.of = of);
         }
         self.switches = Arc::new(all);
-        self
+        Ok(self)
     }
 
     /// Where forces have kinks.
@@ -224,11 +254,17 @@ impl Smooth {
         values.iter().enumerate().filter(|(k, value)| open(*k, value[0])).map(|(k, _)| k).collect()
     }
 
-    /// The machine where the switches of a list are negative and all others positive.
-    pub fn in_mode(&self, below: &[usize]) -> Smooth {
+    /// The machine where the switches of a list are negative and all others positive, and friction slides so;
+    /// without grips there is none.
+    pub fn in_mode(&self, below: &[usize], grips: &[Grip]) -> Smooth {
+        let backward = |k: &usize| matches!(self.switches[*k].of, SwitchOf::Slide(rub) if grips.get(rub) == Some(&Grip::Backward));
+        let below: Vec<usize> =
+            below.iter().copied().chain((0..self.switches.len()).filter(backward)).collect();
+        let below = &below[..];
         let mut reached = Vec::new();
         let mut resolve = |formula: &Formula| resolved(formula, &self.switches, below, &mut reached);
-        let mut formulas = self.formulas.clone();
+        let count = if grips.is_empty() { self.without_friction } else { self.formulas.len() };
+        let mut formulas = self.formulas[..count].to_vec();
         for (_, force) in &mut formulas {
             if force.formula.chooses() {
                 force.formula = Arc::new(resolve(&force.formula));
@@ -253,7 +289,8 @@ fn resolved(formula: &Formula, switches: &[Switch], below: &[usize], reached: &m
             let above = if switch.mentions(&|_| true) {
                 let place = switches.iter().position(|known| known.formula == choice.switch);
                 let place = place.unwrap_or(usize::MAX);
-                if place < switches.len() && !reached.contains(&place) {
+                let watched = |known: &Switch| !matches!(known.of, SwitchOf::Slide(_));
+                if switches.get(place).is_some_and(watched) && !reached.contains(&place) {
                     reached.push(place);
                 }
                 !below.contains(&place)

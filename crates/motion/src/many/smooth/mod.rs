@@ -18,6 +18,7 @@ use std::{
 
 pub(crate) use flow::{Leap, SmoothFlow};
 pub(crate) use kinks::{Switch, SwitchOf};
+pub(super) use kinks::{joined, known, number};
 pub use record::Record;
 
 use super::{LinearEquations, Machine, Periodic, RealMatrix, RealVector, Slope};
@@ -32,10 +33,12 @@ use crate::{
 /// The formulas of a machine, and what they need of it.
 #[derive(Debug, Clone)]
 pub(crate) struct Smooth {
-    /// The point on which each acts; after all points the stops with laws.
+    /// The point on which each acts; after all points the stops with laws, then the friction with one.
     formulas: Vec<(usize, SmoothForce<f64>)>,
-    /// Of each stop with a law what a force of 1 there is on the equations' coordinates, and its name.
+    /// Of each law what a force of 1 there is on the equations' coordinates, and what it is called.
     laws: Vec<(RealVector, String)>,
+    /// How many formulas there are but for those of friction.
+    without_friction: usize,
     /// Where formulas have kinks.
     switches: Arc<Vec<Switch>>,
     /// The switches that its mode looks at, and these as formulas.
@@ -79,7 +82,7 @@ impl Smooth {
             }
             None => None,
         };
-        if !machine.is_smooth() && !machine.has_laws() && record.is_none() {
+        if !machine.is_smooth() && record.is_none() {
             return Ok(None);
         }
         let points = machine.points();
@@ -99,10 +102,21 @@ impl Smooth {
             return Err(Error::input("force has a coefficient that is not finite"));
         }
         let shape = machine.shape().unwrap_or_else(|| RealMatrix::identity(machine.size, machine.size));
-        let (laws, switches, reached, sights) = (vec![], Arc::default(), vec![], vec![]);
-        let (rate, tally) = (machine.rate(), Arc::default());
-        let all = Smooth { formulas, laws, switches, reached, sights, shape, rate, record, tally };
-        Ok(Some(all.with_kinks(machine)))
+        Ok(Some(
+            Smooth {
+                formulas,
+                laws: vec![],
+                without_friction: 0,
+                switches: Arc::default(),
+                reached: vec![],
+                sights: vec![],
+                shape,
+                rate: machine.rate(),
+                record,
+                tally: Arc::default(),
+            }
+            .with_kinks(machine)?,
+        ))
     }
 
     /// A force known at times, and its direction on the equations' coordinates.
@@ -131,6 +145,7 @@ impl Smooth {
         Smooth {
             formulas: formulas.collect(),
             laws: self.laws.clone(),
+            without_friction: self.without_friction,
             switches: self.switches.clone(),
             reached: vec![],
             sights: vec![],
@@ -183,7 +198,8 @@ impl Smooth {
     /// harmonics; those without the formulas where these are not smooth there.
     pub fn linearised(&self, equations: &LinearEquations) -> LinearEquations {
         let (n, mut all) = (equations.size(), equations.clone());
-        let mode = (!self.switches.is_empty()).then(|| self.in_mode(&self.below_at_rest(n)));
+        // At rest friction holds, or not: in neither case is it a damper.
+        let mode = (!self.switches.is_empty()).then(|| self.in_mode(&self.below_at_rest(n), &[]));
         let Ok(flow) = mode.as_ref().unwrap_or(self).flow(equations, None) else { return all };
         let zero = RealVector::zeros(n);
         let part = 1.0 / f64::from(LOOKS);
@@ -255,9 +271,7 @@ impl Smooth {
         let made = Program::assemble(n, &variables, &formulas, &outlines).map_err(|(at, error)| {
             let points = self.shape.nrows();
             error.context(match self.formulas.get(at) {
-                Some((point, _)) if *point >= points => {
-                    format!("law of stop {}", self.laws[point - points].1)
-                }
+                Some((point, _)) if *point >= points => self.laws[point - points].1.clone(),
                 Some((point, _)) if points > 1 => format!("force on q{}", point + 1),
                 Some(_) => "force".to_string(),
                 None => self.sights[at - self.formulas.len()].text.clone(),

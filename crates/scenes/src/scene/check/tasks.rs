@@ -9,7 +9,7 @@ use super::{Checked, LONGEST, Model, POINTS};
 use crate::{
     continuation::Bifurcation,
     error::{Error, Result},
-    many::{Machine, RealVector, section::PlaneAxis},
+    many::{Machine, RealVector, SlidingLaw, section::PlaneAxis},
     motion::{Harmonic, SmoothForce},
     scene::{
         branches::{BranchTask, CrisisTask, DiagramTask, MapTask},
@@ -91,14 +91,20 @@ impl Checked<'_> {
         let on_stop = on_stop.map(|friction| format!("the normal force of {} is a stop's", friction.name));
         let kinks = kinked.map(|text| format!("a force has kinks ({text})"));
         let moving = machine.kinked_by_motion().map(|text| format!("a force has kinks ({text})"));
+        let rubs = machine.rubs().unwrap_or_default();
+        let bent = rubs.iter().find(|rub| rub.law.as_ref().is_some_and(SlidingLaw::has_kinks));
+        let bent = bent.map(|rub| format!("the coefficient of {} has kinks", rub.name));
+        let moving = moving.or(bent);
+        let speed = machine.friction.iter().find(|friction| friction.law.is_some());
+        let speed = speed.map(|one| format!("the coefficient of {} follows the sliding speed", one.name));
         let formula = friction.as_ref().filter(|_| machine.is_smooth());
         let formula = formula.map(|friction| format!("{friction}, and a force is a formula"));
         let Some(what) = friction.or_else(|| kinks.clone()) else { return Ok(()) };
         let refused = |key: &str, what: &str| {
-            let orbits = if moving.is_none() && on_stop.is_none() {
-                ", `orbit`, `branch` over one parameter"
-            } else {
-                ""
+            let orbits = match (moving.is_none() && on_stop.is_none(), &speed) {
+                (false, _) => "",
+                (true, None) => ", `orbit`, `branch` over one parameter",
+                (true, Some(_)) => ", `orbit`",
             };
             let message = format!(
                 "needs motions that are smooth between impacts; here {what}: `simulate`{orbits}, `basins`, `section` without `orbits`, \
@@ -108,7 +114,7 @@ impl Checked<'_> {
         };
         // Why orbits are not found, and why branches are not followed.
         let orbits = moving.as_ref().or(on_stop.as_ref());
-        let branches = orbits.or(formula.as_ref());
+        let branches = orbits.or(speed.as_ref()).or(formula.as_ref());
         match (kind, orbits, branches) {
             (Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_) | Kind::RestTask(_), ..) => {
                 Ok(())

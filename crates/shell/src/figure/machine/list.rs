@@ -82,6 +82,14 @@ fn friction(rub: &Friction<Evaluated>, stops: &[Stop<Evaluated>], names: &Names)
             format!("{} of {name}'s force", Short(coefficient.float()))
         }
     };
+    let sliding = match (&rub.law, &rub.normal) {
+        (Some(law), NormalForce::Given(normal)) => format!("{} of {}", law.text(), Short(normal.float())),
+        _ => force(&rub.coefficient),
+    };
+    let sticking = match &rub.law {
+        Some(_) if rub.static_coefficient.value.is_zero() => "that of v = 0".to_string(),
+        _ => force(&rub.static_coefficient),
+    };
     let speed = match rub.speed.value.is_zero() {
         true => String::new(),
         false => format!("; the surface runs at {}", Short(rub.speed.float())),
@@ -91,11 +99,9 @@ fn friction(rub: &Friction<Evaluated>, stops: &[Stop<Evaluated>], names: &Names)
         false => format!("; it vibrates by {}", place(0.0, &rub.harmonics, 1.0)),
     };
     format!(
-        "{}: dry friction along {}, {} sliding, up to {} sticking{speed}{moves}",
+        "{}: dry friction along {}, {sliding} sliding, up to {sticking} sticking{speed}{moves}",
         rub.name,
         combination(&rub.row, 1.0, names),
-        force(&rub.coefficient),
-        force(&rub.static_coefficient),
     )
 }
 

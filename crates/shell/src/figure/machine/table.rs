@@ -152,8 +152,15 @@ pub(super) fn rows(
                 table.row(["friction", name, "", "", "stop", "", stop, "", "in words"]);
             }
         }
-        table.number(["friction", name, "coefficient", "1"], "", 0, &rub.coefficient);
-        table.number(["friction", name, "static_coefficient", "1"], "", 0, &rub.static_coefficient);
+        match &rub.law {
+            Some(law) => {
+                table.row(["friction", name, "", "", "coefficient", "", law.text(), "1", "in words"])
+            }
+            None => table.number(["friction", name, "coefficient", "1"], "", 0, &rub.coefficient),
+        }
+        if rub.law.is_none() || !rub.static_coefficient.value.is_zero() {
+            table.number(["friction", name, "static_coefficient", "1"], "", 0, &rub.static_coefficient);
+        }
         table.number(["friction", name, "speed", "length/time"], "", 0, &rub.speed);
         table.harmonics("friction", name, &rub.harmonics, "length");
     }

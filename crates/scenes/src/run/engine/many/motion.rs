@@ -9,21 +9,23 @@ use super::{
     super::super::{
         Job, Keeper, MeasuredEffect, SeriesOf, SeriesPoint, SeriesStop, SimulationFindings, StopEvent,
         follow::{SampledMotion, follow},
+        simulate::{DOWN, UP},
     },
     Machines,
 };
 use crate::{
-    error::Result,
+    error::{Error, Result},
     many::{
         Grip, Machine, NormalForce, RealVector, State,
         contact::StopContact,
         simulate::{Contact, Event, Pushes, Run, Simulator, Slid, goes_on},
+        threshold,
     },
     motion::{
-        RunEnd, Time,
+        RunEnd, SmoothForce, Time,
         event::{Release, Touch},
     },
-    scene::simulate::SimulateTask,
+    scene::{Expression, simulate::SimulateTask},
 };
 
 /// Follows the motion of a task.
@@ -37,7 +39,12 @@ pub(super) fn simulate(
 ) -> Result<SimulationFindings> {
     let Machines { job, machine } = *engine;
     let start = job.scene.machine_state(&task.start, machine, "start")?;
-    let simulator = job.machine_simulator(machine, std::slice::from_ref(&start))?;
+    let events = &job.scene.machine_scene()?.events;
+    let value = |(name, of, _): &(String, SmoothForce<Expression>, bool)| {
+        Ok::<_, Error>((name.clone(), of.try_map(&mut |x| job.scene.number(x))?))
+    };
+    let watched = machine.clone().watching(&events.iter().map(value).collect::<Result<Vec<_>>>()?);
+    let simulator = job.machine_simulator(&watched, std::slice::from_ref(&start))?;
     let span = job.scene.span(task)?;
     let of = series_of(machine, &simulator, [Time::new(task.transient as i64, start.t).periods(), span]);
     keeper.begin(&of)?;
@@ -55,6 +62,8 @@ pub(super) fn simulate(
         first: None,
         pushes: None,
         slid: None,
+        places: places(&of, &simulator),
+        ends: events.iter().map(|known| known.2).collect(),
         keeper,
     };
     let end = follow((task, span), start.t, &mut motion, job.monitor)?;
@@ -84,8 +93,8 @@ pub(super) fn simulate(
     for (row, (friction, (grip, (share, path, energy)))) in found.friction.iter_mut().zip(rubs) {
         (row.stuck, row.path) = (share, path);
         row.dissipated = match friction.normal {
-            NormalForce::Given(normal) => friction.coefficient * normal * path,
-            NormalForce::Stop { .. } => energy,
+            NormalForce::Given(normal) if friction.law.is_none() => friction.coefficient * normal * path,
+            _ => energy,
         };
         row.at_end = match grip {
             Grip::Open => "open",
@@ -112,8 +121,17 @@ fn series_of(machine: &Machine<f64>, simulator: &Simulator, [begin, span]: [f64;
     };
     let stops = simulator.contacts().all().iter().map(stop).collect();
     let friction = machine.friction.iter().map(|friction| friction.name.clone()).collect();
-    let kinks = simulator.kinks().map(|k| simulator.switches()[k].text.clone()).collect();
-    SeriesOf { points, stops, friction, kinks, period: machine.period, begin, span }
+    let texts = || simulator.kinks().map(|k| simulator.switches()[k].text.as_str());
+    let kinks = texts().filter(|text| threshold(text).is_none()).map(str::to_string).collect();
+    let events = texts().filter_map(threshold).map(str::to_string).collect();
+    SeriesOf { points, stops, friction, kinks, events, period: machine.period, begin, span }
+}
+
+/// Of each kink, as events number them, its place among all kinks of forces and then all events.
+fn places(of: &SeriesOf, simulator: &Simulator) -> Vec<usize> {
+    let (mut kinks, mut events) = (0.., of.kinks.len()..);
+    let texts = simulator.kinks().map(|k| threshold(&simulator.switches()[k].text));
+    texts.filter_map(|event| if event.is_some() { events.next() } else { kinks.next() }).collect()
 }
 
 /// What there is to say of the machine before it moves.
@@ -145,6 +163,10 @@ struct Motion<'a> {
     first: Option<FirstImpact>,
     pushes: Option<Pushes>,
     slid: Option<Slid>,
+    /// Of each kink, as events number them, its place in reports.
+    places: Vec<usize>,
+    /// Which events end the motion.
+    ends: Vec<bool>,
     keeper: &'a mut dyn Keeper,
 }
 
@@ -179,6 +201,11 @@ impl SampledMotion for Motion<'_> {
             if self.found.happened(&event) && failed.is_none() {
                 failed = self.keeper.event(&event).err();
             }
+            let before = self.found.stops.len() + self.found.friction.len() + self.found.kinks.len();
+            let ends = event.stop.checked_sub(before).is_some_and(|event| self.ends[event]);
+            if ends && failed.is_none() {
+                return Ok(RunEnd::Event);
+            }
         }
     }
 
@@ -202,7 +229,17 @@ impl Motion<'_> {
     fn told(&self, event: &Event, ended: Option<Contact>) -> Option<StopEvent> {
         let ((time, stop), rate) = (event.at()?, self.machine.rate());
         let Some(contact) = self.simulator.contacts().all().get(stop) else {
-            return Some(StopEvent::new(event.word(), time, stop));
+            let before = self.found.stops.len() + self.found.friction.len();
+            let Some(kink) = stop.checked_sub(before) else {
+                return Some(StopEvent::new(event.word(), time, stop));
+            };
+            let place = self.places[kink];
+            let word = match (place < self.found.kinks.len(), self.run.is_below(kink)) {
+                (true, _) => event.word(),
+                (false, true) => DOWN,
+                (false, false) => UP,
+            };
+            return Some(StopEvent::new(word, time, before + place));
         };
         // The gap is 0 there: position = along · q.
         let [position, speed, _] = contact.position.at(time.phase);

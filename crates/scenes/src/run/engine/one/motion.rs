@@ -54,6 +54,7 @@ pub(super) fn simulate(
         stops: named,
         friction: vec![],
         kinks: vec![],
+        events: vec![],
         period: TAU / rate,
         begin,
         span,
