@@ -172,10 +172,10 @@ pub fn find_beside(
 }
 
 /// The same, of a machine that is linear between impacts and whose motion its forces hold: state and speeds
-/// are solved for with the times, as [`project`] does.
+/// are solved for with the times (variable projection).
 ///
 /// # Errors
-/// As [`project`] and [`find`].
+/// As [`find`]; an input error where state and speeds are not one solution of the times.
 pub fn find_projected(
     simulator: &Simulator,
     pattern: &Itinerary,
