@@ -49,7 +49,7 @@ from ._places import (
 from ._proofs import Edge, Interval, Intervals, boundary, check, intervals, verify
 from ._scene import EVENT_KINDS, Answer, Run, Scene, Task, TaskReport, machine, simulate
 from ._theory import FuzzReport, PatternReport, existence, fuzz
-from ._tolerances import Tolerance, ToleranceRange, ToleranceSide
+from ._tolerances import Tolerance, ToleranceRange, ToleranceResonance, ToleranceSide
 
 #: The style of the project's figures: ``matplotlib.pyplot.style.use(grazing.STYLE)``.
 STYLE = str(_Path(__file__).with_name("grazing.mplstyle"))
@@ -60,7 +60,7 @@ __all__ = [
     "InternalError", "InterruptedWork", "Interval", "Intervals", "MissingPackageError", "Motions",
     "NothingFound", "NumberOverflowError", "Outcome", "PatternReport", "Pending", "Proved", "Record",
     "Refuted", "Rejected", "Run", "STYLE", "Scene", "Share", "Shares", "Task", "TaskReport", "Tolerance",
-    "ToleranceRange", "ToleranceSide", "Undecided", "Value", "Word", "WordCase", "WordReport", "__version__",
-    "boundary", "check", "classify", "classify_many", "decay", "evaluate", "existence", "frame", "fuzz",
-    "intervals", "machine", "shares", "simulate", "verify", "word",
+    "ToleranceRange", "ToleranceResonance", "ToleranceSide", "Undecided", "Value", "Word", "WordCase",
+    "WordReport", "__version__", "boundary", "check", "classify", "classify_many", "decay", "evaluate",
+    "existence", "frame", "fuzz", "intervals", "machine", "shares", "simulate", "verify", "word",
 ]

@@ -69,6 +69,20 @@ class ToleranceRange:
 
 
 @dataclass(frozen=True)
+class ToleranceResonance:
+    """A line s = 1/(2n), u_n = 0, that machines within the tolerances have or may have on both sides."""
+
+    #: n.
+    period: int
+    #: Certain bounds of the share of the box in which s < 1/(2n).
+    lower: Fraction
+    upper: Fraction
+    #: A machine below the line, and one above it.
+    below: Mapping[str, Fraction] | None = field(repr=False, hash=False)
+    above: Mapping[str, Fraction] | None = field(repr=False, hash=False)
+
+
+@dataclass(frozen=True)
 class Tolerance:
     """What is certain of all machines within tolerances. Everything in it is proved, in exact arithmetic and intervals;
     there are certificates of the ranges in ``report.certificates``."""
@@ -81,6 +95,8 @@ class Tolerance:
     sign_gamma: int | None
     before: ToleranceSide
     beyond: ToleranceSide
+    #: The lines of resonance among the machines, of n from 2 to 60.
+    resonances: tuple[ToleranceResonance, ...]
     #: Without ``range = true`` there are none.
     ranges: tuple[ToleranceRange, ...]
     #: How many cells the box was cut into, and whether more might tell more.
@@ -126,6 +142,7 @@ def tolerance(findings: Record) -> Tolerance | None:
         sign_gamma=told.sign_gamma,
         before=before,
         beyond=beyond,
+        resonances=tuple(map(_resonance, told.resonances)),
         # What is proved at the scene's own value alone is no range.
         ranges=tuple(_range(row) for row in findings.get("range") or () if not row.get("own_value")),
         cells=told.cells,
@@ -135,15 +152,21 @@ def tolerance(findings: Record) -> Tolerance | None:
     )
 
 
-def _side(side: Any) -> ToleranceSide:
-    def machine(point: Any) -> dict[str, Fraction] | None:
-        return None if point is None else {one.name: Fraction(one.value) for one in point}
+def _machine(point: Any) -> dict[str, Fraction] | None:
+    return None if point is None else {one.name: Fraction(one.value) for one in point}
 
+
+def _side(side: Any) -> ToleranceSide:
     lower, upper = map(Fraction, side.share)
     return ToleranceSide(
         side.side, side.sign_emu, side.word, tuple(side.periods), side.whole, side.word_ends, side.chaos, lower, upper,
-        machine(side["with"]), machine(side.without),
+        _machine(side["with"]), _machine(side.without),
     )
+
+
+def _resonance(one: Any) -> ToleranceResonance:
+    lower, upper = map(Fraction, one.share)
+    return ToleranceResonance(one.period, lower, upper, _machine(one.below), _machine(one.above))
 
 
 def _exact(text: str | None) -> Fraction | None:

@@ -35,6 +35,16 @@ def found(tolerance, text=SCENE):
     return report
 
 
+def test_a_resonance_among_the_machines_is_told_with_machines_on_both_sides():
+    text = SCENE.replace("s = 0.3", 's = "25/576"').replace("d = 0.1", "d = 0.25")
+    (line,) = found('tolerance = { s = "1%" }', text).tolerance.resonances
+    # s = 1/6 where the free motion turns by 2π/6 a period: k = c²/4 + 1/36.
+    assert isinstance(line, grazing.ToleranceResonance) and line.period == 3
+    assert line.below["s"] < Fraction(25, 576) < line.above["s"]
+    assert line.lower <= Fraction(1, 2) <= line.upper and line.upper - line.lower < Fraction(1, 50)
+    assert found('tolerance = { s = "1%" }').tolerance.resonances == ()
+
+
 def test_shares_of_machines_are_bounds_of_those_counted_one_by_one():
     text = SCENE.replace("F = 0.5", "F = 0.4").replace("s = 0.3", "s = 1.5").replace("d = 0.1", "d = 0.05")
     report = found('tolerance = { s = [1.48, 1.54], d = [0.04, 0.06], F = "1%" }', text)

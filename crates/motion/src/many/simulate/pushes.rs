@@ -17,7 +17,7 @@ use std::{cell::RefCell, sync::Arc};
 use super::Stage;
 use crate::{
     many::{State, contact::StopContact, simulate::engine::Run},
-    motion::{Time, flow::GAUSS},
+    motion::{Time, flow::GAUSS, minimum::ROUNDING},
 };
 
 /// Radians of the fastest motion in a piece: for twice the rate, that of an energy, the rule errs by some
@@ -67,7 +67,7 @@ impl Pushes {
 
     /// The contact with a stop that has just ended, or begins; from here on another one.
     pub fn ended(&mut self, stop: usize, contact: &StopContact) -> Contact {
-        let kept = contact.kept(contact.gap(&self.state)[0]);
+        let kept = kept(contact, &self.state);
         let next = Contact { energy: -kept, ..Contact::default() };
         let ended = std::mem::replace(&mut self.now[stop], next);
         Contact { energy: ended.energy + kept, ..ended }
@@ -78,11 +78,13 @@ impl Pushes {
     pub fn flown(&mut self, run: &Run) {
         let (duration, state) = (run.time().since(self.from), State { t: run.time().phase, ..run.state() });
         for (stop, contact) in soft(run) {
-            let kept = |state: &State| contact.kept(contact.gap(state)[0]);
             let flight = match self.stage.pushing.contains(&stop) {
                 true if duration > 0.0 => self.flight(contact, duration),
                 true => continue,
-                false => Contact { energy: kept(&self.state) - kept(&state), ..Contact::default() },
+                false => Contact {
+                    energy: kept(contact, &self.state) - kept(contact, &state),
+                    ..Contact::default()
+                },
             };
             let (now, all) = (&mut self.now[stop], &mut self.all[stop]);
             for one in [&mut *now, &mut *all] {
@@ -127,6 +129,14 @@ impl Pushes {
         found.peak = largest(&looks, |after| look(after)[0]);
         found
     }
+}
+
+/// What the spring of a stop has stored; nothing at a depth that is rounding's, as where it opens.
+fn kept(contact: &StopContact, state: &State) -> f64 {
+    let gap = contact.gap(state)[0];
+    let terms: f64 = contact.row.iter().zip(state.q.iter()).map(|(w, q)| (w * q).abs()).sum();
+    let rounding = ROUNDING * (terms + contact.position.at(state.t)[0].abs());
+    if -gap <= rounding { 0.0 } else { contact.kept(gap) }
 }
 
 /// Where Gauss's rule looks on a flight in a stage, and the weights. A formula's force may begin and end as a

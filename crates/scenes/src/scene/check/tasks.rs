@@ -100,11 +100,14 @@ impl Checked<'_> {
         let formula = friction.as_ref().filter(|_| machine.is_smooth());
         let formula = formula.map(|friction| format!("{friction}, and a force is a formula"));
         let Some(what) = friction.or_else(|| kinks.clone()) else { return Ok(()) };
+        // Why orbits are not found, and why branches are not followed.
+        let orbits = moving.as_ref().or(on_stop.as_ref());
+        let branches = orbits.or(speed.as_ref()).or(formula.as_ref());
         let refused = |key: &str, what: &str| {
-            let orbits = match (moving.is_none() && on_stop.is_none(), &speed) {
-                (false, _) => "",
-                (true, None) => ", `orbit`, `branch` over one parameter",
-                (true, Some(_)) => ", `orbit`",
+            let orbits = match (orbits, branches) {
+                (Some(_), _) => "",
+                (None, Some(_)) => ", `orbit`",
+                (None, None) => ", `orbit`, `branch` over one parameter",
             };
             let message = format!(
                 "needs motions that are smooth between impacts; here {what}: `simulate`{orbits}, `basins`, `section` without `orbits`, \
@@ -112,9 +115,6 @@ impl Checked<'_> {
             );
             self.fail(key, &message)
         };
-        // Why orbits are not found, and why branches are not followed.
-        let orbits = moving.as_ref().or(on_stop.as_ref());
-        let branches = orbits.or(speed.as_ref()).or(formula.as_ref());
         match (kind, orbits, branches) {
             (Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_) | Kind::RestTask(_), ..) => {
                 Ok(())
