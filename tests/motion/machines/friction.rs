@@ -128,6 +128,19 @@ fn stick_and_slip_on_a_belt_is_closed() {
     }
 }
 
+/// Matrices of a scene: m on a spring k, and where n is 2 a mass 1 on it by a spring l.
+fn in_a_row(n: usize, [k, l, m]: [f64; 3]) -> String {
+    match n {
+        1 => format!("mass = {m:?}\nstiffness = {k:?}\n"),
+        _ => format!(
+            "mass = {{ diagonal = [{m:?}, 1] }}\nstiffness = [[{:?}, {:?}], [{:?}, {l:?}]]\n",
+            k + l,
+            -l,
+            -l
+        ),
+    }
+}
+
 /// Random machines of one to three coordinates with one or two rough rows, belts, vibrating surfaces and
 /// stops against the second solver: every event, every time, the state at the end.
 #[test]

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{super::*, numbers, rough::Rough, scene, told};
+use super::{super::*, in_a_row, numbers, rough::Rough, scene, told};
 use crate::samples::samples;
 
 /// The drag on each coordinate, over |u| u.
@@ -25,15 +25,7 @@ fn random_machines_with_drag_stick_as_often_as_a_second_solver_says() {
         let mut between = |low: f64, high: f64| random(low, high);
         let n = 1 + trial as usize % 2;
         let [k, l, m] = [between(0.5, 5.0), between(0.5, 2.0), between(0.5, 2.0)];
-        let matrices = match n {
-            1 => format!("mass = {m:?}\nstiffness = {k:?}\n"),
-            _ => format!(
-                "mass = {{ diagonal = [{m:?}, 1] }}\nstiffness = [[{:?}, {:?}], [{:?}, {l:?}]]\n",
-                k + l,
-                -l,
-                -l
-            ),
-        };
+        let matrices = in_a_row(n, [k, l, m]);
         let drag: Vec<String> =
             (0..n).map(|i| format!("\"-{}*abs(u{})*u{}\"", DRAG[i], i + 1, i + 1)).collect();
         let cos: Vec<f64> = (0..n).map(|_| between(0.5, 2.0)).collect();

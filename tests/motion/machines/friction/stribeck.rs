@@ -7,7 +7,7 @@ use grazing_scenes::many::{
     simulate::Slid,
 };
 
-use super::{super::*, numbers, refusals::refusal, rough::Rough, scene, told};
+use super::{super::*, in_a_row, numbers, refusals::refusal, rough::Rough, scene, told};
 use crate::samples::samples;
 
 /// One mass, with a system and friction beside it.
@@ -121,15 +121,7 @@ fn random_machines_with_stribecks_law_agree_with_a_second_solver() {
         let mut between = |low: f64, high: f64| random(low, high);
         let n = 1 + trial as usize % 2;
         let [k, l, m] = [between(0.5, 5.0), between(0.5, 2.0), between(0.5, 2.0)];
-        let matrices = match n {
-            1 => format!("mass = {m:?}\nstiffness = {k:?}\n"),
-            _ => format!(
-                "mass = {{ diagonal = [{m:?}, 1] }}\nstiffness = [[{:?}, {:?}], [{:?}, {l:?}]]\n",
-                k + l,
-                -l,
-                -l
-            ),
-        };
+        let matrices = in_a_row(n, [k, l, m]);
         let cos: Vec<f64> = (0..n).map(|_| between(0.5, 2.0)).collect();
         let system = format!("period = \"2*pi\"\n{matrices}forcing = [{{ cos = {cos:?} }}]\n");
         let mut laws = Vec::new();

@@ -74,7 +74,7 @@ pub(super) fn find_beside(
     let points = known.iter().map(|orbit| measured(itinerary, unit, &orbit.z, f64::recip));
     let known = KnownOrbits::new(0, itinerary.strikes().len(), points);
     let root = newton(measured(itinerary, unit, start, f64::recip), &known, |z| {
-        measured_equations(oscillator, itinerary, z)
+        measured_equations(oscillator, itinerary, unit, z)
     })?;
     let z = measured(itinerary, unit, &root.z, |own| own);
     describe(oscillator, itinerary, Root { z, residual: root.residual * unit, ..root })
@@ -95,7 +95,7 @@ pub(super) fn find_projected(
     let known = KnownOrbits::of_times(itinerary.strikes().len(), known.iter().map(|orbit| orbit.z.clone()));
     let [times, rows] = [0, 1].map(|first| (first..start.len()).step_by(2).collect::<Vec<_>>());
     let z = project(&measured(itinerary, unit, start, f64::recip), &times, &rows, &known, |z| {
-        measured_equations(oscillator, itinerary, z)
+        measured_equations(oscillator, itinerary, unit, z)
     })?;
     find_beside(oscillator, itinerary, &measured(itinerary, unit, &z, |own| own), &[])
 }
@@ -106,8 +106,12 @@ fn measured(itinerary: &Itinerary, unit: f64, z: &[f64], factor: impl Fn(f64) ->
 }
 
 /// The equations in such units.
-fn measured_equations(oscillator: &Oscillator, itinerary: &Itinerary, scaled: &[f64]) -> Result<Linearised> {
-    let unit = oscillator.unit(itinerary);
+fn measured_equations(
+    oscillator: &Oscillator,
+    itinerary: &Itinerary,
+    unit: f64,
+    scaled: &[f64],
+) -> Result<Linearised> {
     let z = measured(itinerary, unit, scaled, |own| own);
     Ok(linearise(oscillator, itinerary, &z)?.measured(unit, |i| Unknowns::unit(itinerary, i, unit)))
 }
