@@ -34,7 +34,8 @@ keys! {
         start: Vec<StartNumber> = "[]",
         /// how many the search makes
         starts: u32 = "500",
-        /// greatest of the search; without it the [motion's size](#sizes)
+        /// greatest of the starts (of several impacts of a linear machine it follows from the times); without
+        /// it the [motion's size](#sizes)
         speed: Option<f64>,
     }
 }
