@@ -3,7 +3,8 @@
 From Coq Require Import Reals ZArith List FunctionalExtensionality Lra Lia.
 From Grazing Require Import Defs Statement StatementPlane StatementWords StatementExamples StatementOrbits
   StatementOrbitsPlane StatementOrbitsInstance StatementOrbitsPeriodic StatementOscillator StatementNordmark
-  Headline StatementSystems Farey StatementZ OrbitZ.
+  Headline StatementSystems StatementOneImpact Farey StatementZ OrbitZ.
+From Grazing Require StatementResonance.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -326,4 +327,32 @@ Proof.
     rewrite G; cbn [harmonics].
     replace (INR 1 * PI) with PI by (simpl; ring); replace (INR 2 * PI) with (2 * PI) by (simpl; ring); rewrite cos_PI,
       sin_PI, cos_2PI, sin_2PI; field.
+Qed.
+
+(** ** One impact in n turns, for every mu: a1 = 0, a2 = 1 again, b_{5,1} = 0 and c_5 = -2, gap and speed by hand *)
+Lemma none_every_fifth : Nordmark_statement -> Every_mu_statement -> forall mu d t y v,
+  ~ StatementResonance.once (Nordmark 0 4 0) 5 mu d t y v.
+Proof.
+  intros HN HE mu d t y v [HM HA]; destruct (undamped HN) as (gamma & [_ _ HG _] & _).
+  destruct (HA 1%Z (t 0%Z)) as (T1 & _ & V1); cbv zeta in *; rewrite Rmult_1_r in *.
+  assert (U5 : u 0 1 5 <> 0) by numbers; assert (C5 : Defs.c 0 1 5 <> 0) by numbers.
+  refine (HE _ Plus 0 1 gamma 5%nat HG ltac:(cbn; lra) U5 C5 1%nat ltac:(lia) ltac:(right; replace (b 0 1 5 1) with 0 by
+    numbers; ring) mu d _ t y v 0%Z (Build_comes_again _ _ _ _ _ _ _ _ _ _ (HM 0%Z 1%Z eq_refl) _ T1 _)); [lia|].
+  cbn [facing]; change (0 + 1)%Z with 1%Z; rewrite Rmult_1_l, T1; exact V1.
+Qed.
+Lemma higher_by O m gamma mu d N t y v i : Gap_statement -> matrix (Oscillator.c O) (Oscillator.k O) m 0 1 gamma ->
+  Oscillator.tau O = 1 / 2 -> comes_again O m 3 mu d N t y v i ->
+  speed O m mu (N i + 3) (v i) (t i + turn m * 3) = -8 ->
+  gap O m mu (N i + 1) (y i) (t i + turn m) = 12 * gamma /\ t (i + 1)%Z = t i + turn m * 3 /\
+  facing m 3 * v (i + 1)%Z (t (i + 1)%Z) = v i (t i) /\ gap O m mu (N i + 3) (y i) (t i + turn m * 3) = 0.
+Proof.
+  intros HG HM Ht H Hs; assert (U3 : u 0 1 3 <> 0) by numbers.
+  pose proof (HG _ _ _ _ _ _ _ _ _ _ _ _ i HM U3 H) as E; destruct H as [W N1 P V].
+  replace (INR 3) with 3 in * by (cbn; lra); change (Z.of_nat 3) with 3%Z in *; cbv zeta in E.
+  rewrite N1, P, Hs, Ht in E; split; [specialize (E 1%nat ltac:(lia)) | split; [exact P | split; [exact V | specialize (E
+    3%nat ltac:(lia))]]].
+  - cbn [INR] in E; rewrite Rmult_1_r in E; change (Z.of_nat 1) with 1%Z in E.
+    replace (Defs.c 0 1 3) with 2 in E by numbers; replace (b 0 1 3 1) with 2 in E by numbers; lra.
+  - replace (INR 3) with 3 in E by (cbn; lra); change (Z.of_nat 3) with 3%Z in E.
+    replace (Defs.c 0 1 3) with 2 in E by numbers; replace (b 0 1 3 3) with 0 in E by numbers; lra.
 Qed.

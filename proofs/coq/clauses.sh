@@ -333,6 +333,12 @@ E
 other StatementResonance.v Plane_statement 'only by the sign of gamma' <<'E'
 s/^  ((2 <= m)%nat \\\/ gamma < 0 -> forall mu x/  (gamma < 0 -> forall mu x/
 E
+other StatementOneImpact.v Every_mu_statement 'where b is not 0' <<'E'
+s/b a1 a2 n k <= 0 ->$/b a1 a2 n k < 0 ->/
+E
+other StatementOneImpact.v Gap_statement 'k < n' <<'E'
+/^Definition Gap_statement/,/^$/ s/(k <= n)%nat/(k < n)%nat/
+E
 
 if [ "$survived" != 0 ]; then echo "clauses.sh: $survived of $total changes not noticed" >&2; exit 1; fi
 echo "all $total changes are noticed"

@@ -508,6 +508,21 @@ E
 mutant resonance-curve-of-another-slope 'File "./(Consequences)?Resonance' --pin StatementResonance.v <<'E'
 s/Rabs (mu + across M V n/Rabs (mu - across M V n/
 E
+mutant one-impact-of-another-gap 'File "./(Consequences)?(OneImpact|Systems)' --pin StatementOneImpact.v <<'E'
+s/    - (1 + Oscillator.tau O) \* V/    - (1 - Oscillator.tau O) * V/
+E
+mutant one-impact-that-does-not-come-again 'File "./(Consequences)?(OneImpact|Systems)' --pin StatementOneImpact.v <<'E'
+s/^  again_velocity : .*/  again_velocity : True }./
+E
+mutant one-impact-at-another-phase 'File "./(Consequences)?(OneImpact|Systems)' --pin StatementOneImpact.v <<'E'
+s/^  again_phase : .*/  again_phase : t i < t (i + 1)%Z;/
+E
+mutant one-impact-without-the-sign-of-c 'File "./(Consequences)?(OneImpact|Systems)' --pin StatementOneImpact.v <<'E'
+s/u a1 a2 n <> 0 -> c a1 a2 n <> 0 ->$/u a1 a2 n <> 0 ->/
+E
+mutant one-impact-of-a-negative-restitution 'File "./(Consequences)?(OneImpact|Systems)' --pin StatementOneImpact.v <<'E'
+s/a1 a2 gamma -> 0 <= Oscillator.tau O ->$/a1 a2 gamma ->/
+E
 
 if [ "$survived" ]; then echo "mutants.sh: not refused:$survived" >&2; exit 1; fi
 echo "all $total mutants refused"

@@ -43,7 +43,8 @@ pub enum Existence {
     },
     /// u_n = 0, a singular boundary: Theorem 1 is silent; [`Resonance`](super::Resonance) says what is born.
     Singular,
-    /// b_{n,k} = 0 for this k, an iterate boundary, and no two b have opposite signs: Theorem 1 is silent.
+    /// b_{n,k} = 0 for this k, an iterate boundary, and no two b have opposite signs: Theorem 1 is silent. Of
+    /// a linear oscillator there is none, at any µ ([`in_words`](Existence::in_words)).
     Iterate(u64),
     /// c_n = 0, a sign boundary, and every b has the same sign: Theorem 1 is silent.
     SignBoundary,
@@ -88,6 +89,16 @@ impl Existence {
             Existence::SignBoundary => "sign boundary",
             Existence::Undecided => "undecided",
         }
+    }
+
+    /// What it says of linear oscillators at every µ, where Theorem 1 is silent about small µ: at an iterate
+    /// boundary with c_n ≠ 0 (`Every_mu_statement` of `StatementOneImpact.v`). That is everywhere but on the
+    /// lines of `region`.
+    pub fn in_words(self, region: Region) -> Option<&'static str> {
+        (matches!(self, Existence::Iterate(_)) && region != Region::Line).then_some(
+            "of a linear oscillator no motion repeats with one impact in n periods, at any mu; of maps Theorem 1 is \
+             silent",
+        )
     }
 
     /// The k that it names with b_{n,k} > 0, with b_{n,k} < 0 and with b_{n,k} = 0.

@@ -342,6 +342,57 @@ fn at_resonances_the_orbit_is_known_for_every_amplitude() {
     assert!(kept.iter().filter(|kept| **kept).count() >= 12 && kept.len() > 60);
 }
 
+/// `StatementOneImpact.v`: where one impact in n periods repeats, at any amplitude and whether or not the motion
+/// runs through the wall, c_n times its gap k periods after the impact is (1 + τ)|V| γ b_{n,k}.
+#[test]
+fn k_periods_after_an_impact_the_gap_is_a_multiple_of_b() {
+    let mut met = [0; 2];
+    for (d, w, tau, mu) in [
+        (0.6f64, 4.9f64, 1.0, 0.7),
+        (0.05, 6.3, 0.4, -0.01),
+        (0.0, 4.1, 0.8, 0.3),
+        (-0.01, 5.2, 0.9, 1e-3),
+        (1.7, 3.0, 0.5, -0.2),
+    ] {
+        let system = scene(
+            &PAPER
+                .replace("d = 0.6", &format!("d = {d:?}"))
+                .replace("w = 4.9", &format!("w = {w:?}"))
+                .replace("tau = 1", &format!("tau = {tau:?}"))
+                .replace("mu = 0", &format!("mu = {mu:e}")),
+        )
+        .plain(&[])
+        .unwrap();
+        let oscillator = Oscillator::new(system.clone(), 1e-14).unwrap();
+        // The free motion from (0, 1) after one period: γ; and the eigenvalues' sum and product.
+        let (shrunk, angle) = ((-TAU * d / w).exp(), TAU * (1.0 - d * d).abs().sqrt() / w);
+        let (cosine, sine) = if d < 1.0 { (angle.cos(), angle.sin()) } else { (angle.cosh(), angle.sinh()) };
+        let (a1, a2, gamma) = (2.0 * shrunk * cosine, shrunk * shrunk, shrunk * sine * TAU / angle);
+        let mut u = vec![0.0, 1.0];
+        for k in 1..9 {
+            u.push(a1 * u[k] - a2 * u[k - 1]);
+        }
+        for n in 2..=7 {
+            let exact = SingleImpact::new(&system, Side::Lower, n as u32).unwrap();
+            let power = |k: usize| a2.powi(k as i32);
+            let c = -(1.0 - (2.0 * u[n + 1] - a1 * u[n]) + power(n)) / u[n];
+            for speed in exact.speeds() {
+                let phase = exact.phase(speed);
+                let [height, slope] = [(1.0 + mu) * phase.cos() - 1.0, -(1.0 + mu) * phase.sin()];
+                for k in 1..n {
+                    let b = (u[n] - u[k] - power(k) * u[n - k]) / u[n];
+                    let start = State { t: phase, q: height, u: slope + tau * speed };
+                    let gap = oscillator.flow().advance(start, TAU * k as f64).q - height;
+                    let wanted = (1.0 + tau) * speed * gamma * b / c;
+                    assert!(near(gap, wanted, 1e-9), "d = {d}, n = {n}, k = {k}: {gap} {wanted}");
+                    met[usize::from(wanted > 0.0)] += 1;
+                }
+            }
+        }
+    }
+    assert!(met.iter().all(|count| *count > 20), "{met:?}");
+}
+
 #[test]
 fn what_exact_orbits_do_not_cover_is_refused() {
     let refused = |edit: &str, with: &str, what: &str| {

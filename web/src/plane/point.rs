@@ -144,7 +144,10 @@ fn reason(place: &Forward, n: u64, existence: Existence) -> String {
             Some(resonance) => format!("u_{n} = 0, {} resonance: {resonance}", resonance.name()),
             None => format!("u_{n} = 0: Theorem 1 is silent"),
         },
-        Existence::Iterate(k) => format!("b_{n},{} = 0: Theorem 1 is silent", index(k)),
+        Existence::Iterate(k) => {
+            let what = existence.in_words(place.region).unwrap_or("Theorem 1 is silent");
+            format!("b_{n},{} = 0: {what}", index(k))
+        }
         Existence::SignBoundary => format!("c_{n} = 0: Theorem 1 is silent"),
         Existence::Undecided => "undecided: the precision was not enough".into(),
     }

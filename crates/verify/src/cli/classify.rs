@@ -35,7 +35,8 @@ const CELLS: u64 = 2_000;
 /// angle theta = 2 pi s of its complex eigenvalues, --r and --s. The table has, for each period, the cases
 /// (sign e*mu, sign gamma) with an orbit and the sign of its large eigenvalue; or two k with b_{n,k} of
 /// opposite sign, which forbid an orbit; or the boundary on which the point lies, where Theorem 1 is silent.
-/// Where that is singular, n theta = m pi, its resonance says what is born: first is m = 1, higher m >= 2.
+/// Where that is singular, n theta = m pi, its resonance says what is born: first is m = 1, higher m >= 2. Where
+/// some b_{n,k} = 0 no motion of a linear oscillator has one impact in n periods, at any mu.
 /// For a2 > 1 the time-reversed system is classified, which has the same orbits.
 ///
 /// With intervals, as in --r 0.97±1% --s 0.2..=0.21 or --frequency 12.3Hz±1% --damping-ratio 0.02±20% --drive
@@ -109,6 +110,11 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
             let resonances: Vec<_> = resonances.filter(|(_, kind)| kind.is_some()).collect();
             for line in Resonance::in_words(&resonances) {
                 writeln!(out, "{line}")?;
+            }
+            let mut zeros = (1u64..).zip(&found).filter_map(|(n, one)| Some((n, one.in_words(place.region)?)));
+            if let Some((n, line)) = zeros.next() {
+                let more = if zeros.next().is_some() { ", ..." } else { "" };
+                writeln!(out, "n = {n}{more}, some b_{{n,k}} = 0: {line}")?;
             }
         }
         write(args.format, (&place, &at), &found, out)
