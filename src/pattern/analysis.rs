@@ -67,9 +67,12 @@ impl<'m> Analysis<'m> {
     /// the map's.
     pub fn judge(&self, periods: &[u64]) -> Report {
         let report = self.by_theorem(periods);
-        let resonance = || self.map.at_resonance(*periods.first().filter(|_| periods.len() == 1)?);
+        let one = periods.first().copied().filter(|_| periods.len() == 1);
         match report.reason {
-            Some(OpenReason::Singular) => resonance().unwrap_or(report),
+            Some(OpenReason::Singular) => one.and_then(|n| self.map.at_resonance(n)).unwrap_or(report),
+            Some(OpenReason::PerhapsSingular) => {
+                one.and_then(|n| self.map.near_resonance(n)).unwrap_or(report)
+            }
             _ => report,
         }
     }

@@ -48,6 +48,9 @@ pub enum OpenReason {
     /// The first resonance of one impact, nθ = π, with γ > 0: one orbit, its speed like √|µ|, on a side that
     /// the second order decides.
     Resonance,
+    /// Of one impact in n periods, with γ > 0, the first resonance may be within the bounds: one orbit, for
+    /// eµ < 0 where u_n > 0 and for eµ > 0 where u_n < 0.
+    PerhapsResonance,
     /// The enclosure of det D contains 0.
     PerhapsSingular,
     /// A quantity is 0: for k ≥ 1 the orbit is itself grazing, for k = 0 an impact has no velocity.
@@ -75,6 +78,10 @@ impl fmt::Display for OpenReason {
             OpenReason::Singular => f.write_str("det D = 0: singular, several branches are possible"),
             OpenReason::Resonance => f.write_str(
                 "first resonance: an orbit is born, its speed like sqrt|mu|, on the side that the second order decides",
+            ),
+            OpenReason::PerhapsResonance => f.write_str(
+                "the first resonance may be within the bounds: where u_n > 0 one orbit is born for e*mu < 0, where u_n < \
+                 0 one for e*mu > 0, where u_n = 0 one on a side that the second order decides",
             ),
             OpenReason::PerhapsSingular => f.write_str("the enclosure of det D contains 0"),
             OpenReason::Zero(place) if place.k == 0 => write!(f, "{place} = 0: an impact without velocity"),
@@ -155,10 +162,18 @@ impl Report {
     /// The report on one impact at a resonance of a map of two dimensions with a₂ < 1, whose f, h and b are
     /// C².
     pub(super) fn at_resonance(resonance: Resonance, gamma: Sign, n: u64, e: Option<Sign>) -> Report {
+        let found = Self::near_resonance(resonance, gamma, e);
+        let exact =
+            |reason| if reason == OpenReason::PerhapsResonance { OpenReason::Resonance } else { reason };
+        Report { reason: found.reason.map(exact), flat: Some(n), ..found }
+    }
+
+    /// The same where it may only be near.
+    pub(super) fn near_resonance(resonance: Resonance, gamma: Sign, e: Option<Sign>) -> Report {
         let is_born = resonance == Resonance::First && gamma == Sign::Positive;
-        let reason = parameter(e).or(is_born.then_some(OpenReason::Resonance));
+        let reason = parameter(e).or(is_born.then_some(OpenReason::PerhapsResonance));
         let side = if reason.is_some() { PatternExistence::Open } else { PatternExistence::NoOrbit };
-        Report { plus: side, minus: side, reason, flat: Some(n), orbit: None }
+        Report { plus: side, minus: side, reason, flat: None, orbit: None }
     }
 
     /// The sign of eµ for which the orbit exists: `true` for eµ > 0, `None` if for neither or if that is not

@@ -92,7 +92,13 @@ impl Graph {
                 Ok(graph)
             }
             None => match Coordinates::<Ball>::new(map, last, Precision::new(BITS)) {
-                Some(map) => Ok(Self::build(&map, last, false, e)),
+                Some(coordinates) => {
+                    let mut graph = Self::build(&coordinates, last, false, e);
+                    let near =
+                        |n: u64| graph.nodes[n as usize - 1].is_none().then(|| map.near_resonance(n))?;
+                    graph.resonances = (1..=last).map(near).collect();
+                    Ok(graph)
+                }
                 None => Err(Error::input("the map cannot be enclosed")),
             },
         }

@@ -13,7 +13,7 @@ use crate::{
     error::{Error, Result},
     existence::Resonance,
     local::{Plane, Point},
-    number::{Ball, Precision, Sign},
+    number::{Ball, Precision, Real, Sign},
 };
 
 /// A real number given exactly, or by two exact bounds.
@@ -237,6 +237,46 @@ impl Map {
         let row = |j: usize| Some(c(0)? * a(0, j)? + c(1)? * a(1, j)?);
         let gamma = row(0)? * b(0)? + row(1)? * b(1)?;
         Some(Report::at_resonance(resonance, Sign::of(&gamma), n, self.e.sign()))
+    }
+
+    /// What is born of one impact in n ≥ 2 periods for all maps of two dimensions within these bounds, u_n =
+    /// 0 perhaps among them, with 0 < a₂ < 1; `None` where that is not known. With N_k = u_n − u_k − a₂ᵏ
+    /// u_{n−k} and D = det(I − Aⁿ), b_{n,k} = N_k/u_n and c_n = −D/u_n: where two N_k have opposite signs,
+    /// none, and a u_n = 0 is a higher resonance, as at the first all N_k = −(1 − ζ) u_k < 0. Where all are
+    /// negative and D > 0, the orbit of γ > 0 is that of eµ u_n < 0, and γ < 0 has none. Cost: O(n)
+    /// operations on balls.
+    pub(super) fn near_resonance(&self, n: u64) -> Option<Report> {
+        let bits = Precision::new(BITS);
+        let (a, n) = (convert::<Ball>(&self.a, &bits)?, usize::try_from(n).ok()?);
+        if self.dimension() != 2 || n < 2 {
+            return None;
+        }
+        let one = Ball::integer(1, &bits);
+        let a1 = a[(0, 0)].clone() + &a[(1, 1)];
+        let a2 = a[(0, 0)].clone() * &a[(1, 1)] - &(a[(0, 1)].clone() * &a[(1, 0)]);
+        if a2.sign()? != Sign::Positive || (one.clone() - &a2).sign()? != Sign::Positive {
+            return None;
+        }
+        let (mut u, mut power) = (vec![Ball::integer(0, &bits), one.clone()], vec![one.clone()]);
+        for k in 1..=n {
+            u.push(a1.clone() * &u[k] - &(a2.clone() * &u[k - 1]));
+            power.push(power[k - 1].clone() * &a2);
+        }
+        let numerator = |k: usize| u[n].clone() - &u[k] - &(power[k].clone() * &u[n - k]);
+        let signs: Vec<Option<Sign>> = (1..n).map(|k| numerator(k).sign()).collect();
+        let has = |sign| signs.contains(&Some(sign));
+        let e = self.e.sign();
+        if has(Sign::Positive) && has(Sign::Negative) {
+            return Some(Report::near_resonance(Resonance::Higher, Sign::Positive, e));
+        }
+        let trace = u[n + 1].clone() - &(a2 * &u[n - 1]);
+        let is_first = signs.iter().all(|sign| *sign == Some(Sign::Negative))
+            && (one - &trace + &power[n]).sign()? == Sign::Positive;
+        let on = |x: &Entry| x.on::<Ball>(&bits);
+        let (b, c) = ([on(&self.b[0])?, on(&self.b[1])?], [on(&self.c[0])?, on(&self.c[1])?]);
+        let row = |j: usize| c[0].clone() * &a[(0, j)] + &(c[1].clone() * &a[(1, j)]);
+        let gamma = (row(0) * &b[0] + &(row(1) * &b[1])).sign()?;
+        is_first.then(|| Report::near_resonance(Resonance::First, gamma, e))
     }
 
     /// What a user should know about this map, one sentence each.

@@ -628,6 +628,62 @@ fn at_a_resonance_the_second_order_says_whether_one_impact_is_born() {
     assert!(seen.iter().all(|count| *count > 4), "{seen:?}");
 }
 
+/// Bounds about those resonances: what is said of one impact in n periods holds of every map within, on either
+/// side of u_n = 0 and there; between the first and a higher resonance, and with wider bounds, nothing more is
+/// said than is so.
+#[test]
+fn bounds_that_hold_a_resonance_say_what_holds_of_every_map_within() {
+    let mut seen = [0; 3];
+    for (a1, a2, n) in [
+        ("0", "1/4", 2),
+        ("1/2", "1/4", 3),
+        ("-1/2", "1/4", 3),
+        ("1", "1/2", 4),
+        ("-1", "1/2", 4),
+        ("1/2", "1/12", 6),
+        ("1/2", "1/4", 6),
+        ("1", "1", 3),
+    ] {
+        for (gamma, width) in [1, -1].into_iter().flat_map(|g| ["1/10000", "1/100", "1/3"].map(|w| (g, w))) {
+            let [a1, a2, width] = [a1, a2, width].map(q);
+            let about = |x: &Q| Entry::between(x - &width, x + &width).unwrap();
+            let [zero, one] = [0, 1].map(|x| Entry::from(whole(x)));
+            let rows = vec![vec![about(&a1), one.clone()], vec![about(&-&a2), zero.clone()]];
+            let (b, c) = (vec![zero.clone(), whole(gamma).into()], vec![one.clone(), zero.clone()]);
+            let Ok(map) = Map::new(rows, b, c, one.clone(), None) else { continue };
+            let report = Graph::new(&map, n, false).unwrap().judge(&[n]);
+            assert_eq!(sides(&report), sides(&Analysis::new(&map, n, Numbers::Enclosed).judge(&[n])));
+            for (i, j) in (-2..=2).flat_map(|i| (-2..=2).map(move |j| (i, j))) {
+                let [a1, a2] =
+                    [&a1 + &width * Q::new(i.into(), 2.into()), &a2 - &width * Q::new(j.into(), 2.into())];
+                let a = vec![vec![a1, whole(1)], vec![-a2, whole(0)]];
+                let exact = build(&a, &[whole(0), whole(gamma)], &[whole(1), whole(0)], 1);
+                let within = Graph::new(&exact, n, false).unwrap().judge(&[n]);
+                let place = format!("{a:?}, n = {n}, gamma {gamma}, {width}: {report:?} {within:?}");
+                if !report.is_open() {
+                    assert_eq!(sides(&report), sides(&within), "{place}");
+                    seen[0] += 1;
+                } else if report.reason == Some(OpenReason::PerhapsResonance) {
+                    let u = |n: u64| {
+                        (1..n)
+                            .fold([whole(0), whole(1)], |[x, y], _| [y.clone(), &a[0][0] * y + &a[1][0] * x])
+                    };
+                    let wanted = match Sign::of(&u(n)[1]) {
+                        Sign::Zero => (PatternExistence::Open, PatternExistence::Open),
+                        Sign::Positive => (PatternExistence::NoOrbit, PatternExistence::Orbit),
+                        Sign::Negative => (PatternExistence::Orbit, PatternExistence::NoOrbit),
+                    };
+                    assert_eq!((within.plus, within.minus), wanted, "{place}");
+                    seen[1] += 1;
+                } else {
+                    seen[2] += 1;
+                }
+            }
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
+}
+
 /// The counts without listing, against judging every pattern: maps with singular periods and open edges among
 /// them.
 #[test]

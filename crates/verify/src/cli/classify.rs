@@ -111,7 +111,8 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
             for line in Resonance::in_words(&resonances) {
                 writeln!(out, "{line}")?;
             }
-            let mut zeros = (1u64..).zip(&found).filter_map(|(n, one)| Some((n, one.in_words(place.region)?)));
+            let mut zeros =
+                (1u64..).zip(&found).filter_map(|(n, one)| Some((n, one.in_words(place.region)?)));
             if let Some((n, line)) = zeros.next() {
                 let more = if zeros.next().is_some() { ", ..." } else { "" };
                 writeln!(out, "n = {n}{more}, some b_{{n,k}} = 0: {line}")?;
