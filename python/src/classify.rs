@@ -2,7 +2,7 @@
 
 use grazing_scenes::{
     Error, Monitor, Result,
-    existence::{Case, Existence, Resonance, large_eigenvalue_sign, up_to},
+    existence::{Case, Existence, Resonance, by_enclosures, large_eigenvalue_sign, up_to},
     local::{Forward, Ladder},
     num_rational::BigRational,
 };
@@ -15,7 +15,7 @@ use pyo3::{
 use rayon::prelude::*;
 
 use crate::{
-    columns::Column,
+    columns::{Column, Numbers},
     exact::Exact,
     places::{ladder, place},
     watch::{at_once, is_forked, watched, watched_here},
@@ -123,6 +123,18 @@ fn bits(existence: Existence, n: u64) -> u8 {
 /// Points classified between two looks at Ctrl-C.
 const PORTION: usize = 64;
 
+/// What enclosures say of point `i`, if they decide all of it: a₁ = 2r cos 2πs and a₂ = r² for a point with r > 0 and
+/// 0 < s < ½.
+fn quickly(columns: &[Numbers; 2], i: usize, polar: bool, last: u64) -> Option<Vec<Existence>> {
+    let ((first, _), (second, cosine)) = (columns[0].enclosure(i, false)?, columns[1].enclosure(i, polar)?);
+    if !polar {
+        return by_enclosures(&first, &second, last);
+    }
+    let within = first.lo() > 0.0 && second.lo() > 0.0 && second.hi() < 0.5;
+    let twice = first + &first;
+    within.then(|| by_enclosures(&(twice * &cosine?), &(first * &first), last))?
+}
+
 /// Many points: `found[i, n − 1]` for period n at point i. The columns, unless they have one number
 /// for all, and `skipped`, which says at which points not to look, must be as long as `found`.
 #[pyfunction]
@@ -152,6 +164,12 @@ fn classify_many<'py>(
         portions.try_for_each(|(portion, rows)| {
             for (i, row) in (portion * PORTION..).zip(rows.chunks_mut(last)) {
                 if skipped.is_some_and(|skipped| skipped[i]) {
+                    continue;
+                }
+                if let Some(kinds) = quickly(&columns, i, polar, last as u64) {
+                    for (n, (cell, kind)) in (1..).zip(row.iter_mut().zip(kinds)) {
+                        *cell = bits(kind, n);
+                    }
                     continue;
                 }
                 let [first, second] = [&columns[0], &columns[1]].map(|column| column.at(i));

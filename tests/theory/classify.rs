@@ -5,12 +5,13 @@ use crate::common;
 
 use grazing::{
     existence::{
-        Case, Claim, Existence, Resonance, Variant, by_definition, by_records, claimed, intervals,
-        large_eigenvalue_sign,
+        Case, Claim, Existence, Resonance, Variant, by_definition, by_enclosures, by_records, claimed,
+        intervals, large_eigenvalue_sign, up_to,
     },
     local::{Ladder, Plane, Point, Polar, Region},
-    number::parse_rational,
+    number::{FloatInterval, parse_rational},
 };
+use grazing_base::random::Random;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, Signed, Zero};
 use proptest::prelude::*;
@@ -237,4 +238,39 @@ proptest! {
             claim => prop_assert_eq!(cases(claim, n).unwrap(), found.cases(n)),
         }
     }
+}
+
+/// Enclosures alone say what the exact point has, or nothing: random points, and beside every kind of boundary.
+#[test]
+fn enclosures_say_what_exact_numbers_do() {
+    let (ladder, mut random) = (Ladder::default(), Random::of_unit(11, 0));
+    let (mut told, mut open) = (0, 0);
+    for case in 0..2000 {
+        let unit = |random: &mut Random| random.within(1, 1 << 40) as f64 / (1u64 << 40) as f64;
+        let (mut a2, side) = (unit(&mut random), 2.0 * unit(&mut random) - 1.0);
+        let mut a1 = side * (1.0 + a2);
+        let tiny = 0.1f64.powi(random.within(8, 17) as i32);
+        match case % 4 {
+            // u_3 = 0 or u_2 = 0, b_{3,2} = 0 (a₁ = −½, a₂ = ½), and r = 1.
+            1 => a1 = if case % 8 == 1 { a2.sqrt() } else { a2 * 1e-12 },
+            2 => (a1, a2) = (-0.5 + side * tiny, 0.5),
+            3 => (a1, a2) = (2.0 * side, 1.0),
+            _ => {}
+        }
+        let [x, y] = [a1, a2].map(|x| FloatInterval::from_bounds(x, x));
+        let plane =
+            Plane::new(BigRational::from_float(a1).unwrap(), BigRational::from_float(a2).unwrap()).unwrap();
+        let exact = up_to(&ladder, &Point::Plane(plane), 24, || Ok(())).unwrap();
+        match by_enclosures(&x, &y, 24) {
+            Some(found) => {
+                assert_eq!(found, exact, "{a1} {a2}");
+                told += 1;
+            }
+            None => open += 1,
+        }
+        // Beyond a₂ = 1 and |a₁| = a₂ + 1 nothing is said.
+        let [outside, long] = [a2 + 1.0, a2 + 1.0 + a1.abs()].map(|x| FloatInterval::from_bounds(x, x));
+        assert!(by_enclosures(&x, &outside, 3).is_none() && by_enclosures(&long, &y, 3).is_none());
+    }
+    assert!(told > 1000 && open > 50, "{told} {open}");
 }

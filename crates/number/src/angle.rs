@@ -38,6 +38,18 @@ pub(crate) enum Fraction {
 }
 
 impl Angle {
+    /// πp/q; `None` unless p < 2q and q < 2⁶². Cost: nothing is reduced.
+    ///
+    /// ```
+    /// use grazing_number::{Angle, Sign};
+    /// let angle = Angle::fraction(2, 6).unwrap();
+    /// assert_eq!(angle.times(4).sin_sign(), Sign::Negative);
+    /// assert!(Angle::fraction(2, 1).is_none());
+    /// ```
+    pub fn fraction(p: u64, q: u64) -> Option<Angle> {
+        (q < 1 << 62 && p < 2 * q).then_some(Angle(Turn::Small { p, q }))
+    }
+
     /// πx.
     ///
     /// ```
