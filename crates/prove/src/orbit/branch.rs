@@ -204,6 +204,9 @@ struct Search<'a> {
     over: [BigRational; 2],
     seam: BigRational,
     last: [Tangent; 2],
+    /// Which of [`ROOMS`] and of the radii the last cell had: the next is tried with these first.
+    room: usize,
+    radius: usize,
 }
 
 impl<'a> Search<'a> {
@@ -226,7 +229,8 @@ impl<'a> Search<'a> {
         let near =
             if decimal(&problem.at).is_ok() { problem.at.clone() } else { rounded(&problem.at, PLACES) };
         let seam = near.clamp(over[0].clone(), over[1].clone());
-        Ok(Search { problem, certificate: head.clone(), head, over, seam, last: [tangent.clone(), tangent] })
+        let last = [tangent.clone(), tangent];
+        Ok(Search { problem, certificate: head.clone(), head, over, seam, last, room: 0, radius: 0 })
     }
 
     /// Cell after cell one way; why there is no next one before the range's end.
@@ -287,7 +291,7 @@ impl<'a> Search<'a> {
 
     /// A cell that the checker accepts by itself, with the widest box of those tried; or why there is none.
     fn cell(
-        &self,
+        &mut self,
         [from, to]: [&BigRational; 2],
         way: Way,
     ) -> Result<std::result::Result<(Cell, Tangent), String>> {
@@ -299,11 +303,14 @@ impl<'a> Search<'a> {
         let Some(far) = self.far(&tangent, &inverse, [from, to], &half)? else {
             return Ok(Err("nothing is known of the equations".into()));
         };
+        let first = self.room;
+        let rooms = std::iter::once(first).chain((0..ROOMS.len()).filter(|&room| room != first));
         let mut last = Err(String::new());
-        for room in ROOMS {
-            let within = two_digits(&far * BigInt::from(room) + krawczyk::near());
+        for room in rooms {
+            let within = two_digits(&far * BigInt::from(ROOMS[room]) + krawczyk::near());
             last = self.about(&tangent, &inverse, [from, to], &within)?;
             if last.is_ok() {
+                self.room = room;
                 break;
             }
         }
@@ -312,7 +319,7 @@ impl<'a> Search<'a> {
 
     /// A cell whose orbits are within this of its line.
     fn about(
-        &self,
+        &mut self,
         tangent: &Tangent,
         inverse: &Preconditioner,
         [from, to]: [&BigRational; 2],
@@ -321,20 +328,6 @@ impl<'a> Search<'a> {
         let (precision, half) = (&self.problem.precision, (to - from) / BigInt::from(2));
         // A little more, for the checker to tell them apart.
         let radius = within * BigRational::new(11.into(), 10.into());
-        let parameter = Jet::constant(Ball::between(from, to, precision));
-        let linear = Linear::enclosed((self.problem.family)(&parameter)?, precision)?;
-        let equations = equations(&linear, self.problem.impacts)?;
-        let around = |(y, rate): (&BigRational, &BigRational)| {
-            let far = rate.abs() * &half + within;
-            Jet::constant(Ball::between(&(y - &far), &(y + &far), precision))
-        };
-        let unknowns: Vec<Jet> = tangent.point.iter().zip(&tangent.rates).map(around).collect();
-        let pieces = match admissible::prove(&equations, &unknowns, None)? {
-            Verdict::Proved(pieces) => pieces,
-            Verdict::Refuted(why) | Verdict::Undecided(why) => return Ok(Err(why)),
-        };
-        let (trace, determinant) = equations.multipliers(&unknowns)?;
-        let claim = claim(stability(&trace.value, &determinant.value, precision));
         let m = self.problem.impacts.len();
         let line = |i: usize| {
             Ok(Line {
@@ -345,32 +338,64 @@ impl<'a> Search<'a> {
         };
         let cell = Cell {
             parameter: [decimal(from)?, decimal(to)?],
-            claim,
+            claim: Claim::Open,
             lines: (0..m).map(line).collect::<Result<_>>()?,
             radius: decimal(&radius)?,
             within: decimal(within)?,
             inverse: lists(inverse)?,
-            flights: lists(&pieces)?,
+            flights: Vec::new(),
         };
-        self.widest(cell, &radius)
+        let cell = match self.widest(cell, &radius)? {
+            Ok(cell) => cell,
+            Err(why) => return Ok(Err(why)),
+        };
+        let parameter = Jet::constant(Ball::between(from, to, precision));
+        let linear = Linear::enclosed((self.problem.family)(&parameter)?, precision)?;
+        let equations = equations(&linear, self.problem.impacts)?;
+        let around = |(y, rate): (&BigRational, &BigRational)| {
+            let far = rate.abs() * &half + within;
+            Jet::constant(Ball::between(&(y - &far), &(y + &far), precision))
+        };
+        let unknowns: Vec<Jet> = tangent.point.iter().zip(&tangent.rates).map(around).collect();
+        let flights = match admissible::prove(&equations, &unknowns, None)? {
+            Verdict::Proved(pieces) => lists(&pieces)?,
+            Verdict::Refuted(why) | Verdict::Undecided(why) => return Ok(Err(why)),
+        };
+        let (trace, determinant) = equations.multipliers(&unknowns)?;
+        let claim = claim(stability(&trace.value, &determinant.value, precision));
+        Ok(Ok(Cell { claim, flights, ..cell }))
     }
 
-    /// The cell with the largest box, 1/2, 1/5, 1/10, …, about its line in which the checker finds the orbit
-    /// to be the only one; or why it accepts none.
-    fn widest(&self, cell: Cell, least: &BigRational) -> Result<std::result::Result<Cell, String>> {
+    /// The cell, which has no flights yet, with the largest box, 1/2, 1/5, 1/10, …, about its line in which the
+    /// checker finds the solution to be the only one, from that of the last cell on; or why it finds none.
+    fn widest(&mut self, cell: Cell, least: &BigRational) -> Result<std::result::Result<Cell, String>> {
         let mut alone = Certificate { cells: vec![cell], ..self.head.clone() };
-        if let Err(why) = cell_holds(&alone, 0, &mut || false) {
-            return Ok(Err(why.trim_start_matches("cell 1 of 1: ").into()));
-        }
         let narrow = alone.cells[0].radius;
-        for radius in krawczyk::radii().take_while(|radius| radius > least) {
-            alone.cells[0].radius = decimal(&radius)?;
-            if cell_holds(&alone, 0, &mut || false).is_ok() {
-                return Ok(Ok(alone.cells.remove(0)));
+        // That the flights are missing is found after the solution.
+        let mut solved = |radius: Decimal| {
+            alone.cells[0].radius = radius;
+            match cell_holds(&alone, 0, &mut || false) {
+                Err(why) if why.contains("Krawczyk") => Err(why),
+                _ => Ok(radius),
             }
-        }
-        alone.cells[0].radius = narrow;
-        Ok(Ok(alone.cells.remove(0)))
+        };
+        let radii = krawczyk::radii().take_while(|radius| radius > least).map(|radius| decimal(&radius));
+        let radii = radii.collect::<Result<Vec<_>>>()?;
+        let widest = (self.radius..radii.len()).find(|&i| solved(radii[i]).is_ok());
+        let found = match widest {
+            Some(mut i) => {
+                while i > 0 && i <= self.radius && solved(radii[i - 1]).is_ok() {
+                    (i, self.radius) = (i - 1, i - 1);
+                }
+                self.radius = i;
+                Ok(radii[i])
+            }
+            None => solved(narrow),
+        };
+        let cell = alone.cells.remove(0);
+        Ok(found
+            .map(|radius| Cell { radius, ..cell })
+            .map_err(|why| why.trim_start_matches("cell 1 of 1: ").into()))
     }
 
     /// The solution at a value of the parameter, how it moves with it, and a preconditioner.
