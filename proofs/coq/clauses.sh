@@ -333,6 +333,11 @@ E
 other StatementResonance.v Plane_statement 'only by the sign of gamma' <<'E'
 s/^  ((2 <= m)%nat \\\/ gamma < 0 -> forall mu x/  (gamma < 0 -> forall mu x/
 E
+other StatementMultipliers.v Determinant_statement 'a d for each orbit' <<'E'
+s/^  let K := \(.*\) in forall eps, 0 < eps -> exists d, 0 < d \/\\$/  let K := \1 in forall eps, 0 < eps ->/
+s/^  forall mu x c q P, Rabs mu <= d ->/  forall mu x c q P, exists d, 0 < d \/\\ (Rabs mu <= d ->/
+s/D v i = lambda \* v i)\.$/D v i = lambda * v i))./
+E
 
 if [ "$survived" != 0 ]; then echo "clauses.sh: $survived of $total changes not noticed" >&2; exit 1; fi
 echo "all $total changes are noticed"

@@ -508,6 +508,24 @@ E
 mutant resonance-curve-of-another-slope 'File "./(Consequences)?Resonance' --pin StatementResonance.v <<'E'
 s/Rabs (mu + across M V n/Rabs (mu - across M V n/
 E
+mutant multipliers-of-the-other-sign 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/Rabs (det_less D + rate \* K/Rabs (det_less D - rate * K/
+E
+mutant multipliers-at-any-slope 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/second_order M w V rate n Qh Q -> across M V n = 0 ->/second_order M w V rate n Qh Q ->/
+E
+mutant multipliers-without-a-second-order 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/^  second_order M w V rate n Qh Q -> across/  across/
+E
+mutant multipliers-of-any-derivatives 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/^  flight_slopes M n mu y (x tt) c q P -> let D/  let D/
+E
+mutant multipliers-of-more-dimensions 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/ Map.N M = 2%nat ->/ (2 <= Map.N M)%nat ->/
+E
+mutant multipliers-real-above-two 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/exists lambda v, 1 < lambda/exists lambda v, 2 < lambda/
+E
 
 if [ "$survived" ]; then echo "mutants.sh: not refused:$survived" >&2; exit 1; fi
 echo "all $total mutants refused"
