@@ -527,5 +527,37 @@ mutant multipliers-real-above-two 'File "./(ConsequencesResonance|ResonanceMulti
 s/exists lambda v, 1 < lambda/exists lambda v, 2 < lambda/
 E
 
+# The reader of attractors.
+mutant trap-of-any-machines 'File "./(ConsequencesTraps|TrapsChecked)' --pin StatementTraps.v <<'E'
+s/^  trap_nu : 0 < Machine.nu M <= Q2R (Trap.depth C);/  trap_nu : 0 < Machine.nu M;/
+E
+mutant trap-above-a-wall-with-any-top 'File "./(ConsequencesTraps|TrapsChecked)' --pin StatementTraps.v <<'E'
+s/^  trap_level : g1 M 0 = 0 }\./  trap_level : True }./
+E
+mutant trap-that-absorbs-less 'File "./(ConsequencesTraps|TrapsChecked)' --pin StatementTraps.v <<'E'
+s/trapped T t2 V2 }\./trapped T t1 V1 }./
+E
+mutant trap-anywhere 'File "./(ConsequencesTraps|TrapsChecked)' --pin StatementTraps.v <<'E'
+s/^  trap_within : zm T <= Z \/\\ Vm T <= S;/  trap_within : True;/
+E
+mutant trap-reader-without-starts 'File "./TrapsChecked' '' TrapsCheck.v <<'E'
+s/ && starts I\././
+E
+mutant trap-reader-without-the-slip 'File "./TrapsNumbers' '' TrapsCheck.v <<'E'
+s/positive (ellI 1) && slip_holds &&/positive (ellI 1) \&\&/
+E
+mutant trap-reader-with-rates-in-the-middle 'File "./TrapsNumbers' '' TrapsCheck.v <<'E'
+s/^Definition reachI (T : itv) : itv := let x := high (aI I)/Definition reachI (T : itv) : itv := let x := low (aI I)/
+E
+mutant trap-reader-of-all-returns-but-the-last 'File "./TrapsNumbers' '' TrapsCheck.v <<'E'
+s/^  by_B s h eB last\./  true./
+E
+mutant trap-reader-with-a-window-too-short 'File "./TrapsChecked' '' TrapsCheck.v <<'E'
+s/low_at false (fraction (fst (Trap.window X))) && low_at true h'/low_at false (fraction (fst (Trap.window X)))/
+E
+mutant trap-reader-with-a-sine-too-great 'File "./TrapsChecked' '' TrapsCheck.v <<'E'
+s/times Y (step 6 (step 20 (step 42 X)))/times Y (step 7 (step 20 (step 42 X)))/
+E
+
 if [ "$survived" ]; then echo "mutants.sh: not refused:$survived" >&2; exit 1; fi
 echo "all $total mutants refused"
