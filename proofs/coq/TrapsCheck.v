@@ -124,6 +124,6 @@ Definition check_trap : bool :=
   let I := inputs_of in
   match Trap.concave X with None => cosine_holds | Some V => several_hold V end && overdamped_all &&
   Qle_bool 0 (fst (Trap.restitution X)) && less 0 (Trap.depth X) &&
-  Qle_bool (fst (Trap.bends X)) (snd (Trap.bends X)) && numbers_hold I (fraction (Trap.growth X)) (Trap.last X) &&
-    starts I.
+  Qle_bool (fst (Trap.bends X)) (snd (Trap.bends X)) &&
+  numbers_hold I (fraction (Trap.growth X)) (Trap.last X) && starts I.
 End Certificate.

@@ -239,7 +239,8 @@ fn damaged_attractors(text: &str) -> Vec<String> {
     let mut damaged = vec![format!("{shorter}\n"), format!("{text}\n"), format!("{text}junk\n")];
     for (at, line) in lines.iter().enumerate() {
         let words: Vec<&str> = line.split(' ').collect();
-        if ["grazing-certificate", "kind", "statement", "harmonics", "pieces", "exponent"].contains(&words[0]) {
+        if ["grazing-certificate", "kind", "statement", "harmonics", "pieces", "exponent"].contains(&words[0])
+        {
             continue;
         }
         for place in 1..words.len() {
