@@ -1,8 +1,8 @@
 //! The Coq development under `proofs/coq` says and rests on what is pinned there (`check.sh`), and what the
 //! built `grazing` prints agrees with functions that Coq has proved: those of `StatementZ.v` and
 //! `StatementCircleZ.v`, extracted to OCaml. So do the checker's verdicts with the readers of certificates of
-//! `StatementReaders.v`, `StatementReaderWords.v`, `StatementGrowth.v`, `StatementPaths.v` and
-//! `StatementRanges.v`.
+//! `StatementReaders.v`, `StatementReaderWords.v`, `StatementGrowth.v`, `StatementPaths.v`,
+//! `StatementRanges.v` and `StatementTraps.v`.
 //!
 //! Without `coqc` (for the second, an OCaml compiler too) on the PATH nothing is checked and stderr says so;
 //! with `GRAZING_REQUIRE_COQ=1` that is a failure.
@@ -72,6 +72,9 @@ fn build_oracle() -> Option<PathBuf> {
         "PathsCheck.v",
         "StatementRanges.v",
         "RangesCheck.v",
+        "StatementTrapped.v",
+        "StatementTraps.v",
+        "TrapsCheck.v",
         "Oracle.v",
         "oracle.ml",
         "reader.ml",

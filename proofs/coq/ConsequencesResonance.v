@@ -1,7 +1,8 @@
 (** * What follows, worked out by hand, from the definitions and statements at resonance *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementPlane StatementAttractor.
-From Grazing Require Import StatementOscillator StatementNordmark StatementResonance Derivatives Nordmark.
+From Grazing Require Import StatementOscillator StatementNordmark StatementUnstable StatementResonance.
+From Grazing Require Import StatementMultipliers Derivatives Nordmark.
 Open Scope R_scope.
 
 (** ** What the definitions say *)
@@ -252,6 +253,75 @@ Proof.
   pose proof (Rmin_l r r'); pose proof (Rmin_r r r'); destruct (H1 y ltac:(lra)) as (mu & x & Hmu & Ho & Ey & _).
   exists mu, x; split; [exact Ho|]; split; [exact Ey|]; destruct (H2 mu x Hmu Ho) as [B _]; [lra|].
   rewrite Z, Ey in B; replace (mu + 0 / rate * y) with mu in B; [exact B | unfold Rdiv; ring].
+Qed.
+
+(** The multipliers of those orbits at s = 1/8, n = 4: A^4 = - I / 16, and det (I - A^4) = (17/16)^2. *)
+Lemma fourth M gamma rate w : planar M (trace (1 / 2) (1 / 8)) ((1 / 2) ^ 2) gamma rate w -> forall x i, (i < 2)%nat ->
+  power M 4 x i = - (1 / 16) * x i.
+Proof.
+  intros H x i Hi; pose proof (is_trace _ _ _ _ _ _ H) as T; pose proof (is_det _ _ _ _ _ _ H) as D.
+  assert (T2 : trace (1 / 2) (1 / 8) ^ 2 = 1 / 2).
+  { unfold trace; replace (2 * PI * (1 / 8)) with (PI / 4) by field; rewrite cos_PI4; set (s := sqrt 2).
+    assert (S2 : s ^ 2 = 2) by (unfold s; rewrite pow2_sqrt; lra). replace ((2 * (1 / 2) * (1 / s)) ^ 2) with (1 / s ^
+      2)
+      by (field; intros Z; rewrite Z in S2; lra). rewrite S2; reflexivity. }
+  rewrite T in T2; clear T; unfold power, mult; rewrite (is_plane _ _ _ _ _ _ H); cbn [Nat.iter nat_rect dot].
+  set (a := Map.A M 0%nat 0%nat) in *; set (b := Map.A M 0%nat 1%nat) in *; set (c := Map.A M 1%nat 0%nat) in *.
+  set (d := Map.A M 1%nat 1%nat) in *; assert (E : forall k z, (a + d) * ((a + d) ^ 2 - 2 * (a * d - b * c)) * k + (a *
+    d
+    - b * c) * (a * d - b * c - (a + d) ^ 2) * z = - (1 / 16) * z) by (intros k z; rewrite T2, <- D; field).
+  destruct i as [|[|i]]; [| |lia]; fold a b c d; [rewrite <- (E (a * x 0%nat + b * x 1%nat)) | rewrite <- (E (c * x
+    0%nat
+    + d * x 1%nat))]; ring.
+Qed.
+Lemma multipliers_4 : Determinant_statement -> forall M gamma rate w V U Qh Q,
+  planar M (trace (1 / 2) (1 / 8)) ((1 / 2) ^ 2) gamma rate w -> (forall i, (i < 2)%nat -> V i = 16 / 17 * Map.B M i /\
+    U
+  i = 16 / 17 * Q i) -> second_order M w V rate 4 Qh Q -> let K := - (1 + Qh + across M U 4) / rate in exists d, 0 < d
+  /\ forall mu x c q P, - d <= mu <= d -> single M 4 mu d x -> let y := speed_of M 4 mu x in
+  flight_slopes M 4 mu y (x tt) c q P -> let D i j := P i j - q i * c j / (2 * y) in derivative_at 2 (Nat.iter 4
+    (StatementOrbits.step M
+  mu)) D (x tt) /\ Rabs ((1 - D 0%nat 0%nat) * (1 - D 1%nat 1%nat) - D 0%nat 1%nat * D 1%nat 0%nat + rate * K * (289 /
+  256)) <= 1 / 1000 /\ (1 / 100 < rate * K -> exists l v0 v1, 1 < l /\ (v0 <> 0 \/ v1 <> 0) /\ D 0%nat 0%nat * v0 + D
+  0%nat 1%nat * v1 = l * v0 /\ D 1%nat 0%nat * v0 + D 1%nat 1%nat * v1 = l * v1).
+Proof.
+  intros S M gamma rate w V U Qh Q H HV H2 K; pose proof (fourth M gamma rate w H) as F; pose proof (is_plane _ _ _ _ _
+    _
+    H) as N2. destruct (is_rate _ _ _ _ _ _ H) as [Er Ne].
+  destruct (S M w V U rate 4%nat Qh Q (is_smooth _ _ _ _ _ _ H) N2) with (eps := 1 / 1000) as (d & Hd & A); rewrite ?N2;
+    trivial; [apply (is_w _ _ _ _ _ _ H) | lia | | | | lra | ].
+  - intros x Hx i Hi; specialize (Hx i Hi); rewrite F in Hx by exact Hi; lra.
+  - intros i Hi; rewrite !F by exact Hi; destruct (HV i Hi); lra.
+  - pose proof (is_CB _ _ _ _ _ _ H) as CB; unfold across; rewrite N2; cbn [dot] in *; rewrite !F by lia.
+    rewrite (proj1 (HV 0%nat ltac:(lia))), (proj1 (HV 1%nat ltac:(lia))); lra.
+  - exists d; split; [exact Hd|]; intros mu x c q P Hmu Ho y HS D; destruct (A mu x c q P (Rabs_le _ _ Hmu) Ho HS) as
+    (A1
+      & A2 & A3); fold y K in A1, A2, A3; rewrite ?N2 in A1, A2, A3; split; [exact A1|].
+    assert (E : forall v i, mult 2 (monodromy y c q P) v i = D i 0%nat * v 0%nat + D i 1%nat * v 1%nat) by (intros v i;
+      unfold mult, monodromy; cbn; unfold D; ring).
+    assert (E0 : det_less (mult 2 (monodromy y c q P)) = (1 - D 0%nat 0%nat) * (1 - D 1%nat 1%nat) - D 0%nat 1%nat * D
+      1%nat 0%nat) by (unfold det_less; rewrite !E; cbn; ring).
+    assert (E1 : det_less (power M 4) = 289 / 256) by (unfold det_less; rewrite !F by lia; cbn; field).
+    rewrite E0, E1 in A2; split; [exact A2|]; intros Hk; rewrite E0 in A3; apply le_abs in A2.
+    destruct A3 as (l & v & Hl & (i & Hi & Nv) & Ev); [lra|]; exists l, (v 0%nat), (v 1%nat); split; [exact Hl|].
+    pose proof (Ev 0%nat ltac:(lia)) as V0; pose proof (Ev 1%nat ltac:(lia)) as V1; rewrite E in V0, V1; split; [|auto].
+    destruct i as [|[|i]]; [left; exact Nv | right; exact Nv | lia].
+Qed.
+Lemma slopes_mean M mu y x c q P : flight_slopes M 2 mu y x c q P -> Map.N M = 1%nat -> exists r, 0 < r /\ forall s b t,
+  0 <= t <= r -> - t <= s <= t -> - t <= b 0%nat - x 0%nat <= t -> let z b := Map.f M (Map.f M b mu) mu in
+  Rabs (Map.h M (z b) mu - Map.h M (z x) mu - c 0%nat * (b 0%nat - x 0%nat)) <= 1 / 9 * t /\
+  Rabs ((z b 0%nat + Map.kick M (z b) (y + s) mu 0%nat * (y + s)) - (z x 0%nat + Map.kick M (z x) y mu 0%nat * y) - (s *
+  q 0%nat + P 0%nat 0%nat * (b 0%nat - x 0%nat))) <= 1 / 9 * t.
+Proof.
+  intros [A B] N1; destruct (A (1 / 9) ltac:(lra)) as (r & Hr & HA), (B 0%nat ltac:(lia) (1 / 9) ltac:(lra)) as (r' &
+    Hr'
+    & HB); rewrite N1 in HA, HB; exists (Rmin r r'); split; [apply Rmin_glb_lt; assumption|]; intros s b t Ht Hs Hb.
+  pose proof (Rmin_l r r'); pose proof (Rmin_r r r'); assert (W : StatementOrbits.within 1 t (minus b x)) by (intros i
+    Hi;
+    replace i with 0%nat by lia; apply Rabs_le, Hb); specialize (HA (y + s) b t); specialize (HB (y + s) b t).
+  replace (y + s - y) with s in HA, HB by ring; specialize (HA ltac:(lra) (Rabs_le _ _ Hs) W); specialize (HB ltac:(lra)
+    (Rabs_le _ _ Hs) W). cbn [dot Nat.iter nat_rect] in HA, HB; unfold minus in HA, HB; split; [revert HA | revert HB];
+    match goal with |- Rabs ?a <= _ -> Rabs ?b <= _ => replace b with a by ring; auto end.
 Qed.
 
 (** The map x -> mu + c x^2 + mu x of the line with the height x and the kick y has slope 0, V = 1, U = c and K = - (1

@@ -5,6 +5,7 @@ From Grazing Require Import StatementStops StatementNonlinearExamples NonlinearS
 From Grazing Require Import StatementBouncingExample NonlinearBouncingExample.
 From Grazing Require Import StatementOneImpact OneImpact.
 From Grazing Require StatementResonance ResonanceExact ResonanceStable ResonanceBirth ResonanceMaps ResonanceFold.
+From Grazing Require StatementMultipliers ResonanceMultipliers.
 
 Theorem Periodic_oscillator : Periodic_oscillator_statement. Proof. exact OscillatorUses.Periodic_oscillator. Qed.
 Theorem Reach : Reach_statement. Proof. exact OscillatorUses.Reach. Qed.
@@ -23,3 +24,5 @@ Proof. exact (conj ResonanceExact.Exact (conj ResonanceStable.Multipliers (conj 
 Theorem Maps_at_resonance : StatementResonance.Curve_statement /\ StatementResonance.Side_statement /\
   StatementResonance.Plane_statement.
 Proof. exact (conj ResonanceMaps.Curve (conj ResonanceFold.Side ResonanceMaps.Plane)). Qed.
+Theorem Multipliers_of_maps : StatementMultipliers.Determinant_statement.
+Proof. exact ResonanceMultipliers.Determinant. Qed.

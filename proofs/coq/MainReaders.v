@@ -2,7 +2,8 @@
 
 From Grazing Require Import StatementReaders StatementReaderWords StatementPaths ReaderCircle ReaderWords
   ReaderPolar PathsCheck.
-From Grazing Require StatementGrowth Growth PathsChecked StatementRanges RangesCheck RangesLinks.
+From Grazing Require StatementGrowth Growth PathsChecked StatementRanges RangesCheck RangesLinks
+  StatementTraps TrapsCheck TrapsChecked.
 
 Theorem Circle_reader : Circle_reader_statement. Proof. exact ReaderCircle.Circle_reader. Qed.
 Theorem Words_readers : Word_reader_statement /\ Region_reader_statement /\ Path_reader_statement /\
@@ -13,4 +14,5 @@ Proof.
 Qed.
 Theorem Paths_reader : Paths_statement check. Proof. exact PathsChecked.Paths. Qed.
 Theorem Ranges_reader : StatementRanges.Ranges_statement RangesCheck.check_range. Proof. exact RangesLinks.Ranges. Qed.
+Theorem Traps_reader : StatementTraps.Traps_statement TrapsCheck.check_trap. Proof. exact TrapsChecked.Traps. Qed.
 Theorem Growth_reader : StatementGrowth.Growth_reader_statement. Proof. exact Growth.Growth_reader. Qed.

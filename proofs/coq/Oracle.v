@@ -7,7 +7,7 @@
 
 From Coq Require Extraction ExtrOcamlBasic ZArith.
 From Grazing Require StatementZ StatementCircleZ StatementReaders StatementReaderWords StatementGrowth PathsCheck
-  RangesCheck.
+  RangesCheck TrapsCheck.
 
 Extraction "decide.ml"
   Grazing.StatementZ.uZ Grazing.StatementZ.signB Grazing.StatementZ.signC Grazing.StatementZ.signD
@@ -19,4 +19,5 @@ Extraction "decide.ml"
   Grazing.StatementReaderWords.wordZ Grazing.StatementReaderWords.regionZ Grazing.StatementReaderWords.pathZ
   Grazing.StatementReaderWords.belowZ Grazing.StatementReaderWords.lonelyZ Grazing.StatementReaderWords.polarZ
   Grazing.StatementGrowth.grows Grazing.PathsCheck.check Grazing.RangesCheck.check_range
+  Grazing.TrapsCheck.check_trap
   Coq.ZArith.BinInt.Z.add Coq.ZArith.BinInt.Z.mul Coq.ZArith.BinInt.Z.opp Coq.ZArith.BinInt.Z.gcd.

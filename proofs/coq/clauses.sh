@@ -339,6 +339,18 @@ E
 other StatementOneImpact.v Gap_statement 'k < n' <<'E'
 /^Definition Gap_statement/,/^$/ s/(k <= n)%nat/(k < n)%nat/
 E
+other StatementMultipliers.v Determinant_statement 'a d for each orbit' <<'E'
+s/^  let K := \(.*\) in forall eps, 0 < eps -> exists d, 0 < d \/\\$/  let K := \1 in forall eps, 0 < eps ->/
+s/^  forall mu x c q P, Rabs mu <= d ->/  forall mu x c q P, exists d, 0 < d \/\\ (Rabs mu <= d ->/
+s/D v i = lambda \* v i)\.$/D v i = lambda * v i))./
+E
+other StatementTraps.v Traps_statement 'a bound for each certificate' <<'E'
+s/exists lo hi, let T := seen C M (hi - lo) in traps/exists lo hi, let T := seen C M (1 + hi - lo) in traps/
+E
+other StatementTraps.v traps 'from the listed trap alone' <<'E'
+s/^  trap_absorbs : forall z w t V t1 V1 x v t2 V2 y u, z = Z \/\\ w = S \\\/$/  trap_absorbs : forall z w t V t1 V1 x v t2 V2 y u, z = Z \/\\ w = S ->/
+/^    z = X \/\\ w = sqrt/d
+E
 
 if [ "$survived" != 0 ]; then echo "clauses.sh: $survived of $total changes not noticed" >&2; exit 1; fi
 echo "all $total changes are noticed"

@@ -523,6 +523,56 @@ E
 mutant one-impact-of-a-negative-restitution 'File "./(Consequences)?(OneImpact|Systems)' --pin StatementOneImpact.v <<'E'
 s/a1 a2 gamma -> 0 <= Oscillator.tau O ->$/a1 a2 gamma ->/
 E
+mutant multipliers-of-the-other-sign 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/Rabs (det_less D + rate \* K/Rabs (det_less D - rate * K/
+E
+mutant multipliers-at-any-slope 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/second_order M w V rate n Qh Q -> across M V n = 0 ->/second_order M w V rate n Qh Q ->/
+E
+mutant multipliers-without-a-second-order 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/^  second_order M w V rate n Qh Q -> across/  across/
+E
+mutant multipliers-of-any-derivatives 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/^  flight_slopes M n mu y (x tt) c q P -> let D/  let D/
+E
+mutant multipliers-of-more-dimensions 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/ Map.N M = 2%nat ->/ (2 <= Map.N M)%nat ->/
+E
+mutant multipliers-real-above-two 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/exists lambda v, 1 < lambda/exists lambda v, 2 < lambda/
+E
+
+# The reader of attractors.
+mutant trap-of-any-machines 'File "./(ConsequencesTraps|TrapsChecked)' --pin StatementTraps.v <<'E'
+s/^  trap_nu : 0 < Machine.nu M <= Q2R (Trap.depth C);/  trap_nu : 0 < Machine.nu M;/
+E
+mutant trap-above-a-wall-with-any-top 'File "./(ConsequencesTraps|TrapsChecked)' --pin StatementTraps.v <<'E'
+s/^  trap_level : g1 M 0 = 0 }\./  trap_level : True }./
+E
+mutant trap-that-absorbs-less 'File "./(ConsequencesTraps|TrapsChecked)' --pin StatementTraps.v <<'E'
+s/trapped T t2 V2 }\./trapped T t1 V1 }./
+E
+mutant trap-anywhere 'File "./(ConsequencesTraps|TrapsChecked)' --pin StatementTraps.v <<'E'
+s/^  trap_within : zm T <= Z \/\\ Vm T <= S;/  trap_within : True;/
+E
+mutant trap-reader-without-starts 'File "./TrapsChecked' '' TrapsCheck.v <<'E'
+s/ && starts I\././
+E
+mutant trap-reader-without-the-slip 'File "./TrapsNumbers' '' TrapsCheck.v <<'E'
+s/positive (ellI 1) && slip_holds &&/positive (ellI 1) \&\&/
+E
+mutant trap-reader-with-rates-in-the-middle 'File "./TrapsNumbers' '' TrapsCheck.v <<'E'
+s/^Definition reachI (T : itv) : itv := let x := high (aI I)/Definition reachI (T : itv) : itv := let x := low (aI I)/
+E
+mutant trap-reader-of-all-returns-but-the-last 'File "./TrapsNumbers' '' TrapsCheck.v <<'E'
+s/^  by_B s h eB last\./  true./
+E
+mutant trap-reader-with-a-window-too-short 'File "./TrapsChecked' '' TrapsCheck.v <<'E'
+s/low_at false (fraction (fst (Trap.window X))) && low_at true h'/low_at false (fraction (fst (Trap.window X)))/
+E
+mutant trap-reader-with-a-sine-too-great 'File "./TrapsChecked' '' TrapsCheck.v <<'E'
+s/times Y (step 6 (step 20 (step 42 X)))/times Y (step 7 (step 20 (step 42 X)))/
+E
 
 if [ "$survived" ]; then echo "mutants.sh: not refused:$survived" >&2; exit 1; fi
 echo "all $total mutants refused"

@@ -1,11 +1,11 @@
-(* A reader of certificates of kinds theorem2, word, word-by-theorem, chaos 3, range and range 2: one answer per
-   file named on the command line, "proved", "refused: line N: ..." or "not read: ...". Every file is read to its end.
-   Of chaos 3 and of ranges the motions and the growth of the graph are proved, and the answer says what of the
-   statement is not read: "proved; reach, entropy: not read", or with others where the file claims that there are
-   none. What a file claims is decided by the proved functions of StatementReaders.v, StatementReaderWords.v,
-   StatementGrowth.v, PathsCheck.v and RangesCheck.v; here files are cut into lines and words, numbers are read, and
-   the form is checked, as the heads of mod.rs in crates/checker/src, in theorem2, word, chaos and range, have
-   it. *)
+(* A reader of certificates of kinds theorem2, word, word-by-theorem, chaos 3, range, range 2 and attractor: one
+   answer per file named on the command line, "proved", "refused: line N: ..." or "not read: ...". Every file is read
+   to its end. Of chaos 3 and of ranges the motions and the growth of the graph are proved, of attractors the trap and
+   how motions separate, and the answer says what of the statement is not read: "proved; reach, entropy: not read", or
+   with others where the file claims that there are none. What a file claims is decided by the proved functions of
+   StatementReaders.v, StatementReaderWords.v, StatementGrowth.v, PathsCheck.v, RangesCheck.v and TrapsCheck.v; here
+   files are cut into lines and words, numbers are read, and the form is checked, as the heads of mod.rs in
+   crates/checker/src, in theorem2, word, chaos, range and attractor, have it. *)
 open Decide
 
 exception Refused of string
@@ -498,6 +498,61 @@ let read_range second lines =
   need (check_range certificate) "not proved";
   Some ("continuity, entropy" ^ (if List.exists snd all then ", others" else "") ^ ": not read")
 
+(* ---- kind attractor: the trap and the growth, without starts that are no contacts, exponents and almost all ---- *)
+let attractor =
+  "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b \
+   in their ranges, all a together 1 and all j b together 0, and for every nu > 0 up to the listed depth, consider \
+   the motions of the oscillator q'' = -c q' - k q above the wall Q(t) = nu - 1 + g(t) with restitution tau: q is \
+   never below the wall, free where it is above, and where it meets the wall it leaves at tau times the speed at \
+   which it comes. Let a < b be the roots of z^2 - c z + k, which are real and positive, and V = q' - Q' before a \
+   contact, which is a graze if V = 0. With the listed speed S, slip Z, growth E and start X let D be the contacts \
+   at which Q >= 0, -S sqrt(nu) <= V <= 0 and 0 <= a Q + Q' + V <= Z nu. Then after a contact in D the motion is \
+   free for a time, until a next contact, which is in D. Every motion that begins at a time at which Q <= 0, with \
+   q >= 0 and 0 <= a q + q' <= X, is in D from its third contact on. Small displacements of q and q' at a fixed \
+   time, just before a contact in D that is no graze, for which neither that of q nor that of a q + q' is below 0, \
+   become, but for their sign, such displacements just before the next contact, and that of q grows E-fold at \
+   least. No periodic motion whose contacts are in D, grazing or not, is stable in Lyapunov's sense. Every motion \
+   whose contacts are in D and no grazes has a positive Lyapunov exponent; where an exponent R is listed with a \
+   nu, from that nu on it is at least R in each period 2 pi. Of the motions that begin as said almost all never \
+   graze. It is not said that there is one attractor, that a motion comes near all of it, or how long it is where."
+
+let is_cosine = function
+  | [ (XH, ((a, a'), (b, b'))) ] ->
+      let one = quotient (whole 1) XH in a = one && a' = one && b = nothing && b' = nothing
+  | _ -> false
+let read_attractor lines =
+  expect_statement lines attractor;
+  let damping = range lines "damping" in let stiffness = range lines "stiffness" in
+  let restitution = range lines "restitution" in
+  ignore (above_0 (fst restitution));
+  let harmonics = harmonics lines in
+  let depth = above_0 (one ratio (named lines "depth")) in
+  let two name = match named lines name with
+    | [ u; v ] -> let u = above_0 (decimal u) in let v = above_0 (decimal v) in (u, v)
+    | _ -> refuse "expected two numbers" in
+  let window = two "window" in let bends = two "bends" in
+  let concave = if is_cosine harmonics then None else begin
+    let concave = two "concave" in
+    ignore (one (count "pieces" 1 1000) (named lines "pieces"));
+    Some concave end in
+  let speed = above_0 (one decimal (named lines "speed")) in let slip = above_0 (one decimal (named lines "slip")) in
+  let growth, last = match named lines "growth" with
+    | [ e; n ] -> let e = above_0 (decimal e) in (e, count "periods" 1 1000 n)
+    | _ -> refuse "expected a growth and a number of periods" in
+  need (below (quotient (whole 1) XH) growth) "a growth must be above 1";
+  let start = above_0 (one decimal (named lines "start")) in
+  (match named lines "exponent" with
+   | [ "none" ] -> ()
+   | [ nu; r; l ] ->
+       let nu = above_0 (ratio nu) in
+       ignore (above_0 (decimal r)); ignore (count "periods" 1 2000 l);
+       need (qle_bool nu depth) "an exponent is listed from a depth up to the greatest"
+   | _ -> refuse "expected none, or a depth, a rate and a number of periods");
+  at_end lines;
+  need (check_trap { Trap.damping; stiffness; restitution; harmonics; depth; window; bends; concave; speed; slip; growth;
+    last = positive last; start }) "not proved";
+  Some "starts, exponents, almost all: not read"
+
 let read_signs lines = function
   | "kind theorem2" -> read_theorem2 lines
   | "kind word" -> read_words lines word (by_signs lines)
@@ -506,7 +561,7 @@ let read_signs lines = function
         let region = value lines "region" 34 in
         need (regionZ place.box (whole region)) "not all of the set lies in this region";
         by_path lines place bits region)
-  | _ -> raise (Not_read "a kind that is not theorem2, word, word-by-theorem, chaos 3 or range")
+  | _ -> raise (Not_read "a kind that is not theorem2, word, word-by-theorem, chaos 3, range or attractor")
 
 (* What is proved; and what of it is not read. *)
 let read lines =
@@ -515,6 +570,7 @@ let read lines =
   | "kind chaos 3" -> read_chaos lines
   | "kind range" -> read_range false lines
   | "kind range 2" -> read_range true lines
+  | "kind attractor" -> read_attractor lines
   | kind -> read_signs lines kind; None
 
 let text_of file =

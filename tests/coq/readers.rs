@@ -1,5 +1,5 @@
-//! Certificates of Theorem 2, of words, of chaos and of ranges: the reader that Coq has proved takes what
-//! `grazing` writes, and has the checker's verdict on damaged files.
+//! Certificates of Theorem 2, of words, of chaos, of ranges and of attractors: the reader that Coq has proved
+//! takes what `grazing` writes, and has the checker's verdict on damaged files.
 
 use std::fs;
 use std::path::Path;
@@ -202,6 +202,85 @@ fn the_proved_reader_follows_a_range_to_its_end() {
     for (text, verdict) in damaged.iter().zip(read(&build, &damaged, &folder)) {
         let checked = grazing_check::check(&mut text.as_bytes());
         assert!(verdict.starts_with("refused") && checked.is_err(), "{verdict}; {checked:?}\n{text}");
+    }
+}
+
+/// Certificates of attractors: each sample is proved, and where a number of it is less or more both readers
+/// have the same verdict, but for the exponent, which one does not read.
+#[test]
+fn the_proved_reader_has_the_verdicts_of_the_checker_on_attractors() {
+    let Some(build) = oracle() else { return };
+    let folder = build.join("attractors");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    let data = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../checker/tests/data"));
+    let proved = "proved; starts, exponents, almost all: not read";
+    let mut damaged = Vec::new();
+    for name in ["attractor", "attractor-wide", "attractor-several"] {
+        let text = fs::read_to_string(data.join(format!("{name}.txt"))).unwrap();
+        assert_eq!(read(&build, std::slice::from_ref(&text), &folder), [proved], "{name}");
+        damaged.extend(damaged_attractors(&text));
+    }
+    let mut counts = [0_usize; 2];
+    for (text, verdict) in damaged.iter().zip(read(&build, &damaged, &folder)) {
+        let checked = grazing_check::check(&mut text.as_bytes());
+        assert_eq!(verdict == proved, checked.is_ok(), "{verdict}; {checked:?}\n{text}");
+        assert!(verdict == proved || verdict.starts_with("refused"), "{verdict}\n{text}");
+        counts[usize::from(checked.is_err())] += 1;
+    }
+    println!("damaged attractors that are still true, refused: {counts:?}");
+    assert!(counts[0] >= 40 && counts[1] >= 100, "{counts:?}");
+}
+
+/// One number of a certificate of an attractor made less or more, in many ways; and other ends.
+fn damaged_attractors(text: &str) -> Vec<String> {
+    let lines: Vec<&str> = text.lines().collect();
+    let shorter = text.trim_end().rsplit_once('\n').unwrap().0;
+    let mut damaged = vec![format!("{shorter}\n"), format!("{text}\n"), format!("{text}junk\n")];
+    for (at, line) in lines.iter().enumerate() {
+        let words: Vec<&str> = line.split(' ').collect();
+        if ["grazing-certificate", "kind", "statement", "harmonics", "pieces", "exponent"].contains(&words[0])
+        {
+            continue;
+        }
+        for place in 1..words.len() {
+            let changed: Vec<String> = match (words[0], place) {
+                // The ends of its ranges in the wrong order.
+                ("harmonic", 3 | 5) => vec!["-1/1".into()],
+                ("harmonic", _) => vec![],
+                ("growth", 2) => vec!["1".into(), "3".into(), "100".into()],
+                _ => [[1, 2], [9, 10], [999, 1000], [1001, 1000], [11, 10], [2, 1]]
+                    .map(|factor| scaled(words[place], factor))
+                    .into(),
+            };
+            for word in changed {
+                let mut words = words.clone();
+                words[place] = &word;
+                let line = words.join(" ");
+                let mut lines = lines.clone();
+                lines[at] = &line;
+                damaged.push(lines.join("\n") + "\n");
+            }
+        }
+    }
+    damaged
+}
+
+/// A fraction or a decimal, times a fraction.
+fn scaled(word: &str, [p, q]: [i64; 2]) -> String {
+    match word.split_once('/') {
+        Some((a, b)) => {
+            let (a, b) = (a.parse::<i64>().unwrap() * p, b.parse::<i64>().unwrap() * q);
+            let (mut d, mut r) = (a, b);
+            while r != 0 {
+                (d, r) = (r, d % r);
+            }
+            format!("{}/{}", a / d, b / d)
+        }
+        None => {
+            let x = word.parse::<f64>().unwrap() * p as f64 / q as f64;
+            format!("{x:.9}").trim_end_matches('0').trim_end_matches('.').to_owned()
+        }
     }
 }
 
