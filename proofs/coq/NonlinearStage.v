@@ -139,6 +139,76 @@ Proof.
 Qed.
 End Point.
 
+Definition small r (x : vec) mu := within 2 r x /\ Rabs mu <= r.
+Lemma small_less r r' x mu : small r x mu -> r <= r' -> small r' x mu.
+Proof. intros [A B] O; split; [intros i Hi; specialize (A i Hi)|]; lra. Qed.
+Lemma small_zero r : 0 <= r -> small r zero 0.
+Proof. intros Hr; split; [intros i _; unfold zero|]; rewrite Rabs_R0; lra. Qed.
+Lemma lin_forward F kk cc ll (HA : @along_arc F kk cc ll) m z w z2 w2 s : solves kk cc ll m z w -> solves kk cc ll m z2
+  w2 -> 0 <= s <= @T F -> z 0 = z2 0 -> w 0 = w2 0 -> z s = z2 s /\ w s = w2 s.
+Proof.
+  intros H H' Hs E1 E2; assert (Hu : S.linearized (@T F) kk cc ll 0 (fun t => z t - z2 t) (fun t => w t - w2 t)).
+  { intros t _; destruct (H t) as [A B], (H' t) as [A' B']; split; [apply D_minus; assumption|]; eapply D_value; [apply
+    D_minus; eassumption | ring]. }
+  pose proof (S.linear_bound (@T F) (@L F) kk cc ll (@HL F) (proj1 HA) 0 _ _ Hu s Hs) as Q; cbv beta in Q; rewrite E1,
+    E2, !Rminus_eq_0, Rabs_R0 in Q. pose proof (Rabs_pos (z s - z2 s)); pose proof (Rabs_pos (w s - w2 s)); split; apply
+    Rminus_diag_uniq, Rabs_zero; lra.
+Qed.
+Lemma lin_three k c l m z1 w1 z2 w2 z3 w3 x y : solves k c l 0 z1 w1 -> solves k c l 0 z2 w2 -> solves k c l 1 z3 w3 ->
+  solves k c l m (fun t => x * z1 t + y * z2 t + m * z3 t) (fun t => x * w1 t + y * w2 t + m * w3 t).
+Proof.
+  intros H1 H2 H3 t; destruct (H1 t) as [A1 B1], (H2 t) as [A2 B2], (H3 t) as [A3 B3]; split.
+  - apply D_plus; [apply D_plus|]; apply D_scale; assumption.
+  - eapply D_value; [apply D_plus; [apply D_plus|]; apply D_scale; eassumption | ring].
+Qed.
+
+(** A map G of states that nearly does what J, linear, does with solutions of the linearized equation has a matrix. *)
+Section Matrix.
+Variables (F : force) (kk cc ll kk' cc' ll' : R -> R).
+Notation lin := (solves kk cc ll). Notation lin' := (solves kk' cc' ll').
+Hypothesis HA : @along_arc F kk cc ll.
+Variables (G : vec -> R -> vec) (J : R -> (R -> R) -> (R -> R) -> (R -> R) -> (R -> R) -> Prop).
+Hypothesis Grest : forall i, (i < 2)%nat -> G zero 0 i = 0.
+Hypothesis Gstrict : forall eps, 0 < eps -> exists d, 0 < d /\ forall x x' mu mu' t z w z' w', small d x mu ->
+  small d x' mu' -> within 2 t (minus x x') -> Rabs (mu - mu') <= t -> lin (mu - mu') z w ->
+  z 0 = x 0%nat - x' 0%nat -> w 0 = x 1%nat - x' 1%nat -> lin' (mu - mu') z' w' -> J (mu - mu') z w z' w' ->
+  Rabs (G x mu 0%nat - G x' mu' 0%nat - z' 0) <= eps * t /\ Rabs (G x mu 1%nat - G x' mu' 1%nat - w' 0) <= eps * t.
+Hypothesis Jexists : forall m z w, exists z' w', lin' m z' w' /\ J m z w z' w'.
+Hypothesis Jthree : forall m x y p1 q1 p2 q2 p3 q3 z1 w1 z2 w2 z3 w3, J 0 p1 q1 z1 w1 -> J 0 p2 q2 z2 w2 ->
+  J 1 p3 q3 z3 w3 -> J m (fun t => x * p1 t + y * p2 t + m * p3 t) (fun t => x * q1 t + y * q2 t + m * q3 t)
+  (fun t => x * z1 t + y * z2 t + m * z3 t) (fun t => x * w1 t + y * w2 t + m * w3 t).
+Hypothesis Jone : forall m z w z2 w2 z' w' z2' w2', lin m z w -> lin m z2 w2 -> z 0 = z2 0 -> w 0 = w2 0 ->
+  J m z w z' w' -> J m z2 w2 z2' w2' -> lin' m z' w' -> lin' m z2' w2' -> z' 0 = z2' 0 /\ w' 0 = w2' 0.
+Theorem matrix_exists : exists (A : nat -> vec) (phi : vec), (forall i, (i < 2)%nat -> strict 2 (fun x mu => G x mu i)
+  (dot 2 (A i)) (phi i)) /\ forall m z w z' w', lin m z w -> lin' m z' w' -> J m z w z' w' ->
+  z' 0 = A 0%nat 0%nat * z 0 + A 0%nat 1%nat * w 0 + m * phi 0%nat /\
+  w' 0 = A 1%nat 0%nat * z 0 + A 1%nat 1%nat * w 0 + m * phi 1%nat.
+Proof.
+  destruct (proj2 (proj2 HA) 0 0 1 0) as (p1 & q1 & F1 & I1 & J1), (proj2 (proj2 HA) 0 0 0 1) as (p2 & q2 & F2 & I2 &
+    J2), (proj2 (proj2 HA) 1 0 0 0) as (p3 & q3 & F3 & I3 & J3).
+  destruct (Jexists 0 p1 q1) as (z1 & w1 & Z1 & X1), (Jexists 0 p2 q2) as (z2 & w2 & Z2 & X2), (Jexists 1 p3 q3) as (z3
+    & w3 & Z3 & X3).
+  exists (fun i : nat => match i with O => pair (z1 0) (z2 0) | _ => pair (w1 0) (w2 0) end), (pair (z3 0) (w3 0)).
+  assert (E : forall m x y, x * p1 0 + y * p2 0 + m * p3 0 = x /\ x * q1 0 + y * q2 0 + m * q3 0 = y) by (intros; rewrite
+    I1, I2, I3, J1, J2, J3; split; ring).
+  split.
+  - intros i Hi; split; [apply Grest, Hi|]; intros eps Hp; destruct (Gstrict eps Hp) as (d & Hd & H); exists
+      d; split; [lra|]; intros x x' mu mu' t Hx Hx' Hm Hm' Hxt Hmt.
+    set (a0 := x 0%nat - x' 0%nat); set (a1 := x 1%nat - x' 1%nat); destruct (E (mu - mu') a0 a1) as [E1 E2].
+    destruct (H x x' mu mu' t _ _ _ _ (conj Hx Hm) (conj Hx' Hm') Hxt Hmt (lin_three kk cc ll (mu - mu') p1 q1 p2 q2 p3
+      q3 a0 a1 F1 F2 F3) E1 E2 (lin_three kk' cc' ll' (mu - mu') z1 w1 z2 w2 z3 w3 a0 a1 Z1 Z2 Z3) (Jthree (mu - mu') a0
+      a1 _ _ _ _ _ _ _ _ _ _ _ _ X1 X2 X3)) as [Q1 Q2]; cbv beta in Q1, Q2.
+    destruct i as [|[|i]]; [| |lia]; cbn; unfold minus; fold a0 a1; [match goal with |- Rabs ?g <= _ => match type of Q1
+      with Rabs ?u <= _ => replace g with u by ring end end; exact Q1 | match goal with |- Rabs ?g <= _ => match type of
+          Q2
+      with Rabs ?u <= _ => replace g with u by ring end end; exact Q2].
+  - intros m z w z' w' Z Z' Jz; destruct (E m (z 0) (w 0)) as [E1 E2].
+    destruct (Jone m z w _ _ z' w' _ _ Z (lin_three kk cc ll m p1 q1 p2 q2 p3 q3 (z 0) (w 0) F1 F2 F3) (eq_sym E1)
+      (eq_sym E2) Jz (Jthree m (z 0) (w 0) _ _ _ _ _ _ _ _ _ _ _ _ X1 X2 X3) Z' (lin_three kk' cc' ll' m z1 w1 z2 w2 z3
+      w3 (z 0) (w 0) Z1 Z2 Z3)) as [E3 E4]; cbv beta in E3, E4; rewrite E3, E4; unfold pair; split; ring.
+Qed.
+End Matrix.
+
 Section Stage.
 (** The arc of F ends at its time e, at the velocity v0 e < 0; that of F' begins at its time rho. law mu s v
     is the velocity after an impact s later. *)
@@ -164,7 +234,6 @@ Let HL1 := @HL F. Let HT1 := @HT F. Let HL2 := @HL F'. Let HT2 := @HT F'.
 Lemma He2 : 0 < rho /\ 0 <= rho - rho /\ rho + rho <= @T F'. Proof. repeat split; lra. Qed.
 
 Definition cross (x : vec) mu := the (fun s => Rabs (s - e) <= rho1 /\ Y1 x mu s = 0).
-Definition small r (x : vec) mu := within 2 r x /\ Rabs mu <= r.
 Lemma downhill x mu s s' : small r1 x mu -> Rabs (s - e) <= rho1 -> Rabs (s' - e) <= rho1 -> s <= s' ->
   - u1 / 2 * (s' - s) <= Y1 x mu s - Y1 x mu s'.
 Proof.
@@ -205,10 +274,6 @@ Proof.
       Rmult_lt_0_compat; lra); lra.
   - intros q Hq Eq; apply U; auto.
 Qed.
-Lemma small_less r r' x mu : small r x mu -> r <= r' -> small r' x mu.
-Proof. intros [A B] O; split; [intros i Hi; specialize (A i Hi)|]; lra. Qed.
-Lemma small_zero r : 0 <= r -> small r zero 0.
-Proof. intros Hr; split; [intros i _; unfold zero|]; rewrite Rabs_R0; lra. Qed.
 Lemma cross_near r x mu : small r x mu -> r <= r1 -> - u1 * Rabs (cross x mu - e) <= 2 * (@M F * r).
 Proof.
   intros S O; destruct (cross_spec x mu (small_less r r1 x mu S O)) as (Hs & Es & _); set (s := cross x mu) in *.
@@ -453,23 +518,6 @@ Proof.
   pose proof (Rabs_pos (z3 0 - z' 0)); pose proof (Rabs_pos (w3 0 - w' 0)); rewrite <- I3, <- I4; split; lra.
 Qed.
 (** The derivative of [carry]: what the linearized equation makes of the state. *)
-Lemma lin_forward m z w z2 w2 s : lin m z w -> lin m z2 w2 -> 0 <= s <= @T F -> z 0 = z2 0 -> w 0 = w2 0 -> z s = z2 s
-  /\ w s = w2 s.
-Proof.
-  intros H H' Hs E1 E2; assert (Hu : S.linearized (@T F) kk cc ll 0 (fun t => z t - z2 t) (fun t => w t - w2 t)).
-  { intros t _; destruct (H t) as [A B], (H' t) as [A' B']; split; [apply D_minus; assumption|]; eapply D_value; [apply
-    D_minus; eassumption | ring]. }
-  pose proof (S.linear_bound (@T F) (@L F) kk cc ll HL1 (proj1 HA) 0 _ _ Hu s Hs) as Q; cbv beta in Q; rewrite E1, E2,
-    !Rminus_eq_0, Rabs_R0 in Q. pose proof (Rabs_pos (z s - z2 s)); pose proof (Rabs_pos (w s - w2 s)); split; apply
-    Rminus_diag_uniq, Rabs_zero; lra.
-Qed.
-Lemma lin_three k c l m z1 w1 z2 w2 z3 w3 x y : solves k c l 0 z1 w1 -> solves k c l 0 z2 w2 -> solves k c l 1 z3 w3 ->
-  solves k c l m (fun t => x * z1 t + y * z2 t + m * z3 t) (fun t => x * w1 t + y * w2 t + m * w3 t).
-Proof.
-  intros H1 H2 H3 t; destruct (H1 t) as [A1 B1], (H2 t) as [A2 B2], (H3 t) as [A3 B3]; split.
-  - apply D_plus; [apply D_plus|]; apply D_scale; assumption.
-  - eapply D_value; [apply D_plus; [apply D_plus|]; apply D_scale; eassumption | ring].
-Qed.
 Lemma jump_exists m z w : exists z' w', lin' m z' w' /\ jump m z w z' w'.
 Proof.
   pose proof (proj2 Hex) as U1; set (h := - z e / u1);
@@ -482,43 +530,21 @@ Theorem carry_matrix : exists (A : nat -> vec) (phi : vec), (forall i, (i < 2)%n
   z' 0 = A 0%nat 0%nat * z 0 + A 0%nat 1%nat * w 0 + m * phi 0%nat /\
   w' 0 = A 1%nat 0%nat * z 0 + A 1%nat 1%nat * w 0 + m * phi 1%nat.
 Proof.
-  destruct (proj2 (proj2 HA) 0 0 1 0) as (p1 & q1 & F1 & I1 & J1), (proj2 (proj2 HA) 0 0 0 1) as (p2 & q2 & F2 & I2 &
-    J2), (proj2 (proj2 HA) 1 0 0 0) as (p3 & q3 & F3 & I3 & J3).
-  destruct (jump_exists 0 p1 q1) as (z1 & w1 & Z1 & h1 & X1 & X2 & X3), (jump_exists 0 p2 q2) as (z2 & w2 & Z2 & h2 & X4
-    & X5 & X6), (jump_exists 1 p3 q3) as (z3 & w3 & Z3 & h3 & X7 & X8 & X9).
-  set (A := fun i : nat => match i with O => pair (z1 0) (z2 0) | _ => pair (w1 0) (w2 0) end); set (phi := pair (z3 0)
-    (w3 0)).
-  assert (J : forall m x y, jump m (fun t => x * p1 t + y * p2 t + m * p3 t) (fun t => x * q1 t + y * q2 t + m * q3 t)
-    (fun t => x * z1 t + y * z2 t + m * z3 t) (fun t => x * w1 t + y * w2 t + m * w3 t)).
-  { intros m x y; exists (x * h1 + y * h2 + m * h3); split; [|split].
-    - replace (x * p1 e + y * p2 e + m * p3 e + u1 * (x * h1 + y * h2 + m * h3)) with (x * (p1 e + u1 * h1) + y * (p2 e
+  apply (matrix_exists F kk cc ll kk' cc' ll' HA carry jump).
+  - exact carry_rest.
+  - intros eps Hp; destruct (carry_strict eps Hp) as (d & Hd & H); exists d; split; [lra | exact H].
+  - exact jump_exists.
+  - intros m x y p1 q1 p2 q2 p3 q3 z1 w1 z2 w2 z3 w3 (h1 & X1 & X2 & X3) (h2 & X4 & X5 & X6) (h3 & X7 & X8 & X9).
+    exists (x * h1 + y * h2 + m * h3); split; [|split].
+    + replace (x * p1 e + y * p2 e + m * p3 e + u1 * (x * h1 + y * h2 + m * h3)) with (x * (p1 e + u1 * h1) + y * (p2 e
       + u1 * h2) + m * (p3 e + u1 * h3)) by ring; rewrite X1, X4, X7; ring.
-    - replace (x * z1 rho + y * z2 rho + m * z3 rho + u2 * (x * h1 + y * h2 + m * h3)) with (x * (z1 rho + u2 * h1) + y
+    + replace (x * z1 rho + y * z2 rho + m * z3 rho + u2 * (x * h1 + y * h2 + m * h3)) with (x * (z1 rho + u2 * h1) + y
       * (z2 rho + u2 * h2) + m * (z3 rho + u2 * h3)) by ring; rewrite X2, X5, X8; ring.
-    - replace (x * w1 rho + y * w2 rho + m * w3 rho + acc2 * (x * h1 + y * h2 + m * h3)) with (x * (w1 rho + acc2 * h1)
-        + y
-      * (w2 rho + acc2 * h2) + m * (w3 rho + acc2 * h3)) by ring; rewrite X3, X6, X9; ring. }
-  exists A, phi; split.
-  - intros i Hi; split; [apply carry_rest, Hi|]; intros eps Hp; destruct (carry_strict eps Hp) as (d & Hd & H); exists
-      d; split; [lra|]; intros x x' mu mu' t Hx Hx' Hm Hm' Hxt Hmt.
-    set (a0 := x 0%nat - x' 0%nat); set (a1 := x 1%nat - x' 1%nat).
-    assert (E1 : a0 * p1 0 + a1 * p2 0 + (mu - mu') * p3 0 = a0) by (rewrite I1, I2, I3; ring);
-      assert (E2 : a0 * q1 0 + a1 * q2 0 + (mu - mu') * q3 0 = a1) by (rewrite J1, J2, J3; ring).
-    destruct (H x x' mu mu' t _ _ _ _ (conj Hx Hm) (conj Hx' Hm') Hxt Hmt (lin_three kk cc ll (mu - mu') p1 q1 p2 q2 p3
-      q3 a0 a1 F1 F2 F3) E1 E2 (lin_three kk' cc' ll' (mu - mu') z1 w1 z2 w2 z3 w3 a0 a1 Z1 Z2 Z3) (J (mu - mu') a0 a1))
-          as
-      [Q1 Q2]; cbv beta in Q1, Q2.
-    destruct i as [|[|i]]; [| |lia]; cbn; unfold minus; fold a0 a1; [match goal with |- Rabs ?g <= _ => match type of Q1
-      with Rabs ?u <= _ => replace g with u by ring end end; exact Q1 | match goal with |- Rabs ?g <= _ => match type of
-          Q2
-      with Rabs ?u <= _ => replace g with u by ring end end; exact Q2].
-  - intros m z w z' w' Z Z' (h & Y1' & Y2' & Y3').
-    destruct (J m (z 0) (w 0)) as (h' & Y4 & Y5 & Y6); cbv beta in Y4, Y5, Y6.
-    destruct (lin_forward m z w _ _ e Z (lin_three kk cc ll m p1 q1 p2 q2 p3 q3 (z 0) (w 0) F1 F2 F3)) as [E1 E2]; [lra
-      | rewrite I1, I2, I3; ring | rewrite J1, J2, J3; ring|]; cbv beta in E1, E2. rewrite <- E1 in Y4; rewrite <- E2 in
-          Y6.
-    assert (Eh : h' = h) by (apply (Rmult_eq_reg_l u1); [|pose proof (proj2 Hex)]; lra); rewrite Eh in Y5, Y6.
-    destruct (@lin_same F' kk' cc' ll' HA' m z' w' _ _ rho Z' (lin_three kk' cc' ll' m z1 w1 z2 w2 z3 w3 (z 0) (w 0) Z1
-      Z2 Z3)) as [E3 E4]; cbv beta in *; [lra | lra | lra|]. rewrite E3, E4; unfold A, phi, pair; split; ring.
+    + replace (x * w1 rho + y * w2 rho + m * w3 rho + acc2 * (x * h1 + y * h2 + m * h3)) with (x * (w1 rho + acc2 * h1)
+      + y * (w2 rho + acc2 * h2) + m * (w3 rho + acc2 * h3)) by ring; rewrite X3, X6, X9; ring.
+  - intros m z w z2 w2 z' w' z2' w2' L L2 E1 E2 (h & Y1' & Y2' & Y3') (h' & Y4 & Y5 & Y6) Z Z'.
+    destruct (lin_forward F kk cc ll HA m z w z2 w2 e L L2 ltac:(lra) E1 E2) as [E3 E4]; rewrite <- E3 in Y4; rewrite <-
+      E4 in Y6. assert (Eh : h' = h) by (apply (Rmult_eq_reg_l u1); [|pose proof (proj2 Hex)]; lra); rewrite Eh in Y5,
+      Y6. apply (@lin_same F' kk' cc' ll' HA' m z' w' z2' w2' rho Z Z'); lra.
 Qed.
 End Stage.
