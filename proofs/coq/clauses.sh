@@ -264,6 +264,15 @@ E
 other StatementBouncing.v linear_impact 'a change of chart that mu does not move' <<'E'
 s/place_mu O c 0 \* m + //
 E
+other StatementRattling.v ride 'moves between impacts alone' <<'E'
+s/  ride_moves : forall m x, (m <= n)%nat -> r m <= x <= r (S m)/  ride_moves : forall m x, (m <= n)%nat -> r m < x < r (S m)/
+E
+other StatementRattling.v one_rattling_motion 'one by its times' <<'E'
+s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i, t' i = t i./
+E
+other StatementRattling.v passes 'a velocity that jumps between the stops' <<'E'
+s/mu t u else u\.$/mu t u else 2 * u./
+E
 other StatementNonlinearExamples.v driven 'restitution at any speed' <<'E'
 s/ \* exp (x \* (sgn z \* (u - w z 1%nat t))))/)/
 E
