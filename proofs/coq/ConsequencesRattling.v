@@ -190,7 +190,7 @@ Proof.
       [ring|]]]]]. intros z n q u mu; rewrite neg_cos; split; [ring | split; [destruct z, n; cbn; ring | ring]].
   - exists 1; split; [lra|]; intros c t _; cbn; split; [eapply D_value; [apply derivable_pt_lim_opp, derivable_pt_lim_cos |
       ring] | eapply D_value; [apply derivable_pt_lim_sin | ring]].
-  - intros c; cbv zeta; split; [rewrite Ends, Starts; lra|]; split; [split; reflexivity|]; cbn [impact sample]; rewrite Ends,
+  - intros c; cbv zeta; split; [rewrite Ends, Starts; lra|]; split; [split; cbn; reflexivity|]; cbn [impact sample]; rewrite Ends,
       sample_off, cos_PI2, Rmult_0_r; lra.
   - cbn; rewrite cos_0, sin_0; repeat split; try lra.
   - intros c t Ht Ne; split_time t c x; rewrite Ends, Starts in Ht; rewrite sample_off, sgn_square; destruct (Req_dec x 0) as

@@ -3,8 +3,8 @@ From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs StatementOrbits StatementUnstable StatementWords StatementNonlinear StatementBouncing
   Headline PlaneOrbits Contraction Derivatives.
 From Grazing Require Import NonlinearGronwall NonlinearFlow NonlinearTouch NonlinearSpeed NonlinearKick NonlinearMap.
-From Grazing Require Import NonlinearFlights NonlinearWords NonlinearSmooth NonlinearTube NonlinearArc NonlinearStage
-  NonlinearChange NonlinearCompose NonlinearRound.
+From Grazing Require Import NonlinearFlights NonlinearWords NonlinearSmooth NonlinearTube NonlinearArc NonlinearPoint
+  NonlinearStage NonlinearChange NonlinearCompose NonlinearRound.
 Open Scope R_scope.
 
 (** Theorem 1 of motions, and that they are unstable. *)

@@ -2,7 +2,7 @@
       new chart is strictly differentiable in that of the old *)
 From Coq Require Import Reals Lra Lia.
 From Grazing Require Import StatementOrbits Contraction Derivatives NonlinearGronwall NonlinearFlow NonlinearKick.
-From Grazing Require Import NonlinearMap NonlinearArc NonlinearStage.
+From Grazing Require Import NonlinearMap NonlinearArc NonlinearPoint.
 Open Scope R_scope.
 
 Section Change.

@@ -4,8 +4,8 @@ From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs StatementOrbits StatementUnstable StatementWords Headline OrbitVectors Contraction
   Derivatives.
 From Grazing Require Import NonlinearGronwall NonlinearFlow NonlinearTouch NonlinearSpeed NonlinearKick NonlinearMap.
-From Grazing Require Import NonlinearFlights NonlinearWords NonlinearArc NonlinearTube NonlinearStage NonlinearChange
-  NonlinearCompose.
+From Grazing Require Import NonlinearFlights NonlinearWords NonlinearArc NonlinearTube NonlinearPoint NonlinearStage
+  NonlinearChange NonlinearCompose.
 Open Scope R_scope.
 
 Section Round.

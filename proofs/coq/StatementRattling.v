@@ -32,7 +32,7 @@ Definition image (P : Rattling.t) (z : sign) : sign :=
 Definition turned (P : Rattling.t) (q : R) : R := sgn (mirror P) * q.
 (** From q, u at the end of arc c to q', u' at the beginning of the next. *)
 Definition passes (P : Rattling.t) (c : Z) (mu t q u q' u' : R) : Prop :=
-  q' = q /\ u' = if impact P c then U P (stop P c) mu t u else u.
+  q' = q /\ if impact P c then u' = U P (stop P c) mu t u else u' = u.
 
 Record rattles (P : Rattling.t) : Prop := {
   all_turned : 0 < T P /\ (1 <= k P)%nat /\ forall c t, let c' := (c + Z.of_nat (k P))%Z in s P c' = s P c + T P /\

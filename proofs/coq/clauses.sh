@@ -271,7 +271,7 @@ other StatementRattling.v one_rattling_motion 'one by its times' <<'E'
 s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i, t' i = t i./
 E
 other StatementRattling.v passes 'a velocity that jumps between the stops' <<'E'
-s/mu t u else u\.$/mu t u else 2 * u./
+s/else u' = u\.$/else u' = 2 * u./
 E
 other StatementNonlinearExamples.v driven 'restitution at any speed' <<'E'
 s/ \* exp (x \* (sgn z \* (u - w z 1%nat t))))/)/

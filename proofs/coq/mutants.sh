@@ -350,7 +350,7 @@ mutant arc-through-its-stop 'File "./ConsequencesRattling' --pin StatementRattli
 /^  off_its_stop/ { N; s/.*/  off_its_stop : True;/ }
 E
 mutant velocity-jumps-between-stops 'File "./ConsequencesRattling' --pin StatementRattling.v <<'E'
-s/mu t u else u\.$/mu t u else 2 * u./
+s/else u' = u\.$/else u' = 2 * u./
 E
 mutant any-number-of-rattling-motions 'File "./ConsequencesRattling' --pin StatementRattling.v <<'E'
 s/^  forall i, t' i = t i .*/  forall i x : R, True./
