@@ -3,7 +3,7 @@
 From Grazing Require Import StatementOscillator StatementNordmark OscillatorUses Nordmark.
 From Grazing Require Import StatementStops StatementNonlinearExamples NonlinearStops NonlinearExamples.
 From Grazing Require Import StatementBouncingExample NonlinearBouncingExample.
-From Grazing Require StatementRattling NonlinearRattling.
+From Grazing Require StatementRattling NonlinearRattling NonlinearDuffing.
 From Grazing Require StatementResonance ResonanceExact ResonanceStable ResonanceBirth ResonanceMaps ResonanceFold.
 
 Theorem Periodic_oscillator : Periodic_oscillator_statement. Proof. exact OscillatorUses.Periodic_oscillator. Qed.
@@ -12,6 +12,7 @@ Theorem Oscillators_exist : Nordmark_statement /\ Harmonics_statement.
 Proof. exact (conj Nordmark_oscillator Harmonics). Qed.
 Theorem Two_stops : Stops_statement. Proof. exact NonlinearStops.Two_stops. Qed.
 Theorem Driven : Driven_statement. Proof. exact NonlinearExamples.Driven. Qed.
+Theorem Duffing : Duffing_statement. Proof. exact NonlinearDuffing.Duffing. Qed.
 Theorem Bouncing_example : Bouncing_example_statement. Proof. exact NonlinearBouncingExample.Bouncing_example. Qed.
 Theorem Rattling : StatementRattling.Rattling_statement. Proof. exact NonlinearRattling.Rattling. Qed.
 

@@ -358,6 +358,9 @@ E
 mutant shapes-that-meet 'File "./ConsequencesStops' --pin StatementNonlinearExamples.v <<'E'
 s/^  shape_open : .*/  shape_open : True;/
 E
+mutant duffing-of-smaller-amplitude 'File "./ConsequencesStops' --pin StatementNonlinearExamples.v <<'E'
+s/0 < A <= 1 \/ 60 ->/0 < A <= 1 \/ 600 ->/
+E
 mutant driven-near-no-linear-one 'File "./ConsequencesStops' --pin StatementNonlinearExamples.v <<'E'
 s/^    Rabs (a1' - a1) <= eps/    True/
 E
