@@ -237,3 +237,23 @@ Proof.
     assumption|].
   intros t q u mu; cbn; unfold M, W; cbn; rewrite !Rmult_0_l, exp_0; split; field.
 Qed.
+(** Of amplitude 1/100: the force at the time 0, where it would return in about four periods, and its one motion with an
+    impact in three periods, for small mu > 0. *)
+Lemma duffing_numbers : Duffing_statement -> let P := driven (M Plus) (W Plus) PI (1 / 100) 0 (1 / 16) 1 0 0 0 (1 / 2) in let O :=
+  measured P Plus in (forall q u mu, a P 0 q u mu = - q / 16 - q ^ 3 + (1 / 1600 + 1 / 1000000 - 1 / 100) + mu) /\ exists a1 a2
+  gamma rate, generic O a1 a2 gamma rate /\ - (11 / 100) <= a1 <= 11 / 100 /\ 88 / 100 <= a2 <= 112 / 100 /\ 378 / 100 <= gamma
+  <= 422 / 100 /\ 12 <= rate <= 21 /\ exists d, d > 0 /\ forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\ forall mu, 0 < mu <
+  mu0 -> one_nonlinear_motion O mu eps (fun i => 3 * i)%Z.
+Proof.
+  intros H P O; split; [intros q u mu; cbn; unfold M; cbn; rewrite sin_0, cos_0; field|].
+  destruct (H _ _ _ _ (1 / 100) (1 / 2) (sample Plus)) as (a1 & a2 & gamma & rate & HG & A1 & A2 & A3 & A4 & d & Hd & B).
+  - intros t; unfold M; cbn [sgn]; rewrite Rmult_1_l; pose proof (COS_bound t); apply Rabs_le; lra.
+  - lra.
+  - lra.
+  - fold P in HG, B; fold O in HG, B; cbn [sgn] in A4; apply le_abs in A1, A2, A3; exists a1, a2, gamma, rate; split; [exact HG |
+      split; [lra | split; [lra | split; [lra | split; [lra|]]]]]. exists d; split; [exact Hd|]; intros eps He; destruct (B eps
+      He) as (mu0 & Hm & W'); exists (mu0 / 21); split; [apply Rdiv_lt_0_compat; lra|]; intros mu Hmu.
+    assert (Q1 : 0 < rate * mu) by (apply Rmult_lt_0_compat; lra); assert (Q2 : rate * mu <= 21 * mu) by (apply
+      Rmult_le_compat_r; lra); assert (Q3 : 21 * mu < 21 * (mu0 / 21)) by (apply Rmult_lt_compat_l; lra); replace (21 * (mu0 /
+      21)) with mu0 in Q3 by field. apply (W' mu ltac:(cbn; lra) (fun i => 3 * i)%Z ltac:(intros; cbv beta; lia)).
+Qed.

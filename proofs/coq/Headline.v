@@ -1,14 +1,14 @@
 (** * Headline: Theorem 1 in the plane, Theorem 2, Conjecture 1, the word theorem and chaos
 
     Everything else in this folder is a lemma for one of these, or says more about one. They are about
-    oscillators, linear between stops or nonlinear above one, from the differential equation and the law of
-    impact, and about smooth grazing maps of the plane, in one breath: [system]. Of the linear ones, region 3
-    and a1 >= 2 sqrt a2 have some with one stop; regions 4 and 5 have none but those with two, and these with
-    gamma < 0 alone ([Reach_statement]). Definitions to read first, and no more:
+    oscillators, linear or not, with one stop or two, from the differential equation and the law of impact, and
+    about smooth grazing maps of the plane, in one breath: [system]. Of the linear ones, region 3 and a1 >= 2
+    sqrt a2 have some with one stop; regions 4 and 5 have none but those with two, and these with gamma < 0
+    alone ([Reach_statement]). Definitions to read first, and no more:
     - [Defs]: u_n, b_{n,k}, c_n of (59) and (60), and signs;
     - [motion] and [grazing] in [StatementOscillator]: an oscillator and where its impacts are;
     - [grazing_orbit], [generic] and [nonlinear_motion] in [StatementNonlinear]: the same, nonlinear;
-    - [bouncing_orbit], [generic_round] and [bouncing_motion] in [StatementBouncing]: with other impacts besides;
+    - [bouncing_orbit], [generic_round], [bouncing_motion] in [StatementBouncing]: with other impacts, or two stops;
     - [orbit_near] in [StatementOrbits], [planar] and [one_orbit] in [StatementOrbitsPlane]: maps, orbits;
     - [unstable] and [unstable_motion] in [StatementUnstable];
     - [trace], [Farey], [interval], [outside] and [tends_to_1] in [Statement]: Theorem 2's intervals of s;

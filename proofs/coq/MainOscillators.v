@@ -4,6 +4,7 @@ From Grazing Require Import StatementOscillator StatementNordmark OscillatorUses
 From Grazing Require Import StatementStops StatementNonlinearExamples NonlinearStops NonlinearExamples.
 From Grazing Require Import StatementBouncingExample NonlinearBouncingExample.
 From Grazing Require Import StatementOneImpact OneImpact.
+From Grazing Require StatementRattling NonlinearRattling NonlinearDuffing.
 From Grazing Require StatementResonance ResonanceExact ResonanceStable ResonanceBirth ResonanceMaps ResonanceFold.
 From Grazing Require StatementMultipliers ResonanceMultipliers.
 
@@ -13,8 +14,10 @@ Theorem Oscillators_exist : Nordmark_statement /\ Harmonics_statement.
 Proof. exact (conj Nordmark_oscillator Harmonics). Qed.
 Theorem Two_stops : Stops_statement. Proof. exact NonlinearStops.Two_stops. Qed.
 Theorem Driven : Driven_statement. Proof. exact NonlinearExamples.Driven. Qed.
+Theorem Duffing : Duffing_statement. Proof. exact NonlinearDuffing.Duffing. Qed.
 Theorem Bouncing_example : Bouncing_example_statement. Proof. exact NonlinearBouncingExample.Bouncing_example. Qed.
 Theorem One_impact : Gap_statement /\ Every_mu_statement. Proof. exact (conj OneImpact.Gap OneImpact.Every_mu). Qed.
+Theorem Rattling : StatementRattling.Rattling_statement. Proof. exact NonlinearRattling.Rattling. Qed.
 
 (** At resonance. *)
 Theorem At_resonance : StatementResonance.Exact_statement /\ StatementResonance.Multipliers_statement /\

@@ -4,9 +4,11 @@ From Grazing Require Import Derivatives StatementNonlinear StatementBouncing Sta
 Import Bouncing.
 Open Scope R_scope.
 Notation O := bouncing_example.
-Ltac un := cbn [T a a_t a_y a_v a_mu rebound rebound_t rebound_v rebound_mu tau k s y0 v0 tG bouncing_example].
+Ltac un := cbn [T a a_t a_y a_v a_mu impact rebound rebound_t rebound_v rebound_mu face place place_mu speed speed_mu tau k s y0
+  v0 tG bouncing_example].
 Tactic Notation "un_at" hyp(H) :=
-  cbn [T a a_t a_y a_v a_mu rebound rebound_t rebound_v rebound_mu tau k s y0 v0 tG bouncing_example] in H.
+  cbn [T a a_t a_y a_v a_mu impact rebound rebound_t rebound_v rebound_mu face place place_mu speed speed_mu tau k s y0
+  v0 tG bouncing_example] in H.
 
 (** sin (t / 2) > t / pi. *)
 Lemma above_chord x : 0 < x < PI -> 0 < PI * PI * (1 - cos x) - 2 * (x * x).
@@ -46,14 +48,14 @@ Proof. un; destruct (turns c (- PI)) as [E1 E2]; replace (2 * PI * IZR c - PI) w
   rewrite E1, cos_neg, cos_PI; ring. Qed.
 Lemma continuous_const D q : continuous D (fun _ _ _ _ => q).
 Proof. intros t y v mu _ e He; exists 1; split; [lra|]; intros; rewrite Rminus_eq_0, Rabs_R0; lra. Qed.
-Lemma example_moves c t : StatementBouncing.runs O 0 (y0 O c) (v0 O c) t.
+Lemma example_moves c t : StatementBouncing.runs O c 0 (y0 O c) (v0 O c) t.
 Proof.
   split; un.
   - eapply D_value; [apply D_minus; [apply D_scale, D_minus; [apply D_const | apply derivable_pt_lim_cos] | apply
       D_scale, D_times; apply D_shift] | cbv beta; ring].
   - eapply D_value; [apply D_minus; [apply D_scale, derivable_pt_lim_sin | apply D_scale, D_shift] | cbv beta; ring].
 Qed.
-Lemma example_law D f3 : (forall t y v mu, f3 t y v mu = -1) -> C1 D (fun t y v mu => rebound O mu t v) (fun _ _ _ _ =>
+Lemma example_law c D f3 : (forall t y v mu, f3 t y v mu = -1) -> C1 D (fun t y v mu => rebound O c mu t v) (fun _ _ _ _ =>
   0) (fun _ _ _ _ => 0) f3 (fun _ _ _ _ => 0).
 Proof.
   intros E; constructor; intros; un; try apply D_const.
@@ -66,8 +68,8 @@ Proof.
   pose proof PI_RGT_0 as HP; constructor.
   - split; [un; lra | split; [un; lia|]]; intros c t; change (Z.of_nat (k O)) with 1%Z; un; rewrite plus_IZR;
       destruct (turn t) as [E1 E2]; rewrite E1, E2; repeat split; ring.
-  - intros c; split; [rewrite end_of; un; lra | split; [apply at_start | apply at_end]].
-  - intros c; destruct (at_end c) as (_ & E1 & E2); cbv zeta; rewrite E1, E2; un; repeat split; lra.
+  - intros c; destruct (at_end c) as (E0 & E1 & E2); cbv zeta; rewrite E0, E1, E2, at_start; unfold follows; un; repeat
+      split; try lra; rewrite plus_IZR; lra.
   - un; rewrite cos_0; split; [lra | split; [ring|]]; pose proof PI_4; assert (2 < PI) by (pose proof PI2_3_2; lra);
       nra.
   - intros c t Ht Hc; rewrite end_of in Ht; un_at Ht; un; set (x := t - 2 * PI * IZR c); destruct (turns c x) as [E1

@@ -4,131 +4,60 @@ From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs StatementOrbits StatementUnstable StatementWords Headline OrbitVectors Contraction
   Derivatives.
 From Grazing Require Import NonlinearGronwall NonlinearFlow NonlinearTouch NonlinearSpeed NonlinearKick NonlinearMap.
-From Grazing Require Import NonlinearFlights NonlinearWords NonlinearArc NonlinearTube NonlinearStage.
+From Grazing Require Import NonlinearFlights NonlinearWords NonlinearArc NonlinearTube NonlinearPoint NonlinearStage
+  NonlinearChange NonlinearCompose.
 Open Scope R_scope.
 
-(** Strictly differentiable maps of the plane: they are Lipschitz, and can be composed. *)
-Definition smooth_map (G : vec -> R -> vec) (A : nat -> vec) (phi : vec) : Prop := forall i, (i < 2)%nat ->
-  strict 2 (fun x mu => G x mu i) (dot 2 (A i)) (phi i).
-Lemma smooth_lip G A phi : smooth_map G A phi -> exists d C, 0 < d /\ 1 <= C /\ forall x x' mu mu' t, within 2 d x ->
-  within 2 d x' -> Rabs mu <= d -> Rabs mu' <= d -> within 2 t (minus x x') -> Rabs (mu - mu') <= t ->
-  within 2 (C * t) (minus (G x mu) (G x' mu')).
-Proof.
-  intros HG; destruct (HG 0%nat ltac:(lia)) as [_ H0], (HG 1%nat ltac:(lia)) as [_ H1], (H0 1 ltac:(lra)) as (d0 & D0 &
-    K0), (H1 1 ltac:(lra)) as (d1 & D1 & K1), (two_least d0 d1 D0 D1) as (d & Hd & L0 & L1).
-  set (C := 1 + Rabs (A 0%nat 0%nat) + Rabs (A 0%nat 1%nat) + Rabs (phi 0%nat) + (Rabs (A 1%nat 0%nat) + Rabs (A 1%nat
-    1%nat) + Rabs (phi 1%nat))).
-  pose proof (Rabs_pos (A 0%nat 0%nat)); pose proof (Rabs_pos (A 0%nat 1%nat)); pose proof (Rabs_pos (phi 0%nat)); pose
-    proof (Rabs_pos (A 1%nat 0%nat)); pose proof (Rabs_pos (A 1%nat 1%nat)); pose proof (Rabs_pos (phi 1%nat)).
-  exists d, C; split; [exact Hd | split; [unfold C; lra|]]; intros x x' mu mu' t Hx Hx' Hm Hm' Ht Htm.
-  assert (Wi : forall y r, within 2 d y -> d <= r -> within 2 r y) by (intros y r Hy Hr i Hi; specialize (Hy i Hi);
-      lra).
-  specialize (K0 x x' mu mu' t (Wi _ _ Hx L0) (Wi _ _ Hx' L0) ltac:(lra) ltac:(lra) Ht Htm); specialize (K1 x x' mu mu'
-    t (Wi _ _ Hx L1) (Wi _ _ Hx' L1) ltac:(lra) ltac:(lra) Ht Htm); cbn in K0, K1.
-  pose proof (Ht 0%nat ltac:(lia)) as T0; pose proof (Ht 1%nat ltac:(lia)) as T1; assert (t0 : 0 <= t) by (pose proof
-    (Rabs_pos (mu - mu')); lra).
-  assert (Q : forall p a b c, Rabs (p - (0 + a * minus x x' 0%nat + b * minus x x' 1%nat) - (mu - mu') * c) <= 1 * t ->
-    Rabs p <= (1 + Rabs a + Rabs b + Rabs c) * t).
-  { intros p a b c Hp; pose proof (product a _ _ _ (Rle_refl _) T0); pose proof (product b _ _ _ (Rle_refl _) T1); pose
-      proof (product c _ _ _ (Rle_refl _) Htm). replace p with ((p - (0 + a * minus x x' 0%nat + b * minus x x' 1%nat) -
-      (mu - mu') * c) + (a * minus x x' 0%nat + b * minus x x' 1%nat + c * (mu - mu'))) by ring.
-    eapply Rle_trans; [apply Rabs_triang|]; pose proof (Rabs_triang (a * minus x x' 0%nat + b * minus x x' 1%nat) (c *
-        (mu
-      - mu'))); pose proof (Rabs_triang (a * minus x x' 0%nat) (b * minus x x' 1%nat)); lra. }
-  apply Q in K0; apply Q in K1; intros i Hi; destruct i as [|[|i]]; [| |lia]; unfold minus; (eapply Rle_trans;
-    [eassumption | apply Rmult_le_compat_r; [exact t0 | unfold C; lra]]).
-Qed.
-Definition times (A2 A1 : nat -> vec) : nat -> vec := fun i j => A2 i 0%nat * A1 0%nat j + A2 i 1%nat * A1 1%nat j.
-Definition applied (A : nat -> vec) (phi : vec) (x : vec) (m : R) : vec := fun i => A i 0%nat * x 0%nat + A i 1%nat * x
-  1%nat + m * phi i.
-Lemma smooth_zero G A phi x : smooth_map G A phi -> (forall i, (i < 2)%nat -> x i = 0) -> forall i, (i < 2)%nat ->
-  G x 0 i = 0.
-Proof.
-  intros HG Hx i Hi; destruct (HG i Hi) as [E H], (H 1 ltac:(lra)) as (d & Hd & K).
-  assert (Z : Rabs 0 <= 0) by (rewrite Rabs_R0; lra).
-  specialize (K x zero 0 0 0 ltac:(intros j Hj; rewrite (Hx j Hj), Rabs_R0; lra) ltac:(intros j _; unfold zero; rewrite
-    Rabs_R0; lra) ltac:(lra) ltac:(lra) ltac:(intros j Hj; unfold minus, zero; rewrite (Hx j Hj), Rminus_0_r; exact Z)
-    ltac:(rewrite Rminus_0_r; exact Z)).
-  cbn in K; unfold minus, zero in K; rewrite !Hx in K by lia; cbv beta in E; unfold zero in E; rewrite E in K; apply
-    Rabs_zero; match type of K with Rabs ?u <= _ => replace u with (G x 0 i) in K by ring end; lra.
-Qed.
-Lemma smooth_compose G1 A1 phi1 G2 A2 phi2 : smooth_map G1 A1 phi1 -> smooth_map G2 A2 phi2 ->
-  smooth_map (fun x mu => G2 (G1 x mu) mu) (times A2 A1) (applied A2 phi2 phi1 1).
-Proof.
-  intros S1 S2 i Hi; split; [apply (smooth_zero G2 A2 phi2); [exact S2 | intros j Hj; apply (proj1 (S1 j Hj)) | exact
-      Hi]|].
-  intros eps He; destruct (smooth_lip G1 A1 phi1 S1) as (d0 & C & Hd0 & HC & Lip), (S2 i Hi) as [_ H2].
-  set (B := Rabs (A2 i 0%nat) + Rabs (A2 i 1%nat) + 1); pose proof (Rabs_pos (A2 i 0%nat)) as P0; pose proof (Rabs_pos
-    (A2 i 1%nat)) as P1. destruct (H2 (eps / (2 * C)) ltac:(apply Rdiv_lt_0_compat; lra)) as (d2 & Hd2 & K2).
-  assert (Pe : 0 < eps / (2 * B)) by (apply Rdiv_lt_0_compat; unfold B; lra).
-  destruct (proj2 (S1 0%nat ltac:(lia)) _ Pe) as (d3 & Hd3 & K3), (proj2 (S1 1%nat ltac:(lia)) _ Pe) as (d4 & Hd4 & K4).
-  destruct (two_least d0 (d2 / C) Hd0 ltac:(apply Rdiv_lt_0_compat; lra)) as (q1 & Hq1 & L1 & L2), (two_least q1 d3 Hq1
-    Hd3) as (q2 & Hq2 & L3 & L4), (two_least q2 d4 Hq2 Hd4) as (q3 & Hq3 & L5 & L6), (two_least q3 d2 Hq3 Hd2) as (d &
-        Hd &
-    L7 & L8). assert (Cd : C * d <= d2) by (apply Rle_trans with (C * (d2 / C)); [apply Rmult_le_compat_l; lra | right;
-    field; lra]). exists d; split; [exact Hd|]; intros x x' mu mu' t Hx Hx' Hm Hm' Ht Htm.
-  assert (Wi : forall y r, within 2 d y -> d <= r -> within 2 r y) by (intros y r Hy Hr j Hj; specialize (Hy j Hj);
-      lra).
-  assert (In : forall y m, within 2 d y -> Rabs m <= d -> within 2 d2 (G1 y m)).
-  { intros y m Hy Hm0; pose proof (Lip y zero m 0 d (Wi y d0 Hy ltac:(lra)) ltac:(intros j _; unfold zero; rewrite
-      Rabs_R0; lra) ltac:(lra) ltac:(rewrite Rabs_R0; lra) ltac:(intros j Hj; unfold minus, zero; rewrite Rminus_0_r;
-          apply Hy, Hj)
-      ltac:(rewrite Rminus_0_r; lra)) as Q. intros j Hj; specialize (Q j Hj); unfold minus in Q; rewrite (proj1 (S1 j
-          Hj)),
-      Rminus_0_r in Q; lra. }
-  assert (t0 : 0 <= t) by (pose proof (Rabs_pos (mu - mu')); lra); assert (Ct : t <= C * t) by (rewrite <- (Rmult_1_l t)
-    at 1; apply Rmult_le_compat_r; lra).
-  pose proof (Lip x x' mu mu' t (Wi x d0 Hx ltac:(lra)) (Wi x' d0 Hx' ltac:(lra)) ltac:(lra) ltac:(lra) Ht Htm) as D1.
-  specialize (K2 (G1 x mu) (G1 x' mu') mu mu' (C * t) (In x mu Hx Hm) (In x' mu' Hx' Hm') ltac:(lra) ltac:(lra) D1
-    ltac:(lra)). replace (eps / (2 * C) * (C * t)) with (eps / 2 * t) in K2 by (field; lra).
-  specialize (K3 x x' mu mu' t (Wi x d3 Hx ltac:(lra)) (Wi x' d3 Hx' ltac:(lra)) ltac:(lra) ltac:(lra) Ht Htm);
-    specialize (K4 x x' mu mu' t (Wi x d4 Hx ltac:(lra)) (Wi x' d4 Hx' ltac:(lra)) ltac:(lra) ltac:(lra) Ht Htm).
-  cbn in K2, K3, K4 |- *; unfold times, applied, minus in *.
-  pose proof (product (A2 i 0%nat) _ _ _ (Rle_refl _) K3) as M1; pose proof (product (A2 i 1%nat) _ _ _ (Rle_refl _) K4)
-    as M2. assert (M3 : (Rabs (A2 i 0%nat) + Rabs (A2 i 1%nat)) * (eps / (2 * B) * t) <= eps / 2 * t).
-  { apply Rle_trans with (B * (eps / (2 * B) * t)); [|right; field; unfold B; lra]; apply Rmult_le_compat_r; [apply
-      Rmult_le_pos; lra | unfold B; lra]. }
-  match type of K2 with Rabs ?u <= _ => match type of M1 with Rabs ?v <= _ => match type of M2 with Rabs ?w <= _ =>
-    match goal with |- Rabs ?g <= _ => replace g with (u + (v + w)) by ring end end end end.
-  eapply Rle_trans; [apply Rabs_triang|]; match type of M1 with Rabs ?v <= _ => match type of M2 with Rabs ?w <= _ =>
-    pose proof (Rabs_triang v w) end end; lra.
-Qed.
-
 Section Round.
-(** Arc m begins at its own time rho and ends at e m; after k arcs all repeats itself. *)
-Variables (k : nat) (F : nat -> force) (kk cc ll : nat -> R -> R) (e : nat -> R) (rho rho1 r1 : R).
-Variables (law : nat -> R -> R -> R -> R) (Rm Rt Rv : nat -> R).
+(** Arc m begins at its own time rho and ends at e m, at an impact where imp m, at a change of chart elsewhere; after k
+    arcs all repeats itself. *)
+Variables (k : nat) (F : nat -> force) (kk cc ll : nat -> R -> R) (e : nat -> R) (rho rho1 r1 : R) (imp : nat -> bool).
+Variables (law : nat -> R -> R -> R -> R) (jy : nat -> R -> R -> R) (Rm Rt Rv Jm Jy : nat -> R).
 Hypothesis Hk : (1 <= k)%nat.
 Hypothesis HF : forall m, F (k + m)%nat = F m /\ e (k + m)%nat = e m /\ law (k + m)%nat = law m /\
   kk (k + m)%nat = kk m /\ cc (k + m)%nat = cc m /\ ll (k + m)%nat = ll m.
+Hypothesis HF' : forall m, imp (k + m)%nat = imp m /\ jy (k + m)%nat = jy m /\
+  (imp m = true -> forall mu y, jy m mu y = 0).
 Hypothesis HA : forall m, @along_arc (F m) (kk m) (cc m) (ll m).
 Hypothesis He : forall m, 0 < rho /\ 0 <= e m - rho /\ e m + rho <= @T (F m).
 Hypothesis HT' : forall m, rho + rho <= @T (F m).
-Hypothesis Hex : forall m, @y0 (F m) (e m) = 0 /\ @v0 (F m) (e m) < 0.
-Hypothesis Hen : forall m, @y0 (F (S m)) rho = 0 /\ @v0 (F (S m)) rho = law m 0 0 (@v0 (F m) (e m)).
+Hypothesis Hex : forall m, imp m = true -> @y0 (F m) (e m) = 0 /\ @v0 (F m) (e m) < 0.
+Hypothesis Hen : forall m, @y0 (F (S m)) rho = jy m 0 (@y0 (F m) (e m)) /\
+  @v0 (F (S m)) rho = law m 0 0 (@v0 (F m) (e m)).
+Hypothesis Hjy : forall m eps, 0 < eps -> exists d, 0 < d /\ forall mu y mu' y', Rabs mu <= d -> Rabs mu' <= d ->
+  Rabs (y - @y0 (F m) (e m)) <= d -> Rabs (y' - @y0 (F m) (e m)) <= d -> Rabs (jy m mu y - jy m mu' y' -
+  (Jm m * (mu - mu') + Jy m * (y - y'))) <= eps * (Rabs (mu - mu') + Rabs (y - y')).
 Hypothesis Hlaw : forall m eps, 0 < eps -> exists d, 0 < d /\ forall mu s v mu' s' v', Rabs mu <= d -> Rabs s <= d ->
   Rabs (v - @v0 (F m) (e m)) <= d -> Rabs mu' <= d -> Rabs s' <= d -> Rabs (v' - @v0 (F m) (e m)) <= d ->
   Rabs (law m mu s v - law m mu' s' v' - (Rm m * (mu - mu') + Rt m * (s - s') + Rv m * (v - v'))) <=
   eps * (Rabs (mu - mu') + Rabs (s - s') + Rabs (v - v')).
-Hypothesis Hr1 : forall m, 0 < r1 /\ 0 < rho1 <= rho /\ 2 * (@M (F m) * r1) < - @v0 (F m) (e m) * rho1.
-Hypothesis Hsteep : forall m x mu s, within 2 r1 x -> Rabs mu <= r1 -> Rabs (s - e m) <= rho1 ->
+Hypothesis Hr1 : 0 < r1 /\ 0 < rho1 <= rho /\ forall m, imp m = true -> 2 * (@M (F m) * r1) < - @v0 (F m) (e m) * rho1.
+Hypothesis Hsteep : forall m, imp m = true -> forall x mu s, within 2 r1 x -> Rabs mu <= r1 -> Rabs (s - e m) <= rho1 ->
   Rabs (@V (F m) x mu s - @v0 (F m) (e m)) <= - @v0 (F m) (e m) / 2.
 
-Definition go (m : nat) : vec -> R -> vec := carry (F m) (F (S m)) (e m) rho rho1 (law m).
+Definition go (m : nat) : vec -> R -> vec := if imp m then carry (F m) (F (S m)) (e m) rho rho1 (law m)
+  else pass (F m) (F (S m)) (e m) rho (jy m) (law m).
+Definition leap (m : nat) : R -> (R -> R) -> (R -> R) -> (R -> R) -> (R -> R) -> Prop := if imp m
+  then jump (F m) (F (S m)) (e m) rho (Rm m) (Rt m) (Rv m) else turnover (e m) rho (Jm m) (Jy m) (Rm m) (Rv m).
 Fixpoint st (m : nat) (x : vec) (mu : R) : vec := match m with O => x | S m => go m (st m x mu) mu end.
 Definition chain (n : nat) (m : R) (z w : nat -> R -> R) : Prop := (forall j, (j <= n)%nat -> solves (kk j) (cc j) (ll
-  j) m (z j) (w j)) /\ forall j, (j < n)%nat -> jump (F j) (F (S j)) (e j) rho (Rm j) (Rt j) (Rv j) m (z j) (w j) (z (S
-      j))
-  (w (S j)).
+  j) m (z j) (w j)) /\ forall j, (j < n)%nat -> leap j m (z j) (w j) (z (S j)) (w (S j)).
+Lemma entry m : imp m = true -> @y0 (F (S m)) rho = 0 /\ @v0 (F (S m)) rho = law m 0 0 (@v0 (F m) (e m)).
+Proof. intros I; destruct (Hen m) as [E1 E2], (HF' m) as (_ & _ & Z); rewrite (Z I) in E1; auto. Qed.
+Definition Hr1' m (I : imp m = true) := conj (proj1 Hr1) (conj (proj1 (proj2 Hr1)) (proj2 (proj2 Hr1) m I)).
 Lemma go_matrix m : exists A phi, smooth_map (go m) A phi /\ forall h z w z' w', solves (kk m) (cc m) (ll m) h z w ->
-  solves (kk (S m)) (cc (S m)) (ll (S m)) h z' w' -> jump (F m) (F (S m)) (e m) rho (Rm m) (Rt m) (Rv m) h z w z' w' ->
+  solves (kk (S m)) (cc (S m)) (ll (S m)) h z' w' -> leap m h z w z' w' ->
   forall i, (i < 2)%nat -> pair (z' 0) (w' 0) i = applied A phi (pair (z 0) (w 0)) h i.
 Proof.
-  destruct (carry_matrix (F m) (F (S m)) (kk m) (cc m) (ll m) (kk (S m)) (cc (S m)) (ll (S m)) (e m) rho r1 rho1 (Rm m)
-    (Rt m) (Rv m) (law m) (HA m) (HA (S m)) (He m) (HT' (S m)) (Hex m) (Hen m) (Hlaw m) (Hr1 m) (Hsteep m)) as (A & phi
-        & H1 &
-    H2). exists A, phi; split; [exact H1|]; intros h z w z' w' Z Z' J i Hi; destruct (H2 h z w z' w' Z Z' J) as [E1 E2].
-  destruct i as [|[|i]]; [exact E1 | exact E2 | lia].
+  unfold go, leap, smooth_map; destruct (imp m) eqn:I.
+  - destruct (carry_matrix (F m) (F (S m)) (kk m) (cc m) (ll m) (kk (S m)) (cc (S m)) (ll (S m)) (e m) rho r1 rho1 (Rm m)
+      (Rt m) (Rv m) (law m) (HA m) (HA (S m)) (He m) (HT' (S m)) (Hex m I) (entry m I) (Hlaw m) (Hr1' m I) (Hsteep m I))
+      as (A & phi & H1 & H2). exists A, phi; split; [exact H1|]; intros h z w z' w' Z Z' J [|[|i]] Hi; [| |lia]; apply
+      (H2 h z w z' w' Z Z' J).
+  - destruct (pass_matrix (F m) (F (S m)) (kk m) (cc m) (ll m) (kk (S m)) (cc (S m)) (ll (S m)) (e m) rho (Jm m) (Jy m)
+      (Rm m) (Rt m) (Rv m) (jy m) (law m) (HA m) (HA (S m)) (He m) (HT' (S m)) (Hen m) (Hjy m) (Hlaw m)) as (A & phi &
+      H1 & H2). exists A, phi; split; [exact H1|]; intros h z w z' w' Z Z' J [|[|i]] Hi; [| |lia]; apply (H2 h z w z' w'
+      Z Z' J).
 Qed.
 Lemma st_matrix n : exists A phi, smooth_map (st n) A phi /\ forall h z w, chain n h z w -> forall i, (i < 2)%nat ->
   pair (z n 0) (w n 0) i = applied A phi (pair (z 0%nat 0) (w 0%nat 0)) h i.
@@ -152,8 +81,11 @@ Lemma chain_exists n h z w : solves (kk 0%nat) (cc 0%nat) (ll 0%nat) h z w -> ex
 Proof.
   intros Z; induction n as [|n (z1 & w1 & [C1 C2] & <- & <-)].
   - exists (fun _ => z), (fun _ => w); split; [|auto]; split; [|lia]; intros j Hj; replace j with 0%nat by lia; exact Z.
-  - destruct (jump_exists (F n) (F (S n)) (kk (S n)) (cc (S n)) (ll (S n)) (e n) rho (Rm n) (Rt n) (Rv n) (HA (S n))
-      (Hex n) h (z1 n) (w1 n)) as (z2 & w2 & Z2 & J).
+  - assert (L : exists z2 w2, solves (kk (S n)) (cc (S n)) (ll (S n)) h z2 w2 /\ leap n h (z1 n) (w1 n) z2 w2).
+    { unfold leap; destruct (imp n) eqn:I; [exact (jump_exists (F n) (F (S n)) (kk (S n)) (cc (S n)) (ll (S n)) (e n) rho
+        (Rm n) (Rt n) (Rv n) (HA (S n)) (Hex n I) h (z1 n) (w1 n)) | apply (turnover_exists (F (S n)) _ _ _ _ _ _ _ _ _
+        (HA (S n)))]. }
+    destruct L as (z2 & w2 & Z2 & J).
     set (up := fun (u : nat -> R -> R) u2 j => if Nat.eq_dec j (S n) then u2 else u j).
     assert (U1 : forall u u2 j, (j <= n)%nat -> up u u2 j = u j) by (intros u u2 j Hj; unfold up; destruct Nat.eq_dec;
       [lia | reflexivity]). assert (U2 : forall u u2, up u u2 (S n) = u2) by (intros u u2; unfold up; destruct
@@ -261,8 +193,8 @@ Proof.
 Qed.
 Lemma go_period m : go (k + m) = go m.
 Proof.
-  unfold go; destruct (HF m) as (E1 & E2 & E3 & _), (HF (S m)) as (E4 & _); rewrite Nat.add_succ_r in E4; rewrite E1,
-    E2, E3, E4; reflexivity.
+  unfold go; destruct (HF m) as (E1 & E2 & E3 & _), (HF (S m)) as (E4 & _), (HF' m) as (E5 & E6 & _); rewrite
+    Nat.add_succ_r in E4; rewrite E1, E2, E3, E4, E5, E6; reflexivity.
 Qed.
 Lemma periods (X : Type) (f : nat -> X) : (forall m, f (k + m)%nat = f m) -> forall q m, f (k * q + m)%nat = f m.
 Proof.
@@ -275,8 +207,8 @@ Proof.
     go go_period); reflexivity.
 Qed.
 Lemma tr_st m x mu : (1 <= m)%nat -> tr (st m x mu) = st m x mu.
-Proof. destruct m as [|m]; [lia|]; intros _; apply FunctionalExtensionality.functional_extensionality; intros [|[|i]];
-  reflexivity. Qed.
+Proof. destruct m as [|m]; [lia|]; intros _; apply FunctionalExtensionality.functional_extensionality; cbn [st]; unfold
+  go; intros [|[|i]]; destruct (imp m); reflexivity. Qed.
 
 (** ** Motions
 
@@ -287,10 +219,13 @@ Context {To : touch first} {Wo : near To} {Io : impact To}.
 Definition turned : turn first := @Build_turn first once Kf A phi (proj2 (HKf 0%nat)) once_lip once_strict.
 Local Existing Instance turned.
 Variables (ymin wmin sg : R).
-Hypothesis Hym : 0 < ymin /\ forall m s, rho + rho1 <= s <= e m - rho1 -> (forall q, m = (k * q)%nat -> r0 <= Rabs (s -
-  tG)) -> ymin <= @y0 (F m) s.
-Hypothesis Hwm : 0 < wmin /\ forall m, wmin <= - @v0 (F m) (e m).
-Hypothesis Hsteep' : forall m x mu s, within 2 r1 x -> Rabs mu <= r1 -> Rabs (s - rho) <= rho1 -> 0 < @V (F m) x mu s.
+Definition bare (m : nat) (s : R) : Prop := rho <= s <= e m /\ (imp m = true -> s <= e m - rho1) /\
+  match m with O => rho + rho1 <= s | S m => imp m = true -> rho + rho1 <= s end.
+Hypothesis Hym : 0 < ymin /\ forall m s, bare m s -> (forall q, m = (k * q)%nat -> r0 <= Rabs (s - tG)) ->
+  ymin <= @y0 (F m) s.
+Hypothesis Hwm : 0 < wmin /\ forall m, imp m = true -> wmin <= - @v0 (F m) (e m).
+Hypothesis Hsteep' : forall m, imp m = true -> forall x mu s, within 2 r1 x -> Rabs mu <= r1 -> Rabs (s - rho) <= rho1 ->
+  0 < @V (F (S m)) x mu s.
 Hypothesis Hsep : rho + rho1 < tG - r0 /\ tG + r0 < e 0%nat - rho1 /\ forall m, rho + rho1 < e m - rho1.
 Fixpoint base (m : nat) : R := match m with O => sg | S m => base m + e m - rho end.
 Definition P := base k - sg.
@@ -307,8 +242,8 @@ Proof.
     lia; rewrite One, IH, S_INR; ring.
 Qed.
 Definition arc_is (mu d : R) (m : nat) (lo hi : R) (p q : R -> R) : Prop := lo < hi /\ (forall s, lo <= s <= hi -> moves
-  (@a (F m)) mu p q s /\ Rabs (p s - @y0 (F m) s) <= d /\ Rabs (q s - @v0 (F m) s) <= d) /\ p lo = 0 /\ p hi = 0 /\
-  (forall s, lo < s < hi -> 0 < p s) /\ q hi < 0.
+  (@a (F m)) mu p q s /\ Rabs (p s - @y0 (F m) s) <= d /\ Rabs (q s - @v0 (F m) s) <= d) /\
+  forall s, lo < s < hi -> 0 < p s.
 (** From an impact near the touch to the next, in k arcs for each period; al and om are the times, of the
     arcs, at which they begin and end. *)
 Record run mu d (N : Z -> Z) (t : Z -> R) (y v : Z -> R -> R) (i j : Z) (al om : nat -> R) (p q : nat -> R -> R) : Prop
@@ -319,7 +254,11 @@ Record run mu d (N : Z -> Z) (t : Z -> R) (y v : Z -> R -> R) (i j : Z) (al om :
   run_near : Rabs (al 0%nat - tG) <= d /\ Rabs (om (last N i j) - tG) <= d /\ forall m, (m < last N i j)%nat -> Rabs (om
     m - e m) <= d;
   run_arc : forall m, (m <= last N i j)%nat -> arc_is mu d m (al m) (om m) (p m) (q m);
-  run_law : forall m, (m < last N i j)%nat -> q (S m) (al (S m)) = law m mu (om m - e m) (q m (om m));
+  run_ends : forall m, (m <= last N i j)%nat -> if Nat.eq_dec m (last N i j) then p m (om m) = 0 /\ q m (om m) < 0 else
+    if imp m then p m (om m) = 0 /\ q m (om m) < 0 else om m = e m;
+  run_start : p 0%nat (al 0%nat) = 0;
+  run_law : forall m, (m < last N i j)%nat -> p (S m) (al (S m)) = jy m mu (p m (om m)) /\
+    q (S m) (al (S m)) = law m mu (om m - e m) (q m (om m));
   run_path : forall m s, (m <= last N i j)%nat -> al m <= s <= om m -> (s = om m -> m = last N i j) ->
     y i (off N i m + s) = p m s /\ v i (off N i m + s) = q m s;
   run_back : v j (t j) = rebound mu (om (last N i j)) (q (last N i j) (om (last N i j))) }.
@@ -327,8 +266,20 @@ Definition Leg mu d N t y v i j : Prop := exists al om p q, run mu d N t y v i j
 (** The states at the beginnings of the arcs, and when these end; for states that are not small, some time
     about there. *)
 Definition X (x : vec) mu (m : nat) : vec := st m (tr x) mu.
-Definition ends (x : vec) mu (m : nat) : R := cross (F m) (e m) rho1 (X x mu m) mu.
+Definition ends (x : vec) mu (m : nat) : R := if imp m then cross (F m) (e m) rho1 (X x mu m) mu else e m.
 Definition until (x : vec) mu (m : nat) : R := Rmax (ends x mu m) (e m - rho1).
+Lemma ends_imp x mu m : imp m = true -> ends x mu m = cross (F m) (e m) rho1 (X x mu m) mu.
+Proof. intros I; unfold ends; rewrite I; reflexivity. Qed.
+Lemma ends_cut x mu m : imp m = false -> ends x mu m = e m.
+Proof. intros I; unfold ends; rewrite I; reflexivity. Qed.
+Lemma entered x mu m : let s := ends x mu m - e m + rho in @Y (F (S m)) (X x mu (S m)) mu s = jy m mu (@Y (F m) (X x mu
+  m) mu (ends x mu m)) /\ @V (F (S m)) (X x mu (S m)) mu s = law m mu (ends x mu m - e m) (@V (F m) (X x mu m) mu (ends
+  x mu m)).
+Proof.
+  unfold ends, X; cbn [st]; unfold go; destruct (imp m) eqn:I.
+  - destruct (HF' m) as (_ & _ & Z); rewrite (Z I); apply (carry_flow (F m) (F (S m)) (e m) rho rho1 (law m)).
+  - cbv zeta; rewrite Rminus_eq_0, Rplus_0_l; apply origin_flow.
+Qed.
 Definition at_arc (n : Z -> nat) (N : Z -> Z) mu (x : Z -> vec) (i : Z) (u : R) (m : nat) : Prop := (m <= k * n i)%nat
   /\ (forall m', (m' < m)%nat -> off N i m' + until (x i) mu m' <= u) /\ ((m < k * n i)%nat -> u < off N i m + until (x
       i) mu m).
@@ -426,12 +377,16 @@ Proof.
 Qed.
 Lemma X_r1 m : (m <= k * n_max)%nat -> small r1 (X m) mu.
 Proof. intros Hm; apply (small_less E); [apply X_small; assumption | apply HG]. Qed.
-Definition ends_spec m (Hm : (m <= k * n_max)%nat) := cross_spec (F m) (e m) rho r1 rho1 (He m) (Hex m) (Hr1 m) (Hsteep
-  m) (X m) mu (X_r1 m Hm).
+Definition ends_spec m (I : imp m = true) (Hm : (m <= k * n_max)%nat) := eq_ind_r (fun c => Rabs (c - e m) <= rho1 /\
+  @Y (F m) (X m) mu c = 0 /\ @V (F m) (X m) mu c < 0 /\ (forall z, Rabs (z - e m) <= rho1 -> z < c -> 0 < @Y (F m) (X
+  m) mu z) /\ forall z, Rabs (z - e m) <= rho1 -> @Y (F m) (X m) mu z = 0 -> z = c) (cross_spec (F m) (e m) rho r1 rho1
+  (He m) (Hex m I) (Hr1' m I) (Hsteep m I) (X m) mu (X_r1 m Hm)) (ends_imp x mu m I).
 Lemma ends_near m : (m <= k * n_max)%nat -> Rabs (ends m - e m) <= D.
 Proof.
-  intros Hm; pose proof (cross_near (F m) (e m) rho r1 rho1 (He m) (Hex m) (Hr1 m) (Hsteep m) E (X m) mu (X_small m x Hx
-    Hm) (proj1 (proj2 HG))) as Q; fold (ends m) in Q; destruct Hwm as [W0 W1]; specialize (W1 m); pose proof dd_far.
+  intros Hm; destruct (imp m) eqn:I; [|rewrite (ends_cut x mu m I), Rminus_eq_0, Rabs_R0; destruct dd_far; destruct HG as (_ & _ & G3 & _); pose proof (Rabs_pos mu); lra].
+  pose proof (cross_near (F m) (e m) rho r1 rho1 (He m) (Hex m I) (Hr1' m I) (Hsteep m I) E (X m) mu (X_small m x Hx
+    Hm) (proj1 (proj2 HG))) as Q; rewrite <- (ends_imp x mu m I) in Q; destruct Hwm as [W0 W1]; specialize (W1 m I); pose
+    proof dd_far.
   assert (@M (F m) * E <= Kf * E) by (apply Rmult_le_compat_r; [|apply HKf]; lra); destruct HG as (_ & _ & _ & G4 & _).
   pose proof (Rabs_pos (ends m - e m)); apply Rmult_le_reg_l with wmin; [exact W0|]. apply Rle_trans with (- @v0 (F m)
       (e m)
@@ -440,25 +395,23 @@ Qed.
 Lemma until_is m : (m <= k * n_max)%nat -> until x mu m = ends m.
 Proof.
   intros Hm; pose proof (ends_near m Hm) as Q; apply le_abs in Q; apply Rmax_left; destruct HG as (_ & _ & _ & _ & _ &
-    G6); fold (ends m); lra.
+    G6); lra.
 Qed.
-Lemma entered m : let s := ends m - e m + rho in @Y (F (S m)) (X (S m)) mu s = 0 /\ @V (F (S m)) (X (S m)) mu s = law m
-  mu (ends m - e m) (@V (F m) (X m) mu (ends m)).
-Proof. exact (carry_flow (F m) (F (S m)) (e m) rho rho1 (law m) (X m) mu). Qed.
-Lemma away m s : (m <= k * n_max)%nat -> rho + rho1 <= s <= e m - rho1 -> (forall q, m = (k * q)%nat -> r0 <= Rabs (s -
+Lemma away m s : (m <= k * n_max)%nat -> bare m s -> (forall q, m = (k * q)%nat -> r0 <= Rabs (s -
     tG))
   -> 0 < @Y (F m) (X m) mu s.
 Proof.
-  intros Hm Hs Ht; pose proof (proj2 Hym m s Hs Ht) as Q; destruct (Hr1 m) as (_ & R1 & _), (He m) as (H0 & H1 & H2);
-    destruct (near_arc m s Hm ltac:(lra)) as [A' _]; apply le_abs in A'; destruct HG as (_ & _ & _ & _ & G5 & _); lra.
+  intros Hm Hs Ht; pose proof (proj2 Hym m s Hs Ht) as Q; destruct Hr1 as (_ & R1 & _), (He m) as (H0 & H1 & H2), Hs as
+    (Hs & _); destruct (near_arc m s Hm ltac:(lra)) as [A' _]; apply le_abs in A'; destruct HG as (_ & _ & _ & _ & G5 & _); lra.
 Qed.
-Lemma after_entry m s s' : (m <= k * n_max)%nat -> Rabs (s - rho) <= rho1 -> Rabs (s' - rho) <= rho1 -> s < s' -> @Y (F
-  m) (X m) mu s = 0 -> 0 < @Y (F m) (X m) mu s'.
+Lemma after_entry m s s' : imp m = true -> (S m <= k * n_max)%nat -> Rabs (s - rho) <= rho1 -> Rabs (s' - rho) <= rho1
+  -> s < s' -> @Y (F (S m)) (X (S m)) mu s = 0 -> 0 < @Y (F (S m)) (X (S m)) mu s'.
 Proof.
-  intros Hm Hs Hs' O Y0; destruct (@flow (F m) (X m) mu) as (Fl & _); apply le_abs in Hs, Hs'.
-  destruct (MVT_cor2 (@Y (F m) (X m) mu) (@V (F m) (X m) mu) s s' O) as (z & Ez & Hz); [intros z _; apply Fl|].
-  destruct (X_r1 m Hm) as [B1 B2]; pose proof (Hsteep' m (X m) mu z B1 B2 ltac:(apply Rabs_le; lra)) as Vp.
-  assert (0 < @V (F m) (X m) mu z * (s' - s)) by (apply Rmult_lt_0_compat; lra); lra.
+  intros I Hm Hs Hs' O Y0; set (o := S m) in *; destruct (@flow (F o) (X o) mu) as (Fl & _); apply le_abs in Hs, Hs'.
+  destruct (MVT_cor2 (@Y (F o) (X o) mu) (@V (F o) (X o) mu) s s' O) as (z & Ez & Hz); [intros z _; apply Fl|].
+  assert (Iz : Rabs (z - rho) <= rho1) by (apply Rabs_le; split; lra).
+  destruct (X_r1 o Hm) as [B1 B2]; pose proof (Hsteep' m I (X o) mu z B1 B2 Iz) as Vp; fold o in Vp.
+  assert (0 < @V (F o) (X o) mu z * (s' - s)) by (apply Rmult_lt_0_compat; lra); lra.
 Qed.
 (** In the arcs of the touch the states are those of the map. *)
 Lemma arc_touch q s : (q <= n_max)%nat -> @Y (F (k * q)%nat) (X (k * q)%nat) mu s = Y (fl q x) mu s /\ @V (F (k *
@@ -501,32 +454,37 @@ Lemma om_other m : (m < K)%nat -> om m = ends m. Proof. unfold om; destruct Nat.
 Lemma arc_open m s : (m <= K)%nat -> al m < s < om m -> 0 < @Y (F m) (X m) mu s.
 Proof.
   intros Hm Hs; pose proof (last_max i) as LM; assert (Hm' : (m <= k * n_max)%nat) by lia; destruct Hsep as (P1 & P2 &
-    P3); destruct (Hr1 m) as (_ & R1 & _); destruct HG as (_ & _ & _ & _ & _ & G6); destruct S6 as [_ S6'].
+    P3); destruct Hr1 as (_ & R1 & _); destruct HG as (_ & _ & _ & _ & _ & G6); destruct S6 as [_ S6'].
   destruct (hits x yy (i - 1)%Z i F0 ltac:(lia)) as (_ & Cw & _ & _ & Vz & E1 & E2 & Cd), (hits x yy i (i + 1)%Z F1
     eq_refl) as (Bz' & Cw' & _ & Ez' & Vz' & _ & _ & Cd'); pose proof (le_abs _ _ Cd) as C1; pose proof (le_abs _ _ Cd')
         as
     C2.
-  assert (Hal : (0 < m)%nat -> Rabs (al m - rho) <= D /\ @Y (F m) (X m) mu (al m) = 0).
-  { intros M0; destruct m as [|m]; [lia|]; cbn [al]; split; [|apply entered]. replace (ends m - e m + rho - rho) with
+  assert (Hal : (0 < m)%nat -> Rabs (al m - rho) <= D).
+  { intros M0; destruct m as [|m]; [lia|]; cbn [al]. replace (ends m - e m + rho - rho) with
       (ends m - e m) by ring; apply ends_near; [exact Hx | lia]. }
   assert (Hom : (m < K)%nat -> Rabs (ends m - e m) <= D /\ om m = ends m) by (intros M0; split; [apply ends_near; [exact
     Hx | lia] | apply om_other, M0]).
-  assert (Lo : rho - rho1 <= al m) by (destruct m as [|m]; [cbn [al]; lra | destruct (Hal ltac:(lia)) as [Q _]; apply
+  assert (Lo : rho - rho1 <= al m) by (destruct m as [|m]; [cbn [al]; lra | pose proof (Hal ltac:(lia)) as Q; apply
     le_abs in Q; lra]).
   assert (Up : om m <= e m + rho1).
   { destruct (Nat.eq_dec m K) as [->|Ne]; [|destruct (Hom ltac:(lia)) as [Q ->]; apply le_abs in Q; lra]. rewrite
       om_end; destruct (F_periods (n i) 0) as [_ Ee]; rewrite Nat.add_0_r in Ee; rewrite Ee; lra. }
-  destruct (Rle_lt_dec (Rabs (s - rho)) rho1) as [A1|A1].
-  { destruct m as [|m]; [cbn [al] in Hs; apply le_abs in A1; lra|]; destruct (Hal ltac:(lia)) as [Q1 Q2].
-    apply (after_entry (x i) Hx (S m) (al (S m)) s Hm'); [lra | exact A1 | lra | exact Q2]. }
-  destruct (Rle_lt_dec (Rabs (s - e m)) rho1) as [A2|A2].
+  assert (A1 : 0 < @Y (F m) (X m) mu s \/ rho <= s /\ match m with O => rho + rho1 <= s | S m => imp m = true -> rho +
+    rho1 <= s end).
+  { destruct m as [|m]; [right; cbn [al] in Hs; lra|]; pose proof (Hal ltac:(lia)) as Q; destruct (imp m) eqn:I.
+    - destruct (Rle_lt_dec (Rabs (s - rho)) rho1) as [A1|A1]; [left | right; unfold Rabs in A1; destruct (Rcase_abs (s -
+        rho)); lra]. apply (after_entry (x i) Hx m (al (S m)) s I Hm'); [lra | exact A1 | lra|]; cbn [al]; rewrite (proj1
+        (entered (x i) mu m)); destruct (HF' m) as (_ & _ & Z); apply Z, I.
+    - right; cbn [al] in Hs; rewrite (ends_cut (x i) mu m I) in Hs; split; [lra | discriminate]. }
+  destruct A1 as [A1|A1]; [exact A1|]; assert (A2 : 0 < @Y (F m) (X m) mu s \/ s <= e m /\ (imp m = true -> s <= e m -
+    rho1)).
   { destruct (Nat.eq_dec m K) as [->|Ne].
-    - rewrite om_end in Hs; destruct (F_periods (n i) 0) as [_ Ee]; rewrite Nat.add_0_r in Ee; rewrite Ee in A2; apply
-        le_abs in A2; lra.
-    - destruct (Hom ltac:(lia)) as [Q1 Q2]; rewrite Q2 in Hs; destruct (ends_spec (x i) Hx m Hm') as (_ & _ & _ & B &
-        _); apply B; [exact A2 | apply Hs]. }
-  assert (A3 : rho + rho1 <= s <= e m - rho1).
-  { unfold Rabs in A1, A2; destruct (Rcase_abs (s - rho)), (Rcase_abs (s - e m)); lra. }
+    - right; rewrite om_end in Hs; destruct (F_periods (n i) 0) as [_ Ee]; rewrite Nat.add_0_r in Ee; rewrite Ee; lra.
+    - destruct (Hom ltac:(lia)) as [Q1 Q2]; rewrite Q2 in Hs; destruct (imp m) eqn:I; [|rewrite (ends_cut (x i) mu m I) in
+        Hs; right; split; [lra | discriminate]]. destruct (Rle_lt_dec (Rabs (s - e m)) rho1) as [A2|A2]; [left; destruct
+        (ends_spec (x i) Hx m I Hm') as (_ & _ & _ & B & _); apply B; [exact A2 | apply Hs] | right]. apply le_abs in Q1;
+        unfold Rabs in A2; destruct (Rcase_abs (s - e m)); lra. }
+  destruct A2 as [A2|A2]; [exact A2|]; assert (A3 : bare m s) by (unfold bare; tauto).
   destruct (Nat.eq_dec (m mod k) 0) as [M0|M0].
   2: { apply away; [exact Hx | exact Hm' | exact A3|]; intros q Eq; exfalso; apply M0; rewrite Eq, Nat.mul_comm; apply
     Nat.mod_mul; lia. }
@@ -548,7 +506,7 @@ Qed.
 Lemma orbit_arc m : (m <= K)%nat -> arc_is mu D m (al m) (om m) (@Y (F m) (X m) mu) (@V (F m) (X m) mu).
 Proof.
   intros Hm; pose proof (last_max i) as LM; assert (Hm' : (m <= k * n_max)%nat) by lia; destruct Hsep as (P1 & P2 & P3);
-    destruct (Hr1 m) as (_ & R1 & _), (He m) as (H0 & H1 & H2); destruct HG as (_ & _ & G3 & _ & _ & G6); destruct S6 as
+    destruct Hr1 as (_ & R1 & _), (He m) as (H0 & H1 & H2); destruct HG as (_ & _ & G3 & _ & _ & G6); destruct S6 as
         [_
     S6'].
   destruct (hits x yy (i - 1)%Z i F0 ltac:(lia)) as (_ & Cw & _ & _ & Vz & E1 & E2 & Cd), (hits x yy i (i + 1)%Z F1
@@ -556,24 +514,26 @@ Proof.
         as
     C2.
   destruct (F_periods (n i) 0) as [_ Ee]; rewrite Nat.add_0_r in Ee. pose proof (Hn i) as Hni.
-  destruct (arc_touch (x i) Hx (n i) (hit x yy i) ltac:(lia)) as (T1 & T2 & _).
-  assert (Lo : rho - rho1 <= al m <= (if Nat.eq_dec m 0 then tG + r0 else rho + rho1) /\ @Y (F m) (X m) mu (al m) = 0).
-  { destruct m as [|m]; cbn [al]; [|split; [|apply entered]].
-    - split; [destruct Nat.eq_dec; [lra | lia]|]. destruct (arc_touch (x i) Hx 0 (hit x yy (i - 1)) ltac:(lia)) as (T3 &
-        _); rewrite Nat.mul_0_r in T3; rewrite T3; exact E1.
-    - pose proof (ends_near (x i) Hx m ltac:(lia)) as Q; apply le_abs in Q; destruct Nat.eq_dec; [lia | lra]. }
-  assert (Up : (if Nat.eq_dec m K then tG - r0 else e m - rho1) <= om m <= e m + rho1 /\ @Y (F m) (X m) mu (om m) = 0 /\
-    @V (F m) (X m) mu (om m) < 0).
-  { destruct (Nat.eq_dec m K) as [->|Ne].
-    - rewrite om_end, Ee, T1, T2; split; [lra | split; assumption].
-    - rewrite om_other by lia; destruct (ends_spec (x i) Hx m Hm') as (_ & Q1 & Q2 & _); pose proof (ends_near (x i) Hx
-        m Hm') as Q; apply le_abs in Q; split; [lra | split; assumption]. }
-  destruct Lo as [Lo Y1], Up as (Up & Y2 & V2); split; [|split; [|split; [exact Y1 | split; [exact Y2 | split; [|exact
-    V2]]]]].
+  assert (Lo : rho - rho1 <= al m <= if Nat.eq_dec m 0 then tG + r0 else rho + rho1).
+  { destruct m as [|m]; cbn [al]; [destruct Nat.eq_dec; [lra | lia]|]. pose proof (ends_near (x i) Hx m ltac:(lia)) as Q;
+      apply le_abs in Q; destruct Nat.eq_dec; [lia | lra]. }
+  assert (Up : (if Nat.eq_dec m K then tG - r0 else e m - rho1) <= om m <= e m + rho1).
+  { destruct (Nat.eq_dec m K) as [->|Ne]; [rewrite om_end, Ee; lra|]. rewrite om_other by lia; pose proof (ends_near (x i)
+      Hx m Hm') as Q; apply le_abs in Q; lra. }
+  split; [|split].
   - specialize (P3 m); assert (P4 : m = 0%nat -> tG + r0 < e m - rho1) by (intros ->; exact P2); destruct (Nat.eq_dec m
       0) as [M0|M0], (Nat.eq_dec m K); [lia | specialize (P4 M0); lra | lra | lra].
   - intros s Hs; split; [apply (@flow (F m) (X m) mu)|]; destruct (near_arc (x i) Hx m s Hm' ltac:(lra)); lra.
   - intros s Hs; apply arc_open; assumption.
+Qed.
+Lemma orbit_ends m : (m <= K)%nat -> if Nat.eq_dec m K then @Y (F m) (X m) mu (om m) = 0 /\ @V (F m) (X m) mu (om m) < 0
+  else if imp m then @Y (F m) (X m) mu (om m) = 0 /\ @V (F m) (X m) mu (om m) < 0 else om m = e m.
+Proof.
+  intros Hm; pose proof (last_max i) as LM; pose proof (Hn i) as Hni; destruct (Nat.eq_dec m K) as [->|Ne].
+  - destruct (hits x yy i (i + 1)%Z F1 eq_refl) as (_ & _ & _ & Ez' & Vz' & _), (arc_touch (x i) Hx (n i) (hit x yy i)
+      ltac:(lia)) as (T1 & T2 & _); rewrite om_end, T1, T2; auto.
+  - rewrite om_other by lia; destruct (imp m) eqn:I; [|apply ends_cut, I]; destruct (ends_spec (x i) Hx m I ltac:(lia))
+      as (_ & Q1 & Q2 & _); auto.
 Qed.
 Lemma orbit_run : run mu D N (at_ mu n x yy P sg N) (Pl mu n N x) (Vl mu n N x) i (i + 1) al om (fun m => @Y (F m) (X m)
   mu) (fun m => @V (F m) (X m) mu).
@@ -597,6 +557,9 @@ Proof.
   - split; [exact Cd | split; [rewrite om_end; exact Cd' | intros m Hm; rewrite om_other by exact Hm; apply ends_near;
       [exact Hx | lia]]].
   - apply orbit_arc.
+  - apply orbit_ends.
+  - destruct (hits x yy (i - 1)%Z i F0 ltac:(lia)) as (_ & _ & _ & _ & _ & E1 & _), (arc_touch (x i) Hx 0 (hit x yy (i -
+      1)) ltac:(lia)) as (T3 & _); rewrite Nat.mul_0_r in T3; cbn [al]; rewrite T3; exact E1.
   - intros m Hm; cbn [al]; rewrite om_other by exact Hm; apply entered.
   - intros m s Hm Hs Hl; destruct (placed n N mu x i _ m (Place m s Hm Hs Hl)) as [-> ->]; replace (off N i m + s - off
       N i m) with s by ring; auto.
@@ -628,20 +591,20 @@ Notation X := (X (x i) mu). Notation ends := (ends (x i) mu).
 Lemma begins : al 0%nat = t i - (sg + P * IZR (N i)) /\ y i (t i) = 0 /\ p 0%nat (al 0%nat) = 0 /\ v i (t i) = q 0%nat
   (al 0%nat) /\ Rabs (al 0%nat - tG) <= r.
 Proof.
-  destruct HR as [R1 R2 R3 R4 R5 R6 R7 R8]; rewrite last_is in *; destruct (R5 0%nat ltac:(lia)) as (O & _ & Z & _).
+  destruct HR as [R1 R2 R3 R4 R5 _ Z R6 R7 R8]; rewrite last_is in *; destruct (R5 0%nat ltac:(lia)) as (O & _).
   destruct (R7 0%nat (al 0%nat) ltac:(lia) ltac:(lra) ltac:(intros Q; lra)) as [Q1 Q2]; replace (off N i 0 + al 0%nat)
     with (t i) in Q1, Q2 by (rewrite R1; unfold off; cbn [base]; ring). rewrite Q1, Q2; repeat split; trivial; apply R4.
 Qed.
 Lemma state_small : within 2 dd (x i).
 Proof.
-  destruct HR as [R1 R2 R3 R4 R5 R6 R7 R8]; destruct begins as (B1 & B2 & B3 & B4 & B5); destruct (R5 0%nat ltac:(lia))
+  destruct HR as [R1 R2 R3 R4 R5 RE _ R6 R7 R8]; destruct begins as (B1 & B2 & B3 & B4 & B5); destruct (R5 0%nat ltac:(lia))
     as (O & A5 & _). destruct (A5 (al 0%nat) ltac:(lra)) as (_ & N1 & N2); rewrite B3 in N1; rewrite <- B4 in N2.
   destruct (origin_flow mu (al 0%nat) (y i (t i)) (v i (t i))) as [E1 E2]; rewrite B1 in E1 at 1; rewrite B1 in E2 at 1;
     fold (x i) in E1, E2. pose proof (proj1 Hwin) as Hr0; destruct S6 as [_ S6']; destruct Hr as [Hr1' Hr2].
   pose proof (nearby_back (x i) zero mu 0 r (al 0%nat)) as NB; rewrite E1, E2, (proj1 (at_rest _)), (proj2 (at_rest _)),
     Rminus_0_r, B2 in NB. specialize (NB N1 N2 Hm). apply le_abs in B5; destruct Hsep as (P1 & P2 & _); destruct (He
         0%nat)
-    as (H0 & H1 & H2), (Hr1 0%nat) as (_ & R9 & _).
+    as (H0 & H1 & H2), Hr1 as (_ & R9 & _).
   assert (I : 0 <= al 0%nat <= @T first) by (unfold first; lra); specialize (NB I); intros j Hj; specialize (NB j Hj);
     unfold minus, zero in NB; rewrite Rminus_0_r in NB. assert (@M first * r <= Kf * r) by (apply Rmult_le_compat_r;
         [pose proof
@@ -649,7 +612,7 @@ Proof.
 Qed.
 Lemma same_arcs : follows x i al om p q.
 Proof.
-  pose proof (last_max i) as LM; pose proof state_small as Hx; pose proof HR as [R1 R2 R3 R4 R5 R6 R7 R8]; rewrite
+  pose proof (last_max i) as LM; pose proof state_small as Hx; pose proof HR as [R1 R2 R3 R4 R5 RE _ R6 R7 R8]; rewrite
     last_is in *; destruct begins as (B1 & B2 & B3 & B4 & B5); destruct HG as (_ & _ & _ & _ & _ & G6), Hr as [_ Hr2].
   assert (Arc : forall m, (m <= K)%nat -> @Y (F m) (X m) mu (al m) = p m (al m) -> @V (F m) (X m) mu (al m) = q m (al m)
     -> forall s, al m <= s <= om m -> p m s = @Y (F m) (X m) mu s /\ q m s = @V (F m) (X m) mu s).
@@ -658,9 +621,10 @@ Proof.
           m) mu)]. }
   assert (End : forall m, (m < K)%nat -> (forall s, al m <= s <= om m -> p m s = @Y (F m) (X m) mu s /\ q m s = @V (F m)
     (X m) mu s) -> om m = ends m).
-  { intros m Hm' H; destruct (R5 m ltac:(lia)) as (O & _ & _ & Z & _); destruct (ends_spec (x i) Hx m ltac:(lia)) as (_
-      & _ & _ & _ & U); apply U; [pose proof (proj2 (proj2 R4) m Hm'); lra|]. rewrite <- (proj1 (H (om m) ltac:(lra)));
-          exact Z. }
+  { intros m Hm' H; destruct (R5 m ltac:(lia)) as (O & _); pose proof (RE m ltac:(lia)) as Q; destruct (Nat.eq_dec m K);
+      [lia|]. destruct (imp m) eqn:I; [|rewrite (ends_cut (x i) mu m I); exact Q]; destruct (ends_spec (x i) Hx m I
+      ltac:(lia)) as (_ & _ & _ & _ & U); apply U; [pose proof (proj2 (proj2 R4) m Hm'); lra|]. rewrite <- (proj1 (H (om
+      m) ltac:(lra))); apply Q. }
   assert (All : forall m, (m <= K)%nat -> forall s, al m <= s <= om m -> p m s = @Y (F m) (X m) mu s /\ q m s = @V (F m)
     (X m) mu s).
   { intros m; induction m as [|m IH]; intros Hm'.
@@ -670,12 +634,11 @@ Proof.
         [exact Hm' | |]; [transitivity (Y (x i) mu (al 0%nat)); [exact E3 | rewrite E1, B2, B3; reflexivity] |
             transitivity
         (V (x i) mu (al 0%nat)); [exact E4 | rewrite E2; exact B4]].
-    - pose proof (IH ltac:(lia)) as H; pose proof (End m ltac:(lia) H) as Ee; destruct (R5 m ltac:(lia)) as (O & _), (R5
-        (S m) Hm') as (O' & _ & Z & _). destruct (H (om m) ltac:(lra)) as [_ Q]; destruct (entered (x i) m) as [E1 E2];
-            apply
+    - pose proof (IH ltac:(lia)) as H; pose proof (End m ltac:(lia) H) as Ee; destruct (R5 m ltac:(lia)) as (O & _), (R6 m
+        ltac:(lia)) as [Z1 Z2]. destruct (H (om m) ltac:(lra)) as [Q1 Q2]; destruct (entered (x i) mu m) as [E1 E2]; apply
         Arc; [exact Hm' | |]; rewrite (R3 m ltac:(lia)), Ee; [rewrite E1 | rewrite E2].
-      + rewrite <- Ee, <- (R3 m ltac:(lia)); symmetry; exact Z.
-      + rewrite <- Ee, <- Q, <- (R3 m ltac:(lia)); symmetry; apply (R6 m ltac:(lia)). }
+      + rewrite <- Ee, <- Q1, <- (R3 m ltac:(lia)); symmetry; exact Z1.
+      + rewrite <- Ee, <- Q2, <- (R3 m ltac:(lia)); symmetry; exact Z2. }
   split; [intros m s Hm' Hs; apply All; assumption | intros m Hm'; apply End; [exact Hm' | apply All; lia]].
 Qed.
 End One.
@@ -689,8 +652,9 @@ Proof.
   intros i; pose proof (last_max i) as LM; pose proof (Hn i) as Hni; destruct (HM i) as (al & om & p & q & HR), (HM (i +
     1)%Z) as (al' & om' & p' & q' & HR'); destruct (same_arcs i al om p q HR) as [Sa Se]; destruct (begins (i + 1)%Z al'
         om' p' q'
-    HR') as (B1 & B2 & _ & _ & B5); pose proof HR as [R1 R2 R3 R4 R5 R6 R7 R8]; rewrite last_is in *.
-  set (K := (k * n i)%nat) in *; destruct (R5 K (le_n _)) as (O & _ & _ & Z1 & _ & Z2); destruct (Sa K (om K) (le_n _)
+    HR') as (B1 & B2 & _ & _ & B5); pose proof HR as [R1 R2 R3 R4 R5 RE _ R6 R7 R8]; rewrite last_is in *.
+  set (K := (k * n i)%nat) in *; pose proof (RE K (le_n _)) as Z; destruct (Nat.eq_dec K K) as [_|]; [|lia]; destruct Z as
+    [Z1 Z2], (R5 K (le_n _)) as (O & _); destruct (Sa K (om K) (le_n _)
     ltac:(lra)) as [E1 E2]. destruct (arc_touch (x i) (Hx i) (n i) (om K) ltac:(lia)) as (T1 & T2 & _); fold K in T1,
         T2;
     rewrite T1 in E1; rewrite T2 in E2. fold (z i) in E1, E2.
@@ -709,7 +673,7 @@ Proof.
       apply le_abs in Q, Lw; lra).
     assert (Lb : l < om (k * c)%nat) by (pose proof (proj2 (proj2 R4) (k * c)%nat ltac:(lia)) as Q; rewrite Ec in Q;
       apply le_abs in Q, Lw; lra).
-    destruct (R5 (k * c)%nat ltac:(lia)) as (_ & _ & _ & _ & Op & _); specialize (Op l (conj La Lb)); rewrite (proj1 (Sa
+    destruct (R5 (k * c)%nat ltac:(lia)) as (_ & _ & Op); specialize (Op l (conj La Lb)); rewrite (proj1 (Sa
       (k * c)%nat l ltac:(lia) ltac:(lra))), T3 in Op; exact Op.
   - intros c Hc; unfold after; fold (z i); rewrite C3, <- E1, <- E2, Z1; unfold states; rewrite B2, R8, <- B1, <- Ek;
       reflexivity.
@@ -730,9 +694,10 @@ Proof.
     pose proof (run_near _ _ _ _ _ _ _ _ _ _ _ _ HR1) as [N1 _]; pose proof (run_near _ _ _ _ _ _ _ _ _ _ _ _ HR2) as
       [N2 _]; rewrite (run_from _ _ _ _ _ _ _ _ _ _ _ _ HR1) in N1; rewrite (run_from _ _ _ _ _ _ _ _ _ _ _ _ HR2) in
           N2.
-    destruct HR as [_ R2 _ _ R5 _ _ _], HR' as [_ R2' _ _ R5' _ _ _]; rewrite last_is in *; set (K := (k * n i)%nat) in
-        *.
-    destruct (R5 K (le_n _)) as (O & _ & _ & Z1 & _ & Z2), (R5' K (le_n _)) as (O' & _ & _ & Z1' & _ & Z2').
+    destruct HR as [_ R2 _ _ R5 RE _ _ _ _], HR' as [_ R2' _ _ R5' RE' _ _ _ _]; rewrite last_is in *; set (K := (k * n
+        i)%nat) in *.
+    specialize (RE K (le_n _)); specialize (RE' K (le_n _)); destruct (Nat.eq_dec K K) as [_|]; [|lia]; destruct RE as [Z1
+      Z2], RE' as [Z1' Z2'], (R5 K (le_n _)) as (O & _), (R5' K (le_n _)) as (O' & _).
     rewrite (proj1 (Sa K (om K) (le_n _) ltac:(lra))) in Z1; rewrite (proj2 (Sa K (om K) (le_n _) ltac:(lra))) in Z2.
     rewrite (proj1 (Sa' K (om' K) (le_n _) ltac:(lra))), Xe in Z1'; rewrite (proj2 (Sa' K (om' K) (le_n _) ltac:(lra))),
       Xe in Z2'. pose proof (Ox _ _ _ _ _ _ (Hf i)) as Hx; destruct (arc_touch (x i) Hx (n i) (om K) ltac:(lia)) as (T1
@@ -744,8 +709,8 @@ Proof.
     pose proof (one_crossing _ _ _ _ Bz (proj1 W) (proj2 W) Z1 Z1' Z2 Z2') as Q; rewrite R2, R2' in Q; lra. }
   assert (Et : forall i, t' i = t i) by (intros i; replace i with (i - 1 + 1)%Z by lia; apply Et').
   intros i; split; [apply Et|]; intros u Hu; destruct (Tr i) as (r & al & om & p & q & _ & HR & Sa & Se), (Tr' i) as (r'
-    & al' & om' & p' & q' & _ & HR' & Sa' & Se'). destruct HR as [R1 R2 R3 _ R5 _ R7 _], HR' as [R1' R2' R3' _ R5' _ R7'
-        _];
+    & al' & om' & p' & q' & _ & HR' & Sa' & Se'). destruct HR as [R1 R2 R3 _ R5 _ _ _ R7 _], HR' as [R1' R2' R3' _ R5' _ _
+        _ R7' _];
     rewrite last_is in *; set (K := (k * n i)%nat) in *. rewrite Et in R1', R2'.
   assert (Om : forall m, (m <= K)%nat -> om' m = om m).
   { intros m Hm; destruct (Nat.eq_dec m K) as [->|Ne]; [rewrite R2, R2'; reflexivity|]. rewrite Se, Se' by (unfold K in
@@ -770,7 +735,7 @@ Hypothesis Hio : @NonlinearKick.kk _ _ Io = kk 0%nat /\ @NonlinearKick.cc _ _ Io
 Lemma good_exists n_max D : 0 < D <= rho1 -> exists dd, 0 < dd /\ Good n_max dd D /\ forall dd', 0 < dd' <= dd -> Good
   n_max dd' D.
 Proof.
-  intros HD; pose proof (HKf 0%nat) as HK1; destruct (Hr1 0%nat) as (Hr & _); assert (K1 : 1 <= Kf) by lra; assert (F1 :
+  intros HD; pose proof (HKf 0%nat) as HK1; destruct Hr1 as (Hr & _); assert (K1 : 1 <= Kf) by lra; assert (F1 :
     1 <= far n_max) by (unfold far; change K with Kf; pose proof (pow_R1_Rle Kf n_max K1); rewrite <- (Rmult_1_l 1);
         apply
     Rmult_le_compat; lra).
@@ -808,8 +773,8 @@ Theorem round_core A11 A21 A22 gamma z w : (forall z w, chain k 0 z w -> z k tG 
       forall t y
   v, ~ motion Leg mu d N t y v).
 Proof.
-  intros H1 Hg' Hz Ez Ew Hr' a1 a2 n_max; pose proof (proj1 Hwin) as Hr0; pose proof (HKf 0%nat) as HK1; destruct (Hr1
-    0%nat) as (_ & R1 & _); destruct Hio as (I1 & I2 & I3).
+  intros H1 Hg' Hz Ez Ew Hr' a1 a2 n_max; pose proof (proj1 Hwin) as Hr0; pose proof (HKf 0%nat) as HK1; destruct Hr1
+    as (_ & R1 & _); destruct Hio as (I1 & I2 & I3).
   destruct (two_least (r0 / 4) rho1 ltac:(here; lra) ltac:(here; lra)) as (Dm & HDm & M1 & M2).
   assert (Lk : forall h z w, solves (kk k) (cc k) (ll k) h z w -> solves (@NonlinearKick.kk _ _ Io) (@NonlinearKick.cc _
     _ Io) (@NonlinearKick.ll _ _ Io) h z w).

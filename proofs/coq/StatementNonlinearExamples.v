@@ -52,3 +52,10 @@ Record driven_facts (M : nat -> R -> R) (W : sign -> nat -> R -> R) (t0 : R) (s 
     Rabs (a1' - a1) <= eps /\ Rabs (a2' - a2) <= eps /\ Rabs (gamma' - gamma) <= eps /\
     Rabs (rate - sgn s / (k + h)) <= eps }.
 Definition Driven_statement : Prop := forall M W t0 s, shapes M W t0 s -> driven_facts M W t0 s.
+
+(** With numbers: q'' = - q / 16 - q^3 + p + mu, of an orbit of any shape of size 1 and any amplitude A up to 1/60, has
+    period 3, in the case (+, +). *)
+Definition Duffing_statement : Prop := forall M W t0 s A tau, shapes M W t0 s -> (forall t, Rabs (M 0%nat t) <= 1) ->
+  0 < A <= 1 / 60 -> 0 <= tau -> let O := measured (driven M W t0 A 0 (1 / 16) 1 0 0 0 tau) s in
+  exists a1 a2 gamma rate, generic O a1 a2 gamma rate /\ Rabs a1 <= 11 / 100 /\ Rabs (a2 - 1) <= 12 / 100 /\
+  Rabs (gamma - 4) <= 22 / 100 /\ 12 <= sgn s * rate <= 21 /\ born (Moves O rate) 3 Plus.

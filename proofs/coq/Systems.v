@@ -25,10 +25,10 @@ Proof.
   - intros H N t y v HN HM; apply (H N t y v HN); intros i j Hj; destruct (HM i j Hj) as [? ? ? L ? ? ? ? ?].
     constructor; trivial; try lra; intros x Hx; destruct (L x Hx); split; lra.
   - intros H N t y v HN HM; apply (H N t y v HN); intros i j Hj; destruct (HM i j Hj) as (r & p & q & [J1 J2 J3 J4 J5 J6
-      J7 J8 J9 J10 J11]); exists r, p, q; constructor; trivial.
+      J7 J8 J9 J10 J11 J12]); exists r, p, q; constructor; trivial.
     + intros l Hl; specialize (J3 l Hl); lra.
     + intros k Hk; specialize (J4 k Hk); lra.
-    + intros k x Hk Hx; destruct (J7 k x Hk Hx); split; lra.
+    + intros k x Hk Hx; destruct (J8 k x Hk Hx); split; lra.
   - intros H x Hx; apply (H x); exact (closer_orbit _ _ _ _ _ _ Hd Hx).
 Qed.
 

@@ -253,13 +253,25 @@ other StatementNonlinear.v one_nonlinear_motion 'one by its times' <<'E'
 s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i, t' i = t i./
 E
 other StatementBouncing.v journey 'moves between impacts alone' <<'E'
-s/r m <= x <= r (S m) -> runs O mu/r m < x < r (S m) -> runs O mu/
+s/r m <= x <= r (S m) -> runs O (arc O N i m) mu/r m < x < r (S m) -> runs O (arc O N i m) mu/
 E
 other StatementBouncing.v one_bouncing_motion 'one by its times' <<'E'
 s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i, t' i = t i./
 E
 other StatementBouncing.v linear_impact 'an impact that is not later' <<'E'
 s/z + v \* h = 0/h = 0/
+E
+other StatementBouncing.v linear_impact 'a change of chart that mu does not move' <<'E'
+s/place_mu O c 0 \* m + //
+E
+other StatementRattling.v ride 'moves between impacts alone' <<'E'
+s/  ride_moves : forall m x, (m <= n)%nat -> r m <= x <= r (S m)/  ride_moves : forall m x, (m <= n)%nat -> r m < x < r (S m)/
+E
+other StatementRattling.v one_rattling_motion 'one by its times' <<'E'
+s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i, t' i = t i./
+E
+other StatementRattling.v passes 'a velocity that jumps between the stops' <<'E'
+s/else u' = u\.$/else u' = 2 * u./
 E
 other StatementNonlinearExamples.v driven 'restitution at any speed' <<'E'
 s/ \* exp (x \* (sgn z \* (u - w z 1%nat t))))/)/

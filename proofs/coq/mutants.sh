@@ -334,8 +334,32 @@ E
 mutant any-number-between-stops 'File "./ConsequencesStops' --pin StatementStops.v <<'E'
 s/^  forall i, t' i = t i \/\\ forall x, .*/  forall i : Z, True./
 E
+mutant chart-that-stays 'File "./ConsequencesBouncing' --pin StatementBouncing.v <<'E'
+s/y' = place O c mu + face O c \* y/y' = y/
+E
+mutant impact-before-the-stop 'File "./ConsequencesBouncing' --pin StatementBouncing.v <<'E'
+s/then y0 O c t = 0 \/\\ v0/then v0/
+E
+mutant mirror-that-keeps-stops 'File "./ConsequencesRattling' --pin StatementRattling.v <<'E'
+s/Minus, Plus => Minus | Minus, Minus => Plus/Minus, Plus => Plus | Minus, Minus => Minus/
+E
+mutant other-stop-in-reach 'File "./ConsequencesRattling' --pin StatementRattling.v <<'E'
+s/^  off_the_other : .*/  off_the_other : True;/
+E
+mutant arc-through-its-stop 'File "./ConsequencesRattling' --pin StatementRattling.v <<'E'
+/^  off_its_stop/ { N; s/.*/  off_its_stop : True;/ }
+E
+mutant velocity-jumps-between-stops 'File "./ConsequencesRattling' --pin StatementRattling.v <<'E'
+s/else u' = u\.$/else u' = 2 * u./
+E
+mutant any-number-of-rattling-motions 'File "./ConsequencesRattling' --pin StatementRattling.v <<'E'
+s/^  forall i, t' i = t i .*/  forall i x : R, True./
+E
 mutant shapes-that-meet 'File "./ConsequencesStops' --pin StatementNonlinearExamples.v <<'E'
 s/^  shape_open : .*/  shape_open : True;/
+E
+mutant duffing-of-smaller-amplitude 'File "./ConsequencesStops' --pin StatementNonlinearExamples.v <<'E'
+s/0 < A <= 1 \/ 60 ->/0 < A <= 1 \/ 600 ->/
 E
 mutant driven-near-no-linear-one 'File "./ConsequencesStops' --pin StatementNonlinearExamples.v <<'E'
 s/^    Rabs (a1' - a1) <= eps/    True/
