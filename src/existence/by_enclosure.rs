@@ -42,7 +42,7 @@ pub enum Enclosed {
 /// # Errors
 /// An input error unless 1 ≤ n ≤ [`MAX_PERIOD`](super::MAX_PERIOD).
 pub fn decide_by_enclosure(n: u64) -> Result<Enclosed> {
-    let mut cover = Cover { n, pieces: Vec::new(), witnesses: [None; 2] };
+    let mut cover = Cover { n, pieces: Vec::new(), witnesses: [None; 2], sines: Vec::new() };
     let disagreement = match cover.all(intervals(n)?) {
         Ok(()) => None,
         Err(Failure::Refuted(disagreement)) => Some(*disagreement),
@@ -79,6 +79,30 @@ impl Stretch {
 
     fn right(&self) -> Ratio<u64> {
         Ratio::new(self.high, self.unit)
+    }
+
+    /// The signs of sin πjs throughout the open stretch, or at the point, for j = 0, …, `last`: those of
+    /// [`sin`](Stretch::sin), with one addition each in place of a division; 0 where the enclosure of j s shows none.
+    fn sines(&self, last: u64, signs: &mut Vec<i8>) {
+        signs.clear();
+        signs.push(0);
+        let is_point = self.low == self.high;
+        // j · low = half turns · unit + rest, and low < unit.
+        let (mut rest, mut width, mut sign) = (0, 0, 1);
+        for _ in 0..last {
+            rest += self.low;
+            width += self.high - self.low;
+            if width > self.unit {
+                signs.resize(last as usize + 1, 0);
+                return;
+            }
+            if rest >= self.unit {
+                rest -= self.unit;
+                sign = -sign;
+            }
+            let is_shown = rest + width <= self.unit && !(is_point && rest == 0);
+            signs.push(if is_shown { sign } else { 0 });
+        }
     }
 
     /// The sign of sin π(j s + h/2) throughout the open stretch, or at the point, if the enclosure of j s +
@@ -124,6 +148,8 @@ struct Cover {
     pieces: Vec<Piece>,
     /// The last k with b > 0 and the last with b < 0.
     witnesses: [Option<u64>; 2],
+    /// Of the stretch that is looked at.
+    sines: Vec<i8>,
 }
 
 impl Cover {
@@ -149,7 +175,15 @@ impl Cover {
             Some(found) if found == sign => Ok(()),
             Some(_) => Err(Failure::refuted(None, Some(claim.clone()))),
         };
-        (1..self.n).try_for_each(|k| as_claimed(stretch.b(self.n, k), b))?;
+        // b_{n,k} = −2 sin kπs sin (n−k)πs / cos nπs (B1), which is b_{n,n−k}.
+        stretch.sines(self.n, &mut self.sines);
+        let Some(cosine) = stretch.sin(self.n, 1) else { return Err(Failure::Undecided(stretch)) };
+        let all = &self.sines[1..self.n as usize];
+        let signs = all.iter().zip(all.iter().rev()).take(self.n as usize / 2);
+        for (k, other) in signs {
+            let sign = -k * other * cosine;
+            as_claimed((sign != 0).then_some(sign), b)?;
+        }
         as_claimed(stretch.c(self.n), c)?;
         let Interval { left, right, case, .. } = *claim;
         self.pieces.push(Piece::Orbit { left, right, case });
@@ -205,21 +239,37 @@ impl Cover {
     /// Looks for witnesses until there are two, those of the last stretch first; whether every sign was
     /// decided, and a k with b = 0.
     fn look(&mut self, stretch: &Stretch) -> (bool, Option<u64>) {
-        let (mut decided, mut zero) = (true, None);
         let last = std::mem::take(&mut self.witnesses);
+        for k in last.into_iter().flatten() {
+            self.witness(k, stretch.b(self.n, k));
+        }
+        if self.witnesses.iter().all(Option::is_some) {
+            return (true, None);
+        }
+        stretch.sines(self.n, &mut self.sines);
+        let cosine = stretch.sin(self.n, 1);
+        let (mut decided, mut zero) = (cosine.is_some(), None);
         // b_{n,k} = b_{n,n−k}.
-        for k in last.into_iter().flatten().chain(1..=self.n / 2) {
-            match stretch.b(self.n, k) {
-                None => decided = false,
-                Some(0) => zero = Some(k),
-                Some(1) => self.witnesses[0] = Some(k),
-                Some(_) => self.witnesses[1] = Some(k),
+        for k in 1..=self.n / 2 {
+            let [one, other] = [k, self.n - k].map(|j| self.sines[j as usize]);
+            match -one * other * cosine.unwrap_or(0) {
+                0 if stretch.low == stretch.high => zero = Some(k),
+                0 => decided = false,
+                sign => self.witness(k, Some(sign)),
             }
             if self.witnesses.iter().all(Option::is_some) {
                 break;
             }
         }
         (decided, zero)
+    }
+
+    fn witness(&mut self, k: u64, b: Option<i8>) {
+        match b {
+            Some(1) => self.witnesses[0] = Some(k),
+            Some(-1) => self.witnesses[1] = Some(k),
+            _ => {}
+        }
     }
 
     /// All b have one sign where no orbit is claimed.
@@ -237,7 +287,7 @@ mod tests {
     use super::*;
 
     fn cover(n: u64, claims: impl IntoIterator<Item = Interval>) -> (usize, Option<Failure>) {
-        let mut cover = Cover { n, pieces: Vec::new(), witnesses: [None; 2] };
+        let mut cover = Cover { n, pieces: Vec::new(), witnesses: [None; 2], sines: Vec::new() };
         let failure = cover.all(claims.into_iter()).err();
         (cover.pieces.len(), failure)
     }
