@@ -23,8 +23,7 @@ Qed.
 Lemma sample_covered : covers_trap sample at_200.
 Proof.
   destruct (walls 0) as (G & G1 & _); rewrite cos_0 in G; rewrite sin_0 in G1; constructor; trivial; try (rewrite G1;
-    ring);
-    try (unfold in_interval, Q2R; cbn; lra).
+    ring); try (unfold in_interval, Q2R; cbn; lra).
   constructor; [|constructor]; unfold in_interval, Q2R; cbn; repeat split; lra.
 Qed.
 Definition third (lo hi : R) (T : machine) (z w : R) : Prop := forall t V t1 V1 x v t2 V2 y u, 0 <= wall at_200 t -> - w
@@ -39,24 +38,19 @@ Lemma trapped_there check : Traps_statement check -> check sample = true -> exis
   third lo hi T 2 (sqrt (2 * (1 / 200 * (101 / 100 + a T * a T * (1 / 200 + 2 / (b T - a T)))))).
 Proof.
   intros H HC; destruct (H sample at_200 HC sample_covered) as (lo & hi & P); cbv zeta in P; set (T := seen sample
-    at_200 (hi -
-    lo)) in *. destruct P as [[R1 R2] [W1 W2] Ch [Z1 S1] Ab].
+    at_200 (hi - lo)) in *. destruct P as [[R1 R2] [W1 W2] Ch [Z1 S1] Ab].
   assert (E : Q2R (fst (Trap.window sample)) = 15 / 100 /\ Q2R (snd (Trap.window sample)) = 15 / 100 /\ Q2R (Trap.growth
     sample) = 23 / 20 /\ Q2R (Trap.slip sample) = 7 / 100 /\ Q2R (Trap.speed sample) = 3 / 4 /\ Q2R (Trap.start sample)
-      = 2 /\
-    al1 T = 101 / 100) by (unfold T, seen, Q2R; cbn; repeat split; lra).
+    = 2 /\ al1 T = 101 / 100) by (unfold T, seen, Q2R; cbn; repeat split; lra).
   destruct E as (E1 & E2 & E3 & E4 & E5 & E6 & E7); rewrite E1 in W1; rewrite E2 in W2; rewrite E3 in Ch; rewrite E4,
-    E5, E6,
-    ?E7 in *; change (mu T) with (1 / 200) in *.
+    E5, E6, ?E7 in *; change (mu T) with (1 / 200) in *.
   assert (Third : forall z w, (z = 7 / 100 * (1 / 200) /\ w = 3 / 4 * sqrt (1 / 200) \/ z = 2 /\ w = sqrt (2 * (1 / 200
-    * (101
-    / 100 + a T * a T * (1 / 200 + 2 / (b T - a T)))))) -> third lo hi T z w).
+    * (101 / 100 + a T * a T * (1 / 200 + 2 / (b T - a T)))))) -> third lo hi T z w).
   { intros z w Hz t V t1 V1 x v t2 V2 y u A B C L1 L2; assert (Zt : forall t V, zeta T t V = a T * wall at_200 t - sin t
-    + V)
-      by (intros s X; unfold zeta; change (Q1 T s) with (g1 at_200 s); rewrite (proj1 (proj2 (walls s))); reflexivity).
+    + V) by (intros s X; unfold zeta; change (Q1 T s) with (g1 at_200 s); rewrite (proj1 (proj2 (walls s)));
+    reflexivity).
     destruct (Ab z w t V t1 V1 x v t2 V2 y u Hz) as (_ & B1 & B2); trivial; [split; [exact A | rewrite Zt; auto]|];
-      rewrite
-      Zt in B2. lra. }
+      rewrite Zt in B2. lra. }
   exists lo, hi, T; repeat (split; [first [exact W1 | exact W2 | exact R1 | exact R2 | exact Ch | reflexivity]|]).
   split; apply Third; [left; split; [field | reflexivity] | right; auto].
 Qed.
@@ -70,11 +64,9 @@ Lemma none_stable check : Traps_statement check -> check sample = true -> No_sta
 Proof.
   intros H HC NS; destruct (trapped_there check H HC) as (lo & hi & T & _ & _ & _ & _ & Ch & _ & EQ & Et & _ & Ep & _).
   exists lo, hi, T; split; [exact EQ|]; intros t V x v St Pe; destruct (NS T lo hi (23 / 20) Ch ltac:(rewrite Et; lra)
-    1%nat 1%Z
-    _ t V x v (le_n 1) St) as (i0 & eps & e0 & A).
+    1%nat 1%Z _ t V x v (le_n 1) St) as (i0 & eps & e0 & A).
   - intros i; replace (i + 1)%nat with (S i) by lia; destruct (Pe i) as [P1 P2]; rewrite Ep; split; [lia | split; [lra |
-    exact
-    P2]].
+    exact P2]].
   - exists i0, eps; split; [exact e0|]; intros d Hd; destruct (A d Hd) as (N' & t' & V' & x' & v' & B1 & B2 & _ & B3).
     exists N', t', V', x', v'; auto.
 Qed.
@@ -84,7 +76,6 @@ Lemma not_covered : (forall M, covers_trap sample M -> Machine.c M = 3 / 8 /\ Ma
   Machine.harmonics M = [(1%positive, (1, 0))]).
 Proof.
   intros M [C K T S N H G G1]; unfold in_interval, Q2R in *; cbn in C, K, T, N; repeat (split; [lra|]); inversion H as
-    [|y h l l' R L E0 E1]; subst y l; inversion L; subst l'; destruct h as (j & x & z),
-    R as
-    (E & A & B); unfold Q2R in A, B; cbn in A, B; rewrite <- E; repeat f_equal; lra.
+    [|y h l l' R L E0 E1]; subst y l; inversion L; subst l'; destruct h as (j & x & z), R as (E & A & B); unfold Q2R in
+    A, B; cbn in A, B; rewrite <- E; repeat f_equal; lra.
 Qed.

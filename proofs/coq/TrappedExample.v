@@ -24,9 +24,7 @@ Proof.
   assert (Mr : mem rootI (sqrt ((3 / 2) ^ 2 - 1))) by (replace ((3 / 2) ^ 2 - 1) with (5 / 4) by field; apply mem_root,
     mem_constant).
   refine (n_checked _ _ _ _ _ (numbers_checked limit_inputs limit (IZR 757575 / IZR 1000000) (IZR 786650 / IZR 10000000)
-    (201 / 200)
-    (constant 201 200)
-    11 _ (mem_constant _ _) eq_refl _ _ _ _ _ _)); try (cbn; lra).
+    (201 / 200) (constant 201 200) 11 _ (mem_constant _ _) eq_refl _ _ _ _ _ _)); try (cbn; lra).
   - constructor; try exact (mem_constant _ _); try exact (W1 1%Z); unfold limit_inputs; cbn [aI bI dI a b limit].
     + apply mem_quo; [apply mem_minus; [apply mem_constant | exact Mr] | apply W1].
     + apply mem_quo; [apply mem_plus; [apply mem_constant | exact Mr] | apply W1].
@@ -41,10 +39,10 @@ Proof.
   intros mu Hm; apply (Range limit _ 11%Z); [exact limit_checked|apply Paper; lra|]. constructor; cbn; try lra.
   set (h := acos (/ (1 + mu))). assert (I : 10 / 11 <= / (1 + mu) <= 1).
   { split; [replace (10 / 11) with (/ (11 / 10)) by field|rewrite <- Rinv_1]; apply Rinv_le_contravar; lra. }
-  assert (C : cos h = / (1 + mu)) by (apply cos_acos; lra); destruct (acos_bound (/ (1 + mu))) as [b1 b2];
-    fold h in b1, b2. assert (K : cos (43 / 100) <= 10 / 11).
-  { apply (below_le (cosine (constant 43 100)) (constant 10 11)); [vm_compute; reflexivity|apply mem_cosine|];
-      apply mem_constant. }
+  assert (C : cos h = / (1 + mu)) by (apply cos_acos; lra); destruct (acos_bound (/ (1 + mu))) as [b1 b2]; fold h in b1,
+    b2. assert (K : cos (43 / 100) <= 10 / 11).
+  { apply (below_le (cosine (constant 43 100)) (constant 10 11)); [vm_compute; reflexivity|apply mem_cosine|]; apply
+    mem_constant. }
   apply Rnot_lt_le; intros F; pose proof PI2_3_2; assert (cos h < cos (43 / 100)); [|lra].
   apply cos_decreasing_1; lra.
 Qed.

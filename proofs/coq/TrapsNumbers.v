@@ -21,15 +21,13 @@ Proof. intros H; apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, one_pos
 Lemma lesser_le X Y x y : mem X x -> mem Y y -> exists r, mem (lesser X Y) r /\ r <= x /\ r <= y.
 Proof.
   destruct X as [[l h]|], Y as [[l' h']|]; intros HX HY; try (exists (Rmin x y); split; [exact I | split; [apply Rmin_l
-    | apply
-    Rmin_r]]). apply ends in HX, HY; exists (IZR (Z.min l l') / IZR one); split; [apply value|].
+    | apply Rmin_r]]). apply ends in HX, HY; exists (IZR (Z.min l l') / IZR one); split; [apply value|].
   pose proof (over_one _ _ (Z.le_min_l l l')); pose proof (over_one _ _ (Z.le_min_r l l')); lra.
 Qed.
 Lemma greater_ge X Y x y : mem X x -> mem Y y -> exists r, mem (greater X Y) r /\ x <= r /\ y <= r.
 Proof.
   destruct X as [[l h]|], Y as [[l' h']|]; intros HX HY; try (exists (Rmax x y); split; [exact I | split; [apply Rmax_l
-    | apply
-    Rmax_r]]). apply ends in HX, HY; exists (IZR (Z.max h h') / IZR one); split; [apply value|].
+    | apply Rmax_r]]). apply ends in HX, HY; exists (IZR (Z.max h h') / IZR one); split; [apply value|].
   pose proof (over_one _ _ (Z.le_max_l h h')); pose proof (over_one _ _ (Z.le_max_r h h')); lra.
 Qed.
 Lemma exp_le x y : x <= y -> exp x <= exp y.
@@ -37,8 +35,7 @@ Proof. intros [H| ->]; [left; apply exp_increasing, H | right; reflexivity]. Qed
 Lemma mem_exp_at z : mem (exp_at z) (exp (IZR z / IZR one)).
 Proof.
   unfold exp_at; apply mem_squares, mem_exponential; replace (IZR z / IZR one / 2 ^ 3) with (IZR z / IZR one * (1 / 8))
-    by
-    (cbn; field; pose proof one_pos; lra). apply mem_times; [apply value | exact (mem_constant 1 8)].
+    by (cbn; field; pose proof one_pos; lra). apply mem_times; [apply value | exact (mem_constant 1 8)].
 Qed.
 Lemma mem_fall X x : mem X x -> mem (fallI X) (exp (- x)).
 Proof.
@@ -46,8 +43,8 @@ Proof.
   assert (Neg : forall z, IZR (- z) / IZR one = - (IZR z / IZR one)) by (intros z; rewrite opp_IZR; field; lra).
   destruct (22 * one <=? l)%Z eqn:B.
   - apply Z.leb_le, over_one in B; change (-22 * one)%Z with (- (22 * one))%Z; apply (mem_join _ _ 0 (exp (IZR (- (22 *
-    one)) /
-      IZR one))); [exact mem_zero | apply mem_exp_at|]; rewrite Neg; split; [left; apply exp_pos | apply exp_le; lra].
+    one)) / IZR one))); [exact mem_zero | apply mem_exp_at|]; rewrite Neg; split; [left; apply exp_pos | apply exp_le;
+    lra].
   - apply (mem_join _ _ _ _ _ (mem_exp_at _) (mem_exp_at _)); rewrite !Neg; split; apply exp_le; lra.
 Qed.
 Ltac enc := first [assumption | lazymatch goal with
@@ -80,13 +77,12 @@ Proof.
     T).
   assert (Hx : 0 < x <= y) by (unfold x, y; split; [apply Rmult_lt_0_compat | apply Rmult_le_compat_r]; lra).
   pose proof (decay_ratio x y Hx) as D; assert (Es : forall c, f12 a c T = exp (- (a * T)) * ((1 - exp (- ((c - a) *
-    T))) / (c
-    - a))) by (intros c; unfold f12, Rdiv; rewrite <- Rmult_assoc; f_equal; rewrite Rmult_minus_distr_l, <- exp_plus,
-    Rmult_1_r; do 2 f_equal; ring).
+    T))) / (c - a))) by (intros c; unfold f12, Rdiv; rewrite <- Rmult_assoc; f_equal; rewrite Rmult_minus_distr_l, <-
+    exp_plus, Rmult_1_r; do 2 f_equal; ring).
   rewrite !Es; fold x y; apply Rmult_le_compat_l; [left; apply exp_pos|]; apply (Rmult_le_reg_r (x * y)); [apply
     Rmult_lt_0_compat; lra|]. replace ((1 - exp (- y)) / (b' - a) * (x * y)) with ((1 - exp (- y)) * x * T) by (unfold
-      x, y; field; lra). replace ((1 - exp (- x)) / (b - a) * (x * y)) with ((1 - exp (- x)) * y * T) by (unfold x, y;
-      field; lra). apply Rmult_le_compat_r; lra.
+    x, y; field; lra). replace ((1 - exp (- x)) / (b - a) * (x * y)) with ((1 - exp (- x)) * y * T) by (unfold x, y;
+    field; lra). apply Rmult_le_compat_r; lra.
 Qed.
 Lemma f12_down_a a a' b T : a <= a' < b -> 0 <= T -> f12 a' b T <= f12 a b T.
 Proof.
@@ -94,13 +90,11 @@ Proof.
     T).
   assert (Hx : 0 < x <= y) by (unfold x, y; split; [apply Rmult_lt_0_compat | apply Rmult_le_compat_r]; lra).
   pose proof (growth_ratio x y Hx) as D; assert (Es : forall c, f12 c b T = exp (- (b * T)) * ((exp ((b - c) * T) - 1) /
-    (b -
-    c))) by (intros c; unfold f12, Rdiv; rewrite <- Rmult_assoc; f_equal; rewrite Rmult_minus_distr_l, <- exp_plus,
-      Rmult_1_r;
-    do 2 f_equal; ring).
+    (b - c))) by (intros c; unfold f12, Rdiv; rewrite <- Rmult_assoc; f_equal; rewrite Rmult_minus_distr_l, <- exp_plus,
+    Rmult_1_r; do 2 f_equal; ring).
   rewrite !Es; fold x y; apply Rmult_le_compat_l; [left; apply exp_pos|]; apply (Rmult_le_reg_r (x * y)); [apply
     Rmult_lt_0_compat; lra|]. replace ((exp x - 1) / (b - a') * (x * y)) with ((exp x - 1) * y * T) by (unfold x, y;
-      field; lra). replace ((exp y - 1) / (b - a) * (x * y)) with ((exp y - 1) * x * T) by (unfold x, y; field; lra).
+    field; lra). replace ((exp y - 1) / (b - a) * (x * y)) with ((exp y - 1) * x * T) by (unfold x, y; field; lra).
   apply Rmult_le_compat_r; lra.
 Qed.
 Lemma f12_down a a' b b' T : a <= a' -> a < b <= b' -> a' < b' -> 0 <= T -> f12 a' b' T <= f12 a b T.
@@ -135,8 +129,7 @@ Lemma mem_reach T r : mem T r -> 0 <= r -> positive (minus (high (bI I)) (high (
   exists z, mem (reachI I T) z /\ z <= phi12 L r.
 Proof.
   intros HT Hr P; destruct HI as [Ma Mb _ _ _ _ _ _ _ _], (high_ge _ _ Ma) as (x & Mx & Lx), (high_ge _ _ Mb) as (y & My
-    &
-    Ly).
+    & Ly).
   assert (X : 0 < y - x) by (apply (positive_lt _ _ P); enc); exists (f12 x y r); split; [unfold reachI, f12; enc|].
   replace (phi12 L r) with (f12 (a L) (b L) r) by (unfold phi12, f12; do 2 f_equal; f_equal; ring); apply f12_down; lra.
 Qed.
@@ -144,11 +137,9 @@ Lemma mem_rest T r : mem T r -> 0 <= r -> positive (minus (low (bI I)) (low (aI 
   true -> exists z, mem (restI I T) z /\ phi11 L r <= z.
 Proof.
   intros HT Hr P P0; destruct HI as [Ma Mb _ _ _ _ _ _ _ _], (low_le _ _ Ma) as (x & Mx & Lx), (low_le _ _ Mb) as (y &
-    My &
-    Ly).
+    My & Ly).
   assert (X : 0 < y - x) by (apply (positive_lt _ _ P); enc); pose proof (positive_lt _ _ P0 Mx); exists (f11 x y r);
-    split;
-    [unfold restI, f11, f12; cbv zeta; enc|].
+    split; [unfold restI, f11, f12; cbv zeta; enc|].
   replace (phi11 L r) with (f11 (a L) (b L) r); [apply f11_down; lra|]; unfold f11, f12, phi11.
   replace (- (a L * r)) with (- a L * r) by ring; replace (- (b L * r)) with (- b L * r) by ring; field; lra.
 Qed.
@@ -162,33 +153,24 @@ Proof.
   destruct B as [[[[[[[[[[[[N0 A0] PH] P0] PL] PE] SH] Pe] BM] Pl] PS] E1] [F BB]].
   pose proof HI as HI'; destruct HI' as [Ma Mb Md Mt Mn Mw M0 M1 MS MZ].
   assert (N : W L < p L) by (rewrite Hp; apply Rminus_gt_0_lt, (positive_lt _ _ N0); replace (2 * PI) with (2 * PI * 1)
-    by
-    ring;
-    enc). assert (R0 : 0 < al0 L) by (apply (positive_lt _ _ A0), M0); assert (U : usable L) by (split; lra).
+    by ring; enc). assert (R0 : 0 < al0 L) by (apply (positive_lt _ _ A0), M0); assert (U : usable L) by (split; lra).
   set (nu := mu L) in *; set (r := sqrt nu).
   assert (Mr : mem (rI I) r) by (unfold rI, r; enc); assert (rr : r * r = nu) by (apply sqrt_sqrt; lra); assert (r0 : 0
-    < r)
-    by (apply sqrt_lt_R0; lra).
+    < r) by (apply sqrt_lt_R0; lra).
   pose proof (positive_lt _ _ PS MS) as S0.
   assert (Ell : forall n, exists z, mem (ellI I n) z /\ z <= ell L (IZR (Z.pos n))).
   { intros n; assert (1 <= IZR (Z.pos n)) by (apply (IZR_le 1); lia); assert (p L * 1 <= p L * IZR (Z.pos n)) by (apply
-      Rmult_le_compat_l; lra). assert (Mp : mem (turn n) (p L * IZR (Z.pos n))) by (rewrite Hp;
-        apply
-      mem_turn). destruct (mem_reach (minus (turn n) (wI I)) (p L * IZR (Z.pos n) - W L)) as (x & Mx & Lx); [enc | lra |
-        exact
-      PH|]. destruct (mem_reach (plus (turn n) (wI I)) (p L * IZR (Z.pos n) + W L)) as (y & My & Ly); [enc | lra | exact
-        PH|].
+    Rmult_le_compat_l; lra). assert (Mp : mem (turn n) (p L * IZR (Z.pos n))) by (rewrite Hp; apply mem_turn). destruct
+    (mem_reach (minus (turn n) (wI I)) (p L * IZR (Z.pos n) - W L)) as (x & Mx & Lx); [enc | lra | exact PH|]. destruct
+    (mem_reach (plus (turn n) (wI I)) (p L * IZR (Z.pos n) + W L)) as (y & My & Ly); [enc | lra | exact PH|].
     destruct (lesser_le _ _ _ _ Mx My) as (z & Mz & L1 & L2); exists z; split; [exact Mz|]; apply Rmin_glb; lra. }
   assert (Slip : zh L <= Z).
   { unfold slip_holds in SH; cbv zeta in SH; rewrite !andb_true_iff in SH; destruct SH as [[S1 S2] S3]; destruct (low_le
-    _ _ Md)
-      as (x & Mx & Lx). pose proof (positive_lt _ _ S1 Mx) as x0; set (y := p L - W L) in *; assert (y0 : 0 < y) by
-        (unfold
-      y; lra). assert (My : mem (minus (turn 1) (wI I)) y) by (unfold y; rewrite Hp; replace (2 * PI) with (2 * PI * 1)
-        by ring;
-      enc). set (f := exp (- (x * y))); assert (Mf : mem (fallI (times (low (dI I)) (minus (turn 1) (wI I)))) f) by
-        (unfold f;
-      enc). assert (f0 : 0 < f) by apply exp_pos; assert (f1 : 0 < 1 - f) by (apply (positive_lt _ _ S2); enc).
+    _ _ Md) as (x & Mx & Lx). pose proof (positive_lt _ _ S1 Mx) as x0; set (y := p L - W L) in *; assert (y0 : 0 < y)
+    by (unfold y; lra). assert (My : mem (minus (turn 1) (wI I)) y) by (unfold y; rewrite Hp; replace (2 * PI) with (2 *
+    PI * 1) by ring; enc). set (f := exp (- (x * y))); assert (Mf : mem (fallI (times (low (dI I)) (minus (turn 1) (wI
+    I)))) f) by (unfold f; enc). assert (f0 : 0 < f) by apply exp_pos; assert (f1 : 0 < 1 - f) by (apply (positive_lt _
+    _ S2); enc).
     assert (X : x * f <= Z * (1 - f)) by (apply (below_le _ _ _ _ S3); enc).
     pose proof (growth_ratio (x * y) (D * y) ltac:(split; [apply Rmult_lt_0_compat; lra | apply Rmult_le_compat_r;
       lra])) as G.
@@ -198,8 +180,8 @@ Proof.
     apply (Rmult_le_reg_r (g - 1)); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
     assert (G' : (h - 1) * D <= (g - 1) * x) by (apply (Rmult_le_reg_r y); lra).
     apply (Rmult_le_compat_r f) in G'; [|lra]; replace ((h - 1) * D * f) with ((1 - f) * D) in G' by (replace (1 - f)
-      with (h *
-      f - f) by lra; ring). apply (Rmult_le_reg_l (1 - f)); [exact f1|]; apply (Rmult_le_compat_l (g - 1)) in X; lra. }
+      with (h * f - f) by lra; ring). apply (Rmult_le_reg_l (1 - f)); [exact f1|]; apply (Rmult_le_compat_l (g - 1)) in
+      X; lra. }
   destruct (Ell 1%positive) as (z1 & Mz1 & Lz1); pose proof (positive_lt _ _ PE Mz1) as z0; set (w := / z1).
   assert (w0 : 0 < w) by (apply Rinv_0_lt_compat, z0); assert (Mw1 : mem (wholeI I) w) by (unfold wholeI, w; enc).
   pose proof (zh_pos L U) as zp; pose proof (V1h_pos L U) as vp; pose proof (zm_hat L U) as zm_is; fold nu in zm_is.
@@ -207,8 +189,7 @@ Proof.
   { unfold V1h; rewrite Rinv_mult, <- Rmult_assoc, Rinv_r, Rmult_1_l by lra; apply Rinv_le_contravar; [exact z0 | exact
     Lz1]. }
   assert (Zn : zm L <= nu * Z) by (rewrite zm_is; apply Rmult_le_compat_l; lra); assert (Z0 : 0 < zm L) by (rewrite
-    zm_is;
-    apply Rmult_lt_0_compat; lra).
+    zm_is; apply Rmult_lt_0_compat; lra).
   set (q := b L * b L / D); assert (Mq : mem (shareI I) q) by (unfold shareI, q; enc); assert (q0 : 0 < q) by (apply
     Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra).
   set (ew := / exp (- (b L * W L))); set (e := al0 L - q * ew * (nu * (Z + w))).
@@ -217,86 +198,68 @@ Proof.
     Rinv_0_lt_compat, exp_pos).
   assert (Before : e <= alb L).
   { unfold alb, e; rewrite Ew; replace (b L ^ 2 * ew * (zm L + (1 + tau L) * V1 L) / D) with (q * ew * (zm L + (1 + tau
-    L) * V1
-      L)) by (unfold q; field; lra). apply Rplus_le_compat_l, Ropp_le_contravar, Rmult_le_compat_l; [apply Rmult_le_pos;
-      lra|]. rewrite V1_hat; fold nu; assert (nu * ((1 + tau L) * V1h L) <= nu * w) by (apply Rmult_le_compat_l; lra);
-        lra. }
+    L) * V1 L)) by (unfold q; field; lra). apply Rplus_le_compat_l, Ropp_le_contravar, Rmult_le_compat_l; [apply
+    Rmult_le_pos; lra|]. rewrite V1_hat; fold nu; assert (nu * ((1 + tau L) * V1h L) <= nu * w) by (apply
+    Rmult_le_compat_l; lra); lra. }
   set (v := w / (1 + tau L)); set (la := exp (- (a L * (2 * PI * 1)))); set (fl := 1 - la * (1 - tau L * tau L * (nu *
-    (v *
-    v)) / (2 * e))). assert (Mfl : mem (fallenI I) fl).
+    (v * v)) / (2 * e))). assert (Mfl : mem (fallenI I) fl).
   { unfold fallenI, fl, v, la; cbv zeta; assert (mem (bothI I) (1 + tau L)) by (unfold bothI; enc); enc. }
   assert (Ela : exp (- a L * p L) = la) by (unfold la; rewrite Hp; f_equal; ring); pose proof (decay_1 L U) as L1;
-    rewrite Ela
-    in L1.
+    rewrite Ela in L1.
   assert (Vv : 0 < V1h L <= v) by (split; [exact vp|]; unfold v; apply (Rmult_le_reg_r (1 + tau L)); [lra|]; unfold
-    Rdiv; rewrite
-    Rmult_assoc, Rinv_l; lra). assert (Deep : deeph L <= fl).
+    Rdiv; rewrite Rmult_assoc, Rinv_l; lra). assert (Deep : deeph L <= fl).
   { unfold deeph, fl; rewrite Ela; fold nu; assert (T : tau L ^ 2 * V1h L ^ 2 * nu / (2 * alb L) <= tau L * tau L * (nu
-    * (v *
-      v)) / (2 * e)); [|apply (Rmult_le_compat_l la) in T; lra]. apply div_mono; [|lra]; replace (tau L ^ 2 * V1h L ^ 2
-        * nu)
-      with (tau L * tau L * (nu * (V1h L * V1h L))) by ring. assert (0 <= tau L * tau L) by nra; assert (V1h L * V1h L
-        <= v *
-      v) by (apply Rmult_le_compat; lra). split; [apply Rmult_le_pos; [|apply Rmult_le_pos]; nra|]; apply
-        Rmult_le_compat_l;
-      [lra | apply Rmult_le_compat_l; lra]. }
+    * (v * v)) / (2 * e)); [|apply (Rmult_le_compat_l la) in T; lra]. apply div_mono; [|lra]; replace (tau L ^ 2 * V1h L
+    ^ 2 * nu) with (tau L * tau L * (nu * (V1h L * V1h L))) by ring. assert (0 <= tau L * tau L) by nra; assert (V1h L *
+    V1h L <= v * v) by (apply Rmult_le_compat; lra). split; [apply Rmult_le_pos; [|apply Rmult_le_pos]; nra|]; apply
+    Rmult_le_compat_l; [lra | apply Rmult_le_compat_l; lra]. }
   set (mo := al1 L + a L * a L * (nu * (1 + Z / D))); assert (Mmo : mem (mostI I) mo) by (unfold mostI, mo; enc).
   assert (Most : alM L <= mo).
   { unfold alM, mo; rewrite zm_is; fold nu; replace (a L ^ 2 * (nu + nu * zh L / D)) with (a L * a L * (nu * (1 + zh L /
-    D))) by
-      (field; lra). apply Rplus_le_compat_l, Rmult_le_compat_l; [nra|]; apply Rmult_le_compat_l, Rplus_le_compat_l,
-      Rmult_le_compat_r; [lra | left; apply Rinv_0_lt_compat; lra | exact Slip]. }
+    D))) by (field; lra). apply Rplus_le_compat_l, Rmult_le_compat_l; [nra|]; apply Rmult_le_compat_l,
+    Rplus_le_compat_l, Rmult_le_compat_r; [lra | left; apply Rinv_0_lt_compat; lra | exact Slip]. }
   assert (Before0 : 0 < alb L) by lra; pose proof (alM_pos L U) as mp; pose proof (deeph_pos L U Before0) as dp.
   assert (Speed : vh L <= S).
   { assert (X : 2 * (mo * fl) <= S * S) by (apply (below_le _ _ _ _ BM); enc); unfold vh; rewrite <- (sqrt_square S) by
-    lra;
-      apply sqrt_le_1_alt; apply Rle_trans with (2 := X); rewrite Rmult_assoc; apply Rmult_le_compat_l; [lra|]; apply
-      Rmult_le_compat; lra. }
+    lra; apply sqrt_le_1_alt; apply Rle_trans with (2 := X); rewrite Rmult_assoc; apply Rmult_le_compat_l; [lra|]; apply
+    Rmult_le_compat; lra. }
   pose proof (vh_pos L U Before0) as vh0; pose proof (Vm_hat L U Before0) as Vm_is; fold nu r in Vm_is.
   assert (Vn : Vm L <= r * S) by (rewrite Vm_is; apply Rmult_le_compat_l; lra); assert (Mqk : mem (quickI I) (r * S)) by
-    (unfold
-    quickI; enc). assert (Mbo : mem (bothI I) (1 + tau L)) by (unfold bothI; enc).
+    (unfold quickI; enc). assert (Mbo : mem (bothI I) (1 + tau L)) by (unfold bothI; enc).
   set (lt := al0 L - q * (nu * Z + (1 + tau L) * (r * S))); assert (Mlt : mem (lateI I) lt) by (unfold lateI, lt; enc).
   pose proof (positive_lt _ _ Pl Mlt) as lt0; assert (Vt : (1 + tau L) * Vm L <= (1 + tau L) * (r * S)) by (apply
     Rmult_le_compat_l; lra).
   assert (After : lt <= alo L).
   { unfold alo, lt; replace (b L ^ 2 * (zm L + (1 + tau L) * Vm L) / D) with (q * (zm L + (1 + tau L) * Vm L)) by
-    (unfold q;
-      field; lra). apply Rplus_le_compat_l, Ropp_le_contravar, Rmult_le_compat_l; lra. }
+    (unfold q; field; lra). apply Rplus_le_compat_l, Ropp_le_contravar, Rmult_le_compat_l; lra. }
   set (s := tau L * (al0 L - q * (nu * Z)) + lt); assert (Ms : mem (strengthI I) s) by (unfold strengthI, s; enc).
   assert (Str : s <= sigma L).
   { unfold sigma, s; apply Rplus_le_compat; [|exact After]; apply Rmult_le_compat_l; [exact Htau|]; replace (b L ^ 2 *
-    zm L / D)
-      with (q * zm L) by (unfold q; field; lra); apply Rplus_le_compat_l, Ropp_le_contravar, Rmult_le_compat_l; lra. }
+    zm L / D) with (q * zm L) by (unfold q; field; lra); apply Rplus_le_compat_l, Ropp_le_contravar, Rmult_le_compat_l;
+    lra. }
   assert (s0 : 0 < s).
   { assert (q * (nu * Z) <= q * (nu * Z + (1 + tau L) * (r * S))) by (apply Rmult_le_compat_l; [lra|]; assert (0 <= (1 +
-    tau L) *
-      (r * S)) by (apply Rmult_le_pos; [lra | apply Rmult_le_pos; lra]); lra).
+    tau L) * (r * S)) by (apply Rmult_le_pos; [lra | apply Rmult_le_pos; lra]); lra).
     assert (0 <= tau L * (al0 L - q * (nu * Z))) by (apply Rmult_le_pos; unfold lt in lt0; lra); unfold s; lra. }
   destruct (greater_ge (plus (speedI I) (times (rI I) (slipI I))) (times (aI I) (rI I)) (S + r * Z) (a L * r)) as (m &
-    Mm & G1 &
-    G2); [enc | enc|]. set (h := 1 - m * m / (2 * al0 L)); assert (Mh : mem (heightI I) h) by (unfold heightI, steepI,
-      h; enc).
+    Mm & G1 & G2); [enc | enc|]. set (h := 1 - m * m / (2 * al0 L)); assert (Mh : mem (heightI I) h) by (unfold heightI,
+    steepI, h; enc).
   assert (rz : r * zh L <= r * Z) by (apply Rmult_le_compat_l; lra); assert (rz0 : 0 < r * zh L) by (apply
-    Rmult_lt_0_compat;
-    lra). assert (Top : topped L <= m * m / (2 * al0 L)).
+    Rmult_lt_0_compat; lra). assert (Top : topped L <= m * m / (2 * al0 L)).
   { unfold topped; fold nu r; apply div_mono; [|lra]; split; [apply pow2_ge_0|]; replace (m * m) with (m ^ 2) by ring;
-    apply
-      pow_incr; split; [apply Rle_trans with (vh L + r * zh L); [lra | apply Rmax_l] | apply Rmax_lub; lra]. }
+    apply pow_incr; split; [apply Rle_trans with (vh L + r * zh L); [lra | apply Rmax_l] | apply Rmax_lub; lra]. }
   set (way := ((1 + tau L) * S + r * Z) * S); assert (Mway : mem (wayI I) way) by (unfold wayI, way; enc).
   assert (E0 : 1 < E) by (apply Rminus_gt_0_lt, (positive_lt _ _ E1); enc).
   assert (ByB : forall n, by_B I (strengthI I) (heightI I) (times eI (wayI I)) n = true -> E <= B_ L (IZR (Z.pos n))).
   { intros n X; assert (1 <= IZR (Z.pos n)) by (apply (IZR_le 1); lia); assert (p L * 1 <= p L * IZR (Z.pos n)) by
-    (apply
-      Rmult_le_compat_l; lra). assert (Mp : mem (turn n) (p L * IZR (Z.pos n))) by (rewrite Hp; apply mem_turn).
+    (apply Rmult_le_compat_l; lra). assert (Mp : mem (turn n) (p L * IZR (Z.pos n))) by (rewrite Hp; apply mem_turn).
     destruct (mem_rest (minus (turn n) (wI I)) (p L * IZR (Z.pos n) - W L)) as (x & Mx & Lx); [enc | lra | exact PL |
-      exact
-      P0|]. apply (below_le _ _ (E * way) (s * (h - x))) in X; [|enc|enc]; rewrite (B_hat L U Before0); fold nu r.
+      exact P0|]. apply (below_le _ _ (E * way) (s * (h - x))) in X; [|enc|enc]; rewrite (B_hat L U Before0); fold nu r.
     set (d := ((1 + tau L) * vh L + r * zh L) * vh L); assert (d0 : 0 < (1 + tau L) * vh L) by (apply Rmult_lt_0_compat;
       lra).
     assert (Hd : 0 < d <= way).
     { unfold d, way; split; [apply Rmult_lt_0_compat; lra|]; assert ((1 + tau L) * vh L <= (1 + tau L) * S) by (apply
-        Rmult_le_compat_l; lra). apply Rmult_le_compat; lra. }
+      Rmult_le_compat_l; lra). apply Rmult_le_compat; lra. }
     assert (E * d <= E * way) by (apply Rmult_le_compat_l; lra); assert (0 < E * d) by (apply Rmult_lt_0_compat; lra).
     assert (hx : 0 < h - x) by (apply (Rmult_lt_reg_l s); lra); set (t := 1 - topped L - phi11 L (p L * IZR (Z.pos n) -
       W L)).
@@ -306,18 +269,14 @@ Proof.
   { intros n X; destruct (Ell n) as (z & Mz & Lz); apply (below_le _ _ (E * (r * S)) (s * z)) in X; [|enc|enc].
     assert (V0 : 0 < Vm L) by (rewrite Vm_is; apply Rmult_lt_0_compat; lra); assert (E * Vm L <= E * (r * S)) by (apply
       Rmult_le_compat_l; lra). assert (0 < E * Vm L) by (apply Rmult_lt_0_compat; lra); assert (0 < z) by (apply
-        (Rmult_lt_reg_l
-      s); lra). assert (s * z <= sigma L * ell L (IZR (Z.pos n))) by (apply Rmult_le_compat; lra).
+      (Rmult_lt_reg_l s); lra). assert (s * z <= sigma L * ell L (IZR (Z.pos n))) by (apply Rmult_le_compat; lra).
     unfold A_; apply (Rmult_le_reg_r (Vm L)); [exact V0|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r; lra. }
   constructor; trivial.
   { change (0 < al0 L - b L ^ 2 * (nu * Z + (1 + tau L) * (r * S)) / D); replace (b L ^ 2 * (nu * Z + (1 + tau L) * (r *
-    S)) / D) with (q * (nu * Z + (1 + tau L) * (r * S))) by (unfold q;
-    field;
-      lra). exact lt0. }
+    S)) / D) with (q * (nu * Z + (1 + tau L) * (r * S))) by (unfold q; field; lra). exact lt0. }
   constructor; trivial; try lia; try lra; [|apply ByB, BB].
   intros n Hn; pose proof (proj1 (forallb_forall _ _) F (Z.to_nat n) ltac:(apply in_seq; lia)) as X; cbv beta zeta in X.
   replace n with (Z.pos (Pos.of_nat (Z.to_nat n))) by lia; apply orb_prop in X; destruct X as [X|X]; [left; apply ByA, X
-    | right;
-    apply ByB, X].
+    | right; apply ByB, X].
 Qed.
 End Sound.
