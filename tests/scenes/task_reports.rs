@@ -17,6 +17,7 @@ mod attractors;
 mod backbones;
 mod bands;
 mod decided;
+mod drifts;
 mod enclosed;
 mod linear_touches;
 mod ranges;

@@ -174,6 +174,15 @@ pub trait Dynamics: Sync + Sized {
         point.plane()
     }
 
+    /// How far each coordinate of the scene comes per forcing period, in the mean over some from a start,
+    /// along directions in which nothing holds the system; empty where all is held, or the motion ends.
+    ///
+    /// # Errors
+    /// Those of [`Motion::pass`].
+    fn drift(&self, _start: &Self::Start, _periods: u64) -> Result<Vec<f64>> {
+        Ok(Vec::new())
+    }
+
     /// Where a motion is, as a start.
     fn here(&self, motion: &Self::Motion<'_>) -> Self::Start;
 

@@ -13,6 +13,7 @@ use super::{
 use crate::{
     attractor::{
         cycle::Cycle,
+        dynamics::SectionState,
         lyapunov::{Exponent, exponents},
         observe::{Attraction, Observation, ObservedMotion},
     },
@@ -32,6 +33,9 @@ row! {
         pub impacts: Option<u64>,
         /// The mean number of impacts in a forcing period.
         pub impacts_per_period: f64,
+        /// How far each coordinate comes in a forcing period, in the mean, along directions in which nothing
+        /// holds the machine: motions that differ by that alone are one. Empty where all is held.
+        pub drift: Vec<f64>,
         /// The largest Lyapunov exponent times the forcing period, of a periodic motion ln |λ| over its
         /// period; absent where it is −∞, because the motion comes to rest on a wall.
         pub lyapunov_per_period: Option<f64>,
@@ -221,6 +225,13 @@ fn attractors<D: Attraction>(
             period: one.cycle.as_ref().map(Cycle::period),
             impacts: one.cycle.as_ref().map(|cycle| cycle.impacts),
             impacts_per_period: 0.0,
+            drift: match &one.cycle {
+                Some(cycle) => {
+                    let on = dynamics.at(cycle.points[0].coordinates(), phase(&task.phase));
+                    dynamics.drift(&on, cycle.period() as u64)?
+                }
+                None => dynamics.drift(&one.settled, task.points.into())?,
+            },
             lyapunov_per_period: None,
             standard_error: None,
             starts: 1,

@@ -115,6 +115,7 @@ fn analysed(orbit: &Orbit, machine: &Machine<f64>, at: Option<Bifurcation>) -> A
         stable: orbit.stable(at),
         admissible,
         reason,
+        drift: orbit.drift.clone(),
         nearest_stop: orbit.least.map(|least| machine.stops[least.stop].name.clone()),
         least_gap: orbit.least.map(|least| least.gap),
         residual: orbit.residual,

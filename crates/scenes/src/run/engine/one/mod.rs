@@ -137,6 +137,7 @@ fn analysed(orbit: &Orbit, job: &Job, at: Option<Bifurcation>) -> Analysed {
         stable: orbit.stable(at),
         admissible,
         reason,
+        drift: Vec::new(),
         nearest_stop: orbit.least.map(|least| job.stop(least.side)),
         least_gap: orbit.least.map(|least| least.gap),
         residual: orbit.residual,
