@@ -122,6 +122,7 @@ impl State {
 pub struct PlanarMachine {
     simulator: Simulator,
     plane: [Watch; 2],
+    driven: bool,
     /// Starts in the plane: what they have besides, and what one more of each of the two numbers adds.
     base: [Vec<f64>; 2],
     directions: [[Vec<f64>; 2]; 2],
@@ -136,7 +137,8 @@ impl PlanarMachine {
         let plane = [axes[0].watch(machine)?, axes[1].watch(machine)?];
         let none = || vec![0.0; machine.size];
         let directions = [[none(), none()], [none(), none()]];
-        Ok(PlanarMachine { simulator, plane, base: [none(), none()], directions })
+        let driven = machine.is_driven();
+        Ok(PlanarMachine { simulator, plane, driven, base: [none(), none()], directions })
     }
 
     /// The same, starts in the plane having displacements q and velocities u, of the coordinates of the scene
@@ -291,12 +293,24 @@ impl Dynamics for PlanarMachine {
         if finite { eigenvalues(&matrix, determinant).ok() } else { None }
     }
 
-    fn drift(&self, start: &Start, periods: u64) -> Result<Vec<f64>> {
+    fn field(&self, motion: &PlanarRun<'_>) -> Option<Vec<f64>> {
+        if self.driven {
+            return None;
+        }
+        let (run, lower) = (&motion.run, self.simulator.equations().root());
+        let state = State { t: run.time().phase, ..run.state() };
+        let bend: RealVector = lower.tr_mul(&run.stage().acceleration(run.time(), &state));
+        let rate: RealVector = lower.tr_mul(&state.u);
+        let whole: Vec<f64> = rate.iter().chain(bend.iter()).copied().collect();
+        Some(self.simulator.drifts().map_or(whole.clone(), |drifts| drifts.reduced(&whole)))
+    }
+
+    fn drift(&self, start: &Start, radians: f64) -> Result<Vec<f64>> {
         let Some(drifts) = self.simulator.drifts() else { return Ok(Vec::new()) };
         let mut motion = self.begin(start)?;
         let before = motion.run.state().q;
-        let reached = motion.pass(Time::new(periods as i64, start.t))? == RunEnd::Reached;
-        let moved = drifts.seen(&(motion.run.state().q - before)) / periods as f64;
+        let reached = motion.pass(Time::new(0, start.t).after(radians))? == RunEnd::Reached;
+        let moved = drifts.seen(&(motion.run.state().q - before));
         Ok(if reached { moved.as_slice().to_vec() } else { Vec::new() })
     }
 

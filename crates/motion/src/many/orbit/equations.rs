@@ -170,11 +170,11 @@ impl<'s> StopEquations<'s> {
         let off = drifts
             .part(&(RealVector::from_column_slice(&residual[begin..begin + n]) - &first.q / self.scale));
         (0..n).for_each(|k| residual[begin + k] -= off[k]);
-        for j in 0..columns {
+        (0..columns).for_each(|j| {
             let by = |k: usize| jacobian[begin + k][j] - f64::from(u8::from(j == k));
             let off = drifts.part(&RealVector::from_fn(n, |k, _| by(k)));
             (0..n).for_each(|k| jacobian[begin + k][j] -= off[k]);
-        }
+        });
     }
 
     /// How far it comes per forcing period along drifts, in each coordinate of the scene.

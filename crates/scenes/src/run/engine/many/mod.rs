@@ -253,6 +253,11 @@ impl<'j> Engine for Machines<'j> {
         response::swings(self, states, change, start, round)
     }
 
+    fn unit_of_time(&self, change: Option<(&str, f64)>) -> Result<f64> {
+        let changed = change.map(|change| self.job.scene.machine(&[change])).transpose()?;
+        Ok(changed.as_ref().unwrap_or(self.machine).period)
+    }
+
     fn system(&self, change: Option<(&str, f64)>) -> Result<Self::System> {
         let machine = match change {
             Some(change) => self.job.scene.machine(&[change])?,

@@ -281,6 +281,11 @@ impl<'j> Engine for Oscillators<'j> {
         response::swings(self, change, start, round)
     }
 
+    fn unit_of_time(&self, change: Option<(&str, f64)>) -> Result<f64> {
+        let changed = change.map(|change| self.job.scene.plain(&[change])).transpose()?;
+        Ok(TAU / changed.as_ref().unwrap_or(self.system).shown_rate())
+    }
+
     fn system(&self, change: Option<(&str, f64)>) -> Result<Oscillator> {
         self.job.oscillator(match change {
             Some(change) => self.job.scene.plain(&[change])?,
