@@ -124,3 +124,67 @@ fn where_there_is_no_limit_cycle_it_is_said_why() {
         assert!(reason.contains(why), "{reason}");
     }
 }
+
+/// The woodpecker toy of Glocker (1995): it falls along its pole in a rhythm of its own, with rests, friction
+/// under stops and several impacts. Another program's time stepping (Moreau's, steps of 1e-5) has a beak hit
+/// every 0.14600 s and 0.0195 m.
+#[test]
+fn a_woodpecker_falls_in_its_rhythm() {
+    let scene = r#"
+[system]
+period = 0.145
+mass = [["0.0045 + 0.0003", "0.0045*0.010", "0.0045*0.015"], ["0.0045*0.010", "5e-9 + 0.0045*0.010^2", "0.0045*0.010*0.015"], ["0.0045*0.015", "0.0045*0.010*0.015", "7e-7 + 0.0045*0.015^2"]]
+damping = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
+stiffness = [[0, 0, 0], [0, 0.0056, -0.0056], [0, -0.0056, 0.0056]]
+force = ["-0.0048*9.81", "-0.0045*9.81*0.010", "-0.0045*9.81*0.015"]
+[[stops]]
+name = "beak"
+row = [0, 0, -0.02]
+offset = "-(0.010 + 0.015 - 0.0201 - 0.0025)"
+restitution = 0.5
+[[stops]]
+name = "lower"
+row = [0, 0.0058, 0]
+offset = "-(0.0031 - 0.0025)"
+restitution = 0
+[[stops]]
+name = "upper"
+row = [0, -0.0058, 0]
+offset = "-(0.0031 - 0.0025)"
+restitution = 0
+[[friction]]
+name = "beak slides"
+row = [1, 0.010, "0.015 - 0.0201"]
+stop = "beak"
+coefficient = 0.3
+[[friction]]
+name = "lower slides"
+row = [1, 0.0031, 0]
+stop = "lower"
+coefficient = 0.3
+[[friction]]
+name = "upper slides"
+row = [1, 0.0031, 0]
+stop = "upper"
+coefficient = 0.3
+[[tasks]]
+name = "cycle"
+kind = "orbit"
+cycle = { q = [0, -0.1034, -0.2788], u = [-0.3411, 0, -7.4583] }
+transient = 30
+[[tasks]]
+name = "section"
+kind = "section"
+starts = [{ q = [0, -0.1034, -0.2788], u = [-0.3411, 0, -7.4583] }]
+transient = 0
+points = 1
+longest = 1
+"#;
+    let all = reports(3, scene);
+    let row = &all[0]["orbits"][0];
+    assert_near(&row["period"], 0.146, 5e-5);
+    assert_near(&row["drift"][0], -0.0195, 1e-4);
+    assert_eq!((row["multipliers"].as_array().map(Vec::len), &row["stable"]), (Some(4), &Value::from(true)));
+    let warnings = all[1]["warnings"].to_string();
+    assert!(warnings.contains("nothing drives the motion"), "{}", all[1]);
+}
