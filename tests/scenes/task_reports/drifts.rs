@@ -21,7 +21,7 @@ fn numbers(list: &Value) -> Vec<f64> {
 
 fn moduli(row: &Value) -> Vec<f64> {
     let all = row["multipliers"].as_array().unwrap().iter();
-    all.map(|pair| numbers(pair)).map(|pair| pair[0].hypot(pair[1])).collect()
+    all.map(numbers).map(|pair| pair[0].hypot(pair[1])).collect()
 }
 
 /// Two masses on a rail that meet, pulled along it.
