@@ -146,7 +146,7 @@ const FILES: [(&str, &str, &str); 2] = [
         "crates/motion/src",
         "attractor",
         "dynamics section cycle confirm lyapunov wander detection observe portrait swing checkpoint basins diagram hitting touch \
-         rest",
+         rest limit_cycle",
     ),
 ];
 

@@ -174,6 +174,21 @@ pub trait Dynamics: Sync + Sized {
         point.plane()
     }
 
+    /// How fast the coordinates of a motion change now, per radian; none where a drive moves the system, or
+    /// it is not told.
+    fn field(&self, _motion: &Self::Motion<'_>) -> Option<Vec<f64>> {
+        None
+    }
+
+    /// How far each coordinate of the scene comes in so many radians from a start, along directions in which
+    /// nothing holds the system; empty where all is held, or the motion ends.
+    ///
+    /// # Errors
+    /// Those of [`Motion::pass`].
+    fn drift(&self, _start: &Self::Start, _radians: f64) -> Result<Vec<f64>> {
+        Ok(Vec::new())
+    }
+
     /// Where a motion is, as a start.
     fn here(&self, motion: &Self::Motion<'_>) -> Self::Start;
 

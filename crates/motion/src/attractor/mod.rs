@@ -4,7 +4,7 @@
 //! once a period, [`cycle`] a periodic attractor; [`detection`] tells them by recurrence, confirmed by
 //! Newton's method, [`observe`] for many motions; [`basins`] and [`diagram`] for many starts and for values
 //! of a parameter. All is numerical evidence. Not here: the motions (`one`, `many`); following orbits whether
-//! they attract or not (`continuation`).
+//! they attract or not (`continuation`). [`limit_cycle`] is for what nothing drives.
 //!
 //! ```
 //! use grazing_scenes::attractor::detection::{Detection, Fate};
@@ -30,6 +30,7 @@ pub mod detection;
 pub mod diagram;
 pub mod dynamics;
 pub mod hitting;
+pub mod limit_cycle;
 pub mod lyapunov;
 pub mod observe;
 pub mod portrait;

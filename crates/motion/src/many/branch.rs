@@ -13,6 +13,7 @@ use super::{
     Family, Machine, State,
     contact::Contacts,
     critical::{nearest_pair, pairs, pairs_product, product, product_of_others, without},
+    drift::Drifts,
     friction::check_given,
     normal_form::Local,
     orbit::{
@@ -83,6 +84,7 @@ pub(super) struct Solved {
     pub contacts: Contacts,
     /// The machine passing through rigid stops, where it is not one linear machine.
     soft: Option<Simulator>,
+    drifts: Option<Arc<Drifts>>,
 }
 
 impl Solved {
@@ -106,11 +108,13 @@ impl Solved {
         } else {
             None
         };
-        Ok(Solved { flow, contacts, soft })
+        let drifts = Drifts::of(machine, flow.equations())?;
+        Ok(Solved { flow, contacts, soft, drifts })
     }
 
     pub fn equations<'s>(&'s self, pattern: &'s Itinerary, scale: f64) -> StopEquations<'s> {
-        let between = Between { flow: &self.flow, contacts: &self.contacts, soft: self.soft.as_ref() };
+        let (soft, drifts) = (self.soft.as_ref(), self.drifts.as_deref());
+        let between = Between { flow: &self.flow, contacts: &self.contacts, soft, drifts };
         StopEquations::new(between, pattern, scale)
     }
 }

@@ -307,7 +307,7 @@ pub(crate) struct Constrained {
 }
 
 /// An orthonormal basis of the vectors orthogonal to the columns of `seen`, which are independent.
-fn complement(seen: &RealMatrix) -> RealMatrix {
+pub(super) fn complement(seen: &RealMatrix) -> RealMatrix {
     let (n, m) = seen.shape();
     if m == 0 {
         return RealMatrix::identity(n, n);

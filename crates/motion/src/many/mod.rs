@@ -31,6 +31,8 @@
 //!   ([`normal_form`](mod@normal_form)). Derivatives come from the flow, the saltation at impacts and
 //!   [`Slope`]: nothing is differenced.
 //!
+//! - **Drifts.** Where nothing holds a machine along a direction, orbits and attractors are what they are up
+//!   to a drift along it (`drift`).
 //! - **Elements.** [`elements`] takes a machine apart into masses, springs and dampers, to be drawn.
 //! - **Attractors.** [`section`] is the machine as sections, basins, diagrams and Lyapunov exponents of
 //!   `attractor` follow it: there is one notion of an attractor.
@@ -59,6 +61,7 @@ pub mod branch;
 pub mod contact;
 mod critical;
 mod deflected;
+mod drift;
 pub mod elements;
 pub mod equations;
 pub mod flow;

@@ -44,9 +44,9 @@ const BESIDE: f64 = 1e-4;
 ///
 /// # Errors
 /// Why there is none: where contact or friction changes the Poincaré map is not smooth, without impacts
-/// it is linear, at a double multiplier the critical direction is no direction of its own, and the map's
-/// derivatives are not followed through stops that give way, friction, forces that are formulas or a
-/// restitution that depends on the speed.
+/// it is linear, up to a drift it is not told, at a double multiplier the critical direction is no
+/// direction of its own, and the map's derivatives are not followed through stops that give way, friction,
+/// forces that are formulas or a restitution that depends on the speed.
 pub fn normal_form(
     machine: &Machine<f64>,
     slope: &Machine<f64>,
@@ -63,6 +63,9 @@ pub fn normal_form(
     let own = |i: usize| equations.contact(i).law.is_some();
     if equations.between.soft.is_some() || (0..orbit.impacts.len()).any(own) {
         return Err("none: through soft stops, friction, formulas or a law of restitution");
+    }
+    if equations.between.drifts.is_some() {
+        return Err("none: the orbit comes back up to a drift");
     }
     if orbit.impacts.is_empty() {
         return Err("none: without impacts the map is linear");

@@ -4,7 +4,8 @@
 //! States are told apart by the whole state, in coordinates in which the mass is 1, x = Lᵀq with M = L Lᵀ,
 //! and velocities are per radian of the forcing: displacements and velocities of all parts have one unit
 //! there. How close states are is measured by the motions themselves, whatever units a scene is in and
-//! wherever stops are that no motion meets.
+//! wherever stops are that no motion meets. States that differ by a drift alone are one: the one whose q has
+//! no part along it.
 
 use serde::{Deserialize, Serialize};
 
@@ -12,6 +13,7 @@ use super::{
     Machine, RealMatrix, RealVector, State,
     algebra::eigenvalues,
     contact::Watch,
+    drift::Drifts,
     simulate::{Carried, Run, Simulator},
 };
 use crate::{
@@ -82,7 +84,7 @@ impl PlaneAxis {
 pub struct Point {
     /// In the plane, in the scene's units.
     pub at: [f64; 2],
-    /// The whole state: Lᵀq and Lᵀq′.
+    /// The whole state: Lᵀq, without what is along drifts, and Lᵀq′.
     pub whole: Vec<f64>,
 }
 
@@ -120,6 +122,7 @@ impl State {
 pub struct PlanarMachine {
     simulator: Simulator,
     plane: [Watch; 2],
+    driven: bool,
     /// Starts in the plane: what they have besides, and what one more of each of the two numbers adds.
     base: [Vec<f64>; 2],
     directions: [[Vec<f64>; 2]; 2],
@@ -134,7 +137,8 @@ impl PlanarMachine {
         let plane = [axes[0].watch(machine)?, axes[1].watch(machine)?];
         let none = || vec![0.0; machine.size];
         let directions = [[none(), none()], [none(), none()]];
-        Ok(PlanarMachine { simulator, plane, base: [none(), none()], directions })
+        let driven = machine.is_driven();
+        Ok(PlanarMachine { simulator, plane, driven, base: [none(), none()], directions })
     }
 
     /// The same, starts in the plane having displacements q and velocities u, of the coordinates of the scene
@@ -178,8 +182,10 @@ impl PlanarMachine {
         &self.simulator
     }
 
-    /// The state with these coordinates, Lᵀq and Lᵀq′, at a phase.
+    /// The state with these coordinates, those of a [`Point`], at a phase.
     pub(crate) fn state(&self, whole: &[f64], phase: f64) -> State {
+        let lifted = self.simulator.drifts().map(|drifts| drifts.lifted(whole));
+        let whole = lifted.as_deref().unwrap_or(whole);
         let (upper, n) = (self.simulator.equations().root().transpose(), whole.len() / 2);
         let part = |x: &[f64]| {
             let x = RealVector::from_column_slice(x);
@@ -191,8 +197,12 @@ impl PlanarMachine {
     /// A state as the section sees it; t is its phase.
     pub fn point(&self, state: &State) -> Point {
         let upper = self.simulator.equations().root().transpose();
+        let drifts = self.simulator.drifts();
+        let unmoved = drifts.map(|drifts| State { q: &state.q - drifts.part(&state.q), ..state.clone() });
+        let state = unmoved.as_ref().unwrap_or(state);
         let (q, u) = (&upper * &state.q, &upper * &state.u);
-        let whole = q.iter().chain(u.iter()).copied().collect();
+        let whole: Vec<f64> = q.iter().chain(u.iter()).copied().collect();
+        let whole = drifts.map_or(whole.clone(), |drifts| drifts.reduced(&whole));
         let axis = |watch: &Watch| {
             watch.places.dot(&state.q) + watch.rates.dot(&state.u) + watch.given.at(state.t)[0]
         };
@@ -248,7 +258,7 @@ impl Dynamics for PlanarMachine {
     type Tangents<'a> = Carried<'a>;
 
     fn dimension(&self) -> usize {
-        2 * self.simulator.equations().size()
+        2 * self.simulator.equations().size() - self.simulator.drifts().map_or(0, Drifts::count)
     }
 
     fn begin(&self, start: &Start) -> Result<PlanarRun<'_>> {
@@ -281,6 +291,27 @@ impl Dynamics for PlanarMachine {
         let determinant = determinant.unwrap_or_else(|| matrix.determinant());
         let finite = matrix.iter().all(|x| x.is_finite());
         if finite { eigenvalues(&matrix, determinant).ok() } else { None }
+    }
+
+    fn field(&self, motion: &PlanarRun<'_>) -> Option<Vec<f64>> {
+        if self.driven {
+            return None;
+        }
+        let (run, lower) = (&motion.run, self.simulator.equations().root());
+        let state = State { t: run.time().phase, ..run.state() };
+        let bend: RealVector = lower.tr_mul(&run.stage().acceleration(run.time(), &state));
+        let rate: RealVector = lower.tr_mul(&state.u);
+        let whole: Vec<f64> = rate.iter().chain(bend.iter()).copied().collect();
+        Some(self.simulator.drifts().map_or(whole.clone(), |drifts| drifts.reduced(&whole)))
+    }
+
+    fn drift(&self, start: &Start, radians: f64) -> Result<Vec<f64>> {
+        let Some(drifts) = self.simulator.drifts() else { return Ok(Vec::new()) };
+        let mut motion = self.begin(start)?;
+        let before = motion.run.state().q;
+        let reached = motion.pass(Time::new(0, start.t).after(radians))? == RunEnd::Reached;
+        let moved = drifts.seen(&(motion.run.state().q - before));
+        Ok(if reached { moved.as_slice().to_vec() } else { Vec::new() })
     }
 
     fn here(&self, motion: &PlanarRun<'_>) -> Start {

@@ -12,7 +12,7 @@ row! {
         pub phases: Vec<f64>,
         /// Their incoming relative speeds, in the scene's units.
         pub speeds: Vec<f64>,
-        /// The multipliers of largest modulus, at most four, the largest first.
+        /// The multipliers of largest modulus, at most four, the largest first; without the 1 of each drift.
         pub multipliers: Vec<Complex>,
         /// Whether all are inside the unit circle.
         pub stable: Judgement,
@@ -20,6 +20,9 @@ row! {
         pub admissible: Judgement,
         /// Why not.
         pub reason: Option<String>,
+        /// How far each coordinate comes per forcing period, along directions in which nothing holds the
+        /// machine: up to that the motion is periodic. Empty where all is held.
+        pub drift: Vec<f64>,
         /// The stop with the least minimum of its gap away from the impacts.
         pub nearest_stop: Option<String>,
         /// That minimum, in the scene's units.

@@ -13,6 +13,7 @@ use super::{
 use crate::{
     attractor::{
         cycle::Cycle,
+        dynamics::{Dynamics, SectionState},
         lyapunov::{Exponent, exponents},
         observe::{Attraction, Observation, ObservedMotion},
     },
@@ -32,6 +33,9 @@ row! {
         pub impacts: Option<u64>,
         /// The mean number of impacts in a forcing period.
         pub impacts_per_period: f64,
+        /// How far each coordinate comes in a forcing period, in the mean, along directions in which nothing
+        /// holds the machine: motions that differ by that alone are one. Empty where all is held.
+        pub drift: Vec<f64>,
         /// The largest Lyapunov exponent times the forcing period, of a periodic motion ln |λ| over its
         /// period; absent where it is −∞, because the motion comes to rest on a wall.
         pub lyapunov_per_period: Option<f64>,
@@ -165,11 +169,21 @@ pub(crate) fn section(task: &SectionTask, job: &Job) -> Result<SectionFindings> 
     by_engine!(job, engine => of(task, job, &engine))
 }
 
+/// What is said of a section of what nothing drives.
+const UNDRIVEN: &str = "nothing drives the motion: a limit cycle has a period of its own, and comes to other points of this section \
+                        for ever; a task `orbit` with `cycle = { q = …, u = … }` finds it and its period";
+
 fn of<E: Engine>(task: &SectionTask, job: &Job, engine: &E) -> Result<SectionFindings> {
     let states = engine.states(&task.starts)?;
     let dynamics = engine.dynamics(&states, None, &task.plane)?;
     let (mut found, cycles) = attractors(task, job, &dynamics, engine.begun(&states))?;
     found.plane = engine.plane(&task.plane);
+    let begun = engine.begun(&states);
+    let free =
+        begun.iter().any(|start| dynamics.begin(start).is_ok_and(|run| dynamics.field(&run).is_some()));
+    if free && found.attractors.iter().any(|row| row.periodic != Some(true)) {
+        found.notes.push(UNDRIVEN.into());
+    }
     (found.minimum_depth, found.size) = engine.extents(&dynamics);
     engine.further_orbits(task, &dynamics, &cycles, &mut found)?;
     Ok(found)
@@ -221,6 +235,14 @@ fn attractors<D: Attraction>(
             period: one.cycle.as_ref().map(Cycle::period),
             impacts: one.cycle.as_ref().map(|cycle| cycle.impacts),
             impacts_per_period: 0.0,
+            drift: {
+                let on =
+                    |cycle: &Cycle<D::Point>| dynamics.at(cycle.points[0].coordinates(), phase(&task.phase));
+                let periods =
+                    one.cycle.as_ref().map_or(f64::from(task.points), |cycle| cycle.period() as f64);
+                let from = one.cycle.as_ref().map_or_else(|| one.settled.clone(), on);
+                dynamics.drift(&from, periods * TAU)?.into_iter().map(|x| x / periods).collect()
+            },
             lyapunov_per_period: None,
             standard_error: None,
             starts: 1,

@@ -9,6 +9,7 @@ use num_traits::ToPrimitive;
 use super::{
     grammar::LIMIT_BITS,
     keys::{Entry, StopName, Table, Value, keys},
+    simulate::Start,
     tolerance::Tolerances,
 };
 use crate::{
@@ -159,7 +160,11 @@ keys! {
     /// Finds periodic orbits, their impacts and multipliers, and whether each is admissible.
     pub struct OrbitTask {
         /// which
-        orbit: OrbitKeys,
+        orbit: OrbitKeys = "{}",
+        /// of what nothing drives, in place of `orbit`: where a motion starts that settles on a limit cycle
+        cycle: Option<Start>,
+        /// of that, units of time (the scene's period) that pass first
+        transient: u64 = "300",
         /// takes several values
         parameter: Option<String>,
         /// its values

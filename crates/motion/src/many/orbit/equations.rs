@@ -155,9 +155,34 @@ impl<'s> StopEquations<'s> {
             row[k] -= 1.0;
             jacobian.push(row);
         }
+        self.settle(&first, (&mut residual, &mut jacobian));
         self.pin(&first, (&mut residual, &mut jacobian));
         let slope = jacobian.iter_mut().map(|row| row.pop().unwrap_or(0.0)).collect();
         Ok(Linearised { residual, jacobian, slope })
+    }
+
+    /// Along drifts the state need not come back: in the equations that say so there, it is asked to begin
+    /// at 0.
+    fn settle(&self, first: &State, (residual, jacobian): (&mut [f64], &mut [Vec<f64>])) {
+        let Some(drifts) = self.between.drifts else { return };
+        let (n, columns) = (self.size(), jacobian.first().map_or(0, Vec::len));
+        let begin = residual.len() - 2 * n;
+        let off = drifts
+            .part(&(RealVector::from_column_slice(&residual[begin..begin + n]) - &first.q / self.scale));
+        (0..n).for_each(|k| residual[begin + k] -= off[k]);
+        (0..columns).for_each(|j| {
+            let by = |k: usize| jacobian[begin + k][j] - f64::from(u8::from(j == k));
+            let off = drifts.part(&RealVector::from_fn(n, |k, _| by(k)));
+            (0..n).for_each(|k| jacobian[begin + k][j] -= off[k]);
+        });
+    }
+
+    /// How far it comes per forcing period along drifts, in each coordinate of the scene.
+    pub fn drifted(&self, z: &[f64]) -> Result<Vec<f64>> {
+        let Some(drifts) = self.between.drifts else { return Ok(Vec::new()) };
+        let periods = f64::from(self.pattern.periods());
+        let moved = self.state(z, TAU * periods)?.q - self.begun(z)?.0.q;
+        Ok((drifts.seen(&moved) / periods).as_slice().to_vec())
     }
 
     /// X of given times and speeds: the equations of periodicity are linear in it, unless there are soft

@@ -21,6 +21,7 @@ use crate::{
         LinearEquations, LinearFlow, RealMatrix, RealVector, State,
         algebra::stacked,
         contact::Contacts,
+        drift::Drifts,
         simulate::{Event, Simulator, Stage},
     },
     motion::{RunEnd, Time, event::Touch},
@@ -34,6 +35,8 @@ pub(crate) struct Between<'s> {
     /// The machine with its rigid stops passed through, if it has soft ones or friction, or its forces are
     /// formulas.
     pub soft: Option<&'s Simulator>,
+    /// The directions in which nothing holds it.
+    pub drifts: Option<&'s Drifts>,
 }
 
 /// Motion without events.
@@ -64,6 +67,12 @@ impl<'s> Between<'s> {
     /// The machine with its rigid stops passed through, where there is friction.
     pub fn rough(&self) -> Option<&'s Simulator> {
         self.soft.filter(|simulator| simulator.is_rough())
+    }
+
+    /// The state with nothing along the drifts.
+    pub fn unmoved(&self, state: State) -> State {
+        let part = self.drifts.map(|drifts| drifts.part(&state.q));
+        State { q: part.map_or(state.q.clone(), |part| state.q - part), ..state }
     }
 
     /// The state after a leg.

@@ -78,7 +78,7 @@ pub struct Orbit {
     pub residual: f64,
     /// Newton steps taken.
     pub steps: usize,
-    /// Real and imaginary part of each, by modulus, the largest first.
+    /// Real and imaginary part of each, by modulus, the largest first; the 1 of each drift is left out.
     pub multipliers: Vec<(f64, f64)>,
     /// Whether it is an orbit.
     pub admissibility: Admissibility,
@@ -92,6 +92,9 @@ pub struct Orbit {
     pub(crate) begins: Vec<Grip>,
     /// The first row with friction that sticks all the time.
     pub held: Option<usize>,
+    /// How far each coordinate of the scene comes per forcing period, along directions in which nothing holds
+    /// the machine; empty where all is held.
+    pub drift: Vec<f64>,
 }
 
 /// The orbit of a pattern nearest to times and incoming speeds t_1, V_1, …, t_m, V_m (none without impacts):
@@ -145,16 +148,20 @@ pub fn find_beside(
     let equations = StopEquations::new(between(simulator, soft.as_ref()), pattern, scale);
     let scaled: Vec<f64> =
         start.iter().enumerate().map(|(i, x)| if i % 2 == 0 { *x } else { x / scale }).collect();
-    let first = match state {
+    let state = state.map(|state| equations.between.unmoved(state.clone()));
+    let first = match &state {
         None => equations.complete(&scaled)?,
         Some(state) => state.q.iter().chain(state.u.iter()).map(|x| x / scale).chain(scaled).collect(),
     };
     // What sticks all the time from this start may do so at many places: it is to stay where it is.
     let pins: Vec<(usize, f64)> =
-        match state.map(|state| (state, equations.parts(&first).map(|known| known.0))) {
+        match state.as_ref().map(|state| (state, equations.parts(&first).map(|known| known.0))) {
             Some((state, Ok(parts))) => {
-                let rows = held(&parts).into_iter();
-                rows.map(|j| (j, simulator.contacts().rubs()[j].row.dot(&state.q))).collect()
+                // Along a drift it is moved to where that is 0.
+                let row = |j: usize| &simulator.contacts().rubs()[j].row;
+                let is_free = |&j: &usize| simulator.drifts().is_none_or(|known| known.is_unseen(row(j)));
+                let rows = held(&parts).into_iter().filter(is_free);
+                rows.map(|j| (j, row(j).dot(&state.q))).collect()
             }
             _ => Vec::new(),
         };
@@ -223,7 +230,8 @@ pub fn is_hopeless(simulator: &Simulator, pattern: &Itinerary, start: &[f64]) ->
 }
 
 fn between<'s>(simulator: &'s Simulator, soft: Option<&'s Simulator>) -> Between<'s> {
-    Between { flow: simulator.flow(), contacts: simulator.contacts(), soft }
+    let (flow, contacts, drifts) = (simulator.flow(), simulator.contacts(), simulator.drifts());
+    Between { flow, contacts, soft, drifts }
 }
 
 /// Refuses patterns with impacts at stops that are not there.
@@ -275,6 +283,7 @@ pub(super) fn describe(simulator: &Simulator, pattern: &Itinerary, scale: f64, r
         held: held(&parts).first().copied(),
         grips: parts.into_iter().map(told).collect(),
         begins: equations.begins(&z)?,
+        drift: equations.drifted(&z)?,
         scale,
         z,
     })
@@ -288,6 +297,11 @@ pub(super) fn multipliers(equations: &StopEquations, z: &[f64]) -> Result<Vec<(f
     let monodromy = equations.monodromy(z)?;
     // Only that of two multipliers is used.
     let determinant = if equations.size() == 1 { equations.determinant(z)? } else { f64::NAN };
+    if let Some(drifts) = equations.between.drifts {
+        let others = drifts.quotient(&monodromy);
+        let determinant = if equations.size() == 1 { determinant } else { others.determinant() };
+        return eigenvalues(&others, determinant);
+    }
     eigenvalues(&monodromy, determinant)
 }
 

@@ -72,7 +72,8 @@ impl<'s> FreeStarts<'s> {
 
     /// The states of an orbit a period later, two, … until it begins anew; those that can be followed.
     pub fn later(&self, orbit: &Orbit) -> Vec<State> {
-        let next = |state: &State| self.after(state, TAU).ok();
+        let unmoved = |state| between(self.simulator, self.soft.as_ref()).unmoved(state);
+        let next = |state: &State| self.after(state, TAU).ok().map(unmoved);
         let count = orbit.itinerary.periods() as usize - 1;
         std::iter::successors(next(&orbit.state).filter(|_| count > 0), next).take(count).collect()
     }

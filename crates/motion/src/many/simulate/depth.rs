@@ -73,6 +73,7 @@ impl Simulator {
             steepness: self.steepness.clone(),
             settings: Settings { minimum_depth, ..self.settings.clone() },
             rate: self.rate,
+            drifts: self.drifts.clone(),
             through: self.through,
             tally: self.tally.clone(),
         }

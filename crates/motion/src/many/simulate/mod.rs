@@ -104,7 +104,7 @@ use super::{
     friction::refused_kinks,
     smooth::{Smooth, SwitchOf},
 };
-use crate::many::LinearFlow;
+use crate::many::{LinearFlow, drift::Drifts};
 use crate::{
     error::{Error, Result},
     motion::{EffectTally, Time},
@@ -169,6 +169,7 @@ pub struct Simulator {
     steepness: Arc<[f64]>,
     settings: Settings,
     rate: f64,
+    drifts: Option<Arc<Drifts>>,
     /// Whether rigid stops are passed through.
     through: bool,
     tally: Option<Arc<EffectTally>>,
@@ -203,6 +204,7 @@ impl Simulator {
         };
         let drags = (0..contacts.all().len()).map(drag).collect();
         let (stages, settings, rate) = (Arc::default(), settings.clone(), machine.rate());
+        let drifts = Drifts::of(machine, &equations)?;
         let simulator = Simulator {
             equations,
             contacts,
@@ -213,6 +215,7 @@ impl Simulator {
             steepness: Arc::default(),
             settings,
             rate,
+            drifts,
             through: false,
             tally: None,
         };
@@ -269,6 +272,7 @@ impl Simulator {
             steepness: self.steepness.clone(),
             settings: self.settings.clone(),
             rate: self.rate,
+            drifts: self.drifts.clone(),
             through: true,
             tally: self.tally.clone(),
         }))
@@ -358,6 +362,11 @@ impl Simulator {
     #[doc(hidden)]
     pub fn contacts(&self) -> &Contacts {
         &self.contacts
+    }
+
+    /// The directions in which nothing holds it, if there are any.
+    pub(crate) fn drifts(&self) -> Option<&Drifts> {
+        self.drifts.as_deref()
     }
 
     /// How finely it simulates.

@@ -14,7 +14,8 @@
 //! δt: where it sticks from then on, what is left has no velocity there. A vector of several stops hit at one
 //! instant by chance is that of the order in which the law takes them.
 //!
-//! Vectors are in coordinates in which the mass is 1, (Lᵀδq, Lᵀδq′).
+//! Vectors are in coordinates in which the mass is 1, (Lᵀδq, Lᵀδq′); what of δq is along a drift
+//! stays as it is, tells of nothing else, and is left out.
 
 use std::sync::Arc;
 
@@ -22,7 +23,7 @@ use super::{Event, Simulator, holds::What, stage::Stage};
 use crate::{
     attractor::dynamics::{Tangents, orthonormalise},
     error::Result,
-    many::{Blow, Grip, RealVector, State, algebra::stacked, simulate::engine::Run},
+    many::{Blow, Grip, RealVector, State, algebra::stacked, drift::Drifts, simulate::engine::Run},
     motion::{
         RunEnd, Time,
         event::{Impact, Touch},
@@ -54,26 +55,41 @@ impl<'a> Carried<'a> {
         let simulator = run.simulator();
         let n = simulator.equations().size();
         let (stage, state, now) = (run.stage(), run.state(), run.time());
-        let mut frame = first(n, count);
-        orthonormalise(&mut frame, &mut vec![0.0; count], 0.0);
-        let longest = f64::INFINITY;
+        let (frame, longest) = (first(n, count), f64::INFINITY);
         let mut all = Carried { run, simulator, stage, state, now, frame, longest, ordered: true };
+        all.orthonormalise(&mut vec![0.0; count], 0.0);
         all.bound();
         all.project();
         all
     }
 
-    /// The motion with a unit vector along each coordinate, in which the mass is 1.
+    /// The motion with a unit vector along each coordinate, in which the mass is 1, drifts left out.
     pub(crate) fn along(run: Run<'a>) -> Carried<'a> {
         let simulator = run.simulator();
-        let n = 2 * simulator.equations().size();
+        let drifts = simulator.drifts();
+        let n = 2 * simulator.equations().size() - drifts.map_or(0, Drifts::count);
         let (stage, state, now) = (run.stage(), run.state(), run.time());
-        let frame = (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
+        let unit = |i: usize| (0..n).map(|j| f64::from(u8::from(i == j))).collect::<Vec<f64>>();
+        let whole = |unit: Vec<f64>| drifts.map_or(unit.clone(), |drifts| drifts.lifted(&unit));
+        let frame = (0..n).map(|i| whole(unit(i))).collect();
         let longest = f64::INFINITY;
         let mut all = Carried { run, simulator, stage, state, now, frame, longest, ordered: false };
         all.bound();
         all.project();
         all
+    }
+
+    /// The vectors made orthonormal, beside drifts.
+    fn orthonormalise(&mut self, growth: &mut [f64], floor: f64) {
+        if let Some(drifts) = self.simulator.drifts() {
+            self.frame.iter_mut().for_each(|vector| *vector = drifts.lifted(&drifts.reduced(vector)));
+        }
+        orthonormalise(&mut self.frame, growth, floor);
+    }
+
+    /// What is left beside drifts.
+    fn left(&self, whole: Vec<f64>) -> Vec<f64> {
+        self.simulator.drifts().map_or(whole.clone(), |drifts| drifts.reduced(&whole))
     }
 
     /// (δq, δq′) of a vector.
@@ -142,7 +158,7 @@ impl<'a> Carried<'a> {
             if gone >= left || gone.is_nan() || gone <= shortest {
                 return;
             }
-            orthonormalise(&mut self.frame, growth, FLOOR);
+            self.orthonormalise(growth, FLOOR);
         }
     }
 
@@ -265,11 +281,11 @@ impl Tangents for Carried<'_> {
     }
 
     fn coordinates(&self) -> Vec<f64> {
-        self.close(&self.state.q, &self.state.u)
+        self.left(self.close(&self.state.q, &self.state.u))
     }
 
     fn vectors(&self) -> Vec<Vec<f64>> {
-        self.frame.clone()
+        self.frame.iter().map(|vector| self.left(vector.clone())).collect()
     }
 
     fn impacts(&self) -> u64 {
@@ -306,7 +322,7 @@ impl Tangents for Carried<'_> {
                 }
                 self.project();
             }
-            orthonormalise(&mut self.frame, growth, FLOOR);
+            self.orthonormalise(growth, FLOOR);
             if let Event::End(end) = event {
                 return Ok(end);
             }

@@ -13,7 +13,7 @@ use crate::{
     error::Result,
     monitor::Monitor,
     motion::{
-        RunEnd, State, Time,
+        RunEnd, Side, State, Time,
         algebra::{IDENTITY, apply},
         flow::SHORTEST,
     },
@@ -104,6 +104,14 @@ impl Dynamics for Simulator {
         // Neither the flow nor an impact turns an area over.
         let all = Multipliers { trace: a + d, determinant: determinant.unwrap_or(a * d - b * c) };
         [a, b, c, d].iter().all(|x| x.is_finite()).then(|| all.values().to_vec())
+    }
+
+    fn field(&self, run: &Run<'_>) -> Option<Vec<f64>> {
+        let (flow, state) = (self.flow(), State { t: run.time().phase, ..run.state() });
+        let moving =
+            [Side::Lower, Side::Upper].map(|side| self.contact(side).map(|wall| wall.position.order()));
+        let driven = flow.equation().is_driven() || moving.into_iter().flatten().any(|order| order > 0);
+        (!driven).then(|| vec![state.u, flow.equation().acceleration(state)])
     }
 
     fn here(&self, run: &Run<'_>) -> State {

@@ -211,6 +211,9 @@ pub(crate) trait Engine {
         round: [u32; 2],
     ) -> Result<Option<Vec<Swing>>>;
 
+    /// The scene's period, with another value of a parameter if there is one.
+    fn unit_of_time(&self, change: Option<(&str, f64)>) -> Result<f64>;
+
     /// The system of the scene, with another value of a parameter if there is one.
     fn system(&self, change: Option<(&str, f64)>) -> Result<Self::System>;
 

@@ -120,6 +120,7 @@ impl Checked<'_> {
                 Ok(())
             }
             (Kind::OrbitTask(_), None, _) => Ok(()),
+            (Kind::OrbitTask(task), ..) if task.cycle.is_some() => Ok(()),
             (Kind::OrbitTask(_), Some(why), _) | (Kind::BranchTask(_), _, Some(why)) => refused("kind", why),
             (Kind::BranchTask(task), ..) if task.second.is_some() && first.is_some() => {
                 refused("second", &what)
@@ -233,6 +234,7 @@ impl Checked<'_> {
 
     fn orbits(&self, task: &OrbitTask) -> Result<()> {
         self.orbit(&task.orbit, "orbit")?;
+        task.cycle.as_ref().map_or(Ok(()), |start| self.start(start, "cycle"))?;
         self.values(task.parameter.as_deref(), &task.values)
     }
 

@@ -115,6 +115,7 @@ fn analysed(orbit: &Orbit, machine: &Machine<f64>, at: Option<Bifurcation>) -> A
         stable: orbit.stable(at),
         admissible,
         reason,
+        drift: orbit.drift.clone(),
         nearest_stop: orbit.least.map(|least| machine.stops[least.stop].name.clone()),
         least_gap: orbit.least.map(|least| least.gap),
         residual: orbit.residual,
@@ -250,6 +251,11 @@ impl<'j> Engine for Machines<'j> {
         round: [u32; 2],
     ) -> Result<Option<Vec<Swing>>> {
         response::swings(self, states, change, start, round)
+    }
+
+    fn unit_of_time(&self, change: Option<(&str, f64)>) -> Result<f64> {
+        let changed = change.map(|change| self.job.scene.machine(&[change])).transpose()?;
+        Ok(changed.as_ref().unwrap_or(self.machine).period)
     }
 
     fn system(&self, change: Option<(&str, f64)>) -> Result<Self::System> {

@@ -137,6 +137,7 @@ fn analysed(orbit: &Orbit, job: &Job, at: Option<Bifurcation>) -> Analysed {
         stable: orbit.stable(at),
         admissible,
         reason,
+        drift: Vec::new(),
         nearest_stop: orbit.least.map(|least| job.stop(least.side)),
         least_gap: orbit.least.map(|least| least.gap),
         residual: orbit.residual,
@@ -278,6 +279,11 @@ impl<'j> Engine for Oscillators<'j> {
         round: [u32; 2],
     ) -> Result<Option<Vec<Swing>>> {
         response::swings(self, change, start, round)
+    }
+
+    fn unit_of_time(&self, change: Option<(&str, f64)>) -> Result<f64> {
+        let changed = change.map(|change| self.job.scene.plain(&[change])).transpose()?;
+        Ok(TAU / changed.as_ref().unwrap_or(self.system).shown_rate())
     }
 
     fn system(&self, change: Option<(&str, f64)>) -> Result<Oscillator> {
