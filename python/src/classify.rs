@@ -123,8 +123,8 @@ fn bits(existence: Existence, n: u64) -> u8 {
 /// Points classified between two looks at Ctrl-C.
 const PORTION: usize = 64;
 
-/// What enclosures say of point `i`, if they decide all of it: a₁ = 2r cos 2πs and a₂ = r² for a point with r > 0 and
-/// 0 < s < ½.
+/// What enclosures say of point `i`, if they decide all of it: a₁ = 2r cos 2πs and a₂ = r² for a point with r
+/// > 0 and 0 < s < ½.
 fn quickly(columns: &[Numbers; 2], i: usize, polar: bool, last: u64) -> Option<Vec<Existence>> {
     let ((first, _), (second, cosine)) = (columns[0].enclosure(i, false)?, columns[1].enclosure(i, polar)?);
     if !polar {

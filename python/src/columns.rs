@@ -77,8 +77,8 @@ impl Numbers<'_> {
         }
     }
 
-    /// An enclosure of one of them, and of cos 2πx of it; `None` where the exact number is as good. Cost: no exact
-    /// arithmetic but for `Exact`.
+    /// An enclosure of one of them, and of cos 2πx of it; `None` where the exact number is as good. Cost: no
+    /// exact arithmetic but for `Exact`.
     pub fn enclosure(&self, i: usize, with_cosine: bool) -> Option<(FloatInterval, Option<FloatInterval>)> {
         let i = if self.len() == 1 { 0 } else { i };
         let cosine = |angle: Option<Angle>| angle.map(|angle| FloatInterval::cos(&angle, &()));
@@ -92,7 +92,8 @@ impl Numbers<'_> {
                 let x = floats[i];
                 (FloatInterval::from_bounds(x, x), with_cosine.then(|| of_float(x)).flatten())
             }
-            // The shortest decimal is within half a unit in the last place of x; the cosine's slope is below 7.
+            // The shortest decimal is within half a unit in the last place of x; the cosine's slope is below
+            // 7.
             Numbers::Decimal(floats) => {
                 let x = floats[i];
                 let unit = x.next_up() - x;

@@ -82,7 +82,8 @@ impl Stretch {
     }
 
     /// The signs of sin πjs throughout the open stretch, or at the point, for j = 0, …, `last`: those of
-    /// [`sin`](Stretch::sin), with one addition each in place of a division; 0 where the enclosure of j s shows none.
+    /// [`sin`](Stretch::sin), with one addition each in place of a division; 0 where the enclosure of j s
+    /// shows none.
     fn sines(&self, last: u64, signs: &mut Vec<i8>) {
         signs.clear();
         signs.push(0);

@@ -1,8 +1,8 @@
 //! The record form at one point by floats alone: what arrays of points are classified by first.
 //!
 //! With f_j = u_j/(2 − v_j), period n has an orbit iff f_n is a strict record of f_1, …, f_n
-//! ([`by_records`](super::by_records)). Here u_j and v_j come from one enclosure each of a₁ and a₂; where a sign
-//! or a comparison is not certain nothing is said, and the exact point decides.
+//! ([`by_records`](super::by_records)). Here u_j and v_j come from one enclosure each of a₁ and a₂; where a
+//! sign or a comparison is not certain nothing is said, and the exact point decides.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -90,8 +90,8 @@ impl Mul for Near {
 }
 
 /// Existence for every period 1, …, `last` at every point with a₁ and a₂ in these intervals, as
-/// [`up_to`](super::up_to) says it; `None` unless all of it is certain, 0 < a₂ ≤ 1 and |a₁| < a₂ + 1. Cost: some
-/// twelve operations on floats with bounds a period.
+/// [`up_to`](super::up_to) says it; `None` unless all of it is certain, 0 < a₂ ≤ 1 and |a₁| < a₂ + 1. Cost:
+/// some twelve operations on floats with bounds a period.
 ///
 /// ```
 /// use grazing::existence::{Existence, by_enclosures};

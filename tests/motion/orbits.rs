@@ -342,8 +342,8 @@ fn at_resonances_the_orbit_is_known_for_every_amplitude() {
     assert!(kept.iter().filter(|kept| **kept).count() >= 12 && kept.len() > 60);
 }
 
-/// `StatementOneImpact.v`: where one impact in n periods repeats, at any amplitude and whether or not the motion
-/// runs through the wall, c_n times its gap k periods after the impact is (1 + τ)|V| γ b_{n,k}.
+/// `StatementOneImpact.v`: where one impact in n periods repeats, at any amplitude and whether or not the
+/// motion runs through the wall, c_n times its gap k periods after the impact is (1 + τ)|V| γ b_{n,k}.
 #[test]
 fn k_periods_after_an_impact_the_gap_is_a_multiple_of_b() {
     let mut met = [0; 2];

@@ -240,7 +240,8 @@ proptest! {
     }
 }
 
-/// Enclosures alone say what the exact point has, or nothing: random points, and beside every kind of boundary.
+/// Enclosures alone say what the exact point has, or nothing: random points, and beside every kind of
+/// boundary.
 #[test]
 fn enclosures_say_what_exact_numbers_do() {
     let (ladder, mut random) = (Ladder::default(), Random::of_unit(11, 0));

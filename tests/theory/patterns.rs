@@ -628,9 +628,9 @@ fn at_a_resonance_the_second_order_says_whether_one_impact_is_born() {
     assert!(seen.iter().all(|count| *count > 4), "{seen:?}");
 }
 
-/// Bounds about those resonances: what is said of one impact in n periods holds of every map within, on either
-/// side of u_n = 0 and there; between the first and a higher resonance, and with wider bounds, nothing more is
-/// said than is so.
+/// Bounds about those resonances: what is said of one impact in n periods holds of every map within, on
+/// either side of u_n = 0 and there; between the first and a higher resonance, and with wider bounds, nothing
+/// more is said than is so.
 #[test]
 fn bounds_that_hold_a_resonance_say_what_holds_of_every_map_within() {
     let mut seen = [0; 3];

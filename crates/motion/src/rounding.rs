@@ -13,5 +13,5 @@ pub const DIRECTION: f64 = 1e-9;
 /// A multiplier of a motion without impacts this near the unit circle is on it; an orbit this near a
 /// bifurcation is at it.
 pub const CIRCLE: f64 = 1e-11;
-/// Places on a parameter that differ by less than this part of them are one.
+/// Places on a parameter, and states of a limit cycle, that differ by less than this part of them are one.
 pub const PLACE: f64 = 1e-9;

@@ -12,7 +12,7 @@ use crate::{
     error::{Error, Result},
     monitor::Monitor,
     motion::{RunEnd, Time, algebra::solve},
-    rounding::SUM,
+    rounding::{PLACE, SUM},
 };
 
 /// A limit cycle.
@@ -137,7 +137,7 @@ fn newton<D: Dynamics>(
         let long = length(&step[..n]).max(step[n].abs() * length(field));
         // Where steps no longer fall they are rounding, or lead nowhere.
         if long <= f64::EPSILON * size || long > last / 2.0 {
-            if long > 1e3 * SUM * size {
+            if long > PLACE * size {
                 break;
             }
             if let Some(part) = shorter(dynamics, &x, period, extent)? {
@@ -166,7 +166,7 @@ fn shorter<D: Dynamics>(dynamics: &D, x: &[f64], period: f64, extent: f64) -> Re
         let (mut run, part) = (dynamics.begin(&dynamics.at(x, 0.0))?, period / f64::from(parts));
         reached(run.pass(Time::new(0, 0.0).after(part))?)?;
         let off: Vec<f64> = run.point().coordinates().iter().zip(x).map(|(a, b)| a - b).collect();
-        if length(&off) <= 1e-6 * extent {
+        if length(&off) <= PLACE * (extent + length(x)) {
             return Ok(Some(part));
         }
     }

@@ -366,8 +366,9 @@ impl<'a> Search<'a> {
         Ok(Ok(Cell { claim, flights, ..cell }))
     }
 
-    /// The cell, which has no flights yet, with the largest box, 1/2, 1/5, 1/10, …, about its line in which the
-    /// checker finds the solution to be the only one, from that of the last cell on; or why it finds none.
+    /// The cell, which has no flights yet, with the largest box, 1/2, 1/5, 1/10, …, about its line in which
+    /// the checker finds the solution to be the only one, from that of the last cell on; or why it finds
+    /// none.
     fn widest(&mut self, cell: Cell, least: &BigRational) -> Result<std::result::Result<Cell, String>> {
         let mut alone = Certificate { cells: vec![cell], ..self.head.clone() };
         let narrow = alone.cells[0].radius;

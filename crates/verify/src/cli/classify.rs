@@ -35,9 +35,9 @@ const CELLS: u64 = 2_000;
 /// angle theta = 2 pi s of its complex eigenvalues, --r and --s. The table has, for each period, the cases
 /// (sign e*mu, sign gamma) with an orbit and the sign of its large eigenvalue; or two k with b_{n,k} of
 /// opposite sign, which forbid an orbit; or the boundary on which the point lies, where Theorem 1 is silent.
-/// Where that is singular, n theta = m pi, its resonance says what is born: first is m = 1, higher m >= 2. Where
-/// some b_{n,k} = 0 no motion of a linear oscillator has one impact in n periods, at any mu.
-/// For a2 > 1 the time-reversed system is classified, which has the same orbits.
+/// Where that is singular, n theta = m pi, its resonance says what is born: first is m = 1, higher m >= 2.
+/// Where some b_{n,k} = 0 no motion of a linear oscillator has one impact in n periods, at any mu. For a2 > 1
+/// the time-reversed system is classified, which has the same orbits.
 ///
 /// With intervals, as in --r 0.97±1% --s 0.2..=0.21 or --frequency 12.3Hz±1% --damping-ratio 0.02±20% --drive
 /// 10Hz, the table has for each period and case whether the orbit exists everywhere in the box, nowhere, or
