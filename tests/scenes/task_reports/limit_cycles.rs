@@ -125,6 +125,22 @@ fn where_there_is_no_limit_cycle_it_is_said_why() {
     }
 }
 
+/// What would be dropped in silence is refused.
+#[test]
+fn a_cycle_has_no_other_orbit_beside_it_and_its_transient_belongs_to_it() {
+    for (keys, wrong) in [
+        ("cycle = { q = 1 }\norbit = { period = 2 }", "beside `cycle` nothing else is looked for"),
+        ("cycle = { q = 1 }\norbit = { start = [0, 1] }", "beside `cycle` nothing else is looked for"),
+        ("orbit = { period = 2 }\ntransient = 7", "is of a limit cycle: give `cycle` with it"),
+    ] {
+        let system = "[system]\nperiod = 1\nmass = 1\nstiffness = 1\n";
+        let head = "format = \"grazing-scene 3\"\ntitle = \"t\"\n";
+        let text = format!("{head}{system}[[tasks]]\nname = \"o\"\nkind = \"orbit\"\n{keys}\n");
+        let error = Scene::from_toml(&text, "s.toml").unwrap_err().to_string();
+        assert!(error.starts_with("s.toml:") && error.contains(wrong), "{error}");
+    }
+}
+
 /// The woodpecker toy of Glocker (1995): it falls along its pole in a rhythm of its own, with rests, friction
 /// under stops and several impacts. Another program's time stepping (Moreau's, steps of 1e-5) has a beak hit
 /// every 0.14600 s and 0.0195 m.

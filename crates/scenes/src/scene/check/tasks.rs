@@ -27,6 +27,8 @@ use crate::{
 const FORMULA: u32 = 16;
 /// No longer series is written: at some 50 bytes a point, 5 GB.
 const MOST_POINTS: u64 = 100_000_000;
+/// The default of `transient` in a task `orbit`.
+const TRANSIENT: u64 = 300;
 
 impl Checked<'_> {
     /// The checks of one task, its coefficients being those of the task.
@@ -234,7 +236,15 @@ impl Checked<'_> {
 
     fn orbits(&self, task: &OrbitTask) -> Result<()> {
         self.orbit(&task.orbit, "orbit")?;
-        task.cycle.as_ref().map_or(Ok(()), |start| self.start(start, "cycle"))?;
+        if let Some(start) = &task.cycle {
+            self.start(start, "cycle")?;
+            let orbit = &task.orbit;
+            if !(orbit.pattern.is_empty() && orbit.start.is_empty() && orbit.period == 1) {
+                return self.fail("orbit", "beside `cycle` nothing else is looked for: give one of them");
+            }
+        } else if task.transient != TRANSIENT {
+            return self.fail("transient", "is of a limit cycle: give `cycle` with it");
+        }
         self.values(task.parameter.as_deref(), &task.values)
     }
 
