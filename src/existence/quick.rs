@@ -107,7 +107,16 @@ pub fn by_enclosures(a1: &FloatInterval, a2: &FloatInterval, last: u64) -> Optio
     let (a1, a2) = (Near::of(a1), Near::of(a2));
     let one = Near::exact(1.0);
     let is_positive = |x: Near| x.sign() == Some(Sign::Positive);
-    if !(is_inside && is_positive(a2 + one - a1) && is_positive(a2 + one + a1)) {
+    if !is_inside {
+        return None;
+    }
+    // Regions 1 and 5: every b_{n,k} > 0, and c_n has the sign of a₁ (`Region1` and `Region5` of appendix A).
+    for (beyond, case) in [(a1, Case::PlusPlus), (-a1, Case::PlusMinus)] {
+        if is_positive(beyond - (a2 + one)) {
+            return Some(vec![Existence::Orbit(case); last as usize]);
+        }
+    }
+    if !(is_positive(a2 + one - a1) && is_positive(a2 + one + a1)) {
         return None;
     }
     // u_n, v_n and a₂ⁿ, each from those of half its index, so that errors do not double at every step.

@@ -269,9 +269,17 @@ fn enclosures_say_what_exact_numbers_do() {
             }
             None => open += 1,
         }
-        // Beyond a₂ = 1 and |a₁| = a₂ + 1 nothing is said.
-        let [outside, long] = [a2 + 1.0, a2 + 1.0 + a1.abs()].map(|x| FloatInterval::from_bounds(x, x));
-        assert!(by_enclosures(&x, &outside, 3).is_none() && by_enclosures(&long, &y, 3).is_none());
+        // Beyond a₂ = 1 and on |a₁| = a₂ + 1 nothing is said; in regions 1 and 5 all.
+        let point = |x: f64| FloatInterval::from_bounds(x, x);
+        assert!(by_enclosures(&x, &point(a2 + 1.0), 3).is_none());
+        assert!(by_enclosures(&point(1.5), &point(0.5), 3).is_none());
+        let beyond = a2 + 1.0 + 1.0 / (1u64 << (case % 40)) as f64;
+        for a1 in [beyond, -beyond] {
+            let [a1, a2] = [a1, a2].map(|x| BigRational::from_float(x).unwrap());
+            let outside = up_to(&ladder, &Point::Plane(Plane::new(a1, a2).unwrap()), 9, || Ok(())).unwrap();
+            let sign = if outside[0] == Existence::Orbit(Case::PlusPlus) { 1.0 } else { -1.0 };
+            assert_eq!(by_enclosures(&point(sign * beyond), &y, 9), Some(outside), "{beyond} {y:?}");
+        }
     }
     assert!(told > 1000 && open > 50, "{told} {open}");
 }
