@@ -116,7 +116,8 @@ fn where_there_is_no_limit_cycle_it_is_said_why() {
     };
     for (forcing, damping, why) in [
         ("forcing = [{ cos = 1 }]\n", "0.1", "a drive moves the system"),
-        ("", "0.9", "comes not back"),
+        ("", "20", "comes not back"),
+        ("", "0.9", "is at rest"),
         ("", "0.02", "Newton's method found no limit cycle"),
     ] {
         let report = scene(forcing, damping);

@@ -55,6 +55,7 @@ pub fn limit_cycle<D: Dynamics>(
     monitor: &dyn Monitor,
 ) -> Result<LimitCycle<D::Start>> {
     let mut run = dynamics.begin(start)?;
+    let begun = length(run.point().coordinates());
     for unit in 1..=transient {
         monitor.advance(0)?;
         reached(run.pass(Time { period: unit as i64, ..run.time() })?)?;
@@ -64,9 +65,10 @@ pub fn limit_cycle<D: Dynamics>(
         || Error::input("a drive moves the system: its motions have a multiple of the drive's period");
     let field = dynamics.field(&run).ok_or_else(driven)?;
     let (extent, returns) = returns(&mut run, &x, &field, monitor)?;
-    if extent <= SUM * length(&x) || returns.is_empty() {
-        let why =
-            if returns.is_empty() { "comes not back near a state that it was in" } else { "is at rest" };
+    // What has died out is at rest beside what it was.
+    let rests = extent <= SUM * length(&x).max(begun);
+    if rests || returns.is_empty() {
+        let why = if rests { "is at rest" } else { "comes not back near a state that it was in" };
         return Err(Error::input(format!("after {transient} units of time the motion {why}")));
     }
     let mut found = Err(Error::input("no return"));
