@@ -382,6 +382,8 @@ impl<'a> Search<'a> {
         };
         let radii = krawczyk::radii().take_while(|radius| radius > least).map(|radius| decimal(&radius));
         let radii = radii.collect::<Result<Vec<_>>>()?;
+        // Of a longer or shorter list than the last cell's.
+        self.radius = self.radius.min(radii.len().saturating_sub(1));
         let widest = (self.radius..radii.len()).find(|&i| solved(radii[i]).is_ok());
         let found = match widest {
             Some(mut i) => {
