@@ -220,10 +220,10 @@ def _diagram(found: TaskReport, axes: Any) -> None:
 
 
 def _response(found: TaskReport, axes: Any) -> None:
-    """The swing of each coordinate and gap by its number: the linear response dashed, what is seen solid."""
+    """The swing of each coordinate and gap by its number: the linear response dashed, what is seen solid, unstable orbits as dots."""
     data = found.data
     for coordinate in np.unique(data.coordinate):
-        for way, word, style in ((0, "linear", "--"), (1, "up", "-"), (2, "down", "-")):
+        for way, word, style in ((0, "linear", "--"), (1, "up", "-"), (2, "down", "-"), (3, "unstable", ":")):
             mine = (data.way == way) & (data.coordinate == coordinate)
             if mine.any():
                 axes.plot(data.value[mine], data.swing[mine], style, label=f"{coordinate + 1}, {word}")

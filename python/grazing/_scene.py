@@ -65,7 +65,7 @@ class TaskReport:
     #: ``cells`` (rows, columns), places in ``findings.basins``. diagram: ``value``, ``points`` (P, 2),
     #: ``motion``, ``period`` (0: not periodic, −2: not settled). map: ``first``, ``second``, ``period`` (the
     #: same; −1: ended), ``impacts``, ``exponent`` (NaN: none), each (rows, columns). response, a row of each
-    #: per way, value and coordinate or gap: ``way`` (0 linear, 1 up, 2 down), ``value``, ``coordinate``, from 0,
+    #: per way, value and coordinate or gap: ``way`` (0 linear, 1 up, 2 down, 3 unstable), ``value``, ``coordinate``, from 0,
     #: the gaps after all coordinates, ``swing``, ``amplitude``, ``lag`` (NaN: none), ``period`` (0: not periodic).
     data: Record = field(repr=False)
     #: Certificates by file name: ``grazing.check(text)`` proves them again.

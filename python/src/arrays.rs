@@ -192,12 +192,12 @@ fn diagram(found: &DiagramFindings, data: &mut Data) {
     data.whole("period", period);
 }
 
-/// The way of a row: 0 linear, 1 up, 2 down; its coordinate or gap, counted from 0 as they come.
+/// The way of a row: 0 linear, 1 up, 2 down, 3 unstable; its coordinate or gap, counted from 0 as they come.
 fn response(found: &ResponseFindings, data: &mut Data) {
     let mut names: Vec<&str> = Vec::new();
     let (mut way, mut coordinate) = (Vec::new(), Vec::new());
     for row in &found.rows {
-        way.push(["linear", "up", "down"].iter().position(|word| *word == row.way).map_or(-1, |i| i as i64));
+        way.push(["linear", "up", "down", "unstable"].iter().position(|word| *word == row.way).map_or(-1, |i| i as i64));
         let known = names.iter().position(|name| *name == row.coordinate);
         coordinate.push(known.unwrap_or(names.len()) as i64);
         if known.is_none() {

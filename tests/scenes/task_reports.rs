@@ -29,6 +29,7 @@ mod tolerances;
 mod tolerated_ranges;
 mod touches;
 mod trapped;
+mod unstable;
 
 /// What a scene's one task, a `grazing`, finds, as it is shown, and its exit code.
 fn grazing_found(text: &str) -> (GrazingReport, String, u8) {

@@ -420,9 +420,23 @@ fn a_duffing_oscillator_jumps_at_its_saddle_nodes() {
             (!inside || up.swing > 1.2 * down.swing) && (!outside || (up.swing - down.swing).abs() < 1e-6)
         );
     }
-    // The largest swing is seen on the way up, at the last value before it jumps.
+    // The largest swing is seen on the way up, just before it jumps.
     let highest = &found.highest.as_ref().unwrap()[0];
     assert!(highest.way == "up" && (0.0..0.0201).contains(&(folds[1] - highest.value)), "{highest:?}");
+    assert!(rows(found, "up", "q").iter().all(|row| row.swing <= highest.swing), "{highest:?}");
+    // Both jumps are of one branch, whose unstable orbits lie between the others.
+    let [stretch] = &found.unstable.as_ref().unwrap()[..] else { panic!("{:?}", found.unstable) };
+    assert!((stretch.from - folds[1]).abs() < 1e-9 && (stretch.to - folds[0]).abs() < 1e-9, "{stretch:?}");
+    for row in rows(found, "unstable", "q") {
+        let seen = |way| {
+            let near = |a: &&&ResponseRow, b: &&&ResponseRow| {
+                (a.value - row.value).abs().total_cmp(&(b.value - row.value).abs())
+            };
+            rows(found, way, "q").iter().min_by(near).unwrap().swing
+        };
+        let inside = folds[0] + 0.02 < row.value && row.value < folds[1] - 0.02;
+        assert!(!inside || seen("down") < row.swing && row.swing < seen("up"), "{row:?}");
+    }
 }
 
 /// A mass that hits a stop once a period: (s − k² + ikc) z = f + (1/π) Σ Δu e^{−ikt}, with impacts of the
@@ -532,8 +546,19 @@ fn forms_agree(engine: &str) {
     ];
     for (name, units, sign, drive, swapped, later) in forms {
         let form = found(&scene(units, sign, drive, swapped));
-        assert_eq!(form.rows.len(), base.rows.len());
-        for row in &base.rows {
+        // Where along a branch its orbits are depends on what a length is measured by; its ends do not.
+        let stretches = form.unstable.iter().flatten().zip(base.unstable.iter().flatten());
+        for (other, row) in stretches {
+            assert_eq!((&other.begins, &other.ends, other.period), (&row.begins, &row.ends, row.period));
+            near(other.from, row.from, 1e-7);
+            near(other.to, row.to, 1e-7);
+        }
+        let count = |found: &ResponseFindings| found.unstable.as_ref().map(Vec::len);
+        assert_eq!(count(&form), count(&base));
+        let looked_at =
+            |found: &ResponseFindings| found.rows.iter().filter(|row| row.stretch.is_none()).count();
+        assert_eq!(looked_at(&form), looked_at(&base));
+        for row in base.rows.iter().filter(|row| row.stretch.is_none()) {
             let same = |other: &&ResponseRow| {
                 (other.way, other.value, &other.coordinate) == (row.way, row.value, &row.coordinate)
             };

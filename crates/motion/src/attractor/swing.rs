@@ -41,10 +41,13 @@ pub struct Swing {
     pub harmonic: [f64; 2],
 }
 
-/// Panels per period for motions with nothing faster than `rate` radians per radian of the forcing: at most
-/// 1024, so that of what is faster than 326 the rule is less accurate.
-pub fn panels(rate: f64) -> u32 {
-    (PI * rate).ceil().clamp(64.0, 1024.0) as u32
+/// Panels per period for motions with nothing faster than `rate` radians per radian of the forcing, over so
+/// many periods: at most 1024, so that of what is faster than 326 the rule is less accurate; and at most 8192
+/// in all or 64 per period. So it is less accurate of what goes faster than 20 for 128 periods, as motions
+/// that are not periodic are followed: these never go exactly as far again.
+pub fn panels(rate: f64, periods: u32) -> u32 {
+    let most = (8192 / periods.max(1)).clamp(64, 1024);
+    (PI * rate).ceil().clamp(64.0, most.into()) as u32
 }
 
 /// A look: the time since the beginning, and the displacements with the velocities where they are known on
@@ -194,11 +197,11 @@ mod tests {
         for (phase, periods) in [(0.0, 1), (0.7, 2)] {
             let begin = || Ok(Known(Time::new(0, phase)));
             for (k, cos, sin) in [(3, 3f64.cos(), 3f64.sin()), (2, -2.0 / (3.0 * PI), 0.0), (1, 0.0, 0.0)] {
-                let found = swings(begin, (periods, k, panels(3.0))).unwrap().unwrap();
+                let found = swings(begin, (periods, k, panels(3.0, periods))).unwrap().unwrap();
                 let [a, b] = found[0].harmonic;
                 assert!((a - cos).abs().max((b - sin).abs()) < 1e-14, "{k}: {found:?}");
             }
-            let found = swings(begin, (periods, 1, panels(3.0))).unwrap().unwrap();
+            let found = swings(begin, (periods, 1, panels(3.0, periods))).unwrap().unwrap();
             assert!(found[1].extent.iter().zip([-1.0, 1.0]).all(|(x, y)| (x - y).abs() < 1e-9), "{found:?}");
             // By brute force.
             let all = (0..2_000_000).map(|i| Known(Time::new(0, f64::from(i) * PI * 1e-6)).places()[0][0]);

@@ -44,8 +44,8 @@ const MEASURED: u64 = 128;
 
 /// Whether the motion from these coordinates of the section at `phase`, which has lasted for so many forcing
 /// periods, wanders; where an orbit is `found` that attracts and there are no impacts, only as neighbours
-/// part. Cost: 1,024 forcing periods, 128 with a vector and 128 with one for each coordinate of a state;
-/// where that leaves it open 4,096 more and 10,752 with a vector.
+/// part. Cost: 1,024 forcing periods, 128 with a vector and 128 with two, as a rule, at most one for each
+/// coordinate of a state; where that leaves it open 4,096 more and 10,752 with a vector.
 ///
 /// # Errors
 /// Those of [`Motion::pass`]; the monitor's.
@@ -104,15 +104,23 @@ pub(super) fn wanders<D: Dynamics>(
 /// where the motion ends.
 fn shrinks<D: Dynamics>(dynamics: &D, start: &D::Start, monitor: &dyn Monitor) -> Result<Option<f64>> {
     let size = dynamics.dimension();
-    let all = match exponents(dynamics, start, size, 0, MEASURED, monitor) {
-        Err(error) if error.is_interrupted() => return Err(error),
-        Err(_) => return Ok(None),
-        Ok(all) => all,
-    };
-    let sums: Vec<f64> = all.iter().skip(1).map(|one| all[0].rate + one.rate).collect();
-    let falls = sums.iter().copied().find(|sum| *sum < 0.0).or(sums.last().copied());
-    let ended = all.iter().any(|one| one.end != RunEnd::Reached);
-    Ok(falls.map(|sum| -TAU * sum).filter(|_| !ended))
+    let mut count = size.min(2);
+    loop {
+        let all = match exponents(dynamics, start, count, 0, MEASURED, monitor) {
+            Err(error) if error.is_interrupted() => return Err(error),
+            Err(_) => return Ok(None),
+            Ok(all) => all,
+        };
+        if all.iter().any(|one| one.end != RunEnd::Reached) {
+            return Ok(None);
+        }
+        let sums: Vec<f64> = all.iter().skip(1).map(|one| all[0].rate + one.rate).collect();
+        match sums.iter().copied().find(|sum| *sum < 0.0) {
+            // Of those that are left none is asked for.
+            None if count < size => count = size,
+            falls => return Ok(falls.or(sums.last().copied()).map(|sum| -TAU * sum)),
+        }
+    }
 }
 
 /// Whether blocks extend equally far, without a trend, and all of them together no farther: the last is that.

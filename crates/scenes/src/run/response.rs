@@ -12,11 +12,13 @@ use super::{
     backbone::{Backbone, BackboneEndRow, BackboneRow, backbone},
     diagram::{sweep_steps, value, ways},
     engine::{Engine, by_engine},
+    highest::{HighestRow, highest},
     row,
     swept::{SweepFindings, way},
+    unstable::{Unstable, UnstableOrbit, UnstableRow, unstable},
 };
 use crate::{
-    attractor::{diagram::SweepStep, swing::Swing},
+    attractor::swing::Swing,
     continuation::Options,
     error::Result,
     many::{
@@ -31,7 +33,7 @@ use crate::{
 row! {
     /// How far a coordinate or a gap swings at a value.
     pub struct ResponseRow {
-        /// `linear`; or which way the parameter goes.
+        /// `linear`; which way the parameter goes; or `unstable`.
         pub way: &'static str,
         /// The parameter's value.
         pub value: f64,
@@ -49,6 +51,8 @@ row! {
         pub impacts: Option<u64>,
         /// The stop that the linear response reaches or crosses, the one it crosses farthest.
         pub stop: Option<String>,
+        /// The stretch of unstable orbits, counted from 1.
+        pub stretch: Option<usize>,
     }
 }
 
@@ -91,22 +95,6 @@ row! {
     }
 }
 
-row! {
-    /// Where a coordinate is seen to swing most.
-    pub struct HighestRow {
-        /// Which way the parameter goes.
-        pub way: &'static str,
-        /// The coordinate, or the stop whose gap it is.
-        pub coordinate: String,
-        /// The parameter's value there, of those looked at.
-        pub value: f64,
-        /// Half of the way from its least to its greatest value.
-        pub swing: f64,
-        /// The harmonic's amplitude.
-        pub amplitude: f64,
-    }
-}
-
 /// The response over a parameter, and what it amounts to.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ResponseFindings {
@@ -137,6 +125,8 @@ pub struct ResponseFindings {
     pub backbone_ends: Option<Vec<BackboneEndRow>>,
     /// What is seen up and down, as of a `diagram` that sweeps.
     pub sweep: Option<SweepFindings>,
+    /// Where the orbits that it leaves go on, unstable.
+    pub unstable: Option<Vec<UnstableRow>>,
     /// Values at which it is not decided whether a motion tends to a periodic orbit.
     pub not_settled: Vec<f64>,
     /// All swings. Not in JSON: they are the task's CSV file.
@@ -145,6 +135,9 @@ pub struct ResponseFindings {
     /// Whether peaks are all that there are; if not, a warning says so.
     #[serde(skip)]
     pub all_peaks: bool,
+    /// Which branches were not followed, and why. In JSON these are warnings.
+    #[serde(skip)]
+    pub open: Vec<String>,
     /// Why the backbone has no points, if it has none. In JSON it is the status's reason.
     #[serde(skip)]
     pub no_backbone: Option<String>,
@@ -182,7 +175,8 @@ impl Finding for ResponseFindings {
         });
         let open = "how the linear response changes with the parameter is not resolved everywhere: between values a peak may be \
                     missed";
-        at.into_iter().chain((!self.all_peaks).then(|| open.to_string())).collect()
+        let peaks = (!self.all_peaks).then(|| open.to_string());
+        at.into_iter().chain(peaks).chain(self.open.iter().cloned()).collect()
     }
 
     fn lines(&self, lines: &mut Lines) {
@@ -208,6 +202,9 @@ impl Finding for ResponseFindings {
         }
         if let Some(sweep) = &self.sweep {
             sweep.lines(lines);
+        }
+        if let Some(unstable) = &self.unstable {
+            lines.table("unstable", unstable);
         }
         if !self.not_settled.is_empty() {
             lines.say("not_settled", self.not_settled.len());
@@ -271,9 +268,11 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
         backbone: backbone.rows,
         backbone_ends: backbone.ends,
         sweep: None,
+        unstable: None,
         not_settled: Vec::new(),
         rows,
         all_peaks,
+        open: Vec::new(),
         no_backbone: backbone.why,
     };
     let clear = found.contact.is_empty() && (found.floating.is_empty() || machine.stops.is_empty());
@@ -312,12 +311,27 @@ fn followed<E: Engine>(
         }
         let (change, round) = ((task.parameter.as_str(), step.value), [portrait.looked, task.harmonic]);
         if let Some(swings) = engine.swings(&states, change, &settled.start, round)? {
-            rows.extend(seen_rows(step, &swings, names, way(up)));
+            let impacts = portrait.period.map(|_| portrait.impacts);
+            let orbit = (way(up), step.value, portrait.period, impacts, None);
+            rows.extend(seen_rows(orbit, &swings, names));
         }
     }
-    let highest = Some(highest(&rows, names));
+    let on: Vec<_> = ways.iter().map(|&(up, _)| up).zip(&steps).collect();
+    let highest = Some(highest((task, names, &rows), job, (engine, &states), &on, &sweep)?);
+    let range = (value(&task.range, 0, task.count), value(&task.range, task.count - 1, task.count));
+    let Unstable { rows: unstable, orbits, open } = unstable((task, range), job, engine, &on, &sweep)?;
+    job.monitor.begin(orbits.len() as u64, "unstable orbits, swings");
+    for UnstableOrbit { stretch, value, period, impacts, start } in orbits {
+        job.monitor.advance(1)?;
+        let change = (task.parameter.as_str(), value);
+        if let Some(swings) = engine.swings(&states, change, &start, [period, task.harmonic])? {
+            let orbit = ("unstable", value, Some(period), Some(impacts), Some(stretch));
+            rows.extend(seen_rows(orbit, &swings, names));
+        }
+    }
     let rows = found.rows.into_iter().chain(rows).collect();
-    Ok(ResponseFindings { highest, sweep: Some(sweep), not_settled, rows, ..found })
+    let (sweep, unstable) = (Some(sweep), Some(unstable));
+    Ok(ResponseFindings { highest, sweep, unstable, open, not_settled, rows, ..found })
 }
 
 /// What follows the motions.
@@ -359,7 +373,7 @@ fn polar([a, b]: [f64; 2], size: f64) -> (f64, Option<f64>) {
     (amplitude, (amplitude > SUM * size).then_some(if lag < 1.0 { lag } else { 0.0 }))
 }
 
-fn half([low, high]: [f64; 2]) -> f64 {
+pub(super) fn half([low, high]: [f64; 2]) -> f64 {
     (high - low) / 2.0
 }
 
@@ -387,26 +401,23 @@ fn linear_rows(
             period: Some(1),
             impacts: Some(0),
             stop: stop.clone(),
+            stretch: None,
         }
     };
     names.iter().zip(extents.iter().zip(harmonics)).map(row).collect()
 }
 
-fn seen_rows<S>(
-    step: &SweepStep<S>,
+/// The rows of a motion: which way it is seen, at which value, its period and impacts, its stretch.
+fn seen_rows(
+    (way, value, period, impacts, stretch): (&'static str, f64, Option<u32>, Option<u64>, Option<usize>),
     swings: &[Swing],
     names: &[String],
-    way: &'static str,
 ) -> Vec<ResponseRow> {
-    let portrait = step.settled.as_ref().map(|settled| &settled.portrait);
-    let period = portrait.and_then(|portrait| portrait.period);
-    let impacts = portrait.filter(|_| period.is_some()).map(|portrait| portrait.impacts);
     let size = swings.iter().map(|swing| half(swing.extent)).fold(0.0, f64::max);
     let row = |(name, swing): (&String, &Swing)| {
         let (amplitude, lag) = polar(swing.harmonic, size);
-        let (value, swing) = (step.value, half(swing.extent));
-        let coordinate = name.clone();
-        ResponseRow { way, value, coordinate, swing, amplitude, lag, period, impacts, stop: None }
+        let (swing, coordinate) = (half(swing.extent), name.clone());
+        ResponseRow { way, value, coordinate, swing, amplitude, lag, period, impacts, stop: None, stretch }
     };
     names.iter().zip(swings).map(row).collect()
 }
@@ -446,25 +457,6 @@ fn contacts(rows: &[ResponseRow]) -> Vec<ContactRow> {
             }
         }
         before = Some(row);
-    }
-    found
-}
-
-/// Where each displacement swings most, each way.
-fn highest(rows: &[ResponseRow], names: &[String]) -> Vec<HighestRow> {
-    let mut found = Vec::new();
-    for way in [true, false].map(way) {
-        for name in names {
-            let own = rows.iter().filter(|row| row.way == way && row.coordinate == *name);
-            let most = own.max_by(|a, b| a.swing.total_cmp(&b.swing));
-            found.extend(most.map(|row| HighestRow {
-                way,
-                coordinate: name.clone(),
-                value: row.value,
-                swing: row.swing,
-                amplitude: row.amplitude,
-            }));
-        }
     }
     found
 }

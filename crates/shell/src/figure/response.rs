@@ -20,7 +20,8 @@ const MOST: usize = 4;
 /// The height of a panel of swings, and of one of lags.
 const HIGH: [f64; 2] = [120.0, 74.0];
 /// The ways and their names: the linear one is broken, the way down is drawn over the way up.
-const WAYS: [(&str, &str); 3] = [("linear", "linear, free"), ("up", "seen, up"), ("down", "seen, down")];
+const WAYS: [(&str, &str); 4] =
+    [("linear", "linear, free"), ("up", "seen, up"), ("down", "seen, down"), ("unstable", "unstable")];
 /// How many times as high as what is seen a linear response is shown.
 const ABOVE: f64 = 3.0;
 /// A lag that changes by more than this part of a turn between neighbours has gone once round.
@@ -44,7 +45,8 @@ fn stroke(way: usize) -> Stroke {
     match way {
         0 => Stroke { dashes: Some([4.0, 2.4]), ..line(GREY, 0.9) },
         1 => line(BLUE, 1.6),
-        _ => line(RED, 0.7),
+        2 => line(RED, 0.7),
+        _ => Stroke { dashes: Some([1.6, 1.2]), ..line(BLACK, 0.6) },
     }
 }
 
@@ -87,7 +89,7 @@ fn draw(rows: &[ResponseRow], peaks: &[PeakRow], backbone: &[BackboneRow], param
         "Frequency response",
         &format!(
             "Swing (half peak to peak) and lag (in degrees) of {} over {parameter}: the linear response broken, what is seen on the way up \
-             and on the way down solid.",
+             and on the way down solid, unstable orbits thin and broken.",
             names.join(", ")
         ),
     );
@@ -114,7 +116,8 @@ fn draw(rows: &[ResponseRow], peaks: &[PeakRow], backbone: &[BackboneRow], param
             [swings, lags]
         })
         .collect();
-    let mut values: Vec<f64> = rows.iter().map(|row| row.value).collect();
+    let looked_at = rows.iter().filter(|row| row.stretch.is_none());
+    let mut values: Vec<f64> = looked_at.map(|row| row.value).collect();
     values.sort_by(f64::total_cmp);
     values.dedup();
     let width = values.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
@@ -162,9 +165,13 @@ fn highest<'r>(rows: impl Iterator<Item = &'r ResponseRow> + Clone) -> f64 {
     if shown > 0.0 { 1.06 * shown } else { 1.0 }
 }
 
-/// The rows of a way at neighbouring values, which are `width` apart: between them some are lost.
+/// The rows of a way at neighbouring values, which are `width` apart: between them some are lost. Those of
+/// unstable orbits are a stretch each.
 fn pieces<'s, 'r>(rows: &'s [&'r ResponseRow], width: f64) -> impl Iterator<Item = &'s [&'r ResponseRow]> {
-    rows.chunk_by(move |a, b| (a.value - b.value).abs() < 1.5 * width)
+    rows.chunk_by(move |a, b| match a.stretch {
+        Some(_) => a.stretch == b.stretch,
+        None => (a.value - b.value).abs() < 1.5 * width,
+    })
 }
 
 /// The range of some values.
@@ -206,6 +213,7 @@ mod tests {
             period: Some(1),
             impacts: Some(0),
             stop: None,
+            stretch: None,
         };
         let lags = [Some(0.1), Some(0.4), None, Some(0.9), Some(0.05)];
         let rows: Vec<ResponseRow> = lags.iter().zip(0..).map(|(lag, i)| row(f64::from(i), *lag)).collect();

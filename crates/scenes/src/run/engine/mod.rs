@@ -247,6 +247,13 @@ pub(crate) trait Engine {
         detection: &Detection,
     ) -> Result<Self::Orbit>;
 
+    /// A state on an orbit of a system: just after its first impact, or at phase 0.
+    fn on_orbit(
+        &self,
+        orbit: &Self::Orbit,
+        system: &Self::System,
+    ) -> Result<<Self::Dynamics as Dynamics>::Start>;
+
     /// What proves orbits of the scene's system, with another value of a parameter if there is one, in balls
     /// of so many bits where the engine works with balls; the inner error is why none can be proved.
     fn prover(

@@ -327,6 +327,10 @@ impl<'j> Engine for Machines<'j> {
         attracting(&self.job.planar(machine, &[], &[])?, from, detection, self.job.monitor)
     }
 
+    fn on_orbit(&self, orbit: &Orbit, (machine, _): &Self::System) -> Result<section::Start> {
+        Ok(orbit.state.start(machine.rate()))
+    }
+
     fn prover(
         &self,
         change: Option<(&str, &BigRational)>,

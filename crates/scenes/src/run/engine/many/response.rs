@@ -32,7 +32,7 @@ pub(super) fn swings(
         let run = simulator.start(Time::new(0, start.t), &start.q, &u)?;
         Ok(Motion { run, machine: &machine, simulator: &simulator })
     };
-    swing::swings(begin, (periods, k, swing::panels(fastest(&simulator))))
+    swing::swings(begin, (periods, k, swing::panels(fastest(&simulator), periods)))
 }
 
 /// No linear motion of the machine is faster, in contact with compliant stops or not.

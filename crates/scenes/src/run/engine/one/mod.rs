@@ -372,6 +372,11 @@ impl<'j> Engine for Oscillators<'j> {
         attracting(oscillator, *from, detection, &self.job.settings()?, self.job.monitor)
     }
 
+    fn on_orbit(&self, orbit: &Orbit, oscillator: &Oscillator) -> Result<State> {
+        let t = orbit.times().first().copied().unwrap_or(0.0);
+        Ok(shown(orbit.state(oscillator, t)?, oscillator))
+    }
+
     fn prover(
         &self,
         change: Option<(&str, &BigRational)>,
@@ -488,5 +493,10 @@ fn far_from(event: &Grazing, orbit: &Orbit, oscillator: &Oscillator) -> Result<S
         }
         None => orbit.state(oscillator, t + PI)?,
     };
-    Ok(State { t: far.t.rem_euclid(TAU), u: far.u * oscillator.system().shown_rate(), ..far })
+    Ok(shown(far, oscillator))
+}
+
+/// A state in the scene's unit of time.
+fn shown(state: State, oscillator: &Oscillator) -> State {
+    State { t: state.t.rem_euclid(TAU), u: state.u * oscillator.system().shown_rate(), ..state }
 }

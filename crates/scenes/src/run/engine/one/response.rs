@@ -30,7 +30,7 @@ pub(super) fn swings(
     let order = stops.iter().map(|stop| stop.position.order()).fold(equation.forcing.order(), u32::max);
     // The largest modulus of an eigenvalue is at most this.
     let own = equation.damping.abs() + equation.stiffness.abs().sqrt();
-    swing::swings(begin, (periods, k, swing::panels(own.max(f64::from(order)))))
+    swing::swings(begin, (periods, k, swing::panels(own.max(f64::from(order)), periods)))
 }
 
 struct Motion<'a> {
