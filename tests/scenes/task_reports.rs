@@ -19,6 +19,7 @@ mod bands;
 mod decided;
 mod drifts;
 mod enclosed;
+mod families;
 mod limit_cycles;
 mod linear_touches;
 mod ranges;

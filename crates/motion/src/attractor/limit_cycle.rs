@@ -176,14 +176,18 @@ fn shorter<D: Dynamics>(dynamics: &D, x: &[f64], period: f64, extent: f64) -> Re
 }
 
 /// A motion for a time, with the derivative by its beginning, by rows, and how fast it changes at the end.
-struct Round {
-    end: Vec<f64>,
-    slope: Vec<Vec<f64>>,
-    arrival: Vec<f64>,
-    impacts: u64,
+pub(crate) struct Round {
+    pub end: Vec<f64>,
+    pub slope: Vec<Vec<f64>>,
+    pub arrival: Vec<f64>,
+    pub impacts: u64,
 }
 
-fn round<D: Dynamics>(dynamics: &D, x: &[f64], time: f64) -> Result<Round> {
+/// The motion from a state at phase 0 of what nothing drives.
+///
+/// # Errors
+/// An input error where it ends; those of [`Motion::pass`].
+pub(crate) fn round<D: Dynamics>(dynamics: &D, x: &[f64], time: f64) -> Result<Round> {
     let (start, until) = (dynamics.at(x, 0.0), Time::new(0, 0.0).after(time));
     let mut run = dynamics.begin(&start)?;
     reached(run.pass(until)?)?;

@@ -52,10 +52,10 @@ pub fn panels(rate: f64, periods: u32) -> u32 {
 
 /// A look: the time since the beginning, and the displacements with the velocities where they are known on
 /// this side of an event.
-struct Seen {
-    at: f64,
-    places: Vec<[f64; 2]>,
-    is_event: bool,
+pub(crate) struct Look {
+    pub at: f64,
+    pub places: Vec<[f64; 2]>,
+    pub is_event: bool,
 }
 
 /// What the displacements do over `periods` periods of the motion that begins so; none where it ends before.
@@ -84,7 +84,7 @@ pub fn swings<M: Swinging>(
     let first = run.places();
     let mut sums = vec![[0.0; 2]; first.len()];
     let mut extents: Vec<[f64; 2]> = first.iter().map(|place| [place[0]; 2]).collect();
-    let mut before = Seen { at: 0.0, places: first, is_event: true };
+    let mut before = Look { at: 0.0, places: first, is_event: true };
     let mut from = 0.0;
     for (to, is_event) in ends {
         for (x, weight) in GAUSS.into_iter().filter(|_| to > from) {
@@ -92,7 +92,7 @@ pub fn swings<M: Swinging>(
             if !reach(&mut run, start.after(at))? {
                 return Ok(None);
             }
-            let here = Seen { at, places: run.places(), is_event: false };
+            let here = Look { at, places: run.places(), is_event: false };
             let (sin, cos) = (f64::from(k) * (start.phase + at)).sin_cos();
             for (sum, place) in sums.iter_mut().zip(&here.places) {
                 sum[0] += part * place[0] * cos;
@@ -106,7 +106,7 @@ pub fn swings<M: Swinging>(
             if !reach(&mut run, start.after(to))? {
                 return Ok(None);
             }
-            let here = Seen { at: to, places: run.places(), is_event };
+            let here = Look { at: to, places: run.places(), is_event };
             widen(&mut extents, &before, &here);
             before = here;
         }
@@ -127,7 +127,7 @@ fn reach(run: &mut impl Swinging, until: Time) -> Result<bool> {
 }
 
 /// The extents widened by two looks and what turns between them.
-fn widen(extents: &mut [[f64; 2]], a: &Seen, b: &Seen) {
+pub(crate) fn widen(extents: &mut [[f64; 2]], a: &Look, b: &Look) {
     let h = b.at - a.at;
     for (extent, (&[p, v], &[q, w])) in extents.iter_mut().zip(a.places.iter().zip(&b.places)) {
         let mut known = |at: f64| *extent = [extent[0].min(at), extent[1].max(at)];

@@ -1,4 +1,4 @@
-//! A machine of one coordinate as one without damping, drive and friction: what its backbone curve is of.
+//! A machine without damping, drive and friction: what its backbone curve is of.
 //! Of a force that is a formula, terms of the time or the velocity alone are drive and damping, and so is one
 //! that is the velocity times something of the displacement.
 
@@ -7,7 +7,7 @@ use crate::{
     error::Result,
     formula::{Formula, Operation},
     motion::{
-        Q, TIME, U,
+        Q, TIME,
         backbone::{Conservative, OwnForce},
     },
 };
@@ -15,12 +15,14 @@ use crate::{
 impl Machine<f64> {
     /// Why it has no backbone curve, if it has none.
     pub fn no_backbone(&self) -> Option<&'static str> {
+        let (n, alone) = (self.points(), self.points() == 1 && self.size == 1);
+        let turns = |&(i, j, x): &(usize, usize, f64)| {
+            let other = self.damping.iter().filter(|(k, l, _)| (*k, *l) == (j, i));
+            i != j && other.map(|(_, _, y)| y).sum::<f64>() != x
+        };
         match () {
-            () if self.size != 1 || self.points() != 1 => {
-                Some("is of one coordinate, and here there are several")
-            }
             () if self.has_laws() => Some("is of springs and stops, and here a stop pushes by a formula"),
-            () if self.smooth.iter().flatten().any(|force| of_displacement(&force.formula).is_none()) => {
+            () if self.smooth.iter().flatten().any(|force| of_displacement(&force.formula, n).is_none()) => {
                 Some(
                     "is of smooth forces of the displacement, and here one has kinks, or a term of it with velocity or time",
                 )
@@ -28,8 +30,38 @@ impl Machine<f64> {
             () if self.stops.iter().any(|stop| !stop.wall.harmonics.is_empty()) => {
                 Some("is of free vibrations, and here a stop moves")
             }
+            () if !alone && self.damping.iter().any(turns) => Some(
+                "of several coordinates is of motions that are at rest twice, and here gyroscopic forces turn them",
+            ),
             () => None,
         }
+    }
+
+    /// The machine without damping, drive, friction and rigid stops. Of forces of which it has no backbone
+    /// ([`no_backbone`](Self::no_backbone)) none is changed.
+    #[must_use]
+    pub fn freed(&self) -> Machine<f64> {
+        let mut free = Machine {
+            damping: Vec::new(),
+            damping_ratio: Vec::new(),
+            forcing: Vec::new(),
+            record: None,
+            friction: Vec::new(),
+            ..self.clone()
+        };
+        free.stops.retain_mut(|stop| match &mut stop.law {
+            StopLaw::Soft { damping, .. } => {
+                *damping = 0.0;
+                true
+            }
+            _ => false,
+        });
+        for force in free.smooth.iter_mut().flatten() {
+            if let Some(formula) = of_displacement(&force.formula, self.points()) {
+                force.formula = formula.into();
+            }
+        }
+        free
     }
 
     /// Whether anything moves it but its start.
@@ -86,32 +118,32 @@ impl Machine<f64> {
         let own = own.and_then(|force| {
             let none = [0.0; TIME + 1].into_iter();
             let variables = none.chain(force.coefficients().iter().copied()).collect();
-            Some(OwnForce { formula: of_displacement(&force.formula)?, variables, factor: shape })
+            Some(OwnForce { formula: of_displacement(&force.formula, 1)?, variables, factor: shape })
         });
         let (force, cubic) = (equations.force.mean[0] + shape * constant, cubic + shape.powi(4) * cube);
         Ok((Conservative { mass, stiffness, cubic, force, stops, springs, own }, shape.abs()))
     }
 }
 
-/// The terms of a force of one coordinate that are of the displacement; none where they cannot be told from
+/// The terms of a force of n coordinates that are of the displacements; none where they cannot be told from
 /// the others, or have kinks.
-fn of_displacement(formula: &Formula) -> Option<Formula> {
+fn of_displacement(formula: &Formula, n: usize) -> Option<Formula> {
     let has = |formula: &Formula, from: usize, to: usize| formula.mentions(&|x| (from..=to).contains(&x));
-    if !has(formula, U, TIME) {
+    if !has(formula, n, 2 * n) {
         return (!formula.has_kinks()).then(|| formula.clone());
     }
-    if !has(formula, Q, Q) || damps(formula) {
+    if !has(formula, 0, n - 1) || damps(formula, n) {
         return Some(Formula::Number(num_traits::Zero::zero()));
     }
     match formula {
-        Formula::Negated(inner) => Some(Formula::Negated(Box::new(of_displacement(inner)?))),
+        Formula::Negated(inner) => Some(Formula::Negated(Box::new(of_displacement(inner, n)?))),
         Formula::Binary(operation, parts) => {
             let [a, b] = &**parts;
             let parts = match operation {
-                Operation::Sum | Operation::Difference => [of_displacement(a)?, of_displacement(b)?],
-                Operation::Product if !has(a, Q, TIME) => [a.clone(), of_displacement(b)?],
-                Operation::Product | Operation::Quotient if !has(b, Q, TIME) => {
-                    [of_displacement(a)?, b.clone()]
+                Operation::Sum | Operation::Difference => [of_displacement(a, n)?, of_displacement(b, n)?],
+                Operation::Product if !has(a, 0, 2 * n) => [a.clone(), of_displacement(b, n)?],
+                Operation::Product | Operation::Quotient if !has(b, 0, 2 * n) => {
+                    [of_displacement(a, n)?, b.clone()]
                 }
                 _ => return None,
             };
@@ -121,17 +153,17 @@ fn of_displacement(formula: &Formula) -> Option<Formula> {
     }
 }
 
-/// Whether it is the velocity times something of the displacement.
-fn damps(formula: &Formula) -> bool {
-    let moved = |formula: &Formula| formula.mentions(&|x| x == U || x == TIME);
+/// Whether it is a velocity times something of the displacements, n of which there are.
+fn damps(formula: &Formula, n: usize) -> bool {
+    let moved = |formula: &Formula| formula.mentions(&|x| (n..=2 * n).contains(&x));
     match formula {
-        Formula::Variable(place) => *place == U,
-        Formula::Negated(inner) => damps(inner),
+        Formula::Variable(place) => (n..2 * n).contains(place),
+        Formula::Negated(inner) => damps(inner, n),
         Formula::Binary(Operation::Product, parts) => {
             let [a, b] = &**parts;
-            damps(a) && !moved(b) || damps(b) && !moved(a)
+            damps(a, n) && !moved(b) || damps(b, n) && !moved(a)
         }
-        Formula::Binary(Operation::Quotient, parts) => damps(&parts[0]) && !moved(&parts[1]),
+        Formula::Binary(Operation::Quotient, parts) => damps(&parts[0], n) && !moved(&parts[1]),
         _ => false,
     }
 }

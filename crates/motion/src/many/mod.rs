@@ -64,6 +64,7 @@ mod deflected;
 mod drift;
 pub mod elements;
 pub mod equations;
+pub mod families;
 pub mod flow;
 mod friction;
 pub mod grazing;

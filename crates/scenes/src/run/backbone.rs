@@ -17,6 +17,12 @@ row! {
         pub value: f64,
         /// Half of the way from the least to the greatest displacement of the free vibration.
         pub swing: f64,
+        /// The coordinate.
+        pub coordinate: String,
+        /// The mode that the vibration grows from, counted from 1.
+        pub mode: usize,
+        /// What it has above the machine at rest; absent of one coordinate.
+        pub energy: Option<f64>,
     }
 }
 
@@ -29,8 +35,13 @@ row! {
         pub swing: Option<f64>,
         /// `range`: at a bound of the range; `natural frequency`: as slow or fast as vibrations of no swing
         /// are, or of all up to this one; `hill`: beyond it forces do not lead back; `largest swings`: as
-        /// slow or fast as those become; `turns back`: two swings become one.
+        /// slow or fast as those become; `turns back`: two swings become one. Of several coordinates also
+        /// `stop`: a rigid one is met; `points`, `lost`: it was followed no farther.
         pub why: &'static str,
+        /// The coordinate.
+        pub coordinate: String,
+        /// The mode.
+        pub mode: usize,
     }
 }
 
@@ -47,6 +58,19 @@ type AtValue<'a> = &'a dyn Fn(f64) -> Result<(Machine<f64>, f64)>;
 
 /// How often the step between two values is halved in which the curve ends.
 const HALVINGS: u32 = 45;
+
+impl BackboneRow {
+    /// Of the only coordinate.
+    fn new(value: f64, swing: f64) -> BackboneRow {
+        BackboneRow { value, swing, coordinate: "q".into(), mode: 1, energy: None }
+    }
+}
+
+impl BackboneEndRow {
+    fn new(value: f64, swing: Option<f64>, why: &'static str) -> BackboneEndRow {
+        BackboneEndRow { value, swing, why, coordinate: "q".into(), mode: 1 }
+    }
+}
 
 /// The curve over the values, which ascend. Cost: some hundred vibrations for each value, fifty times that
 /// for each end.
@@ -76,11 +100,9 @@ pub(super) fn backbone(task: &ResponseTask, job: &Job, values: &[f64], at: AtVal
     let all = values.iter().map(|value| look(*value, true)).collect::<Result<Vec<_>>>()?;
     let swings = |i: usize| all[i].iter().flat_map(|found| found.swings.iter().copied());
     let rows: Vec<BackboneRow> = (0..values.len())
-        .flat_map(|i| swings(i).map(move |swing| BackboneRow { value: values[i], swing }))
+        .flat_map(|i| swings(i).map(move |swing| BackboneRow::new(values[i], swing)))
         .collect();
-    let bound = |i: usize| {
-        swings(i).map(move |swing| BackboneEndRow { value: values[i], swing: Some(swing), why: "range" })
-    };
+    let bound = |i: usize| swings(i).map(move |swing| BackboneEndRow::new(values[i], Some(swing), "range"));
     let mut ends: Vec<BackboneEndRow> = bound(0).collect();
     for i in 1..values.len() {
         let [mut low, mut high] = [(values[i - 1], all[i - 1].clone()), (values[i], all[i].clone())];
@@ -128,7 +150,7 @@ fn end(value: f64, more: &Vibrations, less: Option<&Vibrations>) -> Option<Backb
             ("turns back", Some(two.map_or(swings.clone().next()?, |two| two[0] + (two[1] - two[0]) / 2.0)))
         }
     };
-    Some(BackboneEndRow { value, swing, why })
+    Some(BackboneEndRow::new(value, swing, why))
 }
 
 /// Why there is no vibration at any value.

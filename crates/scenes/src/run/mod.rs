@@ -39,6 +39,7 @@ mod diagram;
 mod enclosed;
 mod engine;
 mod event;
+mod families;
 mod filed;
 mod follow;
 mod grazing;

@@ -12,6 +12,7 @@ use super::{
     backbone::{Backbone, BackboneEndRow, BackboneRow, backbone},
     diagram::{sweep_steps, value, ways},
     engine::{Engine, by_engine},
+    families::of_several,
     highest::{HighestRow, highest},
     row,
     swept::{SweepFindings, way},
@@ -158,6 +159,13 @@ impl Finding for ResponseFindings {
         if let Some(why) = &self.no_backbone {
             return Status::nothing(format!("the backbone has no point: {why}"));
         }
+        let unfollowed = |row: &&BackboneEndRow| matches!(row.why, "points" | "lost");
+        if let Some(row) = self.backbone_ends.iter().flatten().find(unfollowed) {
+            return Status::undecided(format!(
+                "the backbone of mode {} was followed no farther than {}",
+                row.mode, row.value
+            ));
+        }
         match self.rows.is_empty() && self.backbone.is_none() {
             false => Status::Done,
             true => Status::nothing("at no value is there a response"),
@@ -227,9 +235,15 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
     let [machine, _] = at(values[0])?;
     let (names, k) = (names(&machine), task.harmonic);
     let is_linear = !machine.is_smooth() && job.system().map_or(true, |system| system.cubic == 0.0);
+    let ends = [values[0], values[values.len() / 2], values[values.len() - 1]];
+    let is_frequency = resonance::is_frequency(&at, ends)?;
     let backbone = match task.backbone {
-        true => {
+        true if machine.size == 1 && machine.points() == 1 => {
             backbone(task, job, &values, &|value| Ok((at(value)?[0].clone(), engine.cubic(&family, value)?)))?
+        }
+        true => {
+            let (own, ends) = (|value: f64| at(value).map(|[machine, _]| machine), [ends[0], ends[2]]);
+            of_several(task, job, &names[..machine.points()], ends, is_frequency, &own)?
         }
         false => Backbone::default(),
     };
@@ -247,8 +261,6 @@ fn over<E: Engine>(task: &ResponseTask, job: &Job, engine: &E) -> Result<Respons
         }
         job.monitor.advance(1)?;
     }
-    let ends = [values[0], values[values.len() / 2], values[values.len() - 1]];
-    let is_frequency = resonance::is_frequency(&at, ends)?;
     let (peaks, all_peaks) = match linear.is_empty() {
         true => (Vec::new(), true),
         false => peaks(&at, &values, k, &mut || job.check())?,

@@ -20,7 +20,7 @@ keys! {
         seen: Option<bool>,
         /// which way the parameter goes there
         sweep: SweepWay = "\"both\"",
-        /// add the backbone curve, of one coordinate
+        /// add the backbone curves of the free machine
         backbone: bool = "false",
         /// at the first value
         start: Start = "{ q = 0 }",

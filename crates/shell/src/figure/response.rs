@@ -57,11 +57,13 @@ fn draw(rows: &[ResponseRow], peaks: &[PeakRow], backbone: &[BackboneRow], param
             names.push(&row.coordinate);
         }
     }
-    names.truncate(MOST);
-    // Without a drive there is but the backbone of the only coordinate.
-    if rows.is_empty() && !backbone.is_empty() {
-        names.push("q");
+    // Without a drive there is but the backbone.
+    for row in backbone {
+        if !names.contains(&row.coordinate.as_str()) {
+            names.push(&row.coordinate);
+        }
     }
+    names.truncate(MOST);
     let mut legend = Legend::default();
     for (i, (way, name)) in WAYS.iter().enumerate() {
         if rows.iter().any(|row| row.way == *way) {
@@ -99,7 +101,8 @@ fn draw(rows: &[ResponseRow], peaks: &[PeakRow], backbone: &[BackboneRow], param
         .map(|(i, name)| {
             let own = || rows.iter().filter(|row| row.coordinate == **name);
             let across = inside(rows.iter().map(|row| row.value).chain(backbone.iter().map(|row| row.value)));
-            let free = backbone.iter().map(|row| row.swing).fold(0.0, f64::max);
+            let free = backbone.iter().filter(|row| row.coordinate == **name);
+            let free = free.map(|row| row.swing).fold(0.0, f64::max);
             let high = if rows.is_empty() { 1.06 * free } else { highest(own()) };
             let top = 2.0 + each * i as f64;
             let swings = PlotFrame::new(
@@ -145,8 +148,8 @@ fn draw(rows: &[ResponseRow], peaks: &[PeakRow], backbone: &[BackboneRow], param
             let at = swings.path([(peak.value, amplitude)]);
             canvas.discs(at.into_iter().filter(|at| swings.holds(*at)).collect(), PEAK, BLACK);
         }
-        // It is of the only coordinate.
-        let dots = swings.path(backbone.iter().map(|row| (row.value, row.swing)));
+        let own = backbone.iter().filter(|row| row.coordinate == **name);
+        let dots = swings.path(own.map(|row| (row.value, row.swing)));
         canvas.discs(dots.into_iter().filter(|at| swings.holds(*at)).collect(), 0.6, BLACK);
         swings.draw(&mut canvas);
         lags.draw(&mut canvas);
