@@ -38,29 +38,12 @@ pub(super) fn of_several(
         )));
     }
     let base = at(low)?;
-    // What is asked for at a value, in radians of the drive at the first.
-    let radians =
-        |value: f64| -> Result<f64> { Ok(at(value)?.period / base.period / f64::from(task.harmonic) * TAU) };
-    let ends = [radians(low)?, radians(high)?];
-    let value = |period: f64| -> Result<f64> {
-        for (end, value) in ends.into_iter().zip([low, high]) {
-            if (period - end).abs() <= PLACE * end {
-                return Ok(value);
-            }
-        }
-        let (mut a, mut b) = (low, high);
-        loop {
-            let middle = a + (b - a) / 2.0;
-            if middle <= a || middle >= b {
-                return Ok(middle);
-            }
-            *(if (radians(middle)? < period) == (ends[0] < ends[1]) { &mut a } else { &mut b }) = middle;
-        }
-    };
+    let asked = Asked { low, high, harmonic: task.harmonic, base: &base, at };
+    let ends = [asked.radians(low)?, asked.radians(high)?];
     let free = base.freed();
-    let asked = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-    let found = families(&base, &job.planar(&free, &[], &[])?, asked, &mut || job.check())?;
-    let inside = |period: f64| asked[0] * (1.0 - PLACE) <= period && period <= asked[1] * (1.0 + PLACE);
+    let [least, most] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+    let found = families(&base, &job.planar(&free, &[], &[])?, [least, most], &mut || job.check())?;
+    let inside = |period: f64| least * (1.0 - PLACE) <= period && period <= most * (1.0 + PLACE);
     let (mut rows, mut told) = (Vec::new(), Vec::new());
     for ModeFamily { mode, natural, vibrations, end } in &found {
         let mode = *mode;
@@ -75,14 +58,14 @@ pub(super) fn of_several(
         };
         let is_in = |i: usize| vibrations.get(i).is_some_and(|there| inside(there.period));
         for (i, here) in vibrations.iter().enumerate().filter(|(_, here)| inside(here.period)) {
-            let at = value(here.period)?;
+            let value = asked.value(here.period, ends)?;
             if i == 0 && inside(*natural) {
-                say(value(*natural)?, &vec![0.0; names.len()], "natural frequency");
+                say(asked.value(*natural, ends)?, &vec![0.0; names.len()], "natural frequency");
             } else if i > 0 && !is_in(i - 1) {
-                say(at, &here.swings, "range");
+                say(value, &here.swings, "range");
             }
             rows.extend(names.iter().zip(&here.swings).map(|(coordinate, swing)| BackboneRow {
-                value: at,
+                value,
                 swing: *swing,
                 coordinate: coordinate.clone(),
                 mode,
@@ -96,7 +79,7 @@ pub(super) fn of_several(
                     Some(CurveEnd::Points) => "points",
                     _ => "lost",
                 };
-                say(at, &here.swings, why);
+                say(value, &here.swings, why);
             }
         }
     }
@@ -108,4 +91,37 @@ pub(super) fn of_several(
         word.to_string()
     });
     Ok(Backbone { rows: Some(rows), ends: Some(told), why })
+}
+
+/// What is asked for: the drive's period, over a harmonic, between two values.
+struct Asked<'a> {
+    low: f64,
+    high: f64,
+    harmonic: u32,
+    base: &'a Machine<f64>,
+    at: &'a dyn Fn(f64) -> Result<Machine<f64>>,
+}
+
+impl Asked<'_> {
+    /// The period that is asked for at a value, in radians of the drive at the first.
+    fn radians(&self, value: f64) -> Result<f64> {
+        Ok((self.at)(value)?.period / self.base.period / f64::from(self.harmonic) * TAU)
+    }
+
+    /// The value at which a period is asked for, by halving, from what is at both ends.
+    fn value(&self, period: f64, ends: [f64; 2]) -> Result<f64> {
+        for (end, value) in ends.into_iter().zip([self.low, self.high]) {
+            if (period - end).abs() <= PLACE * end {
+                return Ok(value);
+            }
+        }
+        let (mut a, mut b) = (self.low, self.high);
+        loop {
+            let middle = a + (b - a) / 2.0;
+            if middle <= a || middle >= b {
+                return Ok(middle);
+            }
+            *(if (self.radians(middle)? < period) == (ends[0] < ends[1]) { &mut a } else { &mut b }) = middle;
+        }
+    }
 }

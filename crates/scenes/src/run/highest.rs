@@ -7,15 +7,10 @@ use super::{
     response::{ResponseRow, half},
     row,
     swept::{SweepFindings, way},
-    unstable::MOST_IMPACTS,
+    unstable::on_attractor,
 };
 use crate::{
-    attractor::{
-        detection::Detection,
-        diagram::SweepStep,
-        portrait::{OnAttractor, Portrait},
-        swing::Swing,
-    },
+    attractor::{diagram::SweepStep, portrait::OnAttractor, swing::Swing},
     error::Result,
     scene::response::ResponseTask,
 };
@@ -62,12 +57,11 @@ pub(super) fn highest<E: Engine>(
             let mut row = HighestRow { way, coordinate: name.clone(), value, swing, amplitude };
             if let Some((settled, range)) = about(&row, &on, sweep) {
                 let period = settled.portrait.period.unwrap_or(1);
-                let detection = Detection { transient: 0, longest: period as usize, ..Detection::default() };
                 let swing_at = |value: f64| -> Result<(f64, f64)> {
                     job.check()?;
                     let change = (task.parameter.as_str(), value);
                     let swings = engine.system(Some(change)).and_then(|system| {
-                        let orbit = engine.attracting(&system, &settled.start, &detection)?;
+                        let orbit = on_attractor(engine, settled, &system)?;
                         let start = engine.on_orbit(&orbit, &system)?;
                         engine.swings(states, change, &start, [period, task.harmonic])
                     });
@@ -90,7 +84,7 @@ pub(super) fn highest<E: Engine>(
 }
 
 /// The orbit on which something is largest, and between which values the sweep was on it; none at an end of
-/// the sweep, where the motion is not periodic and where it has too many impacts.
+/// the sweep and where the motion is not periodic.
 fn about<'s, S>(
     row: &HighestRow,
     on: &[&'s SweepStep<S>],
@@ -98,8 +92,7 @@ fn about<'s, S>(
 ) -> Option<(&'s OnAttractor<S>, [f64; 2])> {
     let i = on.iter().position(|step| step.value == row.value)?;
     let (before, after) = (on.get(i.checked_sub(1)?)?, on.get(i + 1)?);
-    let is_followed = |portrait: &Portrait| portrait.period.is_some() && portrait.impacts <= MOST_IMPACTS;
-    let settled = on[i].decided().filter(|settled| is_followed(&settled.portrait))?;
+    let settled = on[i].decided().filter(|settled| settled.portrait.period.is_some())?;
     let jumps = || sweep.jumps.iter().filter(|jump| jump.sweep == row.way).map(|jump| jump.stays);
     let between = |x: f64, y: f64| jumps().find(|at| (at - x) * (at - y) <= 0.0);
     // What a jump leads to is not known before it.

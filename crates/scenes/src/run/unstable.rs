@@ -2,14 +2,16 @@
 
 use super::{
     Job,
-    engine::{Engine, JudgedOrbit, OrbitSource as _},
+    engine::{Engine, JudgedOrbit, OrbitSource},
     proved::StartOf,
     row,
     swept::{SweepFindings, way},
 };
 use crate::{
     attractor::{detection::Detection, diagram::SweepStep, portrait::OnAttractor},
-    continuation::{BranchPoint, Direction, FollowedOrbit as _, Options, OrbitBranch, PatternCurve},
+    continuation::{
+        BranchPoint, Direction, FollowedOrbit as _, Options, OrbitBranch, PatternCurve, PatternFamily,
+    },
     error::{Error, Result},
     scene::response::ResponseTask,
 };
@@ -57,7 +59,7 @@ const POINTS: u32 = 400;
 
 /// Of orbits of more impacts in a period than this no branch is followed: an orbit of m impacts takes O(m³)
 /// operations.
-pub(super) const MOST_IMPACTS: u64 = 32;
+const MOST_IMPACTS: u64 = 32;
 
 /// So many branches are followed.
 const MOST_BRANCHES: usize = 16;
@@ -77,84 +79,113 @@ pub(super) fn unstable<E: Engine>(
 ) -> Result<Unstable<StartOf<E>>> {
     let family = engine.family(&task.parameter)?;
     let source = engine.source(&family)?;
-    let options = Options { points: POINTS, ..Options::default() };
     let mut found = Unstable { rows: Vec::new(), orbits: Vec::new(), open: Vec::new() };
     let mut known: Vec<OrbitBranch<E::Orbit>> = Vec::new();
     for (up, at, on) in left(steps, sweep) {
         job.check()?;
-        let detection = Detection {
-            transient: 0,
-            longest: on.portrait.period.unwrap_or(1) as usize,
-            ..Detection::default()
-        };
         if known.len() == MOST_BRANCHES {
             found.open.push(format!(
                 "{MOST_BRANCHES} branches of orbits that the sweep leaves were followed, and no others"
             ));
             break;
         }
-        let followed = || {
-            if on.portrait.impacts > MOST_IMPACTS {
-                return Err(Error::input(format!(
-                    "it has {} impacts in a period, of which {MOST_IMPACTS} are the most that are followed",
-                    on.portrait.impacts
-                )));
+        let system = engine.system(Some((&task.parameter, at)))?;
+        let orbit = on_attractor(engine, on, &system).and_then(|orbit| {
+            let passes = known.iter().any(|branch| branch.passes(&orbit, at));
+            Ok((!passes).then_some(orbit))
+        });
+        let followed = orbit
+            .and_then(|orbit| orbit.map(|orbit| beyond(source.family(), &orbit, at, range, up)).transpose());
+        match followed {
+            Ok(None) => {}
+            Ok(Some((branch, end))) => {
+                stretch_rows((engine, &task.parameter), &source, (&branch, &end), &mut found)?;
+                known.push(branch);
             }
-            let system = engine.system(Some((&task.parameter, at)))?;
-            let orbit = engine.attracting(&system, &on.start, &detection)?;
-            if known.iter().any(|branch| branch.passes(&orbit, at)) {
-                return Ok(None);
-            }
-            let curve = PatternCurve::over(source.family(), orbit.pattern().clone(), range);
-            let place = curve.start_at(&orbit, at, &options)?;
-            let direction = if up { Direction::Forward } else { Direction::Backward };
-            OrbitBranch::follow(&curve, &place, direction, &options).map(Some)
-        };
-        let mut branch = match followed() {
-            Ok(Some(branch)) => branch,
-            Ok(None) => continue,
             Err(error) if error.is_interrupted() => return Err(error),
-            Err(error) => {
-                found.open.push(format!(
-                    "the branch of the orbit on which the sweep is at {at}, and then no longer, was not followed: {error}"
-                ));
-                continue;
-            }
-        };
-        if !up {
-            branch.points.reverse();
+            Err(error) => found.open.push(format!(
+                "the branch of the orbit on which the sweep is at {at}, and then no longer, was not followed: {error}"
+            )),
         }
-        let end = branch.ends[usize::from(up)].to_string();
-        let pattern = branch.itinerary.clone();
-        for (begin, stretch) in stretches(&branch.points) {
-            let (number, last) = (found.rows.len() + 1, begin + stretch.len() == branch.points.len());
-            let [from, to] = [&stretch[0], &stretch[stretch.len() - 1]];
-            let kind = |point: &BranchPoint<E::Orbit>| point.kind().unwrap_or("start").to_string();
-            found.rows.push(UnstableRow {
-                stretch: number,
-                period: pattern.periods(),
-                pattern: source.named(&pattern),
-                from: from.parameters[0],
-                begins: kind(from),
-                to: to.parameters[0],
-                ends: if last && to.kind().is_none() { end.clone() } else { kind(to) },
-                orbits: stretch.len(),
-            });
-            for point in stretch {
-                let value = point.parameters[0];
-                let system = engine.system(Some((&task.parameter, value)))?;
-                found.orbits.push(UnstableOrbit {
-                    stretch: number,
-                    value,
-                    period: pattern.periods(),
-                    impacts: pattern.strikes().len() as u64,
-                    start: engine.on_orbit(&point.orbit, &system)?,
-                });
-            }
-        }
-        known.push(branch);
     }
     Ok(found)
+}
+
+/// The orbit that the motion has settled on.
+///
+/// # Errors
+/// An input error of one with more than 32 impacts; those of [`Engine::attracting`].
+pub(super) fn on_attractor<E: Engine>(
+    engine: &E,
+    on: &OnAttractor<StartOf<E>>,
+    system: &E::System,
+) -> Result<E::Orbit> {
+    let portrait = &on.portrait;
+    if portrait.impacts > MOST_IMPACTS {
+        return Err(Error::input(format!(
+            "it has {} impacts in a period, of which {MOST_IMPACTS} are the most that are followed",
+            portrait.impacts
+        )));
+    }
+    let longest = portrait.period.unwrap_or(1) as usize;
+    engine.attracting(system, &on.start, &Detection { transient: 0, longest, ..Detection::default() })
+}
+
+/// The branch from an orbit on, one way, and why it ends.
+fn beyond<F: PatternFamily + ?Sized>(
+    family: &F,
+    orbit: &F::Orbit,
+    at: f64,
+    range: (f64, f64),
+    up: bool,
+) -> Result<(OrbitBranch<F::Orbit>, String)> {
+    let options = Options { points: POINTS, ..Options::default() };
+    let curve = PatternCurve::over(family, orbit.pattern().clone(), range);
+    let place = curve.start_at(orbit, at, &options)?;
+    let direction = if up { Direction::Forward } else { Direction::Backward };
+    let mut branch = OrbitBranch::follow(&curve, &place, direction, &options)?;
+    if !up {
+        branch.points.reverse();
+    }
+    let end = branch.ends[usize::from(up)].to_string();
+    Ok((branch, end))
+}
+
+/// The stretches of a branch, with states on their orbits.
+fn stretch_rows<E: Engine, S: OrbitSource<Orbit = E::Orbit>>(
+    (engine, parameter): (&E, &str),
+    source: &S,
+    (branch, end): (&OrbitBranch<E::Orbit>, &str),
+    found: &mut Unstable<StartOf<E>>,
+) -> Result<()> {
+    let pattern = &branch.itinerary;
+    let kind = |point: &BranchPoint<E::Orbit>| point.kind().unwrap_or("start").to_string();
+    for (begin, stretch) in stretches(&branch.points) {
+        let (number, last) = (found.rows.len() + 1, begin + stretch.len() == branch.points.len());
+        let [from, to] = [&stretch[0], &stretch[stretch.len() - 1]];
+        found.rows.push(UnstableRow {
+            stretch: number,
+            period: pattern.periods(),
+            pattern: source.named(pattern),
+            from: from.parameters[0],
+            begins: kind(from),
+            to: to.parameters[0],
+            ends: if last && to.kind().is_none() { end.to_string() } else { kind(to) },
+            orbits: stretch.len(),
+        });
+        for point in stretch {
+            let value = point.parameters[0];
+            let system = engine.system(Some((parameter, value)))?;
+            found.orbits.push(UnstableOrbit {
+                stretch: number,
+                value,
+                period: pattern.periods(),
+                impacts: pattern.strikes().len() as u64,
+                start: engine.on_orbit(&point.orbit, &system)?,
+            });
+        }
+    }
+    Ok(())
 }
 
 /// The orbits that a sweep leaves, each with the way and the last value at which the motion is on it.
