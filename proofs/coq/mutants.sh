@@ -547,22 +547,25 @@ E
 mutant one-impact-of-a-negative-restitution 'File "./(Consequences)?(OneImpact|Systems)' --pin StatementOneImpact.v <<'E'
 s/a1 a2 gamma -> 0 <= Oscillator.tau O ->$/a1 a2 gamma ->/
 E
-mutant multipliers-of-the-other-sign 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
-s/Rabs (det_less D + rate \* K/Rabs (det_less D - rate * K/
+mutant multipliers-of-the-other-sign 'File "./(ConsequencesMultipliers|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/Rabs (det_less N D + rate \* K/Rabs (det_less N D - rate * K/
 E
-mutant multipliers-at-any-slope 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+mutant multipliers-at-any-slope 'File "./(ConsequencesMultipliers|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
 s/second_order M w V rate n Qh Q -> across M V n = 0 ->/second_order M w V rate n Qh Q ->/
 E
-mutant multipliers-without-a-second-order 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+mutant multipliers-without-a-second-order 'File "./(ConsequencesMultipliers|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
 s/^  second_order M w V rate n Qh Q -> across/  across/
 E
-mutant multipliers-of-any-derivatives 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+mutant multipliers-of-any-derivatives 'File "./(ConsequencesMultipliers|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
 s/^  flight_slopes M n mu y (x tt) c q P -> let D/  let D/
 E
-mutant multipliers-of-more-dimensions 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
-s/ Map.N M = 2%nat ->/ (2 <= Map.N M)%nat ->/
+mutant multipliers-of-the-plane-alone 'File "./ConsequencesMultipliers' --pin StatementMultipliers.v <<'E'
+s/smooth M -> let N := Map.N M in$/smooth M -> Map.N M = 2%nat -> let N := Map.N M in/
 E
-mutant multipliers-real-above-two 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+mutant determinant-without-signs 'File "./ConsequencesMultipliers' --pin StatementMultipliers.v <<'E'
+s/dot N (fun j => (-1) ^ j \* det n/dot N (fun j => det n/
+E
+mutant multipliers-real-above-two 'File "./(ConsequencesMultipliers|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
 s/exists lambda v, 1 < lambda/exists lambda v, 2 < lambda/
 E
 
