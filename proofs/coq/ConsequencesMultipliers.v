@@ -1,7 +1,7 @@
 (** * What follows, worked out by hand, from the statements on the second order of maps *)
 From Coq Require Import Reals Lra Lia.
 From Grazing Require Import Statement StatementOrbits StatementOrbitsPlane StatementPlane StatementUnstable.
-From Grazing Require Import StatementResonance StatementMultipliers Derivatives.
+From Grazing Require Import StatementResonance StatementMultipliers StatementFold Derivatives.
 Open Scope R_scope.
 
 (** The multipliers of orbits at resonance with s = 1/8, n = 4: A^4 = - I / 16, and det (I - A^4) = (17/16)^2. *)
@@ -217,4 +217,97 @@ Proof.
   set (z := q 0%nat * a 0%nat / (2 * y)) in *; rewrite <- Rabs_Ropp; match goal with |- Rabs ?g <= _ => match type of B
     with Rabs ?h <= _ => replace g with h by
     field; exact B end end.
+Qed.
+
+(** ** A fold: x -> mu + mu x + nu x on the line, with the height x and the kick y, has V = T = 1, U = 0, S = K = - 1:
+    mu is about - y (y + nu) *)
+Definition bent : Family.t := Family.Build_t 1 (fun nu x mu _ => mu + mu * x 0%nat + nu * x 0%nat) (fun _ x _ => x
+  0%nat) (fun _ _ _ _ _ => 1) (fun _ _ => 0) (fun _ => 1) (fun _ => 1) 0 (fun _ => 1).
+Lemma bent_smooth : smooth_family bent.
+Proof.
+  constructor; [|intros nu x Hx; specialize (Hx 0%nat ltac:(cbn; lia)); cbn; rewrite Hx; split; [|intros _ _]; ring].
+  assert (Flat : forall e g t, 0 < e -> g = 0 -> 0 <= t -> Rabs g <= e * t) by (intros e g t He -> Ht; rewrite Rabs_R0;
+    apply Rmult_le_pos; lra).
+  split; [|split]; [intros [|[|i]] Hi; [| |cbn in Hi; lia] | |intros e He; exists 1; split; [lra|]; intros x x' y y' mu
+    mu' t [|[|i]] Hi _ _ _ _ _ _ _ Ht _; [| |cbn in Hi; lia]; (apply Flat; [exact He | cbn; ring | eapply Rle_trans;
+      [apply
+    Rabs_pos | exact Ht]])].
+  1, 3: split; [reflexivity|]; intros e He; exists 1; split; [lra|]; intros x x' mu mu' t _ _ _ _ Ht Mt; (apply Flat;
+    [exact He | cbn; unfold zero, minus, hat; ring | eapply Rle_trans; [apply Rabs_pos | exact Mt]]).
+  split; [cbn; unfold zero; ring|]; intros e He; exists (e / 4); split; [lra|]; intros x x' mu mu' t X X' Mu _ Ht Mt.
+  pose proof (X 0%nat ltac:(cbn; lia)) as X0; pose proof (X' 1%nat ltac:(cbn; lia)) as X1; pose proof (Ht 0%nat
+    ltac:(cbn; lia)) as T0; pose proof (Ht 1%nat ltac:(cbn; lia)) as T1; unfold minus in T0, T1.
+  pose proof (product _ _ _ _ Mu T1); pose proof (product _ _ _ _ Mt X1); pose proof (product _ _ _ _ X0 T1); pose proof
+    (product _ _ _ _ T0 X1).
+  match goal with |- Rabs ?g <= _ => replace g with ((mu * (x 1%nat - x' 1%nat) + (mu - mu') * x' 1%nat) + (x 0%nat * (x
+    1%nat - x' 1%nat) + (x 0%nat - x' 0%nat) * x' 1%nat)) by (cbn; unfold hat, minus, zero; ring) end.
+  eapply Rle_trans; [apply Rabs_triang|]; eapply Rle_trans; [apply Rplus_le_compat; apply Rabs_triang|]; lra.
+Qed.
+Lemma bent_bends k : bends_along 1 (fun _ => 1) (fun nu y mu x => mu + mu * x 0%nat + nu * x 0%nat + k * y) (fun y mu _
+  => mu + k * y) 1 0.
+Proof.
+  intros e He; exists (Rmin 1 (e / 2)); pose proof (Rmin_l 1 (e / 2)); pose proof (Rmin_r 1 (e / 2)).
+  assert (Hr : 0 < Rmin 1 (e / 2)) by (apply Rmin_glb_lt; lra); set (r := Rmin 1 (e / 2)) in *; split; [exact Hr|].
+  intros nu y mu x y' mu' x' _ Hy Hy' [_ X] [M' X'] [MM XX]; specialize (X 0%nat ltac:(lia)); specialize (XX 0%nat
+    ltac:(lia)); cbv beta in *; unfold minus in XX; rewrite Rmult_1_r in X, XX; rewrite (Rabs_pos_eq y) in X by lra.
+  rewrite (Rabs_pos_eq y') in M' by lra; set (a := x 0%nat) in *; set (a' := x' 0%nat) in *; set (s := Rabs (y - y')) in
+    *; assert (Hs : 0 <= s) by apply Rabs_pos; pose proof (Rabs_pos nu).
+  assert (Sa : Rabs a <= 2 * y) by (apply from in X; rewrite (Rabs_pos_eq y) in X by lra; assert (r * y <= 1 * y) by
+    (apply Rmult_le_compat_r; lra); lra). assert (Sd : Rabs (a - a') <= 2 * s) by (apply from in XX; fold s in XX;
+      assert
+    (r * s <= 1 * s) by (apply Rmult_le_compat_r; lra); lra).
+  pose proof (product _ _ _ _ MM Sa); pose proof (product _ _ _ _ M' Sd); pose proof (product _ _ _ _ (Rle_refl (Rabs
+    nu)) XX).
+  match goal with |- Rabs ?g <= _ => replace g with (((mu - mu') * a + mu' * (a - a')) + nu * (a - a' - (y - y'))) by
+    (unfold minus; fold a a'; ring) end.
+  eapply Rle_trans; [apply Rabs_triang|]; eapply Rle_trans; [apply Rplus_le_compat_r, Rabs_triang|].
+  assert (P0 : 0 <= (Rabs nu + y + y') * s) by (apply Rmult_le_pos; lra); assert (L : 2 * r <= e) by lra; apply
+    (Rmult_le_compat_r _ _ _ P0) in L. assert (0 <= r * (Rabs nu * s)) by (apply Rmult_le_pos; [lra | apply
+    Rmult_le_pos; lra]); lra.
+Qed.
+Lemma bent_folds : Fold_statement -> exists d r, 0 < d /\ 0 < r /\ (forall nu y, - r < nu < r -> 0 < y < r -> exists mu
+  x,
+  - d <= mu <= d /\ single (member bent nu) 1 mu d x /\ speed_of (member bent nu) 1 mu x = y /\
+  - (Rabs nu + y) * y / 100 <= mu + y * (y + nu) <= (Rabs nu + y) * y / 100 /\
+  forall mu' x', one_impact bent 1 d nu mu' x' y -> mu' = mu /\ x' tt 0%nat = x tt 0%nat) /\
+  forall nu mu x y mu' x' y', - r < nu < r -> y < r -> one_impact bent 1 d nu mu x y -> one_impact bent 1 d nu mu' x' y'
+  -> y' < y -> - (Rabs nu + y + y') * (y - y') / 100 <= mu - mu' + (y - y') * (y + y' + nu) <= (Rabs nu + y + y') * (y -
+  y') / 100 /\ (nu < 0 -> (y <= 49 / 100 * - nu -> mu' < mu) /\ (51 / 100 * - nu <= y' -> mu < mu')) /\
+  (0 <= nu -> 0 <= y' -> mu < mu').
+Proof.
+  intros St; destruct (St bent (fun _ => 1) (fun _ => 1) (fun _ => 1) (fun _ => 0) 1 1%nat 1 0 (fun _ => 1) (fun _ =>
+    0)) as (d & Hd & [One Law Where]); try exact R1_neq_R0.
+  - exact bent_smooth.
+  - intros i _; unfold mult; cbn; ring.
+  - cbn; ring.
+  - lia.
+  - intros x Hx i Hi; rewrite (Hx i Hi); unfold power, mult; cbn; ring.
+  - intros i _; unfold power, mult; cbn; repeat split; ring.
+  - constructor; [|intros i Hi]; intros e He; [destruct (bent_bends 0 e He) as (r & Hr & B) | destruct (bent_bends 1 e
+    He) as (r & Hr & B)]; exists r; (split; [exact Hr|]); intros nu y mu x y' mu' x' Hn Hy Hy' X X' XX; specialize (B nu
+      y
+    mu x y' mu' x' Hn Hy Hy' X X' XX); unfold across, power, mult; cbn in B |- *; match goal with |- Rabs ?g <= _ =>
+      match
+    type of B with Rabs ?h <= _ => replace g with h by ring; exact B end end.
+  - unfold across, power, mult; cbn; ring.
+  - intros k Hk; lia.
+  - assert (ES : - (1 + across (member bent 0) (fun _ => 1) 1) / 1 = -1) by (unfold across, power, mult; cbn; field).
+    assert (EK : - (1 + 0 + across (member bent 0) (fun _ => 0) 1) / 1 = -1) by (unfold across, power, mult; cbn;
+      field).
+    rewrite ES, EK in Law, Where; destruct One as (r1 & R1 & H1), (Law (1 / 100) ltac:(lra)) as (r2 & R2 & H2), (Where
+      ltac:(lra) (1 / 100) ltac:(lra)) as (r3 & R3 & H3).
+    destruct (two_least r1 r2 R1 R2) as (r4 & R4 & L1 & L2), (two_least r4 r3 R4 R3) as (r & Hr & L3 & L4).
+    exists d, r; split; [exact Hd | split; [exact Hr | split]].
+    + intros nu y Hnu Hy; assert (An : Rabs nu < r) by (apply Rabs_def1; lra); destruct (H1 nu y ltac:(lra) ltac:(lra))
+        as (mu & x & O & Only); destruct (H2 nu mu x y mu x y ltac:(lra) ltac:(lra) ltac:(lra) O O) as [B _].
+      exists mu, x; destruct O as (O1 & O2 & O3); apply le_abs in O1, B; split; [exact O1 | split; [exact O2 | split;
+        [exact O3 | split; [lra|]]]]. intros mu' x' O'; destruct (Only mu' x' O') as [E X]; split; [exact E | apply X;
+          cbn;
+        lia].
+    + intros nu mu x y mu' x' y' Hnu Hy O O' Hyy; assert (An : Rabs nu < r) by (apply Rabs_def1; lra).
+      destruct (H2 nu mu x y mu' x' y' ltac:(lra) ltac:(lra) ltac:(lra) O O') as [_ B]; rewrite (Rabs_pos_eq (y - y'))
+        in B by lra. destruct (H3 nu mu x y mu' x' y' ltac:(lra) ltac:(lra) O O' Hyy) as [C D]; cbv zeta in C, D.
+      replace (- (nu * -1) / (2 * -1)) with (- nu / 2) in C, D by field; apply le_abs in B; split; [lra|].
+      split; [intros Hn; rewrite Rabs_left in C, D by lra; split; intros S; [specialize (C ltac:(lra)) | specialize (D
+        ltac:(lra))]; lra | intros Hn Hp; rewrite Rabs_pos_eq in D by lra; specialize (D ltac:(lra)); lra].
 Qed.

@@ -356,6 +356,9 @@ s/^  let K := \(.*\) in forall eps, 0 < eps -> exists d, 0 < d \/\\$/  let K := 
 s/^  forall mu x c q P, Rabs mu <= d ->/  forall mu x c q P, exists d, 0 < d \/\\ (Rabs mu <= d ->/
 s/D v i = lambda \* v i)\.$/D v i = lambda * v i))./
 E
+other StatementFold.v turn_one 'a radius for each nu' <<'E'
+s/^  turn_one : exists r, 0 < r \/\\ forall nu y, Rabs nu < r ->/  turn_one : forall nu, exists r, 0 < r \/\\ forall y, Rabs nu < r ->/
+E
 other StatementTraps.v Traps_statement 'a bound for each certificate' <<'E'
 s/exists lo hi, let T := seen C M (hi - lo) in traps/exists lo hi, let T := seen C M (1 + hi - lo) in traps/
 E

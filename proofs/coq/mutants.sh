@@ -568,6 +568,24 @@ E
 mutant multipliers-real-above-two 'File "./(ConsequencesMultipliers|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
 s/exists lambda v, 1 < lambda/exists lambda v, 2 < lambda/
 E
+mutant fold-at-another-speed 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
+s/let s := - (nu \* S) \/ (2 \* K) in/let s := - (nu * S) \/ K in/
+E
+mutant fold-of-any-slope 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
+s/^  mixed_order F w V rate n ph Qh p Q -> across M V n = 0 ->/  mixed_order F w V rate n ph Qh p Q ->/
+E
+mutant fold-without-a-second-order 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
+s/^  mixed_order F w V rate n ph Qh p Q -> across/  across/
+E
+mutant fold-of-what-meets-before 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
+s/ -> (forall k, (0 < k < n)%nat -> 0 < across M V k) ->$/ ->/
+E
+mutant fold-of-a-family-that-grazes-elsewhere 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
+s/x i = 0) -> Family.h F nu x 0 = 0 \/\\$/x i = 0) -> True \/\\/
+E
+mutant fold-of-a-rough-family 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
+s/^  family_smooth : .*/  family_smooth : smooth (member F 0);/
+E
 
 # The reader of attractors.
 mutant trap-of-any-machines 'File "./(ConsequencesTraps|TrapsChecked)' --pin StatementTraps.v <<'E'
