@@ -56,8 +56,6 @@ Proof.
 Qed.
 Lemma put_same j a : put j (a j) a = a.
 Proof. extensionality k; unfold put; destruct (Nat.eqb_spec k j); subst; reflexivity. Qed.
-Lemma put_put j u v a : put j u (put j v a) = put j u a.
-Proof. extensionality k; unfold put; destruct (Nat.eqb_spec k j); reflexivity. Qed.
 Lemma put_swap j k u v a : j <> k -> put j u (put k v a) = put k v (put j u a).
 Proof. intros H; extensionality l; skips; reflexivity. Qed.
 

@@ -161,8 +161,6 @@ Proof.
   - rewrite E2, A2; reflexivity.
   - apply close_touch; [exact Tw|]; destruct (Ne c Ti) as [A _]; rewrite Ez in A; apply le_abs in A; lra.
 Qed.
-Lemma hit_near j : flown j -> Rabs (hit j - tG) <= D.
-Proof. intros F; apply (hit_facts j (j + 1) F eq_refl). Qed.
 End FromOrbit.
 Definition facts (x : Z -> vec) (yy : Z -> R) : Prop := forall j, flown x yy j.
 (** A crossing near the touch is the one that tc names. *)

@@ -90,20 +90,6 @@ Proof.
     match goal with |- Rabs ?u <= _ => replace u with (Y x mu (low x mu) - Y x' mu' (low x' mu') - zz tG)
       by (unfold zz, dz; ring) end; apply Rabs_le; lra.
 Qed.
-Lemma period_strict : y0 T = y0 0 -> v0 T = v0 0 -> forall i, (i < 2)%nat ->
-  strict 2 (fun x mu => period_map x mu i) (dot 2 (match i with O => pair (p1 T) (p2 T) | _ => pair (q1 T) (q2 T) end))
-  (pair (p3 T) (q3 T) i).
-Proof.
-  intros Ey Ev i Hi; split.
-  { unfold period_map; rewrite (proj1 (at_rest T)), (proj2 (at_rest T)); destruct i; lra. }
-  intros e He; destruct (differences e He) as (d & Hd1 & H); exists d; split; [lra|];
-      intros x x' mu mu' t Hx Hx' Hm Hm' Ht Htm. destruct (H x x' mu mu' t Hx Hx' Hm Hm' Ht Htm) as (_ & D);
-      destruct (D T ltac:(here; lra)) as [D1 D2]. destruct i as [|[|i]]; [| |lia]; cbn; unfold minus.
-  - match goal with |- Rabs ?g <= _ => match type of D1 with Rabs ?u <= _ => replace g with u by (unfold period_map, dz,
-        dw; ring) end end; exact D1.
-  - match goal with |- Rabs ?g <= _ => match type of D2 with Rabs ?u <= _ => replace g with u by (unfold period_map, dz,
-        dw; ring) end end; exact D2.
-Qed.
 Lemma lin_comb m z w s : lin m z w -> 0 <= s <= T -> z s = z 0 * p1 s + w 0 * p2 s + m * p3 s /\
   w s = z 0 * q1 s + w 0 * q2 s + m * q3 s.
 Proof.

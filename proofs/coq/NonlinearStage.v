@@ -81,11 +81,6 @@ Proof.
   - pose proof (downhill zero 0 e s S0 Re Hs ltac:(lra)) as D; rewrite !(proj1 (@at_rest F _)), (proj1 Hex) in D.
     rewrite Rabs_pos_eq; lra.
 Qed.
-Lemma cross_rest : cross zero 0 = e.
-Proof.
-  pose proof (cross_near 0 zero 0 (small_zero 0 ltac:(lra)) ltac:(lra)) as A; rewrite Rmult_0_r, Rmult_0_r in A; apply
-    Rminus_diag_uniq, Rabs_zero. apply Rmult_le_reg_l with (- u1); lra.
-Qed.
 Definition after_hit (x : vec) mu := law mu (cross x mu - e) (V1 x mu (cross x mu)).
 Definition carry (x : vec) mu : vec := @origin F' mu (cross x mu - e + rho) 0 (after_hit x mu).
 Lemma carry_flow x mu : let s := cross x mu - e + rho in Y2 (carry x mu) mu s = 0 /\ V2 (carry x mu) mu s =
