@@ -32,9 +32,8 @@ Qed.
 
 (** ** Linear in each column *)
 Definition put (j : nat) (u : vec) (a : nat -> vec) : nat -> vec := fun k => if Nat.eqb k j then u else a k.
-Ltac skips := unfold skip, put; repeat match goal with
-  | |- context [Nat.ltb ?a ?b] => destruct (Nat.ltb_spec a b); try lia
-  | |- context [Nat.eqb ?a ?b] => destruct (Nat.eqb_spec a b); try lia end; try lia.
+Ltac skips := unfold skip, put; repeat match goal with | |- context [Nat.ltb ?a ?b] => destruct (Nat.ltb_spec a b); try
+  lia | |- context [Nat.eqb ?a ?b] => destruct (Nat.eqb_spec a b); try lia end; try lia.
 Lemma det_ext N : forall a b, (forall j i, (j < N)%nat -> (i < N)%nat -> a j i = b j i) -> det N a = det N b.
 Proof.
   induction N as [|n IH]; intros a b H; [reflexivity|]; cbn [det]; apply dot_same; intros k Hk.
@@ -176,8 +175,7 @@ Proof.
   assert (T : forall k, (k <= S n)%nat -> let s a := dot k (fun j => (-1) ^ j * det n (fun k i => a (skip j k) (S i)))
     (fun j => a j O) in Rabs (s a) <= INR k * (l * m + m) /\ Rabs (s a - s b) <= INR k * ((l * m + m) * h)).
   { induction k as [|k IHk]; intros Hk s; [unfold s; cbn; rewrite Rminus_eq_0, Rabs_R0; lra|].
-    destruct (IHk ltac:(lia)) as [S1 S2]; unfold s; cbn [dot]; rewrite S_INR, !(Rmult_plus_distr_r (INR k)),
-      !Rmult_1_l.
+    destruct (IHk ltac:(lia)) as [S1 S2]; unfold s; cbn [dot]; rewrite S_INR, !(Rmult_plus_distr_r (INR k)), !Rmult_1_l.
     destruct (IH (fun l i => a (skip k l) (S i)) (fun l i => b (skip k l) (S i)) h) as [D1 D2]; [|exact Hh|].
     { intros j Hj; destruct (H (skip k j)) as (A & B & C); [skips|]; repeat split; intros i Hi; [apply (A (S i)) | apply
       (B (S i)) | apply (C (S i))]; lia. }
@@ -188,9 +186,8 @@ Proof.
     split; [eapply Rle_trans; [apply Rabs_triang|]; apply Rplus_le_compat; [exact S1|] |].
     - pose proof (product _ _ _ _ (product _ _ _ _ P D1) A); lra.
     - match goal with |- Rabs ?g <= _ => replace g with ((dot k (fun j => (-1) ^ j * det n (fun k i => a (skip j k) (S
-      i))) (fun j => a j O) -
-        dot k (fun j => (-1) ^ j * det n (fun k i => b (skip j k) (S i))) (fun j => b j O)) + ((-1) ^ k * (da - db) * b
-        k O + (-1) ^ k * da * (a k O - b k O))) by ring end.
+      i))) (fun j => a j O) - dot k (fun j => (-1) ^ j * det n (fun k i => b (skip j k) (S i))) (fun j => b j O)) +
+      ((-1) ^ k * (da - db) * b k O + (-1) ^ k * da * (a k O - b k O))) by ring end.
       pose proof (product _ _ _ _ (product _ _ _ _ P D2) B); pose proof (product _ _ _ _ (product _ _ _ _ P D1) C).
       eapply Rle_trans; [apply Rabs_triang|]; apply Rplus_le_compat; [exact S2|]; eapply Rle_trans; [apply
       Rabs_triang|]; lra. }
@@ -227,10 +224,9 @@ Proof.
     destruct (Near (fun j => comb 1 (- s) (axis j) (mult N D (axis j))) (fun j => comb 1 (- t) (axis j) (mult N D (axis
       j))) (m * r)) as [_ B]; [| apply Rmult_le_pos; lra | unfold f; replace (K * (m * r)) with (K * m * r) in B by
       ring; lra].
-    assert (One : forall u j, Rabs u <= 2 -> within N (1 + 2 * m) (comb 1 u (axis j) (mult N D (axis
-      j)))) by (intros u j Hu i Hi; unfold comb; rewrite Rmult_1_l; apply triangle2; [apply (within_axis N j i Hi) |
-        apply
-      product; [exact Hu | apply Bu, Hi]]).
+    assert (One : forall u j, Rabs u <= 2 -> within N (1 + 2 * m) (comb 1 u (axis j) (mult N D (axis j)))) by (intros u
+      j Hu i Hi; unfold comb; rewrite Rmult_1_l; apply triangle2; [apply (within_axis N j i Hi) | apply product; [exact
+      Hu | apply Bu, Hi]]).
     intros j Hj; split; [apply One, Rabs_le; lra | split; [apply One, Rabs_le; lra|]]; intros i Hi; unfold minus, comb.
     replace (_ - _) with (mult N D (axis j) i * (t - s)) by ring; apply product; [apply Bu, Hi | apply Rabs_le; lra]. }
   destruct (IVT_interv (fun t => - f t) 0 1 Cf) as (z & Hz & Ez); [lra | rewrite F0; lra | rewrite F1; lra|].

@@ -7,15 +7,14 @@ From Grazing Require NonlinearFlow NonlinearKick.
 Open Scope R_scope.
 
 (** The linearized equation of coefficients kk, cc, ll along the orbit of F, on [0, T]. *)
-Definition along_arc (F : NonlinearFlow.force) (kk cc ll : R -> R) : Prop :=
-  (forall x, 0 <= x <= @NonlinearFlow.T F -> Rabs (kk x) <= @NonlinearFlow.L F /\ Rabs (cc x) <= @NonlinearFlow.L F /\
-    Rabs (ll x) <= @NonlinearFlow.L F) /\
-  (forall eps, 0 < eps -> exists d, 0 < d /\ forall x y v mu y' v' mu', 0 <= x <= @NonlinearFlow.T F ->
-    Rabs (y - @NonlinearFlow.y0 F x) <= d -> Rabs (v - @NonlinearFlow.v0 F x) <= d -> Rabs mu <= d ->
-    Rabs (y' - @NonlinearFlow.y0 F x) <= d -> Rabs (v' - @NonlinearFlow.v0 F x) <= d -> Rabs mu' <= d ->
-    Rabs (@NonlinearFlow.a F x y v mu - @NonlinearFlow.a F x y' v' mu' - (kk x * (y - y') + cc x * (v - v') +
-      ll x * (mu - mu'))) <= eps * (Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu'))) /\
-  forall m s p q, exists z w, NonlinearKick.solves kk cc ll m z w /\ z s = p /\ w s = q.
+Definition along_arc (F : NonlinearFlow.force) (kk cc ll : R -> R) : Prop := (forall x, 0 <= x <= @NonlinearFlow.T F ->
+  Rabs (kk x) <= @NonlinearFlow.L F /\ Rabs (cc x) <= @NonlinearFlow.L F /\ Rabs (ll x) <= @NonlinearFlow.L F) /\
+  (forall eps, 0 < eps -> exists d, 0 < d /\ forall x y v mu y' v' mu', 0 <= x <= @NonlinearFlow.T F -> Rabs (y -
+  @NonlinearFlow.y0 F x) <= d -> Rabs (v - @NonlinearFlow.v0 F x) <= d -> Rabs mu <= d -> Rabs (y' - @NonlinearFlow.y0 F
+  x) <= d -> Rabs (v' - @NonlinearFlow.v0 F x) <= d -> Rabs mu' <= d -> Rabs (@NonlinearFlow.a F x y v mu -
+  @NonlinearFlow.a F x y' v' mu' - (kk x * (y - y') + cc x * (v - v') + ll x * (mu - mu'))) <= eps * (Rabs (y - y') +
+  Rabs (v - v') + Rabs (mu - mu'))) /\ forall m s p q, exists z w, NonlinearKick.solves kk cc ll m z w /\ z s = p /\ w s
+  = q.
 
 Section Arc.
 Variables (a a_t a_y a_v a_mu : R -> R -> R -> R -> R) (T r : R) (yy vv : R -> R).
@@ -135,10 +134,9 @@ Proof.
     Rabs (a t y v mu - a t' y' v' mu') <= / d * (Rabs (t - t') + Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu'))).
   assert (Pos : forall x y z w : R, 0 <= Rabs x + Rabs y + Rabs z + Rabs w)
     by (intros; repeat apply Rplus_le_le_0_compat; apply Rabs_pos). destruct (arc_everywhere P) as (d & Hd & H).
-  - intros s d d' H Hd t y v mu t' y' v' mu' H1 H2 (A & B & C) (A' & B' & C');
-      assert (I : / d <= / d') by (apply Rinv_le_contravar; lra). destruct (H t y v mu t' y' v' mu') as [Q Q'];
-      unfold inside; repeat split; try lra. eapply Rle_trans; [exact Q'|]; apply Rmult_le_compat_r; [apply Pos | exact
-      I].
+  - intros s d d' H Hd t y v mu t' y' v' mu' H1 H2 (A & B & C) (A' & B' & C'); assert (I : / d <= / d') by (apply
+      Rinv_le_contravar; lra). destruct (H t y v mu t' y' v' mu') as [Q Q']; unfold inside; repeat split; try lra.
+      eapply Rle_trans; [exact Q'|]; apply Rmult_le_compat_r; [apply Pos | exact I].
   - intros t Ht; destruct (arc_strictly t 1 Ht ltac:(lra)) as (d & Hd & Hd1 & H); set (p := a t (yy t) (vv t) 0).
     set (L := 1 + Rabs (arc_at a_t t) + Rabs (arc_at a_y t) + Rabs (arc_at a_v t) + Rabs (arc_at a_mu t)).
     assert (HL : 1 <= L) by (unfold L; pose proof (Pos (arc_at a_t t) (arc_at a_y t) (arc_at a_v t) (arc_at a_mu t));
@@ -153,9 +151,8 @@ Proof.
         pose proof (Rabs_pos (v1 - v2)); pose proof (Rabs_pos (m1 - m2)).
       pose proof (B (arc_at a_t t) (t1 - t2) ltac:(unfold S; lra)) as B1;
         pose proof (B (arc_at a_y t) (y1 - y2) ltac:(unfold S; lra)) as B2.
-      pose proof (B (arc_at a_v t) (v1 - v2) ltac:(unfold S; lra)) as B3;
-        pose proof (B (arc_at a_mu t) (m1 - m2) ltac:(unfold S; lra)) as B4. apply le_abs in Q, B1, B2, B3, B4; apply
-        Rabs_le; unfold L; lra. }
+      pose proof (B (arc_at a_v t) (v1 - v2) ltac:(unfold S; lra)) as B3; pose proof (B (arc_at a_mu t) (m1 - m2)
+        ltac:(unfold S; lra)) as B4. apply le_abs in Q, B1, B2, B3, B4; apply Rabs_le; unfold L; lra. }
     set (K := L * 4 + Rabs p); assert (HK : 4 <= K) by (unfold K; pose proof (Rabs_pos p); lra).
     destruct (two_least (d / 2) (/ K) ltac:(lra) ltac:(apply Rinv_0_lt_compat; lra)) as (q & Hq & L1 & L2); exists q;
       split; [exact Hq|]. assert (Kq : K <= / q) by (rewrite <- (Rinv_inv K); apply Rinv_le_contravar; assumption).
@@ -198,10 +195,9 @@ Proof.
   apply (froz_continuous vv); intros s Hs e He; destruct (arc_steady s e Hs He) as (d & Hd & _ & _ & N); exists d;
     split; [exact Hd|]; intros s' _ Hs'; apply N, Hs'.
 Qed.
-Theorem arc_force : exists (F : NonlinearFlow.force) q, 0 < q <= r /\ @NonlinearFlow.T F = T /\
-  (forall t, 0 <= t <= T -> @NonlinearFlow.y0 F t = yy t /\ @NonlinearFlow.v0 F t = vv t) /\
-  (forall t y v mu, 0 <= t <= T -> inside q t y v mu -> @NonlinearFlow.a F t y v mu = a t y v mu) /\
-  along_arc F k c l.
+Theorem arc_force : exists (F : NonlinearFlow.force) q, 0 < q <= r /\ @NonlinearFlow.T F = T /\ (forall t, 0 <= t <= T
+  -> @NonlinearFlow.y0 F t = yy t /\ @NonlinearFlow.v0 F t = vv t) /\ (forall t y v mu, 0 <= t <= T -> inside q t y v mu
+  -> @NonlinearFlow.a F t y v mu = a t y v mu) /\ along_arc F k c l.
 Proof.
   destruct arc_Lipschitz as (L0 & q & HL0 & Hq & Lip); assert (Hq0 : 0 < q) by lra.
   destruct (froz_bounded vv vv_continuous) as (Bv & HBv & Hv).
@@ -238,8 +234,7 @@ Proof.
     assert (One : forall f u u', Rabs (f (froz t) - f (froz t')) <= B * Rabs (t - t') -> Rabs (f (froz t) + cl q (u - f
       (froz t)) - (f (froz t') + cl q (u' - f (froz t')))) <= 2 * B * Rabs (t - t') + Rabs (u - u')).
     { intros f u u' Hf; pose proof (cl_lip q Hq0 (u - f (froz t)) (u' - f (froz t'))) as Z; replace (u - f (froz t) -
-        (u'
-        - f (froz t'))) with ((u - u') - (f (froz t) - f (froz t'))) in Z by ring.
+        (u' - f (froz t'))) with ((u - u') - (f (froz t) - f (froz t'))) in Z by ring.
       pose proof (apart (u - u') (f (froz t) - f (froz t'))); match goal with |- Rabs ?e <= _ => replace e with ((f
         (froz t) - f (froz t')) + (cl q (u - f (froz t)) - cl q (u' - f (froz t')))) by ring end.
       eapply Rle_trans; [apply Rabs_triang | lra]. }

@@ -11,11 +11,9 @@ Definition moves (a : R -> R -> R -> R -> R) mu (y v : R -> R) t :=
   derivable_pt_lim y t (v t) /\ derivable_pt_lim v t (a t (y t) (v t) mu).
 Definition runs a mu y v := forall t, moves a mu y v t.
 (** Given: that a is Lipschitz, that solutions exist, and a solution y0, v0 at mu = 0; and that all has period T. *)
-Class force := { a : R -> R -> R -> R -> R; T : R; L : R; y0 : R -> R; v0 : R -> R; HT : 0 < T; HL : 1 <= L;
-  Ha : forall t y v mu t' y' v' mu', Rabs (a t y v mu - a t' y' v' mu') <=
-    L * (Rabs (t - t') + Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu'));
-  Horb : runs a 0 y0 v0;
-  Hflow : forall mu s p r, exists y v, runs a mu y v /\ y s = p /\ v s = r }.
+Class force := { a : R -> R -> R -> R -> R; T : R; L : R; y0 : R -> R; v0 : R -> R; HT : 0 < T; HL : 1 <= L; Ha : forall
+  t y v mu t' y' v' mu', Rabs (a t y v mu - a t' y' v' mu') <= L * (Rabs (t - t') + Rabs (y - y') + Rabs (v - v') + Rabs
+  (mu - mu')); Horb : runs a 0 y0 v0; Hflow : forall mu s p r, exists y v, runs a mu y v /\ y s = p /\ v s = r }.
 (** What the context has of the classes here and below, where a term that is being read leaves it open. *)
 Ltac here := repeat match goal with |- context [?e] => is_evar e; let t := type of e in let i :=
   constr:(_ : t) in unify e i end.
@@ -71,9 +69,8 @@ Definition Y (x : vec) mu t := the (fun r => exists y v, starts mu x y v /\ r = 
 Definition V (x : vec) mu t := the (fun r => exists y v, starts mu x y v /\ r = v t).
 Lemma starts_is mu x y v : starts mu x y v -> forall t, Y x mu t = y t /\ V x mu t = v t.
 Proof.
-  intros H t; split; (apply the_spec; [exists y, v; auto|]; intros r (y' & v' & (S' & P & Q) & ->));
-    destruct H as (S0 & P0 & Q0);
-    destruct (unique mu y' v' y v 0 S' S0 ltac:(here; congruence) ltac:(here; congruence) t); assumption.
+  intros H t; split; (apply the_spec; [exists y, v; auto|]; intros r (y' & v' & (S' & P & Q) & ->)); destruct H as (S0 &
+    P0 & Q0); destruct (unique mu y' v' y v 0 S' S0 ltac:(here; congruence) ltac:(here; congruence) t); assumption.
 Qed.
 Lemma flow x mu : starts mu x (Y x mu) (V x mu).
 Proof.
@@ -113,9 +110,8 @@ Qed.
 Definition M := 3 * (2 * (1 + L) * exp ((2 * L + 1) * T)).
 Lemma M_large : 1 <= M.
 Proof.
-  unfold M;
-    assert (P : 1 < exp ((2 * L + 1) * T)) by (rewrite <- exp_0 at 1; apply exp_increasing; apply Rmult_lt_0_compat;
-      lra). pose proof (Rmult_le_compat_l (1 + L) 1 _ ltac:(here; lra) (Rlt_le _ _ P)); lra.
+  unfold M; assert (P : 1 < exp ((2 * L + 1) * T)) by (rewrite <- exp_0 at 1; apply exp_increasing; apply
+    Rmult_lt_0_compat; lra). pose proof (Rmult_le_compat_l (1 + L) 1 _ ltac:(here; lra) (Rlt_le _ _ P)); lra.
 Qed.
 Lemma Hlip x y v mu y' v' mu' : 0 <= x <= T ->
   Rabs (a x y v mu - a x y' v' mu') <= L * (Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu')).

@@ -101,10 +101,9 @@ Proof.
     - apply D_minus; [exact A | apply D_plus; [apply D_plus|]; apply D_scale; assumption].
     - eapply D_value; [apply D_minus; [exact A' | apply D_plus; [apply D_plus|]; apply D_scale; eassumption] | ring]. }
   pose proof (S.linear_bound T L kk cc ll HL Hbound 0 u v Hu s Hs) as Q.
-  assert (U0 : u 0 = 0) by (unfold u; rewrite I1, I2, I3; ring);
-    assert (V0 : v 0 = 0) by (unfold v; rewrite J1, J2, J3; ring). rewrite U0, V0, Rabs_R0 in Q;
-    pose proof (Rabs_pos (u s)); pose proof (Rabs_pos (v s)). split; apply Rminus_diag_uniq, Rabs_zero;
-    [change (Rabs (u s) <= 0) | change (Rabs (v s) <= 0)]; lra.
+  assert (U0 : u 0 = 0) by (unfold u; rewrite I1, I2, I3; ring); assert (V0 : v 0 = 0) by (unfold v; rewrite J1, J2, J3;
+    ring). rewrite U0, V0, Rabs_R0 in Q; pose proof (Rabs_pos (u s)); pose proof (Rabs_pos (v s)). split; apply
+    Rminus_diag_uniq, Rabs_zero; [change (Rabs (u s) <= 0) | change (Rabs (v s) <= 0)]; lra.
 Qed.
 (** (11) to (14): trace and determinant do not depend on the section. *)
 Lemma similar P11 P12 P21 P22 A11 A12 A21 A22 B11 B12 B21 B22 : P11 * P22 - P12 * P21 <> 0 ->
@@ -141,10 +140,9 @@ End Map.
 
 (** Once around: f, with the derivative FA in the state and Fphi in mu; K is a Lipschitz constant of f, and of
     the flow. *)
-Class turn (F : force) := { f : vec -> R -> vec; K : R; FA : nat -> vec; Fphi : vec; HK : M <= K;
-  f_lip : forall x x' mu mu' r, within 2 r (minus x x') -> Rabs (mu - mu') <= r ->
-    within 2 (K * r) (minus (f x mu) (f x' mu'));
-  f_strict : forall i, (i < 2)%nat -> strict 2 (fun x mu => f x mu i) (dot 2 (FA i)) (Fphi i) }.
+Class turn (F : force) := { f : vec -> R -> vec; K : R; FA : nat -> vec; Fphi : vec; HK : M <= K; f_lip : forall x x' mu
+  mu' r, within 2 r (minus x x') -> Rabs (mu - mu') <= r -> within 2 (K * r) (minus (f x mu) (f x' mu')); f_strict :
+  forall i, (i < 2)%nat -> strict 2 (fun x mu => f x mu i) (dot 2 (FA i)) (Fphi i) }.
 Section Turn.
 Context {the_force : force} {the_touch : touch the_force} {the_window : near the_touch} {the_impact : impact the_touch}
   {the_turn : turn the_force}.
@@ -159,17 +157,14 @@ Proof.
 Qed.
 
 (** (z, w), a solution for a change m of mu, is (z', w') once around. *)
-Definition carried (m : R) (z w z' w' : R -> R) : Prop := lin m z' w' /\
-  z' 0 = FA 0%nat 0%nat * z 0 + FA 0%nat 1%nat * w 0 + m * Fphi 0%nat /\
-  w' 0 = FA 1%nat 0%nat * z 0 + FA 1%nat 1%nat * w 0 + m * Fphi 1%nat.
-Theorem map_planar A11 A21 A22 gamma z w : (forall z w, lin 0 z w -> exists z' w', carried 0 z w z' w' /\
-  z' tG = A11 * z tG + gamma * w tG /\ w' tG = A21 * z tG + A22 * w tG) -> gamma <> 0 -> lin 1 z w ->
-  carried 1 z w z w -> z tG <> 0 ->
-  planar map (A11 + A22) (A11 * A22 - gamma * A21) ((1 + tau) * cg * gamma) (z tG) (pair (z 0) (w 0)).
+Definition carried (m : R) (z w z' w' : R -> R) : Prop := lin m z' w' /\ z' 0 = FA 0%nat 0%nat * z 0 + FA 0%nat 1%nat *
+  w 0 + m * Fphi 0%nat /\ w' 0 = FA 1%nat 0%nat * z 0 + FA 1%nat 1%nat * w 0 + m * Fphi 1%nat.
+Theorem map_planar A11 A21 A22 gamma z w : (forall z w, lin 0 z w -> exists z' w', carried 0 z w z' w' /\ z' tG = A11 *
+  z tG + gamma * w tG /\ w' tG = A21 * z tG + A22 * w tG) -> gamma <> 0 -> lin 1 z w -> carried 1 z w z w -> z tG <> 0
+  -> planar map (A11 + A22) (A11 * A22 - gamma * A21) ((1 + tau) * cg * gamma) (z tG) (pair (z 0) (w 0)).
 Proof.
-  intros HA Hgam Hz (_ & Ez & Ew) Hr; assert (TG : 0 <= tG <= T) by lra; pose proof cg_pos as Hc;
-    assert (Ht0 := proj1 Hreb). pose proof Hfund as ((F1 & I1 & J1) & (F2 & I2 & J2) & _);
-    destruct Hzb as (Zb & Zb1 & Zb2).
+  intros HA Hgam Hz (_ & Ez & Ew) Hr; assert (TG : 0 <= tG <= T) by lra; pose proof cg_pos as Hc; assert (Ht0 := proj1
+    Hreb). pose proof Hfund as ((F1 & I1 & J1) & (F2 & I2 & J2) & _); destruct Hzb as (Zb & Zb1 & Zb2).
   assert (Sh : forall z w, lin 0 z w -> let x := FA 0%nat 0%nat * z 0 + FA 0%nat 1%nat * w 0 in
     let y := FA 1%nat 0%nat * z 0 + FA 1%nat 1%nat * w 0 in
     x * p1 tG + y * p2 tG = A11 * z tG + gamma * w tG /\ x * q1 tG + y * q2 tG = A21 * z tG + A22 * w tG).
@@ -183,9 +178,8 @@ Proof.
   - reflexivity.
   - exact Tr.
   - exact Dt.
-  - unfold B;
-      replace (0 + p1 tG * ((1 + tau) * cg * zb 0) + p2 tG * ((1 + tau) * cg * wb 0))
-        with ((1 + tau) * cg * (zb 0 * p1 tG + wb 0 * p2 tG + 0 * p3 tG)) by ring. rewrite <- C1, Zb1; ring.
+  - unfold B; replace (0 + p1 tG * ((1 + tau) * cg * zb 0) + p2 tG * ((1 + tau) * cg * wb 0)) with ((1 + tau) * cg * (zb
+      0 * p1 tG + wb 0 * p2 tG + 0 * p3 tG)) by ring. rewrite <- C1, Zb1; ring.
   - split; [|apply Rmult_integral_contrapositive; split; [apply Rgt_not_eq, Rmult_lt_0_compat; lra | exact Hgam]].
     unfold mult; cbn; unfold B; rewrite Zb1, Zb2 in S5; cbv zeta in S5.
     replace gamma with ((FA 0%nat 0%nat * zb 0 + FA 0%nat 1%nat * wb 0) * p1 tG + (FA 1%nat 0%nat * zb 0 + FA 1%nat

@@ -6,12 +6,11 @@ Open Scope R_scope.
 
 (** Theorem 1 of motions, and that they are unstable. *)
 Definition decided (O : Nonlinear.t) (a1 a2 gamma rate : R) : Prop := forall n_max, exists d, d > 0 /\ forall eps, 0 <
-  eps <= d -> exists mu0, mu0 > 0 /\
-  forall (n : Z -> nat) (N : Z -> Z) e g mu, (forall i, (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) ->
-  (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn g * gamma > 0 -> 0 < sgn e * (rate * mu) < mu0 ->
-  ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one_nonlinear_motion O mu eps N /\ forall
-    t y v, nonlinear_motion O mu eps N t y v -> unstable_motion (leg O mu eps N) t v) /\
-  ((exists i, breaks a1 a2 e g (n i) (n (i + 1)%Z)) -> forall t y v, ~ nonlinear_motion O mu d N t y v).
+  eps <= d -> exists mu0, mu0 > 0 /\ forall (n : Z -> nat) (N : Z -> Z) e g mu, (forall i, (1 <= n i <= n_max)%nat /\ u
+  a1 a2 (n i) <> 0) -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn g * gamma > 0 -> 0 < sgn e * (rate * mu) <
+  mu0 -> ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one_nonlinear_motion O mu eps N /\
+  forall t y v, nonlinear_motion O mu eps N t y v -> unstable_motion (leg O mu eps N) t v) /\ ((exists i, breaks a1 a2 e
+  g (n i) (n (i + 1)%Z)) -> forall t y v, ~ nonlinear_motion O mu d N t y v).
 
 Section Cut.
 Variable O : Nonlinear.t.
@@ -22,8 +21,7 @@ Notation y0 := (Nonlinear.y0 O).
 Notation v0 := (Nonlinear.v0 O).
 Definition cut : Bouncing.t := Bouncing.Build_t T (fun _ => Nonlinear.a O) (fun _ => Nonlinear.a_t O) (fun _ =>
   Nonlinear.a_y O) (fun _ => Nonlinear.a_v O) (fun _ => Nonlinear.a_mu O) (fun _ => false) (fun _ => Nonlinear.rebound
-    O)
-  (fun _ _ _ _ => 0) (fun _ _ _ _ => 0) (fun _ _ _ _ => 0) (fun _ => 1) (fun _ _ => 0) (fun _ _ => 0) (fun _ _ => 0)
+  O) (fun _ _ _ _ => 0) (fun _ _ _ _ => 0) (fun _ _ _ _ => 0) (fun _ => 1) (fun _ _ => 0) (fun _ _ => 0) (fun _ _ => 0)
   (fun _ _ => 0) (Nonlinear.tau O) 1 (fun c => T * IZR c) (fun _ => y0) (fun _ => v0) tG.
 Lemma at_cut c : y0 (T * IZR c) = y0 0 /\ v0 (T * IZR c) = v0 0 /\ 0 < y0 0.
 Proof.
@@ -62,8 +60,7 @@ Notation kk := (fun t => along O (Nonlinear.a_y O) t).
 Notation cc := (fun t => along O (Nonlinear.a_v O) t).
 Notation ll := (fun t => along O (Nonlinear.a_mu O) t).
 Definition lin_at m (z w : R -> R) t := derivable_pt_lim z t (w t) /\ derivable_pt_lim w t (kk t * z t + cc t * w t + ll
-  t
-  * m).
+  t * m).
 Lemma linear_unique z w z' w' t0 t1 : (forall t, t0 <= t <= t1 -> lin_at 0 z w t /\ lin_at 0 z' w' t) -> z t0 = z' t0 ->
   w t0 = w' t0 -> t0 <= t1 -> z t1 = z' t1 /\ w t1 = w' t1.
 Proof.
@@ -105,8 +102,7 @@ End Cut.
 
 (** ** Derivatives on an interval, and a function that goes on beyond it *)
 Definition on (lo hi : R) (f : R -> R) (x l : R) : Prop := forall eps, 0 < eps -> exists d, 0 < d /\ forall z, lo <= z
-  <= hi
-  -> Rabs (z - x) < d -> Rabs (f z - f x - l * (z - x)) <= eps * Rabs (z - x).
+  <= hi -> Rabs (z - x) < d -> Rabs (f z - f x - l * (z - x)) <= eps * Rabs (z - x).
 Lemma on_D lo hi f g x l : derivable_pt_lim g x l -> (forall z, lo <= z <= hi -> f z = g z) -> lo <= x <= hi ->
   on lo hi f x l.
 Proof.
@@ -142,8 +138,7 @@ Proof.
     A2).
   destruct (two_least d1 (if Rlt_dec x hi then hi - x else 1) H1 ltac:(destruct (Rlt_dec x hi); lra)) as (d2 & H2 & A3 &
     A4). exists (mkposreal d2 H2); intros h Nh Hh; cbn in Hh; pose proof (Rabs_def2 _ _ Hh); rewrite (beyond_in _ _ _ _
-      x
-    Hx).
+    x Hx).
   assert (B : Rabs (beyond lo hi f f1 (x + h) - f x - f1 x * h) <= eps / 2 * Rabs h).
   { unfold beyond; destruct (Rle_dec (x + h) lo) as [L|L].
     - destruct (Rlt_dec lo x); [lra|]; replace x with lo by lra; match goal with |- Rabs ?g <= _ => replace g with 0 by
@@ -215,10 +210,8 @@ Lemma leg_of N t y v i j : j = (i + 1)%Z -> bounces (cut O) mu d N t y v i j -> 
   y v) i j.
 Proof.
   intros Hj (r & p & q & [[J1 J1'] (J2 & J2' & J2'') J3 J4 J5 J6 J7 J8 J9 J10 J11 J12]); set (n := others (cut O) N i j)
-    in
-    *. assert (Mono : forall m, (m <= S n)%nat -> r 0%nat <= r m) by (induction m as [|m IH]; intros Hm; [lra|];
-      specialize
-    (IH ltac:(lia)); specialize (J5 m ltac:(lia)); lra).
+    in *. assert (Mono : forall m, (m <= S n)%nat -> r 0%nat <= r m) by (induction m as [|m IH]; intros Hm; [lra|];
+    specialize (IH ltac:(lia)); specialize (J5 m ltac:(lia)); lra).
   assert (Is : forall m x, (m <= n)%nat -> r m <= x <= r (S m) -> y i x = p m x /\ v i x = q m x).
   { intros m x Hm Hx; destruct (Req_dec x (r (S m))) as [E|E]; [|apply J11; trivial; intros; contradiction].
     destruct (Nat.eq_dec m n) as [->|Nm]; [apply J11; auto|]; pose proof (J5 (S m) ltac:(lia)); destruct (J10 m
@@ -237,8 +230,7 @@ Proof.
   specialize (Dv n (le_n n)); rewrite J1, J2 in Dv; assert (Lt : t i < t j) by (rewrite <- J1, <- J2; pose proof (J5
     0%nat ltac:(lia)); assert (r 1%nat <= r (S n)); [|lra]; assert (G : forall m, (m <= n)%nat -> r 1%nat <= r (S m)) by
     (induction m as [|m IH]; intros Hm; [lra|]; specialize (IH ltac:(lia)); specialize (J5 (S m) ltac:(lia)); lra);
-      apply
-    G; lia).
+    apply G; lia).
   assert (Find : forall x, t i <= x <= t j -> exists m, (m <= n)%nat /\ r m <= x <= r (S m)).
   { intros x Hx; assert (G : forall m, (m <= n)%nat -> r 0%nat <= x <= r (S m) -> exists k, (k <= m)%nat /\ r k <= x <=
       r (S k)) by (induction m as [|m IH]; intros Hm Hx'; [exists 0%nat; split; [lia | exact Hx']|]; destruct (Rle_dec x
@@ -288,8 +280,7 @@ Proof.
   { intros r D t y v Hr HD HM i j Hj; apply (bounces_of O HO mu r); [repeat split; lra | exact HD | rewrite Hj, HN;
       destruct (Hn i); lia | exact (leg_near _ _ _ _ _ _ _ _ _ (HM j _ eq_refl)) | apply HM, Hj]. }
   assert (From : forall t y v i, bounces (cut O) mu eps N t y v i (i + 1) -> leg O mu eps N t (longer t y v) (longer1 O
-    mu t y v) i (i + 1)) by (intros t y v i B; apply (leg_of O HO mu eps); [repeat split; lra |
-    reflexivity | exact B]).
+    mu t y v) i (i + 1)) by (intros t y v i B; apply (leg_of O HO mu eps); [repeat split; lra | reflexivity | exact B]).
   split; [|intros Hbr t y v HM; apply (No Hbr t y v), (To d); trivial; lra].
   intros All; destruct (Ex All) as [(t & y & v & HM & Only) Un]; split.
   - exists t, (longer t y v), (longer1 O mu t y v); split; [intros i j ->; apply From, HM; reflexivity|].

@@ -66,8 +66,7 @@ Proof.
   - exists (fun i j => if Nat.eq_dec i j then 1 else 0), zero; split.
     + intros i Hi; split; [reflexivity|]; intros eps Hp; exists 1; split; [lra|]; intros x x' mu mu' t _ _ _ _ _ Hm;
         assert (0 <= t) by (pose proof (Rabs_pos (mu - mu')); lra). destruct i as [|[|i]]; [| |lia]; cbn; unfold minus,
-            zero;
-        match goal with |- Rabs ?u <= _ => replace u with 0 by ring end; rewrite Rabs_R0; apply Rmult_le_pos; lra.
+        zero; match goal with |- Rabs ?u <= _ => replace u with 0 by ring end; rewrite Rabs_R0; apply Rmult_le_pos; lra.
     + intros h z w _ i Hi; destruct i as [|[|i]]; [| |lia]; cbn; unfold applied, zero; cbn; ring.
   - destruct (go_matrix n) as (A2 & phi2 & S2 & H2); exists (times A2 A1), (applied A2 phi2 phi1 1); split; [exact
       (smooth_compose (st n) A1 phi1 (go n) A2 phi2 S1 S2)|].
@@ -89,8 +88,7 @@ Proof.
     set (up := fun (u : nat -> R -> R) u2 j => if Nat.eq_dec j (S n) then u2 else u j).
     assert (U1 : forall u u2 j, (j <= n)%nat -> up u u2 j = u j) by (intros u u2 j Hj; unfold up; destruct Nat.eq_dec;
       [lia | reflexivity]). assert (U2 : forall u u2, up u u2 (S n) = u2) by (intros u u2; unfold up; destruct
-          Nat.eq_dec;
-      [reflexivity | lia]).
+      Nat.eq_dec; [reflexivity | lia]).
     exists (up z1 z2), (up w1 w2); rewrite !(U1 _ _ 0%nat) by lia; split; [|auto]; split; intros j Hj.
     + destruct (Nat.eq_dec j (S n)) as [->|N]; [rewrite !U2; exact Z2 | rewrite !U1 by lia; apply C1; lia].
     + destruct (Nat.eq_dec j n) as [->|N]; [rewrite !U2, !U1 by lia; exact J | rewrite !U1 by lia; apply C2; lia].
@@ -109,12 +107,11 @@ Proof.
     d1 d2 D1 D2) as (d & Hd & L1 & L2); exists d; split; [exact Hd|]; intros m Hm.
   destruct (Nat.eq_dec m n) as [->|N]; [apply (Down n d2); [exact H2 | lra] | apply (Down m d1); [apply H1; lia | lra]].
 Qed.
-Lemma round_exists : exists rf Kf A phi, 0 < rf /\ (forall m, 1 <= @M (F m) <= Kf) /\ smooth_map (st k) A phi /\
-  (forall h z w, chain k h z w -> forall i, (i < 2)%nat -> pair (z k 0) (w k 0) i = applied A phi (pair (z 0%nat 0) (w
-  0%nat 0)) h i) /\ (forall x x' mu mu' t, small rf x mu -> small rf x' mu' -> within 2 t (minus x x') -> Rabs (mu -
-      mu')
-  <= t -> within 2 (Kf * t) (minus (st k x mu) (st k x' mu'))) /\
-  forall j s x mu, (j <= k)%nat -> s <= rf -> small s x mu -> within 2 (Kf * s) (st j x mu).
+Lemma round_exists : exists rf Kf A phi, 0 < rf /\ (forall m, 1 <= @M (F m) <= Kf) /\ smooth_map (st k) A phi /\ (forall
+  h z w, chain k h z w -> forall i, (i < 2)%nat -> pair (z k 0) (w k 0) i = applied A phi (pair (z 0%nat 0) (w 0%nat 0))
+  h i) /\ (forall x x' mu mu' t, small rf x mu -> small rf x' mu' -> within 2 t (minus x x') -> Rabs (mu - mu') <= t ->
+  within 2 (Kf * t) (minus (st k x mu) (st k x' mu'))) /\ forall j s x mu, (j <= k)%nat -> s <= rf -> small s x mu ->
+  within 2 (Kf * s) (st j x mu).
 Proof.
   destruct (st_matrix k) as (A & phi & HS & HC), (smooth_lip _ _ _ HS) as (d0 & C0 & Hd0 & HC0 & Lip).
   destruct (least (fun m d => @M (F m) <= / d) k) as (d1 & D1 & H1).
@@ -125,8 +122,7 @@ Proof.
     D2 & H2).
   { intros m d d' H Hd s x mu Hs Sx; specialize (H s x mu ltac:(lra) Sx); intros i Hi; specialize (H i Hi); assert (0 <=
       s) by (destruct Sx as [_ Q]; pose proof (Rabs_pos mu); lra). assert (/ d * s <= / d' * s) by (apply
-          Rmult_le_compat_r;
-      [lra | apply Rinv_le_contravar; lra]); lra. }
+      Rmult_le_compat_r; [lra | apply Rinv_le_contravar; lra]); lra. }
   { intros m _; destruct (st_matrix m) as (B & psi & HB & _), (smooth_lip _ _ _ HB) as (d & C & Hd & HC' & L0).
     destruct (two_least d (/ C) Hd ltac:(apply Rinv_0_lt_compat; lra)) as (q & Hq & Q1 & Q2); exists q; split; [exact
         Hq|].
@@ -135,13 +131,11 @@ Proof.
       Rinv_le_contravar; lra).
     pose proof (L0 x zero mu 0 s ltac:(intros i Hi; specialize (Sx i Hi); lra) ltac:(intros i _; unfold zero; rewrite
       Rabs_R0; lra) ltac:(lra) ltac:(rewrite Rabs_R0; lra) ltac:(intros i Hi; unfold minus, zero; rewrite Rminus_0_r;
-          apply
-      Sx, Hi) ltac:(rewrite Rminus_0_r; exact Sm)) as Q. intros i Hi; specialize (Q i Hi); unfold minus in Q; pose proof
-      (proj1 (HB i Hi)) as E; cbv beta in E; rewrite E, Rminus_0_r in Q; lra. }
+      apply Sx, Hi) ltac:(rewrite Rminus_0_r; exact Sm)) as Q. intros i Hi; specialize (Q i Hi); unfold minus in Q; pose
+      proof (proj1 (HB i Hi)) as E; cbv beta in E; rewrite E, Rminus_0_r in Q; lra. }
   destruct (two_least d0 d2 Hd0 D2) as (rf & Hrf & L1 & L2); exists rf, (C0 + / d1 + / d2), A, phi; pose proof
     (Rinv_0_lt_compat d1 D1); pose proof (Rinv_0_lt_compat d2 D2); split; [exact Hrf | split; [|split; [exact HS |
-        split;
-    [exact HC | split]]]].
+    split; [exact HC | split]]]].
   - intros m; split; [apply M_large|]; apply Rle_trans with (/ d1); [|lra]; revert m; apply (repeated (fun m => @M (F m)
       <= / d1)); [intros m; rewrite (proj1 (HF m)); auto | exact H1].
   - intros x x' mu mu' t [Sx Sm] [Sx' Sm'] Ht Htm; assert (0 <= t) by (pose proof (Rabs_pos (mu - mu')); lra).
@@ -159,8 +153,7 @@ Hypothesis HS : smooth_map (st k) A phi.
 Hypothesis HC : forall h z w, chain k h z w -> forall i, (i < 2)%nat -> pair (z k 0) (w k 0) i = applied A phi (pair (z
   0%nat 0) (w 0%nat 0)) h i.
 Hypothesis Hlip : forall x x' mu mu' t, small rf x mu -> small rf x' mu' -> within 2 t (minus x x') -> Rabs (mu - mu')
-    <= t
-  -> within 2 (Kf * t) (minus (st k x mu) (st k x' mu')).
+    <= t -> within 2 (Kf * t) (minus (st k x mu) (st k x' mu')).
 Hypothesis Hsize : forall j s x mu, (j <= k)%nat -> s <= rf -> small s x mu -> within 2 (Kf * s) (st j x mu).
 Definition tr (x : vec) : vec := pair (x 0%nat) (x 1%nat).
 Definition once (x : vec) mu : vec := st k (pair (cl rf (x 0%nat)) (cl rf (x 1%nat))) (cl rf mu).
@@ -247,21 +240,15 @@ Definition arc_is (mu d : R) (m : nat) (lo hi : R) (p q : R -> R) : Prop := lo <
 (** From an impact near the touch to the next, in k arcs for each period; al and om are the times, of the
     arcs, at which they begin and end. *)
 Record run mu d (N : Z -> Z) (t : Z -> R) (y v : Z -> R -> R) (i j : Z) (al om : nat -> R) (p q : nat -> R -> R) : Prop
-    :=
-  { run_from : al 0%nat = t i - (sg + P * IZR (N i));
-  run_to : om (last N i j) = t j - (sg + P * IZR (N j));
-  run_next : forall m, (m < last N i j)%nat -> al (S m) = om m - e m + rho;
-  run_near : Rabs (al 0%nat - tG) <= d /\ Rabs (om (last N i j) - tG) <= d /\ forall m, (m < last N i j)%nat -> Rabs (om
-    m - e m) <= d;
-  run_arc : forall m, (m <= last N i j)%nat -> arc_is mu d m (al m) (om m) (p m) (q m);
-  run_ends : forall m, (m <= last N i j)%nat -> if Nat.eq_dec m (last N i j) then p m (om m) = 0 /\ q m (om m) < 0 else
-    if imp m then p m (om m) = 0 /\ q m (om m) < 0 else om m = e m;
-  run_start : p 0%nat (al 0%nat) = 0;
-  run_law : forall m, (m < last N i j)%nat -> p (S m) (al (S m)) = jy m mu (p m (om m)) /\
-    q (S m) (al (S m)) = law m mu (om m - e m) (q m (om m));
-  run_path : forall m s, (m <= last N i j)%nat -> al m <= s <= om m -> (s = om m -> m = last N i j) ->
-    y i (off N i m + s) = p m s /\ v i (off N i m + s) = q m s;
-  run_back : v j (t j) = rebound mu (om (last N i j)) (q (last N i j) (om (last N i j))) }.
+    := { run_from : al 0%nat = t i - (sg + P * IZR (N i)); run_to : om (last N i j) = t j - (sg + P * IZR (N j));
+    run_next : forall m, (m < last N i j)%nat -> al (S m) = om m - e m + rho; run_near : Rabs (al 0%nat - tG) <= d /\
+    Rabs (om (last N i j) - tG) <= d /\ forall m, (m < last N i j)%nat -> Rabs (om m - e m) <= d; run_arc : forall m, (m
+    <= last N i j)%nat -> arc_is mu d m (al m) (om m) (p m) (q m); run_ends : forall m, (m <= last N i j)%nat -> if
+    Nat.eq_dec m (last N i j) then p m (om m) = 0 /\ q m (om m) < 0 else if imp m then p m (om m) = 0 /\ q m (om m) < 0
+    else om m = e m; run_start : p 0%nat (al 0%nat) = 0; run_law : forall m, (m < last N i j)%nat -> p (S m) (al (S m))
+    = jy m mu (p m (om m)) /\ q (S m) (al (S m)) = law m mu (om m - e m) (q m (om m)); run_path : forall m s, (m <= last
+    N i j)%nat -> al m <= s <= om m -> (s = om m -> m = last N i j) -> y i (off N i m + s) = p m s /\ v i (off N i m +
+    s) = q m s; run_back : v j (t j) = rebound mu (om (last N i j)) (q (last N i j) (om (last N i j))) }.
 Definition Leg mu d N t y v i j : Prop := exists al om p q, run mu d N t y v i j al om p q.
 (** The states at the beginnings of the arcs, and when these end; for states that are not small, some time
     about there. *)
@@ -301,8 +288,7 @@ Proof.
 Qed.
 (** Which arc a time is in. *)
 Lemma times_grow K (al om : nat -> R) N i : (forall m, (m < K)%nat -> al (S m) = om m - e m + rho) -> (forall m, (m <=
-    K)%nat
-  -> al m <= om m) -> forall m m', (m <= K)%nat -> (m' < m)%nat -> off N i m' + om m' <= off N i m + al m.
+    K)%nat -> al m <= om m) -> forall m m', (m <= K)%nat -> (m' < m)%nat -> off N i m' + om m' <= off N i m + al m.
 Proof.
   intros Hn Hl m m' Hm O; assert (One : forall j, (j < K)%nat -> off N i j + om j = off N i (S j) + al (S j)) by (intros
     j Hj; unfold off; cbn [base]; rewrite (Hn j Hj); ring).
@@ -359,8 +345,7 @@ Lemma X_small m x : within 2 dd x -> (m <= k * n_max)%nat -> small E (X x mu m) 
 Proof.
   intros Hx Hm; set (q := (m / k)%nat); set (j := (m mod k)%nat); assert (Em : m = (k * q + j)%nat) by (apply
     Nat.div_mod; lia). assert (Hj : (j < k)%nat) by (apply Nat.mod_upper_bound; lia). assert (Hq : (q <= n_max)%nat) by
-        (apply
-    Nat.div_le_upper_bound; lia).
+    (apply Nat.div_le_upper_bound; lia).
   rewrite Em; unfold X; rewrite st_split; pose proof (X_touch q x Hx Hq) as Q; unfold X in Q; rewrite Q.
   destruct (fl_small q x Hx Hq) as [B1 B2]; pose proof dd_far; split; [|lra]. apply Hsize; [lia | apply HG|].
   split; [|exact B2]; intros i Hi; destruct i as [|[|i]]; [apply B1; lia | apply B1; lia | lia].
@@ -389,17 +374,15 @@ Proof.
     proof dd_far.
   assert (@M (F m) * E <= Kf * E) by (apply Rmult_le_compat_r; [|apply HKf]; lra); destruct HG as (_ & _ & _ & G4 & _).
   pose proof (Rabs_pos (ends m - e m)); apply Rmult_le_reg_l with wmin; [exact W0|]. apply Rle_trans with (- @v0 (F m)
-      (e m)
-    * Rabs (ends m - e m)); [apply Rmult_le_compat_r; lra|]. lra.
+      (e m) * Rabs (ends m - e m)); [apply Rmult_le_compat_r; lra|]. lra.
 Qed.
 Lemma until_is m : (m <= k * n_max)%nat -> until x mu m = ends m.
 Proof.
   intros Hm; pose proof (ends_near m Hm) as Q; apply le_abs in Q; apply Rmax_left; destruct HG as (_ & _ & _ & _ & _ &
     G6); lra.
 Qed.
-Lemma away m s : (m <= k * n_max)%nat -> bare m s -> (forall q, m = (k * q)%nat -> r0 <= Rabs (s -
-    tG))
-  -> 0 < @Y (F m) (X m) mu s.
+Lemma away m s : (m <= k * n_max)%nat -> bare m s -> (forall q, m = (k * q)%nat -> r0 <= Rabs (s - tG)) -> 0 < @Y (F m)
+    (X m) mu s.
 Proof.
   intros Hm Hs Ht; pose proof (proj2 Hym m s Hs Ht) as Q; destruct Hr1 as (_ & R1 & _), (He m) as (H0 & H1 & H2), Hs as
     (Hs & _); destruct (near_arc m s Hm ltac:(lra)) as [A' _]; apply le_abs in A'; destruct HG as (_ & _ & _ & _ & G5 & _); lra.
@@ -457,8 +440,7 @@ Proof.
     P3); destruct Hr1 as (_ & R1 & _); destruct HG as (_ & _ & _ & _ & _ & G6); destruct S6 as [_ S6'].
   destruct (hits x yy (i - 1)%Z i F0 ltac:(lia)) as (_ & Cw & _ & _ & Vz & E1 & E2 & Cd), (hits x yy i (i + 1)%Z F1
     eq_refl) as (Bz' & Cw' & _ & Ez' & Vz' & _ & _ & Cd'); pose proof (le_abs _ _ Cd) as C1; pose proof (le_abs _ _ Cd')
-        as
-    C2.
+    as C2.
   assert (Hal : (0 < m)%nat -> Rabs (al m - rho) <= D).
   { intros M0; destruct m as [|m]; [lia|]; cbn [al]. replace (ends m - e m + rho - rho) with
       (ends m - e m) by ring; apply ends_near; [exact Hx | lia]. }
@@ -506,13 +488,11 @@ Qed.
 Lemma orbit_arc m : (m <= K)%nat -> arc_is mu D m (al m) (om m) (@Y (F m) (X m) mu) (@V (F m) (X m) mu).
 Proof.
   intros Hm; pose proof (last_max i) as LM; assert (Hm' : (m <= k * n_max)%nat) by lia; destruct Hsep as (P1 & P2 & P3);
-    destruct Hr1 as (_ & R1 & _), (He m) as (H0 & H1 & H2); destruct HG as (_ & _ & G3 & _ & _ & G6); destruct S6 as
-        [_
+    destruct Hr1 as (_ & R1 & _), (He m) as (H0 & H1 & H2); destruct HG as (_ & _ & G3 & _ & _ & G6); destruct S6 as [_
     S6'].
   destruct (hits x yy (i - 1)%Z i F0 ltac:(lia)) as (_ & Cw & _ & _ & Vz & E1 & E2 & Cd), (hits x yy i (i + 1)%Z F1
     eq_refl) as (Bz' & Cw' & _ & Ez' & Vz' & _ & _ & Cd'); pose proof (le_abs _ _ Cd) as C1; pose proof (le_abs _ _ Cd')
-        as
-    C2.
+    as C2.
   destruct (F_periods (n i) 0) as [_ Ee]; rewrite Nat.add_0_r in Ee. pose proof (Hn i) as Hni.
   assert (Lo : rho - rho1 <= al m <= if Nat.eq_dec m 0 then tG + r0 else rho + rho1).
   { destruct m as [|m]; cbn [al]; [destruct Nat.eq_dec; [lra | lia]|]. pose proof (ends_near (x i) Hx m ltac:(lia)) as Q;
@@ -538,10 +518,8 @@ Qed.
 Lemma orbit_run : run mu D N (at_ mu n x yy P sg N) (Pl mu n N x) (Vl mu n N x) i (i + 1) al om (fun m => @Y (F m) (X m)
   mu) (fun m => @V (F m) (X m) mu).
 Proof.
-  pose proof (last_max i) as LM; pose proof (Hn i) as Hni;
-    destruct (hits x yy (i - 1)%Z i F0 ltac:(lia)) as (_ & _ & _ & _ & _ & _ & _ & Cd), (hits x yy i (i + 1)%Z F1
-        eq_refl)
-    as (_ & _ & _ & _ & Vz' & _ & E2' & Cd').
+  pose proof (last_max i) as LM; pose proof (Hn i) as Hni; destruct (hits x yy (i - 1)%Z i F0 ltac:(lia)) as (_ & _ & _
+    & _ & _ & _ & _ & Cd), (hits x yy i (i + 1)%Z F1 eq_refl) as (_ & _ & _ & _ & Vz' & _ & E2' & Cd').
   assert (Place : forall m s, (m <= K)%nat -> al m <= s <= om m -> (s = om m -> m = K) -> at_arc n N mu x i (off N i m +
     s) m).
   { intros m s Hm Hs Hl; split; [exact Hm | split].
@@ -571,9 +549,8 @@ End FromOrbit.
 
 (** A motion near the orbit is an orbit of the map. *)
 Definition follows (x : Z -> vec) (i : Z) (al om : nat -> R) (p q : nat -> R -> R) : Prop := (forall m s, (m <= k * n
-    i)%nat
-  -> al m <= s <= om m -> p m s = @Y (F m) (X (x i) mu m) mu s /\ q m s = @V (F m) (X (x i) mu m) mu s) /\
-  forall m, (m < k * n i)%nat -> om m = ends (x i) mu m.
+    i)%nat -> al m <= s <= om m -> p m s = @Y (F m) (X (x i) mu m) mu s /\ q m s = @V (F m) (X (x i) mu m) mu s) /\
+    forall m, (m < k * n i)%nat -> om m = ends (x i) mu m.
 Definition Trace (x : Z -> vec) t y v : Prop := forall i, exists r al om p q, r <= r0 /\ run mu r N t y v i (i + 1) al
   om p q /\ follows x i al om p q.
 Section FromMotion.
@@ -603,12 +580,10 @@ Proof.
     fold (x i) in E1, E2. pose proof (proj1 Hwin) as Hr0; destruct S6 as [_ S6']; destruct Hr as [Hr1' Hr2].
   pose proof (nearby_back (x i) zero mu 0 r (al 0%nat)) as NB; rewrite E1, E2, (proj1 (at_rest _)), (proj2 (at_rest _)),
     Rminus_0_r, B2 in NB. specialize (NB N1 N2 Hm). apply le_abs in B5; destruct Hsep as (P1 & P2 & _); destruct (He
-        0%nat)
-    as (H0 & H1 & H2), Hr1 as (_ & R9 & _).
+    0%nat) as (H0 & H1 & H2), Hr1 as (_ & R9 & _).
   assert (I : 0 <= al 0%nat <= @T first) by (unfold first; lra); specialize (NB I); intros j Hj; specialize (NB j Hj);
     unfold minus, zero in NB; rewrite Rminus_0_r in NB. assert (@M first * r <= Kf * r) by (apply Rmult_le_compat_r;
-        [pose proof
-    (Rabs_pos mu); lra | apply HKf]); lra.
+    [pose proof (Rabs_pos mu); lra | apply HKf]); lra.
 Qed.
 Lemma same_arcs : follows x i al om p q.
 Proof.
@@ -651,13 +626,11 @@ Proof.
     exact (same_arcs i al om p q HR)]]. }
   intros i; pose proof (last_max i) as LM; pose proof (Hn i) as Hni; destruct (HM i) as (al & om & p & q & HR), (HM (i +
     1)%Z) as (al' & om' & p' & q' & HR'); destruct (same_arcs i al om p q HR) as [Sa Se]; destruct (begins (i + 1)%Z al'
-        om' p' q'
-    HR') as (B1 & B2 & _ & _ & B5); pose proof HR as [R1 R2 R3 R4 R5 RE _ R6 R7 R8]; rewrite last_is in *.
-  set (K := (k * n i)%nat) in *; pose proof (RE K (le_n _)) as Z; destruct (Nat.eq_dec K K) as [_|]; [|lia]; destruct Z as
-    [Z1 Z2], (R5 K (le_n _)) as (O & _); destruct (Sa K (om K) (le_n _)
-    ltac:(lra)) as [E1 E2]. destruct (arc_touch (x i) (Hx i) (n i) (om K) ltac:(lia)) as (T1 & T2 & _); fold K in T1,
-        T2;
-    rewrite T1 in E1; rewrite T2 in E2. fold (z i) in E1, E2.
+    om' p' q' HR') as (B1 & B2 & _ & _ & B5); pose proof HR as [R1 R2 R3 R4 R5 RE _ R6 R7 R8]; rewrite last_is in *.
+  set (K := (k * n i)%nat) in *; pose proof (RE K (le_n _)) as Z; destruct (Nat.eq_dec K K) as [_|]; [|lia]; destruct Z
+    as [Z1 Z2], (R5 K (le_n _)) as (O & _); destruct (Sa K (om K) (le_n _) ltac:(lra)) as [E1 E2]. destruct (arc_touch
+    (x i) (Hx i) (n i) (om K) ltac:(lia)) as (T1 & T2 & _); fold K in T1, T2; rewrite T1 in E1; rewrite T2 in E2. fold
+    (z i) in E1, E2.
   assert (Ek : om K = al' 0%nat) by (rewrite B1, R2; reflexivity); rewrite <- Ek in B5.
   destruct (crossing_is n_max dd mu Hmu S0 S1 S2 S4 (x i) (n i) (om K) (Hx i) ltac:(lia) ltac:(lra)) as (C1 & C2 & C3).
   { change (Y (z i) mu (om K) = 0); rewrite <- E1; exact Z1. } { change (V (z i) mu (om K) < 0); rewrite <- E2; exact
@@ -682,15 +655,13 @@ End FromMotion.
 (** Two motions with the same orbit are the same. *)
 Lemma same_motion x yy x' yy' t y v t' y' v' : facts dd mu n x yy -> facts dd mu n x' yy' -> Trace x t y v -> Trace x'
   t' y' v' -> (forall j i, (i < 2)%nat -> x' j i = x j i) -> forall i, t' i = t i /\ forall u, t i <= u <= t (i + 1)%Z
-      -> y' i u =
-  y i u /\ v' i u = v i u.
+  -> y' i u = y i u /\ v' i u = v i u.
 Proof.
   intros Hf Hf' Tr Tr' Ex; assert (Xe : forall i m, X (x' i) mu m = X (x i) mu m) by (intros i m; unfold X, tr; rewrite
     !Ex by lia; reflexivity). assert (Et' : forall i, t' (i + 1)%Z = t (i + 1)%Z).
   { intros i; pose proof (Hn i) as Hni; destruct (Tr i) as (r & al & om & p & q & _ & HR & Sa & _), (Tr' i) as (r' & al'
       & om' & p' & q' & _ & HR' & Sa' & _), (Tr (i + 1)%Z) as (r1' & al1 & om1 & p1 & q1 & Hr1' & HR1 & _), (Tr' (i +
-          1)%Z) as (r2
-      & al2 & om2 & p2 & q2 & Hr2 & HR2 & _).
+      1)%Z) as (r2 & al2 & om2 & p2 & q2 & Hr2 & HR2 & _).
     pose proof (run_near _ _ _ _ _ _ _ _ _ _ _ _ HR1) as [N1 _]; pose proof (run_near _ _ _ _ _ _ _ _ _ _ _ _ HR2) as
       [N2 _]; rewrite (run_from _ _ _ _ _ _ _ _ _ _ _ _ HR1) in N1; rewrite (run_from _ _ _ _ _ _ _ _ _ _ _ _ HR2) in
           N2.
@@ -701,17 +672,15 @@ Proof.
     rewrite (proj1 (Sa K (om K) (le_n _) ltac:(lra))) in Z1; rewrite (proj2 (Sa K (om K) (le_n _) ltac:(lra))) in Z2.
     rewrite (proj1 (Sa' K (om' K) (le_n _) ltac:(lra))), Xe in Z1'; rewrite (proj2 (Sa' K (om' K) (le_n _) ltac:(lra))),
       Xe in Z2'. pose proof (Ox _ _ _ _ _ _ (Hf i)) as Hx; destruct (arc_touch (x i) Hx (n i) (om K) ltac:(lia)) as (T1
-          & T2 & _),
-      (arc_touch (x i) Hx (n i) (om' K) ltac:(lia)) as (T3 & T4 & _); fold K in T1, T2, T3, T4.
+      & T2 & _), (arc_touch (x i) Hx (n i) (om' K) ltac:(lia)) as (T3 & T4 & _); fold K in T1, T2, T3, T4.
     rewrite T1 in Z1; rewrite T2 in Z2; rewrite T3 in Z1'; rewrite T4 in Z2'.
     destruct (fl_near n_max dd mu Hmu S0 S1 S4 (n i) (x i) Hx ltac:(lia)) as (Bz & _).
     assert (W : Rabs (om K - tG) <= r0 /\ Rabs (om' K - tG) <= r0) by (rewrite R2, R2'; lra).
     pose proof (one_crossing _ _ _ _ Bz (proj1 W) (proj2 W) Z1 Z1' Z2 Z2') as Q; rewrite R2, R2' in Q; lra. }
   assert (Et : forall i, t' i = t i) by (intros i; replace i with (i - 1 + 1)%Z by lia; apply Et').
   intros i; split; [apply Et|]; intros u Hu; destruct (Tr i) as (r & al & om & p & q & _ & HR & Sa & Se), (Tr' i) as (r'
-    & al' & om' & p' & q' & _ & HR' & Sa' & Se'). destruct HR as [R1 R2 R3 _ R5 _ _ _ R7 _], HR' as [R1' R2' R3' _ R5' _ _
-        _ R7' _];
-    rewrite last_is in *; set (K := (k * n i)%nat) in *. rewrite Et in R1', R2'.
+    & al' & om' & p' & q' & _ & HR' & Sa' & Se'). destruct HR as [R1 R2 R3 _ R5 _ _ _ R7 _], HR' as [R1' R2' R3' _ R5' _
+    _ _ R7' _]; rewrite last_is in *; set (K := (k * n i)%nat) in *. rewrite Et in R1', R2'.
   assert (Om : forall m, (m <= K)%nat -> om' m = om m).
   { intros m Hm; destruct (Nat.eq_dec m K) as [->|Ne]; [rewrite R2, R2'; reflexivity|]. rewrite Se, Se' by (unfold K in
       *; lia); unfold ends; rewrite Xe; reflexivity. }
@@ -722,10 +691,9 @@ Proof.
       <- INR_IZR_INZ in *; rewrite Rmult_plus_distr_l; lra. }
   assert (Eu : u = off N i m + (u - off N i m)) by ring. destruct (R7 m (u - off N i m) Hm Hs Hl) as [Q1 Q2]; rewrite <-
     Eu in Q1, Q2. destruct (R7' m (u - off N i m) Hm ltac:(rewrite Om, Al by exact Hm; exact Hs) ltac:(rewrite Om by
-        exact Hm;
-    exact Hl)) as [Q3 Q4]; rewrite <- Eu in Q3, Q4. rewrite Q1, Q2, Q3, Q4; destruct (Sa m (u - off N i m) Hm Hs) as [->
-        ->];
-    destruct (Sa' m (u - off N i m) Hm ltac:(rewrite Om, Al by exact Hm; exact Hs)) as [-> ->]; rewrite Xe; auto.
+    exact Hm; exact Hl)) as [Q3 Q4]; rewrite <- Eu in Q3, Q4. rewrite Q1, Q2, Q3, Q4; destruct (Sa m (u - off N i m) Hm
+    Hs) as [-> ->]; destruct (Sa' m (u - off N i m) Hm ltac:(rewrite Om, Al by exact Hm; exact Hs)) as [-> ->]; rewrite
+    Xe; auto.
 Qed.
 End Sized.
 
@@ -735,9 +703,8 @@ Hypothesis Hio : @NonlinearKick.kk _ _ Io = kk 0%nat /\ @NonlinearKick.cc _ _ Io
 Lemma good_exists n_max D : 0 < D <= rho1 -> exists dd, 0 < dd /\ Good n_max dd D /\ forall dd', 0 < dd' <= dd -> Good
   n_max dd' D.
 Proof.
-  intros HD; pose proof (HKf 0%nat) as HK1; destruct Hr1 as (Hr & _); assert (K1 : 1 <= Kf) by lra; assert (F1 :
-    1 <= far n_max) by (unfold far; change K with Kf; pose proof (pow_R1_Rle Kf n_max K1); rewrite <- (Rmult_1_l 1);
-        apply
+  intros HD; pose proof (HKf 0%nat) as HK1; destruct Hr1 as (Hr & _); assert (K1 : 1 <= Kf) by lra; assert (F1 : 1 <=
+    far n_max) by (unfold far; change K with Kf; pose proof (pow_R1_Rle Kf n_max K1); rewrite <- (Rmult_1_l 1); apply
     Rmult_le_compat; lra).
   assert (PwD : 0 < wmin * D) by (apply Rmult_lt_0_compat; lra).
   destruct (two_least rf r1 Hrf Hr) as (b1 & B1 & L1 & L2), (two_least b1 D B1 (proj1 HD)) as (b2 & B2 & L3 & L4),
@@ -752,26 +719,18 @@ Proof.
         [apply Rmult_le_compat_l; lra | right; field; lra]. }
     assert (P0 : 0 <= far n_max * dd') by (apply Rmult_le_pos; lra); pose proof (Rmult_le_compat_r (far n_max * dd') 1
       Kf P0 ltac:(lra)) as Q1; assert (P1 : 0 <= Kf * (far n_max * dd')) by lra; pose proof (Rmult_le_compat_r (Kf *
-          (far n_max *
-      dd')) 1 Kf P1 ltac:(lra)) as Q2. unfold Good; repeat split; lra. }
+      (far n_max * dd')) 1 Kf P1 ltac:(lra)) as Q2. unfold Good; repeat split; lra. }
   split; [apply G; lra | exact G].
 Qed.
 Theorem round_core A11 A21 A22 gamma z w : (forall z w, chain k 0 z w -> z k tG = A11 * z 0%nat tG + gamma * w 0%nat tG
   /\ w k tG = A21 * z 0%nat tG + A22 * w 0%nat tG) -> gamma <> 0 -> chain k 1 z w -> z k 0 = z 0%nat 0 -> w k 0 = w
-      0%nat 0 -> z
-  0%nat tG <> 0 -> let a1 := A11 + A22 in let a2 := A11 * A22 - gamma * A21 in forall n_max, exists d, d > 0 /\ forall
-      eps, 0
-  < eps <= d -> exists mu0, mu0 > 0 /\ forall (n : Z -> nat) (N : Z -> Z) e s mu, (forall i, (1 <= n i <= n_max)%nat /\
-      u a1
-  a2 (n i) <> 0) -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn s * gamma > 0 -> 0 < sgn e * (z 0%nat tG * mu)
-      <
-  mu0 -> ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e s (n i) (n (i + 1)%Z)) -> exists t y v, motion Leg mu eps N t
-      y v /\
-  unstable_motion (Leg mu eps N) t v /\ forall t' y' v', motion Leg mu eps N t' y' v' -> forall i, t' i = t i /\ forall
-      x, t i
-  <= x <= t (i + 1)%Z -> y' i x = y i x /\ v' i x = v i x) /\ ((exists i, breaks a1 a2 e s (n i) (n (i + 1)%Z)) ->
-      forall t y
-  v, ~ motion Leg mu d N t y v).
+  0%nat 0 -> z 0%nat tG <> 0 -> let a1 := A11 + A22 in let a2 := A11 * A22 - gamma * A21 in forall n_max, exists d, d >
+  0 /\ forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\ forall (n : Z -> nat) (N : Z -> Z) e s mu, (forall i, (1 <= n
+  i <= n_max)%nat /\ u a1 a2 (n i) <> 0) -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn s * gamma > 0 -> 0 <
+  sgn e * (z 0%nat tG * mu) < mu0 -> ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e s (n i) (n (i + 1)%Z)) -> exists t
+  y v, motion Leg mu eps N t y v /\ unstable_motion (Leg mu eps N) t v /\ forall t' y' v', motion Leg mu eps N t' y' v'
+  -> forall i, t' i = t i /\ forall x, t i <= x <= t (i + 1)%Z -> y' i x = y i x /\ v' i x = v i x) /\ ((exists i,
+  breaks a1 a2 e s (n i) (n (i + 1)%Z)) -> forall t y v, ~ motion Leg mu d N t y v).
 Proof.
   intros H1 Hg' Hz Ez Ew Hr' a1 a2 n_max; pose proof (proj1 Hwin) as Hr0; pose proof (HKf 0%nat) as HK1; destruct Hr1
     as (_ & R1 & _); destruct Hio as (I1 & I2 & I3).
@@ -798,8 +757,7 @@ Proof.
     exact (same_motion m dd mu n N D HW HZ HG Hdd x yy x' yy' t y v t' y' v' F1 F2 T1 T2 Ex).
   - intros u v Hu; rewrite I1, I2, I3 in Hu; destruct (chain_exists k 0 u v Hu) as (z' & w' & C & <- & <-); exists (z'
       k), (w' k); split; [|apply H1, C]. split; [apply Lk, C; lia|]; split; [exact (HC 0 z' w' C 0%nat ltac:(lia)) |
-          exact (HC 0 z' w'
-      C 1%nat ltac:(lia))].
+      exact (HC 0 z' w' C 1%nat ltac:(lia))].
   - rewrite I1, I2, I3; apply Hz; lia.
   - split; [rewrite I1, I2, I3; apply Hz; lia|]; split; [rewrite <- Ez at 1; exact (HC 1 z w Hz 0%nat ltac:(lia)) |
       rewrite <- Ew at 1; exact (HC 1 z w Hz 1%nat ltac:(lia))].

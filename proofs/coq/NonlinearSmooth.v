@@ -46,13 +46,10 @@ Proof.
 Qed.
 (** The law of impact at the touch. *)
 Lemma law_strict (reb : R -> R -> R -> R) (ta tg : R) f1 f2 f3 f4 r : (forall mu t, reb mu t 0 = 0) -> 0 < r -> f3 tg 0
-    0 0 =
-  - ta -> C1 (fun t y v mu => Rabs (t - tg) <= r /\ Rabs v <= r /\ Rabs mu <= r) (fun t y v mu => reb mu t v) f1 f2 f3
-      f4 ->
-  forall eps, 0 < eps -> exists d, 0 < d /\ forall mu t v mu' t' v', Rabs mu <= d -> Rabs (t - tg) <= d ->
-  Rabs v <= d -> Rabs mu' <= d -> Rabs (t' - tg) <= d -> Rabs v' <= d -> Rabs (reb mu t v - reb mu' t' v' + ta * (v -
-      v')) <=
-  eps * (Rabs (mu - mu') + Rabs (t - t') + Rabs (v - v')).
+    0 0 = - ta -> C1 (fun t y v mu => Rabs (t - tg) <= r /\ Rabs v <= r /\ Rabs mu <= r) (fun t y v mu => reb mu t v) f1
+    f2 f3 f4 -> forall eps, 0 < eps -> exists d, 0 < d /\ forall mu t v mu' t' v', Rabs mu <= d -> Rabs (t - tg) <= d ->
+    Rabs v <= d -> Rabs mu' <= d -> Rabs (t' - tg) <= d -> Rabs v' <= d -> Rabs (reb mu t v - reb mu' t' v' + ta * (v -
+    v')) <= eps * (Rabs (mu - mu') + Rabs (t - t') + Rabs (v - v')).
 Proof.
   intros R0 Hr E3 HC eps He.
   assert (D0 : Rabs (tg - tg) <= r /\ Rabs 0 <= r /\ Rabs 0 <= r) by (rewrite Rminus_eq_0, Rabs_R0; lra).
@@ -64,9 +61,8 @@ Proof.
       [apply (D_const 0) | intros; symmetry; apply R0 | reflexivity]. }
   destruct (strictly _ _ _ _ _ _ tg 0 0 0 r HC Hr) with (eps := eps) as (d & Hd & H); [|exact He|].
   { intros t' y' v' m' A _ B C; rewrite Rminus_0_r in B, C; auto. }
-  exists d; split; [exact Hd|]; intros mu t v mu' t' v' A1 A2 A3 A4 A5 A6;
-    assert (Z : Rabs (0 - 0) <= d) by (rewrite Rminus_0_r, Rabs_R0; lra). specialize (H t 0 v mu t' 0 v' mu');
-    rewrite !Rminus_0_r, Rabs_R0, E1, E3, E4 in H.
+  exists d; split; [exact Hd|]; intros mu t v mu' t' v' A1 A2 A3 A4 A5 A6; assert (Z : Rabs (0 - 0) <= d) by (rewrite
+    Rminus_0_r, Rabs_R0; lra). specialize (H t 0 v mu t' 0 v' mu'); rewrite !Rminus_0_r, Rabs_R0, E1, E3, E4 in H.
   match type of H with _ -> _ -> _ -> _ -> _ -> _ -> _ -> _ -> Rabs ?u <= _ => match goal with |- Rabs ?w <=
     _ => replace w with u by ring end end. eapply Rle_trans; [apply H; rewrite ?Rabs_R0; lra | right; ring].
 Qed.
@@ -93,9 +89,8 @@ Proof.
 Qed.
 Lemma in_one_period T t : 0 < T -> exists z, 0 <= t - T * IZR z <= T.
 Proof.
-  intros HT; destruct (archimed (t / T)) as [A1 A2]; exists (up (t / T) - 1)%Z; rewrite minus_IZR;
-    set (u := IZR (up (t / T))) in *. assert (Et : t = T * (t / T)) by (field; lra); set (q := t / T) in *; rewrite Et;
-    split; nra.
+  intros HT; destruct (archimed (t / T)) as [A1 A2]; exists (up (t / T) - 1)%Z; rewrite minus_IZR; set (u := IZR (up (t
+    / T))) in *. assert (Et : t = T * (t / T)) by (field; lra); set (q := t / T) in *; rewrite Et; split; nra.
 Qed.
 
 Section Orbit.
@@ -110,9 +105,8 @@ Qed.
 Lemma steady t e : 0 < e -> exists d, 0 < d /\ d <= e /\ forall s, Rabs (s - t) <= d -> Rabs (y0 O s - y0 O t) <= e /\
   Rabs (v0 O s - v0 O t) <= e.
 Proof.
-  intros He;
-    destruct (orbit_continuous t) as [A B], (continuous_near _ t e A He) as (d1 & D1 & N1), (continuous_near _ t e B He)
-      as (d2 & D2 & N2).
+  intros He; destruct (orbit_continuous t) as [A B], (continuous_near _ t e A He) as (d1 & D1 & N1), (continuous_near _
+    t e B He) as (d2 & D2 & N2).
   destruct (two_least d1 d2 D1 D2) as (d3 & D3 & L1 & L2), (two_least d3 e D3 He) as (d & Hd & L3 & L4); exists d;
     split; [exact Hd | split; [exact L4|]]. intros s Hs; split; [apply N1 | apply N2]; lra.
 Qed.
@@ -121,10 +115,9 @@ Lemma along_continuous r f t : 0 < r -> continuous (fun t y v mu => tube O r t y
 Proof.
   intros Hr C e He; destruct (C t (y0 O t) (v0 O t) 0) with (eps := e / 2) as (d & Hd & H); [|lra|].
   { unfold tube; rewrite !Rminus_eq_0, Rabs_R0; lra. }
-  destruct (steady t d Hd) as (q & Hq & L & N); exists q; split; [exact Hq|]; intros s [_ Hs]; cbn in *;
-    unfold R_dist in *. destruct (N s ltac:(lra)) as [N1 N2]; unfold along;
-    specialize (H s (y0 O s) (v0 O s) 0 ltac:(lra) N1 N2). rewrite Rminus_eq_0, Rabs_R0 in H; specialize (H ltac:(lra));
-    lra.
+  destruct (steady t d Hd) as (q & Hq & L & N); exists q; split; [exact Hq|]; intros s [_ Hs]; cbn in *; unfold R_dist
+    in *. destruct (N s ltac:(lra)) as [N1 N2]; unfold along; specialize (H s (y0 O s) (v0 O s) 0 ltac:(lra) N1 N2).
+    rewrite Rminus_eq_0, Rabs_R0 in H; specialize (H ltac:(lra)); lra.
 Qed.
 Lemma along_continuous_all : forall t, continuity_pt k t /\ continuity_pt c t /\ continuity_pt l t.
 Proof. destruct (force_C1 O HO) as (r & Hr & [_ _ _ _ (_ & C2 & C3 & C4)]); intros t; repeat split;

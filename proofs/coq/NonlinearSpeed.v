@@ -36,9 +36,8 @@ Proof.
 Qed.
 
 Definition acc x mu s := a (low x mu + -1 * s) (Y x mu (low x mu + -1 * s)) (V x mu (low x mu + -1 * s)) mu.
-Lemma acc_lip : exists C, 0 < C /\ forall x mu x' mu' t s, box x mu -> box x' mu' -> within 2 t (minus x x') ->
-  Rabs (mu - mu') <= t ->
-  0 <= s <= r0 / 2 -> Rabs (low x mu - low x' mu') <= C * t /\ Rabs (acc x mu s - acc x' mu' s) <= C * t.
+Lemma acc_lip : exists C, 0 < C /\ forall x mu x' mu' t s, box x mu -> box x' mu' -> within 2 t (minus x x') -> Rabs (mu
+  - mu') <= t -> 0 <= s <= r0 / 2 -> Rabs (low x mu - low x' mu') <= C * t /\ Rabs (acc x mu s - acc x' mu' s) <= C * t.
 Proof.
   pose proof M_large as LM; pose proof Hwin as (Hr & R1 & R2 & _). set (C1 := 4 * M / (3 * g));
     assert (HC1 : 0 < C1) by (apply Rdiv_lt_0_compat; lra). set (C2 := 5 / 2 * g * r0);
@@ -121,9 +120,8 @@ Proof.
   assert (A3 : Rabs (off x y mu - off x' y' mu') <= D * t).
   { apply Rmult_le_reg_l with (g / 4); [lra|];
       replace (g / 4 * (D * t)) with (3 * (C * t * r0) + cg * t) by (unfold D; field; lra); lra. }
-  unfold tc;
-    replace (low x mu + -1 * off x y mu - (low x' mu' + -1 * off x' y' mu'))
-      with ((low x mu - low x' mu') - (off x y mu - off x' y' mu')) by ring. eapply Rle_trans; [apply apart|]; lra.
+  unfold tc; replace (low x mu + -1 * off x y mu - (low x' mu' + -1 * off x' y' mu')) with ((low x mu - low x' mu') -
+    (off x y mu - off x' y' mu')) by ring. eapply Rle_trans; [apply apart|]; lra.
 Qed.
 Lemma tc_speed : forall eps, 0 < eps -> exists d, 0 < d <= d0 /\ forall x y mu x' y' mu' t, within 2 d x ->
   within 2 d x' -> 0 <= y <= d -> 0 <= y' <= d -> Rabs mu <= d -> Rabs mu' <= d -> within 2 t (minus x x') ->

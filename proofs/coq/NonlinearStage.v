@@ -18,10 +18,9 @@ Hypothesis He : 0 < rho /\ 0 <= e - rho /\ e + rho <= @T F.
 Hypothesis HT' : rho + rho <= @T F'.
 Hypothesis Hex : @y0 F e = 0 /\ u1 < 0.
 Hypothesis Hen : @y0 F' rho = 0 /\ u2 = law 0 0 u1.
-Hypothesis Hlaw : forall eps, 0 < eps -> exists d, 0 < d /\ forall mu s v mu' s' v', Rabs mu <= d -> Rabs s <= d ->
-  Rabs (v - u1) <= d -> Rabs mu' <= d -> Rabs s' <= d -> Rabs (v' - u1) <= d ->
-  Rabs (law mu s v - law mu' s' v' - (Rm * (mu - mu') + Rt * (s - s') + Rv * (v - v'))) <=
-  eps * (Rabs (mu - mu') + Rabs (s - s') + Rabs (v - v')).
+Hypothesis Hlaw : forall eps, 0 < eps -> exists d, 0 < d /\ forall mu s v mu' s' v', Rabs mu <= d -> Rabs s <= d -> Rabs
+  (v - u1) <= d -> Rabs mu' <= d -> Rabs s' <= d -> Rabs (v' - u1) <= d -> Rabs (law mu s v - law mu' s' v' - (Rm * (mu
+  - mu') + Rt * (s - s') + Rv * (v - v'))) <= eps * (Rabs (mu - mu') + Rabs (s - s') + Rabs (v - v')).
 Hypothesis Hr1 : 0 < r1 /\ 0 < rho1 <= rho /\ 2 * (@M F * r1) < - u1 * rho1.
 Hypothesis Hsteep : forall x mu s, within 2 r1 x -> Rabs mu <= r1 -> Rabs (s - e) <= rho1 ->
   Rabs (V1 x mu s - u1) <= - u1 / 2.
@@ -47,8 +46,7 @@ Proof.
   assert (S0 : small r1 zero 0) by (split; [intros i _; unfold zero|]; rewrite Rabs_R0; lra).
   assert (Re : Rabs (e - e) <= rho1) by (rewrite Rminus_eq_0, Rabs_R0; lra); assert (Rl : Rabs (e - rho1 - e) <= rho1)
     by (replace (e - rho1 - e) with (- rho1) by ring; rewrite Rabs_Ropp, Rabs_pos_eq; lra); assert (Rr : Rabs (e + rho1
-        -
-    e) <= rho1) by (replace (e + rho1 - e) with rho1 by ring; rewrite Rabs_pos_eq; lra).
+    - e) <= rho1) by (replace (e + rho1 - e) with rho1 by ring; rewrite Rabs_pos_eq; lra).
   pose proof (downhill zero 0 (e - rho1) e S0 Rl Re ltac:(lra)) as D1; pose proof (downhill zero 0 e (e + rho1) S0 Re Rr
     ltac:(lra)) as D2. rewrite !(proj1 (@at_rest F _)), (proj1 Hex) in D1; rewrite !(proj1 (@at_rest F _)), (proj1 Hex)
         in D2.
@@ -111,8 +109,7 @@ Proof.
     proof (proj1 S i Hi); lra | destruct S; lra | lra|]. fold u1 in C2. split; [lra | split; [lra|]].
   assert (Zm : Rabs 0 <= dl) by (rewrite Rabs_R0; lra); pose proof (Law mu (cross x mu - e) (V1 x mu (cross x mu)) 0 0
     u1 ltac:(destruct S; lra) ltac:(lra) ltac:(lra) Zm Zm ltac:(rewrite Rminus_eq_0; exact Zm)) as Q; rewrite
-        !Rminus_0_r in
-    Q. rewrite <- (proj2 Hen) in Q; fold (after_hit x mu) in Q. destruct S as [_ Hm].
+    !Rminus_0_r in Q. rewrite <- (proj2 Hen) in Q; fold (after_hit x mu) in Q. destruct S as [_ Hm].
   assert (Hm' : Rabs mu <= q') by lra; assert (Hc' : Rabs (cross x mu - e) <= q') by lra; set (p1 := cross x mu - e) in
     *; set (p2 := V1 x mu (cross x mu) - u1) in *.
   replace (after_hit x mu - u2) with ((after_hit x mu - u2 - (Rm * mu + Rt * p1 + Rv * p2)) + (Rm * mu + Rt * p1 + Rv *
@@ -159,11 +156,10 @@ Qed.
 Definition jump (m : R) (z w z' w' : R -> R) : Prop := exists h, z e + u1 * h = 0 /\ z' rho + u2 * h = 0 /\
   w' rho + acc2 * h = Rm * m + Rt * h + Rv * (w e + acc1 * h).
 Notation lin := (solves kk cc ll). Notation lin' := (solves kk' cc' ll').
-Theorem carry_strict eps : 0 < eps -> exists d, 0 < d <= r1 /\ forall x x' mu mu' t z w z' w', small d x mu ->
-  small d x' mu' -> within 2 t (minus x x') -> Rabs (mu - mu') <= t -> lin (mu - mu') z w ->
-  z 0 = x 0%nat - x' 0%nat -> w 0 = x 1%nat - x' 1%nat -> lin' (mu - mu') z' w' -> jump (mu - mu') z w z' w' ->
-  Rabs (carry x mu 0%nat - carry x' mu' 0%nat - z' 0) <= eps * t /\
-  Rabs (carry x mu 1%nat - carry x' mu' 1%nat - w' 0) <= eps * t.
+Theorem carry_strict eps : 0 < eps -> exists d, 0 < d <= r1 /\ forall x x' mu mu' t z w z' w', small d x mu -> small d
+  x' mu' -> within 2 t (minus x x') -> Rabs (mu - mu') <= t -> lin (mu - mu') z w -> z 0 = x 0%nat - x' 0%nat -> w 0 = x
+  1%nat - x' 1%nat -> lin' (mu - mu') z' w' -> jump (mu - mu') z w z' w' -> Rabs (carry x mu 0%nat - carry x' mu' 0%nat
+  - z' 0) <= eps * t /\ Rabs (carry x mu 1%nat - carry x' mu' 1%nat - w' 0) <= eps * t.
 Proof.
   intros Hp; pose proof (proj2 Hex) as U1; set (w := - u1) in *; assert (Pw : 0 < w) by (unfold w; lra).
   destruct (@flow_lip F kk cc ll HA e rho He) as (dA & C1 & HdA & HC1 & LipA), (@flow_lip F' kk' cc' ll' HA' rho rho
@@ -248,9 +244,8 @@ Proof.
     (Rle_refl _) DB) as Y5; pose proof (product Rv dV Bv _ (Rle_refl _) LV') as Y6.
   assert (X2 : Rabs (dl - (Rm * (mu - mu') + Rt * h + Rv * qv)) <= K1 * b).
   { replace (dl - (Rm * (mu - mu') + Rt * h + Rv * qv)) with ((dl - (Rm * (mu - mu') + Rt * D + Rv * dV)) + (Rt * (D -
-      h)
-      + Rv * (dV - qv))) by ring. eapply Rle_trans; [apply Rabs_triang|]; pose proof (Rabs_triang (Rt * (D - h)) (Rv *
-      (dV - qv))). replace (K1 * b) with ((G + C1 * G) * b + (Bt * (H * b) + Bv * ((G + A1 * H) * b))) by (unfold K1;
+      h) + Rv * (dV - qv))) by ring. eapply Rle_trans; [apply Rabs_triang|]; pose proof (Rabs_triang (Rt * (D - h)) (Rv
+      * (dV - qv))). replace (K1 * b) with ((G + C1 * G) * b + (Bt * (H * b) + Bv * ((G + A1 * H) * b))) by (unfold K1;
       ring); lra. }
   assert (X3 : Rabs dl <= K2 * t).
   { replace dl with ((dl - (Rm * (mu - mu') + Rt * D + Rv * dV)) + (Rm * (mu - mu') + Rt * D + Rv * dV)) by ring.
@@ -262,8 +257,7 @@ Proof.
     Rabs (p' - rho) <= q) by (replace (p' - rho) with (s' - e) by (unfold p'; ring); exact T2).
   assert (Z0 : within 2 0 (minus (carry x' mu') (carry x' mu'))) by (intros i _; unfold minus; rewrite Rminus_eq_0,
     Rabs_R0; lra). assert (Wq : forall y r, within 2 q y -> q <= r -> within 2 r y) by (intros y r Hy Hr i Hi;
-        specialize
-    (Hy i Hi); lra).
+    specialize (Hy i Hi); lra).
   destruct (LipB (carry x' mu') (carry x' mu') mu' mu' 0 p' p) as [N1 N2]; try (apply Wq; [exact X' | lra]); try apply
     (Wi _ _ dB S'); trivial; try lra; try (rewrite Rminus_eq_0, Rabs_R0; lra).
   rewrite Rplus_0_l, (Rabs_minus_sym p'), Epp in N1, N2; assert (N3 : C2 * Rabs D <= C2 * Ct * t) by (rewrite
@@ -311,15 +305,13 @@ Qed.
 (** The derivative of [carry]: what the linearized equation makes of the state. *)
 Lemma jump_exists m z w : exists z' w', lin' m z' w' /\ jump m z w z' w'.
 Proof.
-  pose proof (proj2 Hex) as U1; set (h := - z e / u1);
-    destruct (proj2 (proj2 HA') m rho (- (u2 * h)) (Rm * m + Rt * h + Rv * (w e + acc1 * h) - acc2 * h)) as (z' & w' & Z
-        &
-    E1 & E2). exists z', w'; split; [exact Z|]; exists h; rewrite E1, E2; split; [unfold h; field; lra | split; ring].
+  pose proof (proj2 Hex) as U1; set (h := - z e / u1); destruct (proj2 (proj2 HA') m rho (- (u2 * h)) (Rm * m + Rt * h +
+    Rv * (w e + acc1 * h) - acc2 * h)) as (z' & w' & Z & E1 & E2). exists z', w'; split; [exact Z|]; exists h; rewrite
+    E1, E2; split; [unfold h; field; lra | split; ring].
 Qed.
 Theorem carry_matrix : exists (A : nat -> vec) (phi : vec), (forall i, (i < 2)%nat -> strict 2 (fun x mu => carry x mu
-  i) (dot 2 (A i)) (phi i)) /\ forall m z w z' w', lin m z w -> lin' m z' w' -> jump m z w z' w' ->
-  z' 0 = A 0%nat 0%nat * z 0 + A 0%nat 1%nat * w 0 + m * phi 0%nat /\
-  w' 0 = A 1%nat 0%nat * z 0 + A 1%nat 1%nat * w 0 + m * phi 1%nat.
+  i) (dot 2 (A i)) (phi i)) /\ forall m z w z' w', lin m z w -> lin' m z' w' -> jump m z w z' w' -> z' 0 = A 0%nat 0%nat
+  * z 0 + A 0%nat 1%nat * w 0 + m * phi 0%nat /\ w' 0 = A 1%nat 0%nat * z 0 + A 1%nat 1%nat * w 0 + m * phi 1%nat.
 Proof.
   apply (matrix_exists F kk cc ll kk' cc' ll' HA carry jump).
   - exact carry_rest.

@@ -89,9 +89,8 @@ Proof.
     (apply functional_extensionality; intros); destruct s; cbn; ring).
   cbv beta in K; rewrite (E (seen (sgn s) _ _ (a_q P))), (E (seen (sgn s) _ _ (a_u P))) in K; exact K.
 Qed.
-Lemma measured_law : exists r f1 f2 f3 f4, 0 < r /\ f3 (tG P) 0 0 0 = - tau P /\
-  C1 (fun t y v mu => Rabs (t - tG P) <= r /\ Rabs v <= r /\ Rabs mu <= r) (fun t y v mu => Nonlinear.rebound O mu t v)
-  f1 f2 f3 f4.
+Lemma measured_law : exists r f1 f2 f3 f4, 0 < r /\ f3 (tG P) 0 0 0 = - tau P /\ C1 (fun t y v mu => Rabs (t - tG P) <=
+  r /\ Rabs v <= r /\ Rabs mu <= r) (fun t y v mu => Nonlinear.rebound O mu t v) f1 f2 f3 f4.
 Proof.
   destruct (C1_law P s HP) as (r1 & f1 & f2 & f3 & f4 & R1 & E3 & HF), (C3_stops P s HP) as (r2 & R2 & HC), (at_tG P s
     HP) as (_ & Eq & Eu). destruct (stop_near r2 s 1%nat (tG P) (r1 / 4) (HC s 1%nat ltac:(lia)) R2 ltac:(lra)) as (d &
@@ -206,17 +205,13 @@ Proof.
   exists l, t', (fun i x => Q P s 0 x mu + sgn s * y' i x), (fun i x => Q P s 1 x mu + sgn s * v' i x).
   split; [exact Hl|]; split; [intros i Hi; apply (HL mu d N t' i (i + 1)%Z ltac:(lra) ltac:(lra)), Lg, Hi|]; split.
   - destruct (Weigh eps _ _ N1 N2) as [W1 W2]; split; [exact W1|]; pose proof (Lip (t j) (t' j)) as Q1.
-    replace (Q P s 1 (t' j) mu + sgn s * v' j (t' j) - u j (t j)) with ((Q P s 1 (t' j) mu - Q P s 1 (t j) mu) + sgn s
-      * (v'
-      j (t' j) - rel P s mu (t j) (u j (t j)))) by (rewrite <- (there s (Q P s 1 (t j) mu) (u j (t j))) at 2; unfold
-        rel;
-      ring). eapply Rle_trans; [apply Rabs_triang|]; rewrite sgn_abs; lra.
+    replace (Q P s 1 (t' j) mu + sgn s * v' j (t' j) - u j (t j)) with ((Q P s 1 (t' j) mu - Q P s 1 (t j) mu) + sgn s *
+      (v' j (t' j) - rel P s mu (t j) (u j (t j)))) by (rewrite <- (there s (Q P s 1 (t j) mu) (u j (t j))) at 2; unfold
+      rel; ring). eapply Rle_trans; [apply Rabs_triang|]; rewrite sgn_abs; lra.
   - intros [F1 F2]; apply Out; destruct (Weigh r0 _ _ F1 F2) as [W1 W2]; split; [exact W1|]; pose proof (Lip (t l) (t'
     l)) as Q1. rewrite <- (sgn_abs s); replace (sgn s * (v' l (t' l) - rel P s mu (t l) (u l (t l)))) with ((Q P s 1 (t'
-      l) mu
-      + sgn s * v' l (t' l) - u l (t l)) - (Q P s 1 (t' l) mu - Q P s 1 (t l) mu)) by (rewrite <- (there s (Q P s 1 (t
-        l)
-      mu) (u l (t l))) at 1; unfold rel; ring). eapply Rle_trans; [apply apart|]; lra.
+    l) mu + sgn s * v' l (t' l) - u l (t l)) - (Q P s 1 (t' l) mu - Q P s 1 (t l) mu)) by (rewrite <- (there s (Q P s 1
+    (t l) mu) (u l (t l))) at 1; unfold rel; ring). eapply Rle_trans; [apply apart|]; lra.
 Qed.
 End Stops.
 

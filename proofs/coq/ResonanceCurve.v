@@ -53,9 +53,8 @@ Qed.
 (** Its inverse, bounded by K. *)
 Definition solved (Q : vec) : vec := fun i => the (fun a => exists x,
   (forall k, (k < S N)%nat -> left x k = Q k) /\ a = x i).
-Definition inverse_bound (K : R) : Prop := 1 <= K /\
-  (forall t x, 0 <= t -> within (S N) t (left x) -> within (S N) (K * t) x) /\
-  forall Q x, (forall i, (i < S N)%nat -> x i = solved Q i) -> forall k, (k < S N)%nat -> left x k = Q k.
+Definition inverse_bound (K : R) : Prop := 1 <= K /\ (forall t x, 0 <= t -> within (S N) t (left x) -> within (S N) (K *
+  t) x) /\ forall Q x, (forall i, (i < S N)%nat -> x i = solved Q i) -> forall k, (k < S N)%nat -> left x k = Q k.
 Lemma inverse_exists : exists K, inverse_bound K.
 Proof.
   destruct (linear_map_bounded (S N) left) as (K & HK & H); [intros; apply left_comb | exact left_ext | exact
@@ -176,8 +175,7 @@ Lemma kicked_within y : 0 <= y -> within (S N) (beta * y) (kicked y).
 Proof.
   intros Hy; apply within_S; unfold kicked; split; cbn [rows hat].
   - rewrite Rabs_R0; apply Rmult_le_pos; lra.
-  - intros i Hi; unfold hat, rows; rewrite Rmult_comm; apply Rabs_mult_le; [apply Hbeta, Hi | rewrite Rabs_pos_eq;
-    lra].
+  - intros i Hi; unfold hat, rows; rewrite Rmult_comm; apply Rabs_mult_le; [apply Hbeta, Hi | rewrite Rabs_pos_eq; lra].
 Qed.
 Lemma P_pos : 2 <= P. Proof. destruct HK as [K1 _]; assert (0 <= K * beta) by (apply Rmult_le_pos; lra); lra. Qed.
 (** Two solutions differ by at most P times what their speeds differ by. *)
@@ -228,8 +226,7 @@ Proof.
   pose proof (Lipschitz y y' z z' ltac:(lra) ltac:(lra) Hz Hz' HS HS') as L.
   set (s := Rabs (y - y')) in *; assert (Hs : 0 <= s) by apply Rabs_pos; assert (Ps : 0 <= P * s) by (apply
     Rmult_le_pos; lra). assert (Ps' : 1 * s <= P * s) by (apply Rmult_le_compat_r; lra).
-  pose proof (small_two _ _ _ Sm y y' z z' (P * s) ltac:(lra) ltac:(lra) Z Z' Ps L ltac:(fold s; lra))
-    as B.
+  pose proof (small_two _ _ _ Sm y y' z z' (P * s) ltac:(lra) ltac:(lra) Z Z' Ps L ltac:(fold s; lra)) as B.
   apply (within_le _ (K * (eps / (P * K) * (P * s)))); [right; field; lra|].
   apply KB; [apply Rmult_le_pos; [left; apply Rdiv_lt_0_compat; [lra | apply Rmult_lt_0_compat; lra] | exact Ps]|].
   assert (EL : hat (line (y - y')) = comb (y - y') 0 V V) by (extensionality i; unfold hat, line, rows, comb; ring).
@@ -244,9 +241,8 @@ Definition bounds (mc m : R) : Prop := 0 <= mc /\ (forall t x, within N t x -> R
   forall k t x, (k <= n)%nat -> 0 <= t -> within N t x -> within N (m * t) (pow k x).
 Definition gain mc m := P + mc * m + Rabs e + 1.
 Lemma near_line mc m eps d' : bounds mc m -> 0 < eps -> 0 < d' <= d -> small W (eps / gain mc m / (P * K)) d' -> small W
-  (eps / gain mc m) d' -> forall y z, 0 <= y -> P * y <= d' -> within (S N) d z -> solves y z ->
-  within (S N) (eps * y) (minus z (line y)) /\
-  forall k, (k <= n)%nat -> Rabs (hit k (z O) (point z) - (v k - v n) * y) <= eps * y.
+  (eps / gain mc m) d' -> forall y z, 0 <= y -> P * y <= d' -> within (S N) d z -> solves y z -> within (S N) (eps * y)
+  (minus z (line y)) /\ forall k, (k <= n)%nat -> Rabs (hit k (z O) (point z) - (v k - v n) * y) <= eps * y.
 Proof.
   intros (Hmc & Cb & Hm & Pb) Heps Hd' Sm1 Sm2 y z Hy Y Hz HS; pose proof P_pos as P2; pose proof (Rabs_pos e) as Pe.
   assert (Hmm : 0 <= mc * m) by (apply Rmult_le_pos; lra); unfold gain in Sm1, Sm2.

@@ -53,8 +53,7 @@ Proof.
   { rewrite minus_rows; apply within_rows; [rewrite Rabs_R0; exact T0 | exact Ht]. }
   unfold rest1, rest2 in *; rewrite minus_rows, !whole_fly, !whole_power in *; cbn [Map.C Map.N W StatementFold.whole]
     in B, C; rewrite !dot_rows, !Rmult_0_l, !Rplus_0_l in B, C; rewrite dot_rows, Rmult_0_l, Rplus_0_l in B.
-  split; [intros i Hi; specialize (A (S i) (proj1 (Nat.succ_lt_mono _ _) Hi)); exact A | split; [exact B | exact
-    C]].
+  split; [intros i Hi; specialize (A (S i) (proj1 (Nat.succ_lt_mono _ _) Hi)); exact A | split; [exact B | exact C]].
 Qed.
 Lemma member_zeros nu k : Map.h (member nu) (fly (member nu) 0 k zero) 0 = 0 /\ forall i, (i < N)%nat -> fly (member nu)
   0 k zero i = 0.
@@ -75,8 +74,7 @@ Proof.
   apply small_of with (d1 := d1); trivial; try lra; [apply member_zeros | apply member_remainder; [exact Rem | lra]].
 Qed.
 Lemma members_hit n : exists l d, 0 < d /\ 1 <= l /\ forall nu, Rabs nu <= d -> forall mu x t, 0 <= t <= d -> Rabs mu <=
-  t
-  -> within N t x -> Rabs (Map.h (member nu) (fly (member nu) mu n x) mu) <= l * t.
+  t -> within N t x -> Rabs (Map.h (member nu) (fly (member nu) mu n x) mu) <= l * t.
 Proof.
   destruct (Lipschitz_fly W (rows 0 w) e (family_smooth F HF) whole_w whole_e n) as (l & d & Hl & Hd & Lip); exists l,
     d.
@@ -164,10 +162,9 @@ Proof.
     Rabs (Map.h (member F nu) (fly (member F nu) mu n x) mu) <= l * d) by (intros nu Hnu; split; [exact Hl|]; intros mu
     x t Ht; apply (Lip nu ltac:(lra)); lra).
   assert (Law : forall eps, 0 < eps -> exists rr, 0 < rr /\ forall nu mu x y mu' x' y', Rabs nu < rr -> y < rr -> y' <
-    rr
-    -> one_impact F n d nu mu x y -> one_impact F n d nu mu' x' y' -> (0 < y /\ 0 < y') /\
-    Rabs (mu - (nu * S0 * y + K * y ^ 2)) <= eps * ((Rabs nu + y) * y) /\
-    Rabs (mu - mu' - (nu * S0 * (y - y') + K * (y ^ 2 - y' ^ 2))) <= eps * ((Rabs nu + y + y') * Rabs (y - y'))).
+    rr -> one_impact F n d nu mu x y -> one_impact F n d nu mu' x' y' -> (0 < y /\ 0 < y') /\ Rabs (mu - (nu * S0 * y +
+    K * y ^ 2)) <= eps * ((Rabs nu + y) * y) /\ Rabs (mu - mu' - (nu * S0 * (y - y') + K * (y ^ 2 - y' ^ 2))) <= eps *
+    ((Rabs nu + y + y') * Rabs (y - y'))).
   { intros eps Heps; assert (E1 : 0 < eps / Ki) by (apply Rdiv_lt_0_compat; lra).
     destruct (bend_all _ _ _ _ _ _ _ _ p Q (mixed_height _ _ _ _ _ _ _ _ _ H2) (mixed_impact _ _ _ _ _ _ _ _ _ H2) _
       E1) as (rb & Hrb & Bh & Bi).

@@ -7,10 +7,9 @@ Open Scope R_scope.
 
 (** ** One radius for all coordinates *)
 Definition bend (N : nat) (V : vec) (G : R -> R -> R -> vec -> R) (L : R -> R -> vec -> R) (p Q eps r : R) : Prop :=
-  forall nu y mu x y' mu' x', Rabs nu <= r -> 0 <= y <= r -> 0 <= y' <= r -> beside N V r y mu x ->
-  beside N V r y' mu' x' -> beside N V r (y - y') (mu - mu') (minus x x') ->
-  Rabs (G nu y mu x - G nu y' mu' x' - L (y - y') (mu - mu') (minus x x') -
-    (nu * p * (y - y') + Q * (y ^ 2 - y' ^ 2))) <= eps * ((Rabs nu + y + y') * Rabs (y - y')).
+  forall nu y mu x y' mu' x', Rabs nu <= r -> 0 <= y <= r -> 0 <= y' <= r -> beside N V r y mu x -> beside N V r y' mu'
+  x' -> beside N V r (y - y') (mu - mu') (minus x x') -> Rabs (G nu y mu x - G nu y' mu' x' - L (y - y') (mu - mu')
+  (minus x x') - (nu * p * (y - y') + Q * (y ^ 2 - y' ^ 2))) <= eps * ((Rabs nu + y + y') * Rabs (y - y')).
 Lemma bend_down N V G L p Q eps r r' : bend N V G L p Q eps r -> 0 < r' <= r -> bend N V G L p Q eps r'.
 Proof.
   intros B Hr; assert (Down : forall y mu x, beside N V r' y mu x -> beside N V r y mu x).
@@ -54,12 +53,11 @@ Notation point := (point w).
 Notation left := (left M e n).
 Hypothesis R0 : 0 < r0 /\ 0 < eps1.
 Hypothesis Bend : forall y mu x y' mu' x', 0 <= y <= r0 -> 0 <= y' <= r0 -> beside N V r0 y mu x -> beside N V r0 y' mu'
-  x' -> beside N V r0 (y - y') (mu - mu') (minus x x') -> let D p Q := nu * p * (y - y') + Q * (y ^ 2 - y' ^ 2) in
-  let e' := eps1 * ((Rabs nu + y + y') * Rabs (y - y')) in let fl := fly M in
-  Rabs (Map.h M (fl mu n x) mu - Map.h M (fl mu' n x') mu' - (across M (minus x x') n + (mu - mu') * (e - across M w n))
-    - D ph Qh) <= e' /\ forall i, (i < N)%nat ->
+  x' -> beside N V r0 (y - y') (mu - mu') (minus x x') -> let D p Q := nu * p * (y - y') + Q * (y ^ 2 - y' ^ 2) in let
+  e' := eps1 * ((Rabs nu + y + y') * Rabs (y - y')) in let fl := fly M in Rabs (Map.h M (fl mu n x) mu - Map.h M (fl mu'
+  n x') mu' - (across M (minus x x') n + (mu - mu') * (e - across M w n)) - D ph Qh) <= e' /\ forall i, (i < N)%nat ->
   Rabs (fl mu n x i + Map.kick M (fl mu n x) y mu i * y - (fl mu' n x' i + Map.kick M (fl mu' n x') y' mu' i * y') -
-    (pow n (minus x x') i + (y - y') * Map.B M i + (mu - mu') * (w i - pow n w i)) - D (p i) (Q i)) <= e'.
+  (pow n (minus x x') i + (y - y') * Map.B M i + (mu - mu') * (w i - pow n w i)) - D (p i) (Q i)) <= e'.
 Variables (Ki W eps0 d d' beta : R).
 Hypothesis HK : inverse_bound M e n Ki.
 Hypothesis HW : 0 <= W /\ within N W w.
@@ -183,19 +181,16 @@ Proof.
     lra | right; field; lra]).
   assert (Orb : forall mu x, Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in 0 < y < r /\
     within (S N) d0 (of w mu (x tt)) /\ ResonanceCurve.solves M w e n y (of w mu (x tt))).
-  { intros mu x Hmu Ho; destruct (orbit_inside M w e n Hn W d0 l dl (r / 2) d (conj HW Wb) (conj Hl Lip)
-      (conj (conj Hd (Rle_trans _ _ _ B5 B2)) E1) ltac:(lra) mu x Hmu Ho) as (Y & Z & S & _); cbv
-    zeta
-      in *; split; [lra | auto]. }
+  { intros mu x Hmu Ho; destruct (orbit_inside M w e n Hn W d0 l dl (r / 2) d (conj HW Wb) (conj Hl Lip) (conj (conj Hd
+      (Rle_trans _ _ _ B5 B2)) E1) ltac:(lra) mu x Hmu Ho) as (Y & Z & S & _); cbv zeta in *; split; [lra | auto]. }
   assert (Law2 : forall mu x mu' x', Rabs mu <= d -> Rabs mu' <= d -> single M n mu d x -> single M n mu' d x' -> let y
     := speed_of M n mu x in let y' := speed_of M n mu' x' in Rabs (mu - mu' - K * (y ^ 2 - y' ^ 2)) <= Rabs K / 2 * ((y
     + y') * Rabs (y - y'))).
   { intros mu x mu' x' Hm Hm' Ho Ho' y y'; destruct (Orb mu x Hm Ho) as (Y & Z & S), (Orb mu' x' Hm' Ho') as (Y' & Z'
     & S').
     fold y in Y, S; fold y' in Y', S'. apply (Law y y' (of w mu (x tt)) (of w mu' (x' tt))); trivial; lra. }
-  assert (Law1 : forall mu x, Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in K * K * (y * y) <= 2
-    * (K *
-    mu) <= 3 * (K * K * (y * y)) /\ 0 < y < r).
+  assert (Law1 : forall mu x, Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in K * K * (y * y) <= 2 *
+    (K * mu) <= 3 * (K * K * (y * y)) /\ 0 < y < r).
   { intros mu x Hm Ho y; destruct (Orb mu x Hm Ho) as (Y & Z & S); fold y in Y, S; split; [|exact Y].
     pose proof (Law y 0 (of w mu (x tt)) zero ltac:(lra) ltac:(lra) Z ltac:(apply within_zero;
       lra) S (zero_solves M w e n Z0)) as L; change (of w mu (x tt) O) with mu in L; unfold zero in L.

@@ -30,14 +30,12 @@ Proof.
   split; [|intros k Hkn; apply Hk; lia].
   apply (proj2 (solves_is M w e n y _ (Rlt_le _ _ Hy))); rewrite point_of; exact Z.
 Qed.
-Lemma solution_orbit z y d : 0 < y -> solves y z -> within N d (point z) ->
-  (forall k, (0 < k < n)%nat -> 0 < hit k (z O) (point z)) ->
-  let x := fun _ : unit => point z in single M n (z O) d x /\ speed_of M n (z O) x = y.
+Lemma solution_orbit z y d : 0 < y -> solves y z -> within N d (point z) -> (forall k, (0 < k < n)%nat -> 0 < hit k (z
+  O) (point z)) -> let x := fun _ : unit => point z in single M n (z O) d x /\ speed_of M n (z O) x = y.
 Proof.
   intros Hy Hs Hd Hk x; apply (proj1 (solves_is M w e n y z (Rlt_le _ _ Hy))) in Hs.
   assert (Ho : single M n (z O) d x).
-  { apply (zero_orbit M (z O) unit (fun j => j) (fun _ => n) (fun _ => Hn) d x (fun _ => y)); [intros ?;
-    exact Hd | |].
+  { apply (zero_orbit M (z O) unit (fun j => j) (fun _ => n) (fun _ => Hn) d x (fun _ => y)); [intros ?; exact Hd | |].
     - apply zero_meaning; intros ?; exact Hs.
     - intros ?; split; [exact Hy | intros k Hkn; apply Hk; lia]. }
   split; [exact Ho|]; destruct (Ho tt) as (_ & Hf & _); unfold speed_of.
@@ -57,9 +55,8 @@ Hypothesis Sm : small M w e n W eps0 d0.
 Hypothesis Lip : 1 <= l /\ forall mu x d, 0 <= d <= dl -> Rabs mu <= d -> within N d x -> Rabs (hit n mu x) <= l * d.
 Hypothesis Hd : 0 < d <= dl /\ (1 + W) * d <= d0.
 Hypothesis Hh : 0 < h /\ l * d <= h * h.
-Lemma orbit_inside mu x : Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in
-  0 < y <= h /\ within (S N) d0 (of w mu (x tt)) /\ solves y (of w mu (x tt)) /\
-  forall k, (0 < k < n)%nat -> 0 < hit k mu (x tt).
+Lemma orbit_inside mu x : Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in 0 < y <= h /\ within (S N)
+  d0 (of w mu (x tt)) /\ solves y (of w mu (x tt)) /\ forall k, (0 < k < n)%nat -> 0 < hit k mu (x tt).
 Proof.
   intros Hmu Ho y; destruct Hd as [D0 D1], Hh as [Hh0 D2], HW as [W0 Wb], Lip as [Hl HLip].
   destruct (orbit_solution mu d x Ho) as (Hy & Hs & Hk); fold y in Hy, Hs; destruct (Ho tt) as (Hx & _).
@@ -110,8 +107,7 @@ Proof.
       assert (B1 : forall u, near nat (fun i => (i < S N)%nat) d0 u (fun _ => 0) -> within (S N) d0 u) by (intros u Hu i
         Hi; specialize (Hu i Hi); rewrite Rminus_0_r in Hu; exact Hu).
       intros i Hi; change (T z i - T z' i) with (minus (T z) (T z') i); apply (Rle_trans _ (K * (eps0 * t))).
-      * revert i Hi; apply KB; [apply Rmult_le_pos; lra|]; intros i Hi;
-        rewrite minus_comb, left_comb, !TL by exact Hi.
+      * revert i Hi; apply KB; [apply Rmult_le_pos; lra|]; intros i Hi; rewrite minus_comb, left_comb, !TL by exact Hi.
         pose proof (Two y y z z' t Hyd Hyd (B1 z Hz) (B1 z' Hz') Ht Hzz ltac:(rewrite Rminus_eq_0, Rabs_R0; exact Ht) i
           Hi) as B2; unfold minus in B2; same_as B2.
       * assert (K * eps0 * t <= 1 / 2 * t) by (apply Rmult_le_compat_r; lra); lra.
@@ -156,10 +152,8 @@ Lemma sizes W B P l d0 dl r0 : 0 <= W -> 0 < B -> 0 < P -> 1 <= l -> 0 < d0 -> 0
 Proof.
   intros; destruct (two_least d0 (r0 / 2)) as (h & Hh & L1 & L2); try lra; assert (0 < h * h) by (apply
     Rmult_lt_0_compat; exact Hh). destruct (small_enough d0 (1 + W)) as (a & Ha & A), (small_enough (h * h) l) as (b &
-      Hb
-    & B1); try lra. destruct (two_least a b) as (c & Hc & C1 & C2); try lra; destruct (two_least c dl Hc) as (d & Hd &
-      D1 & D2);
-    trivial.
+    Hb & B1); try lra. destruct (two_least a b) as (c & Hc & C1 & C2); try lra; destruct (two_least c dl Hc) as (d & Hd
+    & D1 & D2); trivial.
   assert (0 < (1 + W) * P) by (apply Rmult_lt_0_compat; lra); destruct (small_enough d0 (2 * B)) as (a' & Ha' & A'),
     (small_enough d ((1 + W) * P)) as (b' & Hb' & B'); try lra.
   destruct (two_least a' b') as (c' & Hc' & C1' & C2'); try lra; destruct (two_least c' h Hc' Hh) as (r & Hr & R1 & R2).
@@ -292,8 +286,7 @@ Proof.
       assert (Low : forall k, gamma * uu k < 0 -> across M V k < 0) by (intros k X; rewrite Ac; nra).
       destruct (Rtotal_order gamma 0) as [G|[G|G]]; [|contradiction|].
       * exists 1%nat; split; [lia|]; apply Low; unfold uu; rewrite u_1; lra.
-      * destruct Hc as [Hc|Hc]; [|lra]; destruct Neg as [X|(k & Hk & X)]; [lia | rewrite Nat.mod_small by lia;
-        lia | |].
+      * destruct Hc as [Hc|Hc]; [|lra]; destruct Neg as [X|(k & Hk & X)]; [lia | rewrite Nat.mod_small by lia; lia | |].
         -- exfalso; pose proof (Ek 1%nat) as E; change (INR 1) with 1 in E; rewrite (Rmult_1_l (INR m)), X in E.
            unfold uu in E; rewrite u_1 in E; lra.
         -- exists k; split; [exact Hk|]; apply Low; pose proof (proj2 (Sg k) X); nra.

@@ -121,8 +121,7 @@ Proof.
 Qed.
 
 (** ** With q = (I - P) v and c v = - 2 y (1 + k), nearly, det (I - P + q c / (2 y)) is nearly - k det (I - P) *)
-Lemma dot_within N l t c x : 0 <= l -> 0 <= t -> within N l c -> within N t x ->
-  Rabs (dot N c x) <= INR N * (l * t).
+Lemma dot_within N l t c x : 0 <= l -> 0 <= t -> within N l c -> within N t x -> Rabs (dot N c x) <= INR N * (l * t).
 Proof.
   intros Hl Ht Hc Hx; induction N as [|N IH]; [cbn; rewrite Rabs_R0; lra|]; rewrite S_INR; cbn [dot].
   rewrite Rmult_plus_distr_r, Rmult_1_l; apply triangle2; [apply IH; intros i Hi; [apply Hc | apply Hx]; lia|].
@@ -207,8 +206,7 @@ Proof.
   destruct (curve_slope _ _ _ _ _ _ Cv (r / (1 + W))) as (rs & Rs & Slope); [apply Rdiv_lt_0_compat; lra|].
   destruct (small_enough r (2 * u) Hr ltac:(lra)) as (y1 & Hy1 & L3), (two_least rs y1 Rs ltac:(lra)) as (y2 & Hy2 & L4
     & L5), (two_least r y2 Hr Hy2) as (y3 & Hy3 & L6 & L7).
-  destruct (there M w n h1 y3 HM Hw ltac:(lra) Hy3) as (d1 & d2 & rho & Hd & HR & Hrho &
-    There).
+  destruct (there M w n h1 y3 HM Hw ltac:(lra) Hy3) as (d1 & d2 & rho & Hd & HR & Hrho & There).
   destruct (two_least dc d2 Hdc ltac:(lra)) as (d & Hd0 & D1 & D2); exists d; split; [exact Hd0|].
   intros mu x c q P Hmu Ho y HS D; destruct (orbit_clear M unit (fun j => j) (fun _ => n) mu d x tt (fun _ => Hn) Ho) as
     (cl & Hcl & Cl). destruct (Ho tt) as (Hx & Hf & _).
