@@ -17,10 +17,13 @@ Section Members.
 Variables (F : Family.t) (w : vec) (e : R).
 Notation N := (Family.N F).
 Notation member := (member F).
-Hypothesis HF : smooth_family F.
 Hypothesis Hw : forall i, (i < N)%nat -> w i = mult N (Family.A F) w i + Family.phi F i.
 Hypothesis He : e = dot N (Family.C F) w + Family.eta F.
 Let W := StatementFold.whole F.
+Variable rg : R.
+Hypothesis HS : smooth W.
+Hypothesis HZ : 0 < rg /\ forall nu x, Rabs nu <= rg -> (forall i, (i < N)%nat -> x i = 0) -> Family.h F nu x 0 = 0 /\
+  forall i, (i < N)%nat -> Family.f F nu x 0 i = 0.
 Lemma whole_fly nu mu k x : fly W mu k (rows nu x) = rows nu (fly (member nu) mu k x).
 Proof.
   induction k as [|k IH]; [reflexivity|]; change (fly W mu (S k) (rows nu x)) with (Map.f W (fly W mu k (rows nu x))
@@ -55,38 +58,40 @@ Proof.
     in B, C; rewrite !dot_rows, !Rmult_0_l, !Rplus_0_l in B, C; rewrite dot_rows, Rmult_0_l, Rplus_0_l in B.
   split; [intros i Hi; specialize (A (S i) (proj1 (Nat.succ_lt_mono _ _) Hi)); exact A | split; [exact B | exact C]].
 Qed.
-Lemma member_zeros nu k : Map.h (member nu) (fly (member nu) 0 k zero) 0 = 0 /\ forall i, (i < N)%nat -> fly (member nu)
-  0 k zero i = 0.
+Lemma member_zeros nu : Rabs nu <= rg -> forall k, Map.h (member nu) (fly (member nu) 0 k zero) 0 = 0 /\ forall i, (i <
+  N)%nat -> fly (member nu) 0 k zero i = 0.
 Proof.
-  assert (Z : forall i, (i < N)%nat -> fly (member nu) 0 k zero i = 0).
-  { induction k as [|k IH]; [reflexivity|]; apply (family_grazes F HF nu _ IH). }
-  split; [apply (family_grazes F HF nu _ Z) | exact Z].
+  intros Hnu k; assert (Z : forall i, (i < N)%nat -> fly (member nu) 0 k zero i = 0).
+  { induction k as [|k IH]; [reflexivity|]; apply (proj2 HZ nu _ Hnu IH). }
+  split; [apply (proj2 HZ nu _ Hnu Z) | exact Z].
 Qed.
 Lemma members_small n b : 0 <= b -> within N b w -> forall eps, 0 < eps -> exists d, 0 < d /\ forall nu d', Rabs nu <= d
   -> 0 < d' <= d -> small (member nu) w e n b eps d'.
 Proof.
-  intros Hb Wb eps Heps; destruct (remainder_exists W (rows 0 w) e (family_smooth F HF) whole_w whole_e n (eps / (1 +
-    b))) as (d1 & Hd1 & Rem); [apply Rdiv_lt_0_compat; lra|]; destruct (small_enough d1 (1 + b)) as (d & Hd & D); try
-    lra.
+  intros Hb Wb eps Heps; destruct (remainder_exists W (rows 0 w) e HS whole_w whole_e n (eps / (1 +
+    b))) as (d1 & Hd1 & Rem); [apply Rdiv_lt_0_compat; lra|]; destruct (small_enough d1 (1 + b)) as (d2 & Hd2 & D'), HZ
+    as [Hg _]; try lra. destruct (two_least d2 rg ltac:(lra) Hg) as (d & Hd & L1 & L2).
+  assert (D : (1 + b) * d <= d1) by (apply Rle_trans with (2 := D'), Rmult_le_compat_l; lra).
   exists d; split; [lra|]; intros nu d' Hnu Hd'; assert (d' <= d1 /\ d <= d1 /\ (1 + b) * d' <= (1 + b) * d) by (assert
     (0 <= b * d /\ 0 <= b * d') by (split; apply Rmult_le_pos; lra); repeat split; try lra; apply Rmult_le_compat_l;
       lra).
-  apply small_of with (d1 := d1); trivial; try lra; [apply member_zeros | apply member_remainder; [exact Rem | lra]].
+  apply small_of with (d1 := d1); trivial; try lra; [apply member_zeros; lra | apply member_remainder; [exact Rem |
+    lra]].
 Qed.
 Lemma members_hit n : exists l d, 0 < d /\ 1 <= l /\ forall nu, Rabs nu <= d -> forall mu x t, 0 <= t <= d -> Rabs mu <=
   t -> within N t x -> Rabs (Map.h (member nu) (fly (member nu) mu n x) mu) <= l * t.
 Proof.
-  destruct (Lipschitz_fly W (rows 0 w) e (family_smooth F HF) whole_w whole_e n) as (l & d & Hl & Hd & Lip); exists l,
-    d.
-  split; [exact Hd | split; [exact Hl|]]; intros nu Hnu mu x t Ht Hmu Hx.
-  assert (Z : within (S N) d (rows nu zero)) by (apply within_rows; [exact Hnu | apply within_zero; lra]).
+  destruct (Lipschitz_fly W (rows 0 w) e HS whole_w whole_e n) as (l & d1 & Hl & Hd1 & Lip), HZ as [Hg _].
+  destruct (two_least d1 rg Hd1 Hg) as (d & Hd & L1 & L2); exists l, d; split; [exact Hd | split; [exact Hl|]]; intros
+    nu Hnu mu x t Ht Hmu Hx.
+  assert (Z : within (S N) d1 (rows nu zero)) by (apply within_rows; [lra | apply within_zero; lra]).
   destruct (Lip n (rows nu x) (rows nu zero) mu 0 t (Nat.le_refl n)) as [_ B]; rewrite ?Rminus_0_r, ?Rabs_R0; trivial;
     try lra.
-  - apply within_rows; [exact Hnu | apply within_le with t; [lra | exact Hx]].
+  - apply within_rows; [lra | apply within_le with t; [lra | exact Hx]].
   - rewrite minus_rows; apply within_rows; [rewrite Rabs_R0; lra|]; intros i Hi; unfold minus, zero; rewrite
       Rminus_0_r; apply Hx, Hi.
   - rewrite !whole_fly in B; change (Rabs (Map.h (member nu) (fly (member nu) mu n x) mu - Map.h (member nu) (fly
-      (member nu) 0 n zero) 0) <= l * t) in B; rewrite (proj1 (member_zeros nu n)), Rminus_0_r in B; exact B.
+      (member nu) 0 n zero) 0) <= l * t) in B; rewrite (proj1 (member_zeros nu ltac:(lra) n)), Rminus_0_r in B; exact B.
 Qed.
 End Members.
 
@@ -138,24 +143,28 @@ Proof.
     unfold gain; fold P; lra. }
   set (eps0 := / (2 * Ki)); assert (He0 : 0 < eps0 /\ Ki * eps0 <= 1 / 2) by (unfold eps0; split; [apply
     Rinv_0_lt_compat; lra | right; field; lra]).
-  pose proof (members_small F w e HF Hw He n W HW Wb) as Small; pose proof (member_zeros F HF) as Z0.
+  destruct (family_grazes F HF) as (rg & Hrg & Gz); pose proof (members_small F w e Hw He rg (family_smooth F HF) (conj
+    Hrg Gz) n W HW Wb) as Small; pose proof (member_zeros F rg (conj Hrg Gz)) as Z0.
   assert (PK : 0 < P * Ki) by (apply Rmult_lt_0_compat; lra); assert (PB : 0 < Ki * (beta + eps0)) by (apply
     Rmult_lt_0_compat; lra).
   destruct (margin (fun k _ => across M V k - across M V n) n) as (g & Hg & Mg).
-  destruct (Small eps0 (proj1 He0)) as (d0 & Hd0 & Sm0), (members_hit F w e HF Hw He n) as (l & dl & Hdl & Hl & Lip).
+  destruct (Small eps0 (proj1 He0)) as (d0 & Hd0 & Sm0), (members_hit F w e Hw He rg (family_smooth F HF) (conj Hrg Gz)
+    n) as (l & dl & Hdl & Hl & Lip).
   destruct (Small (g / 2 / gain e Ki beta mc m / (P * Ki))) as (d1 & Hd1 & Sm1); [repeat apply Rdiv_lt_0_compat; lra|].
   destruct (Small (g / 2 / gain e Ki beta mc m)) as (d2 & Hd2 & Sm2); [repeat apply Rdiv_lt_0_compat; lra|].
   destruct (two_least d1 d2 Hd1 Hd2) as (d3 & Hd3 & A1 & A2), (two_least d0 d3 Hd0 Hd3) as (da & Hda & A3 & A4),
-    (two_least da dl Hda Hdl) as (rn & Hrn & A5 & A6).
+    (two_least da dl Hda Hdl) as (rm & Hrm & A5 & A6).
+  destruct (two_least rm rg Hrm Hrg) as (rn & Hrn & A7 & A8).
   assert (Py : forall y a, 0 < a -> y <= a / P -> P * y <= a) by (intros y a Ha Hy; apply (Rmult_le_compat_l P) in Hy;
     [|lra]; replace (P * (a / P)) with a in Hy by (field; lra); exact Hy).
   assert (HV1 : forall i, (i < N)%nat -> V i = power M n V i + Map.B M i) by (intros i Hi; apply HV, Hi).
   assert (Near : forall nu, Rabs nu <= rn -> forall y z, 0 <= y < da / P -> within (S N) d0 z -> ResonanceCurve.solves
     (member F nu) w e n y z -> forall k, (k <= n)%nat -> Rabs (Map.h (member F nu) (fly (member F nu) (z O) k (point w
     z)) (z O) - (across M V k - across M V n) * y) <= g / 2 * y).
-  { intros nu Hnu y z Hy Hz HS; apply (near_line (member F nu) w e n V (Z0 nu) Ne HV1 Ki W eps0 d0 beta HK Hd0 He0 (Sm0
-      nu d0 ltac:(lra) ltac:(lra)) (conj Hb Bb) mc m (g / 2) da Bds ltac:(lra) ltac:(lra) (Sm1 nu da ltac:(lra)
-      ltac:(lra)) (Sm2 nu da ltac:(lra) ltac:(lra)) y z (proj1 Hy) (Py y da Hda (Rlt_le _ _ (proj2 Hy))) Hz HS). }
+  { intros nu Hnu y z Hy Hz HS; apply (near_line (member F nu) w e n V (Z0 nu ltac:(lra)) Ne HV1 Ki W eps0 d0 beta HK
+      Hd0 He0 (Sm0 nu d0 ltac:(lra) ltac:(lra)) (conj Hb Bb) mc m (g / 2) da Bds ltac:(lra) ltac:(lra) (Sm1 nu da
+      ltac:(lra) ltac:(lra)) (Sm2 nu da ltac:(lra) ltac:(lra)) y z (proj1 Hy) (Py y da Hda (Rlt_le _ _ (proj2 Hy))) Hz
+    HS). }
   destruct (sizes W (Ki * (beta + eps0)) P l d0 rn (da / P)) as (h & d & r & Hd & Hh & Hr); trivial; try lra; [apply
     Rdiv_lt_0_compat; lra|].
   assert (Lip' : forall nu, Rabs nu <= rn -> 1 <= l /\ forall mu x d, 0 <= d <= rn -> Rabs mu <= d -> within N d x ->
@@ -179,24 +188,25 @@ Proof.
       (conj HW Wb) (Lip' nu ltac:(lra)) Hd Hh a b Ha Hb') as (O1 & O2 & O3 & _); auto).
     destruct (Orb mu x X1 X2) as (Y & Z & HS), (Orb mu' x' X1' X2') as (Y' & Z' & HS'); rewrite X3 in Y, HS; rewrite X3'
       in Y', HS'. split; [lra|].
-    pose proof (second (member F nu) w V T U e n ph Qh p Q nu (eps / Ki) rb (Z0 nu) Ne HV V0 (conj Hrb E1)) as Sec.
+    pose proof (second (member F nu) w V T U e n ph Qh p Q nu (eps / Ki) rb (Z0 nu ltac:(lra)) Ne HV V0 (conj Hrb E1))
+      as Sec.
     cbv zeta in Sec; specialize (Sec (fun y mu x y' mu' x' Y Y' B B' BB => conj (Bh nu y mu x y' mu' x' ltac:(lra) Y Y'
       B B' BB) (fun i Hi => Bi i Hi nu y mu x y' mu' x' ltac:(lra) Y Y' B B' BB)) Ki W eps0 d0 d5 beta HK (conj HW Wb)
       Hd0 He0 (Sm0 nu d0 ltac:(lra) ltac:(lra)) (conj Hb Bb) (conj Hd5 C1) (Sm4 nu d5 ltac:(lra) ltac:(lra))).
     replace (Ki * (eps / Ki)) with eps in Sec by (field; lra); fold P S0 K in Sec.
     pose proof (Py y d5 Hd5 ltac:(lra)); pose proof (Py y' d5 Hd5 ltac:(lra)); split.
     - pose proof (Sec y 0 (of w mu (x tt)) zero ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) Z ltac:(apply within_zero;
-        lra) HS (zero_solves (member F nu) w e n (Z0 nu))) as L; change (of w mu (x tt) O) with mu in L; unfold zero in
-          L.
+        lra) HS (zero_solves (member F nu) w e n (Z0 nu ltac:(lra)))) as L; change (of w mu (x tt) O) with mu in L;
+          unfold zero in L.
       rewrite !Rminus_0_r, Rplus_0_r, (Rabs_pos_eq y) in L by lra; replace (y ^ 2 - 0 ^ 2) with (y ^ 2) in L by ring.
       exact L.
     - exact (Sec y y' _ _ ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) Z Z' HS HS'). }
   exists d; split; [apply Hd|]; constructor.
   - destruct (two_least r rn) as (r' & Hr' & C1 & C2); [apply Hr | exact Hrn|]; exists r'; split; [exact Hr'|]; intros
       nu y Hnu Hy.
-    destruct (part_one (member F nu) w e n V (Z0 nu) Hn) with (K := Ki) (W := W) (eps0 := eps0) (d0 := d0) (beta :=
-      beta) (l := l) (dl := rn) (h := h) (d := d) (g := g) (r0 := da / P) (r := r) (y := y) as (mu & x & X1 & X2 & X3 &
-      Only); auto; try lra.
+    destruct (part_one (member F nu) w e n V (Z0 nu ltac:(lra)) Hn) with (K := Ki) (W := W) (eps0 := eps0) (d0 := d0)
+      (beta := beta) (l := l) (dl := rn) (h := h) (d := d) (g := g) (r0 := da / P) (r := r) (y := y) as (mu & x & X1 &
+      X2 & X3 & Only); auto; try lra.
     + apply Sm0; lra.
     + apply Lip'; lra.
     + apply Near; lra.

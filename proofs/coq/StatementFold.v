@@ -21,11 +21,11 @@ Definition whole (F : Family.t) : Map.t := Map.Build_t (S (Family.N F))
   (fun x y mu => rows 0 (Family.kick F (x O) (hat x) y mu))
   (fun i => match i with O => rows 1 zero | S j => rows 0 (Family.A F j) end) (rows 0 (Family.phi F))
   (rows 0 (Family.C F)) (Family.eta F) (rows 0 (Family.B F)).
-(** All are C1 together, and for mu = 0 each grazes at 0. *)
+(** All are C1 together, and for mu = 0 those with a small nu graze at 0. *)
 Record smooth_family (F : Family.t) : Prop := {
   family_smooth : smooth (whole F);
-  family_grazes : forall nu x, (forall i, (i < Family.N F)%nat -> x i = 0) -> Family.h F nu x 0 = 0 /\
-    forall i, (i < Family.N F)%nat -> Family.f F nu x 0 i = 0 }.
+  family_grazes : exists r, 0 < r /\ forall nu x, Rabs nu <= r -> (forall i, (i < Family.N F)%nat -> x i = 0) ->
+    Family.h F nu x 0 = 0 /\ forall i, (i < Family.N F)%nat -> Family.f F nu x 0 i = 0 }.
 
 (** [bends], and how the derivative in the direction (1, 0, V) changes with nu: p is a mixed second derivative. *)
 Definition bends_along (N : nat) (V : vec) (G : R -> R -> R -> vec -> R) (L : R -> R -> vec -> R) (p Q : R) : Prop :=

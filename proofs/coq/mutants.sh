@@ -301,13 +301,13 @@ E
 mutant touch-at-any-acceleration 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
 s/^  aG : 0 < a O (tG O) 0 0 0;/  aG : 0 <> a O (tG O) 0 0 0;/
 E
-mutant force-not-C1 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
+mutant force-not-C1 'File "./(ConsequencesNonlinear|NonlinearSmooth)' --pin StatementNonlinear.v <<'E'
 s/continuous D f3 \/\\ continuous D f4 }/continuous D f4 }/
 E
 mutant law-of-any-slope 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
 s/f3 (tG O) 0 0 0 = - tau O/f3 (tG O) 0 0 0 <= 0/
 E
-mutant linearized-elsewhere 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
+mutant linearized-elsewhere 'File "./(ConsequencesNonlinear|NonlinearSmooth)' --pin StatementNonlinear.v <<'E'
 s/: R := f t (y0 O t) (v0 O t) 0\./: R := f t (y0 O t) 0 0./
 E
 mutant any-number-of-nonlinear-motions 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
@@ -581,7 +581,7 @@ mutant fold-of-what-meets-before 'File "./(ConsequencesMultipliers|ResonanceFami
 s/ -> (forall k, (0 < k < n)%nat -> 0 < across M V k) ->$/ ->/
 E
 mutant fold-of-a-family-that-grazes-elsewhere 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
-s/x i = 0) -> Family.h F nu x 0 = 0 \/\\$/x i = 0) -> True \/\\/
+s/^    Family.h F nu x 0 = 0 \/\\/    True \/\\/
 E
 mutant fold-of-a-rough-family 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
 s/^  family_smooth : .*/  family_smooth : smooth (member F 0);/
