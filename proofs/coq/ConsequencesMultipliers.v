@@ -209,8 +209,8 @@ Definition bent : Family.t := Family.Build_t 1 (fun nu x mu _ => mu + mu * x 0%n
   0%nat) (fun _ _ _ _ _ => 1) (fun _ _ => 0) (fun _ => 1) (fun _ => 1) 0 (fun _ => 1).
 Lemma bent_smooth : smooth_family bent.
 Proof.
-  constructor; [|exists 1; split; [lra|]; intros nu x _ Hx; specialize (Hx 0%nat ltac:(cbn; lia)); cbn; rewrite Hx;
-    split; [|intros _ _]; ring].
+  constructor; [|exists 1; split; [exact Rlt_0_1|]; intros nu x _ Hx; specialize (Hx 0%nat ltac:(cbn; lia)); cbn;
+    rewrite Hx; split; [|intros _ _]; ring].
   assert (Flat : forall e g t, 0 < e -> g = 0 -> 0 <= t -> Rabs g <= e * t) by (intros e g t He -> Ht; rewrite Rabs_R0;
     apply Rmult_le_pos; lra).
   split; [|split]; [intros [|[|i]] Hi; [| |cbn in Hi; lia] | |intros e He; exists 1; split; [lra|]; intros x x' y y' mu
