@@ -32,8 +32,9 @@ Qed.
 
 (** ** Linear in each column *)
 Definition put (j : nat) (u : vec) (a : nat -> vec) : nat -> vec := fun k => if Nat.eqb k j then u else a k.
-Ltac skips := unfold skip, put; repeat match goal with | |- context [Nat.ltb ?a ?b] => destruct (Nat.ltb_spec a b); try
-  lia | |- context [Nat.eqb ?a ?b] => destruct (Nat.eqb_spec a b); try lia end; try lia.
+Ltac skips := unfold skip, put; repeat match goal with
+  | |- context [Nat.ltb ?a ?b] => destruct (Nat.ltb_spec a b); try lia
+  | |- context [Nat.eqb ?a ?b] => destruct (Nat.eqb_spec a b); try lia end; try lia.
 Lemma det_ext N : forall a b, (forall j i, (j < N)%nat -> (i < N)%nat -> a j i = b j i) -> det N a = det N b.
 Proof.
   induction N as [|n IH]; intros a b H; [reflexivity|]; cbn [det]; apply dot_same; intros k Hk.

@@ -7,14 +7,15 @@ From Grazing Require NonlinearFlow NonlinearKick.
 Open Scope R_scope.
 
 (** The linearized equation of coefficients kk, cc, ll along the orbit of F, on [0, T]. *)
-Definition along_arc (F : NonlinearFlow.force) (kk cc ll : R -> R) : Prop := (forall x, 0 <= x <= @NonlinearFlow.T F ->
-  Rabs (kk x) <= @NonlinearFlow.L F /\ Rabs (cc x) <= @NonlinearFlow.L F /\ Rabs (ll x) <= @NonlinearFlow.L F) /\
-  (forall eps, 0 < eps -> exists d, 0 < d /\ forall x y v mu y' v' mu', 0 <= x <= @NonlinearFlow.T F -> Rabs (y -
-  @NonlinearFlow.y0 F x) <= d -> Rabs (v - @NonlinearFlow.v0 F x) <= d -> Rabs mu <= d -> Rabs (y' - @NonlinearFlow.y0 F
-  x) <= d -> Rabs (v' - @NonlinearFlow.v0 F x) <= d -> Rabs mu' <= d -> Rabs (@NonlinearFlow.a F x y v mu -
-  @NonlinearFlow.a F x y' v' mu' - (kk x * (y - y') + cc x * (v - v') + ll x * (mu - mu'))) <= eps * (Rabs (y - y') +
-  Rabs (v - v') + Rabs (mu - mu'))) /\ forall m s p q, exists z w, NonlinearKick.solves kk cc ll m z w /\ z s = p /\ w s
-  = q.
+Definition along_arc (F : NonlinearFlow.force) (kk cc ll : R -> R) : Prop :=
+  (forall x, 0 <= x <= @NonlinearFlow.T F -> Rabs (kk x) <= @NonlinearFlow.L F /\ Rabs (cc x) <= @NonlinearFlow.L F /\
+    Rabs (ll x) <= @NonlinearFlow.L F) /\
+  (forall eps, 0 < eps -> exists d, 0 < d /\ forall x y v mu y' v' mu', 0 <= x <= @NonlinearFlow.T F ->
+    Rabs (y - @NonlinearFlow.y0 F x) <= d -> Rabs (v - @NonlinearFlow.v0 F x) <= d -> Rabs mu <= d ->
+    Rabs (y' - @NonlinearFlow.y0 F x) <= d -> Rabs (v' - @NonlinearFlow.v0 F x) <= d -> Rabs mu' <= d ->
+    Rabs (@NonlinearFlow.a F x y v mu - @NonlinearFlow.a F x y' v' mu' - (kk x * (y - y') + cc x * (v - v') +
+      ll x * (mu - mu'))) <= eps * (Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu'))) /\
+  forall m s p q, exists z w, NonlinearKick.solves kk cc ll m z w /\ z s = p /\ w s = q.
 
 Section Arc.
 Variables (a a_t a_y a_v a_mu : R -> R -> R -> R -> R) (T r : R) (yy vv : R -> R).
@@ -195,9 +196,10 @@ Proof.
   apply (froz_continuous vv); intros s Hs e He; destruct (arc_steady s e Hs He) as (d & Hd & _ & _ & N); exists d;
     split; [exact Hd|]; intros s' _ Hs'; apply N, Hs'.
 Qed.
-Theorem arc_force : exists (F : NonlinearFlow.force) q, 0 < q <= r /\ @NonlinearFlow.T F = T /\ (forall t, 0 <= t <= T
-  -> @NonlinearFlow.y0 F t = yy t /\ @NonlinearFlow.v0 F t = vv t) /\ (forall t y v mu, 0 <= t <= T -> inside q t y v mu
-  -> @NonlinearFlow.a F t y v mu = a t y v mu) /\ along_arc F k c l.
+Theorem arc_force : exists (F : NonlinearFlow.force) q, 0 < q <= r /\ @NonlinearFlow.T F = T /\
+  (forall t, 0 <= t <= T -> @NonlinearFlow.y0 F t = yy t /\ @NonlinearFlow.v0 F t = vv t) /\
+  (forall t y v mu, 0 <= t <= T -> inside q t y v mu -> @NonlinearFlow.a F t y v mu = a t y v mu) /\
+  along_arc F k c l.
 Proof.
   destruct arc_Lipschitz as (L0 & q & HL0 & Hq & Lip); assert (Hq0 : 0 < q) by lra.
   destruct (froz_bounded vv vv_continuous) as (Bv & HBv & Hv).

@@ -9,11 +9,12 @@ Open Scope R_scope.
 
 (** Theorem 1 of motions, and that they are unstable. *)
 Definition bounces_decided (O : Bouncing.t) (a1 a2 gamma rate : R) : Prop := forall n_max, exists d, d > 0 /\ forall
-  eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\ forall (n : Z -> nat) (N : Z -> Z) e g mu, (forall i, (1 <= n i <=
-  n_max)%nat /\ u a1 a2 (n i) <> 0) -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn g * gamma > 0 -> 0 < sgn e
-  * (rate * mu) < mu0 -> ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one_bouncing_motion
-  O mu eps N /\ forall t y v, bouncing_motion O mu eps N t y v -> unstable_motion (bounces O mu eps N) t v) /\ ((exists
-  i, breaks a1 a2 e g (n i) (n (i + 1)%Z)) -> forall t y v, ~ bouncing_motion O mu d N t y v).
+  eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\
+  forall (n : Z -> nat) (N : Z -> Z) e g mu, (forall i, (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) ->
+  (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn g * gamma > 0 -> 0 < sgn e * (rate * mu) < mu0 ->
+  ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one_bouncing_motion O mu eps N /\ forall
+    t y v, bouncing_motion O mu eps N t y v -> unstable_motion (bounces O mu eps N) t v) /\
+  ((exists i, breaks a1 a2 e g (n i) (n (i + 1)%Z)) -> forall t y v, ~ bouncing_motion O mu d N t y v).
 
 Lemma choose (X : Type) (x0 : X) (Q : nat -> X -> Prop) n : (forall m, (m < n)%nat -> exists x, Q m x) -> exists f : nat
   -> X, forall m, (m < n)%nat -> Q m (f m).
@@ -24,8 +25,9 @@ Proof.
     Hf; lia].
 Qed.
 Lemma C1_shift (D D' : R -> R -> R -> R -> Prop) f f1 f2 f3 f4 b : C1 D f f1 f2 f3 f4 -> (forall t y v mu, D' t y v mu
-    -> D (t + b) y v mu) -> let sh (g : R -> R -> R -> R -> R) (t y v mu : R) := g (t + b) y v mu in C1 D' (sh f) (sh
-    f1) (sh f2) (sh f3) (sh f4).
+    -> D (t
+  + b) y v mu) -> let sh (g : R -> R -> R -> R -> R) (t y v mu : R) := g (t + b) y v mu in C1 D' (sh f) (sh f1) (sh f2)
+      (sh f3) (sh f4).
 Proof.
   intros [H1 H2 H3 H4 (K1 & K2 & K3 & K4)] HD sh; assert (Cs : forall g, continuous D g -> continuous D' (sh g)).
   { intros g C t y v mu Hd eps He; destruct (C _ _ _ _ (HD _ _ _ _ Hd) eps He) as (d & Pd & H); exists d; split; [exact
@@ -572,7 +574,8 @@ Proof.
     apply leap_glob; [exact Hm | apply C2, Hm].
 Qed.
 Lemma round_from h z w : linear_round O h z w -> exists z' w', chain h z' w' /\ forall m x, (m <= k)%nat -> s (zz m) <=
-    x <= s (zz m + 1)%Z -> z' m (x - bs m) = z (zz m) x /\ w' m (x - bs m) = w (zz m) x.
+    x <= s (zz m
+  + 1)%Z -> z' m (x - bs m) = z (zz m) x /\ w' m (x - bs m) = w (zz m) x.
 Proof.
   intros [G1 G2]; destruct (choose ((R -> R) * (R -> R)) (fun _ => 0, fun _ => 0) (fun m zw => local m h (fst zw) (snd
     zw) /\ fst zw rho = z (zz m) (s (zz m)) /\ snd zw rho = w (zz m) (s (zz m))) (S k)) as (zw & Hzw).

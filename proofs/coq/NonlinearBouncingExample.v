@@ -118,8 +118,9 @@ Proof.
     D_scale, D_times; apply D_shift] | cbv beta; rewrite (W t Ht); field].
 Qed.
 Lemma example_round m z w : linear_round O m z w -> let z1 := z 1%Z (2 * PI) in let w1 := w 1%Z (2 * PI) in let Z := z
-  0%Z 0 + w 0%Z 0 * PI + m * (PI * PI) / 2 in z1 = (PI * PI / 2 + 1) * Z - PI * (w 0%Z 0 + m * PI) + m * (PI * PI) / 2
-  /\ w1 = - (w 0%Z 0 + m * PI) + (PI / 2 + 2 / PI) * Z + m * PI.
+  0%Z 0 + w 0%Z 0 * PI + m * (PI * PI) / 2 in
+  z1 = (PI * PI / 2 + 1) * Z - PI * (w 0%Z 0 + m * PI) + m * (PI * PI) / 2 /\
+  w1 = - (w 0%Z 0 + m * PI) + (PI / 2 + 2 / PI) * Z + m * PI.
 Proof.
   intros [H1 H2]; pose proof PI_RGT_0 as HP; cbv zeta; change (Z.of_nat (k O)) with 1%Z in *.
   assert (L : forall c, (0 <= c <= 1)%Z -> forall t, s O c <= t <= s O (c + 1)%Z -> derivable_pt_lim (z c) t (w c t) /\

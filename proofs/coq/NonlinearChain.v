@@ -121,8 +121,9 @@ Proof.
 Qed.
 Lemma C1_continuous D f f1 f2 f3 f4 q t y v m : C1 D f f1 f2 f3 f4 -> 0 < q -> (forall t' y' v' m', Rabs (t' - t) <= q
   -> Rabs (y' - y) <= q -> Rabs (v' - v) <= q -> Rabs (m' - m) <= q -> D t' y' v' m') -> forall eps, 0 < eps -> exists
-  d, 0 < d /\ forall t' y' v' m', Rabs (t' - t) <= d -> Rabs (y' - y) <= d -> Rabs (v' - v) <= d -> Rabs (m' - m) <= d
-  -> Rabs (f t' y' v' m' - f t y v m) <= eps.
+    d,
+  0 < d /\ forall t' y' v' m', Rabs (t' - t) <= d -> Rabs (y' - y) <= d -> Rabs (v' - v) <= d -> Rabs (m' - m) <= d ->
+  Rabs (f t' y' v' m' - f t y v m) <= eps.
 Proof.
   intros HC Hq HD eps He; destruct (strictly _ _ _ _ _ _ t y v m q HC Hq HD 1 ltac:(lra)) as (d & Hd & K).
   set (S := 4 + Rabs (f1 t y v m) + Rabs (f2 t y v m) + Rabs (f3 t y v m) + Rabs (f4 t y v m)).
@@ -201,8 +202,10 @@ Qed.
 End Moved.
 Lemma C1_less D D' s f f1 f2 f3 f4 g g1 g2 g3 g4 : C1 D f f1 f2 f3 f4 -> C1 D' g g1 g2 g3 g4 -> (forall t y v m, D t y v
   m -> D' t y v m) -> C1 D (fun t y v m => s * (f t y v m - g t y v m)) (fun t y v m => s * (f1 t y v m - g1 t y v m))
-  (fun t y v m => s * (f2 t y v m - g2 t y v m)) (fun t y v m => s * (f3 t y v m - g3 t y v m)) (fun t y v m => s * (f4
-  t y v m - g4 t y v m)).
+    (fun t y v
+  m => s * (f2 t y v m - g2 t y v m)) (fun t y v m => s * (f3 t y v m - g3 t y v m)) (fun t y v m => s * (f4 t y v m -
+    g4 t y v
+  m)).
 Proof.
   intros [A1 A2 A3 A4 (K1 & K2 & K3 & K4)] [B1 B2 B3 B4 (L1 & L2 & L3 & L4)] Sub; constructor; try (intros t y v m HD;
     apply (D_scale (fun _ => _ - _)), D_minus; auto).

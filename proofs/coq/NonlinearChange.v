@@ -19,9 +19,10 @@ Hypothesis Hen : @y0 F' rho = jy 0 (@y0 F e) /\ @v0 F' rho = law 0 0 (@v0 F e).
 Hypothesis Hjy : forall eps, 0 < eps -> exists d, 0 < d /\ forall mu y mu' y', Rabs mu <= d -> Rabs mu' <= d ->
   Rabs (y - @y0 F e) <= d -> Rabs (y' - @y0 F e) <= d ->
   Rabs (jy mu y - jy mu' y' - (Jm * (mu - mu') + Jy * (y - y'))) <= eps * (Rabs (mu - mu') + Rabs (y - y')).
-Hypothesis Hlaw : forall eps, 0 < eps -> exists d, 0 < d /\ forall mu s v mu' s' v', Rabs mu <= d -> Rabs s <= d -> Rabs
-  (v - @v0 F e) <= d -> Rabs mu' <= d -> Rabs s' <= d -> Rabs (v' - @v0 F e) <= d -> Rabs (law mu s v - law mu' s' v' -
-  (Rm * (mu - mu') + Rt * (s - s') + Rv * (v - v'))) <= eps * (Rabs (mu - mu') + Rabs (s - s') + Rabs (v - v')).
+Hypothesis Hlaw : forall eps, 0 < eps -> exists d, 0 < d /\ forall mu s v mu' s' v', Rabs mu <= d -> Rabs s <= d ->
+  Rabs (v - @v0 F e) <= d -> Rabs mu' <= d -> Rabs s' <= d -> Rabs (v' - @v0 F e) <= d ->
+  Rabs (law mu s v - law mu' s' v' - (Rm * (mu - mu') + Rt * (s - s') + Rv * (v - v'))) <=
+  eps * (Rabs (mu - mu') + Rabs (s - s') + Rabs (v - v')).
 Let M_F := @M_large F. Let M_F' := @M_large F'.
 
 Definition pass (x : vec) mu : vec := @origin F' mu rho (jy mu (@Y F x mu e)) (law mu 0 (@V F x mu e)).
@@ -69,10 +70,11 @@ Proof.
     (law mu 0 (@V F x mu e) - law mu' 0 (@V F x' mu' e) - (Rm * (mu - mu') + Rv * (@V F x mu e - @V F x' mu' e)) + Rv *
     (@V F x mu e - @V F x' mu' e - w e)) by ring]; apply Q; trivial; lra.
 Qed.
-Theorem pass_strict eps : 0 < eps -> exists d, 0 < d /\ forall x x' mu mu' t z w z' w', small d x mu -> small d x' mu'
-  -> within 2 t (minus x x') -> Rabs (mu - mu') <= t -> lin (mu - mu') z w -> z 0 = x 0%nat - x' 0%nat -> w 0 = x 1%nat
-  - x' 1%nat -> lin' (mu - mu') z' w' -> turnover (mu - mu') z w z' w' -> Rabs (pass x mu 0%nat - pass x' mu' 0%nat - z'
-  0) <= eps * t /\ Rabs (pass x mu 1%nat - pass x' mu' 1%nat - w' 0) <= eps * t.
+Theorem pass_strict eps : 0 < eps -> exists d, 0 < d /\ forall x x' mu mu' t z w z' w', small d x mu ->
+  small d x' mu' -> within 2 t (minus x x') -> Rabs (mu - mu') <= t -> lin (mu - mu') z w ->
+  z 0 = x 0%nat - x' 0%nat -> w 0 = x 1%nat - x' 1%nat -> lin' (mu - mu') z' w' -> turnover (mu - mu') z w z' w' ->
+  Rabs (pass x mu 0%nat - pass x' mu' 0%nat - z' 0) <= eps * t /\
+  Rabs (pass x mu 1%nat - pass x' mu' 1%nat - w' 0) <= eps * t.
 Proof.
   intros Hp; set (B := Rabs Jm + Rabs Rm + (Rabs Jy + Rabs Rv) * @M F + 1).
   assert (PB : 1 <= B) by (pose proof (Rabs_pos Jm); pose proof (Rabs_pos Rm); pose proof (Rabs_pos Jy); pose proof
@@ -150,8 +152,9 @@ Proof.
     split; [exact Z | split; assumption].
 Qed.
 Theorem pass_matrix : exists (A : nat -> vec) (phi : vec), (forall i, (i < 2)%nat -> strict 2 (fun x mu => pass x mu i)
-  (dot 2 (A i)) (phi i)) /\ forall m z w z' w', lin m z w -> lin' m z' w' -> turnover m z w z' w' -> z' 0 = A 0%nat
-  0%nat * z 0 + A 0%nat 1%nat * w 0 + m * phi 0%nat /\ w' 0 = A 1%nat 0%nat * z 0 + A 1%nat 1%nat * w 0 + m * phi 1%nat.
+  (dot 2 (A i)) (phi i)) /\ forall m z w z' w', lin m z w -> lin' m z' w' -> turnover m z w z' w' ->
+  z' 0 = A 0%nat 0%nat * z 0 + A 0%nat 1%nat * w 0 + m * phi 0%nat /\
+  w' 0 = A 1%nat 0%nat * z 0 + A 1%nat 1%nat * w 0 + m * phi 1%nat.
 Proof.
   apply (matrix_exists F kk cc ll kk' cc' ll' HA pass turnover pass_rest pass_strict turnover_exists).
   - intros m x y p1 q1 p2 q2 p3 q3 z1 w1 z2 w2 z3 w3 [X1 X2] [X3 X4] [X5 X6]; split; rewrite ?X1, ?X2, ?X3, ?X4, ?X5,

@@ -161,9 +161,10 @@ Proof.
       rewrite Rabs_mult, (Rabs_pos_eq (s + r)) by lra; ring.
 Qed.
 (** Their speeds; at the crossing of the second the factor e is small. *)
-Theorem crossing p p1 p2 q q1 q2 l : bowl a e rho p p1 p2 -> bowl a e rho q q1 q2 -> 0 <= l -> (forall x, 0 <= x <= rho
-  -> Rabs (p2 x - q2 x) <= l) -> forall x y, 0 < x <= rho -> 0 < y <= rho -> Rabs (p1 x - c * sqrt (p x) - (q1 y - c *
-  sqrt (q y))) <= 16 * l * x + 4 * e * c / (a - 3 * e) * Rabs (sqrt (p x) - sqrt (q y)).
+Theorem crossing p p1 p2 q q1 q2 l : bowl a e rho p p1 p2 -> bowl a e rho q q1 q2 -> 0 <= l ->
+  (forall x, 0 <= x <= rho -> Rabs (p2 x - q2 x) <= l) -> forall x y, 0 < x <= rho -> 0 < y <= rho ->
+  Rabs (p1 x - c * sqrt (p x) - (q1 y - c * sqrt (q y))) <= 16 * l * x + 4 * e * c / (a - 3 * e) *
+    Rabs (sqrt (p x) - sqrt (q y)).
 Proof.
   intros HP HQ Hl H x y Hx Hy; destruct c_pos as [C0 C2]; destruct He as [E0 E4].
   destruct (together p p1 p2 q q1 q2 l HP HQ Hl H x Hx) as [D SR]; set (s := sqrt (p x)) in *;
@@ -216,9 +217,10 @@ Proof.
   apply Rmult_le_compat_l; [lra|]; apply Rmult_le_reg_r with (a - 3 * e); [lra|]; unfold Rdiv;
     rewrite (Rmult_assoc (c * s)), Rinv_l by lra; lra.
 Qed.
-Theorem crossing' p p1 p2 q q1 q2 l : bowl a e rho p p1 p2 -> bowl a e rho q q1 q2 -> 0 <= l -> (forall x, 0 <= x <= rho
-  -> Rabs (p2 x - q2 x) <= l) -> forall x y, 0 <= x <= rho -> 0 <= y <= rho -> Rabs (p1 x - c * sqrt (p x) - (q1 y - c *
-  sqrt (q y))) <= 16 * l * x + 4 * e * c / (a - 3 * e) * Rabs (sqrt (p x) - sqrt (q y)).
+Theorem crossing' p p1 p2 q q1 q2 l : bowl a e rho p p1 p2 -> bowl a e rho q q1 q2 -> 0 <= l ->
+  (forall x, 0 <= x <= rho -> Rabs (p2 x - q2 x) <= l) -> forall x y, 0 <= x <= rho -> 0 <= y <= rho ->
+  Rabs (p1 x - c * sqrt (p x) - (q1 y - c * sqrt (q y))) <= 16 * l * x + 4 * e * c / (a - 3 * e) *
+    Rabs (sqrt (p x) - sqrt (q y)).
 Proof.
   intros HP HQ Hl H x y [[Hx|<-] Hx'] [[Hy|<-] Hy'].
   - apply (crossing p p1 p2 q q1 q2 l HP HQ Hl H); lra.

@@ -139,9 +139,10 @@ Notation flown := (flown x yy).
 Definition hit (j : Z) : R := tc (fl (n j) (x j)) (yy j) mu.
 (** Impact j is at this time, if the period is P and the time of the arc of the touch begins at sg. *)
 Definition at_ (P sg : R) (N : Z -> Z) (j : Z) : R := sg + P * IZR (N j) + hit (j - 1).
-Lemma hit_facts p i : flown p -> i = (p + 1)%Z -> let z := fl (n p) (x p) in let c := hit p in box z mu /\ Rabs (c - tG)
-  <= r0 /\ 0 <= c <= T /\ Y z mu c = 0 /\ V z mu c < 0 /\ Y (x i) mu c = 0 /\ V (x i) mu c = rebound mu c (V z mu c) /\
-  Rabs (c - tG) <= D.
+Lemma hit_facts p i : flown p -> i = (p + 1)%Z -> let z := fl (n p) (x p) in let c := hit p in box z mu /\ Rabs (c -
+  tG) <= r0 /\
+  0 <= c <= T /\
+  Y z mu c = 0 /\ V z mu c < 0 /\ Y (x i) mu c = 0 /\ V (x i) mu c = rebound mu c (V z mu c) /\ Rabs (c - tG) <= D.
 Proof.
   intros [Ox Oy Oh Ok On] -> z c; destruct (fl_near (n p) (x p) Ox ltac:(here; apply Hn)) as (Bz & Lo & Ne); fold z in
     Bz, Lo, Ne.
@@ -220,9 +221,10 @@ Proof.
   intros H; destruct (far_large 0 ltac:(lia)) as (_ & P & _); cbn in P; split; [intros i Hi; specialize (H i Hi)|]; lra.
 Qed.
 Lemma after_near : exists Q, 0 < Q /\ forall x x' yy yy' p e, flown x yy p -> flown x' yy' p -> within 2 dd (x (p +
-  1)%Z) -> within 2 e (minus (x' p) (x p)) -> Rabs (yy' p - yy p) <= e -> within 2 e (minus (x' (p + 1)%Z) (x (p +
-  1)%Z)) -> let c := hit x yy p in let c' := hit x' yy' p in Rabs (c' - c) <= Q * e /\ Rabs (V (x' (p + 1)%Z) mu c' - V
-  (x (p + 1)%Z) mu c) <= Q * e.
+  1)%Z)
+  -> within 2 e (minus (x' p) (x p)) -> Rabs (yy' p - yy p) <= e -> within 2 e (minus (x' (p + 1)%Z) (x (p + 1)%Z)) ->
+  let c := hit x yy p in let c' := hit x' yy' p in Rabs (c' - c) <= Q * e /\
+  Rabs (V (x' (p + 1)%Z) mu c' - V (x (p + 1)%Z) mu c) <= Q * e.
 Proof.
   destruct tc_lip as (C & HC & Lip); pose proof M_large as LM0; pose proof K_large as LM; pose proof (pow_R1_Rle K n_max
       LM) as P1.
@@ -249,9 +251,10 @@ Proof.
     (p + 1)%Z) mu c' - V (x (p + 1)%Z) mu c)) by ring. eapply Rle_trans; [apply Rabs_triang|].
   assert (5 / 4 * g * Rabs (c' - c) <= 5 / 4 * g * (R * e)) by (apply Rmult_le_compat_l; lra); lra.
 Qed.
-Lemma after_far : exists Q, 0 < Q /\ forall x x' yy yy' p e, flown x yy p -> flown x' yy' p -> within 2 dd (x (p + 1)%Z)
-  -> let c := hit x yy p in let c' := hit x' yy' p in Rabs (c' - c) <= e -> Rabs (V (x' (p + 1)%Z) mu c' - V (x (p +
-  1)%Z) mu c) <= e -> within 2 (Q * e) (minus (x' (p + 1)%Z) (x (p + 1)%Z)).
+Lemma after_far : exists Q, 0 < Q /\ forall x x' yy yy' p e, flown x yy p -> flown x' yy' p -> within 2 dd (x (p +
+  1)%Z) ->
+  let c := hit x yy p in let c' := hit x' yy' p in Rabs (c' - c) <= e ->
+  Rabs (V (x' (p + 1)%Z) mu c' - V (x (p + 1)%Z) mu c) <= e -> within 2 (Q * e) (minus (x' (p + 1)%Z) (x (p + 1)%Z)).
 Proof.
   pose proof M_large as LM; pose proof (proj1 Hwin) as Hr; assert (Pr : 0 < g * r0) by (apply Rmult_lt_0_compat; lra).
   set (q := 1 + 5 / 2 * g * r0 + 5 / 4 * g); exists (M * q); split; [apply Rmult_lt_0_compat; unfold q; lra|].

@@ -11,9 +11,11 @@ Definition moves (a : R -> R -> R -> R -> R) mu (y v : R -> R) t :=
   derivable_pt_lim y t (v t) /\ derivable_pt_lim v t (a t (y t) (v t) mu).
 Definition runs a mu y v := forall t, moves a mu y v t.
 (** Given: that a is Lipschitz, that solutions exist, and a solution y0, v0 at mu = 0; and that all has period T. *)
-Class force := { a : R -> R -> R -> R -> R; T : R; L : R; y0 : R -> R; v0 : R -> R; HT : 0 < T; HL : 1 <= L; Ha : forall
-  t y v mu t' y' v' mu', Rabs (a t y v mu - a t' y' v' mu') <= L * (Rabs (t - t') + Rabs (y - y') + Rabs (v - v') + Rabs
-  (mu - mu')); Horb : runs a 0 y0 v0; Hflow : forall mu s p r, exists y v, runs a mu y v /\ y s = p /\ v s = r }.
+Class force := { a : R -> R -> R -> R -> R; T : R; L : R; y0 : R -> R; v0 : R -> R; HT : 0 < T; HL : 1 <= L;
+  Ha : forall t y v mu t' y' v' mu', Rabs (a t y v mu - a t' y' v' mu') <=
+    L * (Rabs (t - t') + Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu'));
+  Horb : runs a 0 y0 v0;
+  Hflow : forall mu s p r, exists y v, runs a mu y v /\ y s = p /\ v s = r }.
 (** What the context has of the classes here and below, where a term that is being read leaves it open. *)
 Ltac here := repeat match goal with |- context [?e] => is_evar e; let t := type of e in let i :=
   constr:(_ : t) in unify e i end.

@@ -119,8 +119,9 @@ Proof.
 Qed.
 (** The free oscillator's two motions from the time s on, and the solution of an equation near. *)
 Lemma close_by d k z w s : 0 <= d <= 1 -> (forall t, Rabs (k t + K) <= d) -> forced_by k (fun _ => - c) (fun _ => 0) z w
-  -> (Rabs A11 <= E /\ Rabs A21 <= E /\ Rabs A22 <= E /\ Rabs gamma <= E) /\ (Rabs (z s) + Rabs (w s) <= 1 -> Rabs (z (s
-  + 2 * PI)) <= E /\ Rabs (w (s + 2 * PI)) <= E /\ Rabs (z (s + 2 * PI) - (A11 * z s + gamma * w s)) <= E * E * d /\
+  -> (Rabs A11 <= E /\ Rabs A21 <= E /\ Rabs A22 <= E /\
+  Rabs gamma <= E) /\ (Rabs (z s) + Rabs (w s) <= 1 -> Rabs (z (s + 2 * PI)) <= E /\ Rabs (w (s + 2 * PI)) <= E /\
+  Rabs (z (s + 2 * PI) - (A11 * z s + gamma * w s)) <= E * E * d /\
   Rabs (w (s + 2 * PI) - (A21 * z s + A22 * w s)) <= E * E * d).
 Proof.
   intros Hd Hk Hz; destruct bounds as (HL & HE & _); pose proof PI_RGT_0 as HP.
@@ -190,10 +191,11 @@ Proof.
     lra). pose proof (Up d Pd); pose proof (Up (E * d) ltac:(lra)); pose proof (Up (E * E * d) ltac:(apply
     Rmult_lt_0_compat; lra)). exists d; rewrite Q; repeat split; lra.
 Qed.
-Lemma near : exists d, 0 < d /\ forall O sg, grazing_orbit O -> T O = 2 * PI -> Rabs sg = 1 -> (forall t, Rabs (along O
-  (a_y O) t + K) <= d /\ along O (a_v O) t = - c /\ along O (a_mu O) t = sg) -> exists a1' a2' gamma' rate', generic O
-  a1' a2' gamma' rate' /\ Rabs (a1' - a1) <= eps /\ Rabs (a2' - a2) <= eps /\ Rabs (gamma' - gamma) <= eps /\ Rabs
-  (rate' - sg / K) <= eps.
+Lemma near : exists d, 0 < d /\ forall O sg, grazing_orbit O -> T O = 2 * PI -> Rabs sg = 1 -> (forall t,
+  Rabs (along O (a_y O) t + K) <= d /\ along O (a_v O) t = - c /\ along O (a_mu O) t = sg) -> exists a1' a2' gamma'
+    rate',
+  generic O a1' a2' gamma' rate' /\ Rabs (a1' - a1) <= eps /\ Rabs (a2' - a2) <= eps /\ Rabs (gamma' - gamma) <= eps /\
+  Rabs (rate' - sg / K) <= eps.
 Proof.
   destruct small as (d & Hd & (N1 & N2 & N3) & N4 & N5), bounds as (HL & HE & HD & Pk & Pg); pose proof PI_RGT_0 as HP;
     exists d; split; [lra|]; intros O sg HO HT Hsg H.
@@ -273,7 +275,8 @@ Qed.
 End Near.
 Theorem near_linear c K a1 a2 gamma eps : matrix c K Plus a1 a2 gamma -> gamma <> 0 -> K <> 0 -> a1 <> a2 + 1 -> 0 < eps
   -> exists d, 0 < d /\ forall O sg, grazing_orbit O -> T O = 2 * PI -> Rabs sg = 1 -> (forall t, Rabs (along O (a_y O)
-  t + K) <= d /\ along O (a_v O) t = - c /\ along O (a_mu O) t = sg) -> exists a1' a2' gamma' rate', generic O a1' a2'
-  gamma' rate' /\ Rabs (a1' - a1) <= eps /\ Rabs (a2' - a2) <= eps /\ Rabs (gamma' - gamma) <= eps /\ Rabs (rate' - sg /
-  K) <= eps.
+    t + K) <=
+  d /\ along O (a_v O) t = - c /\ along O (a_mu O) t = sg) -> exists a1' a2' gamma' rate', generic O a1' a2' gamma'
+    rate' /\
+  Rabs (a1' - a1) <= eps /\ Rabs (a2' - a2) <= eps /\ Rabs (gamma' - gamma) <= eps /\ Rabs (rate' - sg / K) <= eps.
 Proof. intros (A11 & A21 & A22 & -> & -> & HA); apply near; exact HA. Qed.

@@ -8,18 +8,23 @@ Open Scope R_scope.
     of the linearized equation. *)
 Definition solves (kk cc ll : R -> R) m z w := forall t, derivable_pt_lim z t (w t) /\
   derivable_pt_lim w t (kk t * z t + cc t * w t + ll t * m).
-Class impact {F : force} (P : touch F) := { rebound : R -> R -> R -> R; tau : R; kk : R -> R; cc : R -> R; ll : R -> R;
-  p1 : R -> R; q1 : R -> R; p2 : R -> R; q2 : R -> R; p3 : R -> R; q3 : R -> R; zb : R -> R; wb : R -> R; Hreb : 0 <=
-  tau /\ (forall mu t, rebound mu t 0 = 0) /\ (forall mu t v, v < 0 -> 0 <= rebound mu t v) /\ forall eps, 0 < eps ->
-  exists d, 0 < d /\ forall mu t v mu' t' v', Rabs mu <= d -> Rabs (t - tG) <= d -> Rabs v <= d -> Rabs mu' <= d -> Rabs
-  (t' - tG) <= d -> Rabs v' <= d -> Rabs (rebound mu t v - rebound mu' t' v' + tau * (v - v')) <= eps * (Rabs (mu - mu')
-  + Rabs (t - t') + Rabs (v - v')); Hbound : forall x, 0 <= x <= T -> Rabs (kk x) <= L /\ Rabs (cc x) <= L /\ Rabs (ll
-  x) <= L; Hstrict : forall eps, 0 < eps -> exists d, 0 < d /\ forall x y v mu y' v' mu', 0 <= x <= T -> Rabs (y - y0 x)
-  <= d -> Rabs (v - v0 x) <= d -> Rabs mu <= d -> Rabs (y' - y0 x) <= d -> Rabs (v' - v0 x) <= d -> Rabs mu' <= d ->
-  Rabs (a x y v mu - a x y' v' mu' - (kk x * (y - y') + cc x * (v - v') + ll x * (mu - mu'))) <= eps * (Rabs (y - y') +
-  Rabs (v - v') + Rabs (mu - mu')); Hfund : (solves kk cc ll 0 p1 q1 /\ p1 0 = 1 /\ q1 0 = 0) /\ (solves kk cc ll 0 p2
-  q2 /\ p2 0 = 0 /\ q2 0 = 1) /\ (solves kk cc ll 1 p3 q3 /\ p3 0 = 0 /\ q3 0 = 0); Hzb : solves kk cc ll 0 zb wb /\ zb
-  tG = 0 /\ wb tG = 1 }.
+Class impact {F : force} (P : touch F) := { rebound : R -> R -> R -> R; tau : R;
+  kk : R -> R; cc : R -> R; ll : R -> R; p1 : R -> R; q1 : R -> R; p2 : R -> R; q2 : R -> R; p3 : R -> R; q3 : R -> R;
+  zb : R -> R; wb : R -> R;
+  Hreb : 0 <= tau /\ (forall mu t, rebound mu t 0 = 0) /\ (forall mu t v, v < 0 -> 0 <= rebound mu t v) /\
+    forall eps, 0 < eps -> exists d, 0 < d /\ forall mu t v mu' t' v', Rabs mu <= d -> Rabs (t - tG) <= d ->
+    Rabs v <= d -> Rabs mu' <= d -> Rabs (t' - tG) <= d -> Rabs v' <= d ->
+    Rabs (rebound mu t v - rebound mu' t' v' + tau * (v - v')) <=
+      eps * (Rabs (mu - mu') + Rabs (t - t') + Rabs (v - v'));
+  Hbound : forall x, 0 <= x <= T -> Rabs (kk x) <= L /\ Rabs (cc x) <= L /\ Rabs (ll x) <= L;
+  Hstrict : forall eps, 0 < eps -> exists d, 0 < d /\ forall x y v mu y' v' mu', 0 <= x <= T ->
+    Rabs (y - y0 x) <= d -> Rabs (v - v0 x) <= d -> Rabs mu <= d -> Rabs (y' - y0 x) <= d -> Rabs (v' - v0 x) <= d ->
+      Rabs mu' <= d ->
+    Rabs (a x y v mu - a x y' v' mu' - (kk x * (y - y') + cc x * (v - v') + ll x * (mu - mu'))) <=
+    eps * (Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu'));
+  Hfund : (solves kk cc ll 0 p1 q1 /\ p1 0 = 1 /\ q1 0 = 0) /\ (solves kk cc ll 0 p2 q2 /\ p2 0 = 0 /\ q2 0 = 1) /\
+    (solves kk cc ll 1 p3 q3 /\ p3 0 = 0 /\ q3 0 = 0);
+  Hzb : solves kk cc ll 0 zb wb /\ zb tG = 0 /\ wb tG = 1 }.
 Section Kick.
 Context {the_force : force} {the_touch : touch the_force} {the_window : near the_touch} {the_impact : impact the_touch}.
 Let HT := HT. Let HL := HL. Let HtG := HtG. Let Hg := Hg. Let Hd0 := Hd0.

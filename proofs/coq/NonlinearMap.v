@@ -140,9 +140,10 @@ End Map.
 
 (** Once around: f, with the derivative FA in the state and Fphi in mu; K is a Lipschitz constant of f, and of
     the flow. *)
-Class turn (F : force) := { f : vec -> R -> vec; K : R; FA : nat -> vec; Fphi : vec; HK : M <= K; f_lip : forall x x' mu
-  mu' r, within 2 r (minus x x') -> Rabs (mu - mu') <= r -> within 2 (K * r) (minus (f x mu) (f x' mu')); f_strict :
-  forall i, (i < 2)%nat -> strict 2 (fun x mu => f x mu i) (dot 2 (FA i)) (Fphi i) }.
+Class turn (F : force) := { f : vec -> R -> vec; K : R; FA : nat -> vec; Fphi : vec; HK : M <= K;
+  f_lip : forall x x' mu mu' r, within 2 r (minus x x') -> Rabs (mu - mu') <= r ->
+    within 2 (K * r) (minus (f x mu) (f x' mu'));
+  f_strict : forall i, (i < 2)%nat -> strict 2 (fun x mu => f x mu i) (dot 2 (FA i)) (Fphi i) }.
 Section Turn.
 Context {the_force : force} {the_touch : touch the_force} {the_window : near the_touch} {the_impact : impact the_touch}
   {the_turn : turn the_force}.
@@ -157,11 +158,13 @@ Proof.
 Qed.
 
 (** (z, w), a solution for a change m of mu, is (z', w') once around. *)
-Definition carried (m : R) (z w z' w' : R -> R) : Prop := lin m z' w' /\ z' 0 = FA 0%nat 0%nat * z 0 + FA 0%nat 1%nat *
-  w 0 + m * Fphi 0%nat /\ w' 0 = FA 1%nat 0%nat * z 0 + FA 1%nat 1%nat * w 0 + m * Fphi 1%nat.
-Theorem map_planar A11 A21 A22 gamma z w : (forall z w, lin 0 z w -> exists z' w', carried 0 z w z' w' /\ z' tG = A11 *
-  z tG + gamma * w tG /\ w' tG = A21 * z tG + A22 * w tG) -> gamma <> 0 -> lin 1 z w -> carried 1 z w z w -> z tG <> 0
-  -> planar map (A11 + A22) (A11 * A22 - gamma * A21) ((1 + tau) * cg * gamma) (z tG) (pair (z 0) (w 0)).
+Definition carried (m : R) (z w z' w' : R -> R) : Prop := lin m z' w' /\
+  z' 0 = FA 0%nat 0%nat * z 0 + FA 0%nat 1%nat * w 0 + m * Fphi 0%nat /\
+  w' 0 = FA 1%nat 0%nat * z 0 + FA 1%nat 1%nat * w 0 + m * Fphi 1%nat.
+Theorem map_planar A11 A21 A22 gamma z w : (forall z w, lin 0 z w -> exists z' w', carried 0 z w z' w' /\
+  z' tG = A11 * z tG + gamma * w tG /\ w' tG = A21 * z tG + A22 * w tG) -> gamma <> 0 -> lin 1 z w ->
+  carried 1 z w z w -> z tG <> 0 ->
+  planar map (A11 + A22) (A11 * A22 - gamma * A21) ((1 + tau) * cg * gamma) (z tG) (pair (z 0) (w 0)).
 Proof.
   intros HA Hgam Hz (_ & Ez & Ew) Hr; assert (TG : 0 <= tG <= T) by lra; pose proof cg_pos as Hc; assert (Ht0 := proj1
     Hreb). pose proof Hfund as ((F1 & I1 & J1) & (F2 & I2 & J2) & _); destruct Hzb as (Zb & Zb1 & Zb2).

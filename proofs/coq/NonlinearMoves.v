@@ -6,11 +6,12 @@ Open Scope R_scope.
 
 (** Theorem 1 of motions, and that they are unstable. *)
 Definition decided (O : Nonlinear.t) (a1 a2 gamma rate : R) : Prop := forall n_max, exists d, d > 0 /\ forall eps, 0 <
-  eps <= d -> exists mu0, mu0 > 0 /\ forall (n : Z -> nat) (N : Z -> Z) e g mu, (forall i, (1 <= n i <= n_max)%nat /\ u
-  a1 a2 (n i) <> 0) -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn g * gamma > 0 -> 0 < sgn e * (rate * mu) <
-  mu0 -> ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one_nonlinear_motion O mu eps N /\
-  forall t y v, nonlinear_motion O mu eps N t y v -> unstable_motion (leg O mu eps N) t v) /\ ((exists i, breaks a1 a2 e
-  g (n i) (n (i + 1)%Z)) -> forall t y v, ~ nonlinear_motion O mu d N t y v).
+  eps <= d -> exists mu0, mu0 > 0 /\
+  forall (n : Z -> nat) (N : Z -> Z) e g mu, (forall i, (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) ->
+  (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn g * gamma > 0 -> 0 < sgn e * (rate * mu) < mu0 ->
+  ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e g (n i) (n (i + 1)%Z)) -> one_nonlinear_motion O mu eps N /\ forall
+    t y v, nonlinear_motion O mu eps N t y v -> unstable_motion (leg O mu eps N) t v) /\
+  ((exists i, breaks a1 a2 e g (n i) (n (i + 1)%Z)) -> forall t y v, ~ nonlinear_motion O mu d N t y v).
 
 Section Cut.
 Variable O : Nonlinear.t.
@@ -21,7 +22,8 @@ Notation y0 := (Nonlinear.y0 O).
 Notation v0 := (Nonlinear.v0 O).
 Definition cut : Bouncing.t := Bouncing.Build_t T (fun _ => Nonlinear.a O) (fun _ => Nonlinear.a_t O) (fun _ =>
   Nonlinear.a_y O) (fun _ => Nonlinear.a_v O) (fun _ => Nonlinear.a_mu O) (fun _ => false) (fun _ => Nonlinear.rebound
-  O) (fun _ _ _ _ => 0) (fun _ _ _ _ => 0) (fun _ _ _ _ => 0) (fun _ => 1) (fun _ _ => 0) (fun _ _ => 0) (fun _ _ => 0)
+    O)
+  (fun _ _ _ _ => 0) (fun _ _ _ _ => 0) (fun _ _ _ _ => 0) (fun _ => 1) (fun _ _ => 0) (fun _ _ => 0) (fun _ _ => 0)
   (fun _ _ => 0) (Nonlinear.tau O) 1 (fun c => T * IZR c) (fun _ => y0) (fun _ => v0) tG.
 Lemma at_cut c : y0 (T * IZR c) = y0 0 /\ v0 (T * IZR c) = v0 0 /\ 0 < y0 0.
 Proof.
@@ -60,7 +62,8 @@ Notation kk := (fun t => along O (Nonlinear.a_y O) t).
 Notation cc := (fun t => along O (Nonlinear.a_v O) t).
 Notation ll := (fun t => along O (Nonlinear.a_mu O) t).
 Definition lin_at m (z w : R -> R) t := derivable_pt_lim z t (w t) /\ derivable_pt_lim w t (kk t * z t + cc t * w t + ll
-  t * m).
+  t
+  * m).
 Lemma linear_unique z w z' w' t0 t1 : (forall t, t0 <= t <= t1 -> lin_at 0 z w t /\ lin_at 0 z' w' t) -> z t0 = z' t0 ->
   w t0 = w' t0 -> t0 <= t1 -> z t1 = z' t1 /\ w t1 = w' t1.
 Proof.
@@ -102,7 +105,8 @@ End Cut.
 
 (** ** Derivatives on an interval, and a function that goes on beyond it *)
 Definition on (lo hi : R) (f : R -> R) (x l : R) : Prop := forall eps, 0 < eps -> exists d, 0 < d /\ forall z, lo <= z
-  <= hi -> Rabs (z - x) < d -> Rabs (f z - f x - l * (z - x)) <= eps * Rabs (z - x).
+  <= hi
+  -> Rabs (z - x) < d -> Rabs (f z - f x - l * (z - x)) <= eps * Rabs (z - x).
 Lemma on_D lo hi f g x l : derivable_pt_lim g x l -> (forall z, lo <= z <= hi -> f z = g z) -> lo <= x <= hi ->
   on lo hi f x l.
 Proof.

@@ -222,8 +222,9 @@ Proof.
 Qed.
 (** Linear equations. *)
 Lemma linear_picard (k c l : R -> R) B : (forall t, continuity_pt k t /\ continuity_pt c t /\ continuity_pt l t) ->
-  (forall t, Rabs (k t) <= B /\ Rabs (c t) <= B /\ Rabs (l t) <= B) -> forall m s p q, exists z w, (forall t,
-  derivable_pt_lim z t (w t) /\ derivable_pt_lim w t (k t * z t + c t * w t + l t * m)) /\ z s = p /\ w s = q.
+  (forall t, Rabs (k t) <= B /\ Rabs (c t) <= B /\ Rabs (l t) <= B) -> forall m s p q, exists z w,
+  (forall t, derivable_pt_lim z t (w t) /\ derivable_pt_lim w t (k t * z t + c t * w t + l t * m)) /\ z s = p /\
+  w s = q.
 Proof.
   intros C H m s p q; assert (HB : 0 <= B) by (destruct (H 0) as (A & _); pose proof (Rabs_pos (k 0)); lra).
   apply (picard (fun t y v => k t * y + c t * v + l t * m) B HB).

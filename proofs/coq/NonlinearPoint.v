@@ -180,8 +180,9 @@ Hypothesis Jthree : forall m x y p1 q1 p2 q2 p3 q3 z1 w1 z2 w2 z3 w3, J 0 p1 q1 
 Hypothesis Jone : forall m z w z2 w2 z' w' z2' w2', lin m z w -> lin m z2 w2 -> z 0 = z2 0 -> w 0 = w2 0 ->
   J m z w z' w' -> J m z2 w2 z2' w2' -> lin' m z' w' -> lin' m z2' w2' -> z' 0 = z2' 0 /\ w' 0 = w2' 0.
 Theorem matrix_exists : exists (A : nat -> vec) (phi : vec), (forall i, (i < 2)%nat -> strict 2 (fun x mu => G x mu i)
-  (dot 2 (A i)) (phi i)) /\ forall m z w z' w', lin m z w -> lin' m z' w' -> J m z w z' w' -> z' 0 = A 0%nat 0%nat * z 0
-  + A 0%nat 1%nat * w 0 + m * phi 0%nat /\ w' 0 = A 1%nat 0%nat * z 0 + A 1%nat 1%nat * w 0 + m * phi 1%nat.
+  (dot 2 (A i)) (phi i)) /\ forall m z w z' w', lin m z w -> lin' m z' w' -> J m z w z' w' ->
+  z' 0 = A 0%nat 0%nat * z 0 + A 0%nat 1%nat * w 0 + m * phi 0%nat /\
+  w' 0 = A 1%nat 0%nat * z 0 + A 1%nat 1%nat * w 0 + m * phi 1%nat.
 Proof.
   destruct (proj2 (proj2 HA) 0 0 1 0) as (p1 & q1 & F1 & I1 & J1), (proj2 (proj2 HA) 0 0 0 1) as (p2 & q2 & F2 & I2 &
     J2), (proj2 (proj2 HA) 1 0 0 0) as (p3 & q3 & F3 & I3 & J3).

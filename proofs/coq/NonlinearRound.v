@@ -107,11 +107,12 @@ Proof.
     d1 d2 D1 D2) as (d & Hd & L1 & L2); exists d; split; [exact Hd|]; intros m Hm.
   destruct (Nat.eq_dec m n) as [->|N]; [apply (Down n d2); [exact H2 | lra] | apply (Down m d1); [apply H1; lia | lra]].
 Qed.
-Lemma round_exists : exists rf Kf A phi, 0 < rf /\ (forall m, 1 <= @M (F m) <= Kf) /\ smooth_map (st k) A phi /\ (forall
-  h z w, chain k h z w -> forall i, (i < 2)%nat -> pair (z k 0) (w k 0) i = applied A phi (pair (z 0%nat 0) (w 0%nat 0))
-  h i) /\ (forall x x' mu mu' t, small rf x mu -> small rf x' mu' -> within 2 t (minus x x') -> Rabs (mu - mu') <= t ->
-  within 2 (Kf * t) (minus (st k x mu) (st k x' mu'))) /\ forall j s x mu, (j <= k)%nat -> s <= rf -> small s x mu ->
-  within 2 (Kf * s) (st j x mu).
+Lemma round_exists : exists rf Kf A phi, 0 < rf /\ (forall m, 1 <= @M (F m) <= Kf) /\ smooth_map (st k) A phi /\
+  (forall h z w, chain k h z w -> forall i, (i < 2)%nat -> pair (z k 0) (w k 0) i = applied A phi (pair (z 0%nat 0) (w
+  0%nat 0)) h i) /\ (forall x x' mu mu' t, small rf x mu -> small rf x' mu' -> within 2 t (minus x x') -> Rabs (mu -
+      mu')
+  <= t -> within 2 (Kf * t) (minus (st k x mu) (st k x' mu'))) /\
+  forall j s x mu, (j <= k)%nat -> s <= rf -> small s x mu -> within 2 (Kf * s) (st j x mu).
 Proof.
   destruct (st_matrix k) as (A & phi & HS & HC), (smooth_lip _ _ _ HS) as (d0 & C0 & Hd0 & HC0 & Lip).
   destruct (least (fun m d => @M (F m) <= / d) k) as (d1 & D1 & H1).
@@ -153,7 +154,8 @@ Hypothesis HS : smooth_map (st k) A phi.
 Hypothesis HC : forall h z w, chain k h z w -> forall i, (i < 2)%nat -> pair (z k 0) (w k 0) i = applied A phi (pair (z
   0%nat 0) (w 0%nat 0)) h i.
 Hypothesis Hlip : forall x x' mu mu' t, small rf x mu -> small rf x' mu' -> within 2 t (minus x x') -> Rabs (mu - mu')
-    <= t -> within 2 (Kf * t) (minus (st k x mu) (st k x' mu')).
+    <= t
+  -> within 2 (Kf * t) (minus (st k x mu) (st k x' mu')).
 Hypothesis Hsize : forall j s x mu, (j <= k)%nat -> s <= rf -> small s x mu -> within 2 (Kf * s) (st j x mu).
 Definition tr (x : vec) : vec := pair (x 0%nat) (x 1%nat).
 Definition once (x : vec) mu : vec := st k (pair (cl rf (x 0%nat)) (cl rf (x 1%nat))) (cl rf mu).
@@ -240,15 +242,21 @@ Definition arc_is (mu d : R) (m : nat) (lo hi : R) (p q : R -> R) : Prop := lo <
 (** From an impact near the touch to the next, in k arcs for each period; al and om are the times, of the
     arcs, at which they begin and end. *)
 Record run mu d (N : Z -> Z) (t : Z -> R) (y v : Z -> R -> R) (i j : Z) (al om : nat -> R) (p q : nat -> R -> R) : Prop
-    := { run_from : al 0%nat = t i - (sg + P * IZR (N i)); run_to : om (last N i j) = t j - (sg + P * IZR (N j));
-    run_next : forall m, (m < last N i j)%nat -> al (S m) = om m - e m + rho; run_near : Rabs (al 0%nat - tG) <= d /\
-    Rabs (om (last N i j) - tG) <= d /\ forall m, (m < last N i j)%nat -> Rabs (om m - e m) <= d; run_arc : forall m, (m
-    <= last N i j)%nat -> arc_is mu d m (al m) (om m) (p m) (q m); run_ends : forall m, (m <= last N i j)%nat -> if
-    Nat.eq_dec m (last N i j) then p m (om m) = 0 /\ q m (om m) < 0 else if imp m then p m (om m) = 0 /\ q m (om m) < 0
-    else om m = e m; run_start : p 0%nat (al 0%nat) = 0; run_law : forall m, (m < last N i j)%nat -> p (S m) (al (S m))
-    = jy m mu (p m (om m)) /\ q (S m) (al (S m)) = law m mu (om m - e m) (q m (om m)); run_path : forall m s, (m <= last
-    N i j)%nat -> al m <= s <= om m -> (s = om m -> m = last N i j) -> y i (off N i m + s) = p m s /\ v i (off N i m +
-    s) = q m s; run_back : v j (t j) = rebound mu (om (last N i j)) (q (last N i j) (om (last N i j))) }.
+    :=
+  { run_from : al 0%nat = t i - (sg + P * IZR (N i));
+  run_to : om (last N i j) = t j - (sg + P * IZR (N j));
+  run_next : forall m, (m < last N i j)%nat -> al (S m) = om m - e m + rho;
+  run_near : Rabs (al 0%nat - tG) <= d /\ Rabs (om (last N i j) - tG) <= d /\ forall m, (m < last N i j)%nat -> Rabs (om
+    m - e m) <= d;
+  run_arc : forall m, (m <= last N i j)%nat -> arc_is mu d m (al m) (om m) (p m) (q m);
+  run_ends : forall m, (m <= last N i j)%nat -> if Nat.eq_dec m (last N i j) then p m (om m) = 0 /\ q m (om m) < 0 else
+    if imp m then p m (om m) = 0 /\ q m (om m) < 0 else om m = e m;
+  run_start : p 0%nat (al 0%nat) = 0;
+  run_law : forall m, (m < last N i j)%nat -> p (S m) (al (S m)) = jy m mu (p m (om m)) /\
+    q (S m) (al (S m)) = law m mu (om m - e m) (q m (om m));
+  run_path : forall m s, (m <= last N i j)%nat -> al m <= s <= om m -> (s = om m -> m = last N i j) ->
+    y i (off N i m + s) = p m s /\ v i (off N i m + s) = q m s;
+  run_back : v j (t j) = rebound mu (om (last N i j)) (q (last N i j) (om (last N i j))) }.
 Definition Leg mu d N t y v i j : Prop := exists al om p q, run mu d N t y v i j al om p q.
 (** The states at the beginnings of the arcs, and when these end; for states that are not small, some time
     about there. *)
@@ -288,7 +296,8 @@ Proof.
 Qed.
 (** Which arc a time is in. *)
 Lemma times_grow K (al om : nat -> R) N i : (forall m, (m < K)%nat -> al (S m) = om m - e m + rho) -> (forall m, (m <=
-    K)%nat -> al m <= om m) -> forall m m', (m <= K)%nat -> (m' < m)%nat -> off N i m' + om m' <= off N i m + al m.
+    K)%nat
+  -> al m <= om m) -> forall m m', (m <= K)%nat -> (m' < m)%nat -> off N i m' + om m' <= off N i m + al m.
 Proof.
   intros Hn Hl m m' Hm O; assert (One : forall j, (j < K)%nat -> off N i j + om j = off N i (S j) + al (S j)) by (intros
     j Hj; unfold off; cbn [base]; rewrite (Hn j Hj); ring).
@@ -381,8 +390,9 @@ Proof.
   intros Hm; pose proof (ends_near m Hm) as Q; apply le_abs in Q; apply Rmax_left; destruct HG as (_ & _ & _ & _ & _ &
     G6); lra.
 Qed.
-Lemma away m s : (m <= k * n_max)%nat -> bare m s -> (forall q, m = (k * q)%nat -> r0 <= Rabs (s - tG)) -> 0 < @Y (F m)
-    (X m) mu s.
+Lemma away m s : (m <= k * n_max)%nat -> bare m s -> (forall q, m = (k * q)%nat -> r0 <= Rabs (s -
+    tG))
+  -> 0 < @Y (F m) (X m) mu s.
 Proof.
   intros Hm Hs Ht; pose proof (proj2 Hym m s Hs Ht) as Q; destruct Hr1 as (_ & R1 & _), (He m) as (H0 & H1 & H2), Hs as
     (Hs & _); destruct (near_arc m s Hm ltac:(lra)) as [A' _]; apply le_abs in A'; destruct HG as (_ & _ & _ & _ & G5 & _); lra.
@@ -549,8 +559,9 @@ End FromOrbit.
 
 (** A motion near the orbit is an orbit of the map. *)
 Definition follows (x : Z -> vec) (i : Z) (al om : nat -> R) (p q : nat -> R -> R) : Prop := (forall m s, (m <= k * n
-    i)%nat -> al m <= s <= om m -> p m s = @Y (F m) (X (x i) mu m) mu s /\ q m s = @V (F m) (X (x i) mu m) mu s) /\
-    forall m, (m < k * n i)%nat -> om m = ends (x i) mu m.
+    i)%nat
+  -> al m <= s <= om m -> p m s = @Y (F m) (X (x i) mu m) mu s /\ q m s = @V (F m) (X (x i) mu m) mu s) /\
+  forall m, (m < k * n i)%nat -> om m = ends (x i) mu m.
 Definition Trace (x : Z -> vec) t y v : Prop := forall i, exists r al om p q, r <= r0 /\ run mu r N t y v i (i + 1) al
   om p q /\ follows x i al om p q.
 Section FromMotion.
@@ -655,7 +666,8 @@ End FromMotion.
 (** Two motions with the same orbit are the same. *)
 Lemma same_motion x yy x' yy' t y v t' y' v' : facts dd mu n x yy -> facts dd mu n x' yy' -> Trace x t y v -> Trace x'
   t' y' v' -> (forall j i, (i < 2)%nat -> x' j i = x j i) -> forall i, t' i = t i /\ forall u, t i <= u <= t (i + 1)%Z
-  -> y' i u = y i u /\ v' i u = v i u.
+      -> y' i u =
+  y i u /\ v' i u = v i u.
 Proof.
   intros Hf Hf' Tr Tr' Ex; assert (Xe : forall i m, X (x' i) mu m = X (x i) mu m) by (intros i m; unfold X, tr; rewrite
     !Ex by lia; reflexivity). assert (Et' : forall i, t' (i + 1)%Z = t (i + 1)%Z).
@@ -724,13 +736,20 @@ Proof.
 Qed.
 Theorem round_core A11 A21 A22 gamma z w : (forall z w, chain k 0 z w -> z k tG = A11 * z 0%nat tG + gamma * w 0%nat tG
   /\ w k tG = A21 * z 0%nat tG + A22 * w 0%nat tG) -> gamma <> 0 -> chain k 1 z w -> z k 0 = z 0%nat 0 -> w k 0 = w
-  0%nat 0 -> z 0%nat tG <> 0 -> let a1 := A11 + A22 in let a2 := A11 * A22 - gamma * A21 in forall n_max, exists d, d >
-  0 /\ forall eps, 0 < eps <= d -> exists mu0, mu0 > 0 /\ forall (n : Z -> nat) (N : Z -> Z) e s mu, (forall i, (1 <= n
-  i <= n_max)%nat /\ u a1 a2 (n i) <> 0) -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn s * gamma > 0 -> 0 <
-  sgn e * (z 0%nat tG * mu) < mu0 -> ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e s (n i) (n (i + 1)%Z)) -> exists t
-  y v, motion Leg mu eps N t y v /\ unstable_motion (Leg mu eps N) t v /\ forall t' y' v', motion Leg mu eps N t' y' v'
-  -> forall i, t' i = t i /\ forall x, t i <= x <= t (i + 1)%Z -> y' i x = y i x /\ v' i x = v i x) /\ ((exists i,
-  breaks a1 a2 e s (n i) (n (i + 1)%Z)) -> forall t y v, ~ motion Leg mu d N t y v).
+      0%nat 0 -> z
+  0%nat tG <> 0 -> let a1 := A11 + A22 in let a2 := A11 * A22 - gamma * A21 in forall n_max, exists d, d > 0 /\ forall
+      eps, 0
+  < eps <= d -> exists mu0, mu0 > 0 /\ forall (n : Z -> nat) (N : Z -> Z) e s mu, (forall i, (1 <= n i <= n_max)%nat /\
+      u a1
+  a2 (n i) <> 0) -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn s * gamma > 0 -> 0 < sgn e * (z 0%nat tG * mu)
+      <
+  mu0 -> ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e s (n i) (n (i + 1)%Z)) -> exists t y v, motion Leg mu eps N t
+      y v /\
+  unstable_motion (Leg mu eps N) t v /\ forall t' y' v', motion Leg mu eps N t' y' v' -> forall i, t' i = t i /\ forall
+      x, t i
+  <= x <= t (i + 1)%Z -> y' i x = y i x /\ v' i x = v i x) /\ ((exists i, breaks a1 a2 e s (n i) (n (i + 1)%Z)) ->
+      forall t y
+  v, ~ motion Leg mu d N t y v).
 Proof.
   intros H1 Hg' Hz Ez Ew Hr' a1 a2 n_max; pose proof (proj1 Hwin) as Hr0; pose proof (HKf 0%nat) as HK1; destruct Hr1
     as (_ & R1 & _); destruct Hio as (I1 & I2 & I3).

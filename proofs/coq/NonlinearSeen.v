@@ -125,14 +125,15 @@ Proof.
       destruct z; cbn; ring.
 Qed.
 (** A law of impact of stop z, near the time t1 and the velocity u1. *)
-Lemma seen_law z f1 f2 f3 f4 r r2 t1 u1 d : (forall n, (n <= 2)%nat -> C1_stop r2 z n) -> 0 < r -> 0 < d <= r / 4 -> d
-  <= r2 / 2 -> 0 < r2 -> C1 (fun t _ u mu => Rabs (t - t1) <= r /\ Rabs (u - u1) <= r /\ Rabs mu <= r) (fun t _ u mu =>
-  U P z mu t u) f1 f2 f3 f4 -> (forall t mu, Rabs (t - t1) <= d -> Rabs mu <= d -> Rabs (Q P z 1 t mu - Q P z 1 t1 0) <=
-  r / 4) -> let sn (f : R -> R -> R -> R -> R) t y v mu := f t (Q P z 0 t mu + sgn z * y) (Q P z 1 t mu + sgn z * v) mu
-  in C1 (fun t _ v mu => Rabs (t - t1) <= d /\ Rabs (v - rel P z 0 t1 u1) <= d /\ Rabs mu <= d) (fun t _ v mu => rel P z
-  mu t (U P z mu t (Q P z 1 t mu + sgn z * v))) (fun t y v mu => sgn z * (sn f1 t y v mu + sn f2 t y v mu * Q P z 1 t mu
-  + sn f3 t y v mu * Q P z 2 t mu - Q P z 2 t mu)) (sn f2) (sn f3) (fun t y v mu => sgn z * (sn f4 t y v mu + sn f2 t y
-  v mu * Q_mu P z 0 t mu + sn f3 t y v mu * Q_mu P z 1 t mu - Q_mu P z 1 t mu)).
+Lemma seen_law z f1 f2 f3 f4 r r2 t1 u1 d : (forall n, (n <= 2)%nat -> C1_stop r2 z n) -> 0 < r -> 0 < d <= r / 4 -> d <= r2
+  / 2 -> 0 < r2 -> C1 (fun t _ u mu => Rabs (t - t1) <= r /\ Rabs (u - u1) <= r /\ Rabs mu <= r) (fun t _ u mu => U P z mu
+  t u) f1 f2 f3 f4 -> (forall t mu, Rabs (t - t1) <= d -> Rabs mu <= d -> Rabs (Q P z 1 t mu - Q P z 1 t1 0) <= r / 4) ->
+  let sn (f : R -> R -> R -> R -> R) t y v mu := f t (Q P z 0 t mu + sgn z * y) (Q P z 1 t mu + sgn z * v) mu in
+  C1 (fun t _ v mu => Rabs (t - t1) <= d /\ Rabs (v - rel P z 0 t1 u1) <= d /\ Rabs mu <= d)
+  (fun t _ v mu => rel P z mu t (U P z mu t (Q P z 1 t mu + sgn z * v)))
+  (fun t y v mu => sgn z * (sn f1 t y v mu + sn f2 t y v mu * Q P z 1 t mu + sn f3 t y v mu * Q P z 2 t mu - Q P z 2 t mu))
+  (sn f2) (sn f3) (fun t y v mu => sgn z * (sn f4 t y v mu + sn f2 t y v mu * Q_mu P z 0 t mu + sn f3 t y v mu * Q_mu P z 1
+  t mu - Q_mu P z 1 t mu)).
 Proof.
   intros HC Hr Hd Hd2 Hr2 HF N sn; set (D' := fun t y v mu : R => Rabs (t - t1) <= d /\ Rabs (v - rel P z 0 t1 u1) <= d /\
     Rabs mu <= d).

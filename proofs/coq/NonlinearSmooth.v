@@ -46,10 +46,13 @@ Proof.
 Qed.
 (** The law of impact at the touch. *)
 Lemma law_strict (reb : R -> R -> R -> R) (ta tg : R) f1 f2 f3 f4 r : (forall mu t, reb mu t 0 = 0) -> 0 < r -> f3 tg 0
-    0 0 = - ta -> C1 (fun t y v mu => Rabs (t - tg) <= r /\ Rabs v <= r /\ Rabs mu <= r) (fun t y v mu => reb mu t v) f1
-    f2 f3 f4 -> forall eps, 0 < eps -> exists d, 0 < d /\ forall mu t v mu' t' v', Rabs mu <= d -> Rabs (t - tg) <= d ->
-    Rabs v <= d -> Rabs mu' <= d -> Rabs (t' - tg) <= d -> Rabs v' <= d -> Rabs (reb mu t v - reb mu' t' v' + ta * (v -
-    v')) <= eps * (Rabs (mu - mu') + Rabs (t - t') + Rabs (v - v')).
+    0 0 =
+  - ta -> C1 (fun t y v mu => Rabs (t - tg) <= r /\ Rabs v <= r /\ Rabs mu <= r) (fun t y v mu => reb mu t v) f1 f2 f3
+      f4 ->
+  forall eps, 0 < eps -> exists d, 0 < d /\ forall mu t v mu' t' v', Rabs mu <= d -> Rabs (t - tg) <= d ->
+  Rabs v <= d -> Rabs mu' <= d -> Rabs (t' - tg) <= d -> Rabs v' <= d -> Rabs (reb mu t v - reb mu' t' v' + ta * (v -
+      v')) <=
+  eps * (Rabs (mu - mu') + Rabs (t - t') + Rabs (v - v')).
 Proof.
   intros R0 Hr E3 HC eps He.
   assert (D0 : Rabs (tg - tg) <= r /\ Rabs 0 <= r /\ Rabs 0 <= r) by (rewrite Rminus_eq_0, Rabs_R0; lra).

@@ -36,8 +36,9 @@ Proof.
 Qed.
 
 Definition acc x mu s := a (low x mu + -1 * s) (Y x mu (low x mu + -1 * s)) (V x mu (low x mu + -1 * s)) mu.
-Lemma acc_lip : exists C, 0 < C /\ forall x mu x' mu' t s, box x mu -> box x' mu' -> within 2 t (minus x x') -> Rabs (mu
-  - mu') <= t -> 0 <= s <= r0 / 2 -> Rabs (low x mu - low x' mu') <= C * t /\ Rabs (acc x mu s - acc x' mu' s) <= C * t.
+Lemma acc_lip : exists C, 0 < C /\ forall x mu x' mu' t s, box x mu -> box x' mu' -> within 2 t (minus x x') ->
+  Rabs (mu - mu') <= t ->
+  0 <= s <= r0 / 2 -> Rabs (low x mu - low x' mu') <= C * t /\ Rabs (acc x mu s - acc x' mu' s) <= C * t.
 Proof.
   pose proof M_large as LM; pose proof Hwin as (Hr & R1 & R2 & _). set (C1 := 4 * M / (3 * g));
     assert (HC1 : 0 < C1) by (apply Rdiv_lt_0_compat; lra). set (C2 := 5 / 2 * g * r0);

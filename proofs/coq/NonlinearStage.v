@@ -18,9 +18,10 @@ Hypothesis He : 0 < rho /\ 0 <= e - rho /\ e + rho <= @T F.
 Hypothesis HT' : rho + rho <= @T F'.
 Hypothesis Hex : @y0 F e = 0 /\ u1 < 0.
 Hypothesis Hen : @y0 F' rho = 0 /\ u2 = law 0 0 u1.
-Hypothesis Hlaw : forall eps, 0 < eps -> exists d, 0 < d /\ forall mu s v mu' s' v', Rabs mu <= d -> Rabs s <= d -> Rabs
-  (v - u1) <= d -> Rabs mu' <= d -> Rabs s' <= d -> Rabs (v' - u1) <= d -> Rabs (law mu s v - law mu' s' v' - (Rm * (mu
-  - mu') + Rt * (s - s') + Rv * (v - v'))) <= eps * (Rabs (mu - mu') + Rabs (s - s') + Rabs (v - v')).
+Hypothesis Hlaw : forall eps, 0 < eps -> exists d, 0 < d /\ forall mu s v mu' s' v', Rabs mu <= d -> Rabs s <= d ->
+  Rabs (v - u1) <= d -> Rabs mu' <= d -> Rabs s' <= d -> Rabs (v' - u1) <= d ->
+  Rabs (law mu s v - law mu' s' v' - (Rm * (mu - mu') + Rt * (s - s') + Rv * (v - v'))) <=
+  eps * (Rabs (mu - mu') + Rabs (s - s') + Rabs (v - v')).
 Hypothesis Hr1 : 0 < r1 /\ 0 < rho1 <= rho /\ 2 * (@M F * r1) < - u1 * rho1.
 Hypothesis Hsteep : forall x mu s, within 2 r1 x -> Rabs mu <= r1 -> Rabs (s - e) <= rho1 ->
   Rabs (V1 x mu s - u1) <= - u1 / 2.
@@ -156,10 +157,11 @@ Qed.
 Definition jump (m : R) (z w z' w' : R -> R) : Prop := exists h, z e + u1 * h = 0 /\ z' rho + u2 * h = 0 /\
   w' rho + acc2 * h = Rm * m + Rt * h + Rv * (w e + acc1 * h).
 Notation lin := (solves kk cc ll). Notation lin' := (solves kk' cc' ll').
-Theorem carry_strict eps : 0 < eps -> exists d, 0 < d <= r1 /\ forall x x' mu mu' t z w z' w', small d x mu -> small d
-  x' mu' -> within 2 t (minus x x') -> Rabs (mu - mu') <= t -> lin (mu - mu') z w -> z 0 = x 0%nat - x' 0%nat -> w 0 = x
-  1%nat - x' 1%nat -> lin' (mu - mu') z' w' -> jump (mu - mu') z w z' w' -> Rabs (carry x mu 0%nat - carry x' mu' 0%nat
-  - z' 0) <= eps * t /\ Rabs (carry x mu 1%nat - carry x' mu' 1%nat - w' 0) <= eps * t.
+Theorem carry_strict eps : 0 < eps -> exists d, 0 < d <= r1 /\ forall x x' mu mu' t z w z' w', small d x mu ->
+  small d x' mu' -> within 2 t (minus x x') -> Rabs (mu - mu') <= t -> lin (mu - mu') z w ->
+  z 0 = x 0%nat - x' 0%nat -> w 0 = x 1%nat - x' 1%nat -> lin' (mu - mu') z' w' -> jump (mu - mu') z w z' w' ->
+  Rabs (carry x mu 0%nat - carry x' mu' 0%nat - z' 0) <= eps * t /\
+  Rabs (carry x mu 1%nat - carry x' mu' 1%nat - w' 0) <= eps * t.
 Proof.
   intros Hp; pose proof (proj2 Hex) as U1; set (w := - u1) in *; assert (Pw : 0 < w) by (unfold w; lra).
   destruct (@flow_lip F kk cc ll HA e rho He) as (dA & C1 & HdA & HC1 & LipA), (@flow_lip F' kk' cc' ll' HA' rho rho
@@ -310,8 +312,9 @@ Proof.
     E1, E2; split; [unfold h; field; lra | split; ring].
 Qed.
 Theorem carry_matrix : exists (A : nat -> vec) (phi : vec), (forall i, (i < 2)%nat -> strict 2 (fun x mu => carry x mu
-  i) (dot 2 (A i)) (phi i)) /\ forall m z w z' w', lin m z w -> lin' m z' w' -> jump m z w z' w' -> z' 0 = A 0%nat 0%nat
-  * z 0 + A 0%nat 1%nat * w 0 + m * phi 0%nat /\ w' 0 = A 1%nat 0%nat * z 0 + A 1%nat 1%nat * w 0 + m * phi 1%nat.
+  i) (dot 2 (A i)) (phi i)) /\ forall m z w z' w', lin m z w -> lin' m z' w' -> jump m z w z' w' ->
+  z' 0 = A 0%nat 0%nat * z 0 + A 0%nat 1%nat * w 0 + m * phi 0%nat /\
+  w' 0 = A 1%nat 0%nat * z 0 + A 1%nat 1%nat * w 0 + m * phi 1%nat.
 Proof.
   apply (matrix_exists F kk cc ll kk' cc' ll' HA carry jump).
   - exact carry_rest.

@@ -89,8 +89,9 @@ Proof.
     (apply functional_extensionality; intros); destruct s; cbn; ring).
   cbv beta in K; rewrite (E (seen (sgn s) _ _ (a_q P))), (E (seen (sgn s) _ _ (a_u P))) in K; exact K.
 Qed.
-Lemma measured_law : exists r f1 f2 f3 f4, 0 < r /\ f3 (tG P) 0 0 0 = - tau P /\ C1 (fun t y v mu => Rabs (t - tG P) <=
-  r /\ Rabs v <= r /\ Rabs mu <= r) (fun t y v mu => Nonlinear.rebound O mu t v) f1 f2 f3 f4.
+Lemma measured_law : exists r f1 f2 f3 f4, 0 < r /\ f3 (tG P) 0 0 0 = - tau P /\
+  C1 (fun t y v mu => Rabs (t - tG P) <= r /\ Rabs v <= r /\ Rabs mu <= r) (fun t y v mu => Nonlinear.rebound O mu t v)
+  f1 f2 f3 f4.
 Proof.
   destruct (C1_law P s HP) as (r1 & f1 & f2 & f3 & f4 & R1 & E3 & HF), (C3_stops P s HP) as (r2 & R2 & HC), (at_tG P s
     HP) as (_ & Eq & Eu). destruct (stop_near r2 s 1%nat (tG P) (r1 / 4) (HC s 1%nat ltac:(lia)) R2 ltac:(lra)) as (d &

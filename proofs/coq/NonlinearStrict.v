@@ -16,10 +16,11 @@ Hypothesis HL : 1 <= L.
 Hypothesis Hlip : forall x y v mu y' v' mu', 0 <= x <= T ->
   Rabs (a x y v mu - a x y' v' mu') <= L * (Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu')).
 Hypothesis Hbound : forall x, 0 <= x <= T -> Rabs (k x) <= L /\ Rabs (c x) <= L /\ Rabs (l x) <= L.
-Hypothesis Hstrict : forall eps, 0 < eps -> exists d, 0 < d /\ forall x y v mu y' v' mu', 0 <= x <= T -> Rabs (y - y0 x)
-  <= d -> Rabs (v - v0 x) <= d -> Rabs mu <= d -> Rabs (y' - y0 x) <= d -> Rabs (v' - v0 x) <= d -> Rabs mu' <= d ->
-  Rabs (a x y v mu - a x y' v' mu' - (k x * (y - y') + c x * (v - v') + l x * (mu - mu'))) <= eps * (Rabs (y - y') +
-  Rabs (v - v') + Rabs (mu - mu')).
+Hypothesis Hstrict : forall eps, 0 < eps -> exists d, 0 < d /\ forall x y v mu y' v' mu', 0 <= x <= T ->
+  Rabs (y - y0 x) <= d -> Rabs (v - v0 x) <= d -> Rabs mu <= d ->
+  Rabs (y' - y0 x) <= d -> Rabs (v' - v0 x) <= d -> Rabs mu' <= d ->
+  Rabs (a x y v mu - a x y' v' mu' - (k x * (y - y') + c x * (v - v') + l x * (mu - mu'))) <=
+  eps * (Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu')).
 Hypothesis Href : solution 0 y0 v0.
 Let K := 2 * (1 + L) * exp ((2 * L + 1) * T).
 
@@ -83,8 +84,9 @@ Proof.
     lra.
   - rewrite Ez, Ew, !Rminus_diag_eq, !Rabs_R0 by reflexivity; fold Q D; lra.
 Qed.
-Lemma linear_bounds m z w : linearized m z w -> forall x, 0 <= x <= T -> Rabs (z x) + Rabs (w x) <= K * (Rabs (z 0) +
-  Rabs (w 0) + Rabs m) /\ Rabs (z 0) + Rabs (w 0) <= K * (Rabs (z x) + Rabs (w x) + Rabs m).
+Lemma linear_bounds m z w : linearized m z w -> forall x, 0 <= x <= T -> Rabs (z x) + Rabs (w x) <=
+  K * (Rabs (z 0) + Rabs (w 0) + Rabs m) /\
+  Rabs (z 0) + Rabs (w 0) <= K * (Rabs (z x) + Rabs (w x) + Rabs m).
 Proof.
   intros Z x Hx; apply (bound L T z w (fun x => k x * z x + c x * w x + l x * m)); trivial; [apply Rabs_pos|];
     intros s Hs. destruct (Z s Hs), (Hbound s Hs) as (B1 & B2 & B3); split; [assumption | split; [assumption|]].
@@ -121,12 +123,13 @@ Qed.
     *)
 Theorem kick_strict zb wb : linearized 0 zb wb -> zb tG = 0 -> wb tG = 1 -> forall eps, 0 < eps -> exists d, 0 < d /\
   forall mu mu' y1 v1 y2 v2 y1' v1' y2' v2' t t' r, solution mu y1 v1 -> solution mu y2 v2 -> solution mu' y1' v1' ->
-  solution mu' y2' v2' -> Rabs mu <= d -> Rabs mu' <= d -> Rabs (y1 0 - y0 0) <= d -> Rabs (v1 0 - v0 0) <= d -> Rabs
-  (y2 0 - y0 0) <= d -> Rabs (v2 0 - v0 0) <= d -> Rabs (y1' 0 - y0 0) <= d -> Rabs (v1' 0 - v0 0) <= d -> Rabs (y2' 0 -
-  y0 0) <= d -> Rabs (v2' 0 - v0 0) <= d -> 0 <= t <= T -> 0 <= t' <= T -> Rabs (t - tG) <= d -> Rabs (t' - tG) <= d ->
-  y2 t = y1 t -> y2' t' = y1' t' -> let J := v2 t - v1 t in let J' := v2' t' - v1' t' in Rabs (y1 0 - y1' 0) <= r ->
-  Rabs (v1 0 - v1' 0) <= r -> Rabs (mu - mu') <= r -> Rabs (J - J') <= r -> Rabs (t - t') <= r -> Rabs (y2 0 - y1 0 -
-  (y2' 0 - y1' 0) - (J - J') * zb 0) + Rabs (v2 0 - v1 0 - (v2' 0 - v1' 0) - (J - J') * wb 0) <= eps * r.
+  solution mu' y2' v2' -> Rabs mu <= d -> Rabs mu' <= d -> Rabs (y1 0 - y0 0) <= d -> Rabs (v1 0 - v0 0) <= d ->
+  Rabs (y2 0 - y0 0) <= d -> Rabs (v2 0 - v0 0) <= d -> Rabs (y1' 0 - y0 0) <= d -> Rabs (v1' 0 - v0 0) <= d ->
+  Rabs (y2' 0 - y0 0) <= d -> Rabs (v2' 0 - v0 0) <= d -> 0 <= t <= T -> 0 <= t' <= T -> Rabs (t - tG) <= d ->
+  Rabs (t' - tG) <= d -> y2 t = y1 t -> y2' t' = y1' t' -> let J := v2 t - v1 t in let J' :=
+  v2' t' - v1' t' in Rabs (y1 0 - y1' 0) <= r -> Rabs (v1 0 - v1' 0) <= r -> Rabs (mu - mu') <= r ->
+  Rabs (J - J') <= r -> Rabs (t - t') <= r -> Rabs (y2 0 - y1 0 - (y2' 0 - y1' 0) - (J - J') * zb 0) + Rabs (v2 0 - v1 0
+  - (v2' 0 - v1' 0) - (J - J') * wb 0) <= eps * r.
 Proof.
   intros Zb Eb Ewb eps He; assert (Ke : 0 < K) by (unfold K; pose proof (exp_pos ((2 * L + 1) * T)); nra).
   assert (TG := HtG). set (nb := K * (Rabs (zb 0) + Rabs (wb 0))); assert (Nb : 0 <= nb).

@@ -101,9 +101,10 @@ Proof.
 Qed.
 
 Definition side (sg : R) := sg = 1 \/ sg = -1.
-Lemma bowls e r d x mu sg rho : window e r d -> d <= d0 -> within 2 d x -> Rabs mu <= d -> side sg -> (forall s, 0 <= s
-  <= rho -> Rabs (low x mu + sg * s - tG) <= r) -> let m := low x mu in X.bowl g e rho (fun s => Y x mu (m + sg * s) - Y
-  x mu m) (fun s => sg * V x mu (m + sg * s)) (fun s => a (m + sg * s) (Y x mu (m + sg * s)) (V x mu (m + sg * s)) mu).
+Lemma bowls e r d x mu sg rho : window e r d -> d <= d0 -> within 2 d x -> Rabs mu <= d -> side sg ->
+  (forall s, 0 <= s <= rho -> Rabs (low x mu + sg * s - tG) <= r) -> let m := low x mu in
+  X.bowl g e rho (fun s => Y x mu (m + sg * s) - Y x mu m) (fun s => sg * V x mu (m + sg * s))
+    (fun s => a (m + sg * s) (Y x mu (m + sg * s)) (V x mu (m + sg * s)) mu).
 Proof.
   intros W Hd Hx Hm Hsg Hin m; assert (B : box x mu) by (split; [intros i Hi; specialize (Hx i Hi); lra | lra]).
   destruct (low_spec x mu B) as (_ & E & _), (flow x mu) as (A & _); fold m in E, Hin. unfold X.bowl;

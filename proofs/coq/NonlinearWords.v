@@ -56,14 +56,17 @@ Hypothesis Hgood : forall n_max D, 0 < D <= Dm -> exists dd, 0 < dd /\ Good n_ma
 Hypothesis Hleg : forall n_max dd mu n N D x yy i, word n_max n N -> sized n_max dd D -> Good n_max dd D ->
   Rabs mu <= dd -> flown dd mu n x yy (i - 1) -> flown dd mu n x yy i ->
   Leg mu D N (at_ mu n x yy P sg N) (Pl mu n N x) (Vl mu n N x) i (i + 1).
-Hypothesis Hvel : forall n_max dd mu n N D x yy i, word n_max n N -> sized n_max dd D -> Good n_max dd D -> Rabs mu <=
-  dd -> flown dd mu n x yy (i - 1) -> Vl mu n N x i (at_ mu n x yy P sg N i) = V (x i) mu (hit mu n x yy (i - 1)).
-Hypothesis Hmotion : forall n_max dd mu n N D r t y v, word n_max n N -> sized n_max dd D -> Good n_max dd D -> Rabs mu
-  <= r -> Km * r <= dd -> r <= D -> motion mu r N t y v -> exists x yy, facts dd mu n x yy /\ Trace mu n N x t y v.
-Hypothesis Hsame : forall n_max dd mu n N D r x yy x' yy' t y v t' y' v', word n_max n N -> sized n_max dd D -> Good
-  n_max dd D -> Rabs mu <= r -> Km * r <= dd -> r <= D -> motion mu r N t y v -> motion mu r N t' y' v' -> facts dd mu n
-  x yy -> facts dd mu n x' yy' -> Trace mu n N x t y v -> Trace mu n N x' t' y' v' -> (forall j i, (i < 2)%nat -> x' j i
-  = x j i) -> forall i, t' i = t i /\ forall u, t i <= u <= t (i + 1)%Z -> y' i u = y i u /\ v' i u = v i u.
+Hypothesis Hvel : forall n_max dd mu n N D x yy i, word n_max n N -> sized n_max dd D -> Good n_max dd D ->
+  Rabs mu <= dd -> flown dd mu n x yy (i - 1) -> Vl mu n N x i (at_ mu n x yy P sg N i) = V (x i) mu (hit mu n x yy (i -
+      1)).
+Hypothesis Hmotion : forall n_max dd mu n N D r t y v, word n_max n N -> sized n_max dd D -> Good n_max dd D ->
+  Rabs mu <= r -> Km * r <= dd -> r <= D -> motion mu r N t y v -> exists x yy, facts dd mu n x yy /\
+  Trace mu n N x t y v.
+Hypothesis Hsame : forall n_max dd mu n N D r x yy x' yy' t y v t' y' v', word n_max n N -> sized n_max dd D ->
+  Good n_max dd D -> Rabs mu <= r -> Km * r <= dd -> r <= D -> motion mu r N t y v -> motion mu r N t' y' v' ->
+  facts dd mu n x yy -> facts dd mu n x' yy' -> Trace mu n N x t y v -> Trace mu n N x' t' y' v' ->
+  (forall j i, (i < 2)%nat -> x' j i = x j i) ->
+  forall i, t' i = t i /\ forall u, t i <= u <= t (i + 1)%Z -> y' i u = y i u /\ v' i u = v i u.
 Lemma both_sizes n_max D b : 0 < D <= Dm -> 0 < b -> exists dd, 0 < dd <= b /\ sized n_max dd D /\ Good n_max dd D.
 Proof.
   intros HD Hb; destruct (size_exists n_max D b ltac:(here; lra) Hb) as (d1 & H1 & H2 & _), (Hgood n_max D HD) as (d2 &
@@ -147,14 +150,16 @@ Proof.
       lra.
 Qed.
 
-Theorem core A11 A21 A22 gamma z w : (forall z w, lin 0 z w -> exists z' w', carried 0 z w z' w' /\ z' tG = A11 * z tG +
-  gamma * w tG /\ w' tG = A21 * z tG + A22 * w tG) -> gamma <> 0 -> lin 1 z w -> carried 1 z w z w -> z tG <> 0 -> let
-  a1 := A11 + A22 in let a2 := A11 * A22 - gamma * A21 in forall n_max, exists d, d > 0 /\ forall eps, 0 < eps <= d ->
-  exists mu0, mu0 > 0 /\ forall (n : Z -> nat) (N : Z -> Z) e s mu, (forall i, (1 <= n i <= n_max)%nat /\ u a1 a2 (n i)
-  <> 0) -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn s * gamma > 0 -> 0 < sgn e * (z tG * mu) < mu0 ->
-  ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e s (n i) (n (i + 1)%Z)) -> exists t y v, motion mu eps N t y v /\
-  unstable_motion (Leg mu eps N) t v /\ forall t' y' v', motion mu eps N t' y' v' -> forall i, t' i = t i /\ forall x, t
-  i <= x <= t (i + 1)%Z -> y' i x = y i x /\ v' i x = v i x) /\ ((exists i, breaks a1 a2 e s (n i) (n (i + 1)%Z)) ->
+Theorem core A11 A21 A22 gamma z w : (forall z w, lin 0 z w -> exists z' w', carried 0 z w z' w' /\
+  z' tG = A11 * z tG + gamma * w tG /\ w' tG = A21 * z tG + A22 * w tG) -> gamma <> 0 -> lin 1 z w ->
+  carried 1 z w z w -> z tG <> 0 -> let a1 :=
+  A11 + A22 in let a2 := A11 * A22 - gamma * A21 in forall n_max, exists d, d > 0 /\ forall eps, 0 < eps <= d ->
+  exists mu0, mu0 > 0 /\ forall (n : Z -> nat) (N : Z -> Z) e s mu, (forall i, (1 <= n i <= n_max)%nat /\
+  u a1 a2 (n i) <> 0) -> (forall i, N (i + 1) = N i + Z.of_nat (n i))%Z -> sgn s * gamma > 0 ->
+  0 < sgn e * (z tG * mu) < mu0 -> ((forall i, member a1 a2 e (n i) /\ edge a1 a2 e s (n i) (n (i + 1)%Z)) ->
+  exists t y v, motion mu eps N t y v /\ unstable_motion (Leg mu eps N) t v /\ forall t' y' v', motion mu eps N t'
+    y' v' -> forall i, t' i = t i /\ forall x,
+  t i <= x <= t (i + 1)%Z -> y' i x = y i x /\ v' i x = v i x) /\ ((exists i, breaks a1 a2 e s (n i) (n (i + 1)%Z)) ->
   forall t y v, ~ motion mu d N t y v).
 Proof.
   intros HA Hgam Hz Ez Hr a1 a2 n_max; pose proof (map_planar A11 A21 A22 gamma z w HA Hgam Hz Ez Hr) as HP; fold a1 a2

@@ -53,8 +53,9 @@ Qed.
 (** Its inverse, bounded by K. *)
 Definition solved (Q : vec) : vec := fun i => the (fun a => exists x,
   (forall k, (k < S N)%nat -> left x k = Q k) /\ a = x i).
-Definition inverse_bound (K : R) : Prop := 1 <= K /\ (forall t x, 0 <= t -> within (S N) t (left x) -> within (S N) (K *
-  t) x) /\ forall Q x, (forall i, (i < S N)%nat -> x i = solved Q i) -> forall k, (k < S N)%nat -> left x k = Q k.
+Definition inverse_bound (K : R) : Prop := 1 <= K /\
+  (forall t x, 0 <= t -> within (S N) t (left x) -> within (S N) (K * t) x) /\
+  forall Q x, (forall i, (i < S N)%nat -> x i = solved Q i) -> forall k, (k < S N)%nat -> left x k = Q k.
 Lemma inverse_exists : exists K, inverse_bound K.
 Proof.
   destruct (linear_map_bounded (S N) left) as (K & HK & H); [intros; apply left_comb | exact left_ext | exact
@@ -241,8 +242,9 @@ Definition bounds (mc m : R) : Prop := 0 <= mc /\ (forall t x, within N t x -> R
   forall k t x, (k <= n)%nat -> 0 <= t -> within N t x -> within N (m * t) (pow k x).
 Definition gain mc m := P + mc * m + Rabs e + 1.
 Lemma near_line mc m eps d' : bounds mc m -> 0 < eps -> 0 < d' <= d -> small W (eps / gain mc m / (P * K)) d' -> small W
-  (eps / gain mc m) d' -> forall y z, 0 <= y -> P * y <= d' -> within (S N) d z -> solves y z -> within (S N) (eps * y)
-  (minus z (line y)) /\ forall k, (k <= n)%nat -> Rabs (hit k (z O) (point z) - (v k - v n) * y) <= eps * y.
+  (eps / gain mc m) d' -> forall y z, 0 <= y -> P * y <= d' -> within (S N) d z -> solves y z ->
+  within (S N) (eps * y) (minus z (line y)) /\
+  forall k, (k <= n)%nat -> Rabs (hit k (z O) (point z) - (v k - v n) * y) <= eps * y.
 Proof.
   intros (Hmc & Cb & Hm & Pb) Heps Hd' Sm1 Sm2 y z Hy Y Hz HS; pose proof P_pos as P2; pose proof (Rabs_pos e) as Pe.
   assert (Hmm : 0 <= mc * m) by (apply Rmult_le_pos; lra); unfold gain in Sm1, Sm2.

@@ -67,7 +67,8 @@ Let HS := is_flow.
 Let HT := period_pos O n m HR.
 Let HQ : forall x, Q (x + T) = Q x := fun x => proj1 (turn_1 O n mu HO x).
 
-Lemma once_hop d t y v : once O n mu d t y v -> let s := t 0%Z in let w := v 0%Z s in hops s w s w /\ Rabs s <= d /\
+Lemma once_hop d t y v : once O n mu d t y v -> let s := t 0%Z in let w := v 0%Z s in
+  hops s w s w /\ Rabs s <= d /\
   forall i x, y i (t i + x) = place c S V Q s w x /\ v i (t i + x) = velocity k S V Q s w x.
 Proof.
   intros [Hm Ha] s w; destruct (swing_hop O n S V mu HO HS d t y v 0 (Hm 0%Z _ eq_refl)) as (H & D & E).
@@ -77,7 +78,8 @@ Proof.
   split; [exact H|]; split; [exact D|]; intros i x; destruct (Ha i (s + x)) as (E2 & F2 & G2); cbv zeta in *.
   rewrite E2; fold s; replace (s + _ + x) with (s + x + T * IZR i) by ring; rewrite F2, G2; apply E.
 Qed.
-Lemma hop_once d s w : hops s w s w -> Rabs s <= d -> exists t y v, once O n mu d t y v /\ t 0%Z = s /\ v 0%Z s = w.
+Lemma hop_once d s w : hops s w s w -> Rabs s <= d ->
+  exists t y v, once O n mu d t y v /\ t 0%Z = s /\ v 0%Z s = w.
 Proof.
   intros H D; set (s' := fun _ : Z => s); set (w' := fun _ : Z => w); exists (times n s'), (flights O n S V mu s' w'),
     (speeds O n S V mu s' w').

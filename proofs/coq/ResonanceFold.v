@@ -7,9 +7,10 @@ Open Scope R_scope.
 
 (** ** One radius for all coordinates *)
 Definition bend (N : nat) (V : vec) (G : R -> R -> R -> vec -> R) (L : R -> R -> vec -> R) (p Q eps r : R) : Prop :=
-  forall nu y mu x y' mu' x', Rabs nu <= r -> 0 <= y <= r -> 0 <= y' <= r -> beside N V r y mu x -> beside N V r y' mu'
-  x' -> beside N V r (y - y') (mu - mu') (minus x x') -> Rabs (G nu y mu x - G nu y' mu' x' - L (y - y') (mu - mu')
-  (minus x x') - (nu * p * (y - y') + Q * (y ^ 2 - y' ^ 2))) <= eps * ((Rabs nu + y + y') * Rabs (y - y')).
+  forall nu y mu x y' mu' x', Rabs nu <= r -> 0 <= y <= r -> 0 <= y' <= r -> beside N V r y mu x ->
+  beside N V r y' mu' x' -> beside N V r (y - y') (mu - mu') (minus x x') ->
+  Rabs (G nu y mu x - G nu y' mu' x' - L (y - y') (mu - mu') (minus x x') -
+    (nu * p * (y - y') + Q * (y ^ 2 - y' ^ 2))) <= eps * ((Rabs nu + y + y') * Rabs (y - y')).
 Lemma bend_down N V G L p Q eps r r' : bend N V G L p Q eps r -> 0 < r' <= r -> bend N V G L p Q eps r'.
 Proof.
   intros B Hr; assert (Down : forall y mu x, beside N V r' y mu x -> beside N V r y mu x).
@@ -53,11 +54,12 @@ Notation point := (point w).
 Notation left := (left M e n).
 Hypothesis R0 : 0 < r0 /\ 0 < eps1.
 Hypothesis Bend : forall y mu x y' mu' x', 0 <= y <= r0 -> 0 <= y' <= r0 -> beside N V r0 y mu x -> beside N V r0 y' mu'
-  x' -> beside N V r0 (y - y') (mu - mu') (minus x x') -> let D p Q := nu * p * (y - y') + Q * (y ^ 2 - y' ^ 2) in let
-  e' := eps1 * ((Rabs nu + y + y') * Rabs (y - y')) in let fl := fly M in Rabs (Map.h M (fl mu n x) mu - Map.h M (fl mu'
-  n x') mu' - (across M (minus x x') n + (mu - mu') * (e - across M w n)) - D ph Qh) <= e' /\ forall i, (i < N)%nat ->
+  x' -> beside N V r0 (y - y') (mu - mu') (minus x x') -> let D p Q := nu * p * (y - y') + Q * (y ^ 2 - y' ^ 2) in
+  let e' := eps1 * ((Rabs nu + y + y') * Rabs (y - y')) in let fl := fly M in
+  Rabs (Map.h M (fl mu n x) mu - Map.h M (fl mu' n x') mu' - (across M (minus x x') n + (mu - mu') * (e - across M w n))
+    - D ph Qh) <= e' /\ forall i, (i < N)%nat ->
   Rabs (fl mu n x i + Map.kick M (fl mu n x) y mu i * y - (fl mu' n x' i + Map.kick M (fl mu' n x') y' mu' i * y') -
-  (pow n (minus x x') i + (y - y') * Map.B M i + (mu - mu') * (w i - pow n w i)) - D (p i) (Q i)) <= e'.
+    (pow n (minus x x') i + (y - y') * Map.B M i + (mu - mu') * (w i - pow n w i)) - D (p i) (Q i)) <= e'.
 Variables (Ki W eps0 d d' beta : R).
 Hypothesis HK : inverse_bound M e n Ki.
 Hypothesis HW : 0 <= W /\ within N W w.

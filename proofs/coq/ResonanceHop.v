@@ -129,9 +129,10 @@ Notation U := (velocity k S V Q).
 Lemma near_is i x : x - turn Plus * IZR (N i) = x - T * IZR i.
 Proof. cbn [turn]; rewrite mult_IZR, <- INR_IZR_INZ; ring. Qed.
 
-Lemma swing_hop d t y v i : swing O Plus mu d N t y v i (i + 1) -> let s i := t i - T * IZR i in let w i := v i (t i) in
-  hops (s i) (w i) (s (i + 1)%Z) (w (i + 1)%Z) /\ Rabs (s i) <= d /\ forall x, y i (t i + x) = Y (s i) (w i) x /\ v i (t
-  i + x) = U (s i) (w i) x.
+Lemma swing_hop d t y v i : swing O Plus mu d N t y v i (i + 1) ->
+  let s i := t i - T * IZR i in let w i := v i (t i) in
+  hops (s i) (w i) (s (i + 1)%Z) (w (i + 1)%Z) /\ Rabs (s i) <= d /\
+  forall x, y i (t i + x) = Y (s i) (w i) x /\ v i (t i + x) = U (s i) (w i) x.
 Proof.
   intros [Hf Hn Hon H0 H1 Hc Hh Hb] s w; rewrite gap_is in H0, H1; rewrite speed_is in Hh; rewrite !speed_is in Hb.
   rewrite near_is in Hn; fold (s i) in Hn. assert (Es : forall j, Q (t j) = Q (s j) /\ Q1 (t j) = Q1 (s j)).

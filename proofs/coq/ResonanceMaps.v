@@ -30,8 +30,9 @@ Proof.
   split; [|intros k Hkn; apply Hk; lia].
   apply (proj2 (solves_is M w e n y _ (Rlt_le _ _ Hy))); rewrite point_of; exact Z.
 Qed.
-Lemma solution_orbit z y d : 0 < y -> solves y z -> within N d (point z) -> (forall k, (0 < k < n)%nat -> 0 < hit k (z
-  O) (point z)) -> let x := fun _ : unit => point z in single M n (z O) d x /\ speed_of M n (z O) x = y.
+Lemma solution_orbit z y d : 0 < y -> solves y z -> within N d (point z) ->
+  (forall k, (0 < k < n)%nat -> 0 < hit k (z O) (point z)) ->
+  let x := fun _ : unit => point z in single M n (z O) d x /\ speed_of M n (z O) x = y.
 Proof.
   intros Hy Hs Hd Hk x; apply (proj1 (solves_is M w e n y z (Rlt_le _ _ Hy))) in Hs.
   assert (Ho : single M n (z O) d x).
@@ -55,8 +56,9 @@ Hypothesis Sm : small M w e n W eps0 d0.
 Hypothesis Lip : 1 <= l /\ forall mu x d, 0 <= d <= dl -> Rabs mu <= d -> within N d x -> Rabs (hit n mu x) <= l * d.
 Hypothesis Hd : 0 < d <= dl /\ (1 + W) * d <= d0.
 Hypothesis Hh : 0 < h /\ l * d <= h * h.
-Lemma orbit_inside mu x : Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in 0 < y <= h /\ within (S N)
-  d0 (of w mu (x tt)) /\ solves y (of w mu (x tt)) /\ forall k, (0 < k < n)%nat -> 0 < hit k mu (x tt).
+Lemma orbit_inside mu x : Rabs mu <= d -> single M n mu d x -> let y := speed_of M n mu x in
+  0 < y <= h /\ within (S N) d0 (of w mu (x tt)) /\ solves y (of w mu (x tt)) /\
+  forall k, (0 < k < n)%nat -> 0 < hit k mu (x tt).
 Proof.
   intros Hmu Ho y; destruct Hd as [D0 D1], Hh as [Hh0 D2], HW as [W0 Wb], Lip as [Hl HLip].
   destruct (orbit_solution mu d x Ho) as (Hy & Hs & Hk); fold y in Hy, Hs; destruct (Ho tt) as (Hx & _).

@@ -121,7 +121,8 @@ Proof.
 Qed.
 
 (** ** With q = (I - P) v and c v = - 2 y (1 + k), nearly, det (I - P + q c / (2 y)) is nearly - k det (I - P) *)
-Lemma dot_within N l t c x : 0 <= l -> 0 <= t -> within N l c -> within N t x -> Rabs (dot N c x) <= INR N * (l * t).
+Lemma dot_within N l t c x : 0 <= l -> 0 <= t -> within N l c -> within N t x ->
+  Rabs (dot N c x) <= INR N * (l * t).
 Proof.
   intros Hl Ht Hc Hx; induction N as [|N IH]; [cbn; rewrite Rabs_R0; lra|]; rewrite S_INR; cbn [dot].
   rewrite Rmult_plus_distr_r, Rmult_1_l; apply triangle2; [apply IH; intros i Hi; [apply Hc | apply Hx]; lia|].

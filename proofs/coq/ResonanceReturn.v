@@ -270,9 +270,10 @@ Proof.
 Qed.
 End Close.
 
-Theorem returned : exists (G : R * R -> R * R) e, (exists r, 0 < r /\ forall s w, Rabs (s - s0) <= r -> Rabs (w - w0) <=
-  r -> let (s', w') := G (s, w) in hop s w s' w') /\ G (s0, w0) = (s0, w0) /\ derivative G (s0, w0) (Mat (- tau * q) 0 e
-  (- tau * q)).
+Theorem returned : exists (G : R * R -> R * R) e, (exists r, 0 < r /\ forall s w, Rabs (s - s0) <= r ->
+  Rabs (w - w0) <= r ->
+  let (s', w') := G (s, w) in hop s w s' w') /\ G (s0, w0) = (s0, w0) /\
+  derivative G (s0, w0) (Mat (- tau * q) 0 e (- tau * q)).
 Proof.
   destruct close_exists as (h & B & HC); destruct (F_derivative h B HC) as (e & D); exists (F h), e.
   split; [|split; [apply (F_fixed h B HC) | exact D]].

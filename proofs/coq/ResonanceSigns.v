@@ -9,8 +9,9 @@ Proof.
   rewrite <- (sin_period (PI * (INR (k * x) / INR n)) (k * j)); f_equal.
   rewrite plus_INR, !mult_INR; change (INR 2) with 2; field; lra.
 Qed.
-Lemma sine_sign n x : (1 <= n)%nat -> ((0 < x < n)%nat -> 0 < sin (PI * (INR x / INR n))) /\ ((n < x < 2 * n)%nat -> sin
-  (PI * (INR x / INR n)) < 0) /\ (x = 0%nat \/ x = n -> sin (PI * (INR x / INR n)) = 0).
+Lemma sine_sign n x : (1 <= n)%nat ->
+  ((0 < x < n)%nat -> 0 < sin (PI * (INR x / INR n))) /\ ((n < x < 2 * n)%nat -> sin (PI * (INR x / INR n)) < 0) /\
+  (x = 0%nat \/ x = n -> sin (PI * (INR x / INR n)) = 0).
 Proof.
   intros Hn; pose proof PI_RGT_0 as HP; assert (N : 0 < INR n) by (apply lt_0_INR; lia).
   assert (Up : forall a b, (a < b)%nat -> PI * (INR a / INR n) < PI * (INR b / INR n)).
@@ -36,9 +37,10 @@ Proof.
 Qed.
 
 (** For n theta = m pi: the signs of sin (k theta). *)
-Lemma signs n m : (1 <= n)%nat -> ((m mod (2 * n) = 1)%nat -> forall k, (0 < k < n)%nat -> 0 < sin (PI * (INR k * INR m
-  / INR n))) /\ ((2 <= n)%nat -> (m mod (2 * n) <> 1)%nat -> sin (PI * (INR m / INR n)) = 0 \/ exists k, (0 < k < n)%nat
-  /\ sin (PI * (INR k * INR m / INR n)) < 0).
+Lemma signs n m : (1 <= n)%nat ->
+  ((m mod (2 * n) = 1)%nat -> forall k, (0 < k < n)%nat -> 0 < sin (PI * (INR k * INR m / INR n))) /\
+  ((2 <= n)%nat -> (m mod (2 * n) <> 1)%nat -> sin (PI * (INR m / INR n)) = 0 \/
+    exists k, (0 < k < n)%nat /\ sin (PI * (INR k * INR m / INR n)) < 0).
 Proof.
   intros Hn; assert (E : (m = m mod (2 * n) + 2 * n * (m / (2 * n)))%nat).
   { pose proof (Nat.div_mod m (2 * n) ltac:(lia)); lia. }

@@ -128,11 +128,12 @@ Proof.
     specialize (X s w (proj1 Hz) (proj2 Hz)); destruct (F (s, w)) as [s' w']; apply hop_next, X.
 Qed.
 
-Theorem stable eps : 0 < eps -> exists delta, 0 < delta /\ forall s w, Rabs (s - s0) <= delta -> Rabs (w - w0) <= delta
-  -> exists t' y' v', forward O n mu (d + eps) t' y' v' /\ t' 0%Z = s /\ v' 0%Z s = w /\ (forall i, (0 <= i)%Z -> near t
-  t' v v' eps i) /\ (forall eta, 0 < eta -> exists K, forall i, (K <= i)%Z -> near t t' v v' eta i) /\ forall h t2 y2
-  v2, forward O n mu h t2 y2 v2 -> t2 0%Z = s -> v2 0%Z s = w -> forall i x, (0 <= i)%Z -> t2 i = t' i /\ y2 i x = y' i
-  x /\ v2 i x = v' i x.
+Theorem stable eps : 0 < eps -> exists delta, 0 < delta /\ forall s w, Rabs (s - s0) <= delta ->
+  Rabs (w - w0) <= delta -> exists t' y' v', forward O n mu (d + eps) t' y' v' /\
+  t' 0%Z = s /\ v' 0%Z s = w /\ (forall i, (0 <= i)%Z -> near t t' v v' eps i) /\
+  (forall eta, 0 < eta -> exists K, forall i, (K <= i)%Z -> near t t' v v' eta i) /\
+  forall h t2 y2 v2, forward O n mu h t2 y2 v2 -> t2 0%Z = s -> v2 0%Z s = w ->
+  forall i x, (0 <= i)%Z -> t2 i = t' i /\ y2 i x = y' i x /\ v2 i x = v' i x.
 Proof.
   intros He; destruct multipliers as (F & e & [(r & Hr & X) Fix D]); set (a := - tau * q) in *.
   destruct (once_hop O n m HO HR mu d t y v H1) as (_ & D0 & _); pose proof (tau_q O n m HR HN) as [_ B2].
