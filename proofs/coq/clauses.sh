@@ -345,6 +345,9 @@ E
 other StatementResonance.v Plane_statement 'only by the sign of gamma' <<'E'
 s/^  ((2 <= m)%nat \\\/ gamma < 0 -> forall mu x/  (gamma < 0 -> forall mu x/
 E
+other StatementFold.v turn_one 'a radius for each nu' <<'E'
+s/^  turn_one : exists r, 0 < r \/\\ forall nu y, Rabs nu < r ->/  turn_one : forall nu, exists r, 0 < r \/\\ forall y, Rabs nu < r ->/
+E
 other StatementOneImpact.v Every_mu_statement 'where b is not 0' <<'E'
 s/b a1 a2 n k <= 0 ->$/b a1 a2 n k < 0 ->/
 E
@@ -355,9 +358,6 @@ other StatementMultipliers.v Determinant_statement 'a d for each orbit' <<'E'
 s/^  let K := \(.*\) in forall eps, 0 < eps -> exists d, 0 < d \/\\$/  let K := \1 in forall eps, 0 < eps ->/
 s/^  forall mu x c q P, Rabs mu <= d ->/  forall mu x c q P, exists d, 0 < d \/\\ (Rabs mu <= d ->/
 s/D v i = lambda \* v i)\.$/D v i = lambda * v i))./
-E
-other StatementFold.v turn_one 'a radius for each nu' <<'E'
-s/^  turn_one : exists r, 0 < r \/\\ forall nu y, Rabs nu < r ->/  turn_one : forall nu, exists r, 0 < r \/\\ forall y, Rabs nu < r ->/
 E
 other StatementTraps.v Traps_statement 'a bound for each certificate' <<'E'
 s/exists lo hi, let T := seen C M (hi - lo) in traps/exists lo hi, let T := seen C M (1 + hi - lo) in traps/
