@@ -6,7 +6,7 @@ From Grazing Require Import StatementBouncingExample NonlinearBouncingExample.
 From Grazing Require Import StatementOneImpact OneImpact.
 From Grazing Require StatementRattling NonlinearRattling NonlinearDuffing.
 From Grazing Require StatementResonance ResonanceExact ResonanceStable ResonanceBirth ResonanceMaps ResonanceFold.
-From Grazing Require StatementMultipliers ResonanceMultipliers.
+From Grazing Require StatementMultipliers ResonanceMultipliers StatementFold ResonanceFamily.
 
 Theorem Periodic_oscillator : Periodic_oscillator_statement. Proof. exact OscillatorUses.Periodic_oscillator. Qed.
 Theorem Reach : Reach_statement. Proof. exact OscillatorUses.Reach. Qed.
@@ -29,3 +29,4 @@ Theorem Maps_at_resonance : StatementResonance.Curve_statement /\ StatementReson
 Proof. exact (conj ResonanceMaps.Curve (conj ResonanceFold.Side ResonanceMaps.Plane)). Qed.
 Theorem Multipliers_of_maps : StatementMultipliers.Determinant_statement.
 Proof. exact ResonanceMultipliers.Determinant. Qed.
+Theorem Fold_of_maps : StatementFold.Fold_statement. Proof. exact ResonanceFamily.Fold. Qed.

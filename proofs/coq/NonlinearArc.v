@@ -135,10 +135,9 @@ Proof.
     Rabs (a t y v mu - a t' y' v' mu') <= / d * (Rabs (t - t') + Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu'))).
   assert (Pos : forall x y z w : R, 0 <= Rabs x + Rabs y + Rabs z + Rabs w)
     by (intros; repeat apply Rplus_le_le_0_compat; apply Rabs_pos). destruct (arc_everywhere P) as (d & Hd & H).
-  - intros s d d' H Hd t y v mu t' y' v' mu' H1 H2 (A & B & C) (A' & B' & C');
-      assert (I : / d <= / d') by (apply Rinv_le_contravar; lra). destruct (H t y v mu t' y' v' mu') as [Q Q'];
-      unfold inside; repeat split; try lra. eapply Rle_trans; [exact Q'|]; apply Rmult_le_compat_r; [apply Pos | exact
-      I].
+  - intros s d d' H Hd t y v mu t' y' v' mu' H1 H2 (A & B & C) (A' & B' & C'); assert (I : / d <= / d') by (apply
+      Rinv_le_contravar; lra). destruct (H t y v mu t' y' v' mu') as [Q Q']; unfold inside; repeat split; try lra.
+      eapply Rle_trans; [exact Q'|]; apply Rmult_le_compat_r; [apply Pos | exact I].
   - intros t Ht; destruct (arc_strictly t 1 Ht ltac:(lra)) as (d & Hd & Hd1 & H); set (p := a t (yy t) (vv t) 0).
     set (L := 1 + Rabs (arc_at a_t t) + Rabs (arc_at a_y t) + Rabs (arc_at a_v t) + Rabs (arc_at a_mu t)).
     assert (HL : 1 <= L) by (unfold L; pose proof (Pos (arc_at a_t t) (arc_at a_y t) (arc_at a_v t) (arc_at a_mu t));
@@ -153,9 +152,8 @@ Proof.
         pose proof (Rabs_pos (v1 - v2)); pose proof (Rabs_pos (m1 - m2)).
       pose proof (B (arc_at a_t t) (t1 - t2) ltac:(unfold S; lra)) as B1;
         pose proof (B (arc_at a_y t) (y1 - y2) ltac:(unfold S; lra)) as B2.
-      pose proof (B (arc_at a_v t) (v1 - v2) ltac:(unfold S; lra)) as B3;
-        pose proof (B (arc_at a_mu t) (m1 - m2) ltac:(unfold S; lra)) as B4. apply le_abs in Q, B1, B2, B3, B4; apply
-        Rabs_le; unfold L; lra. }
+      pose proof (B (arc_at a_v t) (v1 - v2) ltac:(unfold S; lra)) as B3; pose proof (B (arc_at a_mu t) (m1 - m2)
+        ltac:(unfold S; lra)) as B4. apply le_abs in Q, B1, B2, B3, B4; apply Rabs_le; unfold L; lra. }
     set (K := L * 4 + Rabs p); assert (HK : 4 <= K) by (unfold K; pose proof (Rabs_pos p); lra).
     destruct (two_least (d / 2) (/ K) ltac:(lra) ltac:(apply Rinv_0_lt_compat; lra)) as (q & Hq & L1 & L2); exists q;
       split; [exact Hq|]. assert (Kq : K <= / q) by (rewrite <- (Rinv_inv K); apply Rinv_le_contravar; assumption).
@@ -238,8 +236,7 @@ Proof.
     assert (One : forall f u u', Rabs (f (froz t) - f (froz t')) <= B * Rabs (t - t') -> Rabs (f (froz t) + cl q (u - f
       (froz t)) - (f (froz t') + cl q (u' - f (froz t')))) <= 2 * B * Rabs (t - t') + Rabs (u - u')).
     { intros f u u' Hf; pose proof (cl_lip q Hq0 (u - f (froz t)) (u' - f (froz t'))) as Z; replace (u - f (froz t) -
-        (u'
-        - f (froz t'))) with ((u - u') - (f (froz t) - f (froz t'))) in Z by ring.
+        (u' - f (froz t'))) with ((u - u') - (f (froz t) - f (froz t'))) in Z by ring.
       pose proof (apart (u - u') (f (froz t) - f (froz t'))); match goal with |- Rabs ?e <= _ => replace e with ((f
         (froz t) - f (froz t')) + (cl q (u - f (froz t)) - cl q (u' - f (froz t')))) by ring end.
       eapply Rle_trans; [apply Rabs_triang | lra]. }

@@ -249,21 +249,17 @@ Proof.
     pose (Dp := (exist _ (V 0 tg) D) : derivable_pt (Y 0) tg).
   change (derive_pt (Y 0) tg Dp = 0); apply (deriv_minimum (Y 0) (s 0%Z) (s 1%Z)); try lra; intros x H1 H2. rewrite Z;
     destruct (Req_dec x tg) as [->|Ne]; [lra | left]. apply (its_opening O HO); [rewrite Z.add_0_l; lra|]; intros N [E1
-        E2];
-    assert (N = 0%Z) by nia; subst N; apply Ne; rewrite E2; ring.
+    E2]; assert (N = 0%Z) by nia; subst N; apply Ne; rewrite E2; ring.
 Qed.
 Lemma f_touch : @y0 (Fm 0) tl = 0 /\ @v0 (Fm 0) tl = 0 /\ 0 < @a (Fm 0) tl 0 0 0.
 Proof.
   pose proof tl_in as Ht; destruct (its_touch O HO) as (_ & Z & G); pose proof V_touch as Z'. assert (It : 0 <= tl <= Tj
     (md 0)) by (unfold em, Tj in *; lra). destruct (f_at 0 tl It) as [E1 E2]; rewrite E1, E2; destruct (HFq (md 0)
-        (md_lt 0)) as
-    (Hq & _ & _ & Ag & _). unfold yy, vv; rewrite md_0 in *; change (zz 0) with 0%Z; replace (tl + bs 0) with tg by
-        (unfold tl;
-    ring); split; [exact Z | split; [exact Z'|]].
-  unfold Fm; rewrite md_0, Ag; [replace (tl + bs 0) with tg by (unfold tl; ring); change (zz 0) with 0%Z; exact G | exact
-    It|]. unfold inside,
-    yy, vv; change (zz 0) with 0%Z; replace (tl + bs 0) with tg by (unfold tl; ring); rewrite Z, Z', Rminus_0_r,
-        Rabs_R0; lra.
+    (md_lt 0)) as (Hq & _ & _ & Ag & _). unfold yy, vv; rewrite md_0 in *; change (zz 0) with 0%Z; replace (tl + bs 0)
+    with tg by (unfold tl; ring); split; [exact Z | split; [exact Z'|]].
+  unfold Fm; rewrite md_0, Ag; [replace (tl + bs 0) with tg by (unfold tl; ring); change (zz 0) with 0%Z; exact G |
+    exact It|]. unfold inside, yy, vv; change (zz 0) with 0%Z; replace (tl + bs 0) with tg by (unfold tl; ring); rewrite
+    Z, Z', Rminus_0_r, Rabs_R0; lra.
 Qed.
 Lemma tl_T : 0 < tl < @T (Fm 0).
 Proof. pose proof tl_in; pose proof (f_times 0); lra. Qed.
@@ -290,8 +286,7 @@ Lemma off_is N i m : off N i m = s (arc N i m) - rho.
 Proof.
   unfold NonlinearRound.off, P; rewrite !base_is; unfold bs; destruct (many 1 0%Z 0) as (E1 & _), (many (N i) (zz m) 0)
     as (E2 & _). rewrite Z.mul_1_r, Z.add_0_l in E1; change (zz 0) with 0%Z; unfold StatementBouncing.arc; rewrite
-        Z.add_comm, E2, E1;
-    ring.
+    Z.add_comm, E2, E1; ring.
 Qed.
 Lemma P_is : P k em rho (bs 0) = T0.
 Proof. unfold P; rewrite base_is; unfold bs; destruct (many 1 0%Z 0) as (E1 & _); rewrite Z.mul_1_r, Z.add_0_l in E1;
@@ -300,10 +295,9 @@ Lemma glob N i m x : let o := off N i m in let c := arc N i m in yy (md m) (x - 
   (forall y v mu, a0 (zz (md m)) (x - o + bs (md m)) y v mu = a0 c x y v mu) /\ (forall mu v, law m mu (x - o - em m) v =
   lawc c mu x v) /\ s (c + 1)%Z = o + em m /\ s c = o + rho /\ off N i (S m) = o + em m - rho.
 Proof.
-  intros o c; set (z := (N i + zz (m / k))%Z); pose proof (md_split m) as Em; assert (Ea : c = (zz (md m) + kz *
-    z)%Z) by (unfold c, StatementBouncing.arc, z; lia). destruct (many z (zz (md m)) (x - T0 * IZR z)) as (E1 & E2 & E3 &
-        E4), (many z (zz
-    (md m) + 1)%Z 0) as (E5 & _).
+  intros o c; set (z := (N i + zz (m / k))%Z); pose proof (md_split m) as Em; assert (Ea : c = (zz (md m) + kz * z)%Z)
+    by (unfold c, StatementBouncing.arc, z; lia). destruct (many z (zz (md m)) (x - T0 * IZR z)) as (E1 & E2 & E3 & E4),
+    (many z (zz (md m) + 1)%Z 0) as (E5 & _).
   assert (Eo : o = bs (md m) + T0 * IZR z) by (unfold o; rewrite off_is; fold c; rewrite Ea, E1; unfold bs; ring).
   replace (zz (md m) + 1 + kz * z)%Z with (c + 1)%Z in E5 by lia; rewrite <- Ea in E1, E2, E3, E4. replace (x - T0 *
     IZR z + T0 * IZR z) with x in E2, E3, E4 by ring. unfold yy, vv; replace (x - o + bs (md m)) with (x - T0 * IZR z)
@@ -340,8 +334,7 @@ Proof.
       lia).
   split; [|split; [exact Em | unfold em; rewrite Em, md_0; reflexivity]]. rewrite off_is; unfold StatementBouncing.arc,
     others; rewrite Nat2Z.inj_mul, Z2Nat.id by lia. replace (kz * N i + kz * (N j - N i))%Z with (0 + kz * N j)%Z by
-        ring; destruct (many
-    (N j) 0%Z 0) as (-> & _); unfold bs; change (zz 0) with 0%Z; ring.
+    ring; destruct (many (N j) 0%Z 0) as (-> & _); unfold bs; change (zz 0) with 0%Z; ring.
 Qed.
 Lemma hit_time (N : Z -> Z) (t : Z -> R) l : Rabs (t l - (bs 0 + T0 * IZR (N l)) - tl) = Rabs (t l - (tg + T0 * IZR (N
     l))).
@@ -355,10 +348,9 @@ Qed.
 Theorem leg_to mu d N t y v i j : Rabs mu <= qm -> d <= qm -> (N i <= N j)%Z -> Leg mu d N t y v i j -> bounces O mu d N
   t y v i j.
 Proof.
-  intros Hm Hd HN (al & om & p & q & [R1 R2 R3 (R4 & R4' & R4'') R5 RE RS R6 R7 R8]); set (n := others O N i j) in *; change
-    (last k N i j) with n in *; destruct (off_last N i j HN) as (En & Mn & _); fold n in En, Mn; rewrite P_is in R1, R2;
-        destruct Hqm as
-    [Hq0 _]; pose proof tl_in as Ht; change (@tG _ To) with tl in *.
+  intros Hm Hd HN (al & om & p & q & [R1 R2 R3 (R4 & R4' & R4'') R5 RE RS R6 R7 R8]); set (n := others O N i j) in *;
+    change (last k N i j) with n in *; destruct (off_last N i j HN) as (En & Mn & _); fold n in En, Mn; rewrite P_is in
+    R1, R2; destruct Hqm as [Hq0 _]; pose proof tl_in as Ht; change (@tG _ To) with tl in *.
   set (r := fun m => match m with 0%nat => al 0%nat + off N i 0 | S m' => om m' + off N i m' end).
   assert (Ra : forall m, (m <= n)%nat -> r m = al m + off N i m).
   { intros [|m] Hm'; [reflexivity|]; destruct (glob N i m 0) as (_ & _ & _ & _ & _ & _ & E); cbv zeta in E; cbn [r];
@@ -381,9 +373,8 @@ Proof.
   - split; [cbn [r]; rewrite R2, En; ring|]; replace (t j - off N i n) with (om n) by (rewrite R2, En; ring); specialize
       (RE n (le_n n)); destruct (Nat.eq_dec n n); [exact RE | lia].
   - intros l [->| ->]; rewrite <- hit_time; [rewrite <- R1; exact R4 | rewrite <- R2; exact R4'].
-  - intros [|m] Hm'; [lia|]; cbn [r]; destruct (glob N i m 0) as (_ & _ & _ & _ & E & _); cbv zeta in E; rewrite arc_S, E; replace (om m + off N i m -
-          (off N i m + em m))
-      with (om m - em m) by ring; apply R4''; lia.
+  - intros [|m] Hm'; [lia|]; cbn [r]; destruct (glob N i m 0) as (_ & _ & _ & _ & E & _); cbv zeta in E; rewrite arc_S,
+          E; replace (om m + off N i m - (off N i m + em m)) with (om m - em m) by ring; apply R4''; lia.
   - intros m Hm'; destruct (R5 m Hm') as (A1 & _); rewrite Ra by exact Hm'; cbn [r]; lra.
   - intros m Hm'; specialize (RE m ltac:(lia)); destruct (Nat.eq_dec m n); [lia|]; rewrite (proj1 (glob_kinds N i m)), arc_S;
       destruct (glob N i m 0) as (_ & _ & _ & _ & E & _); cbv zeta in E; rewrite E; cbn [r]; destruct (imp m); [|rewrite
@@ -396,10 +387,8 @@ Proof.
     split; (eapply D_value; [apply (D_of (fun x => x - off N i m)); [apply D_shift | eassumption] | ring]).
   - intros m x Hm' Hx; specialize (Sub m x Hm' Hx); specialize (Lo m Hm'); specialize (Up m Hm'); destruct (R5 m Hm') as
       (_ & A & _); destruct (A _ Sub) as (_ & A1 & A2); assert (Ix : 0 <= x - off N i m <= Tj (md m)) by lra. destruct
-          (local_place N i m
-      x Ix) as [Q1 Q2]; rewrite Q1 in A1; rewrite Q2 in A2; auto.
-  - intros m x Hm' Hx; rewrite Ra in Hx by exact Hm'; cbn [r] in Hx; destruct (R5 m Hm') as (_ & _ & A);
-      apply A; lra.
+      (local_place N i m x Ix) as [Q1 Q2]; rewrite Q1 in A1; rewrite Q2 in A2; auto.
+  - intros m x Hm' Hx; rewrite Ra in Hx by exact Hm'; cbn [r] in Hx; destruct (R5 m Hm') as (_ & _ & A); apply A; lra.
   - intros m Hm'; cbv zeta; apply follows_is; destruct (glob N i m (r (S m))) as (_ & _ & _ & E & _ & _ & E'); cbv zeta in
       E, E'; rewrite <- E, (proj2 (glob_kinds N i m)), E'; destruct (R6 m Hm') as [Q1 Q2]; cbn [r]. replace (om m + off N i
       m - off N i m) with (om m) by ring; replace (om m + off N i m - (off N i m + em m - rho)) with (al (S m)) by (rewrite
@@ -409,8 +398,7 @@ Proof.
     + replace (off N i m + (x - off N i m)) with x in Q1, Q2 by ring; auto.
   - rewrite R8; destruct (R5 n (le_n n)) as (A1 & _). destruct (R7 n (om n) (le_n n) ltac:(lra) (fun _ => eq_refl)) as
       [_ Q]; rewrite R2, En in Q; replace (bs 0 + T0 * IZR (N j) + (t j - (bs 0 + T0 * IZR (N j)))) with (t j) in Q by
-          ring. rewrite <-
-      R2 in Q. rewrite HIo, Q, R2; apply touch_law.
+      ring. rewrite <- R2 in Q. rewrite HIo, Q, R2; apply touch_law.
 Qed.
 Theorem leg_from mu d N t y v i j : Rabs mu <= qm -> d <= qm -> (N i <= N j)%Z -> bounces O mu d N t y v i j -> Leg mu d
   N t y v i j.
@@ -424,9 +412,8 @@ Proof.
       Nj.
   assert (Nx : forall m, (m < n)%nat -> Rabs (r (S m) - off N i m - em m) <= d).
   { intros m Hm'; specialize (R4 (S m) ltac:(lia)); destruct (glob N i m 0) as (_ & _ & _ & _ & E & _); cbv zeta in E;
-      rewrite arc_S, E in R4;
-          replace (r (S m) - off
-      N i m - em m) with (r (S m) - (off N i m + em m)) by ring; exact R4. }
+      rewrite arc_S, E in R4; replace (r (S m) - off N i m - em m) with (r (S m) - (off N i m + em m)) by ring; exact
+      R4. }
   assert (Os : forall m, off N i (S m) = off N i m + em m - rho) by (intros m; apply (glob N i m 0)).
   assert (Lo : forall m, (m <= n)%nat -> 0 <= r m - off N i m).
   { intros [|m] Hm'; [rewrite R1, Ez; apply le_abs in Ni; lra|]; rewrite Os; specialize (Nx m ltac:(lia)); apply le_abs
@@ -447,8 +434,7 @@ Proof.
           m) Ix) as [Q1 Q2].
     pose proof (same_runs N i m mu d (p m) (q m) (x + off N i m) Hm Hd Ix B1 B2) as Ag; rewrite <- Q1 in B1; rewrite <-
       Q2 in B2; replace (x + off N i m - off N i m) with x in Ag, B1, B2 by ring. rewrite <- Ag in D2; split; [|auto];
-          split;
-      apply D_later; assumption.
+      split; apply D_later; assumption.
   - intros m Hm'; destruct (Nat.eq_dec m n) as [->|Ne]; [rewrite R2; replace (t j - off N i n + off N i n) with (t j) by
       ring; exact RN|]. specialize (RE m ltac:(lia)); rewrite (proj1 (glob_kinds N i m)), arc_S in RE; destruct (glob N i m
       0) as (_ & _ & _ & _ & E & _); cbv zeta in E; rewrite E in RE; replace (r (S m) - off N i m + off N i m) with (r (S
@@ -527,10 +513,8 @@ Proof.
     Hx. replace (x - bs k) with (x - T0 - bs 0) by (unfold bs; rewrite E1; change (zz 0) with 0%Z; ring).
   destruct (Own 0%nat (x - T0)) as (Q1 & Q2 & Q3); [change (zz 0) with 0%Z; rewrite Z.add_0_l; lra|]; rewrite Q1, Q2,
     Q3; change (zz 0) with 0%Z; unfold at_x. assert (I : s 0%Z <= x - T0 <= s 1%Z) by lra. pose proof (coef_period _ I
-        (Bouncing.a_y O)
-    ltac:(auto)) as C1'; pose proof (coef_period _ I (Bouncing.a_v O) ltac:(auto)) as C2'; pose proof (coef_period _ I
-        (Bouncing.a_mu
-    O) ltac:(auto)) as C3'. replace (x - T0 + T0) with x in C1', C2', C3' by ring; auto.
+    (Bouncing.a_y O) ltac:(auto)) as C1'; pose proof (coef_period _ I (Bouncing.a_v O) ltac:(auto)) as C2'; pose proof
+    (coef_period _ I (Bouncing.a_mu O) ltac:(auto)) as C3'. replace (x - T0 + T0) with x in C1', C2', C3' by ring; auto.
 Qed.
 Notation local m := (solves (kj (md m)) (cj (md m)) (lj (md m))).
 Lemma lin_glob m h z w : (m <= k)%nat -> local m h z w -> linear_along O (zz m) h (fun x => z (x - bs m)) (fun x => w (x
@@ -545,10 +529,8 @@ Proof.
   intros Hm H H' E1 E2 x Hx; pose proof (lin_glob m h z w Hm H) as G; set (l := s (zz m + 1)%Z - s (zz m)).
   assert (Es : forall t, t + s (zz m) - bs m = t + rho) by (intros t; unfold bs; ring).
   destruct (bound (2 * @L (Fm m)) l (fun t => z (t + s (zz m) - bs m) - z' (t + s (zz m))) (fun t => w (t + s (zz m) -
-      bs m) - w' (t
-    + s (zz m))) (fun t => kj (md m) (t + rho) * (z (t + s (zz m) - bs m) - z' (t + s (zz m))) + cj (md m) (t + rho) *
-        (w (t + s (zz
-    m) - bs m) - w' (t + s (zz m)))) 0) with (x := x - s (zz m)) as [Q _].
+      bs m) - w' (t + s (zz m))) (fun t => kj (md m) (t + rho) * (z (t + s (zz m) - bs m) - z' (t + s (zz m))) + cj (md
+      m) (t + rho) * (w (t + s (zz m) - bs m) - w' (t + s (zz m)))) 0) with (x := x - s (zz m)) as [Q _].
   - pose proof (@HL (Fm m)); lra.
   - lra.
   - intros t Ht; assert (It : s (zz m) <= t + s (zz m) <= s (zz m + 1)%Z) by (unfold l in Ht; lra); destruct (G _ It) as
@@ -566,19 +548,14 @@ Proof.
           1)%Z in A2 by lia. unfold l in Ht; rewrite A1, A2 in Ht; lra. }
       destruct (proj1 (f_along m) _ Il) as (B1 & B2 & _); eapply Rle_trans; [apply Rabs_triang|]; pose proof (product _
         _ _ _ B1 (Rle_refl (Rabs (z (t + s (zz m) - bs m) - z' (t + s (zz m)))))); pose proof (product _ _ _ _ B2
-            (Rle_refl (Rabs (w (t + s
-        (zz m) - bs m) - w' (t + s (zz m)))))). pose proof (@HL (Fm m)) as HL; pose proof (Rabs_pos (z (t + s (zz m) -
-            bs m) - z' (t
-        + s (zz m)))) as P1; pose proof (Rabs_pos (w (t + s (zz m) - bs m) - w' (t + s (zz m)))) as P2. assert (0 <= @L
-            (Fm m) * Rabs
-        (z (t + s (zz m) - bs m) - z' (t + s (zz m))) /\ 0 <= @L (Fm m) * Rabs (w (t + s (zz m) - bs m) - w' (t + s (zz
-            m)))) by
-        (split; apply Rmult_le_pos; lra). lra.
+        (Rle_refl (Rabs (w (t + s (zz m) - bs m) - w' (t + s (zz m)))))). pose proof (@HL (Fm m)) as HL; pose proof
+        (Rabs_pos (z (t + s (zz m) - bs m) - z' (t + s (zz m)))) as P1; pose proof (Rabs_pos (w (t + s (zz m) - bs m) -
+        w' (t + s (zz m)))) as P2. assert (0 <= @L (Fm m) * Rabs (z (t + s (zz m) - bs m) - z' (t + s (zz m))) /\ 0 <=
+        @L (Fm m) * Rabs (w (t + s (zz m) - bs m) - w' (t + s (zz m)))) by (split; apply Rmult_le_pos; lra). lra.
   - unfold l; lra.
   - cbv beta in Q; rewrite !Es, !Rplus_0_l, E1, E2, !Rminus_eq_0, Rabs_R0 in Q. replace (x - s (zz m) + rho) with (x -
       bs m) in Q by (unfold bs; ring); replace (x - s (zz m) + s (zz m)) with x in Q by ring. pose proof (Rabs_pos (z (x
-          - bs m) - z' x)); pose
-      proof (Rabs_pos (w (x - bs m) - w' x)); split; apply Rminus_diag_uniq, Rabs_zero; lra.
+      - bs m) - z' x)); pose proof (Rabs_pos (w (x - bs m) - w' x)); split; apply Rminus_diag_uniq, Rabs_zero; lra.
 Qed.
 
 Notation chain := (chain Fm (fun m => kj (md m)) (fun m => cj (md m)) (fun m => lj (md m)) em rho imp Rm Rt Rv Jm Jy k).
@@ -639,11 +616,10 @@ Proof.
       split; intros Ht; [apply A | apply B]; lra.
   - intros m _; assert (Hs0 : 0 < rho /\ 0 <= rho - rho /\ rho + rho <= @T (Fm (S m))) by (pose proof (f_starts (S m));
       lra). destruct (imp m) eqn:I; [|exists 1; split; [lra | intros I'; rewrite I in I'; discriminate]].
-    destruct (f_ends m) as (_ & E1 & N1), (f_begins (S m)) as (_ & E2), (f_next m) as (_ & E3 & _), (Arcs (zz (md m))) as
-      (_ & _ & P2); specialize (N1 I); unfold imp in I; rewrite I in P2; rewrite <- E3, <- E2 in P2; set (w := @v0 (Fm (S
-      m)) rho) in *. destruct (@steady_point (Fm m) (em m) rho
-      (f_times m) (- Vm m / 2) ltac:(lra)) as (d1 & D1 & S1), (@steady_point (Fm (S m)) rho rho Hs0 (w / 2) ltac:(lra)) as
-      (d2 & D2 & S2).
+    destruct (f_ends m) as (_ & E1 & N1), (f_begins (S m)) as (_ & E2), (f_next m) as (_ & E3 & _), (Arcs (zz (md m)))
+      as (_ & _ & P2); specialize (N1 I); unfold imp in I; rewrite I in P2; rewrite <- E3, <- E2 in P2; set (w := @v0
+      (Fm (S m)) rho) in *. destruct (@steady_point (Fm m) (em m) rho (f_times m) (- Vm m / 2) ltac:(lra)) as (d1 & D1 &
+      S1), (@steady_point (Fm (S m)) rho rho Hs0 (w / 2) ltac:(lra)) as (d2 & D2 & S2).
     destruct (two_least d1 d2 ltac:(lra) ltac:(lra)) as (d & Hd & L1 & L2); exists d; split; [exact Hd|]; intros _ x mu t
       Hx Hm; split; intros Ht.
     + rewrite E1; rewrite <- E1 at 1; apply S1; [intros i Hi; specialize (Hx i Hi); lra | lra | lra].
@@ -732,8 +708,7 @@ Proof.
     (Hd1 : 0 < d1) by apply Win.
   destruct (two_least ((tl - rho) / 4) ((em 0 - tl) / 4) ltac:(lra) ltac:(lra)) as (q1 & Hq1 & A1 & A2), (two_least r'
     q1 Hr' Hq1) as (r0 & Hr0 & A3 & A4), (two_least ds q1 ltac:(lra) Hq1) as (q2 & Hq2 & A5 & A6), (two_least q2 lmin
-        Hq2 Hl) as (rho1 & Hrho1 & A7
-    & A8).
+    Hq2 Hl) as (rho1 & Hrho1 & A7 & A8).
   pose proof (@M_large (Fm 0)) as LM; destruct (two_least d1 (g0 * r0 / (8 * @M (Fm 0))) Hd1 ltac:(apply
     Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra)) as (d0 & Hd0 & A9 & A10).
   assert (Hd0' : 8 * (@M (Fm 0) * d0) <= g0 * r0) by (apply Rle_trans with (8 * (@M (Fm 0) * (g0 * r0 / (8 * @M (Fm
@@ -765,20 +740,17 @@ Proof.
   destruct (proj2 (proj2 (f_along 0)) 0 0 1 0) as (p1 & s1 & F1), (proj2 (proj2 (f_along 0)) 0 0 0 1) as (p2 & s2 & F2),
     (proj2 (proj2 (f_along 0)) 1 0 0 0) as (p3 & s3 & F3), (proj2 (proj2 (f_along 0)) 0 tl 0 1) as (zb & wb & Fb).
   destruct (its_law O HO) as (L1 & L2 & L3), (its_law_C1 O HO) as (rl & f1 & f2 & f3 & f4 & Hrl & Ef3 & HCl).
-  assert (Reb : 0 <= Bouncing.tau O /\ (forall mu t, Bouncing.rebound O 0 mu (t + bs 0) 0 = 0) /\ (forall mu t v, v < 0 ->
-    0 <= Bouncing.rebound O 0 mu (t + bs 0) v) /\ forall eps, 0 < eps -> exists d, 0 < d /\ forall mu t v mu' t' v', Rabs
-        mu <= d -> Rabs (t
-    - tl) <= d -> Rabs v <= d -> Rabs mu' <= d -> Rabs (t' - tl) <= d -> Rabs v' <= d -> Rabs (Bouncing.rebound O 0 mu (t
-        + bs 0) v -
-    Bouncing.rebound O 0 mu' (t' + bs 0) v' + Bouncing.tau O * (v - v')) <= eps * (Rabs (mu - mu') + Rabs (t - t') + Rabs
-        (v - v'))).
+  assert (Reb : 0 <= Bouncing.tau O /\ (forall mu t, Bouncing.rebound O 0 mu (t + bs 0) 0 = 0) /\ (forall mu t v, v < 0
+    -> 0 <= Bouncing.rebound O 0 mu (t + bs 0) v) /\ forall eps, 0 < eps -> exists d, 0 < d /\ forall mu t v mu' t' v',
+    Rabs mu <= d -> Rabs (t - tl) <= d -> Rabs v <= d -> Rabs mu' <= d -> Rabs (t' - tl) <= d -> Rabs v' <= d -> Rabs
+    (Bouncing.rebound O 0 mu (t + bs 0) v - Bouncing.rebound O 0 mu' (t' + bs 0) v' + Bouncing.tau O * (v - v')) <= eps
+    * (Rabs (mu - mu') + Rabs (t - t') + Rabs (v - v'))).
   { split; [exact L1 | split; [intros; apply L2 | split; [intros mu t v Hv; apply L3, Hv|]]]; intros eps He; destruct
       (law_strict (Bouncing.rebound O 0%Z) (Bouncing.tau O) tg f1 f2 f3 f4 rl L2 Hrl Ef3 HCl eps He) as (d & Hd & H); exists
           d; split; [exact Hd|].
     intros mu t v mu' t' v' X1 X2 X3 X4 X5 X6; replace (t - t') with (t + bs 0 - (t' + bs 0)) by ring; apply H; trivial;
       [replace (t + bs 0 - tg) with (t - tl) by (unfold tl; ring); exact X2 | replace (t' + bs 0 - tg) with (t' - tl) by
-          (unfold tl; ring); exact
-      X5]. }
+      (unfold tl; ring); exact X5]. }
   pose (Io := @NonlinearKick.Build_impact (Fm 0) To (fun mu t v => Bouncing.rebound O 0 mu (t + bs 0) v) (Bouncing.tau O)
     (kj (md 0)) (cj (md 0)) (lj (md 0)) p1 s1 p2 s2 p3 s3 zb wb Reb (proj1 (f_along 0)) (proj1 (proj2 (f_along 0)))
         (conj F1 (conj F2 F3)) Fb).
@@ -824,8 +796,7 @@ Proof.
       reflexivity.
   intros n_max; destruct (Core n_max) as (d & Hd & Core'); destruct (two_least d qm Hd Hqm) as (d' & Hd' & Q1 & Q2);
     exists d'; split; [exact Hd'|]; intros eps Heps. destruct (Core' eps ltac:(lra)) as (mu0 & Hmu0 & W); pose proof
-        (its_rate_not_0 _ _ _ _ _ HG) as
-    Hrate; assert (Pra : 0 < Rabs rate) by (apply Rabs_pos_lt, Hrate).
+    (its_rate_not_0 _ _ _ _ _ HG) as Hrate; assert (Pra : 0 < Rabs rate) by (apply Rabs_pos_lt, Hrate).
   destruct (two_least mu0 (Rabs rate * qm) Hmu0 ltac:(apply Rmult_lt_0_compat; lra)) as (mu1 & Hmu1 & Q3 & Q4); exists
     mu1; split; [exact Hmu1|]. intros n N e g mu Hn HN Hs Hmu; assert (Sm : 0 < Rabs mu < qm) by (apply (small_mu rate
         e); [exact Hrate | lra]).
@@ -861,9 +832,8 @@ Proof.
   intros HO HG; destruct (its_force O HO) as (r & Hr & H1 & H2); set (rho := r / 2); assert (Hrho : 0 < rho) by (unfold
       rho; lra).
   assert (Hf : (forall c t, Bouncing.s O c - 2 * rho <= t <= Bouncing.s O (c + 1)%Z + 2 * rho -> StatementBouncing.runs
-    O c 0 (Bouncing.y0 O c) (Bouncing.v0 O c) t) /\ forall c, C1 (fun t y v mu => beside O (2 * rho) c t y v /\ Rabs mu <=
-        2 * rho) (Bouncing.a O c)
-    (Bouncing.a_t O c) (Bouncing.a_y O c) (Bouncing.a_v O c) (Bouncing.a_mu O c)).
+    O c 0 (Bouncing.y0 O c) (Bouncing.v0 O c) t) /\ forall c, C1 (fun t y v mu => beside O (2 * rho) c t y v /\ Rabs mu
+    <= 2 * rho) (Bouncing.a O c) (Bouncing.a_t O c) (Bouncing.a_y O c) (Bouncing.a_v O c) (Bouncing.a_mu O c)).
   { replace (2 * rho) with r by (unfold rho; field); auto. }
   destruct (arc_exists O HO rho Hrho Hf 0%nat) as (F0 & q0 & _).
   destruct (choose (force * R) (F0, q0) (fun j Fq => arc_of O rho j (fst Fq) (snd Fq)) (Bouncing.k O)) as (Fq & HFq).

@@ -147,14 +147,11 @@ Proof.
   pose proof PI_RGT_0 as HP; assert (H2 : 0 < PI * PI) by (apply Rmult_lt_0_compat; lra); constructor.
   - exists (PI * PI / 2 + 1), (PI / 2 + 2 / PI), (PI * PI / 2 + 1); split; [field | split; [field; lra|]]; intros z w H;
       destruct (example_round 0 z w H) as [E1 E2]; change (Z.of_nat (k O)) with 1%Z; change (tG O) with 0; change (T O)
-          with (2 * PI); rewrite
-      Rplus_0_l; cbv zeta; rewrite E1, E2; split; field; lra.
+      with (2 * PI); rewrite Rplus_0_l; cbv zeta; rewrite E1, E2; split; field; lra.
   - assert (0 < PI * PI * PI) by (apply Rmult_lt_0_compat; lra); lra.
   - set (zz := fun (c : Z) t => (t - 2 * PI * IZR c) * (t - 2 * PI * IZR c) / 2 - PI * PI / 2); set (ww := fun (c : Z) t
-      => t - 2 * PI
-      * IZR c). exists zz, ww; change (Z.of_nat (k O)) with 1%Z; change (tG O) with 0; change (T O) with (2 * PI);
-          split; [|unfold
-      zz, ww; un; repeat split; field]. split.
+      => t - 2 * PI * IZR c). exists zz, ww; change (Z.of_nat (k O)) with 1%Z; change (tG O) with 0; change (T O) with
+      (2 * PI); split; [|unfold zz, ww; un; repeat split; field]. split.
     + intros c _ t _; split; un; unfold zz, ww.
       * assert (D : derivable_pt_lim (fun t => / 2 * ((t - 2 * PI * IZR c) * (t - 2 * PI * IZR c)) - PI * PI / 2) t (t -
           2 * PI * IZR c)) by (eapply D_value; [apply D_minus; [apply D_scale, D_times; apply D_shift | apply D_const] |
@@ -162,10 +159,8 @@ Proof.
       * eapply D_value; [apply D_shift | cbv beta; ring].
     + intros c Hc; change (Z.of_nat (k O)) with 1%Z in Hc; assert (c = 0%Z) by lia; subst c; change (0 + 1)%Z with 1%Z;
         assert (S1 : s O 1%Z = PI) by (un; ring); cbv zeta; rewrite S1. destruct (at_end 0) as (_ & E1 & E2); change (0
-            + 1)%Z with 1%Z in E1, E2;
-        rewrite S1 in E1, E2. exists 0; change (0 + 1)%Z with 1%Z; cbv zeta; rewrite S1, E1, E2; unfold zz, ww; un;
-            repeat split;
-        field.
+        + 1)%Z with 1%Z in E1, E2; rewrite S1 in E1, E2. exists 0; change (0 + 1)%Z with 1%Z; cbv zeta; rewrite S1, E1,
+        E2; unfold zz, ww; un; repeat split; field.
   - lra.
 Qed.
 Theorem Bouncing_example : Bouncing_example_statement. Proof. exact (conj example_orbit example_generic). Qed.

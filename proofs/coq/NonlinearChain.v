@@ -18,8 +18,7 @@ Proof. intros H t y v m _ e He; destruct (continuous_near f v e (H v) He) as (d 
 Lemma C_f f : (forall t, continuity_pt f t) -> C (fun _ y _ _ => f y).
 Proof.
   intros H t y v m _ e He; destruct (continuous_near f y e (H y) He) as (d & Hd & N); exists d; split; [exact Hd|];
-    intros;
-    apply N; assumption.
+    intros; apply N; assumption.
 Qed.
 Lemma C_y : C (fun _ y _ _ => y). Proof. intros t y v m _ e He; exists e; auto. Qed.
 Lemma C_plus f g : C f -> C g -> C (fun t y v m => f t y v m + g t y v m).
@@ -117,10 +116,8 @@ Proof.
   { rewrite <- Rmult_assoc; apply Rmult_le_compat_r; [lra|]; apply Rle_trans with (B * (eps / (4 * B)));
       [apply Rmult_le_compat_l; lra | right; field; lra]. }
   assert (Pe : 0 < e * Rabs h) by (apply Rmult_lt_0_compat; lra); assert (Pq : 0 < eps * Rabs h) by (apply
-    Rmult_lt_0_compat; lra). unfold B in Q2; apply le_abs in K, P1, P2, P3, P4; apply Rabs_def1;
-    match goal with |- context [(?u / h - ?w) * h] => replace ((u / h - w) * h) with (u - w * h) by (field; exact Nz)
-      end;
-    lra.
+    Rmult_lt_0_compat; lra). unfold B in Q2; apply le_abs in K, P1, P2, P3, P4; apply Rabs_def1; match goal with |-
+    context [(?u / h - ?w) * h] => replace ((u / h - w) * h) with (u - w * h) by (field; exact Nz) end; lra.
 Qed.
 Lemma C1_continuous D f f1 f2 f3 f4 q t y v m : C1 D f f1 f2 f3 f4 -> 0 < q -> (forall t' y' v' m', Rabs (t' - t) <= q
   -> Rabs (y' - y) <= q -> Rabs (v' - v) <= q -> Rabs (m' - m) <= q -> D t' y' v' m') -> forall eps, 0 < eps -> exists
@@ -173,8 +170,7 @@ Proof.
     s * y)); [apply (shift_continuous _ _ _ CG) | apply (C_times D' (fun _ _ _ _ => s)); [apply C_const | apply C_y]]).
   assert (Cv : continuous D' (fun t y v m => H t m + s * v)) by (apply (C_plus D' (fun t _ _ m => H t m) (fun _ _ v _ =>
     s * v)); [apply (shift_continuous _ _ _ CH) | apply (C_times D' (fun _ _ _ _ => s)); [apply C_const | apply (C_v D'
-      (fun v => v));
-    intros x; apply (D_continuous _ _ _ (D_id x))]]).
+    (fun v => v)); intros x; apply (D_continuous _ _ _ (D_id x))]]).
   destruct (Cy t y v m HD d Hd) as (d1 & D1 & K1), (Cv t y v m HD d Hd) as (d2 & D2 & K2).
   destruct (two_least d1 d2 D1 D2) as (d3 & D3 & L1 & L2), (two_least d3 d D3 Hd) as (d4 & D4 & L3 & L4); exists d4;
     split; [exact D4|]; intros t' y' v' m' A1 A2 A3 A4.
@@ -184,30 +180,24 @@ Lemma C1_seen : C1 D' (seen f) (fun t y v m => seen f1 t y v m + seen f2 t y v m
   (fun t y v m => seen f2 t y v m * s) (fun t y v m => seen f3 t y v m * s)
   (fun t y v m => seen f4 t y v m + seen f2 t y v m * Gm t m + seen f3 t y v m * Hm t m).
 Proof.
-  pose proof Cf as [_ _ _ _ (K1 & K2 & K3 & K4)]; pose proof CG as [Gt _ _ Gmu (C1' & _ & _ & C2')];
-    pose proof CH as [Ht _ _ Hmu (C3' & _ & _ & C4')]. constructor; try (intros t y v m HD; destruct (In t y v m HD) as
-      (L & q
-    & Hq & Box)).
+  pose proof Cf as [_ _ _ _ (K1 & K2 & K3 & K4)]; pose proof CG as [Gt _ _ Gmu (C1' & _ & _ & C2')]; pose proof CH as
+    [Ht _ _ Hmu (C3' & _ & _ & C4')]. constructor; try (intros t y v m HD; destruct (In t y v m HD) as (L & q & Hq &
+    Box)).
   - eapply D_value; [apply (D_four D f f1 f2 f3 f4 q (fun t => t) (fun t => G t m + s * y) (fun t => H t m + s * v) (fun
       _ => m) 1 (G1 t m + 0) (H1 t m + 0) 0); trivial; [apply D_id | apply D_plus; [apply (Gt t 0 0 m); lra | apply
-        D_const] |
-      apply D_plus; [apply (Ht t 0 0 m); lra | apply D_const] | apply D_const] | unfold seen; ring].
+      D_const] | apply D_plus; [apply (Ht t 0 0 m); lra | apply D_const] | apply D_const] | unfold seen; ring].
   - eapply D_value; [apply (D_four D f f1 f2 f3 f4 q (fun _ => t) (fun y => G t m + s * y) (fun _ => H t m + s * v) (fun
       _ => m) 0 (0 + s * 1) 0 0); trivial; [apply D_const | apply D_plus; [apply D_const | apply D_scale, D_id] | apply
-        D_const |
-      apply D_const] | unfold seen; ring].
+      D_const | apply D_const] | unfold seen; ring].
   - eapply D_value; [apply (D_four D f f1 f2 f3 f4 q (fun _ => t) (fun _ => G t m + s * y) (fun v => H t m + s * v) (fun
       _ => m) 0 0 (0 + s * 1) 0); trivial; [apply D_const | apply D_const | apply D_plus; [apply D_const | apply
-        D_scale, D_id] |
-      apply D_const] | unfold seen; ring].
+      D_scale, D_id] | apply D_const] | unfold seen; ring].
   - eapply D_value; [apply (D_four D f f1 f2 f3 f4 q (fun _ => t) (fun m => G t m + s * y) (fun m => H t m + s * v) (fun
       m => m) 0 (Gm t m + 0) (Hm t m + 0) 1); trivial; [apply D_const | apply D_plus; [apply (Gmu t 0 0 m); lra | apply
-        D_const] |
-      apply D_plus; [apply (Hmu t 0 0 m); lra | apply D_const] | apply D_id] | unfold seen; ring].
+      D_const] | apply D_plus; [apply (Hmu t 0 0 m); lra | apply D_const] | apply D_id] | unfold seen; ring].
   - assert (Sub : forall g, continuous (fun _ _ _ m => Rabs m <= r) g -> continuous D' g) by (intros g C t y v m HD;
       apply C; destruct (In t y v m HD); lra). repeat split; repeat first [apply C_plus | apply C_times]; try (apply
-        C_seen;
-      assumption); try apply C_const; apply Sub; assumption.
+      C_seen; assumption); try apply C_const; apply Sub; assumption.
 Qed.
 End Moved.
 Lemma C1_less D D' s f f1 f2 f3 f4 g g1 g2 g3 g4 : C1 D f f1 f2 f3 f4 -> C1 D' g g1 g2 g3 g4 -> (forall t y v m, D t y v

@@ -28,8 +28,7 @@ Proof.
       proof (product c _ _ _ (Rle_refl _) Htm). replace p with ((p - (0 + a * minus x x' 0%nat + b * minus x x' 1%nat) -
       (mu - mu') * c) + (a * minus x x' 0%nat + b * minus x x' 1%nat + c * (mu - mu'))) by ring.
     eapply Rle_trans; [apply Rabs_triang|]; pose proof (Rabs_triang (a * minus x x' 0%nat + b * minus x x' 1%nat) (c *
-        (mu
-      - mu'))); pose proof (Rabs_triang (a * minus x x' 0%nat) (b * minus x x' 1%nat)); lra. }
+        (mu - mu'))); pose proof (Rabs_triang (a * minus x x' 0%nat) (b * minus x x' 1%nat)); lra. }
   apply Q in K0; apply Q in K1; intros i Hi; destruct i as [|[|i]]; [| |lia]; unfold minus; (eapply Rle_trans;
     [eassumption | apply Rmult_le_compat_r; [exact t0 | unfold C; lra]]).
 Qed.
@@ -59,18 +58,15 @@ Proof.
   destruct (proj2 (S1 0%nat ltac:(lia)) _ Pe) as (d3 & Hd3 & K3), (proj2 (S1 1%nat ltac:(lia)) _ Pe) as (d4 & Hd4 & K4).
   destruct (two_least d0 (d2 / C) Hd0 ltac:(apply Rdiv_lt_0_compat; lra)) as (q1 & Hq1 & L1 & L2), (two_least q1 d3 Hq1
     Hd3) as (q2 & Hq2 & L3 & L4), (two_least q2 d4 Hq2 Hd4) as (q3 & Hq3 & L5 & L6), (two_least q3 d2 Hq3 Hd2) as (d &
-        Hd &
-    L7 & L8). assert (Cd : C * d <= d2) by (apply Rle_trans with (C * (d2 / C)); [apply Rmult_le_compat_l; lra | right;
-    field; lra]). exists d; split; [exact Hd|]; intros x x' mu mu' t Hx Hx' Hm Hm' Ht Htm.
+    Hd & L7 & L8). assert (Cd : C * d <= d2) by (apply Rle_trans with (C * (d2 / C)); [apply Rmult_le_compat_l; lra |
+    right; field; lra]). exists d; split; [exact Hd|]; intros x x' mu mu' t Hx Hx' Hm Hm' Ht Htm.
   assert (Wi : forall y r, within 2 d y -> d <= r -> within 2 r y) by (intros y r Hy Hr j Hj; specialize (Hy j Hj);
       lra).
   assert (In : forall y m, within 2 d y -> Rabs m <= d -> within 2 d2 (G1 y m)).
   { intros y m Hy Hm0; pose proof (Lip y zero m 0 d (Wi y d0 Hy ltac:(lra)) ltac:(intros j _; unfold zero; rewrite
       Rabs_R0; lra) ltac:(lra) ltac:(rewrite Rabs_R0; lra) ltac:(intros j Hj; unfold minus, zero; rewrite Rminus_0_r;
-          apply Hy, Hj)
-      ltac:(rewrite Rminus_0_r; lra)) as Q. intros j Hj; specialize (Q j Hj); unfold minus in Q; rewrite (proj1 (S1 j
-          Hj)),
-      Rminus_0_r in Q; lra. }
+      apply Hy, Hj) ltac:(rewrite Rminus_0_r; lra)) as Q. intros j Hj; specialize (Q j Hj); unfold minus in Q; rewrite
+      (proj1 (S1 j Hj)), Rminus_0_r in Q; lra. }
   assert (t0 : 0 <= t) by (pose proof (Rabs_pos (mu - mu')); lra); assert (Ct : t <= C * t) by (rewrite <- (Rmult_1_l t)
     at 1; apply Rmult_le_compat_r; lra).
   pose proof (Lip x x' mu mu' t (Wi x d0 Hx ltac:(lra)) (Wi x' d0 Hx' ltac:(lra)) ltac:(lra) ltac:(lra) Ht Htm) as D1.

@@ -23,9 +23,8 @@ Lemma square f f' d rho : 0 <= d -> f 0 = 0 -> (forall x, 0 <= x <= rho -> deriv
   Rabs (f' x) <= d * x) -> forall x, 0 <= x <= rho -> Rabs (f x) <= d * (x * x) / 2.
 Proof.
   intros Hd H0 H x [[Hx | <-] Hr]; [|rewrite H0, Rabs_R0; lra].
-  assert (Sq : forall s, derivable_pt_lim (fun s => d / 2 * (s * s)) s (d / 2 * (1 * s + s * 1)))
-    by (intros s; apply derivable_pt_lim_scal, (derivable_pt_lim_mult (fun s => s) (fun s => s));
-    apply derivable_pt_lim_id).
+  assert (Sq : forall s, derivable_pt_lim (fun s => d / 2 * (s * s)) s (d / 2 * (1 * s + s * 1))) by (intros s; apply
+    derivable_pt_lim_scal, (derivable_pt_lim_mult (fun s => s) (fun s => s)); apply derivable_pt_lim_id).
   destruct (MVT_cor2 (fun s => f s - d / 2 * (s * s)) (fun s => f' s - d / 2 * (1 * s + s * 1)) 0 x Hx) as (s & E & Hs).
   { intros s Hs; apply derivable_pt_lim_minus; [apply H; lra | apply Sq]. }
   destruct (MVT_cor2 (fun s => f s + d / 2 * (s * s)) (fun s => f' s + d / 2 * (1 * s + s * 1)) 0 x Hx)
@@ -244,9 +243,8 @@ Proof.
       replace (sqrt (q x) - sqrt (q y)) with (- (sqrt (p x) - sqrt (q x)) + (sqrt (p x) - sqrt (q y))) by ring.
     apply Rle_trans with (c * (Rabs (sqrt (p x) - sqrt (q x)) + Rabs (sqrt (p x) - sqrt (q y)))); [|lra].
     apply Rmult_le_compat_l; [lra|]; eapply Rle_trans; [apply Rabs_triang|]; rewrite Rabs_Ropp; lra.
-  - destruct (root p p1 p2 x HP ltac:(lra)) as [_ B]; destruct HQ as (-> & _);
-      rewrite sqrt_0, !Rminus_0_r, (Rabs_pos_eq x) by lra. rewrite Rabs_pos_eq by apply sqrt_pos;
-      assert (0 <= l * x) by nra; lra.
+  - destruct (root p p1 p2 x HP ltac:(lra)) as [_ B]; destruct HQ as (-> & _); rewrite sqrt_0, !Rminus_0_r, (Rabs_pos_eq
+      x) by lra. rewrite Rabs_pos_eq by apply sqrt_pos; assert (0 <= l * x) by nra; lra.
   - destruct (root q q1 q2 y HQ ltac:(lra)) as [_ B]; destruct HP as (-> & _);
       rewrite sqrt_0, !Rminus_0_l, !Rabs_Ropp, (Rabs_pos_eq y) by lra. rewrite Rabs_pos_eq by apply sqrt_pos; lra.
   - rewrite Rminus_eq_0, Rabs_R0; pose proof (Rabs_pos (sqrt (p 0) - sqrt (q 0)));

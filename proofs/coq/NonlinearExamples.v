@@ -73,8 +73,7 @@ Proof.
         exact Cv]].
       - intros t y u mu HD eps He; destruct (continuous_near (fun r => exp (x * r)) (v t u) eps) as (d & Hd & K);
           [eapply D_continuous; apply D_exp, D_scale, D_id | exact He|]. destruct (Cv t y u mu HD d Hd) as (d' & Hd' &
-            K'); exists d';
-          split; [exact Hd'|]; intros; apply K, (K' t' y' v' mu'); assumption. }
+          K'); exists d'; split; [exact Hd'|]; intros; apply K, (K' t' y' v' mu'); assumption. }
     constructor; cbn; [intros t q u mu _ .. |].
     + derive_by ltac:(apply DW); unfold F3, v; destruct s; cbn; ring.
     + apply D_const.
@@ -126,8 +125,7 @@ Proof.
     -> Rabs (a2' - a2) <= d -> 0 < f a1' a2' 0 0).
   { intros f Cf Pf; destruct (Cf a1 a2 0 0 I (f a1 a2 0 0 / 2) ltac:(lra)) as (d & Hd & N); exists d; split; [exact
       Hd|]; intros a1' a2' A B; specialize (N a1' a2' 0 0 A B); rewrite Rminus_eq_0, Rabs_R0 in N; specialize (N
-        ltac:(lra) ltac:(lra));
-      apply le_abs in N; lra. }
+      ltac:(lra) ltac:(lra)); apply le_abs in N; lra. }
   (* the numerators, times u_n *)
   assert (Sign : forall q p w, w <> 0 -> (q * (p / w) > 0 <-> 0 < q * (p * w))).
   { intros q p w Hw; assert (0 < w * w) by (apply Rsqr_pos_lt in Hw; exact Hw); replace (q * (p * w)) with (q * (p / w)
@@ -139,9 +137,8 @@ Proof.
     assumption|].
   { apply (C_times D (fun _ _ _ _ => sgn i * sgn g)); [apply Cc|]; apply (C_times D (fun t y _ _ => - (1 - v t y n + y ^
       n))); [|apply Cu]. assert (Cv : continuous D (fun t y _ _ => v t y n)) by (apply (C_minus D (fun t y _ _ => 2 * u
-        t y (S n)));
-      [apply (C_times D (fun _ _ _ _ => 2)); [apply Cc | apply Cu] | apply (C_times D (fun t _ _ _ => t)); [exact Ct |
-        apply Cu]]).
+      t y (S n))); [apply (C_times D (fun _ _ _ _ => 2)); [apply Cc | apply Cu] | apply (C_times D (fun t _ _ _ => t));
+      [exact Ct | apply Cu]]).
     intros t y w m HD e He; destruct (C_plus D _ _ (C_minus D _ _ (Cc 1) Cv) (Cp n) t y w m HD e He) as (d & Hd & N);
       exists d; split; [exact Hd|]; intros t' y' v' m' A1 A2 A3 A4; specialize (N t' y' v' m' A1 A2 A3 A4); apply le_abs
         in N; apply Rabs_le; lra. }
@@ -156,8 +153,7 @@ Proof.
     + exists d; split; [exact Hd | intros _; exact N].
   - destruct (two_least d1 d2 D1 D2) as (d4 & D4 & L1 & L2), (two_least d3 d4 D3 D4) as (d & Hd & L3 & L4); exists d;
       split; [exact Hd|]; intros a1' a2' A B. assert (Hu' : u a1' a2' n <> 0) by (intros Z; pose proof (N1 a1' a2'
-        ltac:(lra)
-      ltac:(lra)) as P; cbv beta in P; rewrite Z in P; lra).
+      ltac:(lra) ltac:(lra)) as P; cbv beta in P; rewrite Z in P; lra).
     split; [exact Hu' | split]; [intros k Hk; apply Sign; [exact Hu' | apply N3; lia || lra] | apply Sign; [exact Hu' |
       apply N2; lra]].
 Qed.
@@ -165,10 +161,9 @@ Qed.
 Theorem Driven : Driven_statement.
 Proof.
   intros M W t0 s H; assert (Near : forall c k b h e x tau a1 a2 gamma eps, 0 <= tau -> matrix c (k + h) Plus a1 a2
-    gamma -> gamma <> 0 -> k + h <> 0 -> a1 <> a2 + 1 -> 0 < eps -> exists A0, 0 < A0 /\ forall A, 0 < A <= A0 ->
-    exists a1' a2' gamma' rate, generic (measured (driven M W t0 A c k b h e x tau) s) a1' a2' gamma' rate /\
-    Rabs (a1' - a1) <= eps /\ Rabs (a2' - a2) <= eps /\ Rabs (gamma' - gamma) <= eps /\
-    Rabs (rate - sgn s / (k + h)) <= eps).
+    gamma -> gamma <> 0 -> k + h <> 0 -> a1 <> a2 + 1 -> 0 < eps -> exists A0, 0 < A0 /\ forall A, 0 < A <= A0 -> exists
+    a1' a2' gamma' rate, generic (measured (driven M W t0 A c k b h e x tau) s) a1' a2' gamma' rate /\ Rabs (a1' - a1)
+    <= eps /\ Rabs (a2' - a2) <= eps /\ Rabs (gamma' - gamma) <= eps /\ Rabs (rate - sgn s / (k + h)) <= eps).
   { intros c k b h e x tau a1 a2 gamma eps Ht HM Hg Hk H1 He; destruct (near_linear c (k + h) a1 a2 gamma eps HM Hg Hk
       H1 He) as (d & Hd & Near); pose proof PI_RGT_0 as HP.
     destruct (periodic_bounded (M 0%nat) (2 * PI) ltac:(lra) (fun t => proj1 (continuous_shapes M W t0 s H 0 t
@@ -187,9 +182,8 @@ Proof.
       assert (Cm : Rabs (cos m - 1) <= A * B).
       { pose proof (mvt cos (fun y => - sin y) m 0 1 derivable_pt_lim_cos) as K; rewrite cos_0, Rminus_0_r in K; eapply
           Rle_trans; [apply K; intros y _; rewrite Rabs_Ropp; pose proof (SIN_bound y); apply Rabs_le; lra | lra]. }
-      pose proof (product _ _ _ _ (Rle_refl (Rabs h)) Cm) as Q1; pose proof (product _ _ _ _ Bm Bm) as Q2;
-        pose proof (product _ _ _ _ (Rle_refl (Rabs (3 * b))) Q2) as Q3. rewrite (Rabs_mult 3), (Rabs_pos_eq 3) in Q3 by
-          lra.
+      pose proof (product _ _ _ _ (Rle_refl (Rabs h)) Cm) as Q1; pose proof (product _ _ _ _ Bm Bm) as Q2; pose proof
+        (product _ _ _ _ (Rle_refl (Rabs (3 * b))) Q2) as Q3. rewrite (Rabs_mult 3), (Rabs_pos_eq 3) in Q3 by lra.
       assert (Q4 : 3 * Rabs b * (A * B * (A * B)) <= A * (3 * Rabs b * (B * B))).
       { replace (3 * Rabs b * (A * B * (A * B))) with (A * (A * (3 * Rabs b * (B * B)))) by ring; apply
           Rmult_le_compat_l; [lra|]; rewrite <- (Rmult_1_l (3 * Rabs b * (B * B))) at 2; apply Rmult_le_compat_r; lra. }
@@ -211,8 +205,7 @@ Proof.
       by lra; ring). rewrite E4 in E5; pose proof (Rle_0_sqr (1 - r * r)) as U; unfold Rsqr in U; lra.
   - intros c k b h e x tau a1 a2 gamma n i g Ht HM Hk H1 Hn Ho Hg; destruct (orbit_open a1 a2 n i g Ho) as (d & Hd &
       Open); assert (G0 : gamma <> 0) by (intros Z; rewrite Z in Hg; lra); assert (Pg : 0 < Rabs gamma) by (apply
-        Rabs_pos_lt, G0);
-      assert (Pk : 0 < Rabs (k + h)) by (apply Rabs_pos_lt, Hk).
+      Rabs_pos_lt, G0); assert (Pk : 0 < Rabs (k + h)) by (apply Rabs_pos_lt, Hk).
     destruct (two_least d (Rabs gamma / 2) Hd ltac:(lra)) as (e1 & E1 & L1 & L2), (two_least e1 (/ Rabs (k + h) / 2) E1
       ltac:(apply Rinv_0_lt_compat in Pk; lra)) as (eps & He & L3 & L4).
     destruct (Near c k b h e x tau a1 a2 gamma eps Ht HM G0 Hk H1 He) as (A0 & HA & K); exists A0; split; [exact HA|];

@@ -161,8 +161,6 @@ Proof.
   - rewrite E2, A2; reflexivity.
   - apply close_touch; [exact Tw|]; destruct (Ne c Ti) as [A _]; rewrite Ez in A; apply le_abs in A; lra.
 Qed.
-Lemma hit_near j : flown j -> Rabs (hit j - tG) <= D.
-Proof. intros F; apply (hit_facts j (j + 1) F eq_refl). Qed.
 End FromOrbit.
 Definition facts (x : Z -> vec) (yy : Z -> R) : Prop := forall j, flown x yy j.
 (** A crossing near the touch is the one that tc names. *)
@@ -220,8 +218,7 @@ Qed.
 Notation hits := hit_facts.
 Lemma in_box x : within 2 dd x -> box x mu.
 Proof.
-  intros H; destruct (far_large 0 ltac:(lia)) as (_ & P & _); cbn in P; split; [intros i Hi; specialize (H i
-    Hi)|]; lra.
+  intros H; destruct (far_large 0 ltac:(lia)) as (_ & P & _); cbn in P; split; [intros i Hi; specialize (H i Hi)|]; lra.
 Qed.
 Lemma after_near : exists Q, 0 < Q /\ forall x x' yy yy' p e, flown x yy p -> flown x' yy' p -> within 2 dd (x (p +
   1)%Z)

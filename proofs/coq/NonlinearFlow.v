@@ -16,8 +16,6 @@ Class force := { a : R -> R -> R -> R -> R; T : R; L : R; y0 : R -> R; v0 : R ->
     L * (Rabs (t - t') + Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu'));
   Horb : runs a 0 y0 v0;
   Hflow : forall mu s p r, exists y v, runs a mu y v /\ y s = p /\ v s = r }.
-Class periodic (F : force) := { Hper : forall t y v mu, a (t + T) y v mu = a t y v mu;
-  Hyper : forall t, y0 (t + T) = y0 t /\ v0 (t + T) = v0 t }.
 (** What the context has of the classes here and below, where a term that is being read leaves it open. *)
 Ltac here := repeat match goal with |- context [?e] => is_evar e; let t := type of e in let i :=
   constr:(_ : t) in unify e i end.
@@ -73,9 +71,8 @@ Definition Y (x : vec) mu t := the (fun r => exists y v, starts mu x y v /\ r = 
 Definition V (x : vec) mu t := the (fun r => exists y v, starts mu x y v /\ r = v t).
 Lemma starts_is mu x y v : starts mu x y v -> forall t, Y x mu t = y t /\ V x mu t = v t.
 Proof.
-  intros H t; split; (apply the_spec; [exists y, v; auto|]; intros r (y' & v' & (S' & P & Q) & ->));
-    destruct H as (S0 & P0 & Q0);
-    destruct (unique mu y' v' y v 0 S' S0 ltac:(here; congruence) ltac:(here; congruence) t); assumption.
+  intros H t; split; (apply the_spec; [exists y, v; auto|]; intros r (y' & v' & (S' & P & Q) & ->)); destruct H as (S0 &
+    P0 & Q0); destruct (unique mu y' v' y v 0 S' S0 ltac:(here; congruence) ltac:(here; congruence) t); assumption.
 Qed.
 Lemma flow x mu : starts mu x (Y x mu) (V x mu).
 Proof.
@@ -110,32 +107,13 @@ Proof.
     [rewrite B; ring | rewrite C; ring | lia].
 Qed.
 
-(** One period. *)
-Definition period_map (x : vec) mu : vec := fun i => match i with O => Y x mu T - y0 0 | _ => V x mu T - v0 0 end.
-Lemma period_flow (P : periodic the_force) x mu t : Y (period_map x mu) mu t = Y x mu (t + T) /\
-  V (period_map x mu) mu t = V x mu (t + T).
-Proof.
-  apply (starts_is mu (period_map x mu) (fun t => Y x mu (t + T)) (fun t => V x mu (t + T)));
-    destruct (flow x mu) as (A & B & C). split; [|unfold period_map; rewrite !Rplus_0_l; split; ring]. intros s;
-    destruct (A (s + T)) as [D E]; split; apply D_later; [exact D|]; rewrite Hper in E; exact E.
-Qed.
-Lemma iterates (P : periodic the_force) x mu n t :
-  Y (Nat.iter n (fun x => period_map x mu) x) mu t = Y x mu (t + T * INR n) /\
-  V (Nat.iter n (fun x => period_map x mu) x) mu t = V x mu (t + T * INR n).
-Proof.
-  revert t; induction n as [|n IH]; intros t; [cbn [Nat.iter INR]; rewrite Rmult_0_r, Rplus_0_r; auto|].
-  change (Nat.iter (S n) (fun x => period_map x mu) x) with (period_map (Nat.iter n (fun x => period_map x mu) x) mu).
-  destruct (period_flow P (Nat.iter n (fun x => period_map x mu) x) mu t) as [-> ->]; rewrite S_INR.
-  replace (t + T * (INR n + 1)) with (t + T + T * INR n) by ring; apply IH.
-Qed.
 
 (** Lipschitz bounds over one period. *)
 Definition M := 3 * (2 * (1 + L) * exp ((2 * L + 1) * T)).
 Lemma M_large : 1 <= M.
 Proof.
-  unfold M;
-    assert (P : 1 < exp ((2 * L + 1) * T)) by (rewrite <- exp_0 at 1; apply exp_increasing; apply Rmult_lt_0_compat;
-      lra). pose proof (Rmult_le_compat_l (1 + L) 1 _ ltac:(here; lra) (Rlt_le _ _ P)); lra.
+  unfold M; assert (P : 1 < exp ((2 * L + 1) * T)) by (rewrite <- exp_0 at 1; apply exp_increasing; apply
+    Rmult_lt_0_compat; lra). pose proof (Rmult_le_compat_l (1 + L) 1 _ ltac:(here; lra) (Rlt_le _ _ P)); lra.
 Qed.
 Lemma Hlip x y v mu y' v' mu' : 0 <= x <= T ->
   Rabs (a x y v mu - a x y' v' mu') <= L * (Rabs (y - y') + Rabs (v - v') + Rabs (mu - mu')).

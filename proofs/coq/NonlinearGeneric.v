@@ -42,9 +42,8 @@ Proof.
   assert (Zero : Rabs (z t + -1 * z' t) + Rabs (w t + -1 * w' t) <= 0).
   { assert (F0 : forall x, Rabs (f x + -1 * f x) <= 0) by (intros x; replace (f x + -1 * f x) with 0 by ring; rewrite
       Rabs_R0; lra). assert (Es : Rabs (z s + -1 * z' s) + Rabs (w s + -1 * w' s) + 0 = 0) by (rewrite Ez, Ew; replace
-        (z' s + -1 *
-      z' s) with 0 by ring; replace (w' s + -1 * w' s) with 0 by ring; rewrite Rabs_R0; ring). destruct (Rle_dec s t) as
-        [O|O].
+      (z' s + -1 * z' s) with 0 by ring; replace (w' s + -1 * w' s) with 0 by ring; rewrite Rabs_R0; ring). destruct
+      (Rle_dec s t) as [O|O].
     - destruct (two_ways L (t - s) k c _ 0 _ _ s HL ltac:(lra) ltac:(lra) Hkc D (fun x _ => F0 x) t ltac:(lra)) as [B
       _]. rewrite Es, Rmult_0_r in B; exact B.
     - destruct (two_ways L (s - t) k c _ 0 _ _ t HL ltac:(lra) ltac:(lra) Hkc D (fun x _ => F0 x) s ltac:(lra)) as [_
@@ -72,12 +71,10 @@ Proof.
   assert (K : forall m z w, linearized O m z w <-> forced_by (along O (a_y O)) (along O (a_v O)) (fun t => along O (a_mu
     O) t * m) z w) by (intros m z w; split; intros H; exact H). constructor.
   - exists (z1 t1), (w1 t1), (w2 t1); split; [reflexivity | split; [unfold a2; ring|]]; intros z w Hz.
-    assert (C : forced_by (along O (a_y O)) (along O (a_v O)) (fun t => along O (a_mu O) t * 0 + - z (tG O) *
-      (along O (a_mu O) t * 0) + - w (tG O) * (along O (a_mu O) t * 0)) (fun t => z t + - z (tG O) * z1 t + - w (tG O) *
-        z2
-      t) (fun t => w t + - z (tG O) * w1 t + - w (tG O) * w2 t)) by (apply (combine _ _ _ _ (fun t => z t + - z (tG O) *
-        z1 t)
-      (fun t => w t + - z (tG O) * w1 t)); [apply combine|]; apply K; assumption).
+    assert (C : forced_by (along O (a_y O)) (along O (a_v O)) (fun t => along O (a_mu O) t * 0 + - z (tG O) * (along O
+      (a_mu O) t * 0) + - w (tG O) * (along O (a_mu O) t * 0)) (fun t => z t + - z (tG O) * z1 t + - w (tG O) * z2 t)
+      (fun t => w t + - z (tG O) * w1 t + - w (tG O) * w2 t)) by (apply (combine _ _ _ _ (fun t => z t + - z (tG O) * z1
+      t) (fun t => w t + - z (tG O) * w1 t)); [apply combine|]; apply K; assumption).
     destruct (alike L _ _ _ _ _ (fun _ => 0) (fun _ => 0) (tG O) HL Hkc C) with (t := t1) as [A B].
     + intros t; split; (eapply D_value; [apply D_const | ring]).
     + rewrite E1, E2; ring.
@@ -85,19 +82,17 @@ Proof.
     + fold t1; split; lra.
   - exact Hg.
   - set (x0 := rate); set (x1 := (w1 t1 * z3 t1 + (1 - z1 t1) * w3 t1) / (1 - a1 + a2)).
-    pose proof (combine _ _ _ _ _ _ _ _ x1 (combine _ _ _ _ _ _ _ _ x0 (proj1 (K _ _ _) L3) (proj1 (K _ _ _) L1))
-      (proj1 (K _ _ _) L2)) as C. cbv beta in C; set (z := fun t => z3 t + x0 * z1 t + x1 * z2 t) in *; set (w := fun t
-        => w3 t +
-      x0 * w1 t + x1 * w2 t) in *.
+    pose proof (combine _ _ _ _ _ _ _ _ x1 (combine _ _ _ _ _ _ _ _ x0 (proj1 (K _ _ _) L3) (proj1 (K _ _ _) L1)) (proj1
+      (K _ _ _) L2)) as C. cbv beta in C; set (z := fun t => z3 t + x0 * z1 t + x1 * z2 t) in *; set (w := fun t => w3 t
+      + x0 * w1 t + x1 * w2 t) in *.
     assert (Z : linearized O 1 z w) by (intros t; destruct (C t) as [A B]; split; [exact A | eapply D_value; [exact B |
       ring]]).
     exists z, w; split; [exact Z | split; [|unfold z, x0; rewrite E1, E2, E3; ring]].
     assert (Z' : linearized O 1 (fun t => z (t + T O)) (fun t => w (t + T O))).
     { intros t; destruct (Z (t + T O)) as [A B], (along_periodic O HO t) as (P1 & P2 & P3); unfold k, c, l in P1, P2,
         P3; rewrite P1, P2, P3 in B. split; apply (D_later z) || apply (D_later w); assumption. }
-    apply (alike L _ _ _ (fun t => z (t + T O)) (fun t => w (t + T O)) z w (tG O) HL Hkc (proj1 (K _ _ _) Z')
-      (proj1 (K _ _ _) Z)); fold t1; unfold z, w; rewrite ?E1, ?E2, ?E3, ?E1', ?E2', ?E3'; unfold x0, x1, rate, a1, a2
-        in *;
+    apply (alike L _ _ _ (fun t => z (t + T O)) (fun t => w (t + T O)) z w (tG O) HL Hkc (proj1 (K _ _ _) Z') (proj1 (K
+      _ _ _) Z)); fold t1; unfold z, w; rewrite ?E1, ?E2, ?E3, ?E1', ?E2', ?E3'; unfold x0, x1, rate, a1, a2 in *;
       field; assumption.
   - exact Hr.
 Qed.
@@ -144,8 +139,7 @@ Proof.
     - intros y v; exists (Rabs (- K * y + - c * v)); intros _; lra.
     - exists y, v; split; [intros t; destruct (H t) as [A B]; split; [exact A | eapply D_value; [exact B | ring]]|].
       split; [exact Ey | split; [exact Ev|]]; destruct (HA (fun t => y (s + t)) (fun t => v (s + t))) as [F1 F2].
-      + intros t; destruct (H (s + t)) as [A B]; split; apply D_on; [exact A | eapply
-          D_value; [exact B | ring]].
+      + intros t; destruct (H (s + t)) as [A B]; split; apply D_on; [exact A | eapply D_value; [exact B | ring]].
       + cbn in F1, F2; rewrite Rplus_0_r, Ey, Ev in F1, F2; lra. }
   assert (Kc : forall t : R, Rabs (- K) <= L /\ Rabs (- c) <= L) by (intros _; rewrite !Rabs_Ropp; pose proof (Rabs_pos
     K); pose proof (Rabs_pos c); unfold L; lra).
@@ -185,21 +179,17 @@ Qed.
 Lemma small : exists d, 0 < d <= 1 /\ (6 * (E * (E * E * d)) <= eps /\ 6 * (E * (E * E * d)) <= Rabs gamma / 2 /\
   6 * (E * (E * E * d)) <= D / 2) /\ 4 * (E * E * d) <= eps * (Rabs K * D) /\ 8 * (E * E * d) <= D.
 Proof.
-  destruct bounds as (_ & HE & HD & Pk & Pg); destruct (two_least (eps / 6) (Rabs gamma / 12) ltac:(lra) ltac:(lra))
-    as (m1 & M1 & L1 & L2), (two_least m1 (D / 12) M1 ltac:(lra)) as (m2 & M2 & L3 & L4), (two_least (eps * (Rabs K * D)
-      / 4)
-    (D / 8)) as (m3 & M3 & L5 & L6); [assert (0 < eps * (Rabs K * D)) by (repeat apply Rmult_lt_0_compat; assumption);
-      lra |
-    lra|]. destruct (two_least m2 m3 M2 M3) as (m4 & M4 & L7 & L8), (two_least m4 1 M4 ltac:(lra)) as (m & Hm & L9 &
-      L10).
+  destruct bounds as (_ & HE & HD & Pk & Pg); destruct (two_least (eps / 6) (Rabs gamma / 12) ltac:(lra) ltac:(lra)) as
+    (m1 & M1 & L1 & L2), (two_least m1 (D / 12) M1 ltac:(lra)) as (m2 & M2 & L3 & L4), (two_least (eps * (Rabs K * D) /
+    4) (D / 8)) as (m3 & M3 & L5 & L6); [assert (0 < eps * (Rabs K * D)) by (repeat apply Rmult_lt_0_compat;
+    assumption); lra | lra|]. destruct (two_least m2 m3 M2 M3) as (m4 & M4 & L7 & L8), (two_least m4 1 M4 ltac:(lra)) as
+    (m & Hm & L9 & L10).
   assert (Up : forall x, 0 < x -> x <= E * x) by (intros x Hx; rewrite <- (Rmult_1_l x) at 1; apply Rmult_le_compat_r;
     lra).
-  set (d := m / (E * (E * E))); assert (PE : 0 < E * E) by (apply Rmult_lt_0_compat; lra); assert (Pd : 0 < d)
-    by (apply Rdiv_lt_0_compat; [exact Hm | apply Rmult_lt_0_compat; lra]). assert (Q : E * (E * E * d) = m) by (unfold
-      d; field;
+  set (d := m / (E * (E * E))); assert (PE : 0 < E * E) by (apply Rmult_lt_0_compat; lra); assert (Pd : 0 < d) by (apply
+    Rdiv_lt_0_compat; [exact Hm | apply Rmult_lt_0_compat; lra]). assert (Q : E * (E * E * d) = m) by (unfold d; field;
     lra). pose proof (Up d Pd); pose proof (Up (E * d) ltac:(lra)); pose proof (Up (E * E * d) ltac:(apply
-      Rmult_lt_0_compat;
-    lra)). exists d; rewrite Q; repeat split; lra.
+    Rmult_lt_0_compat; lra)). exists d; rewrite Q; repeat split; lra.
 Qed.
 Lemma near : exists d, 0 < d /\ forall O sg, grazing_orbit O -> T O = 2 * PI -> Rabs sg = 1 -> (forall t,
   Rabs (along O (a_y O) t + K) <= d /\ along O (a_v O) t = - c /\ along O (a_mu O) t = sg) -> exists a1' a2' gamma'
@@ -213,8 +203,7 @@ Proof.
   assert (Hkc : forall t, Rabs (along O (a_y O) t) <= L /\ Rabs (along O (a_v O) t) <= L).
   { intros t; destruct (H t) as (A1 & -> & _); pose proof (apart (along O (a_y O) t + K) K) as A; replace (along O (a_y
       O) t + K - K) with (along O (a_y O) t) in A by ring; rewrite Rabs_Ropp; pose proof (Rabs_pos c); pose proof
-        (Rabs_pos K);
-      unfold L; lra. }
+      (Rabs_pos K); unfold L; lra. }
   assert (Lin : forall m p q, exists z w, linearized O m z w /\ z (tG O) = p /\ w (tG O) = q) by (intros m p q;
     exact (linear_solutions O HO m (tG O) p q)).
   assert (F : forall m z w, linearized O m z w -> forced_by (along O (a_y O)) (fun _ => - c) (fun _ => sg * m) z w) by
@@ -224,10 +213,9 @@ Proof.
   destruct S1 as (S1 & I1 & I1'), S2 as (S2 & I2 & I2'), S3 as (S3 & I3 & I3'); set (t1 := tG O + 2 * PI) in *.
   assert (F0 : forall z w, linearized O 0 z w -> forced_by (along O (a_y O)) (fun _ => - c) (fun _ => 0) z w) by
     (intros z w Hz t; destruct (F 0 z w Hz t) as [A B]; split; [exact A | eapply D_value; [exact B | ring]]).
-  destruct (close_by d _ z1 w1 (tG O) ltac:(lra) Hk (F0 _ _ S1)) as ((B1 & B2 & B3 & B4) & N),
-    (close_by d _ z2 w2 (tG O) ltac:(lra) Hk (F0 _ _ S2)) as [_ N']. fold t1 in N, N'; rewrite I1, I1', Rabs_R1, Rabs_R0
-      in N;
-    rewrite I2, I2', Rabs_R1, Rabs_R0 in N'. destruct N as (M1 & M2 & P1 & P2), N' as (M3 & M4 & P3 & P4); try lra.
+  destruct (close_by d _ z1 w1 (tG O) ltac:(lra) Hk (F0 _ _ S1)) as ((B1 & B2 & B3 & B4) & N), (close_by d _ z2 w2 (tG
+    O) ltac:(lra) Hk (F0 _ _ S2)) as [_ N']. fold t1 in N, N'; rewrite I1, I1', Rabs_R1, Rabs_R0 in N; rewrite I2, I2',
+    Rabs_R1, Rabs_R0 in N'. destruct N as (M1 & M2 & P1 & P2), N' as (M3 & M4 & P3 & P4); try lra.
   replace (A11 * 1 + gamma * 0) with A11 in P1 by ring; replace (A21 * 1 + A22 * 0) with A21 in P2 by ring;
     replace (A11 * 0 + gamma * 1) with gamma in P3 by ring; replace (A21 * 0 + A22 * 1) with A22 in P4 by ring.
   (* the periodic solution, less that of the linear oscillator *)
@@ -239,11 +227,10 @@ Proof.
   assert (SK : Rabs (sg / K) = / Rabs K) by (unfold Rdiv; rewrite Rabs_mult, Hsg, Rabs_inv; ring).
   assert (Kc : forall t, Rabs (along O (a_y O) t) <= L /\ Rabs (- c) <= L) by (intros t; split; [apply Hkc | rewrite
     Rabs_Ropp; pose proof (Rabs_pos K); unfold L; lra]). assert (Pi : 0 < / Rabs K) by (apply Rinv_0_lt_compat, Pk);
-      destruct (two_ways L (2 * PI) _ _ _ (/ Rabs K * d) _ _ (tG O) HL
-    ltac:(left; apply Rmult_lt_0_compat; lra) ltac:(lra) Kc Fu ltac:(intros t _; apply product; [rewrite SK; lra | apply
-      Hk]) t1 ltac:(unfold t1; lra))
-    as [U _]. cbv beta in U; rewrite I1, I1', I3, I3' in U; replace (0 - sg / K + sg / K * 1) with 0 in U by ring;
-    replace (0 + sg / K * 0) with 0 in U by ring; rewrite Rabs_R0, !Rplus_0_l in U; fold E in U.
+    destruct (two_ways L (2 * PI) _ _ _ (/ Rabs K * d) _ _ (tG O) HL ltac:(left; apply Rmult_lt_0_compat; lra)
+    ltac:(lra) Kc Fu ltac:(intros t _; apply product; [rewrite SK; lra | apply Hk]) t1 ltac:(unfold t1; lra)) as [U _].
+    cbv beta in U; rewrite I1, I1', I3, I3' in U; replace (0 - sg / K + sg / K * 1) with 0 in U by ring; replace (0 + sg
+    / K * 0) with 0 in U by ring; rewrite Rabs_R0, !Rplus_0_l in U; fold E in U.
   set (x := z3 t1 - sg / K + sg / K * z1 t1) in *; set (y := w3 t1 + sg / K * w1 t1) in *; set (e := E * E * d) in *.
   assert (He0 : 0 < e) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; lra); assert (He1 : e <= E * e) by
     (rewrite <- (Rmult_1_l e) at 1; apply Rmult_le_compat_r; lra).
@@ -266,8 +253,7 @@ Proof.
   assert (Er : (rate - sg / K) * (1 - b1 + b2) = (1 - w2 t1) * x + z2 t1 * y).
   { unfold rate, x, y; assert (S : b2 = z1 t1 * w2 t1 - w1 t1 * z2 t1) by reflexivity; assert (S' : b1 = z1 t1 + w2 t1)
       by reflexivity; clearbody b1 b2; rewrite Rmult_minus_distr_r; unfold Rdiv at 1; rewrite Rmult_assoc, Rinv_l by
-        exact D0;
-      rewrite S, S'; ring. }
+      exact D0; rewrite S, S'; ring. }
   assert (B : Rabs ((1 - w2 t1) * x + z2 t1 * y) <= 2 * (e * / Rabs K)).
   { pose proof (Rabs_pos x); pose proof (Rabs_pos y); assert (W : Rabs (1 - w2 t1) <= 2 * E) by (apply le_abs in M4;
       apply Rabs_le; lra). pose proof (product _ _ _ _ W (Rle_refl (Rabs x))) as X1; pose proof (product _ _ _ _ M3

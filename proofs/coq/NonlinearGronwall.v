@@ -99,17 +99,15 @@ Lemma bound L T z w w' m : 1 <= L -> 0 <= m -> (forall x, 0 <= x <= T -> derivab
   let K := 2 * (1 + L) * exp ((2 * L + 1) * T) in Rabs (z x) + Rabs (w x) <= K * (Rabs (z 0) + Rabs (w 0) + m) /\
   Rabs (z 0) + Rabs (w 0) <= K * (Rabs (z x) + Rabs (w x) + m).
 Proof.
-  intros HL Hm H x Hx K;
-    assert (D : forall s, 0 <= s <= T -> derivable_pt_lim z s (w s) /\ derivable_pt_lim w s (w' s))
-      by (intros s Hs; destruct (H s Hs) as (A & B & _); auto).
+  intros HL Hm H x Hx K; assert (D : forall s, 0 <= s <= T -> derivable_pt_lim z s (w s) /\ derivable_pt_lim w s (w' s))
+    by (intros s Hs; destruct (H s Hs) as (A & B & _); auto).
   assert (B : forall s, 0 <= s <= T -> Rabs (w s) <= L * (Rabs (z s) + Rabs (w s)) + L * m /\ Rabs (w' s) <=
     L * (Rabs (z s) + Rabs (w s)) + L * m).
   { intros s Hs; destruct (H s Hs) as (_ & _ & Q); pose proof (Rabs_pos (z s)); pose proof (Rabs_pos (w s)); split; nra.
     }
   assert (E : forall n, 0 <= n -> 2 * (n + L * m) * exp ((2 * L + 1) * T) <= K * (n + m)).
-  { intros n Hn; unfold K;
-      replace (2 * (1 + L) * exp ((2 * L + 1) * T) * (n + m)) with (2 * ((1 + L) * (n + m)) * exp ((2 * L + 1) * T))
-        by ring. pose proof (exp_pos ((2 * L + 1) * T)); apply Rmult_le_compat_r; [lra | nra]. }
+  { intros n Hn; unfold K; replace (2 * (1 + L) * exp ((2 * L + 1) * T) * (n + m)) with (2 * ((1 + L) * (n + m)) * exp
+      ((2 * L + 1) * T)) by ring. pose proof (exp_pos ((2 * L + 1) * T)); apply Rmult_le_compat_r; [lra | nra]. }
   assert (P : forall s, 0 <= Rabs (z s) + Rabs (w s)) by (intros s; pose proof (Rabs_pos (z s));
     pose proof (Rabs_pos (w s)); lra). split; (eapply Rle_trans; [|apply E, P]);
     [apply (gronwall2 z w w w' L (L * m) T) | apply (gronwall2_back L T z w w w' (L * m))]; trivial; nra.

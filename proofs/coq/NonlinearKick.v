@@ -61,10 +61,9 @@ Lemma kick_y x y mu i : box x mu -> ybox y -> (i < 2)%nat -> kick x y mu i * y =
 Proof.
   intros B Hy Hi; unfold kick; destruct (Req_dec y 0) as [->|N]; [|field; exact N]. rewrite Rmult_0_r; symmetry;
     apply Rminus_diag_eq; destruct (off_spec x 0 mu B Hy) as ([A0 _] & _); pose proof (off_small x 0 mu B Hy) as A.
-  assert (E : tc x 0 mu = low x mu) by (unfold tc; assert (off x 0 mu = 0) by (apply Rle_antisym; [|exact A0];
-    apply Rmult_le_reg_l with g; lra); lra). unfold after;
-    rewrite E, (proj1 (proj2 (low_spec x mu B))), (proj1 (proj2 Hreb)). rewrite <- (proj1 (proj2 (low_spec x mu B)));
-    apply origin_same, Hi.
+  assert (E : tc x 0 mu = low x mu) by (unfold tc; assert (off x 0 mu = 0) by (apply Rle_antisym; [|exact A0]; apply
+    Rmult_le_reg_l with g; lra); lra). unfold after; rewrite E, (proj1 (proj2 (low_spec x mu B))), (proj1 (proj2 Hreb)).
+    rewrite <- (proj1 (proj2 (low_spec x mu B))); apply origin_same, Hi.
 Qed.
 
 Lemma impulse_strict : forall eps, 0 < eps -> exists d, 0 < d <= d0 /\ forall x y mu x' y' mu' t, within 2 d x ->
@@ -94,11 +93,10 @@ Proof.
     pose proof (Lip z s n zero 0 0 d Bz B0 Ys Yz Z1 Z2 Z3) as A; rewrite Tz in A.
     destruct (Sp z s n zero 0 0 d (Wi z Hz)) as (_ & _ & _ & _ & A'); trivial; try lra; try (rewrite Rabs_R0; lra).
     { intros i Hi; unfold zero; rewrite Rabs_R0; lra. }
-    rewrite Tz, Vz, Rmult_0_r, Rplus_0_r, Rminus_0_r in A';
-      assert (C * d <= W * d) by (apply Rmult_le_compat_r; unfold W; lra); split; [lra|]. apply le_abs in A';
-      assert (e1 * d <= 1 * d) by (apply Rmult_le_compat_r; lra);
-      assert (0 <= cg * s <= cg * d) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_l]; lra). apply Rabs_le;
-      assert (0 <= C * d) by (apply Rmult_le_pos; lra); unfold W in Wd; lra. }
+    rewrite Tz, Vz, Rmult_0_r, Rplus_0_r, Rminus_0_r in A'; assert (C * d <= W * d) by (apply Rmult_le_compat_r; unfold
+      W; lra); split; [lra|]. apply le_abs in A'; assert (e1 * d <= 1 * d) by (apply Rmult_le_compat_r; lra); assert (0
+      <= cg * s <= cg * d) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_l]; lra). apply Rabs_le; assert (0 <=
+      C * d) by (apply Rmult_le_pos; lra); unfold W in Wd; lra. }
   destruct (Near x y mu Hx Hy Hm Yy B) as [N1 N2], (Near x' y' mu' Hx' Hy' Hm' Yy' B') as [N3 N4].
   assert (db0 : d <= W * d) by (rewrite <- (Rmult_1_l d) at 1; apply Rmult_le_compat_r; unfold W; lra).
   pose proof (R1 mu (tc x y mu) (V x mu (tc x y mu)) mu' (tc x' y' mu') (V x' mu' (tc x' y' mu')) ltac:(here;
@@ -109,9 +107,8 @@ Proof.
   { replace (v - v') with ((v + cg * y - (v' + cg * y')) - cg * (y - y')) by ring; eapply Rle_trans; [apply apart|];
       rewrite Rabs_mult, (Rabs_pos_eq cg) by lra. assert (e1 * t <= 1 * t) by (apply Rmult_le_compat_r; lra);
       assert (cg * Rabs (y - y') <= cg * t) by (apply Rmult_le_compat_l; lra); lra. }
-  replace (b - v - (b' - v') - (1 + tau) * cg * (y - y'))
-    with ((b - b' + tau * (v - v')) - (1 + tau) * (v + cg * y - (v' + cg * y'))) by ring. eapply Rle_trans;
-    [apply apart|]; rewrite Rabs_mult, (Rabs_pos_eq (1 + tau)) by lra.
+  replace (b - v - (b' - v') - (1 + tau) * cg * (y - y')) with ((b - b' + tau * (v - v')) - (1 + tau) * (v + cg * y -
+    (v' + cg * y'))) by ring. eapply Rle_trans; [apply apart|]; rewrite Rabs_mult, (Rabs_pos_eq (1 + tau)) by lra.
   assert (X1 : (1 + tau) * Rabs (v + cg * y - (v' + cg * y')) <= eps / 2 * t).
   { apply Rle_trans with ((1 + tau) * (eps / (2 * (1 + tau)) * t)); [|right; field; lra]; apply Rmult_le_compat_l;
       [lra|]. apply Rle_trans with (1 := Q), Rmult_le_compat_r; lra. }
@@ -163,10 +160,9 @@ Proof.
     { intros j Hj; unfold zero; rewrite Rabs_R0; lra. }
     assert (I0 : impulse zero 0 0 = 0) by (unfold impulse; rewrite Tz, Vz, (proj1 (proj2 Hreb)); ring);
       rewrite I0, !Rminus_0_r in A'. assert (J : Rabs (impulse z s n) <= (1 + (1 + tau) * cg) * d).
-    { replace (impulse z s n) with ((impulse z s n - (1 + tau) * cg * s) + (1 + tau) * cg * s) by ring;
-        eapply Rle_trans; [apply Rabs_triang|]. assert (e1 * d <= 1 * d) by (apply Rmult_le_compat_r; lra);
-        assert (0 <= (1 + tau) * cg * s <= (1 + tau) * cg * d)
-          by (split; [apply Rmult_le_pos | apply Rmult_le_compat_l]; lra).
+    { replace (impulse z s n) with ((impulse z s n - (1 + tau) * cg * s) + (1 + tau) * cg * s) by ring; eapply
+        Rle_trans; [apply Rabs_triang|]. assert (e1 * d <= 1 * d) by (apply Rmult_le_compat_r; lra); assert (0 <= (1 +
+        tau) * cg * s <= (1 + tau) * cg * d) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_l]; lra).
       rewrite (Rabs_pos_eq ((1 + tau) * cg * s)) by lra; lra. }
     destruct (after_flow z s n) as [G1 G2]; destruct (tc_in z s n Bz Ys) as [Ti _].
     assert (P0 : 0 <= (1 + (1 + tau) * cg) * d) by (apply Rmult_le_pos; lra).
@@ -185,10 +181,9 @@ Proof.
     rewrite I1, I2, I3, I4, I1', I2', I3', I4', G1, G2, G1', G2' in K2; fold (impulse x y mu) (impulse x' y' mu') in K2.
   assert (Ct : 0 <= C * t) by (apply Rmult_le_pos; lra);
     assert (Kt : 0 <= (1 + tau) * cg * t) by (apply Rmult_le_pos; lra). assert (tW : t <= W * t) by (unfold W; lra).
-  assert (D1 : forall u v, u + v - u = v) by (intros; ring);
-    assert (D2 : forall u v w, u + v - (u + w) = v - w) by (intros; ring). rewrite !D1, !D2 in K2;
-    pose proof (Lip x y mu x' y' mu' t Bx Bx' Yy Yy' Hxt Hyt Hmt) as L3. pose proof (Hxt 0%nat ltac:(lia)) as X0;
-    pose proof (Hxt 1%nat ltac:(lia)) as X1; unfold minus in X0, X1.
+  assert (D1 : forall u v, u + v - u = v) by (intros; ring); assert (D2 : forall u v w, u + v - (u + w) = v - w) by
+    (intros; ring). rewrite !D1, !D2 in K2; pose proof (Lip x y mu x' y' mu' t Bx Bx' Yy Yy' Hxt Hyt Hmt) as L3. pose
+    proof (Hxt 0%nat ltac:(lia)) as X0; pose proof (Hxt 1%nat ltac:(lia)) as X1; unfold minus in X0, X1.
   assert (Ji : Rabs (impulse x y mu - impulse x' y' mu') <= W * t).
   { replace (impulse x y mu - impulse x' y' mu')
       with ((impulse x y mu - impulse x' y' mu' - (1 + tau) * cg * (y - y')) + (1 + tau) * cg * (y - y')) by ring.
@@ -208,12 +203,10 @@ Proof.
       [apply Rmult_le_compat_r; [lra|]; apply Rmult_le_compat_r; lra | right; field; lra]. }
   pose proof (Rabs_pos (zb 0)); pose proof (Rabs_pos (wb 0)). destruct i as [|[|i]]; [| |lia]; unfold B.
   - pose proof (Fin (zb 0) ltac:(here; unfold Bb; lra)).
-    match type of K2 with Rabs ?u + Rabs ?w <= _ => pose proof (Rabs_pos w);
-      match goal with |- Rabs ?e <= _ => replace e with (u + (J - k) * zb 0) by (unfold k; ring) end end;
-      eapply Rle_trans; [apply Rabs_triang | lra].
+    match type of K2 with Rabs ?u + Rabs ?w <= _ => pose proof (Rabs_pos w); match goal with |- Rabs ?e <= _ => replace
+      e with (u + (J - k) * zb 0) by (unfold k; ring) end end; eapply Rle_trans; [apply Rabs_triang | lra].
   - pose proof (Fin (wb 0) ltac:(here; unfold Bb; lra)).
-    match type of K2 with Rabs ?u + Rabs ?w <= _ => pose proof (Rabs_pos u);
-      match goal with |- Rabs ?e <= _ => replace e with (w + (J - k) * wb 0) by (unfold k; ring) end end;
-      eapply Rle_trans; [apply Rabs_triang | lra].
+    match type of K2 with Rabs ?u + Rabs ?w <= _ => pose proof (Rabs_pos u); match goal with |- Rabs ?e <= _ => replace
+      e with (w + (J - k) * wb 0) by (unfold k; ring) end end; eapply Rle_trans; [apply Rabs_triang | lra].
 Qed.
 End Kick.

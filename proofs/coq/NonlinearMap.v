@@ -90,20 +90,6 @@ Proof.
     match goal with |- Rabs ?u <= _ => replace u with (Y x mu (low x mu) - Y x' mu' (low x' mu') - zz tG)
       by (unfold zz, dz; ring) end; apply Rabs_le; lra.
 Qed.
-Lemma period_strict : y0 T = y0 0 -> v0 T = v0 0 -> forall i, (i < 2)%nat ->
-  strict 2 (fun x mu => period_map x mu i) (dot 2 (match i with O => pair (p1 T) (p2 T) | _ => pair (q1 T) (q2 T) end))
-  (pair (p3 T) (q3 T) i).
-Proof.
-  intros Ey Ev i Hi; split.
-  { unfold period_map; rewrite (proj1 (at_rest T)), (proj2 (at_rest T)); destruct i; lra. }
-  intros e He; destruct (differences e He) as (d & Hd1 & H); exists d; split; [lra|];
-      intros x x' mu mu' t Hx Hx' Hm Hm' Ht Htm. destruct (H x x' mu mu' t Hx Hx' Hm Hm' Ht Htm) as (_ & D);
-      destruct (D T ltac:(here; lra)) as [D1 D2]. destruct i as [|[|i]]; [| |lia]; cbn; unfold minus.
-  - match goal with |- Rabs ?g <= _ => match type of D1 with Rabs ?u <= _ => replace g with u by (unfold period_map, dz,
-        dw; ring) end end; exact D1.
-  - match goal with |- Rabs ?g <= _ => match type of D2 with Rabs ?u <= _ => replace g with u by (unfold period_map, dz,
-        dw; ring) end end; exact D2.
-Qed.
 Lemma lin_comb m z w s : lin m z w -> 0 <= s <= T -> z s = z 0 * p1 s + w 0 * p2 s + m * p3 s /\
   w s = z 0 * q1 s + w 0 * q2 s + m * q3 s.
 Proof.
@@ -115,10 +101,9 @@ Proof.
     - apply D_minus; [exact A | apply D_plus; [apply D_plus|]; apply D_scale; assumption].
     - eapply D_value; [apply D_minus; [exact A' | apply D_plus; [apply D_plus|]; apply D_scale; eassumption] | ring]. }
   pose proof (S.linear_bound T L kk cc ll HL Hbound 0 u v Hu s Hs) as Q.
-  assert (U0 : u 0 = 0) by (unfold u; rewrite I1, I2, I3; ring);
-    assert (V0 : v 0 = 0) by (unfold v; rewrite J1, J2, J3; ring). rewrite U0, V0, Rabs_R0 in Q;
-    pose proof (Rabs_pos (u s)); pose proof (Rabs_pos (v s)). split; apply Rminus_diag_uniq, Rabs_zero;
-    [change (Rabs (u s) <= 0) | change (Rabs (v s) <= 0)]; lra.
+  assert (U0 : u 0 = 0) by (unfold u; rewrite I1, I2, I3; ring); assert (V0 : v 0 = 0) by (unfold v; rewrite J1, J2, J3;
+    ring). rewrite U0, V0, Rabs_R0 in Q; pose proof (Rabs_pos (u s)); pose proof (Rabs_pos (v s)). split; apply
+    Rminus_diag_uniq, Rabs_zero; [change (Rabs (u s) <= 0) | change (Rabs (v s) <= 0)]; lra.
 Qed.
 (** (11) to (14): trace and determinant do not depend on the section. *)
 Lemma similar P11 P12 P21 P22 A11 A12 A21 A22 B11 B12 B21 B22 : P11 * P22 - P12 * P21 <> 0 ->
@@ -181,9 +166,8 @@ Theorem map_planar A11 A21 A22 gamma z w : (forall z w, lin 0 z w -> exists z' w
   carried 1 z w z w -> z tG <> 0 ->
   planar map (A11 + A22) (A11 * A22 - gamma * A21) ((1 + tau) * cg * gamma) (z tG) (pair (z 0) (w 0)).
 Proof.
-  intros HA Hgam Hz (_ & Ez & Ew) Hr; assert (TG : 0 <= tG <= T) by lra; pose proof cg_pos as Hc;
-    assert (Ht0 := proj1 Hreb). pose proof Hfund as ((F1 & I1 & J1) & (F2 & I2 & J2) & _);
-    destruct Hzb as (Zb & Zb1 & Zb2).
+  intros HA Hgam Hz (_ & Ez & Ew) Hr; assert (TG : 0 <= tG <= T) by lra; pose proof cg_pos as Hc; assert (Ht0 := proj1
+    Hreb). pose proof Hfund as ((F1 & I1 & J1) & (F2 & I2 & J2) & _); destruct Hzb as (Zb & Zb1 & Zb2).
   assert (Sh : forall z w, lin 0 z w -> let x := FA 0%nat 0%nat * z 0 + FA 0%nat 1%nat * w 0 in
     let y := FA 1%nat 0%nat * z 0 + FA 1%nat 1%nat * w 0 in
     x * p1 tG + y * p2 tG = A11 * z tG + gamma * w tG /\ x * q1 tG + y * q2 tG = A21 * z tG + A22 * w tG).
@@ -197,9 +181,8 @@ Proof.
   - reflexivity.
   - exact Tr.
   - exact Dt.
-  - unfold B;
-      replace (0 + p1 tG * ((1 + tau) * cg * zb 0) + p2 tG * ((1 + tau) * cg * wb 0))
-        with ((1 + tau) * cg * (zb 0 * p1 tG + wb 0 * p2 tG + 0 * p3 tG)) by ring. rewrite <- C1, Zb1; ring.
+  - unfold B; replace (0 + p1 tG * ((1 + tau) * cg * zb 0) + p2 tG * ((1 + tau) * cg * wb 0)) with ((1 + tau) * cg * (zb
+      0 * p1 tG + wb 0 * p2 tG + 0 * p3 tG)) by ring. rewrite <- C1, Zb1; ring.
   - split; [|apply Rmult_integral_contrapositive; split; [apply Rgt_not_eq, Rmult_lt_0_compat; lra | exact Hgam]].
     unfold mult; cbn; unfold B; rewrite Zb1, Zb2 in S5; cbv zeta in S5.
     replace gamma with ((FA 0%nat 0%nat * zb 0 + FA 0%nat 1%nat * wb 0) * p1 tG + (FA 1%nat 0%nat * zb 0 + FA 1%nat

@@ -29,9 +29,8 @@ Proof.
 Qed.
 Lemma prim_spec f : (forall t, continuity_pt f t) -> prim f 0 = 0 /\ forall t, derivable_pt_lim (prim f) t (f t).
 Proof.
-  intros C;
-    assert (Is : forall b H, (forall u, Rabs u <= b + 1 -> derivable_pt_lim H u (f u)) -> H 0 = 0 -> forall t, Rabs t <=
-      b -> prim f t = H t).
+  intros C; assert (Is : forall b H, (forall u, Rabs u <= b + 1 -> derivable_pt_lim H u (f u)) -> H 0 = 0 -> forall t,
+    Rabs t <= b -> prim f t = H t).
   { intros b H D Z t Ht; apply the_spec.
     - exists H; split; [|auto]; intros u Hu; apply D; lra.
     - intros r (H' & D' & Z' & ->); apply (same_primitive f H' H (Rabs t)); try lra; intros u Hu; [apply D' | apply D];
@@ -147,19 +146,17 @@ Proof.
     assert (HC : 0 <= C) by (apply Rmult_le_pos; lra).
   assert (Pn : forall m, 0 <= C * (/ 2) ^ m) by (intros m; apply Rmult_le_pos; [exact HC | apply pow_le; lra]).
   assert (Far : forall m n, Rabs (it (n + m) i t - it n i t) <= 2 * (C * (/ 2) ^ n) - 2 * (C * (/ 2) ^ (n + m))).
-  { induction m as [|m IH]; intros q; [rewrite Nat.add_0_r, !Rminus_eq_0, Rabs_R0; lra|]; specialize (IH q);
-      pose proof (steps (q + m) i t) as S1. replace (q + S m)%nat with (S (q + m)) by lia;
-      replace (A * (/ 2) ^ (q + m) * W t) with (C * (/ 2) ^ (q + m)) in S1 by (unfold C; ring). cbn [pow];
-      apply le_abs in IH, S1; apply Rabs_le; lra. }
+  { induction m as [|m IH]; intros q; [rewrite Nat.add_0_r, !Rminus_eq_0, Rabs_R0; lra|]; specialize (IH q); pose proof
+      (steps (q + m) i t) as S1. replace (q + S m)%nat with (S (q + m)) by lia; replace (A * (/ 2) ^ (q + m) * W t) with
+      (C * (/ 2) ^ (q + m)) in S1 by (unfold C; ring). cbn [pow]; apply le_abs in IH, S1; apply Rabs_le; lra. }
   assert (Cc : Cauchy_crit (fun m => it m i t)).
   { intros e He; destruct (powers_small (/ 2) (4 * C) e ltac:(lra) He) as [m Hm]; exists m; intros u v Hu Hv;
       unfold R_dist. pose proof (Far (u - m)%nat m) as X; pose proof (Far (v - m)%nat m) as Y;
       replace (m + (u - m))%nat with u in X by lia; replace (m + (v - m))%nat with v in Y by lia. pose proof (Pn u);
       pose proof (Pn v); apply le_abs in X, Y; apply Rabs_def1; lra. }
-  destruct (R_complete _ Cc) as [l Hl]; unfold lim;
-    rewrite (the_spec _ l Hl) by (intros z Hz; apply (UL_sequence _ _ _ Hz Hl)). apply le_epsilon; intros e He;
-    destruct (Hl e He) as [j Hj]; specialize (Hj (n + j)%nat ltac:(lia)); unfold R_dist in Hj;
-    pose proof (Far j n) as X; pose proof (Pn (n + j)%nat).
+  destruct (R_complete _ Cc) as [l Hl]; unfold lim; rewrite (the_spec _ l Hl) by (intros z Hz; apply (UL_sequence _ _ _
+    Hz Hl)). apply le_epsilon; intros e He; destruct (Hl e He) as [j Hj]; specialize (Hj (n + j)%nat ltac:(lia)); unfold
+    R_dist in Hj; pose proof (Far j n) as X; pose proof (Pn (n + j)%nat).
   replace (2 * A * (/ 2) ^ n * W t) with (2 * (C * (/ 2) ^ n)) by (unfold C; ring); apply le_abs in X;
     apply Rabs_def2 in Hj; apply Rabs_le; lra.
 Qed.
@@ -167,9 +164,8 @@ Lemma lim_continuous i t : continuity_pt (lim i) t.
 Proof.
   intros e He; pose proof A_pos as HA; set (B := 2 * exp (K * (Rabs t + 1))); assert (HK : 0 <= K) by (unfold K; lra).
   assert (Wb : forall u, Rabs (u - t) <= 1 -> W u <= B).
-  { intros u Hu;
-      assert (Ru : Rabs u <= Rabs t + 1) by (replace u with (t + (u - t)) by ring; eapply Rle_trans;
-        [apply Rabs_triang | lra]); apply le_abs in Ru.
+  { intros u Hu; assert (Ru : Rabs u <= Rabs t + 1) by (replace u with (t + (u - t)) by ring; eapply Rle_trans; [apply
+      Rabs_triang | lra]); apply le_abs in Ru.
     assert (M : forall q, q <= K * (Rabs t + 1) -> exp q <= exp (K * (Rabs t + 1))) by (intros q [Q| ->];
       [left; apply exp_increasing, Q | lra]). assert (K * u <= K * (Rabs t + 1)) by (apply Rmult_le_compat_l; lra);
       assert (K * - u <= K * (Rabs t + 1)) by (apply Rmult_le_compat_l; lra). pose proof (M (K * u) ltac:(lra));

@@ -200,8 +200,7 @@ Proof.
       a1 _ _ _ _ _ _ _ _ _ _ _ _ X1 X2 X3)) as [Q1 Q2]; cbv beta in Q1, Q2.
     destruct i as [|[|i]]; [| |lia]; cbn; unfold minus; fold a0 a1; [match goal with |- Rabs ?g <= _ => match type of Q1
       with Rabs ?u <= _ => replace g with u by ring end end; exact Q1 | match goal with |- Rabs ?g <= _ => match type of
-          Q2
-      with Rabs ?u <= _ => replace g with u by ring end end; exact Q2].
+      Q2 with Rabs ?u <= _ => replace g with u by ring end end; exact Q2].
   - intros m z w z' w' Z Z' Jz; destruct (E m (z 0) (w 0)) as [E1 E2].
     destruct (Jone m z w _ _ z' w' _ _ Z (lin_three kk cc ll m p1 q1 p2 q2 p3 q3 (z 0) (w 0) F1 F2 F3) (eq_sym E1)
       (eq_sym E2) Jz (Jthree m (z 0) (w 0) _ _ _ _ _ _ _ _ _ _ _ _ X1 X2 X3) Z' (lin_three kk' cc' ll' m z1 w1 z2 w2 z3

@@ -123,8 +123,6 @@ Proof.
       [_ E]; rewrite E in Hx; lra|]. destruct (Hcuts m ltac:(lia)) as [I|C]; [rewrite <- (next_stop _ I); apply view_is; pose
       proof (G1 (on i m + 1)%Z); lra|]. rewrite on_S in C; exfalso; apply Ne, Hl; lra.
 Qed.
-Lemma view_last : view (t j) = stop P (on j 0). Proof. apply view_is; pose proof (first_in j ltac:(auto)); destruct Hg; lra.
-  Qed.
 End Frame.
 Lemma view_near d g N t l : gap g -> d <= g -> Rabs (t l - (tG P + T P * IZR (N l))) <= d -> view (t l) = stop P (on P N l
   0).

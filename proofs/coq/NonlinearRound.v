@@ -66,8 +66,7 @@ Proof.
   - exists (fun i j => if Nat.eq_dec i j then 1 else 0), zero; split.
     + intros i Hi; split; [reflexivity|]; intros eps Hp; exists 1; split; [lra|]; intros x x' mu mu' t _ _ _ _ _ Hm;
         assert (0 <= t) by (pose proof (Rabs_pos (mu - mu')); lra). destruct i as [|[|i]]; [| |lia]; cbn; unfold minus,
-            zero;
-        match goal with |- Rabs ?u <= _ => replace u with 0 by ring end; rewrite Rabs_R0; apply Rmult_le_pos; lra.
+        zero; match goal with |- Rabs ?u <= _ => replace u with 0 by ring end; rewrite Rabs_R0; apply Rmult_le_pos; lra.
     + intros h z w _ i Hi; destruct i as [|[|i]]; [| |lia]; cbn; unfold applied, zero; cbn; ring.
   - destruct (go_matrix n) as (A2 & phi2 & S2 & H2); exists (times A2 A1), (applied A2 phi2 phi1 1); split; [exact
       (smooth_compose (st n) A1 phi1 (go n) A2 phi2 S1 S2)|].
@@ -89,8 +88,7 @@ Proof.
     set (up := fun (u : nat -> R -> R) u2 j => if Nat.eq_dec j (S n) then u2 else u j).
     assert (U1 : forall u u2 j, (j <= n)%nat -> up u u2 j = u j) by (intros u u2 j Hj; unfold up; destruct Nat.eq_dec;
       [lia | reflexivity]). assert (U2 : forall u u2, up u u2 (S n) = u2) by (intros u u2; unfold up; destruct
-          Nat.eq_dec;
-      [reflexivity | lia]).
+      Nat.eq_dec; [reflexivity | lia]).
     exists (up z1 z2), (up w1 w2); rewrite !(U1 _ _ 0%nat) by lia; split; [|auto]; split; intros j Hj.
     + destruct (Nat.eq_dec j (S n)) as [->|N]; [rewrite !U2; exact Z2 | rewrite !U1 by lia; apply C1; lia].
     + destruct (Nat.eq_dec j n) as [->|N]; [rewrite !U2, !U1 by lia; exact J | rewrite !U1 by lia; apply C2; lia].
@@ -125,8 +123,7 @@ Proof.
     D2 & H2).
   { intros m d d' H Hd s x mu Hs Sx; specialize (H s x mu ltac:(lra) Sx); intros i Hi; specialize (H i Hi); assert (0 <=
       s) by (destruct Sx as [_ Q]; pose proof (Rabs_pos mu); lra). assert (/ d * s <= / d' * s) by (apply
-          Rmult_le_compat_r;
-      [lra | apply Rinv_le_contravar; lra]); lra. }
+      Rmult_le_compat_r; [lra | apply Rinv_le_contravar; lra]); lra. }
   { intros m _; destruct (st_matrix m) as (B & psi & HB & _), (smooth_lip _ _ _ HB) as (d & C & Hd & HC' & L0).
     destruct (two_least d (/ C) Hd ltac:(apply Rinv_0_lt_compat; lra)) as (q & Hq & Q1 & Q2); exists q; split; [exact
         Hq|].
@@ -135,13 +132,11 @@ Proof.
       Rinv_le_contravar; lra).
     pose proof (L0 x zero mu 0 s ltac:(intros i Hi; specialize (Sx i Hi); lra) ltac:(intros i _; unfold zero; rewrite
       Rabs_R0; lra) ltac:(lra) ltac:(rewrite Rabs_R0; lra) ltac:(intros i Hi; unfold minus, zero; rewrite Rminus_0_r;
-          apply
-      Sx, Hi) ltac:(rewrite Rminus_0_r; exact Sm)) as Q. intros i Hi; specialize (Q i Hi); unfold minus in Q; pose proof
-      (proj1 (HB i Hi)) as E; cbv beta in E; rewrite E, Rminus_0_r in Q; lra. }
+      apply Sx, Hi) ltac:(rewrite Rminus_0_r; exact Sm)) as Q. intros i Hi; specialize (Q i Hi); unfold minus in Q; pose
+      proof (proj1 (HB i Hi)) as E; cbv beta in E; rewrite E, Rminus_0_r in Q; lra. }
   destruct (two_least d0 d2 Hd0 D2) as (rf & Hrf & L1 & L2); exists rf, (C0 + / d1 + / d2), A, phi; pose proof
     (Rinv_0_lt_compat d1 D1); pose proof (Rinv_0_lt_compat d2 D2); split; [exact Hrf | split; [|split; [exact HS |
-        split;
-    [exact HC | split]]]].
+    split; [exact HC | split]]]].
   - intros m; split; [apply M_large|]; apply Rle_trans with (/ d1); [|lra]; revert m; apply (repeated (fun m => @M (F m)
       <= / d1)); [intros m; rewrite (proj1 (HF m)); auto | exact H1].
   - intros x x' mu mu' t [Sx Sm] [Sx' Sm'] Ht Htm; assert (0 <= t) by (pose proof (Rabs_pos (mu - mu')); lra).
@@ -359,8 +354,7 @@ Lemma X_small m x : within 2 dd x -> (m <= k * n_max)%nat -> small E (X x mu m) 
 Proof.
   intros Hx Hm; set (q := (m / k)%nat); set (j := (m mod k)%nat); assert (Em : m = (k * q + j)%nat) by (apply
     Nat.div_mod; lia). assert (Hj : (j < k)%nat) by (apply Nat.mod_upper_bound; lia). assert (Hq : (q <= n_max)%nat) by
-        (apply
-    Nat.div_le_upper_bound; lia).
+    (apply Nat.div_le_upper_bound; lia).
   rewrite Em; unfold X; rewrite st_split; pose proof (X_touch q x Hx Hq) as Q; unfold X in Q; rewrite Q.
   destruct (fl_small q x Hx Hq) as [B1 B2]; pose proof dd_far; split; [|lra]. apply Hsize; [lia | apply HG|].
   split; [|exact B2]; intros i Hi; destruct i as [|[|i]]; [apply B1; lia | apply B1; lia | lia].
@@ -389,8 +383,7 @@ Proof.
     proof dd_far.
   assert (@M (F m) * E <= Kf * E) by (apply Rmult_le_compat_r; [|apply HKf]; lra); destruct HG as (_ & _ & _ & G4 & _).
   pose proof (Rabs_pos (ends m - e m)); apply Rmult_le_reg_l with wmin; [exact W0|]. apply Rle_trans with (- @v0 (F m)
-      (e m)
-    * Rabs (ends m - e m)); [apply Rmult_le_compat_r; lra|]. lra.
+      (e m) * Rabs (ends m - e m)); [apply Rmult_le_compat_r; lra|]. lra.
 Qed.
 Lemma until_is m : (m <= k * n_max)%nat -> until x mu m = ends m.
 Proof.
@@ -457,8 +450,7 @@ Proof.
     P3); destruct Hr1 as (_ & R1 & _); destruct HG as (_ & _ & _ & _ & _ & G6); destruct S6 as [_ S6'].
   destruct (hits x yy (i - 1)%Z i F0 ltac:(lia)) as (_ & Cw & _ & _ & Vz & E1 & E2 & Cd), (hits x yy i (i + 1)%Z F1
     eq_refl) as (Bz' & Cw' & _ & Ez' & Vz' & _ & _ & Cd'); pose proof (le_abs _ _ Cd) as C1; pose proof (le_abs _ _ Cd')
-        as
-    C2.
+    as C2.
   assert (Hal : (0 < m)%nat -> Rabs (al m - rho) <= D).
   { intros M0; destruct m as [|m]; [lia|]; cbn [al]. replace (ends m - e m + rho - rho) with
       (ends m - e m) by ring; apply ends_near; [exact Hx | lia]. }
@@ -506,13 +498,11 @@ Qed.
 Lemma orbit_arc m : (m <= K)%nat -> arc_is mu D m (al m) (om m) (@Y (F m) (X m) mu) (@V (F m) (X m) mu).
 Proof.
   intros Hm; pose proof (last_max i) as LM; assert (Hm' : (m <= k * n_max)%nat) by lia; destruct Hsep as (P1 & P2 & P3);
-    destruct Hr1 as (_ & R1 & _), (He m) as (H0 & H1 & H2); destruct HG as (_ & _ & G3 & _ & _ & G6); destruct S6 as
-        [_
+    destruct Hr1 as (_ & R1 & _), (He m) as (H0 & H1 & H2); destruct HG as (_ & _ & G3 & _ & _ & G6); destruct S6 as [_
     S6'].
   destruct (hits x yy (i - 1)%Z i F0 ltac:(lia)) as (_ & Cw & _ & _ & Vz & E1 & E2 & Cd), (hits x yy i (i + 1)%Z F1
     eq_refl) as (Bz' & Cw' & _ & Ez' & Vz' & _ & _ & Cd'); pose proof (le_abs _ _ Cd) as C1; pose proof (le_abs _ _ Cd')
-        as
-    C2.
+    as C2.
   destruct (F_periods (n i) 0) as [_ Ee]; rewrite Nat.add_0_r in Ee. pose proof (Hn i) as Hni.
   assert (Lo : rho - rho1 <= al m <= if Nat.eq_dec m 0 then tG + r0 else rho + rho1).
   { destruct m as [|m]; cbn [al]; [destruct Nat.eq_dec; [lra | lia]|]. pose proof (ends_near (x i) Hx m ltac:(lia)) as Q;
@@ -538,10 +528,8 @@ Qed.
 Lemma orbit_run : run mu D N (at_ mu n x yy P sg N) (Pl mu n N x) (Vl mu n N x) i (i + 1) al om (fun m => @Y (F m) (X m)
   mu) (fun m => @V (F m) (X m) mu).
 Proof.
-  pose proof (last_max i) as LM; pose proof (Hn i) as Hni;
-    destruct (hits x yy (i - 1)%Z i F0 ltac:(lia)) as (_ & _ & _ & _ & _ & _ & _ & Cd), (hits x yy i (i + 1)%Z F1
-        eq_refl)
-    as (_ & _ & _ & _ & Vz' & _ & E2' & Cd').
+  pose proof (last_max i) as LM; pose proof (Hn i) as Hni; destruct (hits x yy (i - 1)%Z i F0 ltac:(lia)) as (_ & _ & _
+    & _ & _ & _ & _ & Cd), (hits x yy i (i + 1)%Z F1 eq_refl) as (_ & _ & _ & _ & Vz' & _ & E2' & Cd').
   assert (Place : forall m s, (m <= K)%nat -> al m <= s <= om m -> (s = om m -> m = K) -> at_arc n N mu x i (off N i m +
     s) m).
   { intros m s Hm Hs Hl; split; [exact Hm | split].
@@ -603,12 +591,10 @@ Proof.
     fold (x i) in E1, E2. pose proof (proj1 Hwin) as Hr0; destruct S6 as [_ S6']; destruct Hr as [Hr1' Hr2].
   pose proof (nearby_back (x i) zero mu 0 r (al 0%nat)) as NB; rewrite E1, E2, (proj1 (at_rest _)), (proj2 (at_rest _)),
     Rminus_0_r, B2 in NB. specialize (NB N1 N2 Hm). apply le_abs in B5; destruct Hsep as (P1 & P2 & _); destruct (He
-        0%nat)
-    as (H0 & H1 & H2), Hr1 as (_ & R9 & _).
+    0%nat) as (H0 & H1 & H2), Hr1 as (_ & R9 & _).
   assert (I : 0 <= al 0%nat <= @T first) by (unfold first; lra); specialize (NB I); intros j Hj; specialize (NB j Hj);
     unfold minus, zero in NB; rewrite Rminus_0_r in NB. assert (@M first * r <= Kf * r) by (apply Rmult_le_compat_r;
-        [pose proof
-    (Rabs_pos mu); lra | apply HKf]); lra.
+    [pose proof (Rabs_pos mu); lra | apply HKf]); lra.
 Qed.
 Lemma same_arcs : follows x i al om p q.
 Proof.
@@ -651,13 +637,11 @@ Proof.
     exact (same_arcs i al om p q HR)]]. }
   intros i; pose proof (last_max i) as LM; pose proof (Hn i) as Hni; destruct (HM i) as (al & om & p & q & HR), (HM (i +
     1)%Z) as (al' & om' & p' & q' & HR'); destruct (same_arcs i al om p q HR) as [Sa Se]; destruct (begins (i + 1)%Z al'
-        om' p' q'
-    HR') as (B1 & B2 & _ & _ & B5); pose proof HR as [R1 R2 R3 R4 R5 RE _ R6 R7 R8]; rewrite last_is in *.
-  set (K := (k * n i)%nat) in *; pose proof (RE K (le_n _)) as Z; destruct (Nat.eq_dec K K) as [_|]; [|lia]; destruct Z as
-    [Z1 Z2], (R5 K (le_n _)) as (O & _); destruct (Sa K (om K) (le_n _)
-    ltac:(lra)) as [E1 E2]. destruct (arc_touch (x i) (Hx i) (n i) (om K) ltac:(lia)) as (T1 & T2 & _); fold K in T1,
-        T2;
-    rewrite T1 in E1; rewrite T2 in E2. fold (z i) in E1, E2.
+    om' p' q' HR') as (B1 & B2 & _ & _ & B5); pose proof HR as [R1 R2 R3 R4 R5 RE _ R6 R7 R8]; rewrite last_is in *.
+  set (K := (k * n i)%nat) in *; pose proof (RE K (le_n _)) as Z; destruct (Nat.eq_dec K K) as [_|]; [|lia]; destruct Z
+    as [Z1 Z2], (R5 K (le_n _)) as (O & _); destruct (Sa K (om K) (le_n _) ltac:(lra)) as [E1 E2]. destruct (arc_touch
+    (x i) (Hx i) (n i) (om K) ltac:(lia)) as (T1 & T2 & _); fold K in T1, T2; rewrite T1 in E1; rewrite T2 in E2. fold
+    (z i) in E1, E2.
   assert (Ek : om K = al' 0%nat) by (rewrite B1, R2; reflexivity); rewrite <- Ek in B5.
   destruct (crossing_is n_max dd mu Hmu S0 S1 S2 S4 (x i) (n i) (om K) (Hx i) ltac:(lia) ltac:(lra)) as (C1 & C2 & C3).
   { change (Y (z i) mu (om K) = 0); rewrite <- E1; exact Z1. } { change (V (z i) mu (om K) < 0); rewrite <- E2; exact
@@ -689,8 +673,7 @@ Proof.
     !Ex by lia; reflexivity). assert (Et' : forall i, t' (i + 1)%Z = t (i + 1)%Z).
   { intros i; pose proof (Hn i) as Hni; destruct (Tr i) as (r & al & om & p & q & _ & HR & Sa & _), (Tr' i) as (r' & al'
       & om' & p' & q' & _ & HR' & Sa' & _), (Tr (i + 1)%Z) as (r1' & al1 & om1 & p1 & q1 & Hr1' & HR1 & _), (Tr' (i +
-          1)%Z) as (r2
-      & al2 & om2 & p2 & q2 & Hr2 & HR2 & _).
+      1)%Z) as (r2 & al2 & om2 & p2 & q2 & Hr2 & HR2 & _).
     pose proof (run_near _ _ _ _ _ _ _ _ _ _ _ _ HR1) as [N1 _]; pose proof (run_near _ _ _ _ _ _ _ _ _ _ _ _ HR2) as
       [N2 _]; rewrite (run_from _ _ _ _ _ _ _ _ _ _ _ _ HR1) in N1; rewrite (run_from _ _ _ _ _ _ _ _ _ _ _ _ HR2) in
           N2.
@@ -701,17 +684,15 @@ Proof.
     rewrite (proj1 (Sa K (om K) (le_n _) ltac:(lra))) in Z1; rewrite (proj2 (Sa K (om K) (le_n _) ltac:(lra))) in Z2.
     rewrite (proj1 (Sa' K (om' K) (le_n _) ltac:(lra))), Xe in Z1'; rewrite (proj2 (Sa' K (om' K) (le_n _) ltac:(lra))),
       Xe in Z2'. pose proof (Ox _ _ _ _ _ _ (Hf i)) as Hx; destruct (arc_touch (x i) Hx (n i) (om K) ltac:(lia)) as (T1
-          & T2 & _),
-      (arc_touch (x i) Hx (n i) (om' K) ltac:(lia)) as (T3 & T4 & _); fold K in T1, T2, T3, T4.
+      & T2 & _), (arc_touch (x i) Hx (n i) (om' K) ltac:(lia)) as (T3 & T4 & _); fold K in T1, T2, T3, T4.
     rewrite T1 in Z1; rewrite T2 in Z2; rewrite T3 in Z1'; rewrite T4 in Z2'.
     destruct (fl_near n_max dd mu Hmu S0 S1 S4 (n i) (x i) Hx ltac:(lia)) as (Bz & _).
     assert (W : Rabs (om K - tG) <= r0 /\ Rabs (om' K - tG) <= r0) by (rewrite R2, R2'; lra).
     pose proof (one_crossing _ _ _ _ Bz (proj1 W) (proj2 W) Z1 Z1' Z2 Z2') as Q; rewrite R2, R2' in Q; lra. }
   assert (Et : forall i, t' i = t i) by (intros i; replace i with (i - 1 + 1)%Z by lia; apply Et').
   intros i; split; [apply Et|]; intros u Hu; destruct (Tr i) as (r & al & om & p & q & _ & HR & Sa & Se), (Tr' i) as (r'
-    & al' & om' & p' & q' & _ & HR' & Sa' & Se'). destruct HR as [R1 R2 R3 _ R5 _ _ _ R7 _], HR' as [R1' R2' R3' _ R5' _ _
-        _ R7' _];
-    rewrite last_is in *; set (K := (k * n i)%nat) in *. rewrite Et in R1', R2'.
+    & al' & om' & p' & q' & _ & HR' & Sa' & Se'). destruct HR as [R1 R2 R3 _ R5 _ _ _ R7 _], HR' as [R1' R2' R3' _ R5' _
+    _ _ R7' _]; rewrite last_is in *; set (K := (k * n i)%nat) in *. rewrite Et in R1', R2'.
   assert (Om : forall m, (m <= K)%nat -> om' m = om m).
   { intros m Hm; destruct (Nat.eq_dec m K) as [->|Ne]; [rewrite R2, R2'; reflexivity|]. rewrite Se, Se' by (unfold K in
       *; lia); unfold ends; rewrite Xe; reflexivity. }
@@ -722,10 +703,9 @@ Proof.
       <- INR_IZR_INZ in *; rewrite Rmult_plus_distr_l; lra. }
   assert (Eu : u = off N i m + (u - off N i m)) by ring. destruct (R7 m (u - off N i m) Hm Hs Hl) as [Q1 Q2]; rewrite <-
     Eu in Q1, Q2. destruct (R7' m (u - off N i m) Hm ltac:(rewrite Om, Al by exact Hm; exact Hs) ltac:(rewrite Om by
-        exact Hm;
-    exact Hl)) as [Q3 Q4]; rewrite <- Eu in Q3, Q4. rewrite Q1, Q2, Q3, Q4; destruct (Sa m (u - off N i m) Hm Hs) as [->
-        ->];
-    destruct (Sa' m (u - off N i m) Hm ltac:(rewrite Om, Al by exact Hm; exact Hs)) as [-> ->]; rewrite Xe; auto.
+    exact Hm; exact Hl)) as [Q3 Q4]; rewrite <- Eu in Q3, Q4. rewrite Q1, Q2, Q3, Q4; destruct (Sa m (u - off N i m) Hm
+    Hs) as [-> ->]; destruct (Sa' m (u - off N i m) Hm ltac:(rewrite Om, Al by exact Hm; exact Hs)) as [-> ->]; rewrite
+    Xe; auto.
 Qed.
 End Sized.
 
@@ -735,9 +715,8 @@ Hypothesis Hio : @NonlinearKick.kk _ _ Io = kk 0%nat /\ @NonlinearKick.cc _ _ Io
 Lemma good_exists n_max D : 0 < D <= rho1 -> exists dd, 0 < dd /\ Good n_max dd D /\ forall dd', 0 < dd' <= dd -> Good
   n_max dd' D.
 Proof.
-  intros HD; pose proof (HKf 0%nat) as HK1; destruct Hr1 as (Hr & _); assert (K1 : 1 <= Kf) by lra; assert (F1 :
-    1 <= far n_max) by (unfold far; change K with Kf; pose proof (pow_R1_Rle Kf n_max K1); rewrite <- (Rmult_1_l 1);
-        apply
+  intros HD; pose proof (HKf 0%nat) as HK1; destruct Hr1 as (Hr & _); assert (K1 : 1 <= Kf) by lra; assert (F1 : 1 <=
+    far n_max) by (unfold far; change K with Kf; pose proof (pow_R1_Rle Kf n_max K1); rewrite <- (Rmult_1_l 1); apply
     Rmult_le_compat; lra).
   assert (PwD : 0 < wmin * D) by (apply Rmult_lt_0_compat; lra).
   destruct (two_least rf r1 Hrf Hr) as (b1 & B1 & L1 & L2), (two_least b1 D B1 (proj1 HD)) as (b2 & B2 & L3 & L4),
@@ -752,8 +731,7 @@ Proof.
         [apply Rmult_le_compat_l; lra | right; field; lra]. }
     assert (P0 : 0 <= far n_max * dd') by (apply Rmult_le_pos; lra); pose proof (Rmult_le_compat_r (far n_max * dd') 1
       Kf P0 ltac:(lra)) as Q1; assert (P1 : 0 <= Kf * (far n_max * dd')) by lra; pose proof (Rmult_le_compat_r (Kf *
-          (far n_max *
-      dd')) 1 Kf P1 ltac:(lra)) as Q2. unfold Good; repeat split; lra. }
+      (far n_max * dd')) 1 Kf P1 ltac:(lra)) as Q2. unfold Good; repeat split; lra. }
   split; [apply G; lra | exact G].
 Qed.
 Theorem round_core A11 A21 A22 gamma z w : (forall z w, chain k 0 z w -> z k tG = A11 * z 0%nat tG + gamma * w 0%nat tG
@@ -798,8 +776,7 @@ Proof.
     exact (same_motion m dd mu n N D HW HZ HG Hdd x yy x' yy' t y v t' y' v' F1 F2 T1 T2 Ex).
   - intros u v Hu; rewrite I1, I2, I3 in Hu; destruct (chain_exists k 0 u v Hu) as (z' & w' & C & <- & <-); exists (z'
       k), (w' k); split; [|apply H1, C]. split; [apply Lk, C; lia|]; split; [exact (HC 0 z' w' C 0%nat ltac:(lia)) |
-          exact (HC 0 z' w'
-      C 1%nat ltac:(lia))].
+      exact (HC 0 z' w' C 1%nat ltac:(lia))].
   - rewrite I1, I2, I3; apply Hz; lia.
   - split; [rewrite I1, I2, I3; apply Hz; lia|]; split; [rewrite <- Ez at 1; exact (HC 1 z w Hz 0%nat ltac:(lia)) |
       rewrite <- Ew at 1; exact (HC 1 z w Hz 1%nat ltac:(lia))].

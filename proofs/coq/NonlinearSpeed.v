@@ -121,9 +121,8 @@ Proof.
   assert (A3 : Rabs (off x y mu - off x' y' mu') <= D * t).
   { apply Rmult_le_reg_l with (g / 4); [lra|];
       replace (g / 4 * (D * t)) with (3 * (C * t * r0) + cg * t) by (unfold D; field; lra); lra. }
-  unfold tc;
-    replace (low x mu + -1 * off x y mu - (low x' mu' + -1 * off x' y' mu'))
-      with ((low x mu - low x' mu') - (off x y mu - off x' y' mu')) by ring. eapply Rle_trans; [apply apart|]; lra.
+  unfold tc; replace (low x mu + -1 * off x y mu - (low x' mu' + -1 * off x' y' mu')) with ((low x mu - low x' mu') -
+    (off x y mu - off x' y' mu')) by ring. eapply Rle_trans; [apply apart|]; lra.
 Qed.
 Lemma tc_speed : forall eps, 0 < eps -> exists d, 0 < d <= d0 /\ forall x y mu x' y' mu' t, within 2 d x ->
   within 2 d x' -> 0 <= y <= d -> 0 <= y' <= d -> Rabs mu <= d -> Rabs mu' <= d -> within 2 t (minus x x') ->

@@ -47,8 +47,7 @@ Proof.
   assert (S0 : small r1 zero 0) by (split; [intros i _; unfold zero|]; rewrite Rabs_R0; lra).
   assert (Re : Rabs (e - e) <= rho1) by (rewrite Rminus_eq_0, Rabs_R0; lra); assert (Rl : Rabs (e - rho1 - e) <= rho1)
     by (replace (e - rho1 - e) with (- rho1) by ring; rewrite Rabs_Ropp, Rabs_pos_eq; lra); assert (Rr : Rabs (e + rho1
-        -
-    e) <= rho1) by (replace (e + rho1 - e) with rho1 by ring; rewrite Rabs_pos_eq; lra).
+    - e) <= rho1) by (replace (e + rho1 - e) with rho1 by ring; rewrite Rabs_pos_eq; lra).
   pose proof (downhill zero 0 (e - rho1) e S0 Rl Re ltac:(lra)) as D1; pose proof (downhill zero 0 e (e + rho1) S0 Re Rr
     ltac:(lra)) as D2. rewrite !(proj1 (@at_rest F _)), (proj1 Hex) in D1; rewrite !(proj1 (@at_rest F _)), (proj1 Hex)
         in D2.
@@ -81,11 +80,6 @@ Proof.
   - pose proof (downhill zero 0 e s S0 Re Hs ltac:(lra)) as D; rewrite !(proj1 (@at_rest F _)), (proj1 Hex) in D.
     rewrite Rabs_pos_eq; lra.
 Qed.
-Lemma cross_rest : cross zero 0 = e.
-Proof.
-  pose proof (cross_near 0 zero 0 (small_zero 0 ltac:(lra)) ltac:(lra)) as A; rewrite Rmult_0_r, Rmult_0_r in A; apply
-    Rminus_diag_uniq, Rabs_zero. apply Rmult_le_reg_l with (- u1); lra.
-Qed.
 Definition after_hit (x : vec) mu := law mu (cross x mu - e) (V1 x mu (cross x mu)).
 Definition carry (x : vec) mu : vec := @origin F' mu (cross x mu - e + rho) 0 (after_hit x mu).
 Lemma carry_flow x mu : let s := cross x mu - e + rho in Y2 (carry x mu) mu s = 0 /\ V2 (carry x mu) mu s =
@@ -116,8 +110,7 @@ Proof.
     proof (proj1 S i Hi); lra | destruct S; lra | lra|]. fold u1 in C2. split; [lra | split; [lra|]].
   assert (Zm : Rabs 0 <= dl) by (rewrite Rabs_R0; lra); pose proof (Law mu (cross x mu - e) (V1 x mu (cross x mu)) 0 0
     u1 ltac:(destruct S; lra) ltac:(lra) ltac:(lra) Zm Zm ltac:(rewrite Rminus_eq_0; exact Zm)) as Q; rewrite
-        !Rminus_0_r in
-    Q. rewrite <- (proj2 Hen) in Q; fold (after_hit x mu) in Q. destruct S as [_ Hm].
+    !Rminus_0_r in Q. rewrite <- (proj2 Hen) in Q; fold (after_hit x mu) in Q. destruct S as [_ Hm].
   assert (Hm' : Rabs mu <= q') by lra; assert (Hc' : Rabs (cross x mu - e) <= q') by lra; set (p1 := cross x mu - e) in
     *; set (p2 := V1 x mu (cross x mu) - u1) in *.
   replace (after_hit x mu - u2) with ((after_hit x mu - u2 - (Rm * mu + Rt * p1 + Rv * p2)) + (Rm * mu + Rt * p1 + Rv *
@@ -253,9 +246,8 @@ Proof.
     (Rle_refl _) DB) as Y5; pose proof (product Rv dV Bv _ (Rle_refl _) LV') as Y6.
   assert (X2 : Rabs (dl - (Rm * (mu - mu') + Rt * h + Rv * qv)) <= K1 * b).
   { replace (dl - (Rm * (mu - mu') + Rt * h + Rv * qv)) with ((dl - (Rm * (mu - mu') + Rt * D + Rv * dV)) + (Rt * (D -
-      h)
-      + Rv * (dV - qv))) by ring. eapply Rle_trans; [apply Rabs_triang|]; pose proof (Rabs_triang (Rt * (D - h)) (Rv *
-      (dV - qv))). replace (K1 * b) with ((G + C1 * G) * b + (Bt * (H * b) + Bv * ((G + A1 * H) * b))) by (unfold K1;
+      h) + Rv * (dV - qv))) by ring. eapply Rle_trans; [apply Rabs_triang|]; pose proof (Rabs_triang (Rt * (D - h)) (Rv
+      * (dV - qv))). replace (K1 * b) with ((G + C1 * G) * b + (Bt * (H * b) + Bv * ((G + A1 * H) * b))) by (unfold K1;
       ring); lra. }
   assert (X3 : Rabs dl <= K2 * t).
   { replace dl with ((dl - (Rm * (mu - mu') + Rt * D + Rv * dV)) + (Rm * (mu - mu') + Rt * D + Rv * dV)) by ring.
@@ -267,8 +259,7 @@ Proof.
     Rabs (p' - rho) <= q) by (replace (p' - rho) with (s' - e) by (unfold p'; ring); exact T2).
   assert (Z0 : within 2 0 (minus (carry x' mu') (carry x' mu'))) by (intros i _; unfold minus; rewrite Rminus_eq_0,
     Rabs_R0; lra). assert (Wq : forall y r, within 2 q y -> q <= r -> within 2 r y) by (intros y r Hy Hr i Hi;
-        specialize
-    (Hy i Hi); lra).
+    specialize (Hy i Hi); lra).
   destruct (LipB (carry x' mu') (carry x' mu') mu' mu' 0 p' p) as [N1 N2]; try (apply Wq; [exact X' | lra]); try apply
     (Wi _ _ dB S'); trivial; try lra; try (rewrite Rminus_eq_0, Rabs_R0; lra).
   rewrite Rplus_0_l, (Rabs_minus_sym p'), Epp in N1, N2; assert (N3 : C2 * Rabs D <= C2 * Ct * t) by (rewrite
@@ -316,10 +307,9 @@ Qed.
 (** The derivative of [carry]: what the linearized equation makes of the state. *)
 Lemma jump_exists m z w : exists z' w', lin' m z' w' /\ jump m z w z' w'.
 Proof.
-  pose proof (proj2 Hex) as U1; set (h := - z e / u1);
-    destruct (proj2 (proj2 HA') m rho (- (u2 * h)) (Rm * m + Rt * h + Rv * (w e + acc1 * h) - acc2 * h)) as (z' & w' & Z
-        &
-    E1 & E2). exists z', w'; split; [exact Z|]; exists h; rewrite E1, E2; split; [unfold h; field; lra | split; ring].
+  pose proof (proj2 Hex) as U1; set (h := - z e / u1); destruct (proj2 (proj2 HA') m rho (- (u2 * h)) (Rm * m + Rt * h +
+    Rv * (w e + acc1 * h) - acc2 * h)) as (z' & w' & Z & E1 & E2). exists z', w'; split; [exact Z|]; exists h; rewrite
+    E1, E2; split; [unfold h; field; lra | split; ring].
 Qed.
 Theorem carry_matrix : exists (A : nat -> vec) (phi : vec), (forall i, (i < 2)%nat -> strict 2 (fun x mu => carry x mu
   i) (dot 2 (A i)) (phi i)) /\ forall m z w z' w', lin m z w -> lin' m z' w' -> jump m z w z' w' ->

@@ -206,17 +206,13 @@ Proof.
   exists l, t', (fun i x => Q P s 0 x mu + sgn s * y' i x), (fun i x => Q P s 1 x mu + sgn s * v' i x).
   split; [exact Hl|]; split; [intros i Hi; apply (HL mu d N t' i (i + 1)%Z ltac:(lra) ltac:(lra)), Lg, Hi|]; split.
   - destruct (Weigh eps _ _ N1 N2) as [W1 W2]; split; [exact W1|]; pose proof (Lip (t j) (t' j)) as Q1.
-    replace (Q P s 1 (t' j) mu + sgn s * v' j (t' j) - u j (t j)) with ((Q P s 1 (t' j) mu - Q P s 1 (t j) mu) + sgn s
-      * (v'
-      j (t' j) - rel P s mu (t j) (u j (t j)))) by (rewrite <- (there s (Q P s 1 (t j) mu) (u j (t j))) at 2; unfold
-        rel;
-      ring). eapply Rle_trans; [apply Rabs_triang|]; rewrite sgn_abs; lra.
+    replace (Q P s 1 (t' j) mu + sgn s * v' j (t' j) - u j (t j)) with ((Q P s 1 (t' j) mu - Q P s 1 (t j) mu) + sgn s *
+      (v' j (t' j) - rel P s mu (t j) (u j (t j)))) by (rewrite <- (there s (Q P s 1 (t j) mu) (u j (t j))) at 2; unfold
+      rel; ring). eapply Rle_trans; [apply Rabs_triang|]; rewrite sgn_abs; lra.
   - intros [F1 F2]; apply Out; destruct (Weigh r0 _ _ F1 F2) as [W1 W2]; split; [exact W1|]; pose proof (Lip (t l) (t'
     l)) as Q1. rewrite <- (sgn_abs s); replace (sgn s * (v' l (t' l) - rel P s mu (t l) (u l (t l)))) with ((Q P s 1 (t'
-      l) mu
-      + sgn s * v' l (t' l) - u l (t l)) - (Q P s 1 (t' l) mu - Q P s 1 (t l) mu)) by (rewrite <- (there s (Q P s 1 (t
-        l)
-      mu) (u l (t l))) at 1; unfold rel; ring). eapply Rle_trans; [apply apart|]; lra.
+    l) mu + sgn s * v' l (t' l) - u l (t l)) - (Q P s 1 (t' l) mu - Q P s 1 (t l) mu)) by (rewrite <- (there s (Q P s 1
+    (t l) mu) (u l (t l))) at 1; unfold rel; ring). eapply Rle_trans; [apply apart|]; lra.
 Qed.
 End Stops.
 

@@ -28,10 +28,9 @@ Lemma both_ways mu mu' y v y' v' : solution mu y v -> solution mu' y' v' -> fora
   Rabs (y x - y' x) + Rabs (v x - v' x) <= K * (Rabs (y 0 - y' 0) + Rabs (v 0 - v' 0) + Rabs (mu - mu')) /\
   Rabs (y 0 - y' 0) + Rabs (v 0 - v' 0) <= K * (Rabs (y x - y' x) + Rabs (v x - v' x) + Rabs (mu - mu')).
 Proof.
-  intros S S' x Hx;
-    apply (bound L T (fun x => y x - y' x) (fun x => v x - v' x) (fun x => a x (y x) (v x) mu - a x (y' x) (v' x) mu'));
-    trivial; [apply Rabs_pos|]. intros z Hz; destruct (S z Hz), (S' z Hz); split; [|split; [|apply Hlip, Hz]];
-    apply derivable_pt_lim_minus; assumption.
+  intros S S' x Hx; apply (bound L T (fun x => y x - y' x) (fun x => v x - v' x) (fun x => a x (y x) (v x) mu - a x (y'
+    x) (v' x) mu')); trivial; [apply Rabs_pos|]. intros z Hz; destruct (S z Hz), (S' z Hz); split; [|split; [|apply
+    Hlip, Hz]]; apply derivable_pt_lim_minus; assumption.
 Qed.
 Definition close mu mu' y v y' v' S S' x Hx := proj1 (both_ways mu mu' y v y' v' S S' x Hx).
 Definition close_back mu mu' y v y' v' S S' x Hx := proj2 (both_ways mu mu' y v y' v' S S' x Hx).
@@ -62,9 +61,8 @@ Proof.
     pose proof (Rabs_pos (mu - mu')); lra). set (e := eps / (2 * (K + 1) * Q) * ((K + 1) * D)).
   assert (Ee : 2 * e * Q = eps * D) by (unfold e; field; lra).
   assert (He0 : 0 <= e) by (unfold e; apply Rmult_le_pos; [left; apply Rdiv_lt_0_compat; nra | nra]). eapply Rle_trans;
-    [apply (gronwall2 (fun x => y x - y' x - z x) (fun x => v x - v' x - w x) (fun x => v x - v' x - w x)
-      (fun x => a x (y x) (v x) mu - a x (y' x) (v' x) mu' - (k x * z x + c x * w x + l x * (mu - mu'))) L e T)
-      with (5 := Hx)|].
+    [apply (gronwall2 (fun x => y x - y' x - z x) (fun x => v x - v' x - w x) (fun x => v x - v' x - w x) (fun x => a x
+    (y x) (v x) mu - a x (y' x) (v' x) mu' - (k x * z x + c x * w x + l x * (mu - mu'))) L e T) with (5 := Hx)|].
   - lra.
   - exact He0.
   - intros s Hs; destruct (S s Hs), (S' s Hs), (Z s Hs); split; apply derivable_pt_lim_minus; try assumption;
@@ -169,9 +167,8 @@ Proof.
       pose proof (Sm s Hs); pose proof (Rabs_pos (y2' s - y1' s)); lra.
     - apply Rmult_le_compat_l; lra. }
   assert (Vt : Rabs ((v2' t - v1' t) - J') <= 4 * L * K * d * r).
-  { unfold J'; eapply Rle_trans;
-      [apply (mvt_on T (fun s => v2' s - v1' s) (fun s => a s (y2' s) (v2' s) mu' - a s (y1' s) (v1' s) mu') (4 * L *
-        K * d) t t' Ht Ht')|].
+  { unfold J'; eapply Rle_trans; [apply (mvt_on T (fun s => v2' s - v1' s) (fun s => a s (y2' s) (v2' s) mu' - a s (y1'
+      s) (v1' s) mu') (4 * L * K * d) t t' Ht Ht')|].
     - intros s Hs; destruct (S2' s Hs), (S1' s Hs); split; [apply derivable_pt_lim_minus; assumption|].
       pose proof (Hlip s (y2' s) (v2' s) mu' (y1' s) (v1' s) mu' Hs) as A; replace (mu' - mu') with 0 in A by ring;
         rewrite Rabs_R0 in A. apply Rle_trans with (1 := A); replace (4 * L * K * d) with (L * (4 * K * d)) by ring;
@@ -228,29 +225,25 @@ Proof.
   { intros s Hs; destruct (Z1 s Hs) as [P1 P2]; destruct (Z2 s Hs) as [P3 P4]; destruct (Zb s Hs) as [P5 P6]; split.
     - apply (derivable_pt_lim_minus (fun s => z2 s - z1 s));
         [apply derivable_pt_lim_minus; assumption | apply derivable_pt_lim_scal, P5].
-    - replace (k s * z s + c s * w s + l s * 0)
-        with ((k s * z2 s + c s * w2 s + l s * (mu - mu')) - (k s * z1 s + c s * w1 s + l s * (mu - mu')) - (J - J') *
-        (k s * zb s + c s * wb s + l s * 0)) by (unfold z, w; ring).
+    - replace (k s * z s + c s * w s + l s * 0) with ((k s * z2 s + c s * w2 s + l s * (mu - mu')) - (k s * z1 s + c s *
+        w1 s + l s * (mu - mu')) - (J - J') * (k s * zb s + c s * wb s + l s * 0)) by (unfold z, w; ring).
       apply (derivable_pt_lim_minus (fun s => w2 s - w1 s));
         [apply derivable_pt_lim_minus; assumption | apply derivable_pt_lim_scal, P6]. }
   pose proof (linear_back z w Z t Ht) as Fin.
   assert (N1 : Rabs (z t) <= Rabs (y1 t - y1' t - z1 t) + Rabs (y2 t - y2' t - z2 t) + 4 * K * d * r + r * (nb * d)).
   { replace (z t) with ((y1 t - y1' t - z1 t) + (- (y2 t - y2' t - z2 t) + (- (y2' t - y1' t) + - ((J - J') * zb t))))
       by (unfold z; rewrite X; ring).
-    assert (Rabs (- ((J - J') * zb t)) <= r * (nb * d)) by (rewrite Rabs_Ropp, Rabs_mult; apply Rmult_le_compat;
-      try apply Rabs_pos; assumption). eapply Rle_trans; [apply Rabs_triang|]; eapply Rle_trans;
-      [apply Rplus_le_compat_l, Rabs_triang|]. eapply Rle_trans;
-      [apply Rplus_le_compat_l, Rplus_le_compat_l, Rabs_triang|];
-      rewrite (Rabs_Ropp (y2 t - y2' t - z2 t)), (Rabs_Ropp (y2' t - y1' t)); lra. }
+    assert (Rabs (- ((J - J') * zb t)) <= r * (nb * d)) by (rewrite Rabs_Ropp, Rabs_mult; apply Rmult_le_compat; try
+      apply Rabs_pos; assumption). eapply Rle_trans; [apply Rabs_triang|]; eapply Rle_trans; [apply Rplus_le_compat_l,
+      Rabs_triang|]. eapply Rle_trans; [apply Rplus_le_compat_l, Rplus_le_compat_l, Rabs_triang|]; rewrite (Rabs_Ropp
+      (y2 t - y2' t - z2 t)), (Rabs_Ropp (y2' t - y1' t)); lra. }
   assert (N2 : Rabs (w t) <= Rabs (v1 t - v1' t - w1 t) + Rabs (v2 t - v2' t - w2 t) + 4 * L * K * d * r + r *
     (2 * L * nb * d)).
-  { replace (w t)
-      with ((v1 t - v1' t - w1 t) + (- (v2 t - v2' t - w2 t) + (- ((v2' t - v1' t) - J') + - ((J - J') * (wb t - 1)))))
-      by (unfold w, J; ring).
-    assert (Rabs (- ((J - J') * (wb t - 1))) <= r * (2 * L * nb * d)) by (rewrite Rabs_Ropp, Rabs_mult;
-      apply Rmult_le_compat; try apply Rabs_pos; assumption). eapply Rle_trans; [apply Rabs_triang|]; eapply Rle_trans;
-      [apply Rplus_le_compat_l, Rabs_triang|]. eapply Rle_trans;
-      [apply Rplus_le_compat_l, Rplus_le_compat_l, Rabs_triang|];
+  { replace (w t) with ((v1 t - v1' t - w1 t) + (- (v2 t - v2' t - w2 t) + (- ((v2' t - v1' t) - J') + - ((J - J') * (wb
+      t - 1))))) by (unfold w, J; ring).
+    assert (Rabs (- ((J - J') * (wb t - 1))) <= r * (2 * L * nb * d)) by (rewrite Rabs_Ropp, Rabs_mult; apply
+      Rmult_le_compat; try apply Rabs_pos; assumption). eapply Rle_trans; [apply Rabs_triang|]; eapply Rle_trans; [apply
+      Rplus_le_compat_l, Rabs_triang|]. eapply Rle_trans; [apply Rplus_le_compat_l, Rplus_le_compat_l, Rabs_triang|];
       rewrite (Rabs_Ropp (v2 t - v2' t - w2 t)), (Rabs_Ropp (v2' t - v1' t - J')); lra. }
   assert (N : Rabs (z t) + Rabs (w t) <= e1 * (3 + C) * r + (G - 1) * d * r) by (unfold G; lra).
   assert (E3 : z 0 = y2 0 - y1 0 - (y2' 0 - y1' 0) - (J - J') * zb 0) by (unfold z; rewrite E1, E2; ring).

@@ -58,9 +58,8 @@ Lemma V_rises x mu s t : box x mu -> Rabs (s - tG) <= r0 -> Rabs (t - tG) <= r0 
 Proof.
   intros [Bx Bm] Hs Ht [O| ->]; [|lra]; destruct (flow x mu) as (A & _).
   destruct (MVT_cor2 (V x mu) (fun s => a s (Y x mu s) (V x mu s) mu) s t O) as (z & E & Hz); [intros z _; apply A|].
-  destruct Hwin as (_ & _ & _ & _ & W); apply le_abs in Hs, Ht;
-    pose proof (W x mu z Bx Bm ltac:(here; apply Rabs_le; lra)) as B; apply le_abs in B. rewrite E; split;
-    apply Rmult_le_compat_r; lra.
+  destruct Hwin as (_ & _ & _ & _ & W); apply le_abs in Hs, Ht; pose proof (W x mu z Bx Bm ltac:(here; apply Rabs_le;
+    lra)) as B; apply le_abs in B. rewrite E; split; apply Rmult_le_compat_r; lra.
 Qed.
 Lemma bottom x mu : box x mu -> exists m, Rabs (m - tG) <= r0 / 2 /\ V x mu m = 0.
 Proof.
@@ -164,11 +163,10 @@ Proof.
       + pose proof (H (r0 / 2) ltac:(here; lra));
           replace ((g - g / 4) * (r0 / 2 * (r0 / 2)) / 2) with (3 * g * (r0 * r0) / 32) in * by field; lra. }
   destruct Ex as (s & Hs & E); assert (U : forall s', 0 <= s' <= r0 / 2 -> p s' = y * y -> s' = s).
-  { intros s' Hs' E';
-      pose proof (X.offsets g (g / 4) (r0 / 2) ltac:(here; lra) ltac:(here; lra) _ _ _ _ _ _ 0 W W ltac:(here;
-        lra) ltac:(here; intros z Hz; rewrite Rminus_eq_0, Rabs_R0; lra) s' s Hs' Hs) as O; fold p in O;
-      rewrite E, E', Rminus_eq_0, Rabs_R0 in O. apply Rminus_diag_uniq, Rabs_zero; pose proof (Rabs_pos (s' - s));
-      apply Rmult_le_reg_l with (g - 3 * (g / 4)); lra. }
+  { intros s' Hs' E'; pose proof (X.offsets g (g / 4) (r0 / 2) ltac:(here; lra) ltac:(here; lra) _ _ _ _ _ _ 0 W W
+      ltac:(here; lra) ltac:(here; intros z Hz; rewrite Rminus_eq_0, Rabs_R0; lra) s' s Hs' Hs) as O; fold p in O;
+      rewrite E, E', Rminus_eq_0, Rabs_R0 in O. apply Rminus_diag_uniq, Rabs_zero; pose proof (Rabs_pos (s' - s)); apply
+      Rmult_le_reg_l with (g - 3 * (g / 4)); lra. }
   assert (Eo : off x y mu = s) by (apply the_spec; [split; [exact Hs | exact E] | intros s' [Q Q']; apply U;
     assumption]). cbv zeta; rewrite Eo; split; [exact Hs | split; [exact E | split; [|exact U]]]. intros N;
     destruct Hs as [[Hs|<-] _]; [exact Hs|]; exfalso; unfold p in E; rewrite Rmult_0_r, Rplus_0_r in E;

@@ -89,8 +89,7 @@ Proof.
   intros HW HS HG Hmu F Hx Lv; pose proof HS as (S0 & S1 & S2 & S4 & S5 & S6); destruct HW as [Hn HN].
   destruct (Lv (dd / 2) ltac:(lra)) as (r & Hr & Leave); destruct (after_near n_max dd mu n Hn Hmu S0 S1 S2 S4 D S5 S6)
     as (Q1 & P1 & Near), (after_far n_max dd mu n Hn Hmu S0 S1 S2 S4 D S5 S6) as (Q2 & P2 & Far). exists (r / (Q2 + 1));
-        split; [apply Rdiv_lt_0_compat; lra|]; intros j eps He; set (p
-    := (j - 1)%Z).
+    split; [apply Rdiv_lt_0_compat; lra|]; intros j eps He; set (p := (j - 1)%Z).
   destruct (two_least r (eps / Q1) ltac:(here; lra) ltac:(here; apply Rdiv_lt_0_compat; lra)) as (e & E0 & E1 & E2).
   apply (Rmult_le_compat_l Q1) in E2; [|lra]; replace (Q1 * (eps / Q1)) with eps in E2 by (field; lra).
   destruct (Leave p e E0) as (z & l & Z0 & Y0 & Z1 & Fly & Out).
@@ -135,8 +134,7 @@ Proof.
     + replace (yy p) with (speed_at map mu (n p) (x p)); [unfold yy'; rewrite E0'; exact Y0|].
       unfold speed_at; change (Map.h map (OrbitRemainder.fly map mu (n p) (x p)) mu) with (Y (fl mu (n p) (x p)) mu (low
         (fl mu (n p) (x p)) mu)); rewrite (Oh _ _ _ _ _ _ (F p)), Ropp_involutive; apply sqrt_square; left; apply (Oy _
-            _ _
-        _ _ _ (F p)).
+        _ _ _ _ _ (F p)).
     + rewrite (Ex 1%nat : x' (p + 1)%Z = _); exact Z1.
     + unfold StatementUnstable.near; rewrite Diff, (Vel x' yy' j F0), (Vel x yy j (F _)); replace (p + 1)%Z with j in B
       by (unfold p; lia); fold p; split; lra.
@@ -164,19 +162,16 @@ Theorem core A11 A21 A22 gamma z w : (forall z w, lin 0 z w -> exists z' w', car
   t i <= x <= t (i + 1)%Z -> y' i x = y i x /\ v' i x = v i x) /\ ((exists i, breaks a1 a2 e s (n i) (n (i + 1)%Z)) ->
   forall t y v, ~ motion mu d N t y v).
 Proof.
-  intros HA Hgam Hz Ez Hr a1 a2 n_max; pose proof (map_planar A11 A21 A22 gamma z w HA Hgam Hz Ez Hr) as HP; fold
-    a1 a2 in HP. pose proof cg_pos as Hc; assert (Ht0 := proj1 Hreb); pose proof (proj1 Hwin)
-    as Hr0.
+  intros HA Hgam Hz Ez Hr a1 a2 n_max; pose proof (map_planar A11 A21 A22 gamma z w HA Hgam Hz Ez Hr) as HP; fold a1 a2
+    in HP. pose proof cg_pos as Hc; assert (Ht0 := proj1 Hreb); pose proof (proj1 Hwin) as Hr0.
   destruct (Theorem1_plane map a1 a2 _ _ _ HP n_max) as (dT & muT & HdT & HmT & W & Tends), (plane_leave map a1 a2 _ _ _
     HP n_max) as (dL & HdL & Leave). destruct (two_least dT dL HdT HdL) as (dS & HdS & LT & LL).
   destruct (both_sizes n_max Dm dS ltac:(here; lra) HdS) as (dd & Hdd & HS & HG); pose proof HS as (_ & S1 & S2 & S4 &
       _).
-  destruct (two_least (dd / Km) Dm ltac:(here; apply Rdiv_lt_0_compat; lra) ltac:(here; lra)) as (d & Hd & L1 &
-    L2).
+  destruct (two_least (dd / Km) Dm ltac:(here; apply Rdiv_lt_0_compat; lra) ltac:(here; lra)) as (d & Hd & L1 & L2).
   assert (Md : Km * d <= dd) by (apply Rle_trans with (Km * (dd / Km)); [apply Rmult_le_compat_l; lra | right; field;
     lra]). assert (d <= Km * d) by (rewrite <- (Rmult_1_l d) at 1; apply Rmult_le_compat_r; lra). exists d; split;
-        [exact
-    Hd|]; intros eps Heps.
+    [exact Hd|]; intros eps Heps.
   destruct (both_sizes n_max eps dd ltac:(here; lra) (proj1 Hdd)) as (de & Hde & HSe & HGe); pose proof HSe as (_ & E1 &
     E2 & E4 & E5 & E6).
   destruct (Tends (de / 2) ltac:(here; lra)) as (mu1 & Hm1 & Near); assert (Pr : 0 < Rabs (z tG)) by (apply Rabs_pos_lt,

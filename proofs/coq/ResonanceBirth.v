@@ -162,15 +162,13 @@ Qed.
 
 Theorem born eps : 0 < eps -> exists mu0, 0 < mu0 /\ forall nu, 0 < nu < mu0 -> birth O n m nu eps.
 Proof.
-  intros He; pose proof PI2_3_2 as HP; pose proof (res_periods _ _ _ HR) as Hn;
-    pose proof (period_pos O n m HR) as TP.
+  intros He; pose proof PI2_3_2 as HP; pose proof (res_periods _ _ _ HR) as Hn; pose proof (period_pos O n m HR) as TP.
   pose proof (res_law _ _ _ HR) as L; pose proof (flow_turned O n m HR) as Hq.
   destruct (shapes O HO) as (a & r0 & Ha & Hr0 & Sh), (signs n m Hn) as [Pos Neg].
   (* how far from its value at a pass the free motion keeps its sign *)
-  assert (Kap : exists kap, 0 < kap /\ ((m mod (2 * n) = 1)%nat -> forall j x, (0 < j < n)%nat ->
-    Rabs (x - 2 * PI * INR j) <= kap -> kap <= S x) /\
-    ((2 <= n)%nat -> (m mod (2 * n) <> 1)%nat -> S (2 * PI) = 0 \/ exists j, (0 < j < n)%nat /\
-    forall x, Rabs (x - 2 * PI * INR j) <= kap -> S x < 0)).
+  assert (Kap : exists kap, 0 < kap /\ ((m mod (2 * n) = 1)%nat -> forall j x, (0 < j < n)%nat -> Rabs (x - 2 * PI * INR
+    j) <= kap -> kap <= S x) /\ ((2 <= n)%nat -> (m mod (2 * n) <> 1)%nat -> S (2 * PI) = 0 \/ exists j, (0 < j < n)%nat
+    /\ forall x, Rabs (x - 2 * PI * INR j) <= kap -> S x < 0)).
   { destruct (common_bound (fun j d => (m mod (2 * n) = 1)%nat -> (0 < j)%nat ->
     forall x, Rabs (x - 2 * PI * INR j) <= d -> d <= S x) n) as (d1 & Hd1 & P1).
     - intros j d d' H Hd' E Hj x Hx; specialize (H E Hj x ltac:(lra)); lra.
@@ -235,9 +233,8 @@ Proof.
         assert (Z : d * nu <= kap * A / 4 * nu) by (apply Rmult_le_compat_r; lra).
         apply (Rmult_lt_reg_r d); [lra|]; assert (0 < d * nu) by (apply Rmult_lt_0_compat; lra); lra.
       - fold s1; apply (Rmult_le_reg_l (1 + tau * q)); [lra|]; rewrite EW; apply Rplus_le_reg_l with (- s1).
-        replace (- s1 + (1 + tau * q) * s1) with (tau * q * s1) by ring;
-          replace (- s1 + (1 + tau) * s1) with (tau * s1) by
-          ring; apply Rmult_le_compat_r; [lra|]; rewrite <- (Rmult_1_r tau) at 2; apply Rmult_le_compat_l; lra.
+        replace (- s1 + (1 + tau * q) * s1) with (tau * q * s1) by ring; replace (- s1 + (1 + tau) * s1) with (tau * s1)
+          by ring; apply Rmult_le_compat_r; [lra|]; rewrite <- (Rmult_1_r tau) at 2; apply Rmult_le_compat_l; lra.
       - fold s1; apply (Rmult_le_reg_l (1 + tau * q)); [lra|].
         replace ((1 + tau * q) * (q * (A * s1))) with (q * ((1 + tau * q) * (A * s1))) by ring; rewrite EW.
         assert (0 <= (1 - q) * s1) by (apply Rmult_le_pos; lra); lra. }

@@ -3,8 +3,8 @@
     (19) is solved for mu and the point, with y given. The unknowns are one vector z: mu, and then the point less
     mu w. *)
 From Coq Require Import Reals FunctionalExtensionality Lra Lia Arith.
-From Grazing Require Import StatementOrbits StatementResonance Finite OrbitVectors Contraction OrbitRemainder.
-From Grazing Require Import OrbitFixedPoint Orbits SquareSystems Derivatives.
+From Grazing Require Import StatementOrbits StatementResonance StatementFold Finite OrbitVectors Contraction.
+From Grazing Require Import OrbitRemainder OrbitFixedPoint Orbits SquareSystems Derivatives.
 Open Scope R_scope.
 
 (** |a| <= e is |b| <= e, where a = b by [ring]. *)
@@ -13,12 +13,10 @@ Ltac same_as H := match goal with |- Rabs ?a <= _ => match type of H with Rabs ?
 
 Section Curve.
 Variables (M : Map.t) (w : vec) (e : R) (n : nat) (V : vec).
-Hypothesis HM : smooth M.
 Notation N := (Map.N M).
 Notation pow k x := (Nat.iter k (mult N (Map.A M)) x).
 Notation C := (dot N (Map.C M)).
-Hypothesis Hw : forall i, (i < N)%nat -> w i = mult N (Map.A M) w i + Map.phi M i.
-Hypothesis He : e = C w + Map.eta M.
+Hypothesis Z0 : forall k, Map.h M (fly M 0 k zero) 0 = 0 /\ forall i, (i < N)%nat -> fly M 0 k zero i = 0.
 Hypothesis Ne : e <> 0.
 Hypothesis Hdet : forall x, (forall i, (i < N)%nat -> x i = pow n x i) -> forall i, (i < N)%nat -> x i = 0.
 Hypothesis HV : forall i, (i < N)%nat -> V i = pow n V i + Map.B M i.
@@ -26,8 +24,6 @@ Notation v k := (C (pow k V)).
 Notation hit k mu x := (Map.h M (fly M mu k x) mu).
 
 (** ** The linear part *)
-Definition hat (z : vec) : vec := fun i => z (S i).
-Definition rows (r : R) (Q : vec) : vec := fun i => match i with O => r | S j => Q j end.
 Definition left (z : vec) : vec := rows (C (pow n (hat z)) + z O * e) (minus (hat z) (pow n (hat z))).
 Lemma within_S t z : within (S N) t z <-> Rabs (z O) <= t /\ within N t (hat z).
 Proof.
@@ -103,8 +99,8 @@ Lemma right_zero i : (i < S N)%nat -> right 0 zero i = 0.
 Proof.
   assert (P0 : point zero = zero) by (extensionality j; unfold point, comb, hat, zero; ring).
   intros Hi; destruct i as [|i]; unfold right, rows; rewrite P0; change (zero O) with 0.
-  - unfold rest2, power; rewrite (height_zero M w e HM Hw He), power_zero, dot_zero; ring.
-  - unfold rest1, power; rewrite (fly_zero M w HM Hw n i) by lia; rewrite power_zero; unfold zero; ring.
+  - unfold rest2, power; rewrite (proj1 (Z0 n)), power_zero, dot_zero; ring.
+  - unfold rest1, power; rewrite (proj2 (Z0 n) i) by lia; rewrite power_zero; unfold zero; ring.
 Qed.
 Lemma zero_solves : solves 0 zero.
 Proof.
@@ -125,14 +121,10 @@ Proof.
   intros Wb Hz i Hi; unfold point, comb; rewrite Rmult_1_l, Rmult_plus_distr_r, Rmult_1_l, (Rmult_comm W).
   apply triangle2; [apply (Hz (S i)); lia | apply Rabs_mult_le; [apply Hz; lia | apply Wb, Hi]].
 Qed.
-Lemma small_exists W : 0 <= W -> within N W w -> forall eps, 0 < eps -> exists d0, 0 < d0 /\
-  forall d, 0 < d <= d0 -> small W eps d.
+Lemma small_of W eps d d1 : 0 <= W -> within N W w -> 0 < d -> (1 + W) * d <= d1 ->
+  remainder M w e n (eps / (1 + W)) d1 -> small W eps d.
 Proof.
-  intros HW Wb eps Heps.
-  destruct (remainder_exists M w e HM Hw He n (eps / (1 + W))) as (d1 & Hd1 & Rem); [apply Rdiv_lt_0_compat; lra|].
-  exists (d1 / (1 + W)); split; [apply Rdiv_lt_0_compat; lra|]; intros d [Hd Hd'].
-  assert (D1 : (1 + W) * d <= d1) by (apply (Rmult_le_compat_l (1 + W)) in Hd'; [|lra]; replace ((1 + W) * (d1 / (1 +
-    W))) with d1 in Hd' by (field; lra); exact Hd').
+  intros HW Wb Hd D1 Rem.
   assert (Up : forall t, 0 <= t -> t <= (1 + W) * t) by (intros t Ht; assert (0 <= W * t) by (apply Rmult_le_pos; lra);
     lra). pose proof (Up d ltac:(lra)) as Ud; assert (Pt := fun z t => point_within W z t Wb).
   assert (Two : forall y y' z z' t, 0 <= y <= d -> 0 <= y' <= d -> within (S N) d z -> within (S N) d z' -> 0 <= t ->
@@ -166,7 +158,7 @@ Proof.
     + assert (Z : forall i, (i < S N)%nat -> minus (right 0 zero) (kicked 0) i = 0) by (intros i Hi; unfold minus;
         rewrite (right_zero i Hi); destruct i; unfold kicked, rows; ring).
       intros i Hi; specialize (B1 i Hi); unfold minus at 1 in B1; rewrite (Z i Hi), Rminus_0_r in B1; exact B1.
-    + intros k Hk; specialize (B2 k Hk); rewrite (height_zero M w e HM Hw He) in B2.
+    + intros k Hk; specialize (B2 k Hk); rewrite (proj1 (Z0 k)) in B2.
       replace (hat (minus z zero)) with (hat z) in B2 by (extensionality i; unfold hat, minus, zero; ring); same_as B2.
 Qed.
 
@@ -184,8 +176,7 @@ Lemma kicked_within y : 0 <= y -> within (S N) (beta * y) (kicked y).
 Proof.
   intros Hy; apply within_S; unfold kicked; split; cbn [rows hat].
   - rewrite Rabs_R0; apply Rmult_le_pos; lra.
-  - intros i Hi; unfold hat, rows; rewrite Rmult_comm; apply Rabs_mult_le; [apply Hbeta, Hi | rewrite Rabs_pos_eq;
-    lra].
+  - intros i Hi; unfold hat, rows; rewrite Rmult_comm; apply Rabs_mult_le; [apply Hbeta, Hi | rewrite Rabs_pos_eq; lra].
 Qed.
 Lemma P_pos : 2 <= P. Proof. destruct HK as [K1 _]; assert (0 <= K * beta) by (apply Rmult_le_pos; lra); lra. Qed.
 (** Two solutions differ by at most P times what their speeds differ by. *)
@@ -224,26 +215,19 @@ Proof.
 Qed.
 Definition line (y : R) : vec := rows (- (v n / e) * y) (fun i => y * V i).
 (** What lies between two solutions is, to the first order, what lies between those of the linear problem. *)
-Lemma first_order eps : 0 < eps -> exists r, 0 < r /\ forall y y' z z', 0 <= y < r -> 0 <= y' < r -> y <= d -> y' <= d
-  ->
-  within (S N) d z -> within (S N) d z' -> solves y z -> solves y' z' ->
+Lemma first_order eps d' : 0 < eps -> 0 < d' <= d -> small W (eps / (P * K)) d' -> forall y y' z z', 0 <= y -> 0 <= y'
+  -> P * y <= d' -> P * y' <= d' -> within (S N) d z -> within (S N) d z' -> solves y z -> solves y' z' ->
   within (S N) (eps * Rabs (y - y')) (minus (minus z z') (line (y - y'))).
 Proof.
-  intros Heps; pose proof HK as (K1 & KB & _); pose proof P_pos as P2.
-  destruct (small_exists W (proj1 HW) (proj2 HW) (eps / (P * K))) as (d' & Hd' & Sm); [apply Rdiv_lt_0_compat; [lra |
-    apply Rmult_lt_0_compat; lra]|].
-  destruct (two_least d d' Hd Hd') as (d2 & Hd2 & L1 & L2); exists (d2 / P); split; [apply Rdiv_lt_0_compat; lra|].
-  assert (Small : forall y, 0 <= y < d2 / P -> P * y <= d2 /\ y <= P * y).
-  { intros y [Hy Hy']; apply (Rmult_lt_compat_l P) in Hy'; [|lra]; replace (P * (d2 / P)) with d2 in Hy' by (field;
-      lra); split; [lra|]. rewrite <- (Rmult_1_l y) at 1; apply Rmult_le_compat_r; lra. }
-  intros y y' z z' Hy Hy' Hyd Hyd' Hz Hz' HS HS'; destruct (Small y Hy), (Small y' Hy').
-  pose proof (within_le _ _ _ _ (proj1 (Small y Hy)) (size y z ltac:(lra) Hz HS)) as Z.
-  pose proof (within_le _ _ _ _ (proj1 (Small y' Hy')) (size y' z' ltac:(lra) Hz' HS')) as Z'.
+  intros Heps Hd' Sm y y' z z' Hy0 Hy0' Hy Hy' Hz Hz' HS HS'; pose proof HK as (K1 & KB & _); pose proof P_pos as P2.
+  assert (Up : forall y, 0 <= y -> y <= P * y) by (intros t Ht; rewrite <- (Rmult_1_l t) at 1; apply
+    Rmult_le_compat_r; lra).
+  pose proof (Up y Hy0); pose proof (Up y' Hy0'); pose proof (within_le _ _ _ _ Hy (size y z ltac:(lra) Hz HS)) as Z.
+  pose proof (within_le _ _ _ _ Hy' (size y' z' ltac:(lra) Hz' HS')) as Z'.
   pose proof (Lipschitz y y' z z' ltac:(lra) ltac:(lra) Hz Hz' HS HS') as L.
   set (s := Rabs (y - y')) in *; assert (Hs : 0 <= s) by apply Rabs_pos; assert (Ps : 0 <= P * s) by (apply
     Rmult_le_pos; lra). assert (Ps' : 1 * s <= P * s) by (apply Rmult_le_compat_r; lra).
-  pose proof (small_two _ _ _ (Sm d2 ltac:(lra)) y y' z z' (P * s) ltac:(lra) ltac:(lra) Z Z' Ps L ltac:(fold s; lra))
-    as B.
+  pose proof (small_two _ _ _ Sm y y' z z' (P * s) ltac:(lra) ltac:(lra) Z Z' Ps L ltac:(fold s; lra)) as B.
   apply (within_le _ (K * (eps / (P * K) * (P * s)))); [right; field; lra|].
   apply KB; [apply Rmult_le_pos; [left; apply Rdiv_lt_0_compat; [lra | apply Rmult_lt_0_compat; lra] | exact Ps]|].
   assert (EL : hat (line (y - y')) = comb (y - y') 0 V V) by (extensionality i; unfold hat, line, rows, comb; ring).
@@ -253,29 +237,28 @@ Proof.
   - rewrite dot_comb; unfold line, rows; field; exact Ne.
   - unfold minus, comb; rewrite (HV i) by lia; ring.
 Qed.
-Lemma near_line eps : 0 < eps -> exists r, 0 < r /\ forall y z, 0 <= y < r -> y <= d -> within (S N) d z ->
-  solves y z ->
+(** mc and m bound C and the powers of A. *)
+Definition bounds (mc m : R) : Prop := 0 <= mc /\ (forall t x, within N t x -> Rabs (C x) <= mc * t) /\ 1 <= m /\
+  forall k t x, (k <= n)%nat -> 0 <= t -> within N t x -> within N (m * t) (pow k x).
+Definition gain mc m := P + mc * m + Rabs e + 1.
+Lemma near_line mc m eps d' : bounds mc m -> 0 < eps -> 0 < d' <= d -> small W (eps / gain mc m / (P * K)) d' -> small W
+  (eps / gain mc m) d' -> forall y z, 0 <= y -> P * y <= d' -> within (S N) d z -> solves y z ->
   within (S N) (eps * y) (minus z (line y)) /\
   forall k, (k <= n)%nat -> Rabs (hit k (z O) (point z) - (v k - v n) * y) <= eps * y.
 Proof.
-  intros Heps; pose proof P_pos as P2; destruct (dot_bound N (Map.C M)) as (mc & Hmc & Cb), (power_bound N (Map.A M) n)
-    as (m & Hm & Pb). assert (Hmm : 0 <= mc * m) by (apply Rmult_le_pos; lra); pose proof (Rabs_pos e) as Pe.
-  set (H := P + mc * m + Rabs e + 1); destruct (first_order (eps / H)) as (r1 & R1 & First); [apply Rdiv_lt_0_compat;
-    unfold H; lra|]. destruct (small_exists W (proj1 HW) (proj2 HW) (eps / H)) as (d' & Hd' & Sm); [apply
-    Rdiv_lt_0_compat; unfold H; lra|]. destruct (two_least d d' Hd Hd') as (d2 & Hd2 & L1 & L2), (two_least r1 (d2 / P)
-    R1) as (r & Hr & L3 & L4); [apply Rdiv_lt_0_compat; lra|]. exists r; split; [exact Hr|]; intros y z Hy Hyd Hz HS.
-  pose proof (First y 0 z zero ltac:(lra) ltac:(lra) Hyd ltac:(lra) Hz ltac:(apply within_zero; lra) HS zero_solves) as
-    B.
+  intros (Hmc & Cb & Hm & Pb) Heps Hd' Sm1 Sm2 y z Hy Y Hz HS; pose proof P_pos as P2; pose proof (Rabs_pos e) as Pe.
+  assert (Hmm : 0 <= mc * m) by (apply Rmult_le_pos; lra); unfold gain in Sm1, Sm2.
+  set (H := P + mc * m + Rabs e + 1) in *; pose proof (first_order (eps / H) d' ltac:(apply Rdiv_lt_0_compat; unfold H;
+    lra) Hd' Sm1 y 0 z zero ltac:(lra) ltac:(lra) Y ltac:(lra) Hz ltac:(apply within_zero; lra) HS zero_solves) as B.
   replace (minus z zero) with z in B by (extensionality i; unfold minus, zero; ring); rewrite Rminus_0_r, (Rabs_pos_eq
     y) in B by lra. set (t := eps / H * y) in *; assert (Ht : 0 <= t) by (apply Rmult_le_pos; [left; apply
     Rdiv_lt_0_compat; unfold H; lra | lra]). assert (Et : (P + mc * m + Rabs e + 1) * t = eps * y) by (unfold t, H;
     field; lra).
   assert (0 <= P * t /\ 0 <= mc * m * t /\ 0 <= Rabs e * t) as (T1 & T2 & T3) by (repeat split; apply Rmult_le_pos;
     lra).
-  split; [apply (within_le _ t); [lra | exact B]|]; intros k Hk; pose proof (size y z ltac:(lra) Hz HS) as Sz.
-  assert (Y : P * y <= d2) by (apply (Rle_trans _ (P * (d2 / P))); [apply Rmult_le_compat_l; lra | right; field; lra]).
-  assert (Y' : 1 * y <= P * y) by (apply Rmult_le_compat_r; lra).
-  destruct (small_one _ _ _ (Sm d2 ltac:(lra)) y z (P * y) ltac:(lra) (within_le _ _ _ _ Y Sz) Sz ltac:(lra)) as [_ B2].
+  split; [apply (within_le _ t); [lra | exact B]|]; intros k Hk; assert (Y' : 1 * y <= P * y) by (apply
+    Rmult_le_compat_r; lra); pose proof (size y z ltac:(lra) Hz HS) as Sz.
+  destruct (small_one _ _ _ Sm2 y z (P * y) ltac:(lra) (within_le _ _ _ _ Y Sz) Sz ltac:(lra)) as [_ B2].
   specialize (B2 k Hk); apply within_S in B; destruct B as [B3 B4]; pose proof (Cb _ _ (Pb k _ _ Hk Ht B4)) as B5.
   assert (E5 : hat (minus z (line y)) = comb 1 (- y) (hat z) V) by (extensionality i; unfold hat, minus, line, rows,
     comb; ring).
@@ -289,3 +272,27 @@ Proof.
 Qed.
 End Ball.
 End Curve.
+
+(** Of smooth maps. *)
+Lemma bounds_exist M n : exists mc m, bounds M n mc m.
+Proof.
+  destruct (dot_bound (Map.N M) (Map.C M)) as (mc & Hmc & Cb), (power_bound (Map.N M) (Map.A M) n) as (m & Hm & Pb).
+  exists mc, m; repeat split; trivial.
+Qed.
+Section Smooth.
+Variables (M : Map.t) (w : vec) (e : R).
+Hypothesis HM : smooth M.
+Hypothesis Hw : forall i, (i < Map.N M)%nat -> w i = mult (Map.N M) (Map.A M) w i + Map.phi M i.
+Hypothesis He : e = dot (Map.N M) (Map.C M) w + Map.eta M.
+Lemma zeros k : Map.h M (fly M 0 k zero) 0 = 0 /\ forall i, (i < Map.N M)%nat -> fly M 0 k zero i = 0.
+Proof. split; [exact (height_zero M w e HM Hw He k) | exact (fly_zero M w HM Hw k)]. Qed.
+Lemma small_exists n W : 0 <= W -> within (Map.N M) W w -> forall eps, 0 < eps -> exists d0, 0 < d0 /\
+  forall d, 0 < d <= d0 -> small M w e n W eps d.
+Proof.
+  intros HW Wb eps Heps.
+  destruct (remainder_exists M w e HM Hw He n (eps / (1 + W))) as (d1 & Hd1 & Rem); [apply Rdiv_lt_0_compat; lra|].
+  exists (d1 / (1 + W)); split; [apply Rdiv_lt_0_compat; lra|]; intros d [Hd Hd']; apply small_of with (d1 := d1);
+    trivial; [exact zeros|]. apply (Rmult_le_compat_l (1 + W)) in Hd'; [|lra].
+  replace ((1 + W) * (d1 / (1 + W))) with d1 in Hd' by (field; lra); exact Hd'.
+Qed.
+End Smooth.

@@ -1,7 +1,8 @@
-(** * det (I - M) near a boundary where Theorem 1 is silent, in the plane *)
+(** * det (I - M) near a boundary where Theorem 1 is silent *)
 From Coq Require Import Reals FunctionalExtensionality Lra Lia.
 From Grazing Require Import StatementOrbits StatementUnstable StatementResonance StatementMultipliers.
 From Grazing Require Import Derivatives Finite OrbitVectors Contraction OrbitRemainder Orbits OrbitsNear ResonanceMaps.
+From Grazing Require Import Determinants.
 Import Map.
 Open Scope R_scope.
 
@@ -119,201 +120,193 @@ Proof.
   apply le_abs in DI, B2; apply Rabs_le; lra.
 Qed.
 
-(** ** Two by two *)
-Lemma algebra p00 p01 p10 p11 q0 q1 c0 c1 v0 v1 y k l h : 0 < y -> 0 <= h -> 1 <= l ->
-  Rabs (q0 - (v0 - (p00 * v0 + p01 * v1))) <= h * y -> Rabs (q1 - (v1 - (p10 * v0 + p11 * v1))) <= h * y ->
-  Rabs (c0 * v0 + c1 * v1 + 2 * y * (1 + k)) <= h * y -> Rabs (1 - p00) <= l -> Rabs p01 <= l -> Rabs p10 <= l ->
-  Rabs (1 - p11) <= l -> Rabs c0 <= l -> Rabs c1 <= l -> Rabs ((1 - (p00 - q0 * c0 / (2 * y))) * (1 - (p11 - q1 * c1 /
-  (2 * y))) - (p01 - q0 * c1 / (2 * y)) * (p10 - q1 * c0 / (2 * y)) + k * ((1 - p00) * (1 - p11) - p01 * p10)) <= 3 *
-  (l * l) * h.
+(** ** With q = (I - P) v and c v = - 2 y (1 + k), nearly, det (I - P + q c / (2 y)) is nearly - k det (I - P) *)
+Lemma dot_within N l t c x : 0 <= l -> 0 <= t -> within N l c -> within N t x ->
+  Rabs (dot N c x) <= INR N * (l * t).
 Proof.
-  intros Hy Hh Hl B0 B1 Bc X0 X1 X2 X3 C0 C1; set (r0 := q0 - _) in B0; set (r1 := q1 - _) in B1; set (rc := _ + _ + _)
-    in Bc. match goal with |- Rabs ?g <= _ => replace g with ((((1 - p00) * (1 - p11) * rc - p01 * p10 * rc) + ((1 -
-    p11) * c0 * r0 + p01 * c0 * r1) + (p10 * c1 * r0 + (1 - p00) * c1 * r1)) / (2 * y)) by (unfold r0, r1, rc; field;
-    lra) end.
-  unfold Rdiv; rewrite Rabs_mult, (Rabs_pos_eq (/ (2 * y))) by (left; apply Rinv_0_lt_compat; lra).
-  apply Rmult_le_reg_r with (2 * y); [lra|]; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-  replace (3 * (l * l) * h * (2 * y)) with (2 * (l * l * (h * y)) + 2 * (l * l * (h * y)) + 2 * (l * l * (h * y))) by
-    ring.
-  assert (T : forall a b r, Rabs a <= l -> Rabs b <= l -> Rabs r <= h * y -> - (l * l * (h * y)) <= a * b * r <= l * l *
-    (h * y)) by (intros; apply le_abs, product; [apply product; assumption | assumption]).
-  pose proof (T _ _ _ X0 X3 Bc); pose proof (T _ _ _ X1 X2 Bc); pose proof (T _ _ _ X3 C0 B0); pose proof (T _ _ _ X1 C0
-    B1). pose proof (T _ _ _ X2 C1 B0); pose proof (T _ _ _ X0 C1 B1); apply Rabs_le; lra.
+  intros Hl Ht Hc Hx; induction N as [|N IH]; [cbn; rewrite Rabs_R0; lra|]; rewrite S_INR; cbn [dot].
+  rewrite Rmult_plus_distr_r, Rmult_1_l; apply triangle2; [apply IH; intros i Hi; [apply Hc | apply Hx]; lia|].
+  apply product; [apply Hc | apply Hx]; lia.
 Qed.
-Lemma det_near p00 p01 p10 p11 a00 a01 a10 a11 l h : Rabs (1 - p00) <= l -> Rabs p01 <= l -> Rabs (1 - a11) <= l ->
-  Rabs a10 <= l -> Rabs (p00 - a00) <= h -> Rabs (p01 - a01) <= h -> Rabs (p10 - a10) <= h -> Rabs (p11 - a11) <= h ->
-  Rabs ((1 - p00) * (1 - p11) - p01 * p10 - ((1 - a00) * (1 - a11) - a01 * a10)) <= 4 * l * h.
+Lemma algebra N l : 0 <= l -> exists m, 0 <= m /\ forall P A c q v y k h h1, 0 < y -> 0 <= h -> 0 <= h1 -> h * y <= l ->
+  (forall i, (i < N)%nat -> Rabs (q i - (v i - dot N (P i) v)) <= h * y) -> Rabs (dot N c v + 2 * y * (1 + k)) <= h * y
+  -> within N l c -> (forall j i, (j < N)%nat -> (i < N)%nat -> Rabs (A j i) <= l /\
+  Rabs (axis j i - P i j) <= l /\ Rabs (axis j i - P i j - A j i) <= h1) ->
+  Rabs (det_less N (mult N (monodromy y c q P)) + k * det N A) <= m * h + Rabs k * m * h1.
 Proof.
-  intros P0 P1 A1 A2 D0 D1 D2 D3; pose proof (product _ _ _ _ P0 D3) as E1; pose proof (product _ _ _ _ A1 D0) as E2.
-  pose proof (product _ _ _ _ P1 D2) as E3; pose proof (product _ _ _ _ A2 D1) as E4; apply le_abs in E1, E2, E3, E4;
-    apply Rabs_le; lra.
-Qed.
-Lemma real_multiplier D : det_less (mult 2 D) < 0 -> exists lambda v, 1 < lambda /\ (exists i, (i < 2)%nat /\ v i <> 0)
-  /\ forall i, (i < 2)%nat -> mult 2 D v i = lambda * v i.
-Proof.
-  unfold det_less, mult; cbn; set (a := D 0%nat 0%nat); set (b := D 0%nat 1%nat); set (c := D 1%nat 0%nat); set (d := D
-    1%nat 1%nat); intros H; set (t := a + d); set (z := (a - d) ^ 2 + 4 * (b * c)).
-  assert (Z : (t - 2) ^ 2 < z) by (unfold t, z; lra); pose proof (pow2_ge_0 (t - 2)); set (s := sqrt z).
-  assert (Es : s * s = z) by (apply sqrt_sqrt; lra); assert (S0 : 0 <= s) by apply sqrt_pos.
-  assert (S1 : 2 - t < s) by (apply Rnot_le_lt; intros F; nra); set (e := (t + s) / 2); exists e.
-  assert (Ce : (e - a) * (e - d) = b * c) by (unfold e, t, z in *; nra); assert (He : 1 < e) by (unfold e; lra).
-  assert (W : forall x y, (x <> 0 \/ y <> 0) -> a * x + b * y = e * x -> c * x + d * y = e * y -> exists v, 1 < e /\
-    (exists i, (i < 2)%nat /\ v i <> 0) /\ forall i, (i < 2)%nat -> 0 + D i 0%nat * v 0%nat + D i 1%nat * v 1%nat = e *
-    v i).
-  { intros x y N E0 E1; exists (fun i => if Nat.eqb i 0 then x else y); split; [exact He | split].
-    - destruct N as [N|N]; [exists 0%nat | exists 1%nat]; split; trivial; lia.
-    - intros [|[|i]] Hi; [| |lia]; cbn; fold a b c d; lra. }
-  destruct (Req_dec b 0) as [B|B]; [|apply (W b (e - a)); [auto | ring | lra]].
-  destruct (Req_dec (e - d) 0) as [A|A]; [apply (W 0 1); [right; lra | rewrite B; ring | lra]|].
-  apply (W (e - d) c); [auto | | ring]; assert (X : (e - a) * (e - d) = 0) by (rewrite Ce, B; ring); rewrite B.
-  apply Rmult_integral in X; destruct X as [X|X]; [|contradiction]; replace e with a by lra; ring.
+  intros Hl; destruct (det_near N l Hl) as (m & Hm & Near); pose proof (pos_INR N) as N0.
+  assert (N1 : 0 <= INR N * (l * m)) by (repeat apply Rmult_le_pos; lra).
+  exists (m + INR N * (l * m)); split; [lra|]; intros P A c q v y k h h1 Hy Hh Hh1 Hl' Bq Bc Cl HA.
+  set (X := fun j i => axis j i - P i j); set (r := fun i => q i - (v i - dot N (P i) v)).
+  assert (Wl : within N l r) by (intros i Hi; eapply Rle_trans; [apply (Bq i Hi) | exact Hl']).
+  assert (Hy0 : 0 <= h * y) by (apply Rmult_le_pos; lra).
+  assert (WX : forall j, (j < N)%nat -> within N l (X j)) by (intros j Hj i Hi; apply HA; assumption).
+  destruct (Near X A h1) as [DX DA]; [|exact Hh1|].
+  { intros j Hj; split; [apply WX, Hj|]; split; intros i Hi; apply (HA j i Hj Hi). }
+  assert (Zero : forall j, (j < N)%nat -> det N (put j zero X) = 0).
+  { intros j Hj; replace zero with (comb 0 0 zero zero) by (extensionality i; unfold comb, zero; ring).
+    rewrite det_comb by exact Hj; ring. }
+  assert (Dr : within N (m * (h * y)) (fun j => det N (put j r X))).
+  { intros j Hj; destruct (Near (put j r X) (put j zero X) (h * y)) as [_ B]; [|exact Hy0 | rewrite Zero, Rminus_0_r in
+    B by exact Hj; exact B]. intros k' Hk; unfold put; destruct (Nat.eqb_spec k' j) as [->|_].
+    - split; [exact Wl | split; [apply within_zero, Hl|]]; intros i Hi; unfold minus, zero; rewrite Rminus_0_r.
+      apply (Bq i Hi).
+    - split; [apply WX, Hk | split; [apply WX, Hk|]]; intros i Hi; unfold minus; rewrite Rminus_eq_0, Rabs_R0; exact
+        Hy0. }
+  assert (Dq : forall j, (j < N)%nat -> det N (put j q X) = v j * det N X + det N (put j r X)).
+  { intros j Hj; rewrite <- (det_cramer N j X v Hj); set (Xv := fun i => dot N (fun k => X k i) v).
+    transitivity (1 * det N (put j Xv X) + 1 * det N (put j r X)); [rewrite <- det_comb by exact Hj | ring].
+    apply det_ext; intros k' i _ Hi; unfold put.
+    destruct (Nat.eqb_spec k' j); [|reflexivity]; unfold comb, r, Xv, X.
+    rewrite (dot_terms N _ v (axis i) v (P i) v 1 (-1)), (dot_alone N (axis i) v i Hi).
+    - unfold axis; rewrite Nat.eqb_refl; ring.
+    - intros l' _ Nl; unfold axis; destruct (Nat.eqb_spec l' i); [contradiction | ring].
+    - intros l' _; unfold axis; rewrite (Nat.eqb_sym i l'); ring. }
+  assert (E : det_less N (mult N (monodromy y c q P)) = det N X + / (2 * y) * (det N X * dot N c v + dot N c (fun j =>
+    det N (put j r X)))).
+  { unfold det_less; rewrite (det_ext N _ (fun j => comb 1 (c j / (2 * y)) (X j) q)).
+    - rewrite det_rank_one; f_equal; rewrite (dot_terms N _ _ c v c (fun j => det N (put j r X)) (/ (2 * y) * det N X)
+        (/ (2 * y))); [ring|]. intros j Hj; rewrite Dq by exact Hj; field; lra.
+    - intros j i Hj _; unfold minus, mult; rewrite (dot_axis N (monodromy y c q P i) j Hj); unfold monodromy, comb, X;
+      field; lra. }
+  pose proof (dot_within N l _ c _ Hl (Rmult_le_pos _ _ Hm Hy0) Cl Dr) as B2.
+  pose proof (product _ _ _ _ DX Bc) as B1; pose proof (product _ _ _ _ (Rle_refl (Rabs k)) DA) as B3.
+  replace (det_less _ _ + _) with (/ (2 * y) * (det N X * (dot N c v + 2 * y * (1 + k)) + dot N c (fun j => det N (put
+    j r X))) - k * (det N X - det N A)) by (rewrite E; field; lra).
+  eapply Rle_trans; [apply apart|]; apply Rplus_le_compat; [|eapply Rle_trans; [exact B3|]].
+  - rewrite Rabs_mult, Rabs_pos_eq by (left; apply Rinv_0_lt_compat; lra); apply (Rmult_le_reg_l (2 * y)); [lra|].
+    rewrite <- Rmult_assoc, Rinv_r, Rmult_1_l by lra; eapply Rle_trans; [apply Rabs_triang|].
+    assert (0 <= (m + INR N * (l * m)) * (h * y)) by (apply Rmult_le_pos; lra); lra.
+  - rewrite Rmult_assoc, <- (Rmult_assoc (Rabs k)); rewrite Rmult_assoc; apply Rmult_le_compat_l; [apply Rabs_pos|].
+    apply Rmult_le_compat_r; lra.
 Qed.
 
 Theorem Determinant : Determinant_statement.
 Proof.
-  intros M w V U e n Qh Q HM E2 N Hw He Ne Hn Hdet HVU H2 V0 K eps Heps; subst N; rewrite E2 in *.
-  set (e0 := fun j => if Nat.eqb j 0 then 1 else 0); set (e1 := fun j => if Nat.eqb j 0 then 0 else 1).
-  set (A i j := power M n j i); set (cA v := dot 2 (C M) (power M n v)).
-  set (l := 2 + Rabs (A 0%nat e0) + Rabs (A 0%nat e1) + Rabs (A 1%nat e0) + Rabs (A 1%nat e1) + Rabs (cA e0) + Rabs (cA
-    e1)). assert (Pl : forall x, 0 <= Rabs x) by apply Rabs_pos; assert (Hl : 2 <= l).
-  { pose proof (Pl (A 0%nat e0)); pose proof (Pl (A 0%nat e1)); pose proof (Pl (A 1%nat e0)); pose proof (Pl (A 1%nat
-    e1)); pose proof (Pl (cA e0)); pose proof (Pl (cA e1)); unfold l; lra. }
-  destruct (small_enough (eps / 2) (3 * (l * l)) ltac:(lra) ltac:(nra)) as (h & Hh & L1).
-  destruct (small_enough (eps / 2) (Rabs (e * K) * (4 * l))) as (h1 & Hh1 & L2); [lra | apply Rmult_le_pos; [apply Pl |
+  intros M w V U e n Qh Q HM N Hw He Ne Hn Hdet HVU H2 V0 K eps Heps; subst N; set (N := Map.N M) in *.
+  assert (Pl : forall x, 0 <= Rabs x) by apply Rabs_pos; destruct (power_bound N (Map.A M) n) as (ma & Hma & BA).
+  destruct (dot_bound N (C M)) as (mc & Hc & BC); set (cA v := dot N (C M) (power M n v)); set (l := mc * ma + ma + 2).
+  assert (Hl : 0 <= mc * ma) by (apply Rmult_le_pos; lra).
+  destruct (algebra N l ltac:(unfold l; lra)) as (m & Hm & Alg).
+  destruct (small_enough (eps / 2) m ltac:(lra) Hm) as (h & Hh & L1).
+  destruct (small_enough (eps / 2) (Rabs (e * K) * m)) as (h1 & Hh1 & L2); [lra | apply Rmult_le_pos; [apply Pl |
     lra]|].
   destruct (bend_slope _ _ _ _ _ h (second_height _ _ _ _ _ _ _ H2) ltac:(lra)) as (rh & Rh & BH).
-  destruct (common_bound (fun i r => forall y mu x v q p l, 0 < y <= r -> beside 2 V r y mu x -> within 2 r (minus v V)
+  destruct (common_bound (fun i r => forall y mu x v q p l, 0 < y <= r -> beside N V r y mu x -> within N r (minus v V)
     -> (forall t, power M n (minus (comb 1 t x v) x) i + (y + t - y) * B M i + (mu - mu) * (w i - power M n w i) = t *
-    l) -> slopes 2 (fun y x => let z := Nat.iter n (fun x => f M x mu) x in z i + kick M z y mu i * y) y x q p -> Rabs
-    (q + dot 2 p v - (l + 2 * y * Q i)) <= h * y) 2) as (ri & Ri & BI).
+    l) -> slopes N (fun y x => let z := Nat.iter n (fun x => f M x mu) x in z i + kick M z y mu i * y) y x q p -> Rabs
+    (q + dot N p v - (l + 2 * y * Q i)) <= h * y) N) as (ri & Ri & BI).
   { intros i a a' H Ha y mu x v q p g Hy [X1 X2] Hv; apply H; [lra | | apply (within_le _ a'); [lra | exact Hv]].
     assert (a' * Rabs y <= a * Rabs y) by (apply Rmult_le_compat_r; [apply Pl | lra]); split; [lra | apply (within_le _
       (a' * Rabs y)); assumption]. }
-  { intros i Hi; pose proof (second_impact _ _ _ _ _ _ _ H2 i) as X; rewrite E2 in X; destruct (bend_slope _ _ _ _ _ h
+  { intros i Hi; pose proof (second_impact _ _ _ _ _ _ _ H2 i) as X; destruct (bend_slope _ _ _ _ _ h
     (X Hi) ltac:(lra)) as (r & Hr & X'); exists r; split; [exact Hr | exact X']. }
-  destruct (two_least rh ri Rh Ri) as (r & Hr & R1 & R2), (within_exists 2 w) as (W & HW & Bw), (within_exists 2 U) as
+  destruct (two_least rh ri Rh Ri) as (r & Hr & R1 & R2), (within_exists N w) as (W & HW & Bw), (within_exists N U) as
     (u & Hu & Bu).
-  destruct (Curve M w V e n HM) as (dc & Hdc & Cv); rewrite ?E2; trivial; [intros i Hi; apply HVU, Hi|].
+  destruct (Curve M w V e n HM) as (dc & Hdc & Cv); trivial; [intros i Hi; apply HVU, Hi|].
   destruct (curve_slope _ _ _ _ _ _ Cv (r / (1 + W))) as (rs & Rs & Slope); [apply Rdiv_lt_0_compat; lra|].
   destruct (small_enough r (2 * u) Hr ltac:(lra)) as (y1 & Hy1 & L3), (two_least rs y1 Rs ltac:(lra)) as (y2 & Hy2 & L4
     & L5), (two_least r y2 Hr Hy2) as (y3 & Hy3 & L6 & L7).
-  destruct (there M w n h1 y3 HM ltac:(rewrite E2; exact Hw) ltac:(lra) Hy3) as (d1 & d2 & rho & Hd & HR & Hrho &
-    There).
+  destruct (there M w n h1 y3 HM Hw ltac:(lra) Hy3) as (d1 & d2 & rho & Hd & HR & Hrho & There).
   destruct (two_least dc d2 Hdc ltac:(lra)) as (d & Hd0 & D1 & D2); exists d; split; [exact Hd0|].
   intros mu x c q P Hmu Ho y HS D; destruct (orbit_clear M unit (fun j => j) (fun _ => n) mu d x tt (fun _ => Hn) Ho) as
-    (cl & Hcl & Cl). destruct (Ho tt) as (Hx & Hf & _); rewrite E2 in Hx.
+    (cl & Hcl & Cl). destruct (Ho tt) as (Hx & Hf & _).
   assert (Ey : y = speed_at M mu n (x tt)) by (unfold y, speed_of, speed_at; rewrite (heights M mu (x tt) n Hf) by lia;
     replace (S (n - 1)) with n by lia; reflexivity).
-  assert (Near : forall p, within 2 (rho cl) (minus p (x tt)) -> slow M n y3 d1 mu n p /\ forall i, (i < 2)%nat ->
+  assert (Near : forall p, within N (rho cl) (minus p (x tt)) -> slow M n y3 d1 mu n p /\ forall i, (i < N)%nat ->
     Nat.iter n (step M mu) p i = go M mu n p i).
-  { intros p Hp; destruct (There n mu (x tt) cl p) as (S1 & _ & S2); trivial; try lia; try lra; rewrite ?E2 in *; [apply
-    (within_le _ d); [lra | exact Hx] | exact Hp | auto]. }
+  { intros p Hp; destruct (There n mu (x tt) cl p) as (S1 & _ & S2); trivial; try lia; try lra; [apply
+    (within_le _ d); [lra | exact Hx] | auto]. }
   specialize (Hrho cl Hcl); destruct (Near (x tt)) as [Sx Gx]; [intros i _; unfold minus; rewrite Rminus_eq_0, Rabs_R0;
     lra|].
   pose proof (slow_near _ _ _ _ _ _ _ Sx) as Nx; pose proof (slow_hits _ _ _ _ _ _ _ Sx) as Hx0; destruct (slow_speed _
-    _ _ _ _ _ _ Sx) as [Sy Sy']; rewrite <- Ey in Sy, Sy'; rewrite E2 in Nx.
+    _ _ _ _ _ _ Sx) as [Sy Sy']; rewrite <- Ey in Sy, Sy'.
   assert (Yy : y * y = - Map.h M (fly M mu n (x tt)) mu) by (rewrite Ey; apply sqrt_sqrt; lra).
   assert (Py : 0 < y) by (rewrite Ey; apply sqrt_lt_R0; lra).
-  (* to the first order *) assert (One : forall e' t, (forall j, (j < 2)%nat -> Rabs (e' j) <= 1) -> 0 < t <= rho cl ->
-    let p := comb 1 t (x tt) e' in within 2 d1 p /\ within 2 t (minus p (x tt)) /\ minus p (x tt) = comb t 0 e' e').
+  (* to the first order *) assert (One : forall e' t, (forall j, (j < N)%nat -> Rabs (e' j) <= 1) -> 0 < t <= rho cl ->
+    let p := comb 1 t (x tt) e' in within N d1 p /\ within N t (minus p (x tt)) /\ minus p (x tt) = comb t 0 e' e').
   { intros e' t H1 Ht p; assert (E : minus p (x tt) = comb t 0 e' e') by (extensionality j; unfold p, minus, comb;
     ring).
-    assert (Wt : within 2 t (minus p (x tt))).
+    assert (Wt : within N t (minus p (x tt))).
     { rewrite E; intros j Hj; unfold comb; replace (t * e' j + 0 * e' j) with (t * e' j) by ring; rewrite Rabs_mult,
       (Rabs_pos_eq t) by lra. rewrite <- (Rmult_1_r t) at 2; apply Rmult_le_compat_l; [lra | apply H1, Hj]. }
     split; [|auto]; destruct (Near p) as [Sp _]; [apply (within_le _ t); [lra | exact Wt]|]; pose proof (slow_near _ _ _
-      _ _ _ _ Sp) as X; rewrite E2 in X; exact X. }
-  assert (First : forall e', (forall j, (j < 2)%nat -> Rabs (e' j) <= 1) -> Rabs (dot 2 c e' - cA e') <= h1 /\ forall i,
-    (i < 2)%nat -> Rabs (dot 2 (P i) e' - power M n e' i) <= h1).
+      _ _ _ _ Sp) as X; exact X. }
+  assert (First : forall e', (forall j, (j < N)%nat -> Rabs (e' j) <= 1) -> Rabs (dot N c e' - cA e') <= h1 /\ forall i,
+    (i < N)%nat -> Rabs (dot N (P i) e' - power M n e' i) <= h1).
   { intros e' H1; assert (Rx : forall t, 0 < t <= rho cl -> let p := comb 1 t (x tt) e' in Rabs (Map.h M (fly M mu n p)
-    mu - Map.h M (fly M mu n (x tt)) mu - t * cA e') <= h1 * t /\ forall i, (i < 2)%nat -> Rabs ((fly M mu n p i + kick
+    mu - Map.h M (fly M mu n (x tt)) mu - t * cA e') <= h1 * t /\ forall i, (i < N)%nat -> Rabs ((fly M mu n p i + kick
     M (fly M mu n p) y mu i * y) - (fly M mu n (x tt) i + kick M (fly M mu n (x tt)) y mu i * y) - t * power M n e' i)
     <= h1 * t).
     { intros t Ht p; destruct (One e' t H1 Ht) as (O1 & O2 & O3); fold p in O1, O2, O3.
-      destruct (HR n p (x tt) y y mu mu t) as (B1 & _ & B3); rewrite ?E2; trivial; try (rewrite ?Rminus_eq_0, ?Rabs_R0;
-        lra); try (rewrite Rabs_pos_eq; lra); try lra. unfold cA, power in *; rewrite E2 in *.
-      assert (Ep : forall v, Nat.iter n (mult 2 (Map.A M)) (comb t 0 v v) = comb t 0 (Nat.iter n (mult 2 (Map.A M)) v)
-        (Nat.iter n (mult 2 (Map.A M)) v)) by (intros v; apply power_comb).
+      destruct (HR n p (x tt) y y mu mu t) as (B1 & _ & B3); trivial; try (rewrite ?Rminus_eq_0, ?Rabs_R0;
+        lra); try (rewrite Rabs_pos_eq; lra); try lra. unfold cA, power in *; fold N in B1, B3 |- *.
+      assert (Ep : forall v, Nat.iter n (mult N (Map.A M)) (comb t 0 v v) = comb t 0 (Nat.iter n (mult N (Map.A M)) v)
+        (Nat.iter n (mult N (Map.A M)) v)) by (intros v; apply power_comb).
       split; [rewrite O3, Ep, dot_comb in B3; ResonanceCurve.same_as B3|]; intros i Hi; specialize (B1 i Hi); unfold
-        rest1, power in B1; rewrite E2, (Rabs_pos_eq y) in B1 by lra.
-      assert (Ei : Nat.iter n (mult 2 (Map.A M)) p i - Nat.iter n (mult 2 (Map.A M)) (x tt) i = t * Nat.iter n (mult 2
-        (Map.A M)) e' i) by (change (minus (Nat.iter n (mult 2 (Map.A M)) p) (Nat.iter n (mult 2 (Map.A M)) (x tt)) i =
-        t * Nat.iter n (mult 2 (Map.A M)) e' i); rewrite <- power_minus, O3, Ep; unfold comb; ring).
-      rewrite <- Ei; ResonanceCurve.same_as B1. }
-    destruct HS as [SH SI]; rewrite E2 in SH, SI; split.
+        rest1, power in B1; rewrite (Rabs_pos_eq y) in B1 by lra.
+      assert (Ei : Nat.iter n (mult N (Map.A M)) p i - Nat.iter n (mult N (Map.A M)) (x tt) i = t * Nat.iter n (mult N
+        (Map.A M)) e' i) by (change (minus (Nat.iter n (mult N (Map.A M)) p) (Nat.iter n (mult N (Map.A M)) (x tt)) i =
+        t * Nat.iter n (mult N (Map.A M)) e' i); rewrite <- power_minus, O3, Ep; unfold comb; ring).
+      rewrite <- Ei; fold N in B1; ResonanceCurve.same_as B1. }
+    destruct HS as [SH SI]; split.
     - pose proof (quotient _ _ _ _ _ _ 0 e' (cA e') h1 0 (rho cl) SH Hrho (Rle_refl 0)) as X; rewrite Rmult_0_l,
       Rplus_0_l in X; apply X; intros t Ht; rewrite Rmult_0_l, Rplus_0_r; apply (Rx t Ht).
     - intros i Hi; pose proof (quotient _ _ _ _ _ _ 0 e' (power M n e' i) h1 0 (rho cl) (SI i Hi) Hrho (Rle_refl 0)) as
       X; rewrite Rmult_0_l, Rplus_0_l in X; apply X; intros t Ht; replace (y + t * 0) with y by ring; replace (h1 + 0 *
       t) with h1 by ring; apply (Rx t Ht), Hi. }
   (* to the second, in the direction v *) destruct (Slope mu x ltac:(lra)) as [S1 S2].
-  { intros []; destruct (Ho tt) as [_ Y]; split; [rewrite E2; apply (within_le _ d); [lra | exact Hx] | exact Y]. }
+  { intros []; destruct (Ho tt) as [_ Y]; split; [apply (within_le _ d); [lra | exact Hx] | exact Y]. }
   { fold y; lra. }
-  fold y in S1, S2; rewrite V0, E2 in *; replace (mu + 0 / e * y) with mu in S1 by (field; exact Ne).
+  fold y in S1, S2; rewrite V0 in *; replace (mu + 0 / e * y) with mu in S1 by (field; exact Ne).
   assert (Ra : r / (1 + W) * y * (1 + W) = r * y) by (field; lra); assert (Rp : 0 <= r / (1 + W) * y) by (apply
     Rmult_le_pos; [left; apply Rdiv_lt_0_compat|]; lra). assert (Rw : 0 <= r / (1 + W) * y * W) by (apply Rmult_le_pos;
     lra).
-  assert (Bes : beside 2 V r y mu (x tt)).
+  assert (Bes : beside N V r y mu (x tt)).
   { split; rewrite (Rabs_pos_eq y) by lra; [lra|]; intros i Hi; specialize (S2 i Hi); cbv beta in S2.
     replace (x tt i - y * V i) with ((x tt i - mu * w i - y * V i) + mu * w i) by ring.
     apply Rle_trans with (r / (1 + W) * y + r / (1 + W) * y * W); [apply triangle2; [exact S2 | apply Rabs_mult_le;
       [exact S1 | apply Bw, Hi]] | lra]. }
-  set (v := comb 1 (2 * y) V U); assert (Bv : within 2 r (minus v V)).
+  set (v := comb 1 (2 * y) V U); assert (Bv : within N r (minus v V)).
   { intros i Hi; unfold minus, v, comb; replace (1 * V i + 2 * y * U i - V i) with (2 * y * U i) by ring; apply
     Rle_trans with (2 * y * u); [apply Rabs_mult_le; [rewrite Rabs_pos_eq; lra | apply Bu, Hi]|].
     apply Rle_trans with (2 := L3); assert (2 * u * y <= 2 * u * y1) by (apply Rmult_le_compat_l; lra); lra. }
   assert (Pv : forall t, power M n (minus (comb 1 t (x tt) v) (x tt)) = comb t 0 (power M n v) (power M n v)).
   { intros t; unfold power; rewrite <- power_comb; f_equal; extensionality i; unfold minus, comb; ring. }
   assert (Av : power M n v = comb 1 (2 * y) (power M n V) (power M n U)) by apply power_comb.
-  pose proof HS as HS'; destruct HS' as [SH SI]; rewrite E2 in SH, SI.
-  assert (Down : forall a, r <= a -> beside 2 V a y mu (x tt) /\ within 2 a (minus v V)).
+  pose proof HS as HS'; destruct HS' as [SH SI].
+  assert (Down : forall a, r <= a -> beside N V a y mu (x tt) /\ within N a (minus v V)).
   { intros a Ha; destruct Bes as [X1 X2]; assert (r * Rabs y <= a * Rabs y) by (apply Rmult_le_compat_r; [apply Pl |
     lra]); split; [split; [lra | apply (within_le _ (r * Rabs y)); assumption] | apply (within_le _ r); assumption]. }
   destruct (Down rh R1) as [X1 X2], (Down ri R2) as [X3 X4].
-  rewrite ?E2 in BH; pose proof (BH y mu (x tt) v 0 c (across M v n) ltac:(lra) X1 X2) as Bh.
-  assert (Bc : Rabs (dot 2 c v + 2 * y * (1 + e * K)) <= h * y).
-  { replace (dot 2 c v + 2 * y * (1 + e * K)) with (0 + dot 2 c v - (across M v n + 2 * y * Qh)).
-    - apply Bh; [|exact SH]; intros t; unfold across; rewrite Pv, E2, dot_comb; ring.
+  pose proof (BH y mu (x tt) v 0 c (across M v n) ltac:(lra) X1 X2) as Bh.
+  assert (Bc : Rabs (dot N c v + 2 * y * (1 + e * K)) <= h * y).
+  { replace (dot N c v + 2 * y * (1 + e * K)) with (0 + dot N c v - (across M v n + 2 * y * Qh)).
+    - apply Bh; [|exact SH]; intros t; unfold across; rewrite Pv, dot_comb; ring.
     - assert (Ea : across M v n = across M V n + 2 * y * across M U n) by (unfold across; rewrite Av, dot_comb; ring).
       rewrite Ea, V0; unfold K; field; exact Ne. }
-  assert (Bq : forall i, (i < 2)%nat -> Rabs (q i - (v i - dot 2 (P i) v)) <= h * y).
-  { intros i Hi; replace (q i - (v i - dot 2 (P i) v)) with (q i + dot 2 (P i) v - (power M n v i + B M i + 2 * y * Q
+  assert (Bq : forall i, (i < N)%nat -> Rabs (q i - (v i - dot N (P i) v)) <= h * y).
+  { intros i Hi; replace (q i - (v i - dot N (P i) v)) with (q i + dot N (P i) v - (power M n v i + B M i + 2 * y * Q
     i)).
     - apply (BI i Hi y mu (x tt) v); trivial; [lra | | apply SI, Hi]; intros t; rewrite Pv; unfold comb; ring.
-    - rewrite Av; destruct (HVU i Hi) as [EV EU]; generalize (dot 2 (P i) v); intros z; unfold v, comb; rewrite EV, EU;
+    - rewrite Av; destruct (HVU i Hi) as [EV EU]; generalize (dot N (P i) v); intros z; unfold v, comb; rewrite EV, EU;
       ring. }
-  assert (I0 : forall j, (j < 2)%nat -> Rabs (e0 j) <= 1 /\ Rabs (e1 j) <= 1) by (intros j _; unfold e0, e1; destruct
-    (Nat.eqb j 0); rewrite ?Rabs_R0, ?Rabs_R1; lra).
-  destruct (First e0 (fun j Hj => proj1 (I0 j Hj))) as [Fc0 F0], (First e1 (fun j Hj => proj2 (I0 j Hj))) as [Fc1 F1].
+  assert (F0 : forall j, (j < N)%nat -> Rabs (c j - cA (axis j)) <= h1 /\ forall i, (i < N)%nat -> Rabs (P i j - power M
+    n (axis j) i) <= h1).
+  { intros j Hj; destruct (First (axis j)) as [X Y]; [apply within_axis|]; rewrite dot_axis in X by exact Hj; split;
+    [exact X|]; intros i Hi; specialize (Y i Hi); rewrite dot_axis in Y by exact Hj; exact Y. }
   split; [|split; [|apply real_multiplier]].
-  { rewrite Ey in HS |- *; rewrite <- E2; apply step_slopes with (n := n); rewrite <- ?Ey, ?E2; trivial; [lra | rewrite
-    Ey; exact HS|]; exists (rho cl); split; [exact Hrho|]; intros p Hp; destruct (Near p Hp) as [Sp Gp]; split; [apply
-    Sp | exact Gp]. }
-  assert (Ee : forall b, dot 2 b e0 = b 0%nat /\ dot 2 b e1 = b 1%nat) by (intros b; unfold e0, e1; cbn; split; ring).
-  assert (Lm : forall z b, Rabs (z - b) <= h1 -> Rabs b <= l - 2 -> Rabs z <= l /\ Rabs (1 - z) <= l).
-  { intros z b Z1 Z2; apply le_abs in Z1, Z2; split; apply Rabs_le; lra. }
-  pose proof (Pl (A 0%nat e0)); pose proof (Pl (A 0%nat e1)); pose proof (Pl (A 1%nat e0)); pose proof (Pl (A 1%nat
-    e1)).
-  pose proof (Pl (cA e0)); pose proof (Pl (cA e1)); pose proof (F0 0%nat ltac:(lia)) as F00; pose proof (F1 0%nat
-    ltac:(lia)) as F01; pose proof (F0 1%nat ltac:(lia)) as F10; pose proof (F1 1%nat ltac:(lia)) as F11.
-  rewrite ?(proj1 (Ee _)), ?(proj2 (Ee _)) in *.
-  destruct (Lm _ _ F00) as [G0 G1]; [change (power M n e0 0%nat) with (A 0%nat e0); unfold l; lra|].
-  destruct (Lm _ _ F01) as [G2 G3]; [change (power M n e1 0%nat) with (A 0%nat e1); unfold l; lra|].
-  destruct (Lm _ _ F10) as [G4 G5]; [change (power M n e0 1%nat) with (A 1%nat e0); unfold l; lra|].
-  destruct (Lm _ _ F11) as [G6 G7]; [change (power M n e1 1%nat) with (A 1%nat e1); unfold l; lra|].
-  destruct (Lm _ _ Fc0) as [G8 _]; [unfold l; lra|]; destruct (Lm _ _ Fc1) as [G9 _]; [unfold l; lra|].
-  cbn [dot] in Bc, Bq; rewrite Rplus_0_l in Bc; pose proof (Bq 0%nat ltac:(lia)) as Q0; pose proof (Bq 1%nat ltac:(lia))
-    as Q1; rewrite Rplus_0_l in Q0, Q1.
-  pose proof (algebra _ _ _ _ _ _ _ _ _ _ y (e * K) l h Py ltac:(lra) ltac:(lra) Q0 Q1 Bc G1 G2 G4 G7 G8 G9) as B1.
-  assert (Ga : Rabs (1 - power M n e1 1%nat) <= l /\ Rabs (power M n e0 1%nat) <= l).
-  { change (power M n e1 1%nat) with (A 1%nat e1); change (power M n e0 1%nat) with (A 1%nat e0); split; [|unfold l;
-    lra]. eapply Rle_trans; [apply apart|]; rewrite Rabs_R1; unfold l; lra. }
-  pose proof (det_near _ _ _ _ _ _ _ _ l h1 G1 G2 (proj1 Ga) (proj2 Ga) F00 F01 F10 F11) as B2.
-  apply (Rmult_le_compat_l (Rabs (e * K))) in B2; [|apply Pl]; rewrite <- Rabs_mult in B2.
-  assert (ED : det_less D = (1 - (P 0%nat 0%nat - q 0%nat * c 0%nat / (2 * y))) * (1 - (P 1%nat 1%nat - q 1%nat * c
-    1%nat / (2 * y))) - (P 0%nat 1%nat - q 0%nat * c 1%nat / (2 * y)) * (P 1%nat 0%nat - q 1%nat * c 0%nat / (2 * y)))
-    by (unfold det_less, D, mult, monodromy; cbn; field; lra).
-  assert (EA : det_less (power M n) = (1 - power M n e0 0%nat) * (1 - power M n e1 1%nat) - power M n e1 0%nat * power M
-    n e0 1%nat) by reflexivity.
-  rewrite ED, EA; apply le_abs in B1, B2; apply Rabs_le; lra.
+  { rewrite Ey in HS |- *; apply step_slopes with (n := n); rewrite <- ?Ey; trivial; [lra | rewrite Ey; exact HS|].
+    exists (rho cl); split; [exact Hrho|]; intros p Hp; destruct (Near p Hp) as [Sp Gp]; split; [apply Sp | exact Gp]. }
+  assert (B1 : forall j, within N ma (power M n (axis j))) by (intros j; rewrite <- (Rmult_1_r ma);
+    apply BA; [lia | lra | apply within_axis]).
+  apply Rle_trans with (m * h + Rabs (e * K) * m * h1); [|lra]; apply (Alg P (fun j => minus (axis j) (power M n (axis
+    j))) c q v); trivial; try lra.
+  - apply Rle_trans with (1 * 1); [apply Rmult_le_compat; lra | unfold l; lra].
+  - intros j Hj; destruct (F0 j Hj) as [X _]; apply from in X; pose proof (BC _ _ (B1 j)); unfold cA in X.
+    unfold l; lra.
+  - intros j i Hj Hi; destruct (F0 j Hj) as [_ X]; specialize (X i Hi); pose proof (B1 j i Hi) as Y; pose proof
+      (within_axis N j i Hi) as Z; unfold minus. pose proof (apart (axis j i) (power M n (axis j) i)); pose proof
+      (from _ _ _ X); pose proof (apart (axis j i) (P i j)); split; [unfold l; lra | split; [unfold l; lra|]].
+    replace (_ - _) with (- (P i j - power M n (axis j) i)) by ring; rewrite Rabs_Ropp; exact X.
 Qed.

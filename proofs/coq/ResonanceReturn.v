@@ -94,8 +94,7 @@ Proof.
   destruct HC as [[Hh _] HB _ _ _]; unfold reach; assert (P : 0 < b * h / (8 * B)).
   { apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; lra | lra]. }
   split; [apply Rmin_glb_lt; assumption|]; split; [apply Rmin_l|].
-  apply (Rle_trans _ (8 * B * (b * h / (8 * B)))); [apply Rmult_le_compat_l; [lra | apply Rmin_r] | right; field;
-    lra].
+  apply (Rle_trans _ (8 * B * (b * h / (8 * B)))); [apply Rmult_le_compat_l; [lra | apply Rmin_r] | right; field; lra].
 Qed.
 Lemma rises s w x x' : Rabs (s - s0) <= h -> Rabs (w - w0) <= h -> - h <= x -> x < x' -> x' <= h ->
   b / 2 * (x' - x) <= depth s w x' - depth s w x.
@@ -125,10 +124,9 @@ Proof.
   pose proof (rises s w (- h) 0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as U'.
   destruct (IVT (depth s w) (- h) h) as (x & I & Z); [intros x;
     exact (D_continuous _ _ _ (D_depth s w x)) | lra | lra | lra|].
-  assert (E0 : sigma s w = x) by (apply the_spec; [auto|]; intros x' [I' Z'];
-    destruct (Rtotal_order x' x) as [O|[O|O]];
-    [pose proof (rises s w x' x) as X | exact O | pose proof (rises s w x x') as X];
-      specialize (X ltac:(lra) ltac:(lra) ltac:(lra) O ltac:(lra)); nra).
+  assert (E0 : sigma s w = x) by (apply the_spec; [auto|]; intros x' [I' Z']; destruct (Rtotal_order x' x) as [O|[O|O]];
+    [pose proof (rises s w x' x) as X | exact O | pose proof (rises s w x x') as X]; specialize (X ltac:(lra) ltac:(lra)
+    ltac:(lra) O ltac:(lra)); nra).
   rewrite <- E0 in I, Z; split; [exact I|]; split; [exact Z|].
   apply le_abs in E; unfold Rabs at 1; destruct (Rcase_abs (sigma s w)) as [N|N].
   - pose proof (rises s w (sigma s w) 0 ltac:(lra) ltac:(lra) ltac:(lra) N ltac:(lra)); lra.
@@ -246,8 +244,7 @@ Proof.
     - apply tends_mult; [apply tc | apply tends_mult; [exact tg | apply tends_mult; [exact tS | exact tQ]]].
     - apply tends_mult; [exact tr | apply tends_mult; [exact tV | exact tw]]. }
   destruct te as (e & te); exists e; intros eps He.
-  destruct (tr eps He) as (d1 & Hd1 & T1), (te eps He) as (d2 & Hd2 & T2),
-    (tden (b / 2) ltac:(lra)) as (d3 & Hd3 & T3).
+  destruct (tr eps He) as (d1 & Hd1 & T1), (te eps He) as (d2 & Hd2 & T2), (tden (b / 2) ltac:(lra)) as (d3 & Hd3 & T3).
   destruct (two_least d1 d2 Hd1 Hd2) as (d4 & Hd4 & L1 & L2), (two_least d3 d4 Hd3 Hd4) as (d5 & Hd5 & L3 & L4).
   destruct (two_least d5 reach Hd5 R1) as (d & Hd & L5 & L6); exists d; split; [exact Hd|]; intros [s w] Hz.
   change (norm (sub (s, w) (s0, w0))) with (size2 (s, w)) in *; specialize (T1 (s, w) ltac:(lra)).

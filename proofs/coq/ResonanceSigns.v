@@ -17,8 +17,7 @@ Proof.
   assert (Up : forall a b, (a < b)%nat -> PI * (INR a / INR n) < PI * (INR b / INR n)).
   { intros a b L; apply Rmult_lt_compat_l; [lra|]; apply Rmult_lt_compat_r;
     [apply Rinv_0_lt_compat, N | apply lt_INR, L]. }
-  assert (E0 : PI * (INR 0 / INR n) = 0) by (cbn; field; lra); assert (E1 : PI * (INR n / INR n) = PI) by (field;
-    lra).
+  assert (E0 : PI * (INR 0 / INR n) = 0) by (cbn; field; lra); assert (E1 : PI * (INR n / INR n) = PI) by (field; lra).
   assert (E2 : PI * (INR (2 * n) / INR n) = 2 * PI) by (rewrite mult_INR; change (INR 2) with 2; field; lra).
   split; [|split].
   - intros [A B]; apply Up in A, B; rewrite E0 in A; rewrite E1 in B; apply sin_gt_0; assumption.

@@ -33,8 +33,7 @@ Proof.
   assert (He : 0 < eps) by (apply Rdiv_lt_0_compat; lra).
   destruct (D eps He) as (d & Hd & H); exists d; split; [exact Hd|]; intros [s w] Hz.
   destruct (size_norm (s, w)) as [N _]; specialize (H (s, w) ltac:(lra)); rewrite Fix in H.
-  destruct (F (s, w)) as [s' w']; apply norm_le in H; cbn [sub apply fst snd m11 m12 m21 m22] in H;
-    destruct H as [A B].
+  destruct (F (s, w)) as [s' w']; apply norm_le in H; cbn [sub apply fst snd m11 m12 m21 m22] in H; destruct H as [A B].
   set (t := norm _) in *; unfold size in *; cbn [fst snd] in *; set (x := s - s0) in *; set (y := w - w0) in *.
   assert (E : eps * (1 + weight) = (1 - Rabs a) / 4) by (unfold eps; field; lra).
   assert (L1 : Rabs (s' - s0) <= Rabs a * Rabs x + eps * t).

@@ -3,8 +3,8 @@
 
 From Coq Require Import Reals ZArith List Arith Lra Lia.
 From Grazing Require Import Defs StatementOrbits StatementOrbitsPlane StatementUnstable StatementWords
-  StatementOscillator StatementNonlinear StatementBouncing NonlinearTube NonlinearBounces OrbitVectors PlaneOrbits
-    Oscillators WordAlgebra Headline StatementSystems.
+  StatementOscillator StatementNonlinear StatementBouncing NonlinearTube NonlinearMoves NonlinearBounces OrbitVectors
+    PlaneOrbits Oscillators WordAlgebra Headline StatementSystems.
 Import ListNotations.
 Open Scope R_scope.
 

@@ -345,6 +345,9 @@ E
 other StatementResonance.v Plane_statement 'only by the sign of gamma' <<'E'
 s/^  ((2 <= m)%nat \\\/ gamma < 0 -> forall mu x/  (gamma < 0 -> forall mu x/
 E
+other StatementFold.v turn_one 'a radius for each nu' <<'E'
+s/^  turn_one : exists r, 0 < r \/\\ forall nu y, Rabs nu < r ->/  turn_one : forall nu, exists r, 0 < r \/\\ forall y, Rabs nu < r ->/
+E
 other StatementOneImpact.v Every_mu_statement 'where b is not 0' <<'E'
 s/b a1 a2 n k <= 0 ->$/b a1 a2 n k < 0 ->/
 E

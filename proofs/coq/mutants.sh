@@ -301,13 +301,13 @@ E
 mutant touch-at-any-acceleration 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
 s/^  aG : 0 < a O (tG O) 0 0 0;/  aG : 0 <> a O (tG O) 0 0 0;/
 E
-mutant force-not-C1 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
+mutant force-not-C1 'File "./(ConsequencesNonlinear|NonlinearSmooth)' --pin StatementNonlinear.v <<'E'
 s/continuous D f3 \/\\ continuous D f4 }/continuous D f4 }/
 E
 mutant law-of-any-slope 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
 s/f3 (tG O) 0 0 0 = - tau O/f3 (tG O) 0 0 0 <= 0/
 E
-mutant linearized-elsewhere 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
+mutant linearized-elsewhere 'File "./(ConsequencesNonlinear|NonlinearSmooth)' --pin StatementNonlinear.v <<'E'
 s/: R := f t (y0 O t) (v0 O t) 0\./: R := f t (y0 O t) 0 0./
 E
 mutant any-number-of-nonlinear-motions 'File "./ConsequencesNonlinear' --pin StatementNonlinear.v <<'E'
@@ -547,23 +547,44 @@ E
 mutant one-impact-of-a-negative-restitution 'File "./(Consequences)?(OneImpact|Systems)' --pin StatementOneImpact.v <<'E'
 s/a1 a2 gamma -> 0 <= Oscillator.tau O ->$/a1 a2 gamma ->/
 E
-mutant multipliers-of-the-other-sign 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
-s/Rabs (det_less D + rate \* K/Rabs (det_less D - rate * K/
+mutant multipliers-of-the-other-sign 'File "./(ConsequencesMultipliers|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+s/Rabs (det_less N D + rate \* K/Rabs (det_less N D - rate * K/
 E
-mutant multipliers-at-any-slope 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+mutant multipliers-at-any-slope 'File "./(ConsequencesMultipliers|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
 s/second_order M w V rate n Qh Q -> across M V n = 0 ->/second_order M w V rate n Qh Q ->/
 E
-mutant multipliers-without-a-second-order 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+mutant multipliers-without-a-second-order 'File "./(ConsequencesMultipliers|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
 s/^  second_order M w V rate n Qh Q -> across/  across/
 E
-mutant multipliers-of-any-derivatives 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+mutant multipliers-of-any-derivatives 'File "./(ConsequencesMultipliers|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
 s/^  flight_slopes M n mu y (x tt) c q P -> let D/  let D/
 E
-mutant multipliers-of-more-dimensions 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
-s/ Map.N M = 2%nat ->/ (2 <= Map.N M)%nat ->/
+mutant multipliers-of-the-plane-alone 'File "./ConsequencesMultipliers' --pin StatementMultipliers.v <<'E'
+s/smooth M -> let N := Map.N M in$/smooth M -> Map.N M = 2%nat -> let N := Map.N M in/
 E
-mutant multipliers-real-above-two 'File "./(ConsequencesResonance|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
+mutant determinant-without-signs 'File "./ConsequencesMultipliers' --pin StatementMultipliers.v <<'E'
+s/dot N (fun j => (-1) ^ j \* det n/dot N (fun j => det n/
+E
+mutant multipliers-real-above-two 'File "./(ConsequencesMultipliers|ResonanceMultipliers)' --pin StatementMultipliers.v <<'E'
 s/exists lambda v, 1 < lambda/exists lambda v, 2 < lambda/
+E
+mutant fold-at-another-speed 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
+s/let s := - (nu \* S) \/ (2 \* K) in/let s := - (nu * S) \/ K in/
+E
+mutant fold-of-any-slope 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
+s/^  mixed_order F w V rate n ph Qh p Q -> across M V n = 0 ->/  mixed_order F w V rate n ph Qh p Q ->/
+E
+mutant fold-without-a-second-order 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
+s/^  mixed_order F w V rate n ph Qh p Q -> across/  across/
+E
+mutant fold-of-what-meets-before 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
+s/ -> (forall k, (0 < k < n)%nat -> 0 < across M V k) ->$/ ->/
+E
+mutant fold-of-a-family-that-grazes-elsewhere 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
+s/^    Family.h F nu x 0 = 0 \/\\/    True \/\\/
+E
+mutant fold-of-a-rough-family 'File "./(ConsequencesMultipliers|ResonanceFamily)' --pin StatementFold.v <<'E'
+s/^  family_smooth : .*/  family_smooth : smooth (member F 0);/
 E
 
 # The reader of attractors.
