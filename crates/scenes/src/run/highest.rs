@@ -10,7 +10,11 @@ use super::{
     unstable::on_attractor,
 };
 use crate::{
-    attractor::{diagram::SweepStep, portrait::OnAttractor, swing::Swing},
+    attractor::{
+        diagram::SweepStep,
+        portrait::{OnAttractor, Portrait},
+        swing::Swing,
+    },
     error::Result,
     scene::response::ResponseTask,
 };
@@ -95,9 +99,20 @@ fn about<'s, S>(
     let settled = on[i].decided().filter(|settled| settled.portrait.period.is_some())?;
     let jumps = || sweep.jumps.iter().filter(|jump| jump.sweep == row.way).map(|jump| jump.stays);
     let between = |x: f64, y: f64| jumps().find(|at| (at - x) * (at - y) <= 0.0);
-    // What a jump leads to is not known before it.
-    let first = if between(before.value, row.value).is_some() { row.value } else { before.value };
-    Some((settled, [first, between(row.value, after.value).unwrap_or(after.value)]))
+    let kind = |portrait: &Portrait| (portrait.period, portrait.impacts);
+    let goes_on = |step: &SweepStep<S>| {
+        step.decided().is_some_and(|there| kind(&there.portrait) == kind(&settled.portrait))
+    };
+    // What a jump leads to is not known before it, nor the orbit beyond where the motion is on it.
+    let first = match between(before.value, row.value) {
+        None if goes_on(before) => before.value,
+        _ => row.value,
+    };
+    let last = match between(row.value, after.value) {
+        None if goes_on(after) => after.value,
+        end => end.unwrap_or(row.value),
+    };
+    (first != last).then_some((settled, [first, last]))
 }
 
 /// By the golden section of the range.
