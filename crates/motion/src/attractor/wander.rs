@@ -116,8 +116,8 @@ fn shrinks<D: Dynamics>(dynamics: &D, start: &D::Start, monitor: &dyn Monitor) -
         }
         let sums: Vec<f64> = all.iter().skip(1).map(|one| all[0].rate + one.rate).collect();
         match sums.iter().copied().find(|sum| *sum < 0.0) {
-            // Of those that are left none is asked for.
-            None if count < size => count = size,
+            // As a rule some few vectors tell.
+            None if count < size => count = if count == 2 { size.min(6) } else { size },
             falls => return Ok(falls.or(sums.last().copied()).map(|sum| -TAU * sum)),
         }
     }
