@@ -233,6 +233,24 @@ Proof.
     replace (q * (a M * q + r)) with (- q * - (a M * q + r)) by ring; apply Rmult_le_pos; lra. }
   split; apply K; assumption.
 Qed.
+(** At the speed 1/5, V = - 1/5: a displacement (d, 0) becomes - (4/5 d, 5 J d), to 1/100 of d. *)
+Lemma derivative_numbers : Example_statement -> Derivative_statement -> let M := example in forall t x v X U,
+  through M t x v X U -> v t - Q1 M t = - (1 / 5) -> exists r, 0 < r /\ forall t1 y u Y W, free (a M + b M) (a M * b
+  M) y u -> free (a M + b M) (a M * b M) Y W -> y t1 = Q M t1 -> Y t1 = Q M t1 -> W t1 = Q1 M t1 - 4 / 5 * (u t1 - Q1
+  M t1) -> Rabs (t1 - t) <= r -> u t = v t -> let d := y t - x t in Rabs (Y t - X t + 4 / 5 * d) <= 1 / 100 * Rabs d
+  /\ Rabs (W t - U t + 5 * jump M t (- (1 / 5)) * d) <= 1 / 100 * Rabs d.
+Proof.
+  intros H D M t x v X U T HV; destruct (opens_example H) as [Hu _ _]; destruct (D M _ _ t (- (1 / 5)) x v X U Hu T
+    (eq_sym HV) ltac:(lra) (1 / 100) ltac:(lra)) as (r & Hr & K); exists r; split; [exact Hr|]; intros t1 y u Y W Fy
+      FY Ey EY EW Ht Eu d. destruct (K t1 y u Y W (conj Fy (conj FY (conj Ey (conj EY EW)))) Ht) as [K1 K2]; rewrite
+    Eu, Rminus_eq_0, Rabs_R0, Rplus_0_r in *; fold d in K1, K2; change (tau M) with (4 / 5) in K1, K2. split.
+  - replace (Y t - X t + 4 / 5 * d) with (Y t - X t - - (4 / 5) * d) by ring; exact K1.
+  - replace (W t - U t + 5 * jump M t (- (1 / 5)) * d) with (W t - U t - (- (4 / 5) * 0 + jump M t (- (1 / 5)) * d /
+      - (1 / 5))) by field; exact K2.
+Qed.
+Lemma through_numbers : let M := example in forall t x v X U, through M t x v X U -> free (a M + b M) (a M * b M) x v
+  /\ free (a M + b M) (a M * b M) X U /\ x t = Q M t /\ X t = Q M t /\ U t = Q1 M t - 4 / 5 * (v t - Q1 M t).
+Proof. intros M t x v X U T; exact T. Qed.
 Lemma separate_numbers : Example_statement -> Separate_statement -> forall N t V x v t' V' x' v', let M := example in
   stays M (- half) half N t V x v -> stays M (- half) half N t' V' x' v' -> t 0%nat = 0 -> t' 0%nat = 0 ->
   0 < t 1%nat -> 0 < t' 1%nat -> x 0%nat 0 <= x' 0%nat 0 -> a M * x 0%nat 0 + v 0%nat 0 <= a M * x' 0%nat 0 + v' 0%nat 0

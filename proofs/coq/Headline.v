@@ -176,29 +176,30 @@ Definition Chaos_statement : Prop := forall mu N, mu > 0 -> one_or_two N ->
     A machine M of [StatementTrapped]; x is measured from its motion without the stop. The fields are the
     sentences that `grazing check` prints of a certificate of kind attractor (STATEMENT in
     crates/checker/src/attractor/mod.rs), each before its field. Its q, Q and D are x, Q M and [trapped M]: S sqrt
-    nu and Z nu are Vm M and zm M; its X is [starts]. Not proved: that the matrix by which small displacements
-    change ([returns]) is the derivative of the return; so [D_parts] says the same of two motions. "Almost all" is
-    said of the velocities at each time and place, and means all but countably many. Of certificates with cells
-    (version 2) nothing is here. *)
+    nu and Z nu are Vm M and zm M; its X is [starts]. "Small displacements" change by the matrices of
+    [returns], which are derivatives ([Derivative_statement]); [D_parts] says the same of two motions. "Almost
+    all" is said of the velocities at each time and place, and means all but countably many. Of certificates with
+    cells (version 2) nothing is here. *)
 From Grazing Require Import StatementTrapped.
 
 Record attracts (M : machine) (lo hi E starts : R) : Prop := {
   (** "After a contact in D the motion is free for a time, until a next contact, which is in D." *)
   D_kept : forall t V, trapped M t V -> (exists t' V' x v, leg M t V t' V' x v) /\
     forall t' V' x v, leg M t V t' V' x v -> trapped M t' V';
-  (** "Every motion that begins at a time at which Q <= 0, with q >= 0 and 0 <= a q + q' <= X, is in D from its third
-      contact on." *)
+  (** "Every motion that begins at a time at which Q <= 0, with q >= 0 and 0 <= a q + q' <= X, is in D from its
+      third contact on." *)
   D_catches : forall s x v, Q M s <= 0 -> free (a M + b M) (a M * b M) x v -> 0 <= x s ->
     0 <= a M * x s + v s <= starts ->
     (exists t V, arrives M s t V x v) /\ forall t V, arrives M s t V x v -> third M t V;
-  (** "Small displacements of q and q' at a fixed time, just before a contact in D that is no graze, for which neither
-      that of q nor that of a q + q' is below 0, become, but for their sign, such displacements just before the next
-      contact, and that of q grows E-fold at least." *)
+  (** "Small displacements of q and q' at a fixed time, just before a contact in D that is no graze, for which
+      neither that of q nor that of a q + q' is below 0, become, but for their sign, such displacements just
+      before the next contact, and that of q grows E-fold at least." *)
   D_stretches : forall t V t' V' x v d w d' w', trapped M t V -> V < 0 -> leg M t V t' V' x v ->
     returns M (t' - t) t V d w d' w' -> cone M d w -> cone M d' w' /\ E * Rabs d <= Rabs d';
   (** Two motions x <= x' with the same passes, just before the later one has hit: they change order and part. *)
   D_parts : forall N t V x v t' V' x' v' i, stays M lo hi N t V x v -> stays M lo hi N t' V' x' v' ->
-    let s := t' (S i) in t (S i) <= s -> 0 <= x' i s - x i s -> 0 <= a M * (x' i s - x i s) + (v' i s - v i s) ->
+    let s := t' (S i) in t (S i) <= s -> 0 <= x' i s - x i s ->
+    0 <= a M * (x' i s - x i s) + (v' i s - v i s) ->
     let r := t (S (S i)) in t' (S (S i)) <= r /\ E * (x' i s - x i s) <= x (S i) r - x' (S i) r /\
     0 <= a M * (x (S i) r - x' (S i) r) + (v (S i) r - v' (S i) r);
   (** "No periodic motion whose contacts are in D, grazing or not, is stable in Lyapunov's sense." *)
@@ -210,8 +211,8 @@ Record attracts (M : machine) (lo hi E starts : R) : Prop := {
   D_grows_by : forall theta m, by_passes M theta m -> grow M lo hi theta;
   (** "Of the motions that begin as said almost all never graze." *)
   D_grazes : forall s q, Q M s <= 0 <= q -> Q M s < q -> few_graze M lo hi starts s q }.
-(** Where all returns stretch; and such are (65)-(67), d > 1, for all small mu, if a period leaves more than 2/3 of a
-    slow motion. *)
+(** Where all returns stretch; and such are (65)-(67), d > 1, for all small mu, if a period leaves more than 2/3
+    of a slow motion. *)
 Definition Attractor_statement : Prop :=
   (forall M lo hi E starts, chaotic M lo hi E -> begins M starts -> attracts M lo hi E starts) /\
   forall d w tau, 1 < d -> 0 < w -> 0 <= tau -> 2 / 3 < exp (- a (paper d w tau 1 1 1) * (2 * PI)) ->

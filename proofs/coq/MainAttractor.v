@@ -3,7 +3,7 @@
 
 From Grazing Require Import StatementAttractor Attractor AttractorGaps AttractorWindows AttractorFixed.
 From Grazing Require StatementTrapped TrappedSeparate TrappedExists TrappedStarts TrappedAlmost TrappedCone
-  TrappedAll TrappedExponent TrappedRange TrappedPaper TrappedExample TrappedSmall.
+  TrappedDerivative TrappedAll TrappedExponent TrappedRange TrappedPaper TrappedExample TrappedSmall.
 
 Theorem Wedge : Wedge_statement. Proof. exact Attractor.attractor. Qed.
 Theorem Gaps_and_windows : Gaps_statement /\ Windows_statement. Proof. exact (conj gaps windows). Qed.
@@ -15,11 +15,12 @@ Proof.
   exact (conj TrappedSeparate.Trapped (conj TrappedExists.Exists_ (conj TrappedStarts.Absorbed (conj
     TrappedStarts.Started TrappedAlmost.Almost)))).
 Qed.
-Theorem Stretched : StatementTrapped.Cone_statement /\ StatementTrapped.Separate_statement /\
+Theorem Stretched : StatementTrapped.Cone_statement /\ StatementTrapped.Derivative_statement /\
+  StatementTrapped.Separate_statement /\
   StatementTrapped.No_stable_statement /\ StatementTrapped.Exponent_statement.
 Proof.
-  exact (conj TrappedCone.Cone (conj TrappedSeparate.Separate (conj TrappedAll.No_stable
-    TrappedExponent.Exponent))).
+  exact (conj TrappedCone.Cone (conj TrappedDerivative.Derivative (conj TrappedSeparate.Separate (conj
+    TrappedAll.No_stable TrappedExponent.Exponent)))).
 Qed.
 Theorem By_numbers : StatementTrapped.Range_statement /\ StatementTrapped.Paper_statement /\
   StatementTrapped.Example_statement /\ StatementTrapped.Small_statement.

@@ -110,8 +110,8 @@ Definition Absorbed_statement : Prop := forall M lo hi z w t V t1 V1 x v t2 V2 y
   0 < al0 M - b M ^ 2 * (zm M + (1 + tau M) * fast) / (b M - a M) ->
   within M z w t V -> leg M t V t1 V1 x v -> leg M t1 V1 t2 V2 y u ->
   within M (zm M) fast t1 V1 /\ trapped M t2 V2.
-(** A motion that begins at the time s, where the stop is not above 0, with x >= 0 and 0 <= a x + x' <= z, comes
-    to a first contact (t, V), then to a second, and from its third on its contacts are in the set. *)
+(** A motion that begins at the time s, where the stop is not above 0, with x >= 0 and 0 <= a x + x' <= z,
+    comes to a first contact (t, V), then to a second, and the third is in the set. *)
 Definition begins (M : machine) (z : R) : Prop := zm M <= z /\ 0 < al0 M - b M ^ 2 * (z + (1 + tau M) *
   sqrt (2 * (al1 M + a M ^ 2 * (mu M + z / (b M - a M))) * mu M)) / (b M - a M).
 Record arrives (M : machine) (s t V : R) (x v : R -> R) : Prop := {
@@ -127,11 +127,12 @@ Definition Started_statement : Prop := forall M lo hi z s x v, opens M lo hi -> 
   free (a M + b M) (a M * b M) x v -> 0 <= x s -> 0 <= a M * x s + v s <= z ->
   (exists t V, arrives M s t V x v) /\ forall t V, arrives M s t V x v -> third M t V.
 
-(** At one time and place, above the stop, motions that begin so are told apart by their velocities u s. All but
-    countably many never graze. *)
+(** At one time and place, above the stop, motions that begin so are told apart by their velocities u s. All
+    but countably many never graze. *)
 Definition few_graze (M : machine) (lo hi z s q : R) : Prop := exists f : nat -> R, forall y u N t V x v,
   free (a M + b M) (a M * b M) y u -> y s = q -> 0 <= a M * q + u s <= z ->
-  arrives M s (t 0%nat) (V 0%nat) y u -> motion M lo hi N t V x v -> (exists i, V i = 0) -> exists n, u s = f n.
+  arrives M s (t 0%nat) (V 0%nat) y u -> motion M lo hi N t V x v ->
+  (exists i, V i = 0) -> exists n, u s = f n.
 Definition Almost_statement : Prop := forall M lo hi z s q, opens M lo hi -> begins M z ->
   Q M s <= 0 <= q -> Q M s < q -> few_graze M lo hi z s q.
 
@@ -148,6 +149,17 @@ Definition Cone_statement : Prop := forall M lo hi, opens M lo hi ->
   let d2 := phi11 M (t' - t) * d1 + phi12 M (t' - t) * w1 in
   let w2 := phi21 M (t' - t) * d1 + phi22 M (t' - t) * w1 in
   cone M d1 w1 /\ cone M d2 w2 /\ E * Rabs d <= Rabs d2.
+
+(** This is what a small displacement (d, w) of the motion before an impact, at its time t, does to the one
+    after it: the derivative. [through]: x before the contact, X after it, both as if they were free. *)
+Definition through (M : machine) (t : R) (x v X U : R -> R) : Prop :=
+  free (a M + b M) (a M * b M) x v /\ free (a M + b M) (a M * b M) X U /\
+  x t = Q M t /\ X t = Q M t /\ U t = Q1 M t - tau M * (v t - Q1 M t).
+Definition Derivative_statement : Prop := forall M lo hi t V x v X U, hump M lo hi -> through M t x v X U ->
+  V = v t - Q1 M t -> V < 0 -> forall eps, 0 < eps -> exists r, 0 < r /\
+  forall t1 y u Y W, through M t1 y u Y W -> Rabs (t1 - t) <= r -> let d := y t - x t in let w := u t - v t in
+  Rabs (Y t - X t - - tau M * d) <= eps * (Rabs d + Rabs w) /\
+  Rabs (W t - U t - (- tau M * w + jump M t V * d / V)) <= eps * (Rabs d + Rabs w).
 
 (** ** (iii) and (iv), where all returns stretch by E > 1 *)
 Record chaotic (M : machine) (lo hi E : R) : Prop := {

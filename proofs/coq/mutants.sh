@@ -469,6 +469,12 @@ E
 mutant stable-motions-without-a-bounce 'File "./TrappedAll' --pin StatementTrapped.v <<'E'
 /^Definition No_stable_statement/ s/chaotic M lo hi E -> 0 < tau M ->/chaotic M lo hi E -> 0 <= tau M ->/
 E
+mutant derivative-of-half-a-jump 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/  Rabs (W t - U t - (- tau M \* w + jump M t V \* d \/ V)) <=/  Rabs (W t - U t - (- tau M * w + jump M t V * d \/ (2 * V))) <=/
+E
+mutant derivative-at-a-graze 'File "./(Consequences|TrappedDerivative)' --pin StatementTrapped.v <<'E'
+s/  V = v t - Q1 M t -> V < 0 -> forall eps/  V = v t - Q1 M t -> forall eps/
+E
 mutant trapped-with-half-the-slip 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
 s/^Definition least_slip : R := mu M/Definition least_slip : R := mu M \/ 2/
 E
@@ -485,7 +491,7 @@ mutant few-grazes-from-the-stop 'File "./(Consequences|Trapped)' --pin Statement
 s/  Q M s <= 0 <= q -> Q M s < q -> few_graze/  Q M s <= 0 <= q -> few_graze/
 E
 mutant few-motions 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
-s/ -> (exists i, V i = 0) -> exists n, u s = f n\./ -> exists n, u s = f n./
+s/^  (exists i, V i = 0) -> exists n, u s = f n\./  exists n, u s = f n./
 E
 mutant brief-after-the-pass 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
 s/is_low : let T := p M \* IZR m - W M in/is_low : let T := p M * IZR m + W M in/

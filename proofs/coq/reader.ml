@@ -1,9 +1,8 @@
 (* A reader of certificates of kinds theorem2, word, word-by-theorem, chaos 3, range, range 2 and attractor: one
    answer per file named on the command line, "proved", "refused: line N: ..." or "not read: ...". Every file is read
-   to its end. Of chaos 3 and of ranges the motions and the growth of the graph are proved, of attractors all but that
-   the matrices by which displacements change are derivatives, and the answer says what of the statement is not read:
-   "proved; reach, entropy: not read", or with others where the file claims that there are none. What a file claims is
-   decided by the proved functions of StatementReaders.v, StatementReaderWords.v, StatementGrowth.v, PathsCheck.v,
+   to its end. Of chaos 3 and of ranges the motions and the growth of the graph are proved, and the answer says what of
+   the statement is not read: "proved; reach, entropy: not read", or with others where the file claims that there are
+   none. What a file claims is decided by the proved functions of StatementReaders.v, StatementReaderWords.v, StatementGrowth.v, PathsCheck.v,
    RangesCheck.v and TrapsCheck.v; here files are cut into lines and words, numbers are read, and the form is checked,
    as the heads of mod.rs in crates/checker/src, in theorem2, word, chaos, range and attractor, have it. *)
 open Decide
@@ -498,7 +497,7 @@ let read_range second lines =
   need (check_range certificate) "not proved";
   Some ("continuity, entropy" ^ (if List.exists snd all then ", others" else "") ^ ": not read")
 
-(* ---- kind attractor: all of it, but that the matrices by which displacements change are derivatives ---- *)
+(* ---- kind attractor ---- *)
 let attractor =
   "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b \
    in their ranges, all a together 1 and all j b together 0, and for every nu > 0 up to the listed depth, consider \
@@ -551,7 +550,7 @@ let read_attractor lines =
   at_end lines;
   need (check_trap { Trap.damping; stiffness; restitution; harmonics; depth; window; bends; concave; speed; slip; growth;
     last = positive last; start; exponent }) "not proved";
-  Some "derivatives: not read"
+  None
 
 let read_signs lines = function
   | "kind theorem2" -> read_theorem2 lines

@@ -214,7 +214,7 @@ fn the_proved_reader_has_the_verdicts_of_the_checker_on_attractors() {
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).unwrap();
     let data = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../checker/tests/data"));
-    let proved = "proved; derivatives: not read";
+    let proved = "proved";
     let mut damaged = Vec::new();
     for name in ["attractor", "attractor-wide", "attractor-several"] {
         let text = fs::read_to_string(data.join(format!("{name}.txt"))).unwrap();
