@@ -514,10 +514,10 @@ E
 mutant exponent-but-for-the-first-pass 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
 s/forall n, (1 <= n <= m)%Z -> stretches M (exp/forall n, (2 <= n <= m)%Z -> stretches M (exp/
 E
-mutant checked-but-for-the-first-pass 'File "./TrappedRange' --pin StatementTrapped.v <<'E'
+mutant checked-but-for-the-first-pass 'File "./(Consequences|TrappedRange)' --pin StatementTrapped.v <<'E'
 s/first_ones : forall n, (1 <= n < m)%Z/first_ones : forall n, (2 <= n < m)%Z/
 E
-mutant worse-but-for-its-width 'File "./TrappedRange' --pin StatementTrapped.v <<'E'
+mutant worse-but-for-its-width 'File "./(Consequences|TrappedRange)' --pin StatementTrapped.v <<'E'
 s/  more_W : W M <= W L;/  more_W : W M <= W L + 1;/
 E
 mutant example-that-grows-too-fast 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
