@@ -47,9 +47,9 @@ Definition by_A (s e : itv) (n : BinNums.positive) : bool := below e (times s (e
 Definition by_B (s h e : itv) (n : BinNums.positive) : bool := below e (times s (minus h (restI (minus
   (turn n) (wI
   I))))).
-(** Growth by e, the numbers s, h, q and w being found: over n periods. *)
-Definition by_either (s h q w e : itv) (n : BinNums.positive) : bool := by_A s (times e q) n || by_B s h (times e w)
-  n.
+(** Growth by e over n periods, the numbers s, h, q and w being found. *)
+Definition by_either (s h q w e : itv) (n : BinNums.positive) : bool :=
+  by_A s (times e q) n || by_B s h (times e w) n.
 Definition slip_holds : bool := let f := fallI (times (low (dI I)) (minus (turn 1) (wI I))) in
   positive (low (dI I)) && positive (minus unit f) && below (times (low (dI I)) f) (times (slipI I) (minus
     unit f)).
@@ -58,16 +58,17 @@ Definition numbers_hold (E : itv) (last : BinNums.positive) : bool :=
   positive (low (aI I)) && positive (minus (low (bI I)) (low (aI I))) && positive (ellI 1) && slip_holds &&
   positive earlyI && below (double (times mostI fallenI)) (times (speedI I) (speedI I)) && positive lateI
     &&
-  positive (speedI I) && positive (slipI I) && positive (minus E unit) && let s := strengthI in let h := heightI in
-  let q := quickI in let w := wayI in
-  forallb (fun n => by_either s h q w E (Pos.of_nat n)) (seq 1 (Pos.to_nat last - 1)) && by_B s h (times E w) last.
+  positive (speedI I) && positive (slipI I) && positive (minus E unit) &&
+  let s := strengthI in let h := heightI in let q := quickI in let w := wayI in
+  forallb (fun n => by_either s h q w E (Pos.of_nat n)) (seq 1 (Pos.to_nat last - 1)) &&
+  by_B s h (times E w) last.
 (** A7: returns take no more periods, from the depth nu on, and in each motions part by exp R. *)
 Definition exponent_holds (nu R : itv) (last : BinNums.positive) : bool :=
-  let T := minus (turn last) (wI I) in let kick := plus (quo (times bothI (speedI I)) (root nu)) (slipI I) in positive
-  (minus unit (plus (restI T) (times (quo (fallI (times (aI I) T)) (dI I)) kick))) && let s := strengthI in let h :=
-  heightI in let q := quickI in let w := wayI in
-  forallb (fun n => let n := Pos.of_nat n in by_either s h q w (inverse (fallI (scaled n R))) n) (seq 1 (Pos.to_nat
-    last)).
+  let T := minus (turn last) (wI I) in let kick := plus (quo (times bothI (speedI I)) (root nu)) (slipI I) in
+  positive (minus unit (plus (restI T) (times (quo (fallI (times (aI I) T)) (dI I)) kick))) &&
+  let s := strengthI in let h := heightI in let q := quickI in let w := wayI in
+  forallb (fun n => let n := Pos.of_nat n in by_either s h q w (inverse (fallI (scaled n R))) n)
+    (seq 1 (Pos.to_nat last)).
 End Function.
 
 

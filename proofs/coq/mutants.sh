@@ -634,7 +634,7 @@ mutant trap-reader-with-rates-in-the-middle 'File "./TrapsNumbers' '' TrapsCheck
 s/^Definition reachI (T : itv) : itv := let x := high (aI I)/Definition reachI (T : itv) : itv := let x := low (aI I)/
 E
 mutant trap-reader-of-all-returns-but-the-last 'File "./TrapsNumbers' '' TrapsCheck.v <<'E'
-s/^  by_B s h eB last\./  true./
+s/^  by_B s h (times E w) last\./  true./
 E
 mutant trap-reader-with-a-window-too-short 'File "./TrapsChecked' '' TrapsCheck.v <<'E'
 s/low_at false (fraction (fst (Trap.window X))) && low_at true h'/low_at false (fraction (fst (Trap.window X)))/
