@@ -356,8 +356,8 @@ s/^  let K := \(.*\) in forall eps, 0 < eps -> exists d, 0 < d \/\\$/  let K := 
 s/^  forall mu x c q P, Rabs mu <= d ->/  forall mu x c q P, exists d, 0 < d \/\\ (Rabs mu <= d ->/
 s/D v i = lambda \* v i)\.$/D v i = lambda * v i))./
 E
-other StatementTraps.v Traps_statement 'a bound for each certificate' <<'E'
-s/exists lo hi, let T := seen C M (hi - lo) in traps/exists lo hi, let T := seen C M (1 + hi - lo) in traps/
+other StatementTraps.v Traps_statement 'of a longer window' <<'E'
+s/traps C M (seen C M (hi - lo)) lo hi/traps C M (seen C M (1 + hi - lo)) lo hi/
 E
 other StatementTraps.v traps 'an exponent at the listed depth alone' <<'E'
 s/Q2R nu <= mu T ->/Q2R nu = mu T ->/
