@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use super::{oracle, sampled};
+use super::{oracle, sampled, sources};
 
 /// Certificates that `grazing` writes: kind and arguments.
 const WRITTEN: [&[&str]; 16] = [
@@ -230,6 +230,17 @@ fn the_proved_reader_has_the_verdicts_of_the_checker_on_attractors() {
     }
     println!("damaged attractors that are still true, refused: {counts:?}");
     assert!(counts[0] >= 40 && counts[1] >= 100, "{counts:?}");
+}
+
+/// What is quoted in the headline before each part of it is what the checker prints, from the trap on.
+#[test]
+fn the_headline_has_the_words_of_the_checker_on_attractors() {
+    let headline = sources().remove("Headline.v").unwrap();
+    let (_, record) = headline.split_once("Record attracts").unwrap();
+    let quoted: Vec<&str> = record.split('"').skip(1).step_by(2).flat_map(str::split_whitespace).collect();
+    let (_, said) = grazing_check::attractor::STATEMENT.split_once(" Then ").unwrap();
+    let (said, _) = said.split_once(" It is not said").unwrap();
+    assert_eq!(quoted.join(" ").to_lowercase(), said.to_lowercase());
 }
 
 /// One number of a certificate of an attractor made less or more, in many ways; and other ends.
