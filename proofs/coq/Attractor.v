@@ -74,7 +74,7 @@ Proof.
 Qed.
 End Map.
 
-Theorem attractor : Attractor_statement.
+Theorem attractor : Wedge_statement.
 Proof.
   intros l1 l2 b E Hl1 Hl Hb HE. assert (HE' : 2 * E * (1 - l1) < l1).
   { destruct HE as [_ H]. apply Rmult_lt_compat_r with (r := 2 * (1 - l1)) in H; [|lra]. replace (l1 / (2 * (1 - l1))

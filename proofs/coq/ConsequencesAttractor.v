@@ -30,7 +30,7 @@ Notation height' := (height (3 / 4) (1 / 2)). Notation never' := (never_grazes (
 
 (** E = 5/4 < 3/2. From (1, 1) the iterates come to a state not above 4 nu, no deeper than nu below the touch, and
     with 3/4 nu (1 - 16 nu) <= 3/4 p - 1/2 q <= nu. *)
-Lemma attractor_numbers : Attractor_statement -> exists nu0, nu0 > 0 /\ forall nu, 0 < nu <= nu0 ->
+Lemma attractor_numbers : Wedge_statement -> exists nu0, nu0 > 0 /\ forall nu, 0 < nu <= nu0 ->
   (forall x, wedge x -> 0 <= fst (step' nu x) /\ snd (step' nu x) <= fst (step' nu x)) /\
   (exists n, let y := iterate' nu n (1, 1) in 0 <= snd y <= fst y /\ snd y <= 4 * nu /\
     3 / 4 * (1 - 16 * nu) * nu <= 3 / 4 * fst y - 1 / 2 * snd y <= nu /\
@@ -55,7 +55,7 @@ Proof.
 Qed.
 (** No periodic orbit is stable: an eigenvalue beyond 5/4, and some nearby point goes away. The cone of the vectors is
     |q| <= 8 |3/4 p - 1/2 q|, in it (1, 1) for one, and they grow by 5/4 to the next impact. *)
-Lemma unstable_numbers : Attractor_statement -> Fixed_statement -> exists nu, nu > 0 /\ exists x,
+Lemma unstable_numbers : Wedge_statement -> Fixed_statement -> exists nu, nu > 0 /\ exists x,
   step' nu x = x /\ 0 <= snd x /\ (exists J v e, derivative (step' nu) x J /\ v <> (0, 0) /\
     m11 J * fst v + m12 J * snd v = e * fst v /\ 5 / 4 <= Rabs e) /\
   (exists r, r > 0 /\ forall eps, eps > 0 -> exists z i, norm (sub z x) < eps /\ norm (sub (iterate' nu i z) x) > r).
@@ -68,7 +68,7 @@ Proof.
   - destruct (Un x 1%nat P) as (r & Hr & HU); exists r; split; [exact Hr|]; intros eps He.
     destruct (HU eps He) as (z & i & Hz & Hi); exists z, (i * 1)%nat; split; assumption.
 Qed.
-Lemma cone_numbers : Attractor_statement -> exists nu0, nu0 > 0 /\ forall nu, 0 < nu <= nu0 -> forall x,
+Lemma cone_numbers : Wedge_statement -> exists nu0, nu0 > 0 /\ forall nu, 0 < nu <= nu0 -> forall x,
   trap (3 / 4) (1 / 2) 1 nu x -> never' nu x -> height' nu (step' nu x) < 0 -> exists J, derivative (step' nu) x J /\
   let w := apply J (1, 1) in 5 / 16 <= Rabs (3 / 4 * fst w - 1 / 2 * snd w) /\
   Rabs (1 / 2 * snd w) <= 4 * Rabs (3 / 4 * fst w - 1 / 2 * snd w).
@@ -118,25 +118,26 @@ Proof. intros H; destruct (H (1 / 2) (1 / 4) 3) as (P & B & S); try lra; split; 
 
 From Grazing Require Import StatementOscillator StatementTrapped.
 
-Notation example := (paper (3 / 2) 8 (4 / 5) (1 / 10)).
+Notation example := (paper (3 / 2) 8 (4 / 5) (1 / 10) (78665 / 1000000) (757575 / 1000000)).
 Definition half : R := acos (/ (1 + 1 / 10)).
 
 Lemma example_numbers : Example_statement -> 0 < alb example /\ 0 < alo example /\ stretches example (201 / 200) 1 /\
   stretches example (201 / 200) 100 /\ 201 / 200 > 1 /\ - half <= half <= - half + W example /\
-  W example < p example /\ forall t, half < t < - half + p example -> Q example t < 0.
+  W example < p example /\ (forall t, half < t < - half + p example -> Q example t < 0) /\ least_slip example <= 78665
+  / 10000000 /\ least_speed example <= 757575 / 1000000 * sqrt (1 / 10).
 Proof.
-  intros H; destruct (H (1 / 10) ltac:(lra)) as [[P B C] E S]; destruct P; fold half in *. split;
+  intros H; destruct (H (1 / 10) ltac:(lra)) as [[P [B [Z V]] C] E S]; destruct P; fold half in *. split;
     [exact B|split; [exact C|split; [apply S; lia|split; [apply S; lia|split; [lra|split; [exact width|]]]]]].
-  split; [exact narrow|exact below].
+  split; [exact narrow|split; [exact below|split; [cbn [zm paper] in Z; lra|exact V]]].
 Qed.
 (** d = 5/4, w = 2: a = 1/4, b = 1, and cos t > 1/2 beyond mu = 1, for |t| < pi/3; at pi the stop is at -3. *)
-Lemma paper_numbers : Paper_statement -> let M := paper (5 / 4) 2 (1 / 2) 1 in let h := acos (/ (1 + 1)) in
+Lemma paper_numbers : Paper_statement -> let M := paper (5 / 4) 2 (1 / 2) 1 3 4 in let h := acos (/ (1 + 1)) in
   a M + b M = 5 / 4 /\ a M * b M = 1 / 4 /\ 0 < a M < b M /\ 0 <= tau M /\ 0 < mu M /\ 0 < al0 M /\ Q M 0 = Q M (0 + p
     M) /\
   (forall t, derivable_pt_lim (Q M) t (Q1 M t)) /\ (forall t, derivable_pt_lim (Q1 M) t (Q2 M t)) /\
   (forall t, - h <= t <= h -> 1 <= - Q2 M t <= 2) /\ (forall t, Q M t <= 1) /\ exists t, Q M t = 1.
 Proof.
-  intros H M h; destruct (H (5 / 4) 2 (1 / 2) 1) as (E1 & E2 & U); try lra; fold M h in E1, E2, U.
+  intros H M h; destruct (H (5 / 4) 2 (1 / 2) 1 3 4) as (E1 & E2 & U); try lra; fold M h in E1, E2, U.
   destruct U as [U0 U1 U2 U3 U4 U5 _ _ _ U6 U7 U8 U9]; split; [lra|split; [lra|split; [exact U0|]]]. split;
     [exact U1|split; [exact U2|split; [exact U7|split; [symmetry; apply U3|split; [exact U4|split;
     [exact U5|]]]]]]. split; [intros t Ht; specialize (U6 t Ht); cbn in *; lra|split; [exact U8|exact U9]].
@@ -182,10 +183,35 @@ Lemma absorbed_numbers : Example_statement -> Absorbed_statement -> forall t V t
   0 <= Q M t -> - (3 / 10) <= V <= 0 -> 0 <= zeta M t V <= 1 / 10 -> leg M t V t1 V1 x v -> leg M t1 V1 t2 V2 y u ->
   - fast <= V1 /\ zeta M t1 V1 <= zm M /\ - Vm M <= V2 <= 0 /\ 0 <= zeta M t2 V2 <= zm M.
 Proof.
-  intros H T t V t1 V1 x v t2 V2 y u M fast A1 A2 q1 q2 q3 L1 L2; destruct (opens_example H) as [P B _].
-  destruct (T example _ _ (1 / 10) (3 / 10) t V t1 V1 x v t2 V2 y u P B A1 A2) as [(_ & W1 & W2) (_ & W3 & W4)];
+  intros H T t V t1 V1 x v t2 V2 y u M fast A1 A2 q1 q2 q3 L1 L2.
+  destruct (T example _ _ (1 / 10) (3 / 10) t V t1 V1 x v t2 V2 y u (opens_example H) A1 A2) as [(_ & W1 & W2) (_ & W3
+    & W4)];
     [split; [exact q1|split; [exact q2|exact q3]]|exact L1|exact L2|]; fold fast in W1. split; [apply W1|split;
     [apply W2|split; [exact W3|exact W4]]].
+Qed.
+(** A motion that begins at rest at 1, when the stop is at - 21/10: a x + x' = a. All speeds there but countably many
+    never graze. *)
+Lemma started_numbers : Example_statement -> Started_statement -> let M := example in begins M (a M) ->
+  forall x v, free (a M + b M) (a M * b M) x v -> x PI = 1 -> v PI = 0 -> exists t V t1 V1 x1 v1 t2 V2 x2 v2, PI <= t
+    /\ (forall r, PI < r < t -> Q M r < x r) /\ x t = Q M t /\ V = v t - Q1 M t /\ V <= 0 /\ leg M t V t1 V1 x1 v1 /\
+  leg M t1 V1 t2 V2 x2 v2 /\ 0 <= Q M t2 /\ V2 <= 0 /\ zeta M t2 V2 <= 78665 / 10000000.
+Proof.
+  intros H T M B x v F X0 V0; destruct (opens_example H) as [U _ _]; pose proof (overdamped _ _ _ U) as Hab; fold M in
+    Hab. assert (QP : Q M PI <= 0) by (cbn [Q M paper]; unfold M; cbn [Q paper]; rewrite cos_PI; lra).
+  destruct (T M _ _ (a M) PI x v (opens_example H) B QP F) as ((t & V & Ar) & Th); [lra|rewrite X0, V0; lra|].
+  destruct (Th t V Ar) as ((t1 & V1 & x1 & v1 & L1) & Th1); destruct (Th1 _ _ _ _ L1) as ((t2 & V2 & x2 & v2 & L2) &
+    Th2); destruct (Th2 _ _ _ _ L2) as (q1 & q2 & q3); destruct Ar as [A1 A2 A3 A4 A5]. exists t, V, t1, V1, x1, v1,
+    t2, V2, x2, v2; repeat (split; [assumption|]); split; [lra|]; unfold M in q3; cbn [zm paper] in q3; unfold M; lra.
+Qed.
+Lemma almost_numbers : Example_statement -> Almost_statement -> let M := example in begins M 2 -> exists f : nat -> R,
+  forall y u N t V x v, free (a M + b M) (a M * b M) y u -> y PI = 1 -> 0 <= a M + u PI <= 2 -> arrives M PI (t 0%nat)
+  (V 0%nat) y u -> motion M (- half) half N t V x v -> (forall n, u PI <> f n) ->
+  forall i, V i <> 0.
+Proof.
+  intros H T M B; assert (QP : Q M PI < 0) by (unfold M; cbn [Q paper]; rewrite cos_PI; lra).
+  destruct (T M _ _ 2 PI 1 (opens_example H) B ltac:(lra) ltac:(lra)) as (f & Hf); exists f; intros y u N t V x v F Y0
+    U0 Ar Mo No i V0. destruct (Hf y u N t V x v F Y0 ltac:(rewrite Rmult_1_r; exact U0) Ar Mo) as (n & E); [exists i;
+      exact V0|exact (No n E)].
 Qed.
 (** The vector (1, 0) at an impact is more than 1.005 away just before the next. *)
 Lemma cone_example : Example_statement -> Cone_statement -> forall t V t' V' x v k n, let M := example in
@@ -207,6 +233,24 @@ Proof.
     replace (q * (a M * q + r)) with (- q * - (a M * q + r)) by ring; apply Rmult_le_pos; lra. }
   split; apply K; assumption.
 Qed.
+(** At the speed 1/5, V = - 1/5: a displacement (d, 0) becomes - (4/5 d, 5 J d), to 1/100 of d. *)
+Lemma derivative_numbers : Example_statement -> Derivative_statement -> let M := example in forall t x v X U,
+  through M t x v X U -> v t - Q1 M t = - (1 / 5) -> exists r, 0 < r /\ forall t1 y u Y W, free (a M + b M) (a M * b
+  M) y u -> free (a M + b M) (a M * b M) Y W -> y t1 = Q M t1 -> Y t1 = Q M t1 -> W t1 = Q1 M t1 - 4 / 5 * (u t1 - Q1
+  M t1) -> Rabs (t1 - t) <= r -> u t = v t -> let d := y t - x t in Rabs (Y t - X t + 4 / 5 * d) <= 1 / 100 * Rabs d
+  /\ Rabs (W t - U t + 5 * jump M t (- (1 / 5)) * d) <= 1 / 100 * Rabs d.
+Proof.
+  intros H D M t x v X U T HV; destruct (opens_example H) as [Hu _ _]; destruct (D M _ _ t (- (1 / 5)) x v X U Hu T
+    (eq_sym HV) ltac:(lra) (1 / 100) ltac:(lra)) as (r & Hr & K); exists r; split; [exact Hr|]; intros t1 y u Y W Fy
+      FY Ey EY EW Ht Eu d. destruct (K t1 y u Y W (conj Fy (conj FY (conj Ey (conj EY EW)))) Ht) as [K1 K2]; rewrite
+    Eu, Rminus_eq_0, Rabs_R0, Rplus_0_r in *; fold d in K1, K2; change (tau M) with (4 / 5) in K1, K2. split.
+  - replace (Y t - X t + 4 / 5 * d) with (Y t - X t - - (4 / 5) * d) by ring; exact K1.
+  - replace (W t - U t + 5 * jump M t (- (1 / 5)) * d) with (W t - U t - (- (4 / 5) * 0 + jump M t (- (1 / 5)) * d /
+      - (1 / 5))) by field; exact K2.
+Qed.
+Lemma through_numbers : let M := example in forall t x v X U, through M t x v X U -> free (a M + b M) (a M * b M) x v
+  /\ free (a M + b M) (a M * b M) X U /\ x t = Q M t /\ X t = Q M t /\ U t = Q1 M t - 4 / 5 * (v t - Q1 M t).
+Proof. intros M t x v X U T; exact T. Qed.
 Lemma separate_numbers : Example_statement -> Separate_statement -> forall N t V x v t' V' x' v', let M := example in
   stays M (- half) half N t V x v -> stays M (- half) half N t' V' x' v' -> t 0%nat = 0 -> t' 0%nat = 0 ->
   0 < t 1%nat -> 0 < t' 1%nat -> x 0%nat 0 <= x' 0%nat 0 -> a M * x 0%nat 0 + v 0%nat 0 <= a M * x' 0%nat 0 + v' 0%nat 0
@@ -231,56 +275,68 @@ Proof.
   exists i0, eps; split; [exact e0|]; intros d Hd; destruct (U d Hd) as (N' & t' & V' & x' & v' & S' & A & B & C).
   rewrite E in B; exists N', t', V', x', v'; split; [exact S'|split; [exact A|split; [exact B|exact C]]].
 Qed.
-(** theta = 1/100, so a displacement doubles in 100 periods, as exp 1 > 2. *)
-Lemma exponent_numbers : Example_statement -> Exponent_statement -> forall m, let M := example in brief M m ->
-  (forall n, (1 <= n <= m)%Z -> stretches M (exp (1 / 100 * IZR n)) n) ->
+(** theta = 1/100, so a displacement doubles in 100 periods, as exp 1 > 2; and it is not bounded, whatever m is. *)
+Lemma exponent_numbers : Example_statement -> Exponent_statement -> let M := example in
   forall N t V x v d w, stays M (- half) half N t V x v -> (forall i, V i < 0) ->
   (forall i, returns M (t (S i) - t i) (t i) (V i) (d i) (w i) (d (S i)) (w (S i))) -> d 0%nat = 1 -> w 0%nat = 0 ->
-  forall i, (N 0%nat + 100 <= N i)%Z -> 2 <= Rabs (d i).
+  (forall m, by_passes M (1 / 100) m -> forall i, (N 0%nat + 100 <= N i)%Z -> 2 <= Rabs (d i)) /\ exists theta, 0 <
+  theta /\ forall i, 1 + theta * IZR (N i - N 0%nat) <= Rabs (d i).
 Proof.
-  intros H T m M Br St N t V x v d w S Neg Ret d0 w0 i Hi; destruct (opens_example H) as [U _ _];
-    destruct U as [U _ _ _ _ _ _ _ _ _ _ _ _]. pose proof (T example _ _ (1 / 100) m (opens_example H) Br St N t V x v
-    d w S Neg Ret) as G. rewrite d0, w0, Rabs_R1 in G; specialize (G ltac:(left; lra) i).
-  assert (X : 100 <= IZR (N i - N 0%nat)) by (apply (IZR_le 100); lia); pose proof (exp_ineq1_le 1).
-  destruct (Req_dec (1 / 100 * IZR (N i - N 0%nat)) 1) as [Eq|Ne]; [rewrite Eq in G; lra|].
-  pose proof (exp_increasing 1 (1 / 100 * IZR (N i - N 0%nat)) ltac:(lra)); lra.
+  intros H T M N t V x v d w S Neg Ret d0 w0; pose proof (H (1 / 10) ltac:(lra)) as Ch; destruct (opens_example H) as
+    [[U _ _ _ _ _ _ _ _ _ _ _ _] _ _]; destruct (T M _ _ (opens_example H)) as [G1 G2].
+  assert (C : cone M (d 0%nat) (w 0%nat)) by (rewrite d0, w0; left; unfold M; lra); split.
+  - intros m Br i Hi; pose proof (G1 _ _ Br N t V x v d w S Neg Ret C i) as G; rewrite d0, Rabs_R1 in G.
+    assert (X : 100 <= IZR (N i - N 0%nat)) by (apply (IZR_le 100); lia); pose proof (exp_ineq1_le 1).
+    destruct (Req_dec (1 / 100 * IZR (N i - N 0%nat)) 1) as [Eq|Ne]; [rewrite Eq in G; lra|].
+    pose proof (exp_increasing 1 (1 / 100 * IZR (N i - N 0%nat)) ltac:(lra)); lra.
+  - destruct (G2 _ Ch) as (th & T0 & G); exists th; split; [exact T0|]; intros i; specialize (G N t V x v d w S Neg
+      Ret C i); rewrite d0, Rabs_R1 in G; pose proof (exp_ineq1_le (th * IZR (N i - N 0%nat))); lra.
 Qed.
 (** A machine with the paper's flow at mu = 1/20, from the numbers at 1/10. *)
 Lemma range_numbers : Range_statement -> Paper_statement -> forall L m, checked L (11 / 10) m ->
-  worse L (paper (3 / 2) 8 (4 / 5) (1 / 20)) -> let M := paper (3 / 2) 8 (4 / 5) (1 / 20) in
+  worse L (paper (3 / 2) 8 (4 / 5) (1 / 20) 1 2) -> let M := paper (3 / 2) 8 (4 / 5) (1 / 20) 1 2 in
   0 < alb M /\ 0 < alo M /\ forall n, (1 <= n)%Z -> 11 / 10 <= A_ M (IZR n) \/ 11 / 10 <= B_ M (IZR n).
 Proof.
-  intros H P L m C Wo M; destruct (P (3 / 2) 8 (4 / 5) (1 / 20)) as (_ & _ & U); try lra.
-  destruct (H L (11 / 10) m _ _ _ C U Wo) as [[_ O1 O2] _ S]; split; [exact O1|split; [exact O2|exact S]].
+  intros H P L m C Wo M; destruct (P (3 / 2) 8 (4 / 5) (1 / 20) 1 2) as (_ & _ & U); try lra.
+  destruct (H L (11 / 10) m _ _ _ C U Wo) as [[_ [O1 _] O2] _ S]; split; [exact O1|split; [exact O2|exact S]].
 Qed.
 
 (** What stands in hypotheses, at numbers. *)
 Lemma hypotheses_hold : forall lo hi N t V d w m L, let M := example in (chaotic M lo hi 1 -> False) /\
   (periodic M 3 2 N t V -> N 3%nat = (N 0%nat + 2)%Z /\ t 3%nat = t 0%nat + 4 * PI /\ V 3%nat = V 0%nat) /\
   (returns M 6 0 (-1) 0 1 d w -> d = phi12 M 6 * - (4 / 5) /\ w = phi22 M 6 * - (4 / 5)) /\
-  (brief M m -> (1 <= m)%Z /\ b M * exp (- (b M - a M) * (2 * PI * IZR m - W M)) <= a M /\
-    phi11 M (2 * PI * IZR m - W M) / 10 + phi12 M (2 * PI * IZR m - W M) * (9 / 5 * Vm M + zm M) < 1 / 10) /\
+  (brief M m -> (1 <= m)%Z /\ let T := 2 * PI * IZR m - W M in phi11 M T / 10 + exp (- a M * T) * (9 / 5 * Vm M + zm
+    M) / (b M - a M) < 1 / 10) /\ (by_passes M 1 m -> brief M m /\ ((1 <= m)%Z -> stretches M (exp 1) 1)) /\ (begins M
+  w -> 78665 / 10000000 <= w /\ 0 < 1 - b M ^ 2 * (w + 9 / 5 * sqrt (2 * (11 / 10 + a M ^ 2 * (1 / 10 + w / (b M
+    - a M))) * (1 / 10))) / (b M - a M)) /\
   (worse L M -> a L = a M /\ b L = b M /\ tau L = 4 / 5 /\ p L = 2 * PI /\ 1 / 10 <= mu L /\ W M <= W L /\ al0 L <= 1 /\
-    11 / 10 <= al1 L) /\
-  (checked L 2 m -> W L < p L /\ 0 < al0 L /\ 0 < alb L /\ 0 < alo L /\ (1 <= m)%Z /\ 2 <= B_ L (IZR m) /\
+    11 / 10 <= al1 L /\ exists S, zm L = 78665 / 1000000 * mu L /\ Vm M = S * sqrt (1 / 10) /\ Vm L = S * sqrt (mu L))
+      /\ (checked L 2 m -> W L < p L /\ 0 < al0 L /\ 0 < alb L /\ least_slip L <= zm L /\ least_speed L <= Vm L /\ 0 <
+    alo L /\ (1 <= m)%Z /\ 2 <= B_ L (IZR m) /\
     forall n, (1 <= n < m)%Z -> stretches L 2 n) /\ (checked L 1 m -> False).
 Proof.
-  intros lo hi N t V d w m L M; split; [intros [_ E _]; lra|split; [|split; [|split; [|split; [|split]]]]].
+  intros lo hi N t V d w m L M; split; [intros [_ E _]; lra|split; [|split; [|split; [|split; [|split; [|split;
+    [|split]]]]]]].
   - intros P; destruct (P 0%nat) as (P1 & P2 & P3); cbn [Nat.add p paper] in *; split; [exact P1|split; [|exact P3]].
     unfold M in P2; cbn [p paper] in P2; lra.
   - intros [-> ->]; cbn [tau paper M]; unfold M; split; unfold Rdiv; cbn [tau paper]; ring.
-  - intros [H1 H2 H3]; unfold M in *; cbn [p mu tau paper] in *; split; [exact H1|split; [exact H2|]].
+  - intros [H1 H2]; unfold M in *; cbv zeta in *; cbn [p mu tau paper] in *; split; [exact H1|].
     replace (9 / 5) with (1 + 4 / 5) by field; lra.
-  - intros [[H1 H2] [H3 H4] H5 H6 [H7 H8]]; unfold M in *; cbn [tau p mu al0 al1 paper] in *.
-    split; [symmetry; exact H1|split; [symmetry; exact H2|]]; repeat (split; [lra|]); lra.
-  - intros [H1 H2 H3 H4 _ H6 H7 H8]; repeat (split; [assumption|]); exact H7.
+  - intros [H1 H2]; split; [exact H1|]; intros Hm; specialize (H2 1%Z ltac:(lia)); rewrite Rmult_1_l in H2; exact H2.
+  - intros [H1 H2]; unfold M in *; cbn [zm al0 al1 mu tau paper] in *; split; [lra|]; replace (9 / 5) with (1 + 4 / 5)
+      by field; replace (11 / 10) with (1 + 1 / 10) by field; exact H2.
+  - intros [[H1 H2] [H3 H4] H5 H6 [H7 H8] (Z & S & E1 & E2 & E3 & E4)]; unfold M in *; cbn [tau p mu al0 al1 zm Vm
+      paper] in
+      *. split; [symmetry; exact H1|split; [symmetry; exact H2|]]; repeat (split; [lra|]); exists S; replace (78665 /
+      1000000) with Z by lra; repeat split; assumption.
+  - intros [H1 H2 [H3 [H3' H3'']] H4 _ H6 H7 H8]; repeat (split; [assumption|]); exact H7.
   - intros [_ _ _ _ H5 _ _ _]; lra.
 Qed.
 (** d = 3/2, w = 24: a < 1/60, so exp (- 2 pi a) > 4/5 and E = 2 will do. *)
-Lemma small_numbers : Small_statement -> exists mu1, mu1 > 0 /\ forall mu, 0 < mu <= mu1 ->
-  let M := paper (3 / 2) 24 (1 / 2) mu in 0 < alb M /\ 0 < alo M /\ stretches M 2 1.
+Lemma small_numbers : Small_statement -> exists Z S mu1, mu1 > 0 /\ forall mu, 0 < mu <= mu1 ->
+  let M := paper (3 / 2) 24 (1 / 2) mu Z S in 0 < alb M /\ 0 < alo M /\ stretches M 2 1.
 Proof.
-  intros H; destruct (H (3 / 2) 24 (1 / 2) 2) as (mu1 & H1 & HM); try lra.
+  intros H; destruct (H (3 / 2) 24 (1 / 2) 2) as (Z & S & mu1 & H1 & HM); try lra.
   - cbn [a paper]; replace ((3 / 2) ^ 2 - 1) with (5 / 4) by field; set (r := sqrt (5 / 4)).
     assert (Er : r * r = 5 / 4) by (apply sqrt_sqrt; lra); assert (R0 : 0 <= r) by apply sqrt_pos.
     assert (R1 : 11 / 10 < r) by (apply Rnot_le_lt; intros F; assert (r * r <= 11 / 10 * (11 / 10)) by
@@ -294,8 +350,8 @@ Proof.
     pose proof (exp_ineq1_le (- t)); assert (exp (- t) < 1) by (rewrite <- exp_0; apply exp_increasing; lra).
     split; [lra|]; set (l := exp (- t)) in *; apply (Rmult_lt_reg_r (2 * (1 - l))); [lra|].
     replace (l / (2 * (1 - l)) * (2 * (1 - l))) with l by (field; lra); lra.
-  - exists mu1; split; [exact H1|]; intros mu Hmu M; destruct (HM mu Hmu) as [[_ B C] _ S].
-    split; [exact B|split; [exact C|apply S; lia]].
+  - exists Z, S, mu1; split; [exact H1|]; intros mu Hmu M; destruct (HM mu Hmu) as [[_ [B _] C] _ St].
+    split; [exact B|split; [exact C|apply St; lia]].
 Qed.
 
 (** ** Instability near grazing: l1 = 1/2, l2 = 1/4, b = 1, of the words over {1, 2}; C A B = 1/4, C A^2 B = 3/16 *)

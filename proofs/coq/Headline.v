@@ -1,4 +1,4 @@
-(** * Headline: Theorem 1 in the plane, Theorem 2, Conjecture 1, the word theorem and chaos
+(** * Headline: Theorem 1 in the plane, Theorem 2, Conjecture 1, the word theorem, chaos and an attractor
 
     Everything else in this folder is a lemma for one of these, or says more about one. They are about
     oscillators, linear or not, with one stop or two, from the differential equation and the law of impact, and
@@ -13,8 +13,10 @@
     - [unstable] and [unstable_motion] in [StatementUnstable];
     - [trace], [Farey], [interval], [outside] and [tends_to_1] in [Statement]: Theorem 2's intervals of s;
     - [member], [edge], [path], [vertices], [arrow] and [ends] in [StatementWords];
-    - [chaos_motion] and [in_two_boxes] in [StatementChaos], [Nordmark] in [StatementNordmark].
-    The proofs end in [Systems], [SystemsAreas], [Conjecture1], [SystemsWords] and [Chaos], in this order. *)
+    - [chaos_motion] and [in_two_boxes] in [StatementChaos], [Nordmark] in [StatementNordmark];
+    - [StatementTrapped], for the attractor: all of it up to [Exponent_statement].
+    The proofs end in [Systems], [SystemsAreas], [Conjecture1], [SystemsWords], [Chaos] and [TrappedAttracts], in this
+    order. *)
 From Coq Require Import Reals ZArith List Arith.
 From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementUnstable StatementWords
   StatementChaos StatementOscillator StatementNonlinear StatementBouncing.
@@ -168,3 +170,51 @@ Definition Chaos_statement : Prop := forall mu N, mu > 0 -> one_or_two N ->
   exists t y v, chaos_motion mu N t y v /\ in_two_boxes mu N t v /\
   forall t' y' v', chaos_motion mu N t' y' v' -> in_two_boxes mu N t' v' ->
   forall i x, t' i = t i /\ y' i x = y i x /\ v' i x = v i x.
+
+(** ** The attractor: overdamped, above a stop of one hump, beyond the touch
+
+    A machine M of [StatementTrapped]; x is measured from its motion without the stop. The fields are the
+    sentences that `grazing check` prints of a certificate of kind attractor (STATEMENT in
+    crates/checker/src/attractor/mod.rs), each before its field. Its q, Q and D are x, Q M and [trapped M]: S sqrt
+    nu and Z nu are Vm M and zm M; its X is [starts]. "Small displacements" change by the matrices of
+    [returns], which are derivatives ([Derivative_statement]); [D_parts] says the same of two motions. "Almost
+    all" is said of the velocities at each time and place, and means all but countably many. Of certificates with
+    cells (version 2) nothing is here. *)
+From Grazing Require Import StatementTrapped.
+
+Record attracts (M : machine) (lo hi E starts : R) : Prop := {
+  (** "After a contact in D the motion is free for a time, until a next contact, which is in D." *)
+  D_kept : forall t V, trapped M t V -> (exists t' V' x v, leg M t V t' V' x v) /\
+    forall t' V' x v, leg M t V t' V' x v -> trapped M t' V';
+  (** "Every motion that begins at a time at which Q <= 0, with q >= 0 and 0 <= a q + q' <= X, is in D from its
+      third contact on." *)
+  D_catches : forall s x v, Q M s <= 0 -> free (a M + b M) (a M * b M) x v -> 0 <= x s ->
+    0 <= a M * x s + v s <= starts ->
+    (exists t V, arrives M s t V x v) /\ forall t V, arrives M s t V x v -> third M t V;
+  (** "Small displacements of q and q' at a fixed time, just before a contact in D that is no graze, for which
+      neither that of q nor that of a q + q' is below 0, become, but for their sign, such displacements just
+      before the next contact, and that of q grows E-fold at least." *)
+  D_stretches : forall t V t' V' x v d w d' w', trapped M t V -> V < 0 -> leg M t V t' V' x v ->
+    returns M (t' - t) t V d w d' w' -> cone M d w -> cone M d' w' /\ E * Rabs d <= Rabs d';
+  (** Two motions x <= x' with the same passes, just before the later one has hit: they change order and part. *)
+  D_parts : forall N t V x v t' V' x' v' i, stays M lo hi N t V x v -> stays M lo hi N t' V' x' v' ->
+    let s := t' (S i) in t (S i) <= s -> 0 <= x' i s - x i s ->
+    0 <= a M * (x' i s - x i s) + (v' i s - v i s) ->
+    let r := t (S (S i)) in t' (S (S i)) <= r /\ E * (x' i s - x i s) <= x (S i) r - x' (S i) r /\
+    0 <= a M * (x (S i) r - x' (S i) r) + (v (S i) r - v' (S i) r);
+  (** "No periodic motion whose contacts are in D, grazing or not, is stable in Lyapunov's sense." *)
+  D_unstable : 0 < tau M -> forall K P N t V x v, (1 <= K)%nat -> stays M lo hi N t V x v ->
+    periodic M K P N t V -> not_stable M lo hi t V x;
+  (** "Every motion whose contacts are in D and no grazes has a positive Lyapunov exponent;" *)
+  D_grows : exists theta, 0 < theta /\ grow M lo hi theta;
+  (** "where an exponent R is listed with a nu, from that nu on it is at least R in each period 2 pi." *)
+  D_grows_by : forall theta m, by_passes M theta m -> grow M lo hi theta;
+  (** "Of the motions that begin as said almost all never graze." *)
+  D_grazes : forall s q, Q M s <= 0 <= q -> Q M s < q -> few_graze M lo hi starts s q }.
+(** Where all returns stretch; and such are (65)-(67), d > 1, for all small mu, if a period leaves more than 2/3
+    of a slow motion. *)
+Definition Attractor_statement : Prop :=
+  (forall M lo hi E starts, chaotic M lo hi E -> begins M starts -> attracts M lo hi E starts) /\
+  forall d w tau, 1 < d -> 0 < w -> 0 <= tau -> 2 / 3 < exp (- a (paper d w tau 1 1 1) * (2 * PI)) ->
+  exists E Z S mu1, mu1 > 0 /\ forall mu, 0 < mu <= mu1 ->
+  chaotic (paper d w tau mu Z S) (- acos (/ (1 + mu))) (acos (/ (1 + mu))) E.

@@ -81,7 +81,7 @@ Record stable_orbit (n : nat) (x : R * R) (J : mat) : Prop := {
 End Map.
 
 (** ** The theorem: l1 / (2 (1 - l1)) > 1 as l1 > 2/3 *)
-Definition Attractor_statement : Prop := forall l1 l2 b E, 2 / 3 < l1 < 1 -> 0 < l2 < l1 -> 0 < b ->
+Definition Wedge_statement : Prop := forall l1 l2 b E, 2 / 3 < l1 < 1 -> 0 < l2 < l1 -> 0 < b ->
   1 < E < l1 / (2 * (1 - l1)) -> exists nu0, nu0 > 0 /\ forall nu, 0 < nu <= nu0 -> exists N, (1 <= N)%nat /\
   chaotic l1 l2 b nu E N /\ expanding l1 l2 b nu E.
 

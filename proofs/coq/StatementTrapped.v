@@ -3,14 +3,14 @@
 
     x'' = - (a + b) x' - a b x between impacts, 0 < a < b, above a stop x >= Q t of period p; a force that
     depends on the time alone is part of Q. A contact is a time and the relative velocity V <= 0 there; after
-    it the relative velocity is - tau V. V = 0 (a graze) changes nothing. Complete on this page, but for
-    [free]. *)
+    it the relative velocity is - tau V. V = 0 (a graze) changes nothing. zm and Vm are bounds of a set of
+    contacts ([trapped]). Complete on this page, but for [free]. *)
 From Coq Require Import Reals ZArith.
 From Grazing Require Import StatementOscillator. (* for free only *)
 Open Scope R_scope.
 
 Record machine : Type := { a : R; b : R; tau : R; p : R; W : R; mu : R; al0 : R; al1 : R;
-  Q : R -> R; Q1 : R -> R; Q2 : R -> R }.
+  zm : R; Vm : R; Q : R -> R; Q1 : R -> R; Q2 : R -> R }.
 
 (** In each period the stop is >= 0 in [lo, hi] alone, is bent there, and reaches mu > 0. *)
 Record hump (M : machine) (lo hi : R) : Prop := {
@@ -40,31 +40,31 @@ Definition phi21 (T : R) : R := - (a M * b M) * phi12 T.
 Definition phi22 (T : R) : R := (b M * exp (- b M * T) - a M * exp (- a M * T)) / (b M - a M).
 Definition ell (n : R) : R := Rmin (phi12 (p M * n - W M)) (phi12 (p M * n + W M)).
 
-(** At contacts a x + x' <= zm, and |V| <= Vm; |V| <= V1 where the next contact is one period on. How strongly
-    the gap opens: alb, before a contact if one would follow the motion after it backwards, and alo, after a
-    contact. [deep]: how far below the stop the motion before a contact would go. Ql: how high the stop is at
-    a contact. *)
-Definition zm : R := mu M * (b M - a M) / (exp ((b M - a M) * (p M - W M)) - 1).
+(** The least zm: what is left of a x + x' at the next contact. |V| <= V1 where that is one period on. How
+    strongly the gap opens: alb, before a contact if one would follow the motion after it backwards, and alo,
+    after a contact. [deep]: how far below the stop the motion before a contact would go; hence the least Vm.
+    Ql: how high the stop is at a contact. *)
+Definition least_slip : R := mu M * (b M - a M) / (exp ((b M - a M) * (p M - W M)) - 1).
 Definition V1 : R := mu M / ((1 + tau M) * ell 1).
-Definition alM : R := al1 M + a M ^ 2 * (mu M + zm / (b M - a M)).
-Definition alb : R := al0 M - b M ^ 2 * exp (b M * W M) * (zm + (1 + tau M) * V1) / (b M - a M).
+Definition alM : R := al1 M + a M ^ 2 * (mu M + zm M / (b M - a M)).
+Definition alb : R := al0 M - b M ^ 2 * exp (b M * W M) * (zm M + (1 + tau M) * V1) / (b M - a M).
 Definition deep : R :=
   (1 - exp (- a M * p M)) * mu M + exp (- a M * p M) * (tau M ^ 2 * V1 ^ 2 / (2 * alb)).
-Definition Vm : R := sqrt (2 * alM * deep).
-Definition alo : R := al0 M - b M ^ 2 * (zm + (1 + tau M) * Vm) / (b M - a M).
-Definition sigma : R := tau M * (al0 M - b M ^ 2 * zm / (b M - a M)) + alo.
-Definition Ql : R := mu M - Rmax (Vm + zm) (a M * mu M) ^ 2 / (2 * al0 M).
+Definition least_speed : R := sqrt (2 * alM * deep).
+Definition alo : R := al0 M - b M ^ 2 * (zm M + (1 + tau M) * Vm M) / (b M - a M).
+Definition sigma : R := tau M * (al0 M - b M ^ 2 * zm M / (b M - a M)) + alo.
+Definition Ql : R := mu M - Rmax (Vm M + zm M) (a M * mu M) ^ 2 / (2 * al0 M).
 
 (** By what two motions separate from one contact to the next, n periods on: either number is a lower bound.
     *)
-Definition A_ (n : R) : R := sigma * ell n / Vm.
-Definition B_ (n : R) : R := sigma * (Ql - phi11 (p M * n - W M) * mu M) / (((1 + tau M) * Vm + zm) * Vm).
+Definition A_ (n : R) : R := sigma * ell n / Vm M.
+Definition B_ (n : R) : R := sigma * (Ql - phi11 (p M * n - W M) * mu M) / (((1 + tau M) * Vm M + zm M) * Vm M).
 Definition stretches (E : R) (n : Z) : Prop := E <= A_ (IZR n) \/ E <= B_ (IZR n).
 
 (** ** The set of contacts, and motions from contact to contact *)
 Definition zeta (t V : R) : R := a M * Q M t + Q1 M t + V.
 Definition within (z w t V : R) : Prop := 0 <= Q M t /\ - w <= V <= 0 /\ 0 <= zeta t V <= z.
-Definition trapped (t V : R) : Prop := within zm Vm t V.
+Definition trapped (t V : R) : Prop := within (zm M) (Vm M) t V.
 
 (** From the contact (t, V) the free motion x, v leads to the next, (t', V'). *)
 Record leg (t V t' V' : R) (x v : R -> R) : Prop := {
@@ -93,7 +93,7 @@ Definition periodic (M : machine) (K : nat) (P : Z) (N : nat -> Z) (t V : nat ->
 (** ** (i): the set is kept. The next contact exists, lies in a later pass and is in the set *)
 Record opens (M : machine) (lo hi : R) : Prop := {
   is_hump : hump M lo hi;
-  opens_before : 0 < alb M;
+  opens_before : 0 < alb M /\ least_slip M <= zm M /\ least_speed M <= Vm M;
   opens_after : 0 < alo M }.
 Definition Trapped_statement : Prop := forall M lo hi, opens M lo hi -> forall t V, trapped M t V ->
   (exists t' V' x v, leg M t V t' V' x v) /\ exists k, in_pass M lo hi k t /\
@@ -105,11 +105,36 @@ Definition Exists_statement : Prop := forall M lo hi, opens M lo hi -> forall t0
 
 (** ** (ii): it absorbs. From a contact within bounds z, w the next but one is in the set *)
 Definition Absorbed_statement : Prop := forall M lo hi z w t V t1 V1 x v t2 V2 y u,
-  hump M lo hi -> 0 < alb M -> let fast := sqrt (2 * alM M * mu M) in
+  opens M lo hi -> let fast := sqrt (2 * alM M * mu M) in
   0 < al0 M - b M ^ 2 * (z + (1 + tau M) * w) / (b M - a M) ->
   0 < al0 M - b M ^ 2 * (zm M + (1 + tau M) * fast) / (b M - a M) ->
   within M z w t V -> leg M t V t1 V1 x v -> leg M t1 V1 t2 V2 y u ->
   within M (zm M) fast t1 V1 /\ trapped M t2 V2.
+(** A motion that begins at the time s, where the stop is not above 0, with x >= 0 and 0 <= a x + x' <= z,
+    comes to a first contact (t, V), then to a second, and the third is in the set. *)
+Definition begins (M : machine) (z : R) : Prop := zm M <= z /\ 0 < al0 M - b M ^ 2 * (z + (1 + tau M) *
+  sqrt (2 * (al1 M + a M ^ 2 * (mu M + z / (b M - a M))) * mu M)) / (b M - a M).
+Record arrives (M : machine) (s t V : R) (x v : R -> R) : Prop := {
+  arrives_on : s <= t;
+  arrives_clear : forall r, s < r < t -> Q M r < x r;
+  arrives_to : x t = Q M t;
+  arrives_hits : V = v t - Q1 M t;
+  arrives_down : V <= 0 }.
+Definition third (M : machine) (t V : R) : Prop := (exists t1 V1 x v, leg M t V t1 V1 x v) /\
+  forall t1 V1 x v, leg M t V t1 V1 x v -> (exists t2 V2 y u, leg M t1 V1 t2 V2 y u) /\
+  forall t2 V2 y u, leg M t1 V1 t2 V2 y u -> trapped M t2 V2.
+Definition Started_statement : Prop := forall M lo hi z s x v, opens M lo hi -> begins M z -> Q M s <= 0 ->
+  free (a M + b M) (a M * b M) x v -> 0 <= x s -> 0 <= a M * x s + v s <= z ->
+  (exists t V, arrives M s t V x v) /\ forall t V, arrives M s t V x v -> third M t V.
+
+(** At one time and place, above the stop, motions that begin so are told apart by their velocities u s. All
+    but countably many never graze. *)
+Definition few_graze (M : machine) (lo hi z s q : R) : Prop := exists f : nat -> R, forall y u N t V x v,
+  free (a M + b M) (a M * b M) y u -> y s = q -> 0 <= a M * q + u s <= z ->
+  arrives M s (t 0%nat) (V 0%nat) y u -> motion M lo hi N t V x v ->
+  (exists i, V i = 0) -> exists n, u s = f n.
+Definition Almost_statement : Prop := forall M lo hi z s q, opens M lo hi -> begins M z ->
+  Q M s <= 0 <= q -> Q M s < q -> few_graze M lo hi z s q.
 
 (** ** (iii): displacements (d, w) of position and velocity at fixed time, in a cone
 
@@ -125,6 +150,17 @@ Definition Cone_statement : Prop := forall M lo hi, opens M lo hi ->
   let w2 := phi21 M (t' - t) * d1 + phi22 M (t' - t) * w1 in
   cone M d1 w1 /\ cone M d2 w2 /\ E * Rabs d <= Rabs d2.
 
+(** This is what a small displacement (d, w) of the motion before an impact, at its time t, does to the one
+    after it: the derivative. [through]: x before the contact, X after it, both as if they were free. *)
+Definition through (M : machine) (t : R) (x v X U : R -> R) : Prop :=
+  free (a M + b M) (a M * b M) x v /\ free (a M + b M) (a M * b M) X U /\
+  x t = Q M t /\ X t = Q M t /\ U t = Q1 M t - tau M * (v t - Q1 M t).
+Definition Derivative_statement : Prop := forall M lo hi t V x v X U, hump M lo hi -> through M t x v X U ->
+  V = v t - Q1 M t -> V < 0 -> forall eps, 0 < eps -> exists r, 0 < r /\
+  forall t1 y u Y W, through M t1 y u Y W -> Rabs (t1 - t) <= r -> let d := y t - x t in let w := u t - v t in
+  Rabs (Y t - X t - - tau M * d) <= eps * (Rabs d + Rabs w) /\
+  Rabs (W t - U t - (- tau M * w + jump M t V * d / V)) <= eps * (Rabs d + Rabs w).
+
 (** ** (iii) and (iv), where all returns stretch by E > 1 *)
 Record chaotic (M : machine) (lo hi E : R) : Prop := {
   chaotic_opens : opens M lo hi;
@@ -139,11 +175,13 @@ Definition Separate_statement : Prop := forall M lo hi E, chaotic M lo hi E ->
   x' 0%nat s = x 0%nat s /\ v' 0%nat s = v 0%nat s.
 (** No periodic motion, grazing or not, is stable in Lyapunov's sense: at one of its contacts motions leave
     with almost its speed that are, at some time, eps away. *)
-Definition No_stable_statement : Prop := forall M lo hi E, chaotic M lo hi E -> 0 < tau M ->
-  forall K P N t V x v, (1 <= K)%nat -> stays M lo hi N t V x v -> periodic M K P N t V ->
+Definition not_stable (M : machine) (lo hi : R) (t V : nat -> R) (x : nat -> R -> R) : Prop :=
   exists i0 eps, 0 < eps /\ forall d, 0 < d -> exists N' t' V' x' v', stays M lo hi N' t' V' x' v' /\
   t' 0%nat = t i0 /\ Rabs (V' 0%nat - V i0) <= d /\
   exists i j s, t i <= s <= t (S i) /\ t' j <= s <= t' (S j) /\ eps < Rabs (x' j s - x i s).
+Definition No_stable_statement : Prop := forall M lo hi E, chaotic M lo hi E -> 0 < tau M ->
+  forall K P N t V x v, (1 <= K)%nat -> stays M lo hi N t V x v -> periodic M K P N t V ->
+  not_stable M lo hi t V x.
 
 (** ** (iv), the exponent: along a motion that never grazes, displacements of the cone grow by exp (theta) a
     period
@@ -155,30 +193,35 @@ Record returns (M : machine) (T t V d w d' w' : R) : Prop := {
   return_w : w' = phi21 M T * (- tau M * d) + phi22 M T * (- tau M * w + jump M t V * d / V) }.
 Record brief (M : machine) (m : Z) : Prop := {
   some_pass : (1 <= m)%Z;
-  falls : b M * exp (- (b M - a M) * (p M * IZR m - W M)) <= a M;
-  is_low : phi11 M (p M * IZR m - W M) * mu M +
-    phi12 M (p M * IZR m - W M) * ((1 + tau M) * Vm M + zm M) < mu M }.
-Definition Exponent_statement : Prop := forall M lo hi theta m, opens M lo hi -> brief M m ->
-  (forall n, (1 <= n <= m)%Z -> stretches M (exp (theta * IZR n)) n) ->
+  is_low : let T := p M * IZR m - W M in
+    phi11 M T * mu M + exp (- a M * T) * ((1 + tau M) * Vm M + zm M) / (b M - a M) < mu M }.
+Definition grow (M : machine) (lo hi theta : R) : Prop :=
   forall N t V x v d w, stays M lo hi N t V x v -> (forall i, V i < 0) ->
   (forall i, returns M (t (S i) - t i) (t i) (V i) (d i) (w i) (d (S i)) (w (S i))) ->
   cone M (d 0%nat) (w 0%nat) ->
   forall i, exp (theta * IZR (N i - N 0%nat)) * Rabs (d 0%nat) <= Rabs (d i).
+Definition by_passes (M : machine) (theta : R) (m : Z) : Prop :=
+  brief M m /\ forall n, (1 <= n <= m)%Z -> stretches M (exp (theta * IZR n)) n.
+Definition Exponent_statement : Prop := forall M lo hi, opens M lo hi ->
+  (forall theta m, by_passes M theta m -> grow M lo hi theta) /\
+  forall E, chaotic M lo hi E -> exists theta, 0 < theta /\ grow M lo hi theta.
 
 (** ** (v): finitely many n decide, and for all smaller mu at once
 
     The constants depend on the numbers of a machine alone. L has worse ones than M: they need not be a
-    machine's. *)
+    machine's. The set is measured by mu and its root. *)
 Record worse (L M : machine) : Prop := {
   same_flow : a M = a L /\ b M = b L;
   same_law : tau M = tau L /\ p M = p L;
   more_mu : mu M <= mu L;
   more_W : W M <= W L;
-  more_bent : al0 L <= al0 M /\ al1 M <= al1 L }.
+  more_bent : al0 L <= al0 M /\ al1 M <= al1 L;
+  same_set : exists Z S, zm M = Z * mu M /\ zm L = Z * mu L /\ Vm M = S * sqrt (mu M) /\
+    Vm L = S * sqrt (mu L) }.
 Record checked (L : machine) (E : R) (m : Z) : Prop := {
   is_narrow : W L < p L;
   is_rounded : 0 < al0 L;
-  is_open_before : 0 < alb L;
+  is_open_before : 0 < alb L /\ least_slip L <= zm L /\ least_speed L <= Vm L;
   is_open_after : 0 < alo L;
   is_more : 1 < E;
   is_some : (1 <= m)%Z;
@@ -188,20 +231,21 @@ Definition Range_statement : Prop := forall L E m M lo hi, checked L E m -> hump
   chaotic M lo hi E.
 
 (** ** The paper's oscillator (65)-(67), overdamped; its mu is minus ours *)
-Definition paper (d w tau mu : R) : machine := {|
+Definition paper (d w tau mu Z S : R) : machine := {|
   a := (d - sqrt (d ^ 2 - 1)) / w; b := (d + sqrt (d ^ 2 - 1)) / w; tau := tau; p := 2 * PI;
-  W := 2 * acos (/ (1 + mu)); mu := mu; al0 := 1; al1 := 1 + mu; Q := fun t => (1 + mu) * cos t - 1;
-  Q1 := fun t => - (1 + mu) * sin t; Q2 := fun t => - (1 + mu) * cos t |}.
-Definition Paper_statement : Prop := forall d w tau mu, 1 < d -> 0 < w -> 0 <= tau -> 0 < mu ->
-  let M := paper d w tau mu in a M + b M = 2 * d / w /\ a M * b M = 1 / w ^ 2 /\
+  W := 2 * acos (/ (1 + mu)); mu := mu; al0 := 1; al1 := 1 + mu; zm := Z * mu; Vm := S * sqrt mu;
+  Q := fun t => (1 + mu) * cos t - 1; Q1 := fun t => - (1 + mu) * sin t; Q2 := fun t => - (1 + mu) * cos t |}.
+Definition Paper_statement : Prop := forall d w tau mu Z S, 1 < d -> 0 < w -> 0 <= tau -> 0 < mu ->
+  let M := paper d w tau mu Z S in a M + b M = 2 * d / w /\ a M * b M = 1 / w ^ 2 /\
   hump M (- acos (/ (1 + mu))) (acos (/ (1 + mu))).
 (** An example, by numbers: d = 3/2, w = 8, tau = 4/5, to mu = 1/10. *)
 Definition Example_statement : Prop := forall mu, 0 < mu <= 1 / 10 ->
-  chaotic (paper (3 / 2) 8 (4 / 5) mu) (- acos (/ (1 + mu))) (acos (/ (1 + mu))) (201 / 200).
+  chaotic (paper (3 / 2) 8 (4 / 5) mu (78665 / 1000000) (757575 / 1000000)) (- acos (/ (1 + mu)))
+    (acos (/ (1 + mu))) (201 / 200).
 
 (** ** (vi): for small mu, all E < l / (2 (1 - l)), where l is what a period leaves of a slow motion. There
     are such E > 1 if l > 2/3 *)
 Definition Small_statement : Prop := forall d w tau E, 1 < d -> 0 < w -> 0 <= tau ->
-  let l := exp (- a (paper d w tau 1) * (2 * PI)) in 1 < E < l / (2 * (1 - l)) ->
-  exists mu1, mu1 > 0 /\ forall mu, 0 < mu <= mu1 ->
-  chaotic (paper d w tau mu) (- acos (/ (1 + mu))) (acos (/ (1 + mu))) E.
+  let l := exp (- a (paper d w tau 1 1 1) * (2 * PI)) in 1 < E < l / (2 * (1 - l)) ->
+  exists Z S mu1, mu1 > 0 /\ forall mu, 0 < mu <= mu1 ->
+  chaotic (paper d w tau mu Z S) (- acos (/ (1 + mu))) (acos (/ (1 + mu))) E.

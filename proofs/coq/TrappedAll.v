@@ -8,7 +8,7 @@ Open Scope R_scope.
 Section All.
 Variables (M : machine) (lo hi : R).
 Hypothesis H : hump M lo hi.
-Hypothesis Hb : 0 < alb M.
+Hypothesis Hb : 0 < alb M /\ least_slip M <= zm M /\ least_speed M <= Vm M.
 Hypothesis Ho : 0 < alo M.
 Notation a := (a M). Notation b := (b M). Notation tau := (tau M). Notation p := (p M). Notation W := (W M).
 Notation mu := (mu M). Notation Q := (Q M). Notation Q1 := (Q1 M). Notation Q2 := (Q2 M).
@@ -29,7 +29,7 @@ Proof.
   rewrite (period _ _ _ H) in N; lra.
 Qed.
 
-(** zeta < zm where there is a contact before. *)
+(** zeta < least_slip where there is a contact before. *)
 Lemma zeta_less k n t V t' V' x v : in_pass M lo hi k t -> in_pass M lo hi (k + n) t' -> (1 <= n)%Z ->
   trapped M t V ->
   leg M t V t' V' x v -> zeta M t' V' < zm M.
@@ -42,7 +42,8 @@ Proof.
   assert (p * 1 <= p * IZR n) by (apply Rmult_le_compat_l; lra). set (z := zet M x v t) in *;
     set (T := t' - t) in *; set (q := exp (- b * T)). set (r0 := exp (D * (p - W))); set (r := exp (D * T));
     assert (q0 : 0 < q) by apply exp_pos. assert (r1 : 1 < r0) by (unfold r0; rewrite <- exp_0;
-    apply exp_increasing; apply Rmult_lt_0_compat; lra). specialize (K t' N3); fold T in K. unfold zm; fold r0;
+    apply exp_increasing; apply Rmult_lt_0_compat; lra). specialize (K t' N3); fold T in K. apply Rlt_le_trans with
+      (least_slip M); [|lra]; unfold least_slip; fold r0;
     apply Rmult_lt_reg_r with (r0 - 1); [lra|]. replace (mu * D / (r0 - 1) * (r0 - 1)) with (mu * D) by (field;
     lra). destruct (Req_dec z 0) as [->|Nz]; [assert (0 < mu * D) by (apply Rmult_lt_0_compat; lra); lra|].
   assert (zq : 0 < z * q) by (apply Rmult_lt_0_compat; lra). assert (Kx : z * q * (r - 1) <= mu * D).
@@ -103,7 +104,7 @@ Proof.
   intros M lo hi E Ch Ht K P N t V x v HK [HM Tr] Per; pose proof Ch as [[H Hb Ho] _ _].
   destruct (some_impact M lo hi H K P N t V x v HK HM Tr Per) as (i & Neg). destruct (HM i) as [Pi Leg];
     destruct (return_trapped M lo hi H Hb Ho _ _ _ _ _ _ _ Pi (Tr i) Leg) as (_ & n & Hn & Pn).
-  pose proof (zeta_less M lo hi H _ _ _ _ _ _ _ _ Pi Pn Hn (Tr i) Leg) as Zs; set (m := S i) in *.
+  pose proof (zeta_less M lo hi H Hb _ _ _ _ _ _ _ _ Pi Pn Hn (Tr i) Leg) as Zs; set (m := S i) in *.
   destruct (periodic_departs M lo hi E K P (fun j => N (j + m)%nat) (fun j => t (j
     + m)%nat) (fun j => V (j + m)%nat) (fun j => x (j + m)%nat) (fun j => v (j + m)%nat) Ch Ht HK) as (eps & e0 & U).
   - split; [intros j; apply (HM (j + m)%nat)|intros j; apply Tr].

@@ -8,7 +8,7 @@ Open Scope R_scope.
 Section Cone.
 Variables (M : machine) (lo hi : R).
 Hypothesis H : hump M lo hi.
-Hypothesis Hb : 0 < alb M.
+Hypothesis Hb : 0 < alb M /\ least_slip M <= zm M /\ least_speed M <= Vm M.
 Hypothesis Ho : 0 < alo M.
 Notation a := (a M). Notation b := (b M). Notation tau := (tau M). Notation Q := (Q M). Notation Q1 := (Q1 M).
 Notation D := (StatementTrapped.b M - StatementTrapped.a M).

@@ -7,7 +7,7 @@ Open Scope R_scope.
 Section Main.
 Variables (M : machine) (lo hi : R).
 Hypothesis H : hump M lo hi.
-Hypothesis Hb : 0 < alb M.
+Hypothesis Hb : 0 < alb M /\ least_slip M <= zm M /\ least_speed M <= Vm M.
 Hypothesis Ho : 0 < alo M.
 Notation a := (a M). Notation b := (b M). Notation tau := (tau M). Notation p := (p M). Notation W := (W M).
 Notation mu := (mu M). Notation Q := (Q M). Notation Q1 := (Q1 M). Notation Q2 := (Q2 M).
@@ -35,7 +35,7 @@ Proof.
   - rewrite <- N3; apply (x_pos M _ _ Hs t V x v z w Hw F X0 V0); lra.
   - apply (speed_sign M _ _ Hs t x v F t' V' N1 N2 N3 N4).
   - apply (next_zeta M _ _ Hs t V x v z w Hk Hw F X0 V0 Al t' V' N1 N3 N4).
-  - apply (next_zeta M _ _ Hs t V x v z w Hk Hw F X0 V0 Al t' V' N1 N3 N4).
+  - pose proof (next_zeta M _ _ Hs t V x v z w Hk Hw F X0 V0 Al t' V' N1 N3 N4); lra.
   - intros Hz; apply (next_speed M _ _ Hs t V x v z w Hk Hw F X0 V0 Al t' V' N1 N2 N3 N4 Hz Hb n Hn Pn).
   - exists n; split; trivial; apply shift_pass, Pn.
 Qed.
@@ -53,23 +53,27 @@ Proof.
     Y)|apply (moved_start _ _ S U HF t X Y)].
 Qed.
 
-Lemma next_leg t V : trapped M t V -> exists t' V' x v, leg M t V t' V' x v.
+Lemma next_leg z w t V : within M z w t V -> 0 < al0 M - b ^ 2 * (z + (1 + tau) * w) / D ->
+  exists t' V' x v, leg M t V t' V' x v.
 Proof.
-  intros Hw; destruct (pass_of M lo hi H t (proj1 Hw)) as (k & Hk). destruct (free_from t (Q t) (Q1 t - tau * V)) as
-    (x & v & F & X0 & V0). destruct (next_exists M _ _ (hump_shift M lo hi H k) t V x v _ _ Hk Hw F X0 V0 Ho) as (t' &
+  intros Hw Al; destruct (pass_of M lo hi H t (proj1 Hw)) as (k & Hk). destruct (free_from t (Q t) (Q1 t - tau * V))
+    as (x & v & F & X0 & V0). destruct (next_exists M _ _ (hump_shift M lo hi H k) t V x v _ _ Hk Hw F X0 V0 Al) as
+    (t' &
     V' & L). exists t', V', x, v; trivial.
 Qed.
 
 (** *** Bounds *)
 Lemma zm_pos : 0 <= zm M.
 Proof.
-  destruct (positives M lo hi H), (sizes M lo hi H); unfold zm; apply Rmult_le_pos; [apply Rmult_le_pos; lra|].
+  destruct (positives M lo hi H), (sizes M lo hi H); apply Rle_trans with (least_slip M); [|lra]; apply Rmult_le_pos;
+    [apply Rmult_le_pos; lra|].
   assert (1 < exp (D * (p - W))); [rewrite <- exp_0; apply exp_increasing; apply Rmult_lt_0_compat; lra|]. left;
     apply Rinv_0_lt_compat; lra.
 Qed.
 Lemma Vm_pos : 0 < Vm M.
 Proof.
-  destruct (positives M lo hi H), (sizes M lo hi H); pose proof zm_pos; apply sqrt_lt_R0. assert (0 < deep M).
+  destruct (positives M lo hi H), (sizes M lo hi H); pose proof zm_pos; apply Rlt_le_trans with (least_speed M);
+    [|lra]; apply sqrt_lt_R0. assert (0 < deep M).
   { apply Rlt_le_trans with ((1 - exp (- a * p)) * mu); [|apply (deep_pos M Hb)]. apply Rmult_lt_0_compat;
       [|lra]; assert (exp (- a * p) < 1); [|lra]. rewrite <- exp_0; apply exp_increasing;
       assert (0 < a * p) by (apply Rmult_lt_0_compat; lra); lra. }
@@ -154,12 +158,14 @@ Proof.
     X; rewrite Rmult_0_r, exp_0 in X. pose proof (exp_pos (- b * (s - t))); nra.
 Qed.
 
+Definition strength (z w : R) : R := tau * (al0 M - b ^ 2 * z / D) + (al0 M - b ^ 2 * (z + (1 + tau) * w) / D).
 Section Impact.
-Variables (k : Z) (t1 t2 U1 U2 : R) (x v y w X X' Y Y' : R -> R).
+Variables (z w0 : R) (k : Z) (t1 t2 U1 U2 : R) (x v y w X X' Y Y' : R -> R).
 Hypothesis P1 : in_pass M lo hi k t1.
 Hypothesis P2 : in_pass M lo hi k t2.
 Hypothesis L : t1 <= t2.
-Hypothesis Tr : trapped M t1 U1.
+Hypothesis Tr : within M z w0 t1 U1.
+Hypothesis Op : 0 < al0 M - b ^ 2 * (z + (1 + tau) * w0) / D.
 Hypothesis Fx : free (a + b) (a * b) x v.
 Hypothesis FX : free (a + b) (a * b) X X'.
 Hypothesis x1 : x t1 = Q t1.
@@ -172,17 +178,22 @@ Hypothesis Y2 : Y t2 = Q t2.
 Hypothesis Y2' : Y' t2 = Q1 t2 - tau * U2.
 
 Lemma impact : tau * (y t2 - x t2) <= X t2 - Y t2 /\
-  sigma M * (t2 - t1) + tau * (zet M y w t2 - zet M x v t2) <= zet M X X' t2 - zet M Y Y' t2 /\
-  y t2 - x t2 <= Vm M * (t2 - t1).
+  strength z w0 * (t2 - t1) + tau * (zet M y w t2 - zet M x v t2) <= zet M X X' t2 - zet M Y Y' t2 /\ y t2 - x t2 <=
+  w0 * (t2 - t1).
 Proof.
-  pose proof (hump_shift M lo hi H k) as Hs; pose proof al_in as Ai; pose proof sigma_pos as Sp.
-  assert (In : forall s, t1 <= s <= t2 -> al0 M - b ^ 2 * zm M / D <= - (a + b) * v s - a * b * x s - Q2 s).
-  { intros s Hs'; destruct Tr as (h1 & h2 & h3); pose proof (bent _ _ _ Hs s ltac:(unfold in_pass in *; lra)).
+  pose proof (hump_shift M lo hi H k) as Hs; destruct Tr as (h1 & h2 & h3).
+  assert (Ai : al0 M - b ^ 2 * (z + (1 + tau) * w0) / D <= al0 M - b ^ 2 * z / D).
+  { assert (0 <= (1 + tau) * w0) by (apply Rmult_le_pos; lra); assert (b ^ 2 * z / D <= b ^ 2 * (z + (1 + tau) * w0) /
+      D); [|lra]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; lra|apply Rmult_le_compat_l; [apply
+      pow2_ge_0|lra]]. } assert (Sp : 0 < strength z w0) by (assert (0 <= tau * (al0 M - b ^ 2 * z / D)) by (apply
+  Rmult_le_pos; lra); unfold strength; lra). assert (In : forall s, t1 <= s <= t2 -> al0 M - b ^ 2 * z / D <= - (a +
+    b) * v s - a * b * x s - Q2 s).
+  { intros s Hs'; pose proof (bent _ _ _ Hs s ltac:(unfold in_pass in *; lra)).
     assert (Ez : zet M x v t1 = zeta M t1 U1) by (unfold zet, zeta; rewrite x1, v1; ring).
-    pose proof (acc_forward x v t1 s (zm M) Fx ltac:(lra) ltac:(lra) ltac:(lra)); lra. }
-  assert (Out : forall s, t1 <= s <= t2 -> alo M <= - (a + b) * X' s - a * b * X s - Q2 s).
-  { intros s Hs'; apply (opening M _ _ Hs t1 U1 X X' (zm M) (Vm M) P1 Tr FX X1 X1'); unfold in_pass in *; lra.
-    }
+    pose proof (acc_forward x v t1 s z Fx ltac:(lra) ltac:(lra) ltac:(lra)); lra. } assert (Out : forall s, t1 <= s <=
+  t2 -> al0 M - b ^ 2 * (z + (1 + tau) * w0) / D <= - (a + b) * X' s - a * b * X s
+    - Q2 s).
+  { intros s Hs'; apply (opening M _ _ Hs t1 U1 X X' z w0 P1 Tr FX X1 X1'); unfold in_pass in *; lra. }
   assert (Dx : forall s, derivable_pt_lim (fun s => x s - Q s) s (v s - Q1 s)) by (intros s; apply D_minus;
     [apply Fx|apply (slope _ _ _ H)]). assert (Dv : forall s, derivable_pt_lim (fun s => v s - Q1 s) s (- (a + b) * v
     s - a * b * x s - Q2 s)) by (intros s; apply D_minus; [apply Fx|apply (bend _ _ _ H)]).
@@ -192,20 +203,22 @@ Proof.
   assert (DV : forall s, derivable_pt_lim (fun s => (X' s - Q1 s) + tau * (v s - Q1 s)) s ((- (a + b) * X' s - a * b *
     X s - Q2 s) + tau * (- (a + b) * v s - a * b * x s - Q2 s))).
   { intros s; apply D_plus; [apply D_minus; [apply FX|apply (bend _ _ _ H)]|apply D_scale, Dv]. }
-  assert (K2 : forall s, t1 <= s <= t2 -> sigma M <= (- (a + b) * X' s - a * b * X s - Q2 s) + tau * (- (a + b) * v s
+  assert (K2 : forall s, t1 <= s <= t2 -> strength z w0 <= (- (a + b) * X' s - a * b * X s - Q2 s) + tau * (- (a + b)
+    * v s
     - a * b * x s - Q2 s)).
-  { intros s Hs'; specialize (In s Hs'); specialize (Out s Hs'); unfold sigma. assert (tau * (al0 M - b ^ 2 * zm M /
+  { intros s Hs'; specialize (In s Hs'); specialize (Out s Hs'); unfold strength. assert (tau * (al0 M - b ^ 2 * z /
       D) <= tau * (- (a + b) * v s - a * b * x s - Q2 s)) by (apply Rmult_le_compat_l; lra). lra. }
-  pose proof (above_right _ _ _ DX DV (sigma M) t1 t2 L K2) as A; cbv beta in A. pose proof (slope_right _ _ DV (sigma
-    M) t1 t2 L K2) as S; cbv beta in S. pose proof (above_right _ _ _ Dx Dv (al0 M - b ^ 2 * zm M / D) t1 t2 L In) as
-    G; cbv beta in G. assert (S2 : 0 <= (t2 - t1) ^ 2) by apply pow2_ge_0. assert (G2 : 0 <= (al0 M - b ^ 2 * zm M /
-    D) / 2 * (t2 - t1) ^ 2) by (apply Rmult_le_pos; lra). assert (A2 : 0 <= sigma M / 2 * (t2 - t1) ^ 2) by (apply
+  pose proof (above_right _ _ _ DX DV (strength z w0) t1 t2 L K2) as A; cbv beta in A. pose proof (slope_right _ _ DV
+    (strength z w0) t1 t2 L K2) as S; cbv beta in S. pose proof (above_right _ _ _ Dx Dv (al0 M - b ^ 2 * z / D) t1 t2
+    L In) as G; cbv beta in G. assert (S2 : 0 <= (t2 - t1) ^ 2) by apply pow2_ge_0. assert (G2 : 0 <= (al0 M - b ^ 2 *
+    z / D) / 2 * (t2 - t1) ^ 2) by (apply Rmult_le_pos; lra). assert (A2 : 0 <= strength z w0 / 2 * (t2 - t1) ^ 2) by
+      (apply
     Rmult_le_pos; lra). rewrite X1, X1', x1, <- v1 in A; rewrite X1', <- v1 in S; rewrite x1, <- v1 in G.
   replace (Q t1 - Q t1 + tau * (Q t1 - Q t1) + (Q1 t1 - tau * U1 - Q1 t1 + tau * U1) * (t2 - t1)) with 0 in A by ring.
   replace (Q1 t1 - tau * U1 - Q1 t1 + tau * U1) with 0 in S by ring. split; [rewrite Y2, y2; lra|split].
   - unfold zet; rewrite Y2, Y2', y2, w2. assert (0 <= a * (X t2 - Q t2 + tau * (x t2 - Q t2))) by (apply Rmult_le_pos;
       lra); lra.
-  - rewrite y2; destruct Tr as (_ & h2 & _); assert (- U1 * (t2 - t1) <= Vm M * (t2 - t1)) by (apply
+  - rewrite y2; assert (- U1 * (t2 - t1) <= w0 * (t2 - t1)) by (apply
       Rmult_le_compat_r; lra); lra.
 Qed.
 End Impact.

@@ -6,7 +6,8 @@ Open Scope R_scope.
 
 Theorem Paper : Paper_statement.
 Proof.
-  intros d w tau mu Hd Hw Ht Hm; set (h := acos (/ (1 + mu))). assert (R1 : sqrt (d ^ 2 - 1) * sqrt (d ^ 2 - 1) = d ^
+  intros d w tau mu Z S Hd Hw Ht Hm; set (h := acos (/ (1 + mu))). assert (R1 : sqrt (d ^ 2 - 1) * sqrt (d ^ 2 - 1) =
+    d ^
     2 - 1) by (apply sqrt_sqrt; nra). assert (R0 : 0 < sqrt (d ^ 2 - 1) < d). { split; [apply sqrt_lt_R0; nra|];
     pose proof (sqrt_pos (d ^ 2 - 1)); nra. } assert (Iw : 0 < / w) by (apply Rinv_0_lt_compat; lra). cbv zeta;
     split; [cbn; field; lra|split; [cbn; set (r := sqrt _) in *; transitivity ((d * d - r * r) / w ^ 2);

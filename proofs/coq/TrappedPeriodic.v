@@ -1,5 +1,4 @@
-(** A periodic motion that impacts has margins; with [Not_stable]: no periodic motion in D is stable.
-    And (ii). *)
+(** A periodic motion that impacts has margins; with [Not_stable]: no periodic motion in D is stable. *)
 From Coq Require Import Reals ZArith Lra Lia Wf_nat.
 From Grazing Require Import Derivatives StatementOscillator.
 From Grazing Require Import StatementTrapped TrappedCalculus TrappedFlow TrappedReturn TrappedMain
@@ -9,7 +8,7 @@ Open Scope R_scope.
 Section Periodic.
 Variables (M : machine) (lo hi : R).
 Hypothesis H : hump M lo hi.
-Hypothesis Hb : 0 < alb M.
+Hypothesis Hb : 0 < alb M /\ least_slip M <= zm M /\ least_speed M <= Vm M.
 Hypothesis Ho : 0 < alo M.
 Variables (K : nat) (P : Z) (N : nat -> Z) (t V : nat -> R) (x v : nat -> R -> R).
 Hypothesis HK : (1 <= K)%nat.
@@ -93,23 +92,4 @@ Proof.
   intros Ch Ht HK St Per Neg Zs; pose proof Ch as [[H Hb Ho] _ _]; pose proof St as [HM Tr].
   destruct (margins M lo hi H K P N t V x v HK HM Tr Per Neg) as (m & Mg). apply (margins_depart M lo hi E m N t V x v
     Ch Ht St Mg Neg Zs).
-Qed.
-
-Theorem Absorbed : Absorbed_statement.
-Proof.
-  intros M lo hi z w t V t1 V1 x v t2 V2 y u H Hb fast A1 A2 Hw L1 L2. destruct (pass_of M lo hi H t (proj1 Hw)) as (k
-    & Hk). destruct (return_to M lo hi H Hb k t V t1 V1 x v z w Hk Hw A1 L1) as (q1 & q2 & q3 & _ & n & Hn & Pn).
-  assert (F : - fast <= V1).
-  { destruct (Req_dec V1 0) as [->|NV]; [assert (0 <= fast) by apply sqrt_pos; lra|]. pose proof (hump_shift M lo hi H
-      k) as Hs; destruct L1 as [F X0 V0 N1 N2 N3 N4]. destruct (dive M _ _ Hs t V x v z w Hk Hw F X0 V0 A1 t1 V1 N1 N2
-      N3 N4 n Hn (proj2 (shift_pass M lo hi k n t1) Pn) ltac:(lra)) as (AM & s & Ps & Ls & Gs).
-    pose proof (x_pos M _ _ Hs t V x v z w Hw F X0 V0 s ltac:(lra)); pose proof (highest _ _ _ H s).
-    assert (S : V1 ^ 2 <= 2 * alM M * mu M).
-    { apply Rmult_le_reg_r with (/ (2 * alM M)); [apply Rinv_0_lt_compat; lra|]. replace (2 * alM M * mu M * / (2 *
-        alM M)) with (mu M) by (field; lra); unfold Rdiv in *; lra. }
-    unfold fast; assert (sqrt (V1 ^ 2) <= sqrt (2 * alM M * mu M)) by (apply sqrt_le_1_alt; trivial).
-    replace (V1 ^ 2) with ((- V1) ^ 2) in * by ring; rewrite sqrt_pow2 in * by lra; lra. }
-  assert (W1 : within M (zm M) fast t1 V1) by (split; [trivial|split; [lra|trivial]]). split; trivial;
-    destruct (return_to M lo hi H Hb _ t1 V1 t2 V2 y u _ _ Pn W1 A2 L2) as (r1 & r2 & r3 & r4 & _). split;
-    trivial; split; trivial; split; trivial; apply r4, q3.
 Qed.

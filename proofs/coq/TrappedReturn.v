@@ -43,6 +43,102 @@ Proof.
 Qed.
 
 (** *** A motion from a contact in pass 0 *)
+(** P5, from any contact: the motion would go below the stop. *)
+Section Dive.
+Variables (k : Z) (t V z : R) (x v : R -> R).
+Hypothesis Pt : in_pass M lo hi k t.
+Hypothesis F : free (a + b) (a * b) x v.
+Hypothesis X0 : x t = Q t.
+Hypothesis V0 : V = v t - Q1 t.
+Hypothesis HQ : 0 <= Q t.
+Hypothesis Hz : 0 <= zet M x v t <= z.
+Let Hab := overdamped _ _ _ H.
+Let g s := x s - Q s.
+Let g1 s := v s - Q1 s.
+Let g2 s := - (a + b) * v s - a * b * x s - Q2 s.
+Let steep := al1 M + a ^ 2 * (mu + z / D).
+Lemma not_below s : t <= s -> 0 <= zet M x v s /\ 0 <= x s.
+Proof.
+  intros L; rewrite (zet_flow M x v F t s), (x_flow' M Hab x v F t s), X0; split; [apply Rmult_le_pos; [lra|left;
+    apply exp_pos]|]. apply Rplus_le_le_0_compat; apply Rmult_le_pos; try lra; [left; apply exp_pos|apply phi12_pos;
+    trivial; lra].
+Qed.
+Lemma dive : V < 0 -> 0 < steep /\ exists s, in_pass M lo hi k s /\ t <= s /\ x s - Q s <= - (V ^ 2 / (2 * steep)).
+Proof.
+  intros NV; pose proof (hump_shift k) as Hk; set (e := hi + p * IZR k) in *; assert (Te : t <= e) by apply Pt.
+  destruct sizes as [w1 w2]; destruct positives as [hmu hal].
+  assert (Dg : forall s, derivable_pt_lim g s (g1 s)) by (intros; apply D_minus; [apply (D_x M x v F)|apply (slope _ _
+    _ H)]). assert (Dg1 : forall s, derivable_pt_lim g1 s (g2 s)) by (intros; apply D_minus; [apply (D_v M x v
+    F)|apply (bend _ _ _ H)]).
+  assert (Up : forall y, t <= y <= e -> g2 y <= steep).
+  { intros y Hy; pose proof (bent _ _ _ Hk y) as Bt; unfold in_pass in Pt; specialize (Bt ltac:(lra)).
+    unfold g2; rewrite (acc_of M Hab x v); destruct (not_below y ltac:(lra)) as [Zp _]. assert (0 <= b ^ 2 * zet M x v
+      y / D) by (apply Rmult_le_pos; [apply Rmult_le_pos; [apply pow2_ge_0|trivial]|left; apply Rinv_0_lt_compat;
+      lra]). assert (E : eta M x v y <= D * mu + z).
+    { pose proof (highest _ _ _ H t); assert (D * Q t <= D * mu) by (apply Rmult_le_compat_l; lra); assert (0 <= D * Q
+        t) by (apply Rmult_le_pos; lra). assert (0 <= eta M x v t <= D * mu + z) by (rewrite (eta_zet M x v t), X0;
+        lra). rewrite (eta_flow M x v F t y); apply Rle_trans with (eta M x v t * 1); [|lra]. apply Rmult_le_compat_l;
+        [lra|]. pose proof (exp_down a 0 (y - t) ltac:(lra) ltac:(lra)) as X; rewrite Rmult_0_r, exp_0 in X; exact X.
+        } assert (a ^ 2 * eta M x v y / D <= a ^ 2 * (mu + z / D)); [|unfold steep; lra].
+    replace (a ^ 2 * (mu + z / D)) with (a ^ 2 * (D * mu + z) / D) by (field; lra). apply Rmult_le_compat_r; [left;
+      apply Rinv_0_lt_compat; lra|apply Rmult_le_compat_l; [apply pow2_ge_0|trivial]]. } assert (AM : 0 < steep).
+  { assert (0 <= z / D) by (apply Rmult_le_pos; [lra|left; apply Rinv_0_lt_compat; lra]). assert (0 <= a ^ 2 * (mu + z
+      / D)) by (apply Rmult_le_pos; [apply pow2_ge_0|lra]). pose proof (bent _ _ _ H lo ltac:(lra)); unfold steep;
+      lra. }
+  assert (Ge : forall y, e <= y < e + (lo + p - hi) -> 0 <= g y).
+  { intros y Hy; destruct (not_below y ltac:(lra)) as [_ Xp]; unfold g; destruct (Req_dec y e) as [->|Ne].
+    - unfold e in *; rewrite Q_whole; pose proof Q_end; lra.
+    - pose proof (below _ _ _ Hk y ltac:(unfold e in *; lra)); lra. }
+  assert (g0 : g t = 0) by (unfold g; lra); assert (g10 : g1 t = V) by (unfold g1; lra).
+  assert (G : forall s, t <= s <= e -> g s <= V * (s - t) + steep / 2 * (s - t) ^ 2).
+  { intros s Hs; pose proof (above_right (fun y => - g y) (fun y => - g1 y) (fun y => - g2 y) ltac:(intros y;
+      apply derivable_pt_lim_opp, Dg) ltac:(intros y; apply derivable_pt_lim_opp, Dg1) (- steep) t s ltac:(lra)
+      ltac:(intros y Hy; specialize (Up y ltac:(lra)); lra)) as G; cbv beta in G; rewrite g0, g10 in G; lra. }
+  clearbody steep; split; trivial; destruct (Rle_or_lt (t - V / steep) e) as [L|L].
+  - assert (P : 0 < - V / steep) by (apply Rdiv_lt_0_compat; lra). pose proof (G (t - V / steep) ltac:(unfold Rdiv in
+      *; lra)) as G0. replace (V * (t - V / steep - t) + steep / 2 * (t - V / steep - t) ^ 2) with (- (V ^ 2 / (2 *
+      steep))) in G0 by (field; lra). exists (t - V / steep); split; [|split; [unfold Rdiv in *;
+      lra|exact G0]]. destruct Pt as [q1 q2]; split; unfold e in L; unfold Rdiv in *; lra.
+  - exfalso; destruct (Req_dec t e) as [E|Ne].
+    + pose proof (slope_after g (g1 t) t (t + (lo + p - hi)) (Dg t) ltac:(lra) ltac:(intros; apply Ge; lra) g0); lra.
+    + pose proof (G e ltac:(lra)) as G0; pose proof (Ge e ltac:(lra)). assert (steep * (e - t) < - V).
+      { apply Rmult_lt_reg_r with (/ steep); [apply Rinv_0_lt_compat; lra|]. replace (steep * (e - t) * / steep) with
+          (e - t) by (field; lra); unfold Rdiv in *; lra. }
+      nra.
+Qed.
+Lemma shallow : V <= 0 -> - sqrt (2 * steep * mu) <= V.
+Proof.
+  intros NV; destruct (Req_dec V 0) as [->|N]; [pose proof (sqrt_pos (2 * steep * mu)); lra|]; destruct (dive
+    ltac:(lra)) as (AM & s & _ & Ls & Gs); destruct (not_below s Ls) as [_ Xp]; pose proof (highest _ _ _ H s).
+  assert (S : V ^ 2 <= 2 * steep * mu).
+  { apply Rmult_le_reg_r with (/ (2 * steep)); [apply Rinv_0_lt_compat; lra|]. replace (2 * steep * mu * / (2 *
+      steep)) with mu by (field; lra); unfold Rdiv in *; lra. } apply sqrt_le_1_alt in S; replace (V ^ 2) with ((- V)
+  ^ 2) in S by ring; rewrite sqrt_pow2 in S by lra; lra.
+Qed.
+End Dive.
+(** It comes down to the stop. *)
+Lemma meets x v t s : free (a + b) (a * b) x v -> 0 <= zet M x v t -> 0 <= eta M x v t -> exists e, s < e /\
+  x e - Q e <= 0.
+Proof.
+  intros F Zp Ep; pose proof (overdamped _ _ _ H) as Hab; destruct sizes as [w1 w2]; destruct positives as [hmu _];
+    destruct (reached _ _ _ H) as (tm & Etm). set (L := Rmax s (t + eta M x v t / (D * mu * a))); destruct (archimed
+    ((L - tm) / p)) as [U1 _]; set (k := up ((L - tm) / p)) in *. assert (E : (L - tm) / p * p = L - tm) by (field;
+    lra); set (e := tm + p * IZR k); assert (Le : L < e) by (unfold e; nra).
+  assert (L1 : s <= L) by apply Rmax_l; assert (L2 : t + eta M x v t / (D * mu * a) <= L) by apply Rmax_r.
+  exists e; split; [lra|]; unfold e at 2; rewrite Q_whole, Etm, (x_of M Hab x v e); assert (Ze : 0 <= zet M x v e) by
+    (rewrite (zet_flow M x v F t e); apply Rmult_le_pos; [exact Zp|left; apply exp_pos]).
+  apply Rle_minus, Rle_trans with (eta M x v e / D); [apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat;
+    lra|lra]|]. rewrite (eta_flow M x v F t e); pose proof (exp_ineq1_le (a * (e - t))) as X.
+  replace (- a * (e - t)) with (- (a * (e - t))) by ring; rewrite exp_Ropp. assert (A1 : eta M x v t / (D * mu * a) *
+    a <= (e - t) * a) by (apply Rmult_le_compat_r; lra). replace (eta M x v t / (D * mu * a) * a) with (eta M x v t /
+    (D
+    * mu)) in A1 by (field; lra). set (y := exp (a * (e - t))) in *; assert (Y : eta M x v t / (D * mu) <= y) by lra.
+  assert (Yp : 0 < y) by apply exp_pos. apply Rmult_le_reg_r with (D * y); [apply Rmult_lt_0_compat; lra|].
+  replace (eta M x v t * / y / D * (D * y)) with (eta M x v t) by (field; lra). apply Rmult_le_reg_r with (/ (D *
+    mu)); [apply Rinv_0_lt_compat, Rmult_lt_0_compat; lra|]. replace (mu * (D * y) * / (D * mu)) with y by (field;
+    lra); exact Y.
+Qed.
+
 Section Leg.
 Variables (t V : R) (x v : R -> R) (z w : R).
 Hypothesis Ht : lo <= t <= hi.
@@ -110,29 +206,11 @@ Proof.
 Qed.
 Lemma next_exists : exists t' V', leg M t V t' V' x v.
 Proof.
-  destruct sizes as [w1 w2]; destruct positives as [hmu _]; destruct (reached _ _ _ H) as (tm & Etm).
-  set (s0 := (hi + (lo + p)) / 2); assert (S0 : t < s0 < lo + p) by (unfold s0; lra). set (L := Rmax (s0 + 1) (t + eta
-    M x v t / (D * mu * a))). destruct (archimed ((L - tm) / p)) as [U1 _]; set (k := up ((L - tm) / p)) in *.
-  assert (E : (L - tm) / p * p = L - tm) by (field; lra). set (e := tm + p * IZR k); assert (Le : L < e) by (unfold e;
-    nra). assert (L1 : s0 + 1 <= L) by apply Rmax_l; assert (L2 : t + eta M x v t / (D * mu * a) <= L) by apply
-    Rmax_r. assert (Fall : x e <= mu).
-  { rewrite (x_of M Hab x v e); pose proof (Z_pos e); unfold Z in *; pose proof (eta_pos t) as Ep.
-    apply Rle_trans with (eta M x v e / D). { apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; lra|lra].
-    } rewrite (eta_flow M x v F t e); pose proof (exp_ineq1_le (a * (e - t))) as X. replace (- a * (e - t)) with (- (a
-      * (e - t))) by ring; rewrite exp_Ropp. assert (A1 : eta M x v t / (D * mu * a) * a <= (e - t) * a) by (apply
-      Rmult_le_compat_r; lra). replace (eta M x v t / (D * mu * a) * a) with (eta M x v t / (D * mu)) in A1 by (field;
-      lra). set (y := exp (a * (e - t))) in *; assert (Y : eta M x v t / (D * mu) <= y) by lra.
-    assert (Yp : 0 < y) by apply exp_pos. apply Rmult_le_reg_r with (D * y); [apply Rmult_lt_0_compat; lra|].
-    replace (eta M x v t * / y / D * (D * y)) with (eta M x v t) by (field; lra). apply Rmult_le_reg_r with (/ (D *
-      mu)); [apply Rinv_0_lt_compat, Rmult_lt_0_compat; lra|]. replace (mu * (D * y) * / (D * mu)) with y by (field;
-      lra); exact Y. }
-  destruct (first_zero g s0 e) as (t' & T1 & T2 & T3).
-  - intros y; eapply D_continuous, Dg.
-  - lra.
-  - pose proof (open_after s0 S0); unfold g; lra.
-  - unfold g, e; rewrite Q_whole, Etm; fold e; lra.
-  - exists t', (v t' - Q1 t'); unfold g in *; repeat split; trivial; [apply F|apply F|lra| |lra].
-    intros y Hy; destruct (Rle_or_lt s0 y) as [K|K]; [specialize (T3 y ltac:(lra)); lra|apply open_after; lra].
+  destruct sizes as [w1 w2]; set (s0 := (hi + (lo + p)) / 2); assert (S0 : t < s0 < lo + p) by (unfold s0; lra).
+  destruct (meets x v t s0 F (Z_pos t) (eta_pos t)) as (e & Le & Fall). destruct (first_zero g s0 e) as (t' & T1 & T2
+    & T3); [intros y; eapply D_continuous, Dg|exact Le|pose proof (open_after s0 S0); unfold g; lra|exact Fall|].
+  exists t', (v t' - Q1 t'); unfold g in *; repeat split; trivial; [apply F|apply F|lra| |lra].
+  intros y Hy; destruct (Rle_or_lt s0 y) as [K|K]; [specialize (T3 y ltac:(lra)); lra|apply open_after; lra].
 Qed.
 
 (** *** The next contact *)
@@ -159,10 +237,10 @@ Proof.
   pose proof (highest _ _ _ H t'); rewrite <- N3, (x_flow' M Hab x v F t t'), X0 in *; destruct Hc as (h1 & _).
   assert (0 <= exp (- a * (t' - t)) * Q t) by (apply Rmult_le_pos; [left; apply exp_pos|trivial]); unfold Z; lra.
 Qed.
-Lemma next_zeta : 0 <= zeta M t' V' <= zm M.
+Lemma next_zeta : 0 <= zeta M t' V' <= least_slip M.
 Proof.
   rewrite speed_zeta; split; [apply Z_pos|]; pose proof kick_bound as K; pose proof later;
-    destruct sizes as [w1 w2]. unfold Z in *; rewrite (zet_flow M x v F t t'); fold (Z t) in *; unfold zm.
+    destruct sizes as [w1 w2]. unfold Z in *; rewrite (zet_flow M x v F t t'); fold (Z t) in *; unfold least_slip.
   assert (E1 : 1 < exp (D * (p - W))) by (rewrite <- exp_0; apply exp_increasing; apply Rmult_lt_0_compat;
     lra). assert (E2 : exp (D * (p - W)) <= exp (D * (t' - t))).
   { pose proof (exp_down D (- (t' - t)) (- (p - W)) ltac:(lra) ltac:(lra)) as X. replace (- D * - (p - W)) with (D *
@@ -193,7 +271,7 @@ Proof.
 Qed.
 (** P4 *)
 Hypothesis Hz : zeta M t V <= zm M.
-Hypothesis Hb : 0 < alb M.
+Hypothesis Hb : 0 < alb M /\ least_slip M <= zm M /\ least_speed M <= Vm M.
 Lemma lam : 0 < exp (- a * p) <= 1.
 Proof.
   split; [apply exp_pos|]; rewrite <- exp_0; destruct sizes as [w1 w2]. left; apply exp_increasing;
@@ -251,63 +329,18 @@ Proof.
       assert (p * 2 <= p * IZR n) by (apply Rmult_le_compat_l; lra); lra.
 Qed.
 (** P5 *)
-Lemma dive n : (1 <= n)%Z -> in_pass M lo hi n t' -> V' < 0 -> 0 < alM M /\ exists s, in_pass M lo hi n s /\
-  t' <= s /\
-  g s <= - (V' ^ 2 / (2 * alM M)).
-Proof.
-  intros Hn Pt NV; pose proof (hump_shift n) as Hk; set (e := hi + p * IZR n) in *.
-  destruct sizes as [w1 w2]; destruct positives as [hmu hal]; pose proof speed_sign as Sg.
-  assert (Te : t' <= e) by (unfold e; apply Pt). assert (Up : forall y, t' <= y <= e -> g2 y <= alM M).
-  { intros y Hy; pose proof (bent _ _ _ Hk y) as Bt; unfold in_pass in Pt; specialize (Bt ltac:(lra)).
-    unfold g2; rewrite (acc_of M Hab x v); fold (Z y); pose proof (Z_pos y). assert (0 <= b ^ 2 * Z y / D) by (apply
-      Rmult_le_pos; [apply Rmult_le_pos; [apply pow2_ge_0|trivial]|left; apply Rinv_0_lt_compat; lra]).
-    assert (E : eta M x v y <= D * mu + zm M).
-    { rewrite (eta_flow M x v F t' y); apply Rle_trans with (eta M x v t' * 1).
-      - apply Rmult_le_compat_l; [apply eta_pos|]. pose proof (exp_down a 0 (y - t') ltac:(lra) ltac:(lra)) as X;
-          rewrite Rmult_0_r, exp_0 in X; exact X.
-      - rewrite (eta_zet M x v t'), N3; fold (Z t'); rewrite <- speed_zeta; pose proof next_zeta;
-          pose proof (highest _ _ _ H t'). assert (D * Q t' <= D * mu) by (apply Rmult_le_compat_l; lra); lra. }
-    assert (a ^ 2 * eta M x v y / D <= a ^ 2 * (mu + zm M / D)).
-    { replace (a ^ 2 * (mu + zm M / D)) with (a ^ 2 * (D * mu + zm M) / D) by (field; lra).
-      apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; lra|apply Rmult_le_compat_l;
-        [apply pow2_ge_0|trivial]]. }
-    unfold alM; lra. }
-  assert (AM : 0 < alM M).
-  { pose proof next_zeta as NZ; assert (0 <= zm M / D) by (apply Rmult_le_pos; [lra|left;
-      apply Rinv_0_lt_compat; lra]). assert (0 <= a ^ 2 * (mu + zm M / D)) by (apply Rmult_le_pos;
-      [apply pow2_ge_0|lra]). pose proof (bent _ _ _ H t Ht); unfold alM; lra. }
-  assert (Ge : forall y, e <= y < e + (lo + p - hi) -> 0 <= g y).
-  { intros y Hy; pose proof (x_pos y ltac:(lra)); unfold g; destruct (Req_dec y e) as [->|Ne].
-    - unfold e in *; rewrite Q_whole; pose proof Q_end; lra.
-    - pose proof (below _ _ _ Hk y ltac:(unfold e in *; lra)); lra. }
-  assert (G : forall s, t' <= s <= e -> g s <= V' * (s - t') + alM M / 2 * (s - t') ^ 2).
-  { intros s Hs; pose proof (above_right (fun y => - g y) (fun y => - g1 y) (fun y => - g2 y) ltac:(intros y;
-      apply derivable_pt_lim_opp, Dg) ltac:(intros y; apply derivable_pt_lim_opp, Dg1) (- alM M) t' s ltac:(lra)
-      ltac:(intros y Hy; specialize (Up y ltac:(lra)); lra)) as G; cbv beta in G. replace (g1 t') with V' in G by
-      (unfold g1; lra); replace (g t') with 0 in G by (unfold g; lra); lra. }
-  split; trivial; destruct (Rle_or_lt (t' - V' / alM M) e) as [L|L].
-  - assert (P : 0 < - V' / alM M) by (apply Rdiv_lt_0_compat; lra). pose proof (G (t' - V' / alM M) ltac:(unfold Rdiv
-      in *; lra)) as G0. replace (V' * (t' - V' / alM M - t') + alM M / 2 * (t' - V' / alM M - t') ^ 2) with (- (V' ^
-      2 / (2 * alM M))) in G0 by (field; lra). exists (t' - V' / alM M); split; [|split; [unfold Rdiv in *;
-      lra|exact G0]]. destruct Pt as [q1 q2]; split; unfold e in L; unfold Rdiv in *; lra.
-  - exfalso; destruct (Req_dec t' e) as [E|Ne].
-    + pose proof (slope_after g (g1 t') t' (t' + (lo + p - hi)) (Dg t') ltac:(lra) ltac:(intros; apply Ge;
-        lra) ltac:(unfold g; lra)). unfold g1 in *; lra.
-    + pose proof (G e ltac:(lra)) as G0; pose proof (Ge e ltac:(lra)). assert (alM M * (e - t') < - V').
-      { apply Rmult_lt_reg_r with (/ alM M); [apply Rinv_0_lt_compat; lra|]. replace (alM M * (e - t') * / alM M) with
-          (e - t') by (field; lra); unfold Rdiv in *; lra. }
-      nra.
-Qed.
 Lemma next_speed n : (1 <= n)%Z -> in_pass M lo hi n t' -> - Vm M <= V'.
 Proof.
-  intros Hn Pt; pose proof speed_sign as Sg; destruct (Req_dec V' 0) as [->|NV].
-  { pose proof (sqrt_pos (2 * alM M * deep M)); fold (Vm M) in *; lra. }
-  destruct (dive n Hn Pt ltac:(lra)) as (AM & s & Ps & Ls & Gs); pose proof (depth n s Hn Pt Ps Ls) as Dp.
+  intros Hn Pt; pose proof speed_sign as Sg; pose proof (sqrt_pos (2 * alM M * deep M)) as Rp; fold (least_speed M) in
+    Rp; destruct (Req_dec V' 0) as [->|NV]; [lra|]. pose proof next_zeta as NZ; rewrite speed_zeta in NZ; destruct
+      (dive n t' V' (zm M) x v Pt F N3 N4 ltac:(rewrite <- N3; apply x_pos; lra) ltac:(unfold Z in NZ; lra)
+    ltac:(lra)) as (AM & s & Ps & Ls & Gs); fold (alM M) in AM, Gs; pose proof (depth n s Hn Pt Ps Ls) as Dp; unfold g
+    in Dp.
   assert (S : V' ^ 2 <= 2 * alM M * deep M).
   { apply Rmult_le_reg_r with (/ (2 * alM M)); [apply Rinv_0_lt_compat; lra|]. replace (2 * alM M * deep M * / (2 *
       alM M)) with (deep M) by (field; lra); unfold Rdiv in *; lra. }
-  unfold Vm; assert (sqrt (V' ^ 2) <= sqrt (2 * alM M * deep M)) by (apply sqrt_le_1_alt; trivial).
-  replace (V' ^ 2) with ((- V') ^ 2) in * by ring; rewrite sqrt_pow2 in * by lra; lra.
+  apply sqrt_le_1_alt in S; fold (least_speed M) in S; replace (V' ^ 2) with ((- V') ^ 2) in S by ring; rewrite
+    sqrt_pow2 in S by lra; lra.
 Qed.
 End Next.
 End Leg.

@@ -7,7 +7,7 @@ Open Scope R_scope.
 Section Separate.
 Variables (M : machine) (lo hi E : R).
 Hypothesis H : hump M lo hi.
-Hypothesis Hb : 0 < alb M.
+Hypothesis Hb : 0 < alb M /\ least_slip M <= zm M /\ least_speed M <= Vm M.
 Hypothesis Ho : 0 < alo M.
 Hypothesis HE : 1 < E.
 Notation a := (a M). Notation b := (b M). Notation tau := (tau M). Notation p := (p M). Notation W := (W M).
@@ -27,7 +27,7 @@ Lemma rate n T T1 T2 : E <= A_ M n \/ E <= B_ M n -> p * n - W <= T <= p * n + W
   Ql M - phi11 M (p * n - W) * mu <= phi12 M T2 * ((1 + tau) * Vm M + zm M) -> E * Vm M <= sigma M * phi12 M
     T.
 Proof.
-  intros HEn HT HT12 HT1 F1 F2; pose proof (Vm_pos M lo hi H Hb) as Vp; pose proof (zm_pos M lo hi H) as Zp.
+  intros HEn HT HT12 HT1 F1 F2; pose proof (Vm_pos M lo hi H Hb) as Vp; pose proof (zm_pos M lo hi H Hb) as Zp.
   pose proof (sigma_pos M lo hi H Hb Ho) as Sp. destruct HEn as [A|B].
   - apply Rle_trans with (sigma M * ell M n).
     + apply (Rmult_le_compat_r (Vm M)) in A; [|lra]; unfold A_ in A. replace (sigma M * ell M n / Vm M * Vm M) with
@@ -61,9 +61,11 @@ Proof.
     _ _ _ _ _ _ P1 (Tr (S i)) Leg) as (_ & n & Hn & Pn). assert (En : N (S (S i)) = (N (S i) + n)%Z) by apply
     (one_pass M lo hi H _ _ _ P1n Pn); rewrite En in P1n, P2n. pose proof (far M lo hi H _ _ _ _ _ _ _ _ Hn P1 P1n (Tr
     _) (Tr _) Leg) as F1. pose proof (far M lo hi H _ _ _ _ _ _ _ _ Hn P2 P2n (Tr' _) (Tr' _) Leg') as F2.
-  destruct Leg as [FX X1 X1' _ _ X3 _]; destruct Leg' as [FY Y2 Y2' _ Open Y3 _]. destruct (impact M lo hi H Hb Ho (N
+  destruct Leg as [FX X1 X1' _ _ X3 _]; destruct Leg' as [FY Y2 Y2' _ Open Y3 _]. destruct (impact M lo hi H (zm M)
+    (Vm M) (N
     (S i)) (t (S i)) (t' (S i)) (V (S i)) (V' (S i)) (x i) (v i) (x' i) (v' i) (x (S i)) (v (S i)) (x' (S i)) (v' (S
-    i)) P1 P2 L (Tr (S i)) Fx FX x1 v1 y2 w2 X1 X1' Y2 Y2') as (I1 & I2 & I3). set (t1 := t (S i)) in *;
+    i)) P1 P2 L (Tr (S i)) Ho Fx FX x1 v1 y2 w2 X1 X1' Y2 Y2') as (I1 & I2 & I3); change (strength M (zm M) (Vm M))
+    with (sigma M) in I2. set (t1 := t (S i)) in *;
     set (t2 := t' (S i)) in *; set (T1 := t (S (S i))) in *; set (T2 := t' (S (S i))) in *.
   pose proof (sigma_pos M lo hi H Hb Ho) as Sp; pose proof (Vm_pos M lo hi H Hb) as Vp.
   assert (O1 : 0 <= x (S i) t2 - x' (S i) t2) by (assert (0 <= tau * (x' i t2 - x i t2)) by (apply Rmult_le_pos;
@@ -137,7 +139,8 @@ End Separate.
 
 Theorem Trapped : Trapped_statement.
 Proof.
-  intros M lo hi [H Hb Ho] t V Tr; split; [eapply next_leg; eauto|]. destruct (pass_of M lo hi H t (proj1 Tr)) as (k &
+  intros M lo hi [H Hb Ho] t V Tr; split; [apply (next_leg M lo hi H _ _ _ _ Tr Ho)|]. destruct (pass_of M lo hi H t
+    (proj1 Tr)) as (k &
     Hk); exists k; split; trivial. intros t' V' x v L; eapply return_trapped; eauto.
 Qed.
 Theorem Separate : Separate_statement.

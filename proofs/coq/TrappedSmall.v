@@ -73,16 +73,20 @@ Qed.
 
 (** ** The numbers at mu = t^2, for a stop of width at most 5 t *)
 Section Small.
-Variables x y tau E : R.
+Variables x y tau E Z S : R.
 Hypothesis Hxy : 0 < x < y.
 Hypothesis Htau : 0 <= tau.
 Notation p := (2 * PI).
 Notation D := (y - x).
 Let l := exp (- x * p).
 Hypothesis HE : 1 < E.
-Hypothesis Hl : 2 * E * (1 - l) < l.
+Hypothesis HZ : D / (exp (D * p) - 1) < Z.
+Hypothesis HS : 0 < S.
+Hypothesis Hl : 2 * (1 - l) < S * S.
+Hypothesis HSE : (1 / 2 + E) * (S * S) < 1.
 Definition at_ (t : R) : machine := {| a := x; b := y; StatementTrapped.tau := tau; StatementTrapped.p := p; W := 5 * t;
-  mu := t ^ 2; al0 := 1; al1 := 1 + t ^ 2; Q := fun _ => 0; Q1 := fun _ => 0; Q2 := fun _ => 0 |}.
+  mu := t ^ 2; al0 := 1; al1 := 1 + t ^ 2; zm := Z * t ^ 2; Vm := S * t; Q := fun _ => 0; Q1 := fun _ => 0; Q2 := fun
+  _ => 0 |}.
 Lemma p_6 : 6 < p. Proof. pose proof PI2_3_2; lra. Qed.
 Lemma l_1 : 0 < l < 1.
 Proof.
@@ -131,18 +135,17 @@ Proof.
   eapply tends_ext; [apply (tends_over (fun _ => 1) (fun t => (1 + tau) * ell (at_ t) 1) 1 _ N (tends_const 1)
     (tends_scale (1 + tau) _ _ (T_ell 1)))| |]; intros; cbv beta; unfold Rdiv; ring.
 Qed.
-Lemma T_zm : tends (fun t => zm (at_ t)) 0.
-Proof.
-  eapply tends_ext; [apply tends_times; [apply tends_pow2, tends_id|apply T_zh]| |ring]; intros t; unfold zm, zh.
-  cbn [mu at_]; unfold Rdiv; ring.
-Qed.
 Lemma T_mu : tends (fun t => t ^ 2) 0.
 Proof. eapply tends_ext; [apply tends_pow2, tends_id|reflexivity|ring]. Qed.
+Lemma T_zm : tends (fun t => zm (at_ t)) 0.
+Proof. eapply tends_ext; [apply (tends_scale Z), T_mu|reflexivity|ring]. Qed.
+Lemma T_root : tends (fun t => sqrt (t ^ 2)) 0.
+Proof. eapply tends_ext; [apply (tends_sqrt (fun t => t ^ 2) 0); [lra|apply T_mu]|reflexivity|apply sqrt_0]. Qed.
 Lemma T_alM : tends (fun t => alM (at_ t)) 1.
 Proof.
-  assert (Z : tends (fun t => zm (at_ t) / D) (0 / D)) by (apply tends_div; [lra|apply T_zm]).
+  assert (Y : tends (fun t => zm (at_ t) / D) (0 / D)) by (apply tends_div; [lra|apply T_zm]).
   pose proof (tends_plus _ _ _ _ (tends_plus _ _ _ _ (tends_const 1) T_mu) (tends_scale (x ^ 2) _ _ (tends_plus _ _ _
-    _ T_mu Z))) as H; eapply tends_ext; [exact H|reflexivity|field; lra].
+    _ T_mu Y))) as H; eapply tends_ext; [exact H|reflexivity|field; lra].
 Qed.
 Lemma T_alb : tends (fun t => alb (at_ t)) 1.
 Proof.
@@ -164,101 +167,101 @@ Proof.
   pose proof l_1; unfold vh; apply tends_sqrt; [lra|]; eapply tends_ext; [apply tends_times;
     [apply (tends_scale 2), T_alM| apply T_deeph]|reflexivity|ring].
 Qed.
-Let s0 := sqrt (2 * (1 - l)).
-Lemma s0_eq : 0 < s0 /\ s0 * s0 = 2 * (1 - l).
-Proof. pose proof l_1; split; [apply sqrt_lt_R0; lra|apply sqrt_sqrt; lra]. Qed.
-(** Vm, with t vh in its place; both are the same for small t > 0. *)
-Lemma T_tvh : tends (fun t => t * vh (at_ t)) 0.
-Proof. eapply tends_ext; [apply tends_times; [apply tends_id|apply T_vh]|reflexivity|ring]. Qed.
-Definition alo' t := 1 - y ^ 2 * (zm (at_ t) + (1 + tau) * (t * vh (at_ t))) / D.
-Lemma T_alo : tends alo' 1.
+Lemma T_Vm : tends (fun t => Vm (at_ t)) 0.
+Proof. eapply tends_ext; [apply (tends_scale S), tends_id|reflexivity|ring]. Qed.
+Lemma T_alo : tends (fun t => alo (at_ t)) 1.
 Proof.
-  pose proof (tends_scale (y ^ 2) _ _ (tends_plus _ _ _ _ T_zm (tends_scale (1 + tau) _ _ T_tvh))) as N.
+  pose proof (tends_scale (y ^ 2) _ _ (tends_plus _ _ _ _ T_zm (tends_scale (1 + tau) _ _ T_Vm))) as N.
   pose proof (tends_minus _ _ _ _ (tends_const 1) (tends_div D _ _ ltac:(lra) N)) as H. eapply tends_ext;
     [exact H|reflexivity|field; lra].
 Qed.
-Definition sigma' t := tau * (1 - y ^ 2 * zm (at_ t) / D) + alo' t.
-Lemma T_sigma : tends sigma' (1 + tau).
+Lemma T_sigma : tends (fun t => sigma (at_ t)) (1 + tau).
 Proof.
   pose proof (tends_minus _ _ _ _ (tends_const 1) (tends_div D _ _ ltac:(lra) (tends_scale (y ^ 2) _ _ T_zm))) as N.
   pose proof (tends_plus _ _ _ _ (tends_scale tau _ _ N) T_alo) as H; eapply tends_ext;
     [exact H|reflexivity|field; lra].
 Qed.
-Definition topped' t := Rmax (vh (at_ t) + t * zh (at_ t)) (x * t) ^ 2 / (2 * 1).
-Lemma T_topped : tends topped' (1 - l).
+Lemma T_topped : tends (fun t => topped (at_ t) Z S) (S * S / 2).
 Proof.
-  pose proof s0_eq as [s1 s2]. pose proof (tends_plus _ _ _ _ T_vh (tends_times _ _ _ _ tends_id T_zh)) as N;
-    pose proof (tends_scale x _ _ tends_id) as K. fold s0 in N; assert (L : x * 0 <= s0 + 0 * z0) by lra;
-    pose proof (tends_max _ _ _ _ L N K) as Mx. pose proof (tends_div (2 * 1) _ _ ltac:(lra) (tends_pow2 _ _ Mx)) as
-    H; eapply tends_ext; [exact H|reflexivity|]. replace ((s0 + 0 * z0) ^ 2) with (s0 * s0) by ring;
-    rewrite s2; field.
+  pose proof (tends_plus _ _ _ _ (tends_const S) (tends_times _ _ _ _ T_root (tends_const Z))) as N; pose proof
+    (tends_scale x _ _ T_root) as K. pose proof (tends_max _ _ _ _ (ltac:(lra) : x * 0 <= S + 0 * Z) N K) as Mx.
+  pose proof (tends_div (2 * 1) _ _ ltac:(lra) (tends_pow2 _ _ Mx)) as H; eapply tends_ext; [exact
+    H|reflexivity|field].
 Qed.
 (** E Vm < sigma l(n) and B_m's numerator beyond E times its denominator, for small t. *)
-Lemma T_A n : 1 <= n -> exists d, 0 < d /\ forall t, 0 < t <= d -> 0 < sigma' t * ell (at_ t) n - E * (t * vh (at_ t)).
+Lemma T_A n : 1 <= n -> exists d, 0 < d /\ forall t, 0 < t <= d -> 0 < sigma (at_ t) * ell (at_ t) n - E * Vm (at_ t).
 Proof.
   intros Hn; apply (tends_above _ ((1 + tau) * phi12 (at_ 0) (p * n) - E * 0)).
-  - apply tends_minus; [apply tends_times; [apply T_sigma|apply T_ell]|apply tends_scale, T_tvh].
+  - apply tends_minus; [apply tends_times; [apply T_sigma|apply T_ell]|apply tends_scale, T_Vm].
   - pose proof (phi12_at n Hn); assert (0 < (1 + tau) * phi12 (at_ 0) (p * n)) by (apply Rmult_lt_0_compat; lra); lra.
 Qed.
-Lemma T_B n : phi11 (at_ 0) (p * n) < l - 2 * E * (1 - l) -> exists d, 0 < d /\ forall t, 0 < t <= d -> 0 <
-  sigma' t * (1 - topped' t - phi11 (at_ t) (p * n - 5 * t)) - E * (((1 + tau) * vh (at_ t) + t * zh (at_ t)) * vh (at_
-    t)).
+Lemma T_B n : phi11 (at_ 0) (p * n) < 1 - (1 / 2 + E) * (S * S) -> exists d, 0 < d /\ forall t, 0 < t <= d -> 0 <
+  sigma (at_ t) * (1 - topped (at_ t) Z S - phi11 (at_ t) (p * n - 5 * t)) - E * (((1 + tau) * S + sqrt (t ^ 2) * Z) *
+  S).
 Proof.
-  intros Hn; pose proof s0_eq as [s1 s2]. apply (tends_above _ ((1 + tau) * (1 - (1 - l) - phi11 (at_ 0) (p * n)) - E
-    * (((1 + tau) * s0 + 0 * z0) * s0))).
+  intros Hn; apply (tends_above _ ((1 + tau) * (1 - S * S / 2 - phi11 (at_ 0) (p * n)) - E * (((1 + tau) * S + 0 * Z)
+    * S))).
   - apply tends_minus; [apply tends_times; [apply T_sigma|apply tends_minus; [apply tends_minus;
       [apply tends_const|apply T_topped]|apply T_phi11]]|apply tends_scale, tends_times; [apply tends_plus;
-      [apply tends_scale, T_vh|apply tends_times; [apply tends_id|apply T_zh]]|apply T_vh]]. eapply tends_ext;
+      [apply tends_const|apply tends_times; [apply T_root|apply tends_const]]|apply tends_const]]. eapply tends_ext;
       [apply tends_minus; [apply (tends_const (p * n))|apply (tends_scale 5), tends_id]|reflexivity|ring].
-  - replace (((1 + tau) * s0 + 0 * z0) * s0) with ((1 + tau) * (s0 * s0)) by ring; rewrite s2.
-    assert (0 < (1 + tau) * (l - phi11 (at_ 0) (p * n) - E * (2 * (1 - l)))) by (apply Rmult_lt_0_compat; lra); lra.
+  - assert (0 < (1 + tau) * (1 - S * S / 2 - phi11 (at_ 0) (p * n) - E * (S * S))) by (apply Rmult_lt_0_compat; lra);
+      lra.
 Qed.
-Lemma late : exists m, (1 <= m)%Z /\ phi11 (at_ 0) (p * IZR m) < l - 2 * E * (1 - l).
+Lemma late : exists m, (1 <= m)%Z /\ phi11 (at_ 0) (p * IZR m) < 1 - (1 / 2 + E) * (S * S).
 Proof.
-  pose proof l_1 as [l0 l1]; set (q := l - 2 * E * (1 - l)). assert (Hq : 0 < q * D / y) by (apply Rdiv_lt_0_compat;
+  pose proof l_1 as [l0 l1]; set (q := 1 - (1 / 2 + E) * (S * S)). assert (Hq : 0 < q * D / y) by (apply
+    Rdiv_lt_0_compat;
     [apply Rmult_lt_0_compat; unfold q; lra|lra]). destruct (pow_lt_1_zero l ltac:(rewrite Rabs_pos_eq;
-    lra) (q * D / y) Hq) as (N & HN); specialize (HN (S N) ltac:(lia)). exists (Z.of_nat (S N)); split;
-    [lia|]; rewrite <- INR_IZR_INZ, Rabs_pos_eq in * by (apply pow_le; lra). assert (El : exp (- x * (p * INR (S N)))
-    = l ^ S N).
-  { unfold l; generalize (S N) as k; induction k as [|k IH]; [cbn; rewrite <- exp_0; f_equal; ring|].
+    lra) (q * D / y) Hq) as (N & HN); specialize (HN (Datatypes.S N) ltac:(lia)). exists (Z.of_nat (Datatypes.S N));
+      split; [lia|]; rewrite <- INR_IZR_INZ, Rabs_pos_eq in * by (apply pow_le; lra). assert (El : exp (- x * (p * INR
+      (Datatypes.S N))) = l ^ Datatypes.S N).
+  { unfold l; generalize (Datatypes.S N) as k; induction k as [|k IH]; [cbn; rewrite <- exp_0; f_equal; ring|].
     rewrite S_INR; cbn [pow]; rewrite <- IH, <- exp_plus; f_equal; ring. }
-  unfold phi11; cbn [a b at_]; rewrite El; pose proof (exp_pos (- y * (p * INR (S N)))).
-  apply Rmult_lt_reg_r with D; [lra|]; replace ((y * l ^ S N - x * exp (- y * (p * INR (S N)))) / D * D) with (y * l ^
-    S N - x * exp (- y * (p * INR (S N)))) by (field; lra). apply (Rmult_lt_compat_l y) in HN; [|lra];
-    replace (y * (q * D / y)) with (q * D) in HN by (field; lra). assert (0 < x * exp (- y * (p * INR (S N)))) by
+  unfold phi11; cbn [a b at_]; rewrite El; pose proof (exp_pos (- y * (p * INR (Datatypes.S N)))).
+  apply Rmult_lt_reg_r with D; [lra|]; replace ((y * l ^ Datatypes.S N - x * exp (- y * (p * INR (Datatypes.S N)))) /
+    D * D) with (y * l ^ Datatypes.S N - x * exp (- y * (p * INR (Datatypes.S N)))) by (field; lra). apply
+    (Rmult_lt_compat_l y) in HN; [|lra]; replace (y * (q * D / y)) with (q * D) in HN by (field; lra). assert (0 < x *
+    exp (- y * (p * INR (Datatypes.S N)))) by
     (apply Rmult_lt_0_compat; lra); lra.
 Qed.
 
 Lemma small_checked : exists m d, 0 < d /\ forall t, 0 < t <= d -> checked (at_ t) E m.
 Proof.
   destruct late as (m & Hm & Hlate); exists m; destruct (T_B (IZR m) Hlate) as (d1 & d10 & B).
-  destruct (common_bound (fun n d => (1 <= n)%nat -> forall t, 0 < t <= d -> 0 < sigma' t * ell (at_ t) (INR n) - E *
-    (t * vh (at_ t))) (Z.to_nat m)) as (d2 & d20 & A).
+  destruct (common_bound (fun n d => (1 <= n)%nat -> forall t, 0 < t <= d -> 0 < sigma (at_ t) * ell (at_ t) (INR n)
+    - E
+    * Vm (at_ t)) (Z.to_nat m)) as (d2 & d20 & A).
   { intros k d d' H Hd' Hk t Ht; apply (H Hk); lra. }
   { intros k _; destruct (le_lt_dec 1 k) as [K|K]; [|exists 1; split; [lra|intros; lia]].
     destruct (T_A (INR k)) as (d & Hd & F); [apply (le_INR 1), K|exists d; split; [exact Hd|intros _; exact F]]. }
   destruct (tends_above _ _ 0 T_alb ltac:(lra)) as (d3 & d30 & Lb); destruct (tends_above _ _ 0 T_alo ltac:(lra)) as
-    (d4 & d40 & Lo). destruct (two_least d1 d2 d10 d20) as (d5 & d50 & ? & ?); destruct (two_least d3 d4 d30 d40) as
-    (d6 & d60 & ? & ?). destruct (two_least d5 d6 d50 d60) as (d7 & d70 & ? & ?);
-    destruct (two_least d7 1 d70 ltac:(lra)) as (d & Hd & ? & ?). exists d; split; [exact Hd|]; intros t Ht;
-    pose proof p_6; specialize (Lb t ltac:(lra)); specialize (Lo t ltac:(lra)). assert (U : usable (at_ t)).
-  { split; cbn [a b StatementTrapped.tau mu W StatementTrapped.p al0 al1 at_]; try lra; [apply pow_lt; lra|].
+    (d4 & d40 & Lo). destruct (tends_above _ _ 0 (tends_minus _ _ _ _ (tends_const Z) T_zh)) as (d8 & d80 & Lz);
+      [unfold z0; lra|]. destruct (tends_above _ _ 0 (tends_minus _ _ _ _ (tends_const S) T_vh)) as (d9 & d90 & Lv).
+  { assert (sqrt (2 * (1 - l)) < S); [|lra]; rewrite <- (sqrt_square S) by lra; pose proof l_1; apply sqrt_lt_1_alt;
+      lra. } destruct (two_least d1 d2 d10 d20) as (d5 & d50 & ? & ?); destruct (two_least d3 d4 d30 d40) as (d6 & d60
+    & ? & ?). destruct (two_least d5 d6 d50 d60) as (d7 & d70 & ? & ?); destruct (two_least d8 d9 d80 d90) as (d10' &
+    d11 & ? & ?); destruct (two_least d10' 1 d11 ltac:(lra)) as (d12 & d13 & ? & ?); destruct (two_least d7 d12 d70
+    d13) as (d & Hd & ? & ?). exists d; split; [exact Hd|]; intros t Ht; pose proof p_6; specialize (Lb t ltac:(lra));
+    specialize (Lo t ltac:(lra)); specialize (Lz t ltac:(lra)); specialize (Lv t ltac:(lra)). assert (Z0 : 0 <= Z) by
+    (assert (0 < D / (exp (D * p) - 1)) by (apply Rdiv_lt_0_compat; [lra|apply exp_D]); lra).
+  assert (U : usable (at_ t) Z).
+  { split; cbn [a b StatementTrapped.tau mu W StatementTrapped.p al0 al1 zm at_]; try lra; [apply pow_lt; lra|].
     pose proof (pow2_ge_0 t); lra. }
-  assert (St : sqrt (mu (at_ t)) = t) by (cbn [mu at_]; apply sqrt_pow2; lra). assert (Em : Vm (at_ t) = t * vh (at_
-    t)) by (rewrite (Vm_hat (at_ t) U Lb), St; reflexivity). assert (Eo : alo (at_ t) = alo' t) by (unfold alo, alo';
-    rewrite Em; reflexivity). assert (Es : sigma (at_ t) = sigma' t) by (unfold sigma, sigma';
-    rewrite Eo; reflexivity). assert (Et : topped (at_ t) = topped' t) by (unfold topped, topped';
-    rewrite St; reflexivity). constructor; trivial; try (cbn [W StatementTrapped.p al0 at_]; lra).
+  assert (St : sqrt (mu (at_ t)) = t) by (cbn [mu at_]; apply sqrt_pow2; lra); assert (Ev : Vm (at_ t) = S * sqrt (mu
+    (at_ t))) by (rewrite St; reflexivity). pose proof (Vm_0 (at_ t) Z U S HS Ev) as V0.
+  constructor; trivial; try (cbn [W StatementTrapped.p al0 at_]; lra).
+  - split; [exact Lb|]; rewrite (slip_hat (at_ t) Z U), (speed_hat (at_ t) Z U Lb), St; cbn [zm Vm mu at_]; rewrite
+      (Rmult_comm Z), (Rmult_comm S); split; apply Rmult_le_compat_l; try lra; apply pow2_ge_0.
   - intros n Hn; left; assert (Hk : (1 <= Z.to_nat n < Z.to_nat m)%nat) by lia. specialize (A (Z.to_nat n) ltac:(lia)
-      ltac:(lia) t ltac:(lra)); rewrite INR_IZR_INZ, Z2Nat.id in A by lia. pose proof (Vm_0 (at_ t) U Lb) as V0;
+      ltac:(lia) t ltac:(lra)); rewrite INR_IZR_INZ, Z2Nat.id in A by lia.
       unfold A_; apply Rmult_le_reg_r with (Vm (at_ t)); [exact V0|]. replace (sigma (at_ t) * ell (at_ t) (IZR n) /
-      Vm (at_ t) * Vm (at_ t)) with (sigma (at_ t) * ell (at_ t) (IZR n)) by (field; lra). rewrite Es, Em; lra.
-  - specialize (B t ltac:(lra)); rewrite (B_hat (at_ t) U Lb), Es, Et, St; pose proof (vh_pos (at_ t) U Lb) as V0.
-    pose proof (zh_pos (at_ t) U); cbn [StatementTrapped.tau StatementTrapped.p W at_] in *.
-    set (c := ((1 + tau) * vh (at_ t) + t * zh (at_ t)) * vh (at_ t)) in *. assert (C0 : 0 < c).
-    { assert (0 <= tau * vh (at_ t)) by (apply Rmult_le_pos; lra); assert (0 < t * zh (at_ t)) by (apply
-        Rmult_lt_0_compat; lra). apply Rmult_lt_0_compat; lra. }
-    apply Rmult_le_reg_r with c; [exact C0|]; set (q := sigma' t * _) in *; replace (q / c * c) with q by (field;
+      Vm (at_ t) * Vm (at_ t)) with (sigma (at_ t) * ell (at_ t) (IZR n)) by (field; lra). lra.
+  - specialize (B t ltac:(lra)); rewrite (B_hat (at_ t) Z U S HS Ev); cbn [StatementTrapped.tau StatementTrapped.p W
+      mu at_] in *. set (c := ((1 + tau) * S + sqrt (t ^ 2) * Z) * S) in *. assert (C0 : 0 < c).
+    { assert (0 <= tau * S) by (apply Rmult_le_pos; lra); assert (0 <= sqrt (t ^ 2) * Z) by (apply Rmult_le_pos;
+        [apply sqrt_pos|exact Z0]). apply Rmult_lt_0_compat; lra. } apply Rmult_le_reg_r with c; [exact C0|]; set (q
+    := sigma (at_ t) * _) in *; replace (q / c * c) with q by (field;
       lra); lra.
 Qed.
 End Small.
@@ -287,16 +290,24 @@ Qed.
 
 Theorem Small : Small_statement.
 Proof.
-  intros d w tau E Hd Hw Ht l [HE HE']; set (x := a (paper d w tau 1)) in *; set (y := b (paper d w tau 1)).
-  destruct (Paper d w tau 1 Hd Hw Ht ltac:(lra)) as (_ & _ & P); assert (Hxy : 0 < x < y) by apply P.
+  intros d w tau E Hd Hw Ht l [HE HE']; set (x := a (paper d w tau 1 1 1)) in *; set (y := b (paper d w tau 1 1 1)).
+  destruct (Paper d w tau 1 1 1 Hd Hw Ht ltac:(lra)) as (_ & _ & P); assert (Hxy : 0 < x < y) by apply P.
   assert (L1 : 0 < l < 1) by exact (l_1 x y Hxy). assert (Hl : 2 * E * (1 - l) < l).
   { apply (Rmult_lt_compat_r (2 * (1 - l))) in HE'; [|lra]. replace (l / (2 * (1 - l)) * (2 * (1 - l))) with l in HE'
       by (field; lra); lra. }
-  destruct (small_checked x y tau E Hxy Ht HE Hl) as (m & t1 & Ht1 & Ch); exists (t1 ^ 2); split;
-    [apply pow_lt, Ht1|]. intros mu [m0 m1]; set (t := sqrt mu); assert (Ht0 : 0 < t <= t1).
+  set (Z := (y - x) / (exp ((y - x) * (2 * PI)) - 1) + 1); set (q := 2 * (1 - l) + (l - 2 * E * (1 - l)) / (1 + 2 *
+    E)).
+  assert (Hq : 2 * (1 - l) < q /\ (1 / 2 + E) * q < 1).
+  { assert (0 < (l - 2 * E * (1 - l)) / (1 + 2 * E)) by (apply Rdiv_lt_0_compat; lra); split; [unfold q; lra|].
+    replace ((1 / 2 + E) * q) with (1 - (l - 2 * E * (1 - l)) / 2) by (unfold q; field; lra); lra. } assert (Sq : sqrt
+  q * sqrt q = q) by (apply sqrt_sqrt; lra); assert (S0 : 0 < sqrt q) by (apply sqrt_lt_R0; lra).
+  destruct (small_checked x y tau E Z (sqrt q) Hxy Ht HE) as (m & t1 & Ht1 & Ch); [unfold Z; lra|exact S0|rewrite Sq;
+    apply Hq|rewrite Sq; apply Hq|]. exists Z, (sqrt q), (t1 ^ 2); split; [apply pow_lt, Ht1|]. intros mu [m0 m1]; set
+    (t := sqrt mu); assert (Ht0 : 0 < t <= t1).
   { split; [apply sqrt_lt_R0, m0|]; rewrite <- (sqrt_pow2 t1) by lra; apply sqrt_le_1_alt, m1. }
   assert (Et : t ^ 2 = mu) by (unfold t; rewrite <- Rsqr_pow2; apply Rsqr_sqrt; lra).
-  apply (Range (at_ x y tau t) E m); [apply Ch, Ht0|apply Paper; lra|]. constructor;
+  apply (Range (at_ x y tau Z (sqrt q) t) E m); [apply Ch, Ht0|apply Paper; lra|]. constructor;
     cbn [a b StatementTrapped.tau StatementTrapped.p W StatementTrapped.mu al0 al1 at_ paper];
-    try (split; reflexivity); try lra. exact (width_5 mu m0).
+    try (split; reflexivity); try lra; [exact (width_5 mu m0)|]. exists Z, (sqrt q); cbn; change (t * (t * 1)) with (t
+      ^ 2); rewrite Et; repeat split.
 Qed.

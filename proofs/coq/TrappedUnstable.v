@@ -19,7 +19,7 @@ Definition near (t t' : nat -> R) (x x' : nat -> R -> R) (eps : R) : Prop := for
 Section Unstable.
 Variables (M : machine) (lo hi E : R).
 Hypothesis H : hump M lo hi.
-Hypothesis Hb : 0 < alb M.
+Hypothesis Hb : 0 < alb M /\ least_slip M <= zm M /\ least_speed M <= Vm M.
 Hypothesis Ho : 0 < alo M.
 Hypothesis HE : 1 < E.
 Hypothesis HN : forall n, (1 <= n)%Z -> stretches M E n.
@@ -79,8 +79,9 @@ Proof.
       apply exp_pos|lra]). assert (E * (sigma M * h) <= E * (Vm M * zz)) by (apply Rmult_le_compat_l; lra).
     assert (E * Vm M * zz <= sigma M * phi12 M (T1 - t2) * zz) by (apply Rmult_le_compat_r; lra).
     assert (E * h <= phi12 M (T1 - t2) * zz); [|lra]. apply Rmult_le_reg_l with (sigma M); [lra|lra]. }
-  destruct LX as (FXn & Xn1 & Xn1'); destruct LY as (FYn & Yn1 & Yn1'). destruct (impact M lo hi H Hb Ho (k + n) T2 T1
-    W2 W1 Y Y' X X' Yn Yn' Xn Xn' P2n P1n L12 TW2 FY FYn e2 w2 e1 w1 Yn1 Yn1' Xn1 Xn1') as (I1 & I2 & I3).
+  destruct LX as (FXn & Xn1 & Xn1'); destruct LY as (FYn & Yn1 & Yn1'). destruct (impact M lo hi H (zm M) (Vm M) (k +
+    n) T2 T1 W2 W1 Y Y' X X' Yn Yn' Xn Xn' P2n P1n L12 TW2 Ho FY FYn e2 w2 e1 w1 Yn1 Yn1' Xn1 Xn1') as (I1 & I2 & I3);
+    change (strength M (zm M) (Vm M)) with (sigma M) in I2.
   assert (0 <= tau * (X T1 - Y T1)) by (apply Rmult_le_pos; lra). assert (0 <= tau * (zet M X X' T1 - zet M Y Y' T1))
     by (apply Rmult_le_pos; lra). split.
   - repeat (split; trivial); [lra|]. apply Rle_trans with (sigma M * (Vm M * (T1 - T2)));
@@ -168,12 +169,10 @@ Proof.
   assert (Tj : t' j < t (S i)) by (apply (pass_order M lo hi H (N' j) (N (S i))); trivial; lia).
   assert (EN1 : N (S i) = N' (S j)).
   { destruct (Z.lt_total (N (S i)) (N' (S j))) as [C|[C|C]]; trivial; exfalso; [|pose proof (pass_order M lo hi H _ _
-      _ _ Pj1 Pi1 C); lra]. pose proof (hump_shift M lo hi H (N i)) as Hs. assert (Pn : in_pass M (lo + p * IZR (N i))
-      (hi + p * IZR (N i)) (N (S i) - N i) (t (S i))).
-    { apply shift_pass; replace (N i + (N (S i) - N i))%Z with (N (S i)) by lia; trivial. }
-    destruct (dive M _ _ Hs (t i) (V i) (x i) (v i) (zm M) (Vm M) Pi (Tr i) F x0 v0 Ho (t (S i)) (V (S i)) Lt Op e1 w1
-      (N (S i) - N i)%Z ltac:(lia) Pn NV) as (AM & u & Pu & Lu & Gu). apply (shift_pass M lo hi (N i)) in Pu;
-      replace (N i + (N (S i) - N i))%Z with (N (S i)) in Pu by lia. assert (Uu : u < t' (S j)) by exact (pass_order M
+      _ _ Pj1 Pi1 C); lra]. assert (Ez : zet M (x i) (v i) (t (S i)) = zeta M (t (S i)) (V (S i))) by (unfold zet,
+      zeta; rewrite e1, w1; ring). pose proof (Tr (S i)) as (q1 & _ & q3).
+    destruct (dive M lo hi H (N (S i)) (t (S i)) (V (S i)) (zm M) (x i) (v i) Pi1 F e1 w1 q1 ltac:(rewrite Ez; exact
+      q3) NV) as (AM & u & Pu & Lu & Gu); fold (alM M) in AM, Gu. assert (Uu : u < t' (S j)) by exact (pass_order M
       lo hi H _ _ _ _ Pu Pj1 C). specialize (Op' u ltac:(lra)); pose proof (Near i j (t (S i)) ltac:(lra) ltac:(lra))
       as B; apply le_abs in B. pose proof (pair_kick _ _ _ _ _ _ _ _ _ _ h0 P) as K. destruct P as (_ & P2 & _ & _ & _
       & (FX & _) & (FY & _) & O & _). assert (Tp : p - W <= t (S i) - t2).
@@ -284,7 +283,7 @@ Theorem unstable M lo hi E m N t V x v : chaotic M lo hi E -> 0 < tau M -> stays
 Proof.
   intros [[H Hb Ho] HE HN] Ht [HM Tr] Mg. pose proof (some _ _ _ _ _ _ _ _ Mg) as m0; pose proof (overdamped _ _ _ H)
     as Hab; destruct (sizes M _ _ H) as [w1 w2]. destruct (positives M _ _ H) as [hmu hal];
-    pose proof (zm_pos M lo hi H) as zp. assert (AM : 0 < alM M).
+    pose proof (zm_pos M lo hi H Hb) as zp. assert (AM : 0 < alM M).
   { assert (0 <= zm M / (b M - a M)) by (apply Rmult_le_pos; [lra|left; apply Rinv_0_lt_compat; lra]).
     assert (0 <= a M ^ 2 * (mu M + zm M / (b M - a M))) by (apply Rmult_le_pos; [apply pow2_ge_0|lra]).
     pose proof (bent _ _ _ H lo ltac:(lra)); unfold alM; lra. }

@@ -1,4 +1,4 @@
-(** * The rules A1 to A6 of certificates of kind attractor in integers: a function to yes and no *)
+(** * The rules A1 to A7 of certificates of kind attractor in integers: a function to yes and no *)
 From Coq Require Import QArith ZArith Bool List.
 From Grazing Require Import StatementPaths StatementTraps ChaosInterval ChaosFunctions PathsCheck.
 Import ListNotations.
@@ -47,6 +47,9 @@ Definition by_A (s e : itv) (n : BinNums.positive) : bool := below e (times s (e
 Definition by_B (s h e : itv) (n : BinNums.positive) : bool := below e (times s (minus h (restI (minus
   (turn n) (wI
   I))))).
+(** Growth by e over n periods, the numbers s, h, q and w being found. *)
+Definition by_either (s h q w e : itv) (n : BinNums.positive) : bool :=
+  by_A s (times e q) n || by_B s h (times e w) n.
 Definition slip_holds : bool := let f := fallI (times (low (dI I)) (minus (turn 1) (wI I))) in
   positive (low (dI I)) && positive (minus unit f) && below (times (low (dI I)) f) (times (slipI I) (minus
     unit f)).
@@ -55,10 +58,17 @@ Definition numbers_hold (E : itv) (last : BinNums.positive) : bool :=
   positive (low (aI I)) && positive (minus (low (bI I)) (low (aI I))) && positive (ellI 1) && slip_holds &&
   positive earlyI && below (double (times mostI fallenI)) (times (speedI I) (speedI I)) && positive lateI
     &&
-  positive (speedI I) && positive (minus E unit) &&
-  let s := strengthI in let h := heightI in let eA := times E quickI in let eB := times E wayI in
-  forallb (fun n => let n := Pos.of_nat n in by_A s eA n || by_B s h eB n) (seq 1 (Pos.to_nat last - 1)) &&
-  by_B s h eB last.
+  positive (speedI I) && positive (slipI I) && positive (minus E unit) &&
+  let s := strengthI in let h := heightI in let q := quickI in let w := wayI in
+  forallb (fun n => by_either s h q w E (Pos.of_nat n)) (seq 1 (Pos.to_nat last - 1)) &&
+  by_B s h (times E w) last.
+(** A7: returns take no more periods, from the depth nu on, and in each motions part by exp R. *)
+Definition exponent_holds (nu R : itv) (last : BinNums.positive) : bool :=
+  let T := minus (turn last) (wI I) in let kick := plus (quo (times bothI (speedI I)) (root nu)) (slipI I) in
+  positive (minus unit (plus (restI T) (times (quo (fallI (times (aI I) T)) (dI I)) kick))) &&
+  let s := strengthI in let h := heightI in let q := quickI in let w := wayI in
+  forallb (fun n => let n := Pos.of_nat n in by_either s h q w (inverse (fallI (scaled n R))) n)
+    (seq 1 (Pos.to_nat last)).
 End Function.
 
 
@@ -83,6 +93,10 @@ Definition starts (I : inputs) : bool :=
     (dI I)))) in
   below (times (nI I) (slipI I)) x && positive (minus (lowI I) (times (shareI I) (plus x (times (bothI I) (root
     (double (times (nI I) bend))))))).
+
+(** A7. *)
+Definition exponent_is (I : inputs) : bool := match Trap.exponent X with None => true
+  | Some ((nu, R), m) => less 0 nu && exponent_holds I (fraction nu) (fraction R) m end.
 
 (** A1: the cosine; or any g that is concave where it is said, and lower elsewhere. *)
 Definition wall_cell : cell := {| C := None; K := None; T := None; Sg := None; H := rangings (Trap.harmonics X);
@@ -125,5 +139,5 @@ Definition check_trap : bool :=
   match Trap.concave X with None => cosine_holds | Some V => several_hold V end && overdamped_all &&
   Qle_bool 0 (fst (Trap.restitution X)) && less 0 (Trap.depth X) &&
   Qle_bool (fst (Trap.bends X)) (snd (Trap.bends X)) &&
-  numbers_hold I (fraction (Trap.growth X)) (Trap.last X) && starts I.
+  numbers_hold I (fraction (Trap.growth X)) (Trap.last X) && starts I && exponent_is I.
 End Certificate.

@@ -1,7 +1,7 @@
 (** * Whatever certificate of kind attractor the check takes is true *)
 From Coq Require Import Reals QArith Qreals ZArith Lra Lia Bool List.
 From Grazing Require Import Derivatives ChaosInterval ChaosFunctions PathsCheck PathsFlow PathsLegs PathsChecked.
-From Grazing Require Import StatementOscillator StatementTrapped TrappedRange TrappedPeriodic.
+From Grazing Require Import StatementOscillator StatementTrapped TrappedFlow TrappedRange.
 From Grazing Require Import StatementPaths StatementTraps TrapsNumbers TrapsCheck.
 Import ListNotations.
 Open Scope R_scope.
@@ -127,8 +127,8 @@ Lemma roots : 0 < c /\ 0 < k /\ 0 < c * c - 4 * k /\ 0 < r /\ r * r = c * c - 4 
   (c - r) / 2 * ((c + r) / 2) = k /\ mem (aI (inputs_of X)) ((c - r) / 2) /\ mem (bI (inputs_of X)) ((c + r) / 2) /\
   mem (dI (inputs_of X)) ((c + r) / 2 - (c - r) / 2).
 Proof.
-  pose proof HX as H; unfold check_trap in H; cbv zeta in H; rewrite !andb_true_iff in H; destruct H as [[[[[[_ H] _] _]
-    _] _] _].
+  pose proof HX as H; unfold check_trap in H; cbv zeta in H; rewrite !andb_true_iff in H; destruct H as [[[[[[[_ H] _]
+    _] _] _] _] _].
   unfold overdamped_all in H; cbv zeta in H; rewrite !andb_true_iff in H; destruct H as [[H1 H2] H3].
   pose proof (mem_ranging _ _ (trap_c _ _ HM)) as Mc; pose proof (mem_ranging _ _ (trap_k _ _ HM)) as Mk.
   pose proof (mem_integer 4) as M4; pose proof mem_half as Mh; pose proof (positive_lt _ _ H1 Mc) as C0; pose proof
@@ -167,8 +167,8 @@ Proof.
     - intros t Ht; change (g2 M t) with (- PathsFlow.bend M t); rewrite Ropp_involutive; apply Bd, Ht.
     - intros t; rewrite Ew; pose proof (at_most M nu lo hi l h Top O B Out N0 t); lra.
     - exists 0; rewrite Ew, (proj1 Top); ring. }
-  pose proof HX as H; unfold check_trap in H; cbv zeta in H; rewrite !andb_true_iff in H; destruct H as [[[[[[H _] _] _]
-    _] _] _].
+  pose proof HX as H; unfold check_trap in H; cbv zeta in H; rewrite !andb_true_iff in H; destruct H as [[[[[[[H _] _]
+    _] _] _] _] _].
   destruct (Trap.concave X) as [(u', v')|].
   - unfold several_hold in H; cbv beta zeta in H; rewrite !andb_true_iff in H; cbn [fst snd] in H.
     destruct H as [[[[[[[[[[_ U0] V0] UU] VV] Nr] E1] E2] Bn] Out] Bd].
@@ -220,82 +220,85 @@ Proof.
     + pose proof (In t ltac:(lra)); pose proof (COS_bound t); lra.
 Qed.
 
-Definition worst : machine := {| a := (c - r) / 2; b := (c + r) / 2; tau := Machine.tau M; p := 2 * PI;
-  StatementTrapped.W := U + V; mu := mu0; al0 := al; al1 := al'; StatementTrapped.Q := fun _ => 0; Q1 := fun _ => 0; Q2
-    :=
-  fun _ => 0 |}.
 Notation Z := (Q2R (Trap.slip X)).
 Notation S := (Q2R (Trap.speed X)).
 Notation E := (Q2R (Trap.growth X)).
-Theorem checks : exists lo hi, let T := seen X M (hi - lo) in traps X M T lo hi (Z * mu T) (S * sqrt (mu T))
-  (Q2R (Trap.start X)).
+Definition worst : machine := {| a := (c - r) / 2; b := (c + r) / 2; tau := Machine.tau M; p := 2 * PI;
+  StatementTrapped.W := U + V; mu := mu0; al0 := al; al1 := al'; zm := Z * mu0; Vm := S * sqrt mu0; StatementTrapped.Q
+  := fun _ => 0; Q1 := fun _ => 0; Q2 := fun _ => 0 |}.
+Theorem checks : exists lo hi, traps X M (seen X M (hi - lo)) lo hi.
 Proof.
   pose proof HX as H; unfold check_trap in H; cbv zeta in H; rewrite !andb_true_iff in H.
-  destruct H as [[[[[[_ _] Ht] Hd] Ha] Hn] Hs]; apply Qle_bool_iff, Qle_Rle in Ht, Ha; apply less_lt in Hd; rewrite
+  destruct H as [[[[[[[_ _] Ht] Hd] Ha] Hn] Hs] Hx]; apply Qle_bool_iff, Qle_Rle in Ht, Ha; apply less_lt in Hd;
+    rewrite
     Q2R_0 in Ht, Hd. destruct roots as (c0 & k0 & d0 & r0 & rr & Hab & Ek & Ma & Mb & Md); destruct (trap_tau _ _ HM) as
     [T0 _].
   destruct (trap_nu _ _ HM) as [N0 N1]; assert (Tau : 0 <= Machine.tau M) by lra.
-  destruct (wall_hump Tau) as (lo & hi & L1 & L2 & L3 & Hump); exists lo, hi; intros T; assert (W0 : 0 <= U + V) by lra.
+  destruct (wall_hump Tau) as (lo & hi & L1 & L2 & L3 & Hump); exists lo, hi; set (T := seen X M (hi - lo)); assert
+    (W0 : 0 <= U + V) by lra.
   assert (HI : inside_of (inputs_of X) worst S Z).
   { constructor; try assumption; try apply mem_fraction; [apply mem_ranging, (trap_tau _ _ HM) | apply mem_plus; apply
     mem_fraction]. }
   destruct (numbers_checked (inputs_of X) worst S Z E (fraction (Trap.growth X)) (Trap.last X) HI (mem_fraction _)
-    eq_refl Hab Tau Hd W0 Ha Hn) as [Nw Al Sl Sp Bf Af Ch]; cbn [worst p StatementTrapped.W al0 mu] in Nw, Al.
-  assert (HH : hump T lo hi) by (apply Hump; lra).
-  assert (UL : usable worst) by (split; cbn [worst a b StatementTrapped.tau mu StatementTrapped.W p al0 al1]; lra).
-  assert (UT : usable T) by (split; cbn [T seen a b StatementTrapped.tau mu StatementTrapped.W p al0 al1]; fold r; lra).
+    eq_refl Hab Tau Hd W0 Ha eq_refl eq_refl Hn) as [UL S0 Ch _]; pose proof (is_narrow _ _ _ Ch) as Nw; pose proof
+    (is_rounded _ _ _ Ch) as Al; cbn [worst p StatementTrapped.W al0] in Nw, Al; assert (HH : hump T lo hi) by (apply
+    Hump; lra). pose proof (u_Z _ _ UL) as Z0.
   assert (Wo : worse worst T) by (constructor; cbn [T seen worst a b StatementTrapped.tau mu StatementTrapped.W p al0
-    al1]; fold r; try split; trivial; lra).
-  pose proof (Range worst E (Zpos (Trap.last X)) T lo hi Ch HH Wo) as Chaos; pose proof (alb_more worst T UL UT Wo) as
-    Ab.
-  assert (Bf' : 0 < alb T) by lra.
-  assert (Zm : zm T <= Z * mu T).
-  { rewrite (zm_hat T UT), Rmult_comm; apply Rmult_le_compat_r; [cbn; lra|]; pose proof (zh_less worst T UL Wo); lra. }
-  assert (Vs : Vm T <= S * sqrt (mu T)).
-  { rewrite (Vm_hat T UT Bf'), Rmult_comm; apply Rmult_le_compat_r; [apply sqrt_pos|]; pose proof (vh_less worst T UL UT
-    Wo Bf); lra. }
-  constructor; trivial; [cbn; fold r; split; [field | exact Ek] | lra | split; assumption|]; intros z w t v0 t1 V1 x v
-    t2 V2 y u Hz Hin Leg1 Leg2.
-  set (A := (c - r) / 2) in *; set (B := (c + r) / 2) in *; set (D := B - A); set (Xs := Q2R (Trap.start X)) in *; set
-    (tt := Machine.tau M) in *. assert (D0 : 0 < D) by (unfold D; lra); set (q := B * B / D); assert (q0 : 0 < q) by
-    (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra).
-  set (fastest := fun m => sqrt (2 * (m * (al' + A * A * (m + Xs / D))))); pose proof (zh_pos worst UL) as zp.
-  assert (St : mu0 * Z <= Xs /\ 0 < al - q * (Xs + (1 + tt) * fastest mu0)).
-  { unfold starts in Hs; cbv zeta in Hs; apply andb_prop in Hs; destruct Hs as [S1 S2], HI as [Ja Jb Jd Jt Jn Jw J0 J1
-    JS JZ]; cbn [worst a b StatementTrapped.tau mu al0 al1] in *; pose proof (mem_fraction (Trap.start X)) as MX; fold
-    Xs in MX.
-    split; [apply (below_le _ _ _ _ S1); enc | apply (positive_lt _ _ S2)]; unfold q, fastest, shareI, bothI; enc. }
-  destruct St as [S1 S2]; assert (mn : nu * Z <= mu0 * Z) by (apply Rmult_le_compat_r; lra); assert (X0 : 0 < Xs) by
-    (assert (0 < mu0 * Z) by (apply Rmult_lt_0_compat; lra); lra). assert (XD : 0 < Xs / D) by (apply Rdiv_lt_0_compat;
-    lra).
-  assert (Fast : fastest nu <= fastest mu0).
-  { apply sqrt_le_1_alt, Rmult_le_compat_l; [lra|]; assert (A * A * (nu + Xs / D) <= A * A * (mu0 + Xs / D)) by (apply
-    Rmult_le_compat_l; [nra | lra]); assert (0 <= A * A * (nu + Xs / D)) by (apply Rmult_le_pos; [nra | lra]).
-    apply Rmult_le_compat; lra. }
-  assert (Open : forall z' w', z' <= Xs -> w' <= fastest nu -> 0 < al - B ^ 2 * (z' + (1 + tt) * w') / D).
-  { intros z' w' Hz' Hw'; replace (B ^ 2 * (z' + (1 + tt) * w') / D) with (q * (z' + (1 + tt) * w')) by (unfold q;
-    field; lra).
-    assert ((1 + tt) * w' <= (1 + tt) * fastest mu0) by (apply Rmult_le_compat_l; lra); assert (q * (z' + (1 + tt) * w')
-      <= q * (Xs + (1 + tt) * fastest mu0)) by (apply Rmult_le_compat_l; lra); lra. }
-  assert (Ez : zm T <= Xs) by (apply Rle_trans with (1 := Zm); change (mu T) with nu; lra).
-  refine (proj2 (Absorbed T lo hi z w t v0 t1 V1 x v t2 V2 y u HH Bf' _ _ Hin Leg1 Leg2)).
-  - change (0 < al - B ^ 2 * (z + (1 + tt) * w) / D); destruct Hz as [[-> ->]|[-> ->]].
-    + cbn [worst a b StatementTrapped.tau mu al0] in Af; fold A B D tt in Af; change (mu T) with nu; set (s := sqrt nu);
-      assert (s <= sqrt mu0) by (apply sqrt_le_1_alt, N1). assert (S0 : 0 < S) by (pose proof (vh_pos worst UL Bf);
-      lra).
-      assert (S * s <= sqrt mu0 * S) by (rewrite Rmult_comm; apply Rmult_le_compat_r; lra); assert ((1 + tt) * (S * s)
-        <= (1 + tt) * (sqrt mu0 * S)) by (apply Rmult_le_compat_l; lra).
-      assert (G : q * (Z * nu + (1 + tt) * (S * s)) <= q * (mu0 * Z + (1 + tt) * (sqrt mu0 * S))) by (apply
-        Rmult_le_compat_l; lra). replace (B ^ 2 * (Z * nu + (1 + tt) * (S * s)) / D) with (q * (Z * nu + (1 + tt) * (S *
-        s))) by (unfold q; field; lra). replace (B ^ 2 * (mu0 * Z + (1 + tt) * (sqrt mu0 * S)) / D) with (q * (mu0 * Z +
-        (1 + tt) * (sqrt mu0 * S))) in Af by (unfold q; field; lra). lra.
-    + apply Open; [lra|]; right; reflexivity.
-  - change (0 < al - B ^ 2 * (zm T + (1 + tt) * sqrt (2 * alM T * mu T)) / D); apply Open; [exact Ez|].
-    unfold fastest; apply sqrt_le_1_alt; change (mu T) with nu; change (alM T) with (al' + A ^ 2 * (nu + zm T / D)).
-    assert (zm T / D <= Xs / D) by (apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, D0 | exact Ez]).
-    assert (A ^ 2 * (nu + zm T / D) <= A * A * (nu + Xs / D)) by (replace (A ^ 2) with (A * A) by ring; apply
-      Rmult_le_compat_l; [nra | lra]). rewrite Rmult_assoc; apply Rmult_le_compat_l; [lra|]; rewrite Rmult_comm; apply
-      Rmult_le_compat_l; lra.
+    al1 zm Vm]; fold r; try split; trivial; try lra; exists Z, S; repeat split).
+  pose proof (Range worst E (Zpos (Trap.last X)) T lo hi Ch HH Wo) as Chaos; assert (UT : usable T Z) by (constructor;
+    cbn [T seen a b StatementTrapped.tau mu StatementTrapped.W p al0 al1 zm]; fold r; trivial; lra).
+  constructor; trivial; [cbn; fold r; split; [field | exact Ek] | lra | |].
+  - set (A := (c - r) / 2) in *; set (B := (c + r) / 2) in *; set (D := B - A); set (Xs := Q2R (Trap.start X)) in *;
+      set (tt := Machine.tau M) in *. assert (D0 : 0 < D) by (unfold D; lra); set (q := B * B / D); assert (q0 : 0 <
+      q) by (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra).
+    set (fastest := fun m => sqrt (2 * (m * (al' + A * A * (m + Xs / D))))).
+    assert (St : mu0 * Z <= Xs /\ 0 < al - q * (Xs + (1 + tt) * fastest mu0)).
+    { unfold starts in Hs; cbv zeta in Hs; apply andb_prop in Hs; destruct Hs as [S1 S2], HI as [Ja Jb Jd Jt Jn Jw J0
+        J1 JS JZ]; cbn [worst a b StatementTrapped.tau mu al0 al1] in *; pose proof (mem_fraction (Trap.start X)) as
+      MX; fold Xs in MX.
+      split; [apply (below_le _ _ _ _ S1); enc | apply (positive_lt _ _ S2)]; unfold q, fastest, shareI, bothI; enc. }
+    destruct St as [S1 S2]; assert (nu * Z <= mu0 * Z) by (apply Rmult_le_compat_r; lra); assert (0 <= mu0 * Z) by
+      (apply Rmult_le_pos; lra). assert (XD : 0 <= Xs / D) by (apply Rmult_le_pos; [lra | left; apply
+      Rinv_0_lt_compat, D0]).
+    assert (Fast : fastest nu <= fastest mu0).
+    { apply sqrt_le_1_alt, Rmult_le_compat_l; [lra|]; assert (A * A * (nu + Xs / D) <= A * A * (mu0 + Xs / D)) by
+        (apply Rmult_le_compat_l; [nra | lra]); assert (0 <= A * A * (nu + Xs / D)) by (apply Rmult_le_pos; [nra |
+      lra]).
+      apply Rmult_le_compat; lra. } split; [change (Z * nu <= Xs); lra|]; change (0 < al - B ^ 2 * (Xs + (1 + tt) *
+    sqrt (2 * (al' + A ^ 2 * (nu + Xs / D)) * nu)) / D). replace (2 * (al' + A ^ 2 * (nu + Xs / D)) * nu) with (2 *
+      (nu * (al' + A * A * (nu + Xs / D)))) by ring; fold (fastest nu). replace (B ^ 2 * (Xs + (1 + tt) * fastest nu)
+      / D) with (q * (Xs + (1 + tt) * fastest nu)) by (unfold q; field; lra). assert ((1 + tt) * fastest nu <= (1 +
+      tt) * fastest mu0) by (apply Rmult_le_compat_l; lra); assert (q * (Xs + (1 + tt) * fastest nu) <= q * (Xs + (1 +
+      tt) * fastest mu0)) by (apply Rmult_le_compat_l; lra); lra.
+  - intros n0 th m Ex N2; change (mu T) with nu in N2; unfold exponent_is in Hx; rewrite Ex in Hx; apply andb_prop in
+      Hx; destruct Hx as [X0 Hx]; apply less_lt in X0; rewrite Q2R_0 in X0.
+    destruct (exponent_checked (inputs_of X) worst S Z E (fraction (Trap.growth X)) (Trap.last X) HI (mem_fraction _)
+      eq_refl Hab Tau Hd W0 Ha eq_refl eq_refl Hn _ _ _ _ m (mem_fraction n0) X0 (mem_fraction th) Hx) as [Low Sts];
+        split.
+    + constructor; [lia|]; cbv zeta in Low |- *; set (TL := p worst * IZR (Zpos m) - StatementTrapped.W worst) in *;
+        set (TT := p T * IZR (Zpos m) - StatementTrapped.W T).
+      assert (LT : 0 <= TL <= TT).
+      { assert (1 <= IZR (Zpos m)) by (apply (IZR_le 1); lia); assert (2 * PI * 1 <= 2 * PI * IZR (Zpos m)) by (apply
+          Rmult_le_compat_l; pose proof PI_RGT_0; lra). unfold TL, TT; cbn [worst T seen p StatementTrapped.W]; lra. }
+      destruct (phi11_down worst Hab TL TT LT) as [F1 _]; destruct (phis worst T Wo TT) as [-> _]; pose proof
+        (exp_down (a worst) TL TT ltac:(left; apply Hab) (proj2 LT)) as F2. change (a T) with (a worst); change (b T)
+        with (b worst); change (StatementTrapped.tau T) with (StatementTrapped.tau worst); change (mu T) with nu;
+        change (Vm T) with (S * sqrt nu); change (zm T) with (Z * nu). set (rn := sqrt nu); assert (rn0 : 0 < rn) by
+        (apply sqrt_lt_R0, N0); assert (rnn : rn * rn = nu) by (apply sqrt_sqrt; lra). assert (R0 : 0 < sqrt (Q2R n0)
+        <= rn) by (split; [apply sqrt_lt_R0, X0 | apply sqrt_le_1_alt, N2]).
+      set (tt := StatementTrapped.tau worst) in *; set (D := b worst - a worst) in *; assert (D0 : 0 < D) by (unfold
+        D; cbn [worst a b]; lra). assert (Tt : 0 <= tt) by exact Tau; set (k0' := (1 + tt) * S / sqrt (Q2R n0) + Z) in
+          *; set (k1 := (1 + tt) * S / rn + Z). assert (S1 : 0 <= (1 + tt) * S) by (apply Rmult_le_pos; lra).
+      assert (K : 0 <= k1 <= k0').
+      { split; unfold k1, k0'; [assert (0 <= (1 + tt) * S / rn) by (apply Rmult_le_pos; [exact S1 | left; apply
+          Rinv_0_lt_compat, rn0]); lra | apply Rplus_le_compat_r; apply div_mono; lra]. } assert (G : exp (- a worst *
+      TT) * k1 / D <= exp (- a worst * TL) * k0' / D) by (apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, D0 |
+        apply Rmult_le_compat; [left; apply exp_pos | lra | exact F2 | lra]]).
+      replace ((1 + tt) * (S * rn) + Z * nu) with (k1 * nu) by (unfold k1; rewrite <- rnn; field; lra).
+      replace (exp (- a worst * TT) * (k1 * nu) / D) with (exp (- a worst * TT) * k1 / D * nu) by (field; lra).
+      rewrite <- Rmult_plus_distr_r; rewrite <- (Rmult_1_l nu) at 2; apply Rmult_lt_compat_r; lra.
+    + intros n Hn'; apply (stretches_more worst T Z S UL UT Wo S0 eq_refl eq_refl (is_open_after _ _ _ Ch)); [lia |
+        apply exp_pos | apply Sts, Hn'].
 Qed.
 End Check.
 Theorem Traps : Traps_statement check_trap.

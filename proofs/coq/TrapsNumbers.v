@@ -1,6 +1,6 @@
 (** * What the numbers that TrapsCheck finds show
 
-    Slip and speed are listed: zm <= Z mu and Vm <= S sqrt mu is shown first, and then used. *)
+    Slip and speed are listed: zm = Z mu and Vm = S sqrt mu. *)
 From Coq Require Import Reals ZArith List Lra Lia Bool.
 From Grazing Require Import ChaosInterval ChaosFunctions PathsCheck PathsLegs TrapsCheck StatementTrapped TrappedRange.
 From Grazing Require TrappedFlow.
@@ -122,6 +122,8 @@ Hypothesis Htau : 0 <= tau L.
 Hypothesis Hmu : 0 < mu L.
 Hypothesis HW : 0 <= W L.
 Hypothesis Hal : al0 L <= al1 L.
+Hypothesis Hzm : zm L = Z * mu L.
+Hypothesis HVm : Vm L = S * sqrt (mu L).
 Hypothesis H : numbers_hold I eI last = true.
 Notation D := (b L - a L).
 
@@ -144,20 +146,20 @@ Proof.
   replace (- (a L * r)) with (- a L * r) by ring; replace (- (b L * r)) with (- b L * r) by ring; field; lra.
 Qed.
 
-Record numbers : Prop := { n_narrow : W L < p L; n_round : 0 < al0 L; n_slip : zh L <= Z; n_speed : vh L <= S;
-  n_before : 0 < alb L; n_after : 0 < al0 L - b L ^ 2 * (mu L * Z + (1 + tau L) * (sqrt (mu L) * S)) / D;
-  n_checked : checked L E (Z.pos last) }.
+Record numbers : Prop := { n_usable : usable L Z; n_speed : 0 < S; n_checked : checked L E (Z.pos last);
+  n_stretches : forall fI f n, mem fI f -> 0 < f -> by_either I (strengthI I) (heightI I) (quickI I) (wayI I) fI n =
+    true -> stretches L f (Z.pos n) }.
 Theorem numbers_checked : numbers.
 Proof.
   pose proof H as B; unfold numbers_hold in B; cbv zeta in B; rewrite !andb_true_iff in B.
-  destruct B as [[[[[[[[[[[[N0 A0] PH] P0] PL] PE] SH] Pe] BM] Pl] PS] E1] [F BB]].
+  destruct B as [[[[[[[[[[[[[N0 A0] PH] P0] PL] PE] SH] Pe] BM] Pl] PS] PZ] E1] [F BB]].
   pose proof HI as HI'; destruct HI' as [Ma Mb Md Mt Mn Mw M0 M1 MS MZ].
   assert (N : W L < p L) by (rewrite Hp; apply Rminus_gt_0_lt, (positive_lt _ _ N0); replace (2 * PI) with (2 * PI * 1)
-    by ring; enc). assert (R0 : 0 < al0 L) by (apply (positive_lt _ _ A0), M0); assert (U : usable L) by (split; lra).
-  set (nu := mu L) in *; set (r := sqrt nu).
+    by ring; enc). assert (R0 : 0 < al0 L) by (apply (positive_lt _ _ A0), M0); pose proof (positive_lt _ _ PS MS) as
+      S0; pose proof (positive_lt _ _ PZ MZ) as Z0. assert (U : usable L Z) by (split; lra).
+  set (nu := mu L) in *; set (r := sqrt nu) in *.
   assert (Mr : mem (rI I) r) by (unfold rI, r; enc); assert (rr : r * r = nu) by (apply sqrt_sqrt; lra); assert (r0 : 0
     < r) by (apply sqrt_lt_R0; lra).
-  pose proof (positive_lt _ _ PS MS) as S0.
   assert (Ell : forall n, exists z, mem (ellI I n) z /\ z <= ell L (IZR (Z.pos n))).
   { intros n; assert (1 <= IZR (Z.pos n)) by (apply (IZR_le 1); lia); assert (p L * 1 <= p L * IZR (Z.pos n)) by (apply
     Rmult_le_compat_l; lra). assert (Mp : mem (turn n) (p L * IZR (Z.pos n))) by (rewrite Hp; apply mem_turn). destruct
@@ -175,7 +177,8 @@ Proof.
     pose proof (growth_ratio (x * y) (D * y) ltac:(split; [apply Rmult_lt_0_compat; lra | apply Rmult_le_compat_r;
       lra])) as G.
     assert (Ef : exp (x * y) * f = 1) by (unfold f; rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
-    pose proof (rise L U) as Rs; fold y in Rs; unfold zh; fold y; set (g := exp (D * y)) in *; set (h := exp (x * y)) in
+    pose proof (rise L Z U) as Rs; fold y in Rs; unfold zh; fold y; set (g := exp (D * y)) in *; set (h := exp (x *
+      y)) in
       *.
     apply (Rmult_le_reg_r (g - 1)); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
     assert (G' : (h - 1) * D <= (g - 1) * x) by (apply (Rmult_le_reg_r y); lra).
@@ -184,12 +187,10 @@ Proof.
       X; lra. }
   destruct (Ell 1%positive) as (z1 & Mz1 & Lz1); pose proof (positive_lt _ _ PE Mz1) as z0; set (w := / z1).
   assert (w0 : 0 < w) by (apply Rinv_0_lt_compat, z0); assert (Mw1 : mem (wholeI I) w) by (unfold wholeI, w; enc).
-  pose proof (zh_pos L U) as zp; pose proof (V1h_pos L U) as vp; pose proof (zm_hat L U) as zm_is; fold nu in zm_is.
+  pose proof (V1h_pos L Z U) as vp; pose proof (slip_hat L Z U) as slip_is; fold nu in slip_is.
   assert (V1w : (1 + tau L) * V1h L <= w).
   { unfold V1h; rewrite Rinv_mult, <- Rmult_assoc, Rinv_r, Rmult_1_l by lra; apply Rinv_le_contravar; [exact z0 | exact
     Lz1]. }
-  assert (Zn : zm L <= nu * Z) by (rewrite zm_is; apply Rmult_le_compat_l; lra); assert (Z0 : 0 < zm L) by (rewrite
-    zm_is; apply Rmult_lt_0_compat; lra).
   set (q := b L * b L / D); assert (Mq : mem (shareI I) q) by (unfold shareI, q; enc); assert (q0 : 0 < q) by (apply
     Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra).
   set (ew := / exp (- (b L * W L))); set (e := al0 L - q * ew * (nu * (Z + w))).
@@ -197,14 +198,15 @@ Proof.
   assert (Ew : exp (b L * W L) = ew) by (unfold ew; rewrite <- exp_Ropp; f_equal; ring); assert (ew0 : 0 < ew) by (apply
     Rinv_0_lt_compat, exp_pos).
   assert (Before : e <= alb L).
-  { unfold alb, e; rewrite Ew; replace (b L ^ 2 * ew * (zm L + (1 + tau L) * V1 L) / D) with (q * ew * (zm L + (1 + tau
+  { unfold alb, e; rewrite Ew, Hzm; replace (b L ^ 2 * ew * (Z * nu + (1 + tau L) * V1 L) / D) with (q * ew * (Z * nu
+      + (1 + tau
     L) * V1 L)) by (unfold q; field; lra). apply Rplus_le_compat_l, Ropp_le_contravar, Rmult_le_compat_l; [apply
     Rmult_le_pos; lra|]. rewrite V1_hat; fold nu; assert (nu * ((1 + tau L) * V1h L) <= nu * w) by (apply
     Rmult_le_compat_l; lra); lra. }
   set (v := w / (1 + tau L)); set (la := exp (- (a L * (2 * PI * 1)))); set (fl := 1 - la * (1 - tau L * tau L * (nu *
     (v * v)) / (2 * e))). assert (Mfl : mem (fallenI I) fl).
   { unfold fallenI, fl, v, la; cbv zeta; assert (mem (bothI I) (1 + tau L)) by (unfold bothI; enc); enc. }
-  assert (Ela : exp (- a L * p L) = la) by (unfold la; rewrite Hp; f_equal; ring); pose proof (decay_1 L U) as L1;
+  assert (Ela : exp (- a L * p L) = la) by (unfold la; rewrite Hp; f_equal; ring); pose proof (decay_1 L Z U) as L1;
     rewrite Ela in L1.
   assert (Vv : 0 < V1h L <= v) by (split; [exact vp|]; unfold v; apply (Rmult_le_reg_r (1 + tau L)); [lra|]; unfold
     Rdiv; rewrite Rmult_assoc, Rinv_l; lra). assert (Deep : deeph L <= fl).
@@ -214,69 +216,73 @@ Proof.
     V1h L <= v * v) by (apply Rmult_le_compat; lra). split; [apply Rmult_le_pos; [|apply Rmult_le_pos]; nra|]; apply
     Rmult_le_compat_l; [lra | apply Rmult_le_compat_l; lra]. }
   set (mo := al1 L + a L * a L * (nu * (1 + Z / D))); assert (Mmo : mem (mostI I) mo) by (unfold mostI, mo; enc).
-  assert (Most : alM L <= mo).
-  { unfold alM, mo; rewrite zm_is; fold nu; replace (a L ^ 2 * (nu + nu * zh L / D)) with (a L * a L * (nu * (1 + zh L /
-    D))) by (field; lra). apply Rplus_le_compat_l, Rmult_le_compat_l; [nra|]; apply Rmult_le_compat_l,
-    Rplus_le_compat_l, Rmult_le_compat_r; [lra | left; apply Rinv_0_lt_compat; lra | exact Slip]. }
-  assert (Before0 : 0 < alb L) by lra; pose proof (alM_pos L U) as mp; pose proof (deeph_pos L U Before0) as dp.
+  assert (Most : alM L = mo) by (unfold alM, mo; rewrite Hzm; fold nu; field; lra).
+  assert (Before0 : 0 < alb L) by lra; pose proof (alM_pos L Z U) as mp; pose proof (deeph_pos L Z U Before0) as dp.
   assert (Speed : vh L <= S).
   { assert (X : 2 * (mo * fl) <= S * S) by (apply (below_le _ _ _ _ BM); enc); unfold vh; rewrite <- (sqrt_square S) by
     lra; apply sqrt_le_1_alt; apply Rle_trans with (2 := X); rewrite Rmult_assoc; apply Rmult_le_compat_l; [lra|]; apply
     Rmult_le_compat; lra. }
-  pose proof (vh_pos L U Before0) as vh0; pose proof (Vm_hat L U Before0) as Vm_is; fold nu r in Vm_is.
-  assert (Vn : Vm L <= r * S) by (rewrite Vm_is; apply Rmult_le_compat_l; lra); assert (Mqk : mem (quickI I) (r * S)) by
-    (unfold quickI; enc). assert (Mbo : mem (bothI I) (1 + tau L)) by (unfold bothI; enc).
+  assert (Mqk : mem (quickI I) (r * S)) by (unfold quickI; enc). assert (Mbo : mem (bothI I) (1 + tau L)) by (unfold
+    bothI; enc).
   set (lt := al0 L - q * (nu * Z + (1 + tau L) * (r * S))); assert (Mlt : mem (lateI I) lt) by (unfold lateI, lt; enc).
-  pose proof (positive_lt _ _ Pl Mlt) as lt0; assert (Vt : (1 + tau L) * Vm L <= (1 + tau L) * (r * S)) by (apply
-    Rmult_le_compat_l; lra).
-  assert (After : lt <= alo L).
-  { unfold alo, lt; replace (b L ^ 2 * (zm L + (1 + tau L) * Vm L) / D) with (q * (zm L + (1 + tau L) * Vm L)) by
-    (unfold q; field; lra). apply Rplus_le_compat_l, Ropp_le_contravar, Rmult_le_compat_l; lra. }
-  set (s := tau L * (al0 L - q * (nu * Z)) + lt); assert (Ms : mem (strengthI I) s) by (unfold strengthI, s; enc).
-  assert (Str : s <= sigma L).
-  { unfold sigma, s; apply Rplus_le_compat; [|exact After]; apply Rmult_le_compat_l; [exact Htau|]; replace (b L ^ 2 *
-    zm L / D) with (q * zm L) by (unfold q; field; lra); apply Rplus_le_compat_l, Ropp_le_contravar, Rmult_le_compat_l;
-    lra. }
-  assert (s0 : 0 < s).
-  { assert (q * (nu * Z) <= q * (nu * Z + (1 + tau L) * (r * S))) by (apply Rmult_le_compat_l; [lra|]; assert (0 <= (1 +
-    tau L) * (r * S)) by (apply Rmult_le_pos; [lra | apply Rmult_le_pos; lra]); lra).
-    assert (0 <= tau L * (al0 L - q * (nu * Z))) by (apply Rmult_le_pos; unfold lt in lt0; lra); unfold s; lra. }
+  pose proof (positive_lt _ _ Pl Mlt) as lt0; assert (After : alo L = lt) by (unfold alo, lt, q; rewrite Hzm, HVm;
+    field; lra). set (s := tau L * (al0 L - q * (nu * Z)) + lt); assert (Ms : mem (strengthI I) s) by (unfold
+    strengthI, s; enc). assert (Str : sigma L = s) by (unfold sigma, s, q; rewrite After, Hzm; field; lra).
+  assert (s0 : 0 < s) by (rewrite <- Str; apply (sigma_0 L Z U S S0 HVm); lra).
   destruct (greater_ge (plus (speedI I) (times (rI I) (slipI I))) (times (aI I) (rI I)) (S + r * Z) (a L * r)) as (m &
     Mm & G1 & G2); [enc | enc|]. set (h := 1 - m * m / (2 * al0 L)); assert (Mh : mem (heightI I) h) by (unfold heightI,
-    steepI, h; enc).
-  assert (rz : r * zh L <= r * Z) by (apply Rmult_le_compat_l; lra); assert (rz0 : 0 < r * zh L) by (apply
-    Rmult_lt_0_compat; lra). assert (Top : topped L <= m * m / (2 * al0 L)).
+    steepI, h; enc). assert (rz : 0 < r * Z) by (apply Rmult_lt_0_compat; lra). assert (Top : topped L Z S <= m * m /
+      (2
+    * al0 L)).
   { unfold topped; fold nu r; apply div_mono; [|lra]; split; [apply pow2_ge_0|]; replace (m * m) with (m ^ 2) by ring;
-    apply pow_incr; split; [apply Rle_trans with (vh L + r * zh L); [lra | apply Rmax_l] | apply Rmax_lub; lra]. }
+    apply pow_incr; split; [apply Rle_trans with (S + r * Z); [lra | apply Rmax_l] | apply Rmax_lub; lra]. }
   set (way := ((1 + tau L) * S + r * Z) * S); assert (Mway : mem (wayI I) way) by (unfold wayI, way; enc).
-  assert (E0 : 1 < E) by (apply Rminus_gt_0_lt, (positive_lt _ _ E1); enc).
-  assert (ByB : forall n, by_B I (strengthI I) (heightI I) (times eI (wayI I)) n = true -> E <= B_ L (IZR (Z.pos n))).
-  { intros n X; assert (1 <= IZR (Z.pos n)) by (apply (IZR_le 1); lia); assert (p L * 1 <= p L * IZR (Z.pos n)) by
-    (apply Rmult_le_compat_l; lra). assert (Mp : mem (turn n) (p L * IZR (Z.pos n))) by (rewrite Hp; apply mem_turn).
-    destruct (mem_rest (minus (turn n) (wI I)) (p L * IZR (Z.pos n) - W L)) as (x & Mx & Lx); [enc | lra | exact PL |
-      exact P0|]. apply (below_le _ _ (E * way) (s * (h - x))) in X; [|enc|enc]; rewrite (B_hat L U Before0); fold nu r.
-    set (d := ((1 + tau L) * vh L + r * zh L) * vh L); assert (d0 : 0 < (1 + tau L) * vh L) by (apply Rmult_lt_0_compat;
-      lra).
-    assert (Hd : 0 < d <= way).
-    { unfold d, way; split; [apply Rmult_lt_0_compat; lra|]; assert ((1 + tau L) * vh L <= (1 + tau L) * S) by (apply
-      Rmult_le_compat_l; lra). apply Rmult_le_compat; lra. }
-    assert (E * d <= E * way) by (apply Rmult_le_compat_l; lra); assert (0 < E * d) by (apply Rmult_lt_0_compat; lra).
-    assert (hx : 0 < h - x) by (apply (Rmult_lt_reg_l s); lra); set (t := 1 - topped L - phi11 L (p L * IZR (Z.pos n) -
-      W L)).
-    assert (T : h - x <= t) by (unfold t, h; lra); assert (s * (h - x) <= sigma L * t) by (apply Rmult_le_compat; lra).
-    apply (Rmult_le_reg_r d); [apply Hd|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r; lra. }
-  assert (ByA : forall n, by_A I (strengthI I) (times eI (quickI I)) n = true -> E <= A_ L (IZR (Z.pos n))).
-  { intros n X; destruct (Ell n) as (z & Mz & Lz); apply (below_le _ _ (E * (r * S)) (s * z)) in X; [|enc|enc].
-    assert (V0 : 0 < Vm L) by (rewrite Vm_is; apply Rmult_lt_0_compat; lra); assert (E * Vm L <= E * (r * S)) by (apply
-      Rmult_le_compat_l; lra). assert (0 < E * Vm L) by (apply Rmult_lt_0_compat; lra); assert (0 < z) by (apply
-      (Rmult_lt_reg_l s); lra). assert (s * z <= sigma L * ell L (IZR (Z.pos n))) by (apply Rmult_le_compat; lra).
-    unfold A_; apply (Rmult_le_reg_r (Vm L)); [exact V0|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r; lra. }
-  constructor; trivial.
-  { change (0 < al0 L - b L ^ 2 * (nu * Z + (1 + tau L) * (r * S)) / D); replace (b L ^ 2 * (nu * Z + (1 + tau L) * (r *
-    S)) / D) with (q * (nu * Z + (1 + tau L) * (r * S))) by (unfold q; field; lra). exact lt0. }
-  constructor; trivial; try lia; try lra; [|apply ByB, BB].
-  intros n Hn; pose proof (proj1 (forallb_forall _ _) F (Z.to_nat n) ltac:(apply in_seq; lia)) as X; cbv beta zeta in X.
-  replace n with (Z.pos (Pos.of_nat (Z.to_nat n))) by lia; apply orb_prop in X; destruct X as [X|X]; [left; apply ByA, X
-    | right; apply ByB, X].
+  assert (E0 : 1 < E) by (apply Rminus_gt_0_lt, (positive_lt _ _ E1); enc); assert (way0 : 0 < way) by (assert (0 <=
+    tau L * S) by (apply Rmult_le_pos; lra); apply Rmult_lt_0_compat; lra).
+  assert (ByB : forall fI f n, mem fI f -> 0 < f -> by_B I (strengthI I) (heightI I) (times fI (wayI I)) n = true -> f
+    <= B_ L (IZR (Z.pos n))).
+  { intros fI f n Mf f0 X; assert (1 <= IZR (Z.pos n)) by (apply (IZR_le 1); lia); assert (p L * 1 <= p L * IZR (Z.pos
+    n)) by (apply Rmult_le_compat_l; lra). assert (Mp : mem (turn n) (p L * IZR (Z.pos n))) by (rewrite Hp; apply
+    mem_turn). destruct (mem_rest (minus (turn n) (wI I)) (p L * IZR (Z.pos n) - W L)) as (x & Mx & Lx); [enc | lra |
+      exact PL | exact P0|]. apply (below_le _ _ (f * way) (s * (h - x))) in X; [|enc|enc]; rewrite (B_hat L Z U S S0
+      HVm), Str; fold nu r way.
+    assert (T : s * (h - x) <= s * (1 - topped L Z S - phi11 L (p L * IZR (Z.pos n) - W L))) by (apply
+      Rmult_le_compat_l; unfold h; lra). apply (Rmult_le_reg_r way); [exact way0|]; unfold Rdiv; rewrite Rmult_assoc,
+      Rinv_l, Rmult_1_r; lra. } assert (ByA : forall fI f n, mem fI f -> 0 < f -> by_A I (strengthI I) (times fI
+  (quickI I)) n = true -> f <= A_ L (IZR (Z.pos n))).
+  { intros fI f n Mf f0 X; destruct (Ell n) as (z & Mz & Lz); apply (below_le _ _ (f * (r * S)) (s * z)) in X;
+      [|enc|enc]. assert (s * z <= s * ell L (IZR (Z.pos n))) by (apply Rmult_le_compat_l; lra).
+    assert (V0 : 0 < r * S) by (apply Rmult_lt_0_compat; lra); unfold A_; rewrite Str, HVm, (Rmult_comm S); apply
+      (Rmult_le_reg_r (r * S)); [exact V0|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r; lra. } assert (Both
+  : forall fI f n, mem fI f -> 0 < f -> by_either I (strengthI I) (heightI I) (quickI I) (wayI I) fI n = true
+    -> stretches L f (Z.pos n)) by (intros fI f n Mf f0 X; apply orb_prop in X; destruct X as [X|X]; [left; apply (ByA
+    fI) | right; apply (ByB fI)]; assumption).
+  constructor; [exact U | exact S0 | | exact Both]. constructor; try lia; try lra.
+  - rewrite slip_is, Hzm, (speed_hat L Z U Before0), HVm; fold nu r; repeat split; [exact Before0 | rewrite
+      (Rmult_comm Z) | rewrite (Rmult_comm S)]; apply Rmult_le_compat_l; lra.
+  - intros n Hn; pose proof (proj1 (forallb_forall _ _) F (Z.to_nat n) ltac:(apply in_seq; lia)) as X; cbv beta in X.
+    replace n with (Z.pos (Pos.of_nat (Z.to_nat n))) by lia; apply (Both _ _ _ HE); [lra | exact X].
+  - apply (ByB _ _ _ HE); [lra | exact BB].
+Qed.
+(** A7, for any depth from nu0 on. *)
+Theorem exponent_checked NI nu0 RI R m : mem NI nu0 -> 0 < nu0 -> mem RI R -> exponent_holds I NI RI m = true ->
+  let T := p L * IZR (Z.pos m) - W L in phi11 L T + exp (- a L * T) * ((1 + tau L) * S / sqrt nu0 + Z) / D < 1 /\
+  forall n, (1 <= n <= Z.pos m)%Z -> stretches L (exp (R * IZR n)) n.
+Proof.
+  intros HN N0 HR X T; unfold exponent_holds in X; cbv zeta in X; apply andb_prop in X; destruct X as [X1 X2].
+  destruct numbers_checked as [U S0 [w0 _ _ _ _ _ _ _] St]; pose proof HI as [Ma Mb Md Mt Mn Mw M0 M1 MS MZ]; split.
+  - pose proof H as B; unfold numbers_hold in B; cbv zeta in B; rewrite !andb_true_iff in B.
+    destruct B as [[[[[[[[[[[[[_ _] _] P0] PL] _] _] _] _] _] _] _] _] _]; assert (1 <= IZR (Z.pos m)) by (apply
+      (IZR_le 1); lia). assert (p L * 1 <= p L * IZR (Z.pos m)) by (apply Rmult_le_compat_l; lra).
+    assert (MT : mem (minus (turn m) (wI I)) T) by (unfold T; rewrite Hp; pose proof (mem_turn m); enc).
+    destruct (mem_rest _ T MT ltac:(unfold T; lra) PL P0) as (x & Mx & Lx); assert (Mk : mem (plus (quo (times (bothI
+      I) (speedI I)) (root NI)) (slipI I)) ((1 + tau L) * S / sqrt nu0 + Z)) by (assert (mem (bothI I) (1 + tau L)) by
+      (unfold bothI; enc); enc). set (k := (1 + tau L) * S / sqrt nu0 + Z) in *.
+    assert (Y : 0 < 1 - (x + exp (- (a L * T)) / D * k)) by (apply (positive_lt _ _ X1); enc).
+    replace (- a L * T) with (- (a L * T)) by ring; unfold Rdiv in *; lra.
+  - intros n Hn; pose proof (proj1 (forallb_forall _ _) X2 (Z.to_nat n) ltac:(apply in_seq; lia)) as Y; cbv beta zeta
+      in Y. replace n with (Z.pos (Pos.of_nat (Z.to_nat n))) by lia; set (k := Pos.of_nat (Z.to_nat n)) in *.
+    refine (St _ _ _ _ (exp_pos _) Y); replace (exp (R * IZR (Z.pos k))) with (/ exp (- (IZR (Z.pos k) * R))) by
+      (rewrite <- exp_Ropp; f_equal; ring). apply mem_inverse, mem_fall, mem_scaled, HR.
 Qed.
 End Sound.

@@ -359,12 +359,20 @@ s/^  let K := \(.*\) in forall eps, 0 < eps -> exists d, 0 < d \/\\$/  let K := 
 s/^  forall mu x c q P, Rabs mu <= d ->/  forall mu x c q P, exists d, 0 < d \/\\ (Rabs mu <= d ->/
 s/D v i = lambda \* v i)\.$/D v i = lambda * v i))./
 E
-other StatementTraps.v Traps_statement 'a bound for each certificate' <<'E'
-s/exists lo hi, let T := seen C M (hi - lo) in traps/exists lo hi, let T := seen C M (1 + hi - lo) in traps/
+other StatementTraps.v Traps_statement 'of a longer window' <<'E'
+s/traps C M (seen C M (hi - lo)) lo hi/traps C M (seen C M (1 + hi - lo)) lo hi/
 E
-other StatementTraps.v traps 'from the listed trap alone' <<'E'
-s/^  trap_absorbs : forall z w t V t1 V1 x v t2 V2 y u, z = Z \/\\ w = S \\\/$/  trap_absorbs : forall z w t V t1 V1 x v t2 V2 y u, z = Z \/\\ w = S ->/
-/^    z = X \/\\ w = sqrt/d
+other StatementTraps.v traps 'an exponent at the listed depth alone' <<'E'
+s/Q2R nu <= mu T ->/Q2R nu = mu T ->/
+E
+other StatementTrapped.v few_graze 'a list for each motion' <<'E'
+s/exists f : nat -> R, forall y u N t V x v,/forall y u N t V x v, exists f : nat -> R,/
+E
+other StatementTrapped.v third 'from a trapped contact alone' <<'E'
+s/^  forall t2 V2 y u, leg M t1 V1 t2 V2 y u -> trapped M t2 V2\./  forall t2 V2 y u, leg M t1 V1 t2 V2 y u -> trapped M t V -> trapped M t2 V2./
+E
+other Headline.v Attractor_statement 'at one mu' <<'E'
+s/^  exists E Z S mu1, mu1 > 0 \/\\ forall mu, 0 < mu <= mu1 ->/  exists E Z S mu1, mu1 > 0 \/\\ forall mu, mu = mu1 ->/
 E
 
 if [ "$survived" != 0 ]; then echo "clauses.sh: $survived of $total changes not noticed" >&2; exit 1; fi

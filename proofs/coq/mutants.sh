@@ -434,7 +434,7 @@ E
 
 # Beyond a touch in region 2: weaker, and a consequence notices; too strong, and a proof does.
 mutant attractor-for-l1-above-4/5 'File "./ConsequencesAttractor' --pin StatementAttractor.v <<'E'
-/^Definition Attractor_statement/ s/2 \/ 3 < l1 < 1/4 \/ 5 < l1 < 1/
+/^Definition Wedge_statement/ s/2 \/ 3 < l1 < 1/4 \/ 5 < l1 < 1/
 E
 mutant attractor-that-grows-too-fast 'File "./Attractor.v' --pin StatementAttractor.v <<'E'
 s/1 < E < l1 \/ (2 \* (1 - l1)) ->/1 < E < l1 \/ (1 - l1) ->/
@@ -469,13 +469,55 @@ E
 mutant stable-motions-without-a-bounce 'File "./TrappedAll' --pin StatementTrapped.v <<'E'
 /^Definition No_stable_statement/ s/chaotic M lo hi E -> 0 < tau M ->/chaotic M lo hi E -> 0 <= tau M ->/
 E
-mutant exponent-but-for-the-first-pass 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
-s/(forall n, (1 <= n <= m)%Z -> stretches M (exp/(forall n, (2 <= n <= m)%Z -> stretches M (exp/
+mutant derivative-of-half-a-jump 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/  Rabs (W t - U t - (- tau M \* w + jump M t V \* d \/ V)) <=/  Rabs (W t - U t - (- tau M * w + jump M t V * d \/ (2 * V))) <=/
 E
-mutant checked-but-for-the-first-pass 'File "./TrappedRange' --pin StatementTrapped.v <<'E'
+mutant derivative-at-a-graze 'File "./(Consequences|TrappedDerivative)' --pin StatementTrapped.v <<'E'
+s/  V = v t - Q1 M t -> V < 0 -> forall eps/  V = v t - Q1 M t -> forall eps/
+E
+mutant trapped-with-half-the-slip 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/^Definition least_slip : R := mu M/Definition least_slip : R := mu M \/ 2/
+E
+mutant trapped-with-any-slip 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/opens_before : 0 < alb M \/\\ least_slip M <= zm M/opens_before : 0 < alb M/
+E
+mutant trapped-from-anywhere 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/opens M lo hi -> begins M z -> Q M s <= 0 ->/opens M lo hi -> Q M s <= 0 ->/
+E
+mutant trapped-from-below 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/opens M lo hi -> begins M z -> Q M s <= 0 ->/opens M lo hi -> begins M z ->/
+E
+mutant few-grazes-from-the-stop 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/  Q M s <= 0 <= q -> Q M s < q -> few_graze/  Q M s <= 0 <= q -> few_graze/
+E
+mutant few-motions 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/^  (exists i, V i = 0) -> exists n, u s = f n\./  exists n, u s = f n./
+E
+mutant brief-after-the-pass 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/is_low : let T := p M \* IZR m - W M in/is_low : let T := p M * IZR m + W M in/
+E
+mutant attractor-from-anywhere 'File "./(Consequences|TrappedAttracts)' --pin Headline.v <<'E'
+s/chaotic M lo hi E -> begins M starts -> attracts/chaotic M lo hi E -> attracts/
+E
+mutant attractor-at-a-graze 'File "./(Consequences|TrappedAttracts)' --pin Headline.v <<'E'
+s/^  D_stretches : \(.*\), trapped M t V -> V < 0 ->/  D_stretches : \1, trapped M t V ->/
+E
+mutant attractor-without-a-bounce 'File "./(Consequences|TrappedAttracts)' --pin Headline.v <<'E'
+s/^  D_unstable : 0 < tau M ->/  D_unstable :/
+E
+mutant attractor-in-any-order 'File "./(Consequences|TrappedAttracts)' --pin Headline.v <<'E'
+s/let s := t' (S i) in t (S i) <= s -> 0 <= x' i s - x i s ->/let s := t' (S i) in t (S i) <= s ->/
+E
+mutant attractor-of-half 'File "./(Consequences|TrappedAttracts)' --pin Headline.v <<'E'
+s/0 <= tau -> 2 \/ 3 < exp/0 <= tau -> 1 \/ 2 < exp/
+E
+mutant exponent-but-for-the-first-pass 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
+s/forall n, (1 <= n <= m)%Z -> stretches M (exp/forall n, (2 <= n <= m)%Z -> stretches M (exp/
+E
+mutant checked-but-for-the-first-pass 'File "./(Consequences|TrappedRange)' --pin StatementTrapped.v <<'E'
 s/first_ones : forall n, (1 <= n < m)%Z/first_ones : forall n, (2 <= n < m)%Z/
 E
-mutant worse-but-for-its-width 'File "./TrappedRange' --pin StatementTrapped.v <<'E'
+mutant worse-but-for-its-width 'File "./(Consequences|TrappedRange)' --pin StatementTrapped.v <<'E'
 s/  more_W : W M <= W L;/  more_W : W M <= W L + 1;/
 E
 mutant example-that-grows-too-fast 'File "./(Consequences|Trapped)' --pin StatementTrapped.v <<'E'
@@ -594,14 +636,17 @@ E
 mutant trap-above-a-wall-with-any-top 'File "./(ConsequencesTraps|TrapsChecked)' --pin StatementTraps.v <<'E'
 s/^  trap_level : g1 M 0 = 0 }\./  trap_level : True }./
 E
-mutant trap-that-absorbs-less 'File "./(ConsequencesTraps|TrapsChecked)' --pin StatementTraps.v <<'E'
-s/trapped T t2 V2 }\./trapped T t1 V1 }./
-E
-mutant trap-anywhere 'File "./(ConsequencesTraps|TrapsChecked)' --pin StatementTraps.v <<'E'
-s/^  trap_within : zm T <= Z \/\\ Vm T <= S;/  trap_within : True;/
+mutant trap-with-an-exponent-at-any-depth 'File "./(ConsequencesTraps|TrapsChecked)' --pin StatementTraps.v <<'E'
+s/Q2R nu <= mu T ->/True ->/
 E
 mutant trap-reader-without-starts 'File "./TrapsChecked' '' TrapsCheck.v <<'E'
-s/ && starts I\././
+s/ && starts I//
+E
+mutant trap-reader-without-exponents 'File "./TrapsChecked' '' TrapsCheck.v <<'E'
+s/ && exponent_is I\././
+E
+mutant trap-reader-of-any-returns 'File "./TrapsNumbers' '' TrapsCheck.v <<'E'
+s/^  positive (minus unit (plus (restI T).*/  true \&\&/
 E
 mutant trap-reader-without-the-slip 'File "./TrapsNumbers' '' TrapsCheck.v <<'E'
 s/positive (ellI 1) && slip_holds &&/positive (ellI 1) \&\&/
@@ -610,7 +655,7 @@ mutant trap-reader-with-rates-in-the-middle 'File "./TrapsNumbers' '' TrapsCheck
 s/^Definition reachI (T : itv) : itv := let x := high (aI I)/Definition reachI (T : itv) : itv := let x := low (aI I)/
 E
 mutant trap-reader-of-all-returns-but-the-last 'File "./TrapsNumbers' '' TrapsCheck.v <<'E'
-s/^  by_B s h eB last\./  true./
+s/^  by_B s h (times E w) last\./  true./
 E
 mutant trap-reader-with-a-window-too-short 'File "./TrapsChecked' '' TrapsCheck.v <<'E'
 s/low_at false (fraction (fst (Trap.window X))) && low_at true h'/low_at false (fraction (fst (Trap.window X)))/

@@ -1,11 +1,10 @@
 (* A reader of certificates of kinds theorem2, word, word-by-theorem, chaos 3, range, range 2 and attractor: one
    answer per file named on the command line, "proved", "refused: line N: ..." or "not read: ...". Every file is read
-   to its end. Of chaos 3 and of ranges the motions and the growth of the graph are proved, of attractors the trap and
-   how motions separate, and the answer says what of the statement is not read: "proved; reach, entropy: not read", or
-   with others where the file claims that there are none. What a file claims is decided by the proved functions of
-   StatementReaders.v, StatementReaderWords.v, StatementGrowth.v, PathsCheck.v, RangesCheck.v and TrapsCheck.v; here
-   files are cut into lines and words, numbers are read, and the form is checked, as the heads of mod.rs in
-   crates/checker/src, in theorem2, word, chaos, range and attractor, have it. *)
+   to its end. Of chaos 3 and of ranges the motions and the growth of the graph are proved, and the answer says what of
+   the statement is not read: "proved; reach, entropy: not read", or with others where the file claims that there are
+   none. What a file claims is decided by the proved functions of StatementReaders.v, StatementReaderWords.v, StatementGrowth.v, PathsCheck.v,
+   RangesCheck.v and TrapsCheck.v; here files are cut into lines and words, numbers are read, and the form is checked,
+   as the heads of mod.rs in crates/checker/src, in theorem2, word, chaos, range and attractor, have it. *)
 open Decide
 
 exception Refused of string
@@ -498,7 +497,7 @@ let read_range second lines =
   need (check_range certificate) "not proved";
   Some ("continuity, entropy" ^ (if List.exists snd all then ", others" else "") ^ ": not read")
 
-(* ---- kind attractor: the trap and the growth, without starts that are no contacts, exponents and almost all ---- *)
+(* ---- kind attractor ---- *)
 let attractor =
   "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b \
    in their ranges, all a together 1 and all j b together 0, and for every nu > 0 up to the listed depth, consider \
@@ -541,17 +540,17 @@ let read_attractor lines =
     | _ -> refuse "expected a growth and a number of periods" in
   need (below (quotient (whole 1) XH) growth) "a growth must be above 1";
   let start = above_0 (one decimal (named lines "start")) in
-  (match named lines "exponent" with
-   | [ "none" ] -> ()
-   | [ nu; r; l ] ->
-       let nu = above_0 (ratio nu) in
-       ignore (above_0 (decimal r)); ignore (count "periods" 1 2000 l);
-       need (qle_bool nu depth) "an exponent is listed from a depth up to the greatest"
-   | _ -> refuse "expected none, or a depth, a rate and a number of periods");
+  let exponent = match named lines "exponent" with
+    | [ "none" ] -> None
+    | [ nu; r; l ] ->
+        let nu = above_0 (ratio nu) in let rate = above_0 (decimal r) in let most = count "periods" 1 2000 l in
+        need (qle_bool nu depth) "an exponent is listed from a depth up to the greatest";
+        Some ((nu, rate), positive most)
+    | _ -> refuse "expected none, or a depth, a rate and a number of periods" in
   at_end lines;
   need (check_trap { Trap.damping; stiffness; restitution; harmonics; depth; window; bends; concave; speed; slip; growth;
-    last = positive last; start }) "not proved";
-  Some "starts, exponents, almost all: not read"
+    last = positive last; start; exponent }) "not proved";
+  None
 
 let read_signs lines = function
   | "kind theorem2" -> read_theorem2 lines

@@ -97,7 +97,7 @@ pub use text::{Certificate, Decimal, Exponent, Fraction, Harmonic, Range, Settin
 /// The word in the header.
 pub const KIND: &str = "attractor";
 
-/// What a certificate proves.
+/// What a certificate proves; `proofs/coq/Headline.v` quotes it from the trap on.
 pub const STATEMENT: &str = "For all c, k, tau in the listed ranges, for g(t) the sum of the listed \
 harmonics a cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, and for \
 every nu > 0 up to the listed depth, consider the motions of the oscillator q'' = -c q' - k q above the wall \
