@@ -214,7 +214,8 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E, given: f64) -> Resul
         sentences.splice(1..1, told::theorem(&at).into_iter().chain(resonant.map(told::resonance)));
     }
     let unit = job.scene.unit(&at.varied);
-    sentences.extend(range.iter().flatten().filter_map(|row| row.sentence((&at.varied, at.half), unit)));
+    let proved = range.iter().flatten().filter_map(|row| row.sentence((&at.varied, at.half), unit));
+    sentences.extend(told::together(proved));
     sentences.extend(told::influences(influence.as_deref().unwrap_or_default(), &at, unit));
     let touches_open = point.touches().open();
     let touches = task.within().map(|_| point.touches().found.iter().map(TouchRow::of).collect());

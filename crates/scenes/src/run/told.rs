@@ -88,8 +88,12 @@ pub(super) fn sentences(
     // What is said of one begun at rest stands among the bands.
     let from_rest = bands.iter().any(|row| row.from_rest.is_some());
     let found = seen.iter().filter(|row| !(from_rest && row.place == "rest"));
-    let found = found.flat_map(|row| [sight(&value(row.value), row), blows(hits, &row.place, units)]);
-    let found = found.chain([in_bands.map(String::from)]).flatten();
+    let told = |row: &SeenRow| [sight(&value(row.value), row), blows(hits, &row.place, units)];
+    // A motion, how hard it hits, and how long it stays are one sentence.
+    let one = |rows: &[&SeenRow]| sentence(rows.iter().flat_map(|row| told(row)).flatten());
+    let found: Vec<&SeenRow> = found.collect();
+    let found = found.chunk_by(|a, b| a.place == "beyond" && b.place == "back").filter_map(one);
+    let found = found.chain(in_bands.map(String::from));
     [Some(touch), order, apart]
         .into_iter()
         .flatten()
@@ -192,42 +196,61 @@ fn without_chaos(rows: &[ChaosRow], touch: &str) -> Option<String> {
     (!sides.is_empty()).then(|| format!("Born there: {}.", sides.join("; ")))
 }
 
-/// What is seen at a value of the parameter.
+/// What is proved of both sides in one sentence; what is not proved stands for itself.
+pub(super) fn together(all: impl Iterator<Item = Sentence>) -> Vec<Sentence> {
+    let (proved, others): (Vec<Sentence>, Vec<Sentence>) = all.partition(|said| said.mark == Mark::Proved);
+    let clauses = proved.iter().map(|said| {
+        let mut letters = said.text.trim_end_matches('.').chars();
+        let first = letters.next().map_or(String::new(), |first| first.to_lowercase().to_string());
+        first + letters.as_str()
+    });
+    sentence(clauses).map(|text| Mark::Proved.of(text)).into_iter().chain(others).collect()
+}
+
+/// Clauses as a sentence, if there are any.
+fn sentence(clauses: impl Iterator<Item = String>) -> Option<String> {
+    let text = clauses.collect::<Vec<_>>().join("; ");
+    let mut letters = text.chars();
+    let first = letters.next()?;
+    Some(format!("{}{}.", first.to_uppercase(), letters.as_str()))
+}
+
+/// What is seen at a value of the parameter, as a clause.
 fn sight(value: &str, row: &SeenRow) -> Option<String> {
     let motion = row.motion.as_deref().unwrap_or("nothing that stays within bounds");
     Some(match (row.place.as_str(), row.what.as_str()) {
         ("before", "stays") if row.speed.is_none() => return None,
-        ("before", "stays") => format!("Just before, at {value}, it is {motion}."),
+        ("before", "stays") => format!("just before, at {value}, it is {motion}"),
         ("before", "jumps") => {
-            format!("Already just before, at {value}, the motion jumps to another: {motion}.")
+            format!("already just before, at {value}, the motion jumps to another: {motion}")
         }
-        ("beyond", "stays") => format!("Just beyond, at {value}, it stays near: {motion}."),
-        ("beyond", "jumps") => format!("Just beyond, at {value}, it jumps to another motion: {motion}."),
+        ("beyond", "stays") => format!("just beyond, at {value}, it stays near: {motion}"),
+        ("beyond", "jumps") => format!("just beyond, at {value}, it jumps to another motion: {motion}"),
         ("back", "leaves") => {
-            format!("Turned back, it stays on that until it leaves it at {value}: {motion}.")
+            format!("turned back, it stays on that until it leaves it at {value}: {motion}")
         }
-        ("back", _) => format!("Turned back, it is still on that at {value}."),
+        ("back", _) => format!("turned back, it is still on that at {value}"),
         ("rest", "hits") => {
             let at = "at all values looked at";
-            format!("Begun at rest, at q = 0, it is seen to hit for ever {at} from {value} on: {motion}.")
+            format!("begun at rest, at q = 0, it is seen to hit for ever {at} from {value} on: {motion}")
         }
         ("rest", "partly") => {
             let at = "at some of the values looked at";
-            format!("Begun at rest, at q = 0, it is seen to hit for ever {at} from {value} on, there: {motion}.")
+            format!("begun at rest, at q = 0, it is seen to hit for ever {at} from {value} on, there: {motion}")
         }
         ("rest", "free") => {
-            "Begun at rest, at q = 0, it is seen to hit for ever at none of the values looked at before the touch."
+            "begun at rest, at q = 0, it is seen to hit for ever at none of the values looked at before the touch"
                 .into()
         }
         ("rest", _) => {
-            "Begun at rest, at q = 0, it is not decided at some values before the touch whether it hits for ever."
+            "begun at rest, at q = 0, it is not decided at some values before the touch whether it hits for ever"
                 .into()
         }
-        (place, _) => format!("{place} the touch, at {value}, the motion leaves every bound."),
+        (place, _) => format!("{place} the touch, at {value}, the motion leaves every bound"),
     })
 }
 
-/// How hard what is seen at a place hits.
+/// How hard what is seen at a place hits, as a clause.
 fn blows(hits: &[HitRow], place: &str, units: Units) -> Option<String> {
     let each: Vec<String> = hits
         .iter()
@@ -250,7 +273,7 @@ fn blows(hits: &[HitRow], place: &str, units: Units) -> Option<String> {
             Some(text)
         })
         .collect();
-    (!each.is_empty()).then(|| format!("There {}.", each.join("; ")))
+    (!each.is_empty()).then(|| each.join("; "))
 }
 
 /// What moves the touch; none where it was not asked for. Of the parameter the unit.
