@@ -21,6 +21,7 @@ mod proved_clocks;
 mod proved_ranges;
 mod proved_units;
 mod quantities;
+mod restarts;
 mod scales;
 mod scene_runs;
 mod section4;

@@ -71,7 +71,7 @@ pub use problem::PatternOf;
 pub(crate) use problem::STILL;
 pub use problem::{FollowedOrbit, PatternFamily, PatternPlane};
 pub use record::read_label_as;
-pub use record::{Label, RecordForm, record_as};
+pub use record::{Label, PointName, RecordForm, record_as};
 pub(crate) use search::Known as KnownOrbits;
 pub use search::{NEAR, OrbitSearch, SearchTally, search_all};
 pub use starts::Starts;

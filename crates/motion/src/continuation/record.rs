@@ -28,13 +28,39 @@ struct Struck {
     periods: u32,
 }
 
-/// A labelled point of a branch, as far as it is needed to go on from it.
+/// Which point of a branch's file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PointName<'n> {
+    /// That with a label, as "flip 1".
+    Label(&'n str),
+    /// The one in this place, counted from 1.
+    Row(usize),
+}
+
+impl<'n> From<&'n str> for PointName<'n> {
+    fn from(label: &'n str) -> Self {
+        PointName::Label(label)
+    }
+}
+
+impl std::fmt::Display for PointName<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            PointName::Label(label) => f.pad(label),
+            PointName::Row(row) => write!(f, "row {row}"),
+        }
+    }
+}
+
+/// A point of a branch, as far as it is needed to go on from it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label<P> {
     /// The pattern.
     pub itinerary: P,
-    /// What happens there.
-    pub event: Bifurcation,
+    /// The bifurcation there, if its label is one of codimension one.
+    pub event: Option<Bifurcation>,
+    /// The names of the parameters of the branch.
+    pub names: Vec<String>,
     /// The parameter, or both.
     pub parameters: Vec<f64>,
     /// The unknowns of the pattern: radians, and what the file's lengths and speeds are in.
@@ -86,15 +112,39 @@ pub fn record_as<O: FollowedOrbit>(branch: &OrbitBranch<O>, parameters: &[&str],
     })
 }
 
-/// The point with a label in a branch written as JSON.
+impl<P> Label<P> {
+    /// The same over parameters of these names: those that the branch did not go along have the values that
+    /// `own` gives, and no part in its direction.
+    ///
+    /// # Errors
+    /// Those of `own`.
+    pub fn over(self, names: &[&str], own: impl Fn(&str) -> Result<f64>) -> Result<Self> {
+        let mut tangent = self.tangent[..self.z.len()].to_vec();
+        let mut parameters = Vec::new();
+        for name in names {
+            let place = self.names.iter().position(|known| known == name);
+            parameters.push(place.map_or_else(|| own(name), |place| Ok(self.parameters[place]))?);
+            tangent.push(place.map_or(0.0, |place| self.tangent[self.z.len() + place]));
+        }
+        let names = names.iter().map(ToString::to_string).collect();
+        Ok(Label { names, parameters, tangent, ..self })
+    }
+}
+
+/// A point in a branch written as JSON.
 ///
 /// # Errors
 /// An input error for text of another format, or a label that is not there, with those that are; a
 /// contact whose name is not among the form's; a pattern without a period.
-pub fn read_label_as<P: Place>(text: &str, label: &str, form: RecordForm) -> Result<Label<Itinerary<P>>> {
+pub fn read_label_as<'n, P: Place>(
+    text: &str,
+    point: impl Into<PointName<'n>>,
+    form: RecordForm,
+) -> Result<Label<Itinerary<P>>> {
     #[derive(Deserialize)]
     struct File {
         format: String,
+        parameters: Vec<String>,
         pattern: Vec<Struck>,
         period: u32,
         points: Vec<Point>,
@@ -111,23 +161,35 @@ pub fn read_label_as<P: Place>(text: &str, label: &str, form: RecordForm) -> Res
     if file.format != form.format {
         return Err(bad(&format_args!("its format is {:?}, not {:?}", file.format, form.format)));
     }
-    let labels: Vec<&str> = file.points.iter().filter_map(|point| point.label.as_deref()).collect();
-    let point = file.points.iter().find(|point| point.label.as_deref() == Some(label)).ok_or_else(|| {
-        Error::input(format!("the branch has no label {label:?}; it has {}", labels.join(", ")))
-    })?;
-    let event = label.rsplit_once(' ').and_then(|(name, _)| Bifurcation::named(name));
+    let point = match point.into() {
+        PointName::Label(label) => {
+            let labels: Vec<&str> = file.points.iter().filter_map(|point| point.label.as_deref()).collect();
+            file.points.iter().find(|point| point.label.as_deref() == Some(label)).ok_or_else(|| {
+                Error::input(format!("the branch has no label {label:?}; it has {}", labels.join(", ")))
+            })?
+        }
+        PointName::Row(row) => row.checked_sub(1).and_then(|row| file.points.get(row)).ok_or_else(|| {
+            Error::input(format!("the branch has no row {row}; it has {}", file.points.len()))
+        })?,
+    };
+    let event = point.label.as_deref().and_then(|label| label.rsplit_once(' '));
     let strike = |struck: &Struck| {
         let contact = form.contacts.iter().position(|known| *known == struck.wall);
         let contact = contact.ok_or_else(|| bad(&format_args!("it has a wall {:?}", struck.wall)))?;
         Ok(Strike { place: P::numbered(contact), periods: struck.periods })
     };
     let strikes = file.pattern.iter().map(strike).collect::<Result<Vec<_>>>()?;
-    if point.parameters.is_empty() || point.tangent.len() != point.unknowns.len() + point.parameters.len() {
+    let named = point.parameters.len() == file.parameters.len();
+    if !named
+        || point.parameters.is_empty()
+        || point.tangent.len() != point.unknowns.len() + point.parameters.len()
+    {
         return Err(bad(&"a point's unknowns, tangent and parameters do not fit"));
     }
     Ok(Label {
         itinerary: if strikes.is_empty() { Itinerary::free(file.period) } else { Itinerary::new(strikes) }?,
-        event: event.ok_or_else(|| bad(&format_args!("it has a label {label:?}")))?,
+        event: event.and_then(|(name, _)| Bifurcation::named(name)),
+        names: file.parameters,
         parameters: point.parameters.clone(),
         z: point.unknowns.clone(),
         tangent: point.tangent.clone(),
@@ -164,13 +226,14 @@ impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
         };
         let u = self.unknowns(&own(&label.z), label.parameters[0]);
         let gone = |error: Error| {
-            error.context(format!("the {} is not on this branch; has the scene changed?", label.event.name()))
+            let what = label.event.map_or("point", Bifurcation::name);
+            error.context(format!("the {what} is not on this branch; has the scene changed?"))
         };
         let mut tangent = own(&label.tangent);
-        if label.event != Bifurcation::Crossing {
+        if label.event != Some(Bifurcation::Crossing) {
             let place = self.place(&u, options).map_err(gone)?;
             // Where a branch turns back no way is that of larger parameters: it is followed as it was.
-            let turned = label.event == Bifurcation::SaddleNode
+            let turned = label.event == Some(Bifurcation::SaddleNode)
                 && dot(&place.tangent[..count], &tangent[..count]) < 0.0;
             return Ok(if turned { place.reversed() } else { place });
         }

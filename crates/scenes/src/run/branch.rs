@@ -6,20 +6,24 @@ use serde::Serialize;
 use super::{
     Analysed, CertificateFile, Finding, Job, Lines, PieceProofs, Status,
     engine::{AnalysedEvent, Branches, Engine, OrbitSource, by_engine},
-    pieces, row,
+    pieces,
+    restart::{FixedRow, exact, fixed, no_event, restarted},
+    row,
 };
 use crate::{
     attractor::detection::Detection,
     continuation::{
-        Bifurcation, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Label, Options,
-        OrbitBranch, PatternCurve, PatternOf, PatternPlane,
+        Bifurcation, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Options, OrbitBranch,
+        PatternCurve, PatternPlane,
     },
-    error::{Error, Result},
+    error::Result,
     many,
     number::{Plain, Real},
     one,
-    output::{LONGEST_INPUT, read_text},
-    scene::branches::{BranchOrigin, BranchStart, BranchTask, Restart, Way},
+    scene::{
+        Scene,
+        branches::{BranchOrigin, BranchStart, BranchTask, Way},
+    },
 };
 
 row! {
@@ -101,6 +105,9 @@ impl From<Vec<OrbitBranch<many::orbit::Orbit>>> for FoundBranches {
 pub struct BranchFindings {
     /// The parameter, or both.
     pub varied: Vec<String>,
+    /// Other parameters that have not the scene's values, but those of the point that it starts at.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub fixed: Vec<FixedRow>,
     /// How many points all branches have.
     pub points: usize,
     /// What became of every start.
@@ -115,6 +122,16 @@ pub struct BranchFindings {
     /// The branches. Not in JSON: each has a file.
     #[serde(skip)]
     pub branches: FoundBranches,
+}
+
+impl BranchFindings {
+    /// The scene with the values that other parameters have here.
+    ///
+    /// # Errors
+    /// Those of [`Scene::with`].
+    pub fn scene(&self, scene: &Scene) -> Result<Scene> {
+        scene.with(&exact(&self.fixed))
+    }
 }
 
 impl Finding for BranchFindings {
@@ -137,6 +154,9 @@ impl Finding for BranchFindings {
     }
 
     fn lines(&self, lines: &mut Lines) {
+        if !self.fixed.is_empty() {
+            lines.table("fixed", &self.fixed);
+        }
         lines.say("points", self.points);
         lines.table("starts", &self.starts);
         lines.table("labels", &self.labels);
@@ -164,7 +184,13 @@ impl Finding for BranchFindings {
 /// # Errors
 /// A start outside the range, a file that cannot be read or has no such label; an interruption.
 pub(crate) fn branch(task: &BranchTask, job: &Job) -> Result<BranchFindings> {
-    by_engine!(job, engine => of(task, job, &engine))
+    let fixed = by_engine!(job, engine => fixed(task, job, &engine))?;
+    if fixed.is_empty() {
+        return by_engine!(job, engine => of(task, job, &engine));
+    }
+    let there = job.with(&exact(&fixed))?;
+    let found = by_engine!(&there, engine => of(task, &there, &engine))?;
+    Ok(BranchFindings { fixed, ..found })
 }
 
 fn of<E: Engine>(task: &BranchTask, job: &Job, engine: &E) -> Result<BranchFindings>
@@ -177,7 +203,7 @@ where
         Some(second) => source.loci(task, second)?,
         None => {
             let (range, way) = ((task.range[0], task.range[1]), direction(task.direction));
-            follow(&task.starts, &source, range, way, &task.options, job)?
+            follow(&task.starts, &source, (&task.parameter, range), way, &task.options, job)?
         }
     };
     let (proofs, marks) = match task.prove {
@@ -209,6 +235,7 @@ where
     }
     Ok(BranchFindings {
         varied,
+        fixed: Vec::new(),
         points: rows.len(),
         starts,
         labels: rows.iter().filter(|row| row.label.is_some()).cloned().collect(),
@@ -236,7 +263,7 @@ pub(super) fn settled(phase: f64) -> Detection {
 pub fn follow<S: OrbitSource>(
     starts: &[BranchStart],
     source: &S,
-    range: (f64, f64),
+    (parameter, range): (&str, (f64, f64)),
     direction: Direction,
     options: &Options,
     job: &Job,
@@ -246,13 +273,14 @@ pub fn follow<S: OrbitSource>(
     job.monitor.begin(starts.len() as u64, "starts");
     for (start, number) in starts.iter().zip(1..) {
         if let BranchOrigin::Restart(restart) = start.origin()? {
-            let label = label(restart, source, job)?;
+            let label = restarted(restart, &[parameter], source, job)?;
             let orbits = PatternCurve::over(source.family(), label.itinerary.clone(), range);
             let place = orbits.restart(&label, &options)?;
             let branch = if restart.switch {
-                let (born, place) = orbits.switch(label.event, &place)?;
+                let event = label.event.ok_or_else(|| no_event(restart, "no branch begins"))?;
+                let (born, place) = orbits.switch(event, &place)?;
                 // Against the tangent are the same orbits, a period later.
-                let direction = if label.event == Bifurcation::Flip { Direction::Forward } else { direction };
+                let direction = if event == Bifurcation::Flip { Direction::Forward } else { direction };
                 OrbitBranch::follow(&born, &place, direction, &options)?
             } else {
                 OrbitBranch::follow(&orbits, &place, direction, &options)?
@@ -313,19 +341,11 @@ impl StartRow {
     }
 }
 
-fn label<S: OrbitSource>(restart: &Restart, source: &S, job: &Job) -> Result<Label<PatternOf<S::Orbit>>> {
-    let folder = job.folder.ok_or_else(|| Error::input("a restart needs the folder of its branch's file"))?;
-    let file = folder.join(&restart.file);
-    let text = read_text(&file, LONGEST_INPUT)?;
-    source.label(&text, &restart.label).map_err(|error| error.context(file.display()))
-}
-
-/// The labels of the restarts, followed in two parameters, `value` being the scene's own of the second.
+/// The labels of the restarts, followed in two parameters.
 pub(super) fn events<S, P>(
     task: &BranchTask,
-    source: &S,
-    plane: &P,
-    value: f64,
+    second: &str,
+    (source, plane): (&S, &P),
     job: &Job,
 ) -> Result<Branches<P::Orbit>>
 where
@@ -337,10 +357,11 @@ where
     for (start, number) in task.starts.iter().zip(1..) {
         job.check()?;
         let BranchOrigin::Restart(restart) = start.origin()? else { continue };
-        let label = label(restart, source, job)?;
+        let label = restarted(restart, &[&task.parameter, second], source, job)?;
         let ranges = [(task.range[0], task.range[1]), (task.second_range[0], task.second_range[1])];
-        let parameters = [label.parameters[0], *label.parameters.get(1).unwrap_or(&value)];
-        let events = EventCurve { plane, itinerary: label.itinerary.clone(), event: label.event, ranges };
+        let parameters = [label.parameters[0], label.parameters[1]];
+        let event = label.event.ok_or_else(|| no_event(restart, "nothing is followed"))?;
+        let events = EventCurve { plane, itinerary: label.itinerary.clone(), event, ranges };
         let place = events.start(&label.z, parameters, &options)?;
         let branch = OrbitBranch::follow(&events, &place, direction(task.direction), &options)?;
         rows.push(StartRow::of(number, found.len() + 1, &branch, source.named(&branch.itinerary)));

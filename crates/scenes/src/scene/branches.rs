@@ -9,7 +9,7 @@ use super::{
     simulate::Start,
 };
 use crate::{
-    continuation::Options,
+    continuation::{Options, PointName},
     error::{Error, Result},
     number::{Plain, Real},
 };
@@ -46,26 +46,43 @@ impl BranchStart {
     /// Which of the three it is.
     ///
     /// # Errors
-    /// An input error unless exactly one is given.
+    /// An input error unless exactly one is given; that of [`Restart::point`].
     pub fn origin(&self) -> Result<BranchOrigin<'_>> {
         match (&self.orbit, &self.attractor, &self.restart) {
             (Some(orbit), None, None) => Ok(BranchOrigin::Orbit(orbit)),
             (None, Some(attractor), None) => Ok(BranchOrigin::Attractor(attractor)),
-            (None, None, Some(restart)) => Ok(BranchOrigin::Restart(restart)),
+            (None, None, Some(restart)) => restart.point().map(|_| BranchOrigin::Restart(restart)),
             _ => Err(Error::input("must have one of orbit, attractor and restart")),
         }
     }
 }
 
 keys! {
-    /// A labelled point of a branch that was written before.
+    /// A point of a branch that was written before, along this parameter or others, which keep their values
+    /// there.
     pub struct Restart {
-        /// its JSON file, in this task's folder
+        /// its JSON file, in this task's folder: `"NAME.json"` of the task NAME
         file: String,
         /// such as "flip 1"
-        label: String,
+        label: Option<String>,
+        /// in place of a label, which of the file's points, from 1
+        row: Option<u32>,
         /// change to the branch born there (flip), or crossing
         switch: bool = "false",
+    }
+}
+
+impl Restart {
+    /// Which point it is.
+    ///
+    /// # Errors
+    /// An input error unless there is either a label or a row.
+    pub fn point(&self) -> Result<PointName<'_>> {
+        match (&self.label, self.row) {
+            (Some(label), None) => Ok(PointName::Label(label)),
+            (None, Some(row)) => Ok(PointName::Row(row as usize)),
+            _ => Err(Error::input("restart must have one of label and row")),
+        }
     }
 }
 

@@ -30,7 +30,7 @@ use crate::{
     },
     continuation::{
         Bifurcation, FollowedOrbit, Label, LocalMap, Located, NoForm, NormalForm, OrbitBranch, OrbitSearch,
-        PatternFamily, PatternOf, SearchReach,
+        PatternFamily, PatternOf, PointName, SearchReach,
     },
     error::{Error, Result},
     many::{
@@ -467,11 +467,11 @@ pub trait OrbitSource {
     /// Those of the files and of the branches; an interruption.
     fn loci(&self, task: &BranchTask, second: &str) -> Result<Branches<Self::Orbit>>;
 
-    /// A label of a branch's file.
+    /// A point of a branch's file.
     ///
     /// # Errors
     /// Those of `read_label_as`.
-    fn label(&self, text: &str, label: &str) -> Result<Label<PatternOf<Self::Orbit>>>;
+    fn label(&self, text: &str, point: PointName) -> Result<Label<PatternOf<Self::Orbit>>>;
 
     /// How a pattern is written.
     fn named(&self, pattern: &PatternOf<Self::Orbit>) -> String;

@@ -13,31 +13,32 @@ use crate::{
         orbit::{Family, Orbit, Oscillator},
     },
     run::{BranchFindings, BranchRow, FoundBranches, JudgedOrbit, form},
-    scene::{Frame, MachineSceneFamily, SceneFamily, branches::BranchTask, phase},
+    scene::{Frame, MachineSceneFamily, Scene, SceneFamily, branches::BranchTask, phase},
 };
 
 pub(super) fn keep(found: &BranchFindings, task: &BranchTask, job: &Job) -> Result<Vec<String>> {
+    let scene = &found.scene(&job.scene)?;
     match &found.branches {
         FoundBranches::One(all) => {
-            let family = SceneFamily::new(&job.scene, &task.parameter)?;
+            let family = SceneFamily::new(scene, &task.parameter)?;
             let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
             let draw = |branch: &Branch| drawing.curve(branch);
             let named = |branch: &Branch| branch.itinerary.to_string();
             write((found, all), task, job, (&record, &draw, &named), drawing.axis())
         }
-        FoundBranches::Many(all) => of_machine((found, all), task, job),
+        FoundBranches::Many(all) => of_machine((found, all), task, (job, scene)),
     }
 }
 
 fn of_machine(
     (found, all): (&BranchFindings, &[many::branch::Branch]),
     task: &BranchTask,
-    job: &Job,
+    (job, scene): (&Job, &Scene),
 ) -> Result<Vec<String>> {
-    let machine = job.scene.machine(&[])?;
+    let machine = scene.machine(&[])?;
     let stops: Vec<&str> = machine.stops.iter().map(|stop| stop.name.as_str()).collect();
-    let family = MachineSceneFamily::new(&job.scene, &task.parameter)?;
-    let patterns = Patterns::new(&family, family.value(), job.scene.machine_scene()?.minimum_depth)?;
+    let family = MachineSceneFamily::new(scene, &task.parameter)?;
+    let patterns = Patterns::new(&family, family.value(), scene.machine_scene()?.minimum_depth)?;
     // One stop for all branches: that of the first impact of the first that has one.
     let mut first = all.iter().filter_map(|branch| branch.itinerary.strikes().first());
     let stop = first.next().map_or(0, |strike| strike.place);

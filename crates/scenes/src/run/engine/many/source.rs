@@ -13,7 +13,9 @@ use super::{
     analysed, machine_orbits, named, names, speeds,
 };
 use crate::{
-    continuation::{Bifurcation, FollowedOrbit, Label, Located, RecordForm, SearchReach, read_label_as},
+    continuation::{
+        Bifurcation, FollowedOrbit, Label, Located, PointName, RecordForm, SearchReach, read_label_as,
+    },
     error::{Error, Result},
     many::{
         Family, Machine,
@@ -157,11 +159,11 @@ impl<'a> OrbitSource for MachineSource<'a> {
         let value = MachineSceneFamily::new(&self.job.scene, second)?.value();
         let depth = self.job.scene.machine_scene()?.minimum_depth;
         let plane = Plane::new(&at, [self.value(), value], depth, self.family.tally())?;
-        events(task, self, &plane, value, self.job)
+        events(task, second, (self, &plane), self.job)
     }
 
-    fn label(&self, text: &str, label: &str) -> Result<Label<Itinerary>> {
-        read_label_as(text, label, form(&names(self.machine)))
+    fn label(&self, text: &str, point: PointName) -> Result<Label<Itinerary>> {
+        read_label_as(text, point, form(&names(self.machine)))
     }
 
     fn named(&self, pattern: &Itinerary) -> String {

@@ -11,7 +11,7 @@ use super::{
     analysed, named, speeds, turn,
 };
 use crate::{
-    continuation::{Bifurcation, Label, Located, NormalForm, SearchReach},
+    continuation::{Bifurcation, Label, Located, NormalForm, PointName, SearchReach},
     error::Result,
     one::{
         attractor::attracting,
@@ -128,11 +128,11 @@ impl<'a> OrbitSource for OscillatorSource<'a> {
         };
         let value = SceneFamily::new(&self.job.scene, second)?.value();
         let plane = Plane::new(&plane, [self.value(), value])?;
-        events(task, self, &plane, value, self.job)
+        events(task, second, (self, &plane), self.job)
     }
 
-    fn label(&self, text: &str, label: &str) -> Result<Label<Itinerary>> {
-        read_label(text, label)
+    fn label(&self, text: &str, point: PointName) -> Result<Label<Itinerary>> {
+        read_label(text, point)
     }
 
     fn named(&self, pattern: &Itinerary) -> String {
