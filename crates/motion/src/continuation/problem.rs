@@ -167,14 +167,14 @@ pub trait PatternPlane {
         1.0
     }
 
-    /// The equations of a pattern and, last, the function that is zero at a bifurcation: smooth near its
-    /// zeros. Where branches cross the equations may be replaced by others that are regular there.
+    /// The equations of a pattern and, last, the function that is zero at a bifurcation, if one is asked for:
+    /// smooth near its zeros. Where branches cross the equations may be replaced by others that are regular there.
     ///
     /// # Errors
     /// An input error where they are not defined.
     fn values(
         &self,
-        event: Bifurcation,
+        event: Option<Bifurcation>,
         parameters: [f64; 2],
         pattern: &PatternOf<Self::Orbit>,
         z: &[f64],
@@ -190,6 +190,19 @@ pub trait PatternPlane {
         pattern: &PatternOf<Self::Orbit>,
         root: Root,
     ) -> Result<Self::Orbit>;
+
+    /// The same at any unknowns, without asking whether it is an orbit.
+    ///
+    /// # Errors
+    /// As [`values`](Self::values).
+    fn unjudged(
+        &self,
+        parameters: [f64; 2],
+        pattern: &PatternOf<Self::Orbit>,
+        z: &[f64],
+    ) -> Result<Self::Orbit> {
+        self.orbit(parameters, pattern, Root { z: z.to_vec(), residual: 0.0, steps: 0 })
+    }
 
     /// The functions whose zeros on a curve of bifurcations are of codimension two, in the order of
     /// `Degeneracy::ALL`; `None` where they are not defined or another curve's.

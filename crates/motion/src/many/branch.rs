@@ -17,7 +17,8 @@ use super::{
     friction::check_given,
     normal_form::Local,
     orbit::{
-        Admissibility, Between, Change, Itinerary, Orbit, StopEquations, check_stops, describe, multipliers,
+        Admissibility, Between, Change, Itinerary, Orbit, StopEquations, check_stops, describe, describe_as,
+        multipliers,
     },
     simulate::{Settings, Simulator},
     sliding,
@@ -58,11 +59,15 @@ impl Common {
         Ok(Common { scale, depth: depth.unwrap_or(RELATIVE_DEPTH * gap), tally: tally.cloned() })
     }
 
-    fn orbit(&self, machine: &Machine<f64>, pattern: &Itinerary, root: Root) -> Result<Orbit> {
+    fn simulator(&self, machine: &Machine<f64>, pattern: &Itinerary) -> Result<Simulator> {
         let settings = Settings { minimum_depth: self.depth, ..Settings::default() };
         let simulator = Simulator::new(machine, &settings)?.counting_too(self.tally.as_ref());
         check_stops(pattern, simulator.contacts())?;
-        describe(&simulator, pattern, self.scale, root)
+        Ok(simulator)
+    }
+
+    fn orbit(&self, machine: &Machine<f64>, pattern: &Itinerary, root: Root) -> Result<Orbit> {
+        describe(&self.simulator(machine, pattern)?, pattern, self.scale, root)
     }
 
     fn count(machine_size: usize, pattern: &Itinerary) -> usize {
@@ -72,6 +77,11 @@ impl Common {
     fn unit(&self, machine_size: usize, unknown: usize) -> f64 {
         if is_time(machine_size, unknown) { 1.0 } else { self.scale }
     }
+}
+
+/// The minimum depth of the simulator that tells orbits of a machine from other solutions.
+pub(super) fn depth_of(machine: &Machine<f64>, depth: Option<f64>) -> Result<f64> {
+    Ok(Common::new(machine, depth, None)?.depth)
 }
 
 fn is_time(machine_size: usize, unknown: usize) -> bool {
@@ -361,7 +371,7 @@ impl PatternPlane for Plane<'_> {
 
     fn values(
         &self,
-        event: Bifurcation,
+        event: Option<Bifurcation>,
         parameters: [f64; 2],
         pattern: &Itinerary,
         z: &[f64],
@@ -373,6 +383,7 @@ impl PatternPlane for Plane<'_> {
         let speeds = || z[2 * self.size..].iter().skip(1).step_by(2);
         let scale: f64 = speeds().product();
         let multipliers = || multipliers(&equations, z);
+        let Some(event) = event else { return Ok(values) };
         values.push(match event {
             Bifurcation::SaddleNode => product(&multipliers()?, -1.0) * scale,
             Bifurcation::Flip => product(&multipliers()?, 1.0) * scale,
@@ -397,6 +408,12 @@ impl PatternPlane for Plane<'_> {
 
     fn orbit(&self, parameters: [f64; 2], pattern: &Itinerary, root: Root) -> Result<Orbit> {
         self.common.orbit(&(self.at)(parameters)?, pattern, root)
+    }
+
+    fn unjudged(&self, parameters: [f64; 2], pattern: &Itinerary, z: &[f64]) -> Result<Orbit> {
+        let simulator = self.common.simulator(&(self.at)(parameters)?, pattern)?;
+        let root = Root { z: z.to_vec(), residual: 0.0, steps: 0 };
+        describe_as((&simulator, pattern), self.common.scale, root, |_, _| Ok(Admissibility::Admissible))
     }
 
     /// Resonant grazings are those of one degree of freedom.

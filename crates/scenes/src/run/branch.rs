@@ -6,6 +6,7 @@ use serde::Serialize;
 use super::{
     Analysed, CertificateFile, Finding, Job, Lines, PieceProofs, Status,
     engine::{AnalysedEvent, Branches, Engine, OrbitSource, by_engine},
+    monitors::{Empty, MonitoredRow, Watch},
     pieces,
     restart::{FixedRow, exact, fixed, no_event, restarted},
     row,
@@ -13,8 +14,8 @@ use super::{
 use crate::{
     attractor::detection::Detection,
     continuation::{
-        Bifurcation, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Options, OrbitBranch,
-        PatternCurve, PatternPlane,
+        Bifurcation, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Kept, Level, Options,
+        OrbitBranch, PatternCurve, PatternPlane,
     },
     error::Result,
     many,
@@ -23,6 +24,7 @@ use crate::{
     scene::{
         Scene,
         branches::{BranchOrigin, BranchStart, BranchTask, Way},
+        monitors::Hold,
     },
 };
 
@@ -113,12 +115,15 @@ pub struct BranchFindings {
     /// What became of every start.
     pub starts: Vec<StartRow>,
     /// The labelled points.
-    pub labels: Vec<BranchRow>,
+    pub labels: Vec<MonitoredRow>,
     /// What is proved of them; null if that was not asked for.
     pub proofs: Option<PieceProofs>,
     /// Every point. Not in JSON: it is the task's CSV file.
     #[serde(skip)]
-    pub rows: Vec<BranchRow>,
+    pub rows: Vec<MonitoredRow>,
+    /// Monitors without a value somewhere. Not in JSON: warnings are.
+    #[serde(skip)]
+    pub empty: Vec<Empty>,
     /// The branches. Not in JSON: each has a file.
     #[serde(skip)]
     pub branches: FoundBranches,
@@ -153,6 +158,10 @@ impl Finding for BranchFindings {
         broken.map_or_else(proved, Status::undecided)
     }
 
+    fn warnings(&self) -> Vec<String> {
+        self.empty.iter().map(|empty| empty.told(self.points)).collect()
+    }
+
     fn lines(&self, lines: &mut Lines) {
         if !self.fixed.is_empty() {
             lines.table("fixed", &self.fixed);
@@ -161,7 +170,7 @@ impl Finding for BranchFindings {
         lines.table("starts", &self.starts);
         lines.table("labels", &self.labels);
         for kind in Bifurcation::ALL {
-            let is_one = |row: &BranchRow| {
+            let is_one = |row: &MonitoredRow| {
                 let name = row.label.as_ref().and_then(|label| label.rsplit_once(' '));
                 name.is_some_and(|(name, _)| name == kind.name())
             };
@@ -199,11 +208,14 @@ where
 {
     let family = engine.family(&task.parameter)?;
     let source = engine.source(&family)?;
+    let watch = Watch::new(task, &source, &job.scene)?;
+    let levels = watch.levels(&task.levels.0);
     let (branches, starts) = match &task.second {
         Some(second) => source.loci(task, second)?,
         None => {
             let (range, way) = ((task.range[0], task.range[1]), direction(task.direction));
-            follow(&task.starts, &source, (&task.parameter, range), way, &task.options, job)?
+            let along = (task.parameter.as_str(), range);
+            follow(&task.starts, (&source, &levels), along, way, &task.options, job)?
         }
     };
     let (proofs, marks) = match task.prove {
@@ -212,16 +224,18 @@ where
         false => (None, Vec::new()),
     };
     let varied: Vec<String> = [&task.parameter].into_iter().chain(&task.second).cloned().collect();
-    let mut rows = Vec::new();
+    let (mut rows, mut empty) = (Vec::new(), Vec::new());
     for (branch, number) in branches.iter().zip(1..) {
         for (point, place) in branch.points.iter().zip(0..) {
             let names = varied.iter().map(String::as_str);
             let at: Vec<(&str, f64)> = names.zip(point.parameters.iter().copied()).collect();
             let AnalysedEvent { orbit, form, .. } = source.analysed(&point.orbit, &at, point.event)?;
-            // Over two parameters every label is of codimension two.
-            let form = form.or_else(|| point.kind().map(|_| Err(CODIMENSION_TWO)));
+            // Along a curve of bifurcations every other one is of codimension two.
+            let double = branch.subject.is_some() && point.level.is_none();
+            let form = form.or_else(|| point.kind().filter(|_| double).map(|_| Err(CODIMENSION_TWO)));
             let (coefficient, criticality) = AnalysedEvent::form(form);
-            rows.push(BranchRow {
+            let monitors = watch.row(&point.orbit, &point.parameters, &mut empty);
+            let row = BranchRow {
                 orbit,
                 branch: number,
                 label: point.label.clone(),
@@ -230,7 +244,8 @@ where
                 criticality,
                 length: point.length,
                 certificate: marks.get(number - 1).and_then(|marks| marks[place].clone()),
-            });
+            };
+            rows.push(MonitoredRow { row, monitors });
         }
     }
     Ok(BranchFindings {
@@ -241,6 +256,7 @@ where
         labels: rows.iter().filter(|row| row.label.is_some()).cloned().collect(),
         proofs,
         rows,
+        empty,
         branches: branches.into(),
     })
 }
@@ -262,7 +278,7 @@ pub(super) fn settled(phase: f64) -> Detection {
 /// starts none.
 pub fn follow<S: OrbitSource>(
     starts: &[BranchStart],
-    source: &S,
+    (source, levels): (&S, &[Level<S::Orbit>]),
     (parameter, range): (&str, (f64, f64)),
     direction: Direction,
     options: &Options,
@@ -274,7 +290,7 @@ pub fn follow<S: OrbitSource>(
     for (start, number) in starts.iter().zip(1..) {
         if let BranchOrigin::Restart(restart) = start.origin()? {
             let label = restarted(restart, &[parameter], source, job)?;
-            let orbits = PatternCurve::over(source.family(), label.itinerary.clone(), range);
+            let orbits = PatternCurve::over(source.family(), label.itinerary.clone(), range).telling(levels);
             let place = orbits.restart(&label, &options)?;
             let branch = if restart.switch {
                 let event = label.event.ok_or_else(|| no_event(restart, "no branch begins"))?;
@@ -314,7 +330,8 @@ pub fn follow<S: OrbitSource>(
                             });
                             continue;
                         }
-                        let orbits = PatternCurve::over(source.family(), orbit.pattern().clone(), range);
+                        let pattern_of = orbit.pattern().clone();
+                        let orbits = PatternCurve::over(source.family(), pattern_of, range).telling(levels);
                         let place = orbits.start_at(&orbit, at, &options)?;
                         let branch = OrbitBranch::follow(&orbits, &place, direction, &options)?;
                         rows.push(StartRow::of(number, found.len() + 1, &branch, pattern));
@@ -353,6 +370,10 @@ where
     P: PatternPlane<Orbit = S::Orbit> + ?Sized,
 {
     let options = task.options.checked()?;
+    let watch = Watch::new(task, source, &job.scene)?;
+    let levels = watch.levels(&task.levels.0);
+    let held =
+        watch.levels(&task.hold.iter().map(|Hold(name, value)| (name.clone(), *value)).collect::<Vec<_>>());
     let (mut found, mut rows) = (Vec::new(), Vec::new());
     for (start, number) in task.starts.iter().zip(1..) {
         job.check()?;
@@ -360,9 +381,17 @@ where
         let label = restarted(restart, &[&task.parameter, second], source, job)?;
         let ranges = [(task.range[0], task.range[1]), (task.second_range[0], task.second_range[1])];
         let parameters = [label.parameters[0], label.parameters[1]];
-        let event = label.event.ok_or_else(|| no_event(restart, "nothing is followed"))?;
-        let events = EventCurve { plane, itinerary: label.itinerary.clone(), event, ranges };
-        let place = events.start(&label.z, parameters, &options)?;
+        let kept = match (held.first(), label.event) {
+            (Some(level), _) => Kept::Level(level),
+            (None, event) => Kept::Event(event.ok_or_else(|| no_event(restart, "nothing is followed"))?),
+        };
+        let events = EventCurve::new(plane, label.itinerary.clone(), kept, ranges).telling(&levels);
+        let place = events.start(&label.z, parameters, &options).map_err(|error| match &task.hold {
+            Some(Hold(name, value)) => {
+                error.context(format!("{name} = {value} is not reached from the restart"))
+            }
+            None => error,
+        })?;
         let branch = OrbitBranch::follow(&events, &place, direction(task.direction), &options)?;
         rows.push(StartRow::of(number, found.len() + 1, &branch, source.named(&branch.itinerary)));
         found.push(branch);

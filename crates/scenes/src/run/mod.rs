@@ -48,6 +48,7 @@ mod influence;
 mod lines;
 mod local_map;
 mod map;
+mod monitors;
 mod orbit;
 pub mod parts;
 mod pieces;
@@ -111,6 +112,9 @@ pub(crate) use map::map;
 #[doc(hidden)]
 pub use map::word as map_word;
 pub use map::{MapFindings, MapRow};
+#[doc(hidden)]
+pub use monitors::Measures;
+pub use monitors::MonitoredRow;
 pub(crate) use orbit::orbit;
 pub use orbit::{OrbitFindings, OrbitRow};
 pub use pieces::{PieceProofs, PieceRow};

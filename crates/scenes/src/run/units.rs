@@ -85,7 +85,7 @@ const COLUMNS: &[(What, &[&str], &[&str])] = &[
 #[derive(Debug, Clone, PartialEq)]
 pub struct ColumnUnit {
     /// Its name.
-    pub column: &'static str,
+    pub column: String,
     /// The scene's unit for it.
     pub own: String,
     /// Of a parameter, the unit in which it is written.
@@ -107,11 +107,22 @@ pub(super) fn columns(scene: &Scene, kind: &Kind) -> Vec<ColumnUnit> {
             (_, Some(unit)) => unit.own.clone(),
             _ => scene.unit_name(dimension(what, scene.turns)?)?,
         };
-        Some(ColumnUnit { column, own, written: written.cloned() })
+        Some(ColumnUnit { column: column.to_string(), own, written: written.cloned() })
     };
     let is_of = |kinds: &[&str]| kinds.is_empty() || kinds.contains(&kind.word());
     let rows = COLUMNS.iter().filter(|(_, kinds, _)| is_of(kinds));
-    rows.flat_map(|&(what, _, columns)| columns.iter().filter_map(move |column| of(what, column))).collect()
+    let known =
+        rows.flat_map(|&(what, _, columns)| columns.iter().filter_map(move |column| of(what, column)));
+    let mut all: Vec<ColumnUnit> = known.collect();
+    if let Kind::BranchTask(task) = kind {
+        for monitor in &task.monitors.0 {
+            all.retain(|known| known.column != monitor.name);
+            let unit = monitor.dimension.and_then(|dimension| scene.unit_name(dimension));
+            let unit = unit.filter(|own| !own.is_empty());
+            all.extend(unit.map(|own| ColumnUnit { column: monitor.name.clone(), own, written: None }));
+        }
+    }
+    all
 }
 
 /// What a column is where coordinates are lengths, or angles; none where each may be either.

@@ -4,6 +4,7 @@ use num_rational::BigRational;
 
 use super::{
     keys::{keys, read_into, words},
+    monitors::{Hold, Levels, Monitors},
     orbits::OrbitKeys,
     sections::Frame,
     simulate::Start,
@@ -114,6 +115,13 @@ keys! {
         second: Option<String>,
         /// its bounds
         second_range: Vec<f64> = "[]",
+        /// functions of an orbit, as `{ power = "impulse*speed/period" }`: columns of the table
+        /// ([names](branches.md#monitors))
+        monitors: Monitors = "{}",
+        /// values at which they are labelled, as `{ power = [0.2, 0.3] }`
+        levels: Levels = "{}",
+        /// over two parameters, what keeps its value in place of a restart's event, as `{ power = 0.2 }`
+        hold: Option<Hold>,
         /// how branches are followed
         options: Options = "{}",
         /// prove each piece between saddle-nodes, with certificates; one parameter, engine `one`

@@ -211,6 +211,20 @@ impl Scene {
         self.mass.as_ref().map_or(Ok(1.0), |mass| self.number(mass))
     }
 
+    /// The same with other values of some parameters.
+    ///
+    /// # Errors
+    /// As [`mass`](Self::mass).
+    pub(crate) fn mass_at(&self, changes: &[(&str, f64)]) -> Result<f64> {
+        let Some(mass) = &self.mass else { return Ok(1.0) };
+        let mut values: Vec<Plain> =
+            self.parameters.iter().map(|(_, value)| Plain::ratio(value, &())).collect();
+        for (name, value) in changes {
+            values[self.parameter(name)?] = Plain(*value);
+        }
+        Ok(self.value(mass, &values, |x| x.0, &String::new)?.0)
+    }
+
     /// A text of the oscillator: its parameters with their values, and its equation and walls as expressions
     /// in them, without the spaces in them. Scenes with the same text have the same motions; titles, tasks,
     /// comments and the order of keys do not matter.

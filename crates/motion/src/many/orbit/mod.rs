@@ -254,6 +254,20 @@ pub(super) fn check_stops(pattern: &Itinerary, contacts: &Contacts) -> Result<()
 /// # Errors
 /// Legs that do not follow one another; multipliers that are not found.
 pub(super) fn describe(simulator: &Simulator, pattern: &Itinerary, scale: f64, root: Root) -> Result<Orbit> {
+    let judge = |equations: &StopEquations, z: &[f64]| equations.admissibility(z, simulator);
+    describe_as((simulator, pattern), scale, root, judge)
+}
+
+/// The same with unknowns that need not be a root's; `judge` says whether it is an orbit.
+///
+/// # Errors
+/// As [`describe`], and those of `judge`.
+pub(super) fn describe_as(
+    (simulator, pattern): (&Simulator, &Itinerary),
+    scale: f64,
+    root: Root,
+    judge: impl FnOnce(&StopEquations, &[f64]) -> Result<Admissibility>,
+) -> Result<Orbit> {
     let soft = simulator.through()?;
     let equations = StopEquations::new(between(simulator, soft.as_ref()), pattern, scale);
     let Root { z, residual, steps } = root;
@@ -277,7 +291,7 @@ pub(super) fn describe(simulator: &Simulator, pattern: &Itinerary, scale: f64, r
         residual,
         steps,
         multipliers,
-        admissibility: equations.admissibility(&z, simulator)?,
+        admissibility: judge(&equations, &z)?,
         least,
         touches,
         held: held(&parts).first().copied(),

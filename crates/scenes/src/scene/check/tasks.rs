@@ -312,6 +312,7 @@ impl Checked<'_> {
                 );
             }
         }
+        self.monitors(task)?;
         if task.prove {
             if task.second.is_some() {
                 return self.fail("prove", "proves orbits over one parameter: leave it or `second` out");

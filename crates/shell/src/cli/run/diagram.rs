@@ -29,8 +29,14 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
     let range = task.bounds();
     let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
     let source = OscillatorSource::new(&family, job)?;
-    let (branches, _) =
-        follow(&task.branches, &source, (&task.parameter, range), Direction::Both, &task.options, job)?;
+    let (branches, _) = follow(
+        &task.branches,
+        (&source, &[]),
+        (&task.parameter, range),
+        Direction::Both,
+        &task.options,
+        job,
+    )?;
     let mut curves = branches.iter().map(|branch| drawing.curve(branch)).collect::<Result<Vec<_>>>()?;
     let height = |value: f64| -> Result<Height> {
         let oscillator = drawing.family.at(value)?;
@@ -64,7 +70,7 @@ fn machine_curves(task: &DiagramTask, job: &Job) -> Result<Vec<figure::DrawnBran
     let source = MachineSource::new(&family, &machine, job)?;
     let (branches, _) = follow(
         &task.branches,
-        &source,
+        (&source, &[]),
         (&task.parameter, task.bounds()),
         Direction::Both,
         &task.options,

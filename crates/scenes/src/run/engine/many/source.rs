@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::{
     super::{
         super::{
-            Job,
+            Job, Measures,
             branch::{events, settled},
         },
         AnalysedEvent, Branches, Grazed, OrbitSource,
@@ -22,6 +22,7 @@ use crate::{
         attracting::attracting,
         branch::{Patterns, Plane},
         grazing::own_reach,
+        measure,
         normal_form::normal_form,
         orbit::{Itinerary, Orbit},
     },
@@ -132,6 +133,19 @@ impl<'a> OrbitSource for MachineSource<'a> {
             _ => (self.job.scene.machine(at)?, None),
         };
         Ok(AnalysedEvent { orbit: analysed(orbit, &machine, event), form })
+    }
+
+    fn measure(&self, orbit: &Orbit, at: &[(&str, f64)], extents: bool) -> Result<Measures> {
+        let machine = match *at {
+            [(_, parameter)] => self.family.at(parameter)?.0,
+            _ => self.job.scene.machine(at)?,
+        };
+        let depth = self.job.scene.machine_scene()?.minimum_depth;
+        Ok(Measures {
+            period: machine.period,
+            impulses: measure::impulses(&machine, orbit)?,
+            extents: if extents { measure::extent(&machine, depth, orbit)? } else { Vec::new() },
+        })
     }
 
     fn named_with_speeds(&self, orbit: &Orbit) -> (String, Vec<f64>) {

@@ -1,9 +1,11 @@
 //! The orbits of an oscillator over a parameter.
 
+use std::f64::consts::TAU;
+
 use super::{
     super::{
         super::{
-            Job,
+            Job, Measures,
             branch::{events, settled},
         },
         AnalysedEvent, Branches, Grazed, OrbitSource,
@@ -16,7 +18,7 @@ use crate::{
     one::{
         attractor::attracting,
         branch::{Patterns, Plane, read_label},
-        grazing,
+        grazing, measure,
         orbit::{Family, Itinerary, Orbit, Oscillator},
     },
     scene::{
@@ -100,6 +102,19 @@ impl<'a> OrbitSource for OscillatorSource<'a> {
             _ => None,
         };
         Ok(AnalysedEvent { orbit: analysed(orbit, self.job, event), form })
+    }
+
+    fn measure(&self, orbit: &Orbit, at: &[(&str, f64)], extents: bool) -> Result<Measures> {
+        let oscillator = match *at {
+            [(_, parameter)] => self.family.at(parameter)?,
+            _ => self.job.oscillator(self.job.scene.plain(at)?)?,
+        };
+        let mass = self.job.scene.mass_at(at)?;
+        Ok(Measures {
+            period: TAU / orbit.rate,
+            impulses: Some(measure::impulses(&oscillator, mass, orbit)),
+            extents: if extents { measure::extent(&oscillator, orbit)? } else { Vec::new() },
+        })
     }
 
     fn named_with_speeds(&self, orbit: &Orbit) -> (String, Vec<f64>) {
