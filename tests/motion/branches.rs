@@ -19,8 +19,7 @@ use grazing_scenes::{
         diagram::{self, DiagramPlan, Look},
     },
     continuation::{
-        Bifurcation, Corrector, Curve, CurveEnd, CurvePoint, Direction, Equations, Followed, Kept, Options,
-        follow,
+        Bifurcation, Corrector, Curve, CurveEnd, CurvePoint, Direction, Equations, Followed, Options, follow,
     },
     motion::{Harmonic, Side, State, System, Wall},
     one::{
@@ -427,8 +426,13 @@ fn a_flip_followed_in_two_parameters_agrees_with_the_formula_and_ends_at_the_res
     let flip = three.labelled("flip 1").unwrap();
     let plane = |[mu, w]: [f64; 2]| Oscillator::new(scene.plain(&[("mu", mu), ("w", w)])?, 1e-13);
     let plane = Plane::new(&plane, [0.0, 4.9]).unwrap();
-    let kept = Kept::Event(Bifurcation::Flip);
-    let events = Events::new(&plane, three.itinerary.clone(), kept, [(-0.05, 0.05), (4.7, 5.1)]);
+    let events = Events {
+        plane: &plane,
+        itinerary: three.itinerary.clone(),
+        event: Some(Bifurcation::Flip),
+        ranges: [(-0.05, 0.05), (4.7, 5.1)],
+        levels: &[],
+    };
     let place = events.start(&flip.orbit.z, [flip.parameters[0], 4.9], &options).unwrap();
     let found = Branch::follow(&events, &place, Direction::Both, &options).unwrap();
     assert!(found.points.len() > 10);

@@ -5,7 +5,7 @@ use std::{f64::consts::PI, fs, path::Path};
 
 use serde_json::Value;
 
-use crate::tasks::{near, number, refused, run, task};
+use crate::tasks::{near, number, run, task};
 
 fn ball(engine: &str) -> String {
     format!(
@@ -47,7 +47,8 @@ const OVER_R: &str = "parameter = \"r\"\nrange = [0.3, 0.9]";
 fn a_branch_goes_on_along_another_parameter() {
     for engine in ["one", "many"] {
         let folder = tempfile::tempdir().unwrap();
-        let tasks = [first(), from("label", "label = \"flip 1\"", OVER_R), from("row", "row = 7", OVER_R)];
+        let tasks =
+            [first(), from("label", "label = \"flip 1\"", OVER_R), from("row", "label = \"row 7\"", OVER_R)];
         let (report, code, error) = run(&ball(engine), &tasks, folder.path());
         assert_eq!(code, 0, "{error}{report}");
         let all = points(folder.path(), "first");
@@ -92,8 +93,7 @@ fn parameters_are_told_by_their_names() {
             first.0, first.1, second.0, second.1
         )
     };
-    let row =
-        "parameter = \"r\"\nrange = [0.3, 0.9]\nstarts = [{ restart = { file = \"ra.json\", row = 5 } }]";
+    let row = "parameter = \"r\"\nrange = [0.3, 0.9]\nstarts = [{ restart = { file = \"ra.json\", label = \"row 5\" } }]";
     let tasks = [
         first(),
         from("ar", "label = \"flip 1\"", &curve(("a", a), ("r", r))),
@@ -116,19 +116,17 @@ fn parameters_are_told_by_their_names() {
 #[test]
 fn a_restart_that_is_not_one_point_is_refused_or_fails_and_says_why() {
     let folder = tempfile::tempdir().unwrap();
-    for restart in ["label = \"flip 1\", row = 3", "switch = true"] {
-        let said = refused(&ball("one"), &[first(), from("again", restart, OVER_R)], folder.path());
-        assert!(said.contains("one of label and row"), "{said}");
-    }
-    let mixed = "parameter = \"r\"\nrange = [0.3, 0.9]\nstarts = [{ restart = { file = \"first.json\", row = 3 } }, { orbit = \
-                 { pattern = [1], speed = 4 } }]";
+    let mixed = "parameter = \"r\"\nrange = [0.3, 0.9]\nstarts = [{ restart = { file = \"first.json\", label = \"row 3\" } }, { restart = \
+                 { file = \"first.json\", label = \"row 4\" } }]";
     let curve = "parameter = \"a\"\nrange = [0.1, 6]\nsecond = \"r\"\nsecond_range = [0.3, 0.9]";
     for (task, wanted) in [
-        (from("again", "row = 0", OVER_R), "no row 0; it has"),
-        (from("again", "row = 5, switch = true", "parameter = \"a\"\nrange = [0.1, 6]"), "no branch begins"),
-        (from("again", "row = 5", curve), "is no bifurcation of codimension one"),
-        (from("again", "row = 5", &format!("{OVER_R}\nset = {{ a = 2 }}")), "the task sets a"),
-        (task("again", "branch", mixed), "give each a task"),
+        (from("again", "label = \"row 0\"", OVER_R), "no label \"row 0\"; it has"),
+        (
+            from("again", "label = \"row 5\", switch = true", "parameter = \"a\"\nrange = [0.1, 6]"),
+            "is no bifurcation",
+        ),
+        (from("again", "label = \"row 5\"", curve), "is no bifurcation of codimension one"),
+        (task("again", "branch", mixed), "and the task is not"),
     ] {
         let (report, code, error) = run(&ball("one"), &[first(), task], folder.path());
         assert!(code == 2 && error.contains(wanted), "{wanted}: {error}{report}");

@@ -91,7 +91,7 @@ impl<F: PatternFamily + ?Sized> OrbitCurve for PatternCurve<'_, F> {
 
     fn singularity(&self, event: usize) -> Singularity {
         match event.checked_sub(Bifurcation::ALL.len()) {
-            Some(level) => Singularity::Level(self.levels()[level].name.clone()),
+            Some(level) => Singularity::Level(self.levels[level].name.clone()),
             None => Singularity::Bifurcation(Bifurcation::ALL[event]),
         }
     }

@@ -4,7 +4,7 @@ use super::{
     Bifurcation, crossing,
     curve::{Corrector, Curve, CurvePoint, Equations, difference, dot, largest},
     follow::{Followed, Settled},
-    level::{Level, vanishes},
+    level::Level,
     problem::{FollowedOrbit, PatternFamily, PatternOf, monitors},
 };
 use crate::{
@@ -26,7 +26,7 @@ pub struct PatternCurve<'a, F: PatternFamily + ?Sized> {
     /// Bounds of the last unknown.
     bounds: (f64, f64),
     /// What is told along it beside bifurcations.
-    levels: &'a [Level<'a, F::Orbit>],
+    pub(super) levels: &'a [Level<'a, F::Orbit>],
 }
 
 impl<F: PatternFamily + ?Sized> Clone for PatternCurve<'_, F> {
@@ -74,11 +74,6 @@ impl<'a, F: PatternFamily + ?Sized> PatternCurve<'a, F> {
     /// The parameter at a point.
     pub(crate) fn parameter(&self, u: &[f64]) -> f64 {
         self.origin + u[u.len() - 1] * self.unit
-    }
-
-    /// What is told along it beside bifurcations.
-    pub(super) fn levels(&self) -> &'a [Level<'a, F::Orbit>] {
-        self.levels
     }
 
     /// The parameter's unit of length along the curve.
@@ -175,12 +170,8 @@ impl<F: PatternFamily + ?Sized> Followed for PatternCurve<'_, F> {
         mut orbit: F::Orbit,
     ) -> Result<Settled<F::Orbit>> {
         let Some(monitor) = monitor.checked_sub(self.levels.len()) else {
-            let off = |place: &CurvePoint| {
-                self.levels[monitor].off(&self.view(place).ok()?, &[self.parameter(&place.u)])
-            };
-            let at =
-                |by: f64| if by == 0.0 { off(&place) } else { off(&CERTAIN.step(self, &place, by).ok()?) };
-            return Ok(vanishes(at).then_some((Bifurcation::ALL.len() + monitor, place, orbit)));
+            let is_at = self.levels[monitor].is_at(&orbit, &[self.parameter(&place.u)]);
+            return Ok(is_at.then_some((Bifurcation::ALL.len() + monitor, place, orbit)));
         };
         let impacts = self.itinerary.strikes().len();
         let mut what = Bifurcation::of(monitor, impacts);
@@ -260,7 +251,7 @@ const SAME: f64 = 1e-9;
 const FELT: f64 = 1e-6;
 
 /// Newton's method beside events.
-pub(super) const CERTAIN: Corrector = Corrector { tolerance: 1e-11, steps: 20 };
+const CERTAIN: Corrector = Corrector { tolerance: 1e-11, steps: 20 };
 
 /// Whether a function has opposite signs a little before and after a point, however close one has to go.
 pub(super) fn changes_sign(

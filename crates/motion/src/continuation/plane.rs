@@ -7,8 +7,8 @@ use super::{
     crossing::DIFFERENCE,
     curve::{Curve, CurvePoint, Equations},
     follow::{Followed, Settled},
-    level::{Kept, Level, vanishes},
-    orbits::{CERTAIN, changes_sign},
+    level::Level,
+    orbits::changes_sign,
     problem::{FollowedOrbit, PatternOf, PatternPlane, monitors},
 };
 use crate::{
@@ -20,32 +20,21 @@ use crate::{
 /// the pattern and both parameters as fractions of their ranges.
 pub struct EventCurve<'a, P: PatternPlane + ?Sized> {
     /// The systems.
-    plane: &'a P,
+    pub plane: &'a P,
     /// The pattern.
-    itinerary: PatternOf<P::Orbit>,
-    /// What happens all along.
-    kept: Kept<'a, P::Orbit>,
+    pub itinerary: PatternOf<P::Orbit>,
+    /// What happens all along; none where the first of `levels` keeps its value.
+    pub event: Option<Bifurcation>,
     /// The bounds of both parameters.
-    ranges: [(f64, f64); 2],
+    pub ranges: [(f64, f64); 2],
     /// What is told along it beside bifurcations.
-    levels: &'a [Level<'a, P::Orbit>],
+    pub levels: &'a [Level<'a, P::Orbit>],
 }
 
 impl<'a, P: PatternPlane + ?Sized> EventCurve<'a, P> {
-    /// The curve in these ranges of both parameters.
-    pub fn new(
-        plane: &'a P,
-        itinerary: PatternOf<P::Orbit>,
-        kept: Kept<'a, P::Orbit>,
-        ranges: [(f64, f64); 2],
-    ) -> Self {
-        EventCurve { plane, itinerary, kept, ranges, levels: &[] }
-    }
-
-    /// The same, with labels where functions take values.
-    #[must_use]
-    pub fn telling(self, levels: &'a [Level<'a, P::Orbit>]) -> Self {
-        EventCurve { levels, ..self }
+    /// What is told along it.
+    fn told(&self) -> &'a [Level<'a, P::Orbit>] {
+        &self.levels[usize::from(self.event.is_none())..]
     }
 
     fn split<'u>(&self, u: &'u [f64]) -> (&'u [f64], [f64; 2]) {
@@ -130,10 +119,10 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
     /// once.
     fn monitors(&self, place: &CurvePoint, orbit: &P::Orbit) -> Vec<Option<f64>> {
         let parameters = self.split(&place.u).1;
-        let mut all: Vec<_> = self.levels.iter().map(|level| level.off(orbit, &parameters)).collect();
+        let mut all: Vec<_> = self.told().iter().map(|level| level.off(orbit, &parameters)).collect();
         all.extend(self.degeneracies(place, orbit));
         let mut others = monitors(orbit, None);
-        match self.kept.event() {
+        match self.event {
             Some(Bifurcation::Fade) => others.truncate(Bifurcation::Fade as usize),
             Some(event) => others[event as usize] = None,
             None => {}
@@ -141,7 +130,7 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
         // Where a multiplier is on the circle all along, these are zero but for rounding; where two of these
         // meet is a resonance, or a fold-flip point, which have names of their own.
         let of = |monitor: usize| Bifurcation::of(monitor, self.itinerary.strikes().len());
-        let mute: &[Bifurcation] = match self.kept.event() {
+        let mute: &[Bifurcation] = match self.event {
             Some(Bifurcation::SaddleNode | Bifurcation::Flip | Bifurcation::Torus) => {
                 &[Bifurcation::SaddleNode, Bifurcation::Flip, Bifurcation::Torus]
             }
@@ -158,30 +147,26 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
     }
 
     fn leaps(&self, before: &P::Orbit, after: &P::Orbit) -> bool {
-        self.kept.event().is_some_and(|event| self.plane.leaps(event, before, after))
+        self.event.is_some_and(|event| self.plane.leaps(event, before, after))
     }
 
     /// A degeneracy's function changes sign at its zeros, and is certain beside them: where a direction of
     /// the normal form has no meaning, as at the ends of a curve, it is neither.
     fn settle(&self, monitor: usize, place: CurvePoint, orbit: P::Orbit) -> Result<Settled<P::Orbit>> {
-        let Some(monitor) = monitor.checked_sub(self.levels.len()) else {
-            let off = |place: &CurvePoint| {
-                self.levels[monitor].off(&self.view(place).ok()?, &self.split(&place.u).1)
-            };
-            let at =
-                |by: f64| if by == 0.0 { off(&place) } else { off(&CERTAIN.step(self, &place, by).ok()?) };
+        let Some(monitor) = monitor.checked_sub(self.told().len()) else {
+            let is_at = self.told()[monitor].is_at(&orbit, &self.split(&place.u).1);
             let number = Degeneracy::ALL.len() + Bifurcation::ALL.len() + monitor;
-            return Ok(vanishes(at).then_some((number, place, orbit)));
+            return Ok(is_at.then_some((number, place, orbit)));
         };
         let Some(which) = monitor.checked_sub(Degeneracy::ALL.len()) else {
             let is = |event| self.plane.is_genuine(event, Degeneracy::ALL[monitor], &orbit);
-            let genuine = self.kept.event().is_some_and(is)
+            let genuine = self.event.is_some_and(is)
                 && changes_sign(self, &place, |place| self.certain(monitor, place));
             return Ok(genuine.then_some((monitor, place, orbit)));
         };
         let what = Bifurcation::of(which, self.itinerary.strikes().len());
         let genuine =
-            self.kept.event() == Some(Bifurcation::Fade) || what == Bifurcation::Fade || what.is_at(&orbit);
+            self.event == Some(Bifurcation::Fade) || what == Bifurcation::Fade || what.is_at(&orbit);
         Ok(genuine.then_some((Degeneracy::ALL.len() + what as usize, place, orbit)))
     }
 
@@ -192,7 +177,7 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
     /// At an event that ends a branch the orbit is just no orbit any more: here that does not count.
     fn holds(&self, orbit: &P::Orbit) -> bool {
         let slowest = orbit.speeds().into_iter().fold(f64::INFINITY, f64::min);
-        match self.kept.event() {
+        match self.event {
             Some(Bifurcation::Fade) => slowest > -1e-9,
             Some(Bifurcation::Grazing) => slowest > 0.0,
             Some(Bifurcation::Torus) => orbit.is_orbit() && orbit.rotates(),
@@ -209,9 +194,10 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
 impl<P: PatternPlane + ?Sized> EventCurve<'_, P> {
     fn values(&self, u: &[f64]) -> Result<Vec<f64>> {
         let (z, parameters) = self.split(u);
-        let mut values = self.plane.values(self.kept.event(), parameters, &self.itinerary, z)?;
-        if let Kept::Level(level) = self.kept {
-            let off = level.off(&self.plane.unjudged(parameters, &self.itinerary, z)?, &parameters);
+        let mut values = self.plane.values(self.event, parameters, &self.itinerary, z)?;
+        if let (None, Some(level)) = (self.event, self.levels.first()) {
+            let root = Root { z: z.to_vec(), residual: f64::NAN, steps: 0 };
+            let off = level.off(&self.plane.orbit(parameters, &self.itinerary, root)?, &parameters);
             values.push(off.ok_or_else(|| Error::input(format!("{} has no value", level.name)))?);
         }
         Ok(values)
@@ -221,7 +207,7 @@ impl<P: PatternPlane + ?Sized> EventCurve<'_, P> {
     fn certain(&self, degeneracy: usize, place: &CurvePoint) -> Option<f64> {
         let orbit = self.view(place).ok()?;
         let (z, parameters) = self.split(&place.u);
-        let event = self.kept.event()?;
+        let event = self.event?;
         let value = |z: &[f64], factors: &[f64]| {
             let orbit = orbit.moved(z);
             self.plane.degeneracies(event, parameters, &place.tangent, &orbit, factors)[degeneracy]
@@ -231,7 +217,7 @@ impl<P: PatternPlane + ?Sized> EventCurve<'_, P> {
     }
 
     fn degeneracies(&self, place: &CurvePoint, orbit: &P::Orbit) -> Vec<Option<f64>> {
-        let Some(event) = self.kept.event() else { return vec![None; Degeneracy::ALL.len()] };
+        let Some(event) = self.event else { return vec![None; Degeneracy::ALL.len()] };
         self.plane.degeneracies(event, self.split(&place.u).1, &place.tangent, orbit, &[])
     }
 }
@@ -254,12 +240,12 @@ impl<P: PatternPlane + ?Sized> OrbitCurve for EventCurve<'_, P> {
             return Singularity::Degeneracy(Degeneracy::ALL[monitor]);
         };
         match event.checked_sub(Bifurcation::ALL.len()) {
-            Some(level) => Singularity::Level(self.levels[level].name.clone()),
+            Some(level) => Singularity::Level(self.told()[level].name.clone()),
             None => Singularity::Bifurcation(Bifurcation::ALL[event]),
         }
     }
 
     fn subject(&self) -> Option<Bifurcation> {
-        self.kept.event()
+        self.event
     }
 }

@@ -168,7 +168,8 @@ pub trait PatternPlane {
     }
 
     /// The equations of a pattern and, last, the function that is zero at a bifurcation, if one is asked for:
-    /// smooth near its zeros. Where branches cross the equations may be replaced by others that are regular there.
+    /// smooth near its zeros. Where branches cross the equations may be replaced by others that are regular
+    /// there.
     ///
     /// # Errors
     /// An input error where they are not defined.
@@ -180,7 +181,8 @@ pub trait PatternPlane {
         z: &[f64],
     ) -> Result<Vec<f64>>;
 
-    /// What there is to know of a root of the pattern's equations.
+    /// What there is to know of a root of the pattern's equations; of what is no root, its residual NaN, all
+    /// but whether it is an orbit.
     ///
     /// # Errors
     /// As [`values`](Self::values).
@@ -190,19 +192,6 @@ pub trait PatternPlane {
         pattern: &PatternOf<Self::Orbit>,
         root: Root,
     ) -> Result<Self::Orbit>;
-
-    /// The same at any unknowns, without asking whether it is an orbit.
-    ///
-    /// # Errors
-    /// As [`values`](Self::values).
-    fn unjudged(
-        &self,
-        parameters: [f64; 2],
-        pattern: &PatternOf<Self::Orbit>,
-        z: &[f64],
-    ) -> Result<Self::Orbit> {
-        self.orbit(parameters, pattern, Root { z: z.to_vec(), residual: 0.0, steps: 0 })
-    }
 
     /// The functions whose zeros on a curve of bifurcations are of codimension two, in the order of
     /// `Degeneracy::ALL`; `None` where they are not defined or another curve's.

@@ -28,30 +28,6 @@ struct Struck {
     periods: u32,
 }
 
-/// Which point of a branch's file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PointName<'n> {
-    /// That with a label, as "flip 1".
-    Label(&'n str),
-    /// The one in this place, counted from 1.
-    Row(usize),
-}
-
-impl<'n> From<&'n str> for PointName<'n> {
-    fn from(label: &'n str) -> Self {
-        PointName::Label(label)
-    }
-}
-
-impl std::fmt::Display for PointName<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            PointName::Label(label) => f.pad(label),
-            PointName::Row(row) => write!(f, "row {row}"),
-        }
-    }
-}
-
 /// A point of a branch, as far as it is needed to go on from it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label<P> {
@@ -131,16 +107,12 @@ impl<P> Label<P> {
     }
 }
 
-/// A point in a branch written as JSON.
+/// The point with a label in a branch written as JSON; "row 7" is the seventh of all.
 ///
 /// # Errors
 /// An input error for text of another format, or a label that is not there, with those that are; a
 /// contact whose name is not among the form's; a pattern without a period.
-pub fn read_label_as<'n, P: Place>(
-    text: &str,
-    point: impl Into<PointName<'n>>,
-    form: RecordForm,
-) -> Result<Label<Itinerary<P>>> {
+pub fn read_label_as<P: Place>(text: &str, label: &str, form: RecordForm) -> Result<Label<Itinerary<P>>> {
     #[derive(Deserialize)]
     struct File {
         format: String,
@@ -161,18 +133,14 @@ pub fn read_label_as<'n, P: Place>(
     if file.format != form.format {
         return Err(bad(&format_args!("its format is {:?}, not {:?}", file.format, form.format)));
     }
-    let point = match point.into() {
-        PointName::Label(label) => {
-            let labels: Vec<&str> = file.points.iter().filter_map(|point| point.label.as_deref()).collect();
-            file.points.iter().find(|point| point.label.as_deref() == Some(label)).ok_or_else(|| {
-                Error::input(format!("the branch has no label {label:?}; it has {}", labels.join(", ")))
-            })?
-        }
-        PointName::Row(row) => row.checked_sub(1).and_then(|row| file.points.get(row)).ok_or_else(|| {
-            Error::input(format!("the branch has no row {row}; it has {}", file.points.len()))
-        })?,
-    };
-    let event = point.label.as_deref().and_then(|label| label.rsplit_once(' '));
+    let labels: Vec<&str> = file.points.iter().filter_map(|point| point.label.as_deref()).collect();
+    let row = || file.points.get(label.strip_prefix("row ")?.parse::<usize>().ok()?.checked_sub(1)?);
+    let labelled = file.points.iter().find(|point| point.label.as_deref() == Some(label));
+    let point = labelled.or_else(row).ok_or_else(|| {
+        let (rows, labels) = (file.points.len(), labels.join(", "));
+        Error::input(format!("the branch has no label {label:?}; it has {labels}, row 1 to row {rows}"))
+    })?;
+    let event = point.label.as_deref().and_then(|label| Bifurcation::named(label.rsplit_once(' ')?.0));
     let strike = |struck: &Struck| {
         let contact = form.contacts.iter().position(|known| *known == struck.wall);
         let contact = contact.ok_or_else(|| bad(&format_args!("it has a wall {:?}", struck.wall)))?;
@@ -188,7 +156,7 @@ pub fn read_label_as<'n, P: Place>(
     }
     Ok(Label {
         itinerary: if strikes.is_empty() { Itinerary::free(file.period) } else { Itinerary::new(strikes) }?,
-        event: event.and_then(|(name, _)| Bifurcation::named(name)),
+        event,
         names: file.parameters,
         parameters: point.parameters.clone(),
         z: point.unknowns.clone(),

@@ -17,8 +17,7 @@ use super::{
     friction::check_given,
     normal_form::Local,
     orbit::{
-        Admissibility, Between, Change, Itinerary, Orbit, StopEquations, check_stops, describe, describe_as,
-        multipliers,
+        Admissibility, Between, Change, Itinerary, Orbit, StopEquations, check_stops, describe, multipliers,
     },
     simulate::{Settings, Simulator},
     sliding,
@@ -59,15 +58,11 @@ impl Common {
         Ok(Common { scale, depth: depth.unwrap_or(RELATIVE_DEPTH * gap), tally: tally.cloned() })
     }
 
-    fn simulator(&self, machine: &Machine<f64>, pattern: &Itinerary) -> Result<Simulator> {
+    fn orbit(&self, machine: &Machine<f64>, pattern: &Itinerary, root: Root) -> Result<Orbit> {
         let settings = Settings { minimum_depth: self.depth, ..Settings::default() };
         let simulator = Simulator::new(machine, &settings)?.counting_too(self.tally.as_ref());
         check_stops(pattern, simulator.contacts())?;
-        Ok(simulator)
-    }
-
-    fn orbit(&self, machine: &Machine<f64>, pattern: &Itinerary, root: Root) -> Result<Orbit> {
-        describe(&self.simulator(machine, pattern)?, pattern, self.scale, root)
+        describe(&simulator, pattern, self.scale, root)
     }
 
     fn count(machine_size: usize, pattern: &Itinerary) -> usize {
@@ -408,12 +403,6 @@ impl PatternPlane for Plane<'_> {
 
     fn orbit(&self, parameters: [f64; 2], pattern: &Itinerary, root: Root) -> Result<Orbit> {
         self.common.orbit(&(self.at)(parameters)?, pattern, root)
-    }
-
-    fn unjudged(&self, parameters: [f64; 2], pattern: &Itinerary, z: &[f64]) -> Result<Orbit> {
-        let simulator = self.common.simulator(&(self.at)(parameters)?, pattern)?;
-        let root = Root { z: z.to_vec(), residual: 0.0, steps: 0 };
-        describe_as((&simulator, pattern), self.common.scale, root, |_, _| Ok(Admissibility::Admissible))
     }
 
     /// Resonant grazings are those of one degree of freedom.

@@ -10,7 +10,6 @@
 pub mod attractor;
 pub mod branch;
 pub mod grazing;
-pub mod measure;
 pub mod orbit;
 pub mod simulate;
 mod size;

@@ -1,12 +1,14 @@
 //! Tasks of kind `branch`: continuation of periodic orbits over a parameter, and of their bifurcations over
 //! two.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::{
     Analysed, CertificateFile, Finding, Job, Lines, PieceProofs, Status,
     engine::{AnalysedEvent, Branches, Engine, OrbitSource, by_engine},
-    monitors::{Empty, MonitoredRow, Watch},
+    monitors::{MonitoredRow, Watch},
     pieces,
     restart::{FixedRow, exact, fixed, no_event, restarted},
     row,
@@ -14,7 +16,7 @@ use super::{
 use crate::{
     attractor::detection::Detection,
     continuation::{
-        Bifurcation, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Kept, Level, Options,
+        Bifurcation, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Level, Options,
         OrbitBranch, PatternCurve, PatternPlane,
     },
     error::Result,
@@ -24,7 +26,6 @@ use crate::{
     scene::{
         Scene,
         branches::{BranchOrigin, BranchStart, BranchTask, Way},
-        monitors::Hold,
     },
 };
 
@@ -121,9 +122,9 @@ pub struct BranchFindings {
     /// Every point. Not in JSON: it is the task's CSV file.
     #[serde(skip)]
     pub rows: Vec<MonitoredRow>,
-    /// Monitors without a value somewhere. Not in JSON: warnings are.
+    /// Monitors without a value somewhere, and why at first. Not in JSON: warnings are.
     #[serde(skip)]
-    pub empty: Vec<Empty>,
+    pub empty: BTreeMap<String, String>,
     /// The branches. Not in JSON: each has a file.
     #[serde(skip)]
     pub branches: FoundBranches,
@@ -159,7 +160,12 @@ impl Finding for BranchFindings {
     }
 
     fn warnings(&self) -> Vec<String> {
-        self.empty.iter().map(|empty| empty.told(self.points)).collect()
+        let told = |(name, why): (&String, &String)| {
+            format!(
+                "monitor {name} has no value at some points, where its cells are empty: at the first {why}"
+            )
+        };
+        self.empty.iter().map(told).collect()
     }
 
     fn lines(&self, lines: &mut Lines) {
@@ -209,7 +215,7 @@ where
     let family = engine.family(&task.parameter)?;
     let source = engine.source(&family)?;
     let watch = Watch::new(task, &source, &job.scene)?;
-    let levels = watch.levels(&task.levels.0);
+    let levels = watch.levels(task.levels.0.iter());
     let (branches, starts) = match &task.second {
         Some(second) => source.loci(task, second)?,
         None => {
@@ -224,7 +230,7 @@ where
         false => (None, Vec::new()),
     };
     let varied: Vec<String> = [&task.parameter].into_iter().chain(&task.second).cloned().collect();
-    let (mut rows, mut empty) = (Vec::new(), Vec::new());
+    let (mut rows, mut empty) = (Vec::new(), BTreeMap::new());
     for (branch, number) in branches.iter().zip(1..) {
         for (point, place) in branch.points.iter().zip(0..) {
             let names = varied.iter().map(String::as_str);
@@ -293,7 +299,7 @@ pub fn follow<S: OrbitSource>(
             let orbits = PatternCurve::over(source.family(), label.itinerary.clone(), range).telling(levels);
             let place = orbits.restart(&label, &options)?;
             let branch = if restart.switch {
-                let event = label.event.ok_or_else(|| no_event(restart, "no branch begins"))?;
+                let event = label.event.ok_or_else(|| no_event(restart))?;
                 let (born, place) = orbits.switch(event, &place)?;
                 // Against the tangent are the same orbits, a period later.
                 let direction = if event == Bifurcation::Flip { Direction::Forward } else { direction };
@@ -371,9 +377,7 @@ where
 {
     let options = task.options.checked()?;
     let watch = Watch::new(task, source, &job.scene)?;
-    let levels = watch.levels(&task.levels.0);
-    let held =
-        watch.levels(&task.hold.iter().map(|Hold(name, value)| (name.clone(), *value)).collect::<Vec<_>>());
+    let levels = watch.levels(task.hold.0.iter().chain(&task.levels.0));
     let (mut found, mut rows) = (Vec::new(), Vec::new());
     for (start, number) in task.starts.iter().zip(1..) {
         job.check()?;
@@ -381,17 +385,13 @@ where
         let label = restarted(restart, &[&task.parameter, second], source, job)?;
         let ranges = [(task.range[0], task.range[1]), (task.second_range[0], task.second_range[1])];
         let parameters = [label.parameters[0], label.parameters[1]];
-        let kept = match (held.first(), label.event) {
-            (Some(level), _) => Kept::Level(level),
-            (None, event) => Kept::Event(event.ok_or_else(|| no_event(restart, "nothing is followed"))?),
+        let event = match &task.hold.0[..] {
+            [] => Some(label.event.ok_or_else(|| no_event(restart))?),
+            _ => None,
         };
-        let events = EventCurve::new(plane, label.itinerary.clone(), kept, ranges).telling(&levels);
-        let place = events.start(&label.z, parameters, &options).map_err(|error| match &task.hold {
-            Some(Hold(name, value)) => {
-                error.context(format!("{name} = {value} is not reached from the restart"))
-            }
-            None => error,
-        })?;
+        let (itinerary, levels) = (label.itinerary.clone(), &levels[..]);
+        let events = EventCurve { plane, itinerary, event, ranges, levels };
+        let place = events.start(&label.z, parameters, &options)?;
         let branch = OrbitBranch::follow(&events, &place, direction(task.direction), &options)?;
         rows.push(StartRow::of(number, found.len() + 1, &branch, source.named(&branch.itinerary)));
         found.push(branch);

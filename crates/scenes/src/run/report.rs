@@ -76,7 +76,7 @@ fn with_claims<S: Serializer>(
 
 /// The scene's own units.
 fn as_units<S: Serializer>(all: &[ColumnUnit], serializer: S) -> std::result::Result<S::Ok, S::Error> {
-    let own = all.iter().map(|unit| (&unit.column, &unit.own)).filter(|(_, own)| !own.is_empty());
+    let own = all.iter().map(|unit| (unit.column, &unit.own)).filter(|(_, own)| !own.is_empty());
     as_map(&own.collect::<Vec<_>>(), serializer)
 }
 

@@ -25,75 +25,48 @@ row! {
         pub name: String,
         /// Its value, in the scene's unit.
         pub value: f64,
-        /// That unit, if the scene has units.
-        pub unit: Option<String>,
     }
 }
 
 /// The values as a scene takes them.
 pub(super) fn exact(fixed: &[FixedRow]) -> Vec<(String, BigRational)> {
-    let exact = |row: &FixedRow| Some((row.name.clone(), BigRational::from_float(row.value)?));
-    fixed.iter().filter_map(exact).collect()
+    fixed.iter().filter_map(|row| Some((row.name.clone(), BigRational::from_float(row.value)?))).collect()
 }
 
-/// The point of a restart.
-fn read<S: OrbitSource>(restart: &Restart, source: &S, job: &Job) -> Result<Label<PatternOf<S::Orbit>>> {
+/// The point of a restart over the parameters of these names, and what others are there that have not the
+/// scene's values.
+fn read<S: OrbitSource>(
+    (restart, varied): (&Restart, &[&str]),
+    source: &S,
+    job: &Job,
+) -> Result<(Label<PatternOf<S::Orbit>>, Vec<FixedRow>)> {
     let folder = job.folder.ok_or_else(|| Error::input("a restart needs the folder of its branch's file"))?;
     let file = folder.join(&restart.file);
+    let own = |scene: &Scene, name: &str| {
+        Ok::<f64, Error>(Plain::ratio(&scene.parameters[scene.parameter(name)?].1, &()).0)
+    };
     let text = read_text(&file, LONGEST_INPUT)?;
-    source.label(&text, restart.point()?).map_err(|error| error.context(file.display()))
-}
-
-/// The scene's own value of a parameter.
-fn own(scene: &Scene, name: &str) -> Result<f64> {
-    Ok(Plain::ratio(&scene.parameters[scene.parameter(name)?].1, &()).0)
-}
-
-/// What a label has of parameters that do not vary, where these are not the scene's values.
-fn others<P>(label: &Label<P>, varied: &[&str], scene: &Scene) -> Result<Vec<FixedRow>> {
-    let mut found = Vec::new();
+    let label = source.label(&text, &restart.label).map_err(|error| error.context(file.display()))?;
+    let mut others = Vec::new();
     for (name, &value) in label.names.iter().zip(&label.parameters) {
-        if !varied.contains(&name.as_str()) && own(scene, name)? != value {
-            let unit = scene.unit(name).map(|unit| unit.own.clone());
-            found.push(FixedRow { name: name.clone(), value, unit });
+        if !varied.contains(&name.as_str()) && own(&job.scene, name)? != value {
+            others.push(FixedRow { name: name.clone(), value });
         }
     }
-    Ok(found)
+    Ok((label.over(varied, |name| own(&job.scene, name))?, others))
 }
 
-/// The parameters that a task's restarts set: those that the branches before went along, and this one does
-/// not.
+/// The parameters that a task's first restart sets, for all of it: those that the branch before went along,
+/// and this one does not.
 ///
 /// # Errors
-/// Those of the files; an input error where starts are at different values of such a parameter, or where the
-/// task sets it.
+/// Those of the file.
 pub(super) fn fixed<E: Engine>(task: &BranchTask, job: &Job, engine: &E) -> Result<Vec<FixedRow>> {
-    if task.starts.iter().all(|start| start.restart.is_none()) {
-        return Ok(Vec::new());
-    }
+    let restart = task.starts.iter().find_map(|start| start.restart.as_ref());
+    let Some(restart) = restart else { return Ok(Vec::new()) };
     let varied: Vec<&str> = [&task.parameter].into_iter().chain(&task.second).map(String::as_str).collect();
     let family = engine.family(&task.parameter)?;
-    let source = engine.source(&family)?;
-    let mut found: Option<Vec<FixedRow>> = None;
-    for start in &task.starts {
-        let here = match &start.restart {
-            Some(restart) => others(&read(restart, &source, job)?, &varied, &job.scene)?,
-            None => Vec::new(),
-        };
-        if let Some(FixedRow { name, value, .. }) =
-            here.iter().find(|row| job.task.set.iter().any(|(name, _)| *name == row.name))
-        {
-            return Err(Error::input(format!(
-                "the restart is at {name} = {value}, and the task sets {name}: leave that out"
-            )));
-        }
-        if *found.get_or_insert_with(|| here.clone()) != here {
-            return Err(Error::input(
-                "starts are at different values of a parameter that does not vary here: give each a task",
-            ));
-        }
-    }
-    Ok(found.unwrap_or_default())
+    Ok(read((restart, &varied), &engine.source(&family)?, job)?.1)
 }
 
 /// The point of a restart over the parameters of these names.
@@ -106,16 +79,18 @@ pub(super) fn restarted<S: OrbitSource>(
     source: &S,
     job: &Job,
 ) -> Result<Label<PatternOf<S::Orbit>>> {
-    let label = read(restart, source, job)?;
-    if let Some(FixedRow { name, value, .. }) = others(&label, varied, &job.scene)?.first() {
-        let here = own(&job.scene, name)?;
-        return Err(Error::input(format!("the restart is at {name} = {value}, and this task at {here}")));
+    let (label, others) = read((restart, varied), source, job)?;
+    match others.first() {
+        None => Ok(label),
+        Some(FixedRow { name, value }) => {
+            Err(Error::input(format!("the restart is at {name} = {value}, and the task is not")))
+        }
     }
-    label.over(varied, |name| own(&job.scene, name))
 }
 
 /// That no bifurcation is where a restart is.
-pub(super) fn no_event(restart: &Restart, so: &str) -> Error {
-    let point = restart.point().map_or_else(|_| String::new(), |point| point.to_string());
-    Error::input(format!("{point} of {} is no bifurcation of codimension one: {so} there", restart.file))
+pub(super) fn no_event(Restart { file, label, .. }: &Restart) -> Error {
+    Error::input(format!(
+        "{label} of {file} is no bifurcation of codimension one, which is what is asked for"
+    ))
 }

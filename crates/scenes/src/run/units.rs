@@ -85,7 +85,7 @@ const COLUMNS: &[(What, &[&str], &[&str])] = &[
 #[derive(Debug, Clone, PartialEq)]
 pub struct ColumnUnit {
     /// Its name.
-    pub column: String,
+    pub column: &'static str,
     /// The scene's unit for it.
     pub own: String,
     /// Of a parameter, the unit in which it is written.
@@ -95,6 +95,10 @@ pub struct ColumnUnit {
 /// What the columns of a task's report are in; nothing of a scene without units.
 pub(super) fn columns(scene: &Scene, kind: &Kind) -> Vec<ColumnUnit> {
     let of = |what: What, column: &'static str| {
+        // A monitor may be called like another column.
+        if matches!(kind, Kind::BranchTask(task) if task.monitors.0.iter().any(|one| one.name == column)) {
+            return None;
+        }
         let written = match what {
             Parameter => kind.parameter().and_then(|name| scene.unit(name)),
             Second => kind.second().and_then(|name| scene.unit(name)),
@@ -107,22 +111,11 @@ pub(super) fn columns(scene: &Scene, kind: &Kind) -> Vec<ColumnUnit> {
             (_, Some(unit)) => unit.own.clone(),
             _ => scene.unit_name(dimension(what, scene.turns)?)?,
         };
-        Some(ColumnUnit { column: column.to_string(), own, written: written.cloned() })
+        Some(ColumnUnit { column, own, written: written.cloned() })
     };
     let is_of = |kinds: &[&str]| kinds.is_empty() || kinds.contains(&kind.word());
     let rows = COLUMNS.iter().filter(|(_, kinds, _)| is_of(kinds));
-    let known =
-        rows.flat_map(|&(what, _, columns)| columns.iter().filter_map(move |column| of(what, column)));
-    let mut all: Vec<ColumnUnit> = known.collect();
-    if let Kind::BranchTask(task) = kind {
-        for monitor in &task.monitors.0 {
-            all.retain(|known| known.column != monitor.name);
-            let unit = monitor.dimension.and_then(|dimension| scene.unit_name(dimension));
-            let unit = unit.filter(|own| !own.is_empty());
-            all.extend(unit.map(|own| ColumnUnit { column: monitor.name.clone(), own, written: None }));
-        }
-    }
-    all
+    rows.flat_map(|&(what, _, columns)| columns.iter().filter_map(move |column| of(what, column))).collect()
 }
 
 /// What a column is where coordinates are lengths, or angles; none where each may be either.

@@ -4,13 +4,13 @@ use num_rational::BigRational;
 
 use super::{
     keys::{keys, read_into, words},
-    monitors::{Hold, Levels, Monitors},
+    monitors::{Levels, Monitors},
     orbits::OrbitKeys,
     sections::Frame,
     simulate::Start,
 };
 use crate::{
-    continuation::{Options, PointName},
+    continuation::Options,
     error::{Error, Result},
     number::{Plain, Real},
 };
@@ -47,43 +47,26 @@ impl BranchStart {
     /// Which of the three it is.
     ///
     /// # Errors
-    /// An input error unless exactly one is given; that of [`Restart::point`].
+    /// An input error unless exactly one is given.
     pub fn origin(&self) -> Result<BranchOrigin<'_>> {
         match (&self.orbit, &self.attractor, &self.restart) {
             (Some(orbit), None, None) => Ok(BranchOrigin::Orbit(orbit)),
             (None, Some(attractor), None) => Ok(BranchOrigin::Attractor(attractor)),
-            (None, None, Some(restart)) => restart.point().map(|_| BranchOrigin::Restart(restart)),
+            (None, None, Some(restart)) => Ok(BranchOrigin::Restart(restart)),
             _ => Err(Error::input("must have one of orbit, attractor and restart")),
         }
     }
 }
 
 keys! {
-    /// A point of a branch that was written before, along this parameter or others, which keep their values
-    /// there.
+    /// A point of a branch that was written before, along any parameter.
     pub struct Restart {
-        /// its JSON file, in this task's folder: `"NAME.json"` of the task NAME
+        /// its JSON file, in this task's folder
         file: String,
-        /// such as "flip 1"
-        label: Option<String>,
-        /// in place of a label, which of the file's points, from 1
-        row: Option<u32>,
+        /// such as "flip 1"; "row 7" is the seventh of the file's points
+        label: String,
         /// change to the branch born there (flip), or crossing
         switch: bool = "false",
-    }
-}
-
-impl Restart {
-    /// Which point it is.
-    ///
-    /// # Errors
-    /// An input error unless there is either a label or a row.
-    pub fn point(&self) -> Result<PointName<'_>> {
-        match (&self.label, self.row) {
-            (Some(label), None) => Ok(PointName::Label(label)),
-            (None, Some(row)) => Ok(PointName::Row(row as usize)),
-            _ => Err(Error::input("restart must have one of label and row")),
-        }
     }
 }
 
@@ -115,13 +98,12 @@ keys! {
         second: Option<String>,
         /// its bounds
         second_range: Vec<f64> = "[]",
-        /// functions of an orbit, as `{ power = "impulse*speed/period" }`: columns of the table
-        /// ([names](branches.md#monitors))
+        /// [functions of an orbit](branches.md#monitors), as `{ power = "impulse*speed/period" }`
         monitors: Monitors = "{}",
         /// values at which they are labelled, as `{ power = [0.2, 0.3] }`
         levels: Levels = "{}",
-        /// over two parameters, what keeps its value in place of a restart's event, as `{ power = 0.2 }`
-        hold: Option<Hold>,
+        /// over two parameters, the value that one keeps in place of an event
+        hold: Levels = "{}",
         /// how branches are followed
         options: Options = "{}",
         /// prove each piece between saddle-nodes, with certificates; one parameter, engine `one`

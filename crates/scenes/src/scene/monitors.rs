@@ -13,95 +13,38 @@ use crate::{
     quantity::Dimension,
 };
 
-/// What a monitor may ask of an orbit: of an impact or a coordinate counted from 0, or of all.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Quantity {
-    /// How long it is.
-    Period,
-    /// Its least gap away from impacts.
-    LeastGap,
-    /// The speed of an impact, or the greatest.
-    Speed(Option<usize>),
-    /// The phase of an impact, a fraction of the forcing period.
-    Phase(usize),
-    /// The impulse of an impact, or the sum.
-    Impulse(Option<usize>),
-    /// The modulus of a multiplier, the largest first.
-    Multiplier(usize),
-    /// The least, the greatest displacement of a coordinate, or half of what is between them.
-    Extent(Option<usize>, Extent),
-}
-
-/// What of a coordinate's extent.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Extent {
-    Least,
-    Greatest,
-    Swing,
-}
-
-/// The columns of a branch's table.
-pub(crate) const COLUMNS: [&str; 19] = [
-    "branch",
-    "label",
-    "parameters",
-    "pattern",
-    "phases",
-    "speeds",
-    "multipliers",
-    "stable",
-    "admissible",
-    "reason",
-    "drift",
-    "nearest_stop",
-    "least_gap",
-    "residual",
-    "newton_steps",
-    "coefficient",
-    "criticality",
-    "length",
-    "certificate",
+/// What a monitor may ask of an orbit, as `speed2` and `q1_max` without the number; each with the powers of
+/// length, time and mass that it has where coordinates are lengths.
+const QUANTITIES: [(&str, [i32; 3]); 9] = [
+    ("period", [0, 1, 0]),
+    ("speed", [1, -1, 0]),
+    ("phase", [0, 0, 0]),
+    ("impulse", [1, -1, 1]),
+    ("multiplier", [0, 0, 0]),
+    ("least_gap", [1, 0, 0]),
+    ("swing", [1, 0, 0]),
+    ("q_min", [1, 0, 0]),
+    ("q_max", [1, 0, 0]),
 ];
 
-/// Names without a number.
-const PLAIN: [&str; 9] =
-    ["period", "speed", "phase", "impulse", "multiplier", "least_gap", "swing", "q_min", "q_max"];
+/// A quantity of an orbit that a monitor asks for.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Asked {
+    /// As it is written.
+    pub word: String,
+    /// Without the number.
+    pub kind: &'static str,
+    /// Of which impact, multiplier or coordinate, from 1, if it says that.
+    pub number: Option<usize>,
+    dimension: Dimension,
+}
 
-impl Quantity {
-    /// The one that a word names, as `speed`, `speed2`, `q1_max`.
-    fn named(word: &str) -> Option<Quantity> {
-        let (stem, end) = match word.split_once('_') {
-            Some((stem, end @ ("min" | "max"))) => (stem, end),
-            _ => (word, ""),
-        };
-        let base = stem.trim_end_matches(|c: char| c.is_ascii_digit());
-        let number = match &stem[base.len()..] {
-            "" => None,
-            digits => Some(digits.parse::<usize>().ok()?.checked_sub(1)?),
-        };
-        Some(match (base, end) {
-            ("q", "min") => Quantity::Extent(number, Extent::Least),
-            ("q", "max") => Quantity::Extent(number, Extent::Greatest),
-            ("swing", "") => Quantity::Extent(number, Extent::Swing),
-            ("speed", "") => Quantity::Speed(number),
-            ("impulse", "") => Quantity::Impulse(number),
-            ("phase", "") => Quantity::Phase(number.unwrap_or(0)),
-            ("multiplier", "") => Quantity::Multiplier(number.unwrap_or(0)),
-            ("period", "") if number.is_none() => Quantity::Period,
-            ("least_gap", "") => Quantity::LeastGap,
-            _ => return None,
-        })
-    }
-
-    /// What it is, of coordinates that are lengths.
-    fn dimension(self) -> Dimension {
-        match self {
-            Quantity::Period => Dimension::of(0, 1, 0),
-            Quantity::LeastGap | Quantity::Extent(..) => Dimension::of(1, 0, 0),
-            Quantity::Speed(_) => Dimension::of(1, -1, 0),
-            Quantity::Impulse(_) => Dimension::of(1, -1, 1),
-            Quantity::Phase(_) | Quantity::Multiplier(_) => Dimension::ONE,
-        }
+impl Asked {
+    fn read(word: &str) -> Option<Asked> {
+        let (digits, stem): (String, String) = word.chars().partition(char::is_ascii_digit);
+        let &(kind, [length, time, mass]) = QUANTITIES.iter().find(|known| known.0 == stem)?;
+        let number = if digits.is_empty() { None } else { Some(digits.parse().ok().filter(|n| *n > 0)?) };
+        Some(Asked { word: word.to_string(), kind, number, dimension: Dimension::of(length, time, mass) })
     }
 }
 
@@ -110,25 +53,19 @@ impl Quantity {
 pub struct Monitor {
     /// Its name.
     pub name: String,
-    /// In the scene's parameters, in their order, then in `quantities`.
+    /// In the scene's parameters, in their order, then in what is asked for.
     pub(crate) formula: Formula,
-    /// What it is, where that is known.
-    pub(crate) dimension: Option<Dimension>,
-    /// What it asks of an orbit, with the names.
-    pub(crate) quantities: Vec<(String, Quantity)>,
+    /// What may stand in it.
+    pub(crate) asked: Vec<Asked>,
 }
 
 /// The monitors of a task, in the order of the file.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Monitors(pub(crate) Vec<Monitor>);
 
-/// Values of monitors that are told, each with the monitor's name.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Levels(pub(crate) Vec<(String, f64)>);
-
-/// A monitor's name, and the value that it keeps.
+/// Values of monitors, each with the monitor's name.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Hold(pub String, pub f64);
+pub struct Levels(pub(crate) Vec<(String, f64)>);
 
 impl Value for Monitors {
     fn shape() -> String {
@@ -136,116 +73,71 @@ impl Value for Monitors {
     }
 
     fn read(entry: &Entry) -> Result<Self> {
-        let one = |(name, entry): &(String, Entry)| Monitor::read(name, entry);
-        Ok(Monitors(entry.named()?.iter().map(one).collect::<Result<_>>()?))
+        Ok(Monitors(
+            entry.named()?.iter().map(|(name, entry)| Monitor::read(name, entry)).collect::<Result<_>>()?,
+        ))
     }
 }
 
 impl Value for Levels {
     fn shape() -> String {
-        "table of lists of numbers".to_string()
+        "table of numbers, or lists of them".to_string()
     }
 
+    /// Each in units of what its monitor is.
     fn read(entry: &Entry) -> Result<Self> {
         let mut all = Vec::new();
-        for (name, entry) in entry.named()? {
-            for value in entry.elements()? {
-                all.push((name.clone(), level(&name, &value)?));
+        for (name, list) in entry.named()? {
+            let values = if list.item.is_array() { list.elements()? } else { vec![list] };
+            for entry in values {
+                let value = f64::read(&entry)?;
+                let measured = entry.scope.seen.measured.borrow();
+                let kind = |path: &str| measured.iter().find(|known| known.0 == path).map(|known| known.1);
+                let task = entry.path.split('.').next().unwrap_or_default();
+                if let (Some(own), Some(wanted)) =
+                    (kind(&entry.path), kind(&format!("{task}.monitors.{name}")))
+                    && !own.is_like(wanted)
+                {
+                    return Err(entry.fail(&format!("is {own}, and {name} is {wanted}")));
+                }
+                all.push((name.clone(), value));
             }
         }
         Ok(Levels(all))
     }
 }
 
-impl Value for Hold {
-    fn shape() -> String {
-        "table of a number".to_string()
-    }
-
-    fn read(entry: &Entry) -> Result<Self> {
-        match &entry.named()?[..] {
-            [(name, value)] => Ok(Hold(name.clone(), level(name, value)?)),
-            _ => Err(entry.fail("does not hold one monitor at one value")),
-        }
-    }
-}
-
-/// A value of a monitor, in units of what that is.
-fn level(name: &str, entry: &Entry) -> Result<f64> {
-    let value = f64::read(entry)?;
-    let measured = entry.scope.seen.measured.borrow();
-    let kind = |path: &str| measured.iter().find(|known| known.0 == path).map(|known| known.1);
-    let task = entry.path.split('.').next().unwrap_or_default();
-    match (kind(&entry.path), kind(&format!("{task}.monitors.{name}"))) {
-        (Some(own), Some(wanted)) if !own.is_like(wanted) => {
-            Err(entry.fail(&format!("is {own}, and {name} is {wanted}")))
-        }
-        _ => Ok(value),
-    }
-}
-
 impl Monitor {
     fn read(name: &str, entry: &Entry) -> Result<Monitor> {
-        let labels =
-            Bifurcation::ALL.iter().map(|one| one.name()).chain(Degeneracy::ALL.map(Degeneracy::name));
-        let parameters = entry.scope.names.iter().map(String::as_str);
-        if !is_name(name) || labels.chain(COLUMNS).chain(parameters).any(|known| known == name) {
-            let message = "the name of a monitor is a letter, then letters, digits and _, and not that of a parameter, a label or a \
-                           column of a branch";
-            return Err(entry.fail(message));
+        let scope = entry.scope;
+        let labels = Bifurcation::ALL.map(Bifurcation::name).into_iter();
+        let mut taken = labels.chain(Degeneracy::ALL.map(Degeneracy::name));
+        if !is_name(name) || taken.any(|known| known == name) {
+            return Err(entry.fail(
+                "the name of a monitor is a letter, then letters, digits and _, and no other label's",
+            ));
         }
-        let text = entry.text()?;
-        let words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
-        let is_both = |word: &&str| {
-            Quantity::named(word).is_some() && entry.scope.names.iter().any(|name| name == word)
-        };
-        if let Some(word) = words.clone().find(is_both) {
-            let message = format!(
-                "{word} is a parameter of the scene, and a quantity of an orbit: rename the parameter"
-            );
-            return Err(entry.fail(&message));
-        }
-        let plain =
-            PLAIN.into_iter().chain(words).map(|word| Some((word.to_string(), Quantity::named(word)?)));
-        let mut all: Vec<(String, Quantity)> = Vec::new();
-        for (word, quantity) in plain.flatten() {
-            if !all.iter().any(|known| known.0 == word) && !entry.scope.names.contains(&word) {
-                all.push((word, quantity));
+        let words = entry.text()?.split(|c: char| !c.is_alphanumeric() && c != '_');
+        let mut asked: Vec<Asked> = Vec::new();
+        for found in words.chain(QUANTITIES.map(|known| known.0)).filter_map(Asked::read) {
+            if !asked.contains(&found) && !scope.names.contains(&found.word) {
+                asked.push(found);
             }
         }
         let names: Vec<String> =
-            entry.scope.names.iter().chain(all.iter().map(|one| &one.0)).cloned().collect();
-        // Where coordinates may be angles, no dimension of theirs is known.
-        let (scaled, measured) = (entry.scope.seen.scaled.get(), entry.scope.seen.measured.borrow().clone());
-        let turns = measured
-            .iter()
-            .any(|(path, kind)| path.starts_with("system.mass") && kind.is_like(Dimension::of(2, 0, 1)));
-        let kinds = entry.scope.quantities.map(|(scale, kinds)| {
-            let known = all.iter().map(|(word, quantity)| (word.clone(), quantity.dimension()));
-            let known = known.filter(|(_, kind)| scaled && !(turns && kind.length != 0));
-            (scale, kinds.clone().into_iter().chain(known).collect())
-        });
-        let quantities = kinds.as_ref().map(|(scale, kinds)| (*scale, kinds));
-        let scope = Scope { source: entry.scope.source.clone(), names: &names, quantities, ..*entry.scope };
-        let inner = Entry {
-            scope: &scope,
-            path: entry.path.clone(),
-            span: entry.span.clone(),
-            item: entry.item.clone(),
+            scope.names.iter().chain(asked.iter().map(|one| &one.word)).cloned().collect();
+        // Where coordinates may be angles, or nothing has units, dimensions are not known.
+        let is_inertia = |known: &(String, Dimension)| {
+            known.0.starts_with("system.mass") && known.1.is_like(Dimension::of(2, 0, 1))
         };
-        let formula = Expression::read(&inner)?.root;
-        if !formula.mentions(&|_| true) {
-            return Err(entry.fail("is a constant: write a function of an orbit or of parameters"));
-        }
-        let measured = entry.scope.seen.measured.borrow();
-        let dimension = measured.iter().find(|known| known.0 == entry.path).map(|known| known.1);
-        Ok(Monitor { name: name.to_string(), formula, dimension, quantities: all })
-    }
-
-    /// What it asks of an orbit.
-    pub(crate) fn asked(&self, parameters: usize) -> impl Iterator<Item = (usize, &str, Quantity)> {
-        let all = self.quantities.iter().enumerate();
-        let asked = all.filter(move |(i, _)| self.formula.mentions(&|place| place == parameters + i));
-        asked.map(move |(i, (name, quantity))| (parameters + i, name.as_str(), *quantity))
+        let known = scope.seen.scaled.get() && !scope.seen.measured.borrow().iter().any(is_inertia);
+        let kinds = asked.iter().filter(|_| known).map(|one| (one.word.clone(), one.dimension));
+        let kinds =
+            scope.quantities.map(|known| (known.0, known.1.clone().into_iter().chain(kinds).collect()));
+        let quantities = kinds.as_ref().map(|(scale, kinds)| (*scale, kinds));
+        let scope = Scope { source: scope.source.clone(), names: &names, quantities, ..*scope };
+        let (path, item) = (entry.path.clone(), entry.item.clone());
+        let formula = Expression::read(&Entry { scope: &scope, path, span: entry.span.clone(), item })?.root;
+        Ok(Monitor { name: name.to_string(), formula, asked })
     }
 }

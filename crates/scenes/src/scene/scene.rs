@@ -216,13 +216,8 @@ impl Scene {
     /// # Errors
     /// As [`mass`](Self::mass).
     pub(crate) fn mass_at(&self, changes: &[(&str, f64)]) -> Result<f64> {
-        let Some(mass) = &self.mass else { return Ok(1.0) };
-        let mut values: Vec<Plain> =
-            self.parameters.iter().map(|(_, value)| Plain::ratio(value, &())).collect();
-        for (name, value) in changes {
-            values[self.parameter(name)?] = Plain(*value);
-        }
-        Ok(self.value(mass, &values, |x| x.0, &String::new)?.0)
+        let exact = |(name, value): &(&str, f64)| Some((name.to_string(), BigRational::from_float(*value)?));
+        self.alone(&changes.iter().filter_map(exact).collect::<Vec<_>>())?.mass()
     }
 
     /// A text of the oscillator: its parameters with their values, and its equation and walls as expressions

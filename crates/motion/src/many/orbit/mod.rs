@@ -249,25 +249,12 @@ pub(super) fn check_stops(pattern: &Itinerary, contacts: &Contacts) -> Result<()
     Ok(())
 }
 
-/// What there is to know of a root of the equations, with lengths and speeds in units of `scale`.
+/// What there is to know of a root of the equations, with lengths and speeds in units of `scale`; of what is
+/// no root, its residual NaN, without asking whether it is an orbit.
 ///
 /// # Errors
 /// Legs that do not follow one another; multipliers that are not found.
 pub(super) fn describe(simulator: &Simulator, pattern: &Itinerary, scale: f64, root: Root) -> Result<Orbit> {
-    let judge = |equations: &StopEquations, z: &[f64]| equations.admissibility(z, simulator);
-    describe_as((simulator, pattern), scale, root, judge)
-}
-
-/// The same with unknowns that need not be a root's; `judge` says whether it is an orbit.
-///
-/// # Errors
-/// As [`describe`], and those of `judge`.
-pub(super) fn describe_as(
-    (simulator, pattern): (&Simulator, &Itinerary),
-    scale: f64,
-    root: Root,
-    judge: impl FnOnce(&StopEquations, &[f64]) -> Result<Admissibility>,
-) -> Result<Orbit> {
     let soft = simulator.through()?;
     let equations = StopEquations::new(between(simulator, soft.as_ref()), pattern, scale);
     let Root { z, residual, steps } = root;
@@ -291,7 +278,10 @@ pub(super) fn describe_as(
         residual,
         steps,
         multipliers,
-        admissibility: judge(&equations, &z)?,
+        admissibility: match residual.is_nan() {
+            true => Admissibility::Admissible,
+            false => equations.admissibility(&z, simulator)?,
+        },
         least,
         touches,
         held: held(&parts).first().copied(),

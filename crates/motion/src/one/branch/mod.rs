@@ -10,7 +10,7 @@ pub use family::{Patterns, Plane, TwoParameterFamily};
 use crate::{
     continuation::{
         Bifurcation, BranchPoint, BranchSearch, CurvePoint, EventCurve, Label, Options, OrbitBranch,
-        PatternCurve, PointName, RecordForm, SearchReach, nearest, read_label_as, record_as,
+        PatternCurve, RecordForm, SearchReach, nearest, read_label_as, record_as,
     },
     error::Result,
     one::orbit::{Family, Itinerary, Orbit, find},
@@ -68,10 +68,10 @@ pub fn record(branch: &Branch, parameters: &[&str]) -> Value {
     record_as(branch, parameters, OSCILLATOR)
 }
 
-/// A point in a branch written as JSON, as "flip 1".
+/// The point with a label in a branch written as JSON.
 ///
 /// # Errors
 /// An input error for text of another format, or a label that is not there, with those that are.
-pub fn read_label<'n>(text: &str, point: impl Into<PointName<'n>>) -> Result<Label<Itinerary>> {
-    read_label_as(text, point, OSCILLATOR)
+pub fn read_label(text: &str, label: &str) -> Result<Label<Itinerary>> {
+    read_label_as(text, label, OSCILLATOR)
 }

@@ -30,7 +30,7 @@ use crate::{
     },
     continuation::{
         Bifurcation, FollowedOrbit, Label, LocalMap, Located, NoForm, NormalForm, OrbitBranch, OrbitSearch,
-        PatternFamily, PatternOf, PointName, SearchReach,
+        PatternFamily, PatternOf, SearchReach,
     },
     error::{Error, Result},
     many::{
@@ -457,7 +457,7 @@ pub trait OrbitSource {
     ///
     /// # Errors
     /// Where the family is not defined, or the orbit cannot be followed.
-    fn measure(&self, orbit: &Self::Orbit, at: &[(&str, f64)], extents: bool) -> Result<Measures>;
+    fn measure(&self, orbit: &Self::Orbit, at: &[(&str, f64)], is_far: bool) -> Result<Measures>;
 
     /// Pattern and speeds of an orbit at the scene's own value.
     fn named_with_speeds(&self, orbit: &Self::Orbit) -> (String, Vec<f64>);
@@ -474,11 +474,11 @@ pub trait OrbitSource {
     /// Those of the files and of the branches; an interruption.
     fn loci(&self, task: &BranchTask, second: &str) -> Result<Branches<Self::Orbit>>;
 
-    /// A point of a branch's file.
+    /// A label of a branch's file.
     ///
     /// # Errors
     /// Those of `read_label_as`.
-    fn label(&self, text: &str, point: PointName) -> Result<Label<PatternOf<Self::Orbit>>>;
+    fn label(&self, text: &str, label: &str) -> Result<Label<PatternOf<Self::Orbit>>>;
 
     /// How a pattern is written.
     fn named(&self, pattern: &PatternOf<Self::Orbit>) -> String;

@@ -1,7 +1,6 @@
 //! What only a whole scene can tell of its tasks: parameters that exist, ranges, stops that are there, starts
 //! on the right side; and what only one of the engines does.
 
-mod monitors;
 mod orbit;
 mod tasks;
 

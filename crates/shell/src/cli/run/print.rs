@@ -115,7 +115,7 @@ fn table(scene: &str, report: &TaskReport, blocks: &Blocks, out: &mut dyn Write)
         for (name, value) in block.iter().filter(|(_, value)| !value.is_empty()) {
             let heading = NAMES.iter().find(|known| known.0 == name);
             let heading = heading.map_or_else(|| latex(&name.replace('_', " ")), |known| known.1.to_string());
-            let unit = report.units.iter().find(|unit| unit.column == *name && !unit.own.is_empty());
+            let unit = report.units.iter().find(|unit| unit.column == name && !unit.own.is_empty());
             let unit = unit.map_or(String::new(), |unit| format!(" ({})", latex(&unit.own)));
             let value = match name.as_str() {
                 "pattern" if value.starts_with("free") => "no impact".to_string(),

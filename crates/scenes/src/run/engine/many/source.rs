@@ -13,16 +13,14 @@ use super::{
     analysed, machine_orbits, named, names, speeds,
 };
 use crate::{
-    continuation::{
-        Bifurcation, FollowedOrbit, Label, Located, PointName, RecordForm, SearchReach, read_label_as,
-    },
+    continuation::{Bifurcation, FollowedOrbit, Label, Located, RecordForm, SearchReach, read_label_as},
     error::{Error, Result},
     many::{
         Family, Machine,
         attracting::attracting,
         branch::{Patterns, Plane},
         grazing::own_reach,
-        measure,
+        measure::measure,
         normal_form::normal_form,
         orbit::{Itinerary, Orbit},
     },
@@ -135,17 +133,14 @@ impl<'a> OrbitSource for MachineSource<'a> {
         Ok(AnalysedEvent { orbit: analysed(orbit, &machine, event), form })
     }
 
-    fn measure(&self, orbit: &Orbit, at: &[(&str, f64)], extents: bool) -> Result<Measures> {
+    fn measure(&self, orbit: &Orbit, at: &[(&str, f64)], is_far: bool) -> Result<Measures> {
         let machine = match *at {
             [(_, parameter)] => self.family.at(parameter)?.0,
             _ => self.job.scene.machine(at)?,
         };
         let depth = self.job.scene.machine_scene()?.minimum_depth;
-        Ok(Measures {
-            period: machine.period,
-            impulses: measure::impulses(&machine, orbit)?,
-            extents: if extents { measure::extent(&machine, depth, orbit)? } else { Vec::new() },
-        })
+        let (impulses, extents) = measure(&machine, depth, (orbit, is_far))?;
+        Ok(Measures { period: machine.period, impulses, extents })
     }
 
     fn named_with_speeds(&self, orbit: &Orbit) -> (String, Vec<f64>) {
@@ -176,8 +171,8 @@ impl<'a> OrbitSource for MachineSource<'a> {
         events(task, second, (self, &plane), self.job)
     }
 
-    fn label(&self, text: &str, point: PointName) -> Result<Label<Itinerary>> {
-        read_label_as(text, point, form(&names(self.machine)))
+    fn label(&self, text: &str, label: &str) -> Result<Label<Itinerary>> {
+        read_label_as(text, label, form(&names(self.machine)))
     }
 
     fn named(&self, pattern: &Itinerary) -> String {

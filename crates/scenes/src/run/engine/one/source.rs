@@ -13,13 +13,13 @@ use super::{
     analysed, named, speeds, turn,
 };
 use crate::{
-    continuation::{Bifurcation, Label, Located, NormalForm, PointName, SearchReach},
+    continuation::{Bifurcation, Label, Located, NormalForm, SearchReach, extents},
     error::Result,
     one::{
         attractor::attracting,
         branch::{Patterns, Plane, read_label},
-        grazing, measure,
-        orbit::{Family, Itinerary, Orbit, Oscillator},
+        grazing,
+        orbit::{Family, Itinerary, Orbit, OrbitImpact, Oscillator},
     },
     scene::{
         SceneFamily,
@@ -104,16 +104,20 @@ impl<'a> OrbitSource for OscillatorSource<'a> {
         Ok(AnalysedEvent { orbit: analysed(orbit, self.job, event), form })
     }
 
-    fn measure(&self, orbit: &Orbit, at: &[(&str, f64)], extents: bool) -> Result<Measures> {
+    fn measure(&self, orbit: &Orbit, at: &[(&str, f64)], is_far: bool) -> Result<Measures> {
         let oscillator = match *at {
             [(_, parameter)] => self.family.at(parameter)?,
             _ => self.job.oscillator(self.job.scene.plain(at)?)?,
         };
         let mass = self.job.scene.mass_at(at)?;
+        let restitution = |side| oscillator.system().wall(side).map_or(f64::NAN, |wall| wall.restitution);
+        let impulse = |hit: OrbitImpact| mass * (1.0 + restitution(hit.side)) * hit.speed * orbit.rate;
+        let first = orbit.impacts().next().map_or(0.0, |_| orbit.z[0]);
+        let seen = |t: f64| orbit.state(&oscillator, first + t).map(|state| vec![[state.q, state.u]]);
         Ok(Measures {
             period: TAU / orbit.rate,
-            impulses: Some(measure::impulses(&oscillator, mass, orbit)),
-            extents: if extents { measure::extent(&oscillator, orbit)? } else { Vec::new() },
+            impulses: Some(orbit.impacts().map(impulse).collect()),
+            extents: if is_far { extents(orbit, seen)? } else { Vec::new() },
         })
     }
 
@@ -146,8 +150,8 @@ impl<'a> OrbitSource for OscillatorSource<'a> {
         events(task, second, (self, &plane), self.job)
     }
 
-    fn label(&self, text: &str, point: PointName) -> Result<Label<Itinerary>> {
-        read_label(text, point)
+    fn label(&self, text: &str, label: &str) -> Result<Label<Itinerary>> {
+        read_label(text, label)
     }
 
     fn named(&self, pattern: &Itinerary) -> String {
