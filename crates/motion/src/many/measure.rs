@@ -17,7 +17,7 @@ pub fn measure(
     machine: &Machine<f64>,
     depth: Option<f64>,
     (orbit, is_far): (&Orbit, bool),
-) -> Result<(Option<Vec<f64>>, Vec<[f64; 2]>)> {
+) -> Result<(Vec<f64>, Vec<[f64; 2]>)> {
     let solved = Solved::new(machine, &orbit.itinerary, depth_of(machine, depth)?, None)?;
     let (equations, contacts) = (solved.equations(&orbit.itinerary, orbit.scale), &solved.contacts);
     let factor = |stop: usize, speed: f64| 1.0 + contacts.all()[stop].restitution_at(speed);
@@ -29,5 +29,5 @@ pub fn measure(
         Ok(q.iter().zip(u.iter()).map(|(q, u)| [*q, *u]).collect())
     };
     let is_rigid = orbit.touches.contacts.is_empty();
-    Ok((is_rigid.then(|| impulses.collect()), if is_far { extents(orbit, seen)? } else { Vec::new() }))
+    Ok((impulses.filter(|_| is_rigid).collect(), if is_far { extents(orbit, seen)? } else { Vec::new() }))
 }

@@ -21,8 +21,8 @@ use crate::{
 pub struct Measures {
     /// The forcing period.
     pub(crate) period: f64,
-    /// The impulse of each impact; none where the orbit touches a stop that gives way.
-    pub(crate) impulses: Option<Vec<f64>>,
+    /// The impulse of each impact; empty where the orbit touches a stop that gives way.
+    pub(crate) impulses: Vec<f64>,
     /// The least and the greatest of each coordinate, where they are asked for.
     pub(crate) extents: Vec<[f64; 2]>,
 }
@@ -144,7 +144,7 @@ fn quantity(
         "least_gap" => seen.least_gap.into_iter().collect(),
         "speed" => seen.speeds.clone(),
         "phase" => seen.phases.clone(),
-        "impulse" => measures.impulses.clone().unwrap_or_default(),
+        "impulse" => measures.impulses.clone(),
         "multiplier" => seen.multipliers.iter().map(|Complex(re, im)| re.hypot(*im)).collect(),
         "q_min" => extents.map(|ends| ends[0]).collect(),
         "q_max" => extents.map(|ends| ends[1]).collect(),

@@ -33,27 +33,28 @@ pub(super) fn exact(fixed: &[FixedRow]) -> Vec<(String, BigRational)> {
     fixed.iter().filter_map(|row| Some((row.name.clone(), BigRational::from_float(row.value)?))).collect()
 }
 
-/// The point of a restart over the parameters of these names, and what others are there that have not the
-/// scene's values.
-fn read<S: OrbitSource>(
-    (restart, varied): (&Restart, &[&str]),
-    source: &S,
-    job: &Job,
-) -> Result<(Label<PatternOf<S::Orbit>>, Vec<FixedRow>)> {
+/// The point of a restart.
+fn read<S: OrbitSource>(restart: &Restart, source: &S, job: &Job) -> Result<Label<PatternOf<S::Orbit>>> {
     let folder = job.folder.ok_or_else(|| Error::input("a restart needs the folder of its branch's file"))?;
     let file = folder.join(&restart.file);
-    let own = |scene: &Scene, name: &str| {
-        Ok::<f64, Error>(Plain::ratio(&scene.parameters[scene.parameter(name)?].1, &()).0)
-    };
     let text = read_text(&file, LONGEST_INPUT)?;
-    let label = source.label(&text, &restart.label).map_err(|error| error.context(file.display()))?;
-    let mut others = Vec::new();
+    source.label(&text, &restart.label).map_err(|error| error.context(file.display()))
+}
+
+/// The scene's own value of a parameter.
+fn own(scene: &Scene, name: &str) -> Result<f64> {
+    Ok(Plain::ratio(&scene.parameters[scene.parameter(name)?].1, &()).0)
+}
+
+/// What a label has of parameters that do not vary, where these are not the scene's values.
+fn others<P>(label: &Label<P>, varied: &[&str], scene: &Scene) -> Result<Vec<FixedRow>> {
+    let mut found = Vec::new();
     for (name, &value) in label.names.iter().zip(&label.parameters) {
-        if !varied.contains(&name.as_str()) && own(&job.scene, name)? != value {
-            others.push(FixedRow { name: name.clone(), value });
+        if !varied.contains(&name.as_str()) && own(scene, name)? != value {
+            found.push(FixedRow { name: name.clone(), value });
         }
     }
-    Ok((label.over(varied, |name| own(&job.scene, name))?, others))
+    Ok(found)
 }
 
 /// The parameters that a task's first restart sets, for all of it: those that the branch before went along,
@@ -66,7 +67,7 @@ pub(super) fn fixed<E: Engine>(task: &BranchTask, job: &Job, engine: &E) -> Resu
     let Some(restart) = restart else { return Ok(Vec::new()) };
     let varied: Vec<&str> = [&task.parameter].into_iter().chain(&task.second).map(String::as_str).collect();
     let family = engine.family(&task.parameter)?;
-    Ok(read((restart, &varied), &engine.source(&family)?, job)?.1)
+    others(&read(restart, &engine.source(&family)?, job)?, &varied, &job.scene)
 }
 
 /// The point of a restart over the parameters of these names.
@@ -79,9 +80,9 @@ pub(super) fn restarted<S: OrbitSource>(
     source: &S,
     job: &Job,
 ) -> Result<Label<PatternOf<S::Orbit>>> {
-    let (label, others) = read((restart, varied), source, job)?;
-    match others.first() {
-        None => Ok(label),
+    let label = read(restart, source, job)?;
+    match others(&label, varied, &job.scene)?.first() {
+        None => label.over(varied, |name| own(&job.scene, name)),
         Some(FixedRow { name, value }) => {
             Err(Error::input(format!("the restart is at {name} = {value}, and the task is not")))
         }

@@ -65,7 +65,7 @@ pub struct Monitors(pub(crate) Vec<Monitor>);
 
 /// Values of monitors, each with the monitor's name.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Levels(pub(crate) Vec<(String, f64)>);
+pub struct Levels(pub Vec<(String, f64)>);
 
 impl Value for Monitors {
     fn shape() -> String {

@@ -96,7 +96,10 @@ fn write<O: JudgedOrbit>(
     let (mut curves, axes) = match &task.second {
         None => (all.iter().map(draw).collect::<Result<Vec<_>>>()?, [across.name.as_str(), axis]),
         Some(second) => {
-            let locus = |branch: &OrbitBranch<O>| locus(branch, &named(branch));
+            let kept = task.hold.0.first().map(|(name, value)| format!("{name} = {value}"));
+            let locus = |branch: &OrbitBranch<O>| {
+                locus(branch, kept.as_deref().unwrap_or(branch.name()), &named(branch))
+            };
             (
                 all.iter().map(locus).collect(),
                 [across.name.as_str(), up.as_ref().map_or(second, |up| &up.name)],
@@ -129,11 +132,11 @@ fn write<O: JudgedOrbit>(
     Ok(files)
 }
 
-/// A curve of bifurcations in the plane of both parameters.
-fn locus<O: FollowedOrbit>(branch: &OrbitBranch<O>, pattern: &str) -> figure::DrawnBranch {
+/// A curve of bifurcations, or of what is held, in the plane of both parameters.
+fn locus<O: FollowedOrbit>(branch: &OrbitBranch<O>, what: &str, pattern: &str) -> figure::DrawnBranch {
     let place = |point: &BranchPoint<O>| (point.parameters[0], point.parameters[1]);
     figure::DrawnBranch {
-        name: format!("{} of the impact pattern ({pattern})", branch.name()),
+        name: format!("{what} of the impact pattern ({pattern})"),
         at: branch.points.iter().map(|point| (place(point).0, place(point).1, Said::default())).collect(),
         labels: branch
             .points

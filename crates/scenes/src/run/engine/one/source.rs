@@ -116,7 +116,7 @@ impl<'a> OrbitSource for OscillatorSource<'a> {
         let seen = |t: f64| orbit.state(&oscillator, first + t).map(|state| vec![[state.q, state.u]]);
         Ok(Measures {
             period: TAU / orbit.rate,
-            impulses: Some(orbit.impacts().map(impulse).collect()),
+            impulses: orbit.impacts().map(impulse).collect(),
             extents: if is_far { extents(orbit, seen)? } else { Vec::new() },
         })
     }
