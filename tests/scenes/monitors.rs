@@ -1,5 +1,5 @@
-//! Monitors of branches, against closed formulas: a ball of mass m on a table that moves as a sin t, gravity
-//! 1. With one impact per period 2π it comes in with the relative speed V = 2π/(1 + r) where a cos t is
+//! Monitors of branches, against closed formulas: a ball of mass m and weight m on a table that moves as
+//! a sin t. With one impact per period 2π it comes in with the relative speed V = 2π/(1 + r) where a cos t is
 //! π(1 − r)/(1 + r), is pushed by 2πm, and rises from a sin t by π²/2.
 
 use std::{
