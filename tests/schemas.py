@@ -17,13 +17,13 @@ from jsonschema import Draft202012Validator
 from jsonschema.exceptions import best_match
 
 # Keys that a value may lack: rounded ends, what is only said of two dimensions, of measured forces, friction,
-# kinks and wear, of a machine's plane, and of more exponents than one.
+# kinks and wear, of a machine's plane, of more exponents than one, of monitors, and what a restart keeps.
 OPTIONAL = {
     "left_rounded", "right_rounded", "growth_plus", "growth_minus", "measured", "friction", "kinks", "wear", "plane",
-    "exponents",
+    "exponents", "monitors", "fixed",
 }
 # Objects whose keys are names of the user's or of the computation's own, not of the format.
-FREE = {"parameters", "effects", "detail"}
+FREE = {"parameters", "effects", "detail", "monitors"}
 # Not a value of any key.
 WRONG = {"neither": [{}]}
 # Entries of a list beyond these are like those before.

@@ -139,7 +139,7 @@ const FILES: [(&str, &str, &str); 2] = [
         "crates/scenes/src",
         "scene",
         "dual grammar expression dimension quantity format keys units restitution force law matrix measured walls system machine \
-         linear oscillator simulate tolerance orbits sections branches response rest validate chaos task scene values hidden normal \
+         linear oscillator simulate tolerance orbits sections monitors branches response rest validate chaos task scene values hidden normal \
          tolerated check wanted input upgrade family reference",
     ),
     (

@@ -429,8 +429,9 @@ fn a_flip_followed_in_two_parameters_agrees_with_the_formula_and_ends_at_the_res
     let events = Events {
         plane: &plane,
         itinerary: three.itinerary.clone(),
-        event: Bifurcation::Flip,
+        event: Some(Bifurcation::Flip),
         ranges: [(-0.05, 0.05), (4.7, 5.1)],
+        levels: &[],
     };
     let place = events.start(&flip.orbit.z, [flip.parameters[0], 4.9], &options).unwrap();
     let found = Branch::follow(&events, &place, Direction::Both, &options).unwrap();

@@ -54,7 +54,7 @@ fn curve(
 ) -> Branch {
     let plane = |[x, y]: [f64; 2]| Oscillator::new(scene.plain(&[(names[0], x), (names[1], y)])?, 1e-13);
     let plane = Plane::new(&plane, at).unwrap();
-    let events = Events { plane: &plane, itinerary: one_impact(1), event, ranges };
+    let events = Events { plane: &plane, itinerary: one_impact(1), event: Some(event), ranges, levels: &[] };
     let options = Options::default();
     let place = events.start(z, at, &options).unwrap();
     Branch::follow(&events, &place, Direction::Both, &options).unwrap()
@@ -388,8 +388,9 @@ fn pitchforks_of_symmetric_orbits_are_followed_in_two_parameters() {
     let events = |plane, itinerary| Events {
         plane,
         itinerary,
-        event: Bifurcation::Crossing,
+        event: Some(Bifurcation::Crossing),
         ranges: [(0.3, 4.0), (0.05, 0.2)],
+        levels: &[],
     };
     let options = Options::default();
     let (t, v, d) = (0.273_038_442_398_711_34, 1.428_129_548_930_853_5, 1.177_166_961_538_611);

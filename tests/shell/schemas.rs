@@ -16,7 +16,7 @@ use serde_json::Value;
 
 /// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a
 /// command of the list writes itself.
-const JSON: [&str; 53] = [
+const JSON: [&str; 55] = [
     "intervals 3..=5",
     "intervals 3..=5 --decimals 4",
     "intervals --pattern 3,5",
@@ -58,6 +58,7 @@ const JSON: [&str; 53] = [
     "run {root}/tests/data/ends.toml",
     "run {root}/tests/data/ends-machine.toml",
     "run {root}/tests/data/measured.toml",
+    "run {root}/tests/data/monitors.toml",
     "run {root}/examples/machines/belt.toml",
     "run seen.toml",
     "answer seen.toml",
@@ -70,6 +71,7 @@ const JSON: [&str; 53] = [
     "merge theorem2 -o merged",
     "@branch.json",
     "@machine-branch.json",
+    "@held.json",
 ];
 
 /// Formats that are not JSON: what is read, and what heads or names a file of another kind.

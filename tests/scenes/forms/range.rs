@@ -44,7 +44,7 @@ fn events(
     Ok(told.collect())
 }
 
-fn parameter(row: &grazing_scenes::run::BranchRow) -> f64 {
+fn parameter(row: &grazing_scenes::run::MonitoredRow) -> f64 {
     row.parameters[0]
 }
 

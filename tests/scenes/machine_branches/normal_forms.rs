@@ -112,7 +112,7 @@ fn curve(
     z.extend([t, arrival]);
     let plane = Plane::new(&machine, at, None, None).unwrap();
     let pattern = Itinerary::new(vec![Strike { place: 0, periods: 1 }]).unwrap();
-    let events = Events { plane: &plane, itinerary: pattern, event, ranges };
+    let events = Events { plane: &plane, itinerary: pattern, event: Some(event), ranges, levels: &[] };
     let options = Options::default();
     let place = events.start(&z, at, &options).unwrap();
     Branch::follow(&events, &place, Direction::Both, &options).unwrap()

@@ -342,7 +342,7 @@ mod tests {
             let shown = |text: &str| text.replace('\n', "\\n").replace('\r', "\\r");
             let columns: Vec<Column> =
                 [("n", 4), ("left", 12), ("last", 0)].map(|(name, width)| Column::new(name, name, width)).into();
-            let names = columns.iter().map(|column| column.name);
+            let names = columns.iter().map(|column| &*column.name);
             let words = |cell: &Owned| match cell {
                 Owned::Int(value) => value.to_string(),
                 Owned::Fraction(x) => format!("{}/{}", x.numer(), x.denom()),

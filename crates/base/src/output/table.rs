@@ -1,6 +1,6 @@
 //! Tables of any length, written row by row in constant memory: what they consist of, their heads and ends.
 
-use std::io::Write;
+use std::{borrow::Cow, io::Write};
 
 use num_rational::Ratio;
 
@@ -39,9 +39,9 @@ impl TableFormat {
 #[derive(Debug, Clone)]
 pub struct Column {
     /// The name in CSV, JSON and plain tables.
-    pub(crate) name: &'static str,
+    pub(crate) name: Cow<'static, str>,
     /// The heading in LaTeX.
-    pub(crate) latex: &'static str,
+    pub(crate) latex: Cow<'static, str>,
     /// The least width in a plain table.
     pub(crate) width: usize,
     /// How it is set in LaTeX.
@@ -64,7 +64,17 @@ pub enum Print {
 impl Column {
     /// A column at least `width` characters wide.
     pub fn new(name: &'static str, latex: &'static str, width: usize) -> Self {
-        Column { name, latex, width: width.max(name.len()), print: Print::Right }
+        let (name, latex) = (Cow::Borrowed(name), Cow::Borrowed(latex));
+        Column { width: width.max(name.len()), name, latex, print: Print::Right }
+    }
+
+    /// A column with a name that the program does not know beforehand.
+    pub fn named(name: &str) -> Self {
+        Column {
+            name: Cow::Owned(name.to_string()),
+            latex: Cow::Owned(name.to_string()),
+            ..Column::new("", "", name.len())
+        }
     }
 
     /// The same column, set in LaTeX as `print` says.
@@ -148,7 +158,7 @@ impl<'a> TableWriter<'a> {
         columns: Vec<Column>,
         setting: Setting<'_>,
     ) -> Result<Self> {
-        let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
+        let names: Vec<&str> = columns.iter().map(|column| &*column.name).collect();
         let mut narrow = false;
         match format {
             TableFormat::Table => {
@@ -157,7 +167,7 @@ impl<'a> TableWriter<'a> {
                 let (omitted, shown): (Vec<&Column>, Vec<_>) =
                     columns.iter().partition(|column| narrow && column.print == Print::Omitted);
                 if !omitted.is_empty() {
-                    let names: Vec<&str> = omitted.iter().map(|column| column.name).collect();
+                    let names: Vec<&str> = omitted.iter().map(|column| &*column.name).collect();
                     say(format_args!(
                         "note: the terminal is too narrow for {}; --format csv and -o FILE have them",
                         names.join(", ")
@@ -175,7 +185,7 @@ impl<'a> TableWriter<'a> {
             TableFormat::Latex | TableFormat::LatexSiunitx => {
                 let (printed, omitted): (Vec<&Column>, Vec<_>) =
                     columns.iter().partition(|column| column.print != Print::Omitted);
-                let heads: Vec<&str> = printed.iter().map(|column| column.latex).collect();
+                let heads: Vec<&str> = printed.iter().map(|column| &*column.latex).collect();
                 let shape = printed.iter().map(|column| match column.print {
                     Print::Right | Print::Omitted => "r".into(),
                     Print::Left => "l".into(),
@@ -189,7 +199,7 @@ impl<'a> TableWriter<'a> {
                     "% {name}: \\input this file after \\usepackage{{amsmath,array,booktabs,longtable{siunitx}}}"
                 )?;
                 if !omitted.is_empty() {
-                    let names: Vec<&str> = omitted.iter().map(|column| column.name).collect();
+                    let names: Vec<&str> = omitted.iter().map(|column| &*column.name).collect();
                     writeln!(out, "% Columns that only CSV, JSON and Markdown have: {}", names.join(", "))?;
                 }
                 // Wide tables in smaller type, closer together, so that they fit a page of A4.

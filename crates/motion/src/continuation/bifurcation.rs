@@ -173,7 +173,7 @@ pub enum Degeneracy {
 
 impl Degeneracy {
     /// All, in the order of a curve's monitors.
-    pub(crate) const ALL: [Degeneracy; 19] = [
+    pub const ALL: [Degeneracy; 19] = [
         Degeneracy::Cusp,
         Degeneracy::GeneralisedFlip,
         Degeneracy::Chenciner,
@@ -196,7 +196,7 @@ impl Degeneracy {
     ];
 
     /// Its name in tables and labels.
-    pub(crate) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Degeneracy::Cusp => "cusp",
             Degeneracy::GeneralisedFlip => "generalised-flip",
@@ -222,11 +222,13 @@ impl Degeneracy {
 }
 
 /// What happens at a point of a branch, or of a curve of bifurcations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Singularity {
     /// A bifurcation; on a curve of bifurcations, a second one at the same point.
     Bifurcation(Bifurcation),
     /// A bifurcation of codimension two.
     Degeneracy(Degeneracy),
+    /// A function of this name takes a value.
+    Level(String),
 }

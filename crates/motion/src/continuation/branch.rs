@@ -26,6 +26,8 @@ pub struct BranchPoint<O> {
     pub event: Option<Bifurcation>,
     /// What of codimension two happens here, on a curve in two parameters.
     pub degeneracy: Option<Degeneracy>,
+    /// The function that takes a value here.
+    pub level: Option<String>,
     /// Its name, "flip 1" being the first flip in the branch's order.
     pub label: Option<String>,
     /// The branch's length from the start, negative on the backward side.
@@ -88,7 +90,10 @@ impl<F: PatternFamily + ?Sized> OrbitCurve for PatternCurve<'_, F> {
     }
 
     fn singularity(&self, event: usize) -> Singularity {
-        Singularity::Bifurcation(Bifurcation::ALL[event])
+        match event.checked_sub(Bifurcation::ALL.len()) {
+            Some(level) => Singularity::Level(self.levels[level].name.clone()),
+            None => Singularity::Bifurcation(Bifurcation::ALL[event]),
+        }
     }
 
     fn subject(&self) -> Option<Bifurcation> {
@@ -98,8 +103,9 @@ impl<F: PatternFamily + ?Sized> OrbitCurve for PatternCurve<'_, F> {
 
 impl<O> BranchPoint<O> {
     /// The name of what happens here.
-    pub fn kind(&self) -> Option<&'static str> {
-        self.event.map(Bifurcation::name).or(self.degeneracy.map(Degeneracy::name))
+    pub fn kind(&self) -> Option<&str> {
+        let known = self.event.map(Bifurcation::name).or(self.degeneracy.map(Degeneracy::name));
+        known.or(self.level.as_deref())
     }
 }
 
@@ -124,11 +130,13 @@ impl<O: FollowedOrbit> OrbitBranch<O> {
             let mut tangent = step.place.tangent.clone();
             let first = tangent.len() - units.len();
             tangent[first..].iter_mut().zip(&units).for_each(|(t, unit)| *t *= unit);
-            let (event, degeneracy) = match step.event.map(|monitor| curve.singularity(monitor)) {
-                Some(Singularity::Bifurcation(what)) => (Some(what), None),
-                Some(Singularity::Degeneracy(what)) => (None, Some(what)),
-                None => (None, None),
-            };
+            let (mut event, mut degeneracy, mut level) = (None, None, None);
+            match step.event.map(|monitor| curve.singularity(monitor)) {
+                Some(Singularity::Bifurcation(what)) => event = Some(what),
+                Some(Singularity::Degeneracy(what)) => degeneracy = Some(what),
+                Some(Singularity::Level(name)) => level = Some(name),
+                None => {}
+            }
             BranchPoint {
                 parameters: curve.parameters(&step.place.u),
                 orbit: step.view,
@@ -136,6 +144,7 @@ impl<O: FollowedOrbit> OrbitBranch<O> {
                 tangent,
                 event,
                 degeneracy,
+                level,
                 label: None,
                 length: sign * step.length,
             }
@@ -169,7 +178,7 @@ impl<O: FollowedOrbit> OrbitBranch<O> {
         let mut counts = std::collections::BTreeMap::new();
         for point in &mut branch.points {
             point.label = point.kind().map(|kind| {
-                let count = counts.entry(kind).and_modify(|count| *count += 1).or_insert(1);
+                let count = counts.entry(kind.to_string()).and_modify(|count| *count += 1).or_insert(1);
                 format!("{kind} {count}")
             });
         }

@@ -4,6 +4,7 @@ use super::{
     Bifurcation, crossing,
     curve::{Corrector, Curve, CurvePoint, Equations, difference, dot, largest},
     follow::{Followed, Settled},
+    level::Level,
     problem::{FollowedOrbit, PatternFamily, PatternOf, monitors},
 };
 use crate::{
@@ -24,6 +25,8 @@ pub struct PatternCurve<'a, F: PatternFamily + ?Sized> {
     unit: f64,
     /// Bounds of the last unknown.
     bounds: (f64, f64),
+    /// What is told along it beside bifurcations.
+    pub(super) levels: &'a [Level<'a, F::Orbit>],
 }
 
 impl<F: PatternFamily + ?Sized> Clone for PatternCurve<'_, F> {
@@ -35,7 +38,13 @@ impl<F: PatternFamily + ?Sized> Clone for PatternCurve<'_, F> {
 impl<'a, F: PatternFamily + ?Sized> PatternCurve<'a, F> {
     /// The orbits of a pattern over a range of the parameter, whose length is the parameter's unit.
     pub fn over(family: &'a F, itinerary: PatternOf<F::Orbit>, (low, high): (f64, f64)) -> Self {
-        PatternCurve { family, itinerary, origin: low, unit: high - low, bounds: (0.0, 1.0) }
+        PatternCurve { family, itinerary, origin: low, unit: high - low, bounds: (0.0, 1.0), levels: &[] }
+    }
+
+    /// The same, with labels where functions take values.
+    #[must_use]
+    pub fn telling(self, levels: &'a [Level<'a, F::Orbit>]) -> Self {
+        PatternCurve { levels, ..self }
     }
 
     /// The orbits of a pattern up to `reach` away from a parameter value: lengths are those of times, speeds
@@ -47,7 +56,8 @@ impl<'a, F: PatternFamily + ?Sized> PatternCurve<'a, F> {
         unit: f64,
         reach: f64,
     ) -> Self {
-        PatternCurve { family, itinerary, origin: centre, unit, bounds: (-reach / unit, reach / unit) }
+        let bounds = (-reach / unit, reach / unit);
+        PatternCurve { family, itinerary, origin: centre, unit, bounds, levels: &[] }
     }
 
     /// The same with another pattern.
@@ -103,12 +113,15 @@ impl<F: PatternFamily + ?Sized> Followed for PatternCurve<'_, F> {
     }
 
     fn monitors(&self, place: &CurvePoint, orbit: &F::Orbit) -> Vec<Option<f64>> {
-        monitors(orbit, place.tangent.last().copied())
+        let parameter = self.parameter(&place.u);
+        let mut all: Vec<_> = self.levels.iter().map(|level| level.off(orbit, &[parameter])).collect();
+        all.extend(monitors(orbit, place.tangent.last().copied()));
+        all
     }
 
     /// Where the branch turns back the tangent alone tells.
     fn monitor(&self, which: usize, place: &CurvePoint) -> Result<Option<f64>> {
-        if which == Bifurcation::SaddleNode as usize {
+        if which == self.levels.len() + Bifurcation::SaddleNode as usize {
             return Ok(place.tangent.last().copied());
         }
         Ok(self.monitors(place, &self.view(place)?)[which])
@@ -156,6 +169,10 @@ impl<F: PatternFamily + ?Sized> Followed for PatternCurve<'_, F> {
         mut place: CurvePoint,
         mut orbit: F::Orbit,
     ) -> Result<Settled<F::Orbit>> {
+        let Some(monitor) = monitor.checked_sub(self.levels.len()) else {
+            let is_at = self.levels[monitor].is_at(&orbit, &[self.parameter(&place.u)]);
+            return Ok(is_at.then_some((Bifurcation::ALL.len() + monitor, place, orbit)));
+        };
         let impacts = self.itinerary.strikes().len();
         let mut what = Bifurcation::of(monitor, impacts);
         if matches!(what, Bifurcation::SaddleNode | Bifurcation::Crossing) {

@@ -1,5 +1,5 @@
 //! An event followed in two parameters: the pattern equations with one more, that the event's function is
-//! zero.
+//! zero, or another function of the orbits at its value.
 
 use super::{
     Bifurcation, Degeneracy, OrbitCurve, Singularity,
@@ -7,6 +7,7 @@ use super::{
     crossing::DIFFERENCE,
     curve::{Curve, CurvePoint, Equations},
     follow::{Followed, Settled},
+    level::Level,
     orbits::changes_sign,
     problem::{FollowedOrbit, PatternOf, PatternPlane, monitors},
 };
@@ -15,20 +16,27 @@ use crate::{
     error::{Error, Result},
 };
 
-/// The orbits of a pattern at which one event happens: the unknowns are those of the pattern and both
-/// parameters as fractions of their ranges.
+/// The orbits of a pattern at which one event happens, or a function has a value: the unknowns are those of
+/// the pattern and both parameters as fractions of their ranges.
 pub struct EventCurve<'a, P: PatternPlane + ?Sized> {
     /// The systems.
     pub plane: &'a P,
     /// The pattern.
     pub itinerary: PatternOf<P::Orbit>,
-    /// What happens.
-    pub event: Bifurcation,
+    /// What happens all along; none where the first of `levels` keeps its value.
+    pub event: Option<Bifurcation>,
     /// The bounds of both parameters.
     pub ranges: [(f64, f64); 2],
+    /// What is told along it beside bifurcations.
+    pub levels: &'a [Level<'a, P::Orbit>],
 }
 
-impl<P: PatternPlane + ?Sized> EventCurve<'_, P> {
+impl<'a, P: PatternPlane + ?Sized> EventCurve<'a, P> {
+    /// What is told along it.
+    fn told(&self) -> &'a [Level<'a, P::Orbit>] {
+        &self.levels[usize::from(self.event.is_none())..]
+    }
+
     fn split<'u>(&self, u: &'u [f64]) -> (&'u [f64], [f64; 2]) {
         let (z, last) = u.split_at(u.len() - 2);
         (z, [0, 1].map(|i| self.ranges[i].0 + last[i] * (self.ranges[i].1 - self.ranges[i].0)))
@@ -110,20 +118,23 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
     /// What makes a point one of codimension two, then the other bifurcations: points where two happen at
     /// once.
     fn monitors(&self, place: &CurvePoint, orbit: &P::Orbit) -> Vec<Option<f64>> {
-        let mut all = self.degeneracies(place, orbit);
+        let parameters = self.split(&place.u).1;
+        let mut all: Vec<_> = self.told().iter().map(|level| level.off(orbit, &parameters)).collect();
+        all.extend(self.degeneracies(place, orbit));
         let mut others = monitors(orbit, None);
         match self.event {
-            Bifurcation::Fade => others.truncate(Bifurcation::Fade as usize),
-            event => others[event as usize] = None,
+            Some(Bifurcation::Fade) => others.truncate(Bifurcation::Fade as usize),
+            Some(event) => others[event as usize] = None,
+            None => {}
         }
         // Where a multiplier is on the circle all along, these are zero but for rounding; where two of these
         // meet is a resonance, or a fold-flip point, which have names of their own.
         let of = |monitor: usize| Bifurcation::of(monitor, self.itinerary.strikes().len());
         let mute: &[Bifurcation] = match self.event {
-            Bifurcation::SaddleNode | Bifurcation::Flip | Bifurcation::Torus => {
+            Some(Bifurcation::SaddleNode | Bifurcation::Flip | Bifurcation::Torus) => {
                 &[Bifurcation::SaddleNode, Bifurcation::Flip, Bifurcation::Torus]
             }
-            Bifurcation::Crossing => &[Bifurcation::SaddleNode, Bifurcation::Torus],
+            Some(Bifurcation::Crossing) => &[Bifurcation::SaddleNode, Bifurcation::Torus],
             _ => &[],
         };
         others
@@ -136,19 +147,26 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
     }
 
     fn leaps(&self, before: &P::Orbit, after: &P::Orbit) -> bool {
-        self.plane.leaps(self.event, before, after)
+        self.event.is_some_and(|event| self.plane.leaps(event, before, after))
     }
 
     /// A degeneracy's function changes sign at its zeros, and is certain beside them: where a direction of
     /// the normal form has no meaning, as at the ends of a curve, it is neither.
     fn settle(&self, monitor: usize, place: CurvePoint, orbit: P::Orbit) -> Result<Settled<P::Orbit>> {
+        let Some(monitor) = monitor.checked_sub(self.told().len()) else {
+            let is_at = self.told()[monitor].is_at(&orbit, &self.split(&place.u).1);
+            let number = Degeneracy::ALL.len() + Bifurcation::ALL.len() + monitor;
+            return Ok(is_at.then_some((number, place, orbit)));
+        };
         let Some(which) = monitor.checked_sub(Degeneracy::ALL.len()) else {
-            let genuine = self.plane.is_genuine(self.event, Degeneracy::ALL[monitor], &orbit)
+            let is = |event| self.plane.is_genuine(event, Degeneracy::ALL[monitor], &orbit);
+            let genuine = self.event.is_some_and(is)
                 && changes_sign(self, &place, |place| self.certain(monitor, place));
             return Ok(genuine.then_some((monitor, place, orbit)));
         };
         let what = Bifurcation::of(which, self.itinerary.strikes().len());
-        let genuine = self.event == Bifurcation::Fade || what == Bifurcation::Fade || what.is_at(&orbit);
+        let genuine =
+            self.event == Some(Bifurcation::Fade) || what == Bifurcation::Fade || what.is_at(&orbit);
         Ok(genuine.then_some((Degeneracy::ALL.len() + what as usize, place, orbit)))
     }
 
@@ -160,9 +178,9 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
     fn holds(&self, orbit: &P::Orbit) -> bool {
         let slowest = orbit.speeds().into_iter().fold(f64::INFINITY, f64::min);
         match self.event {
-            Bifurcation::Fade => slowest > -1e-9,
-            Bifurcation::Grazing => slowest > 0.0,
-            Bifurcation::Torus => orbit.is_orbit() && orbit.rotates(),
+            Some(Bifurcation::Fade) => slowest > -1e-9,
+            Some(Bifurcation::Grazing) => slowest > 0.0,
+            Some(Bifurcation::Torus) => orbit.is_orbit() && orbit.rotates(),
             _ => orbit.is_orbit(),
         }
     }
@@ -176,15 +194,22 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
 impl<P: PatternPlane + ?Sized> EventCurve<'_, P> {
     fn values(&self, u: &[f64]) -> Result<Vec<f64>> {
         let (z, parameters) = self.split(u);
-        self.plane.values(self.event, parameters, &self.itinerary, z)
+        let mut values = self.plane.values(self.event, parameters, &self.itinerary, z)?;
+        if let (None, Some(level)) = (self.event, self.levels.first()) {
+            let root = Root { z: z.to_vec(), residual: f64::NAN, steps: 0 };
+            let off = level.off(&self.plane.orbit(parameters, &self.itinerary, root)?, &parameters);
+            values.push(off.ok_or_else(|| Error::input(format!("{} has no value", level.name)))?);
+        }
+        Ok(values)
     }
 
     /// The function of a degeneracy at a point, if its sign is certain there.
     fn certain(&self, degeneracy: usize, place: &CurvePoint) -> Option<f64> {
         let orbit = self.view(place).ok()?;
         let (z, parameters) = self.split(&place.u);
+        let event = self.event?;
         let value = |z: &[f64], factors: &[f64]| {
-            let (event, orbit) = (self.event, orbit.moved(z));
+            let orbit = orbit.moved(z);
             self.plane.degeneracies(event, parameters, &place.tangent, &orbit, factors)[degeneracy]
         };
         let found = Estimate::of_map(z, |unknown| orbit.is_time(unknown), value)?;
@@ -192,7 +217,8 @@ impl<P: PatternPlane + ?Sized> EventCurve<'_, P> {
     }
 
     fn degeneracies(&self, place: &CurvePoint, orbit: &P::Orbit) -> Vec<Option<f64>> {
-        self.plane.degeneracies(self.event, self.split(&place.u).1, &place.tangent, orbit, &[])
+        let Some(event) = self.event else { return vec![None; Degeneracy::ALL.len()] };
+        self.plane.degeneracies(event, self.split(&place.u).1, &place.tangent, orbit, &[])
     }
 }
 
@@ -210,13 +236,16 @@ impl<P: PatternPlane + ?Sized> OrbitCurve for EventCurve<'_, P> {
     }
 
     fn singularity(&self, monitor: usize) -> Singularity {
-        match Degeneracy::ALL.get(monitor) {
-            Some(what) => Singularity::Degeneracy(*what),
-            None => Singularity::Bifurcation(Bifurcation::ALL[monitor - Degeneracy::ALL.len()]),
+        let Some(event) = monitor.checked_sub(Degeneracy::ALL.len()) else {
+            return Singularity::Degeneracy(Degeneracy::ALL[monitor]);
+        };
+        match event.checked_sub(Bifurcation::ALL.len()) {
+            Some(level) => Singularity::Level(self.told()[level].name.clone()),
+            None => Singularity::Bifurcation(Bifurcation::ALL[event]),
         }
     }
 
     fn subject(&self) -> Option<Bifurcation> {
-        Some(self.event)
+        self.event
     }
 }

@@ -167,20 +167,22 @@ pub trait PatternPlane {
         1.0
     }
 
-    /// The equations of a pattern and, last, the function that is zero at a bifurcation: smooth near its
-    /// zeros. Where branches cross the equations may be replaced by others that are regular there.
+    /// The equations of a pattern and, last, the function that is zero at a bifurcation, if one is asked for:
+    /// smooth near its zeros. Where branches cross the equations may be replaced by others that are regular
+    /// there.
     ///
     /// # Errors
     /// An input error where they are not defined.
     fn values(
         &self,
-        event: Bifurcation,
+        event: Option<Bifurcation>,
         parameters: [f64; 2],
         pattern: &PatternOf<Self::Orbit>,
         z: &[f64],
     ) -> Result<Vec<f64>>;
 
-    /// What there is to know of a root of the pattern's equations.
+    /// What there is to know of a root of the pattern's equations; of what is no root, its residual NaN, all
+    /// but whether it is an orbit.
     ///
     /// # Errors
     /// As [`values`](Self::values).

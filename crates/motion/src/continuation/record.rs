@@ -28,13 +28,15 @@ struct Struck {
     periods: u32,
 }
 
-/// A labelled point of a branch, as far as it is needed to go on from it.
+/// A point of a branch, as far as it is needed to go on from it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label<P> {
     /// The pattern.
     pub itinerary: P,
-    /// What happens there.
-    pub event: Bifurcation,
+    /// The bifurcation there, if its label is one of codimension one.
+    pub event: Option<Bifurcation>,
+    /// The names of the parameters of the branch.
+    pub names: Vec<String>,
     /// The parameter, or both.
     pub parameters: Vec<f64>,
     /// The unknowns of the pattern: radians, and what the file's lengths and speeds are in.
@@ -86,7 +88,26 @@ pub fn record_as<O: FollowedOrbit>(branch: &OrbitBranch<O>, parameters: &[&str],
     })
 }
 
-/// The point with a label in a branch written as JSON.
+impl<P> Label<P> {
+    /// The same over parameters of these names: those that the branch did not go along have the values that
+    /// `own` gives, and no part in its direction.
+    ///
+    /// # Errors
+    /// Those of `own`.
+    pub fn over(self, names: &[&str], own: impl Fn(&str) -> Result<f64>) -> Result<Self> {
+        let mut tangent = self.tangent[..self.z.len()].to_vec();
+        let mut parameters = Vec::new();
+        for name in names {
+            let place = self.names.iter().position(|known| known == name);
+            parameters.push(place.map_or_else(|| own(name), |place| Ok(self.parameters[place]))?);
+            tangent.push(place.map_or(0.0, |place| self.tangent[self.z.len() + place]));
+        }
+        let names = names.iter().map(ToString::to_string).collect();
+        Ok(Label { names, parameters, tangent, ..self })
+    }
+}
+
+/// The point with a label in a branch written as JSON; "row 7" is the seventh of all.
 ///
 /// # Errors
 /// An input error for text of another format, or a label that is not there, with those that are; a
@@ -95,6 +116,7 @@ pub fn read_label_as<P: Place>(text: &str, label: &str, form: RecordForm) -> Res
     #[derive(Deserialize)]
     struct File {
         format: String,
+        parameters: Vec<String>,
         pattern: Vec<Struck>,
         period: u32,
         points: Vec<Point>,
@@ -112,22 +134,30 @@ pub fn read_label_as<P: Place>(text: &str, label: &str, form: RecordForm) -> Res
         return Err(bad(&format_args!("its format is {:?}, not {:?}", file.format, form.format)));
     }
     let labels: Vec<&str> = file.points.iter().filter_map(|point| point.label.as_deref()).collect();
-    let point = file.points.iter().find(|point| point.label.as_deref() == Some(label)).ok_or_else(|| {
-        Error::input(format!("the branch has no label {label:?}; it has {}", labels.join(", ")))
+    let row = || file.points.get(label.strip_prefix("row ")?.parse::<usize>().ok()?.checked_sub(1)?);
+    let labelled = file.points.iter().find(|point| point.label.as_deref() == Some(label));
+    let point = labelled.or_else(row).ok_or_else(|| {
+        let (rows, labels) = (file.points.len(), labels.join(", "));
+        Error::input(format!("the branch has no label {label:?}; it has {labels}, row 1 to row {rows}"))
     })?;
-    let event = label.rsplit_once(' ').and_then(|(name, _)| Bifurcation::named(name));
+    let event = point.label.as_deref().and_then(|label| Bifurcation::named(label.rsplit_once(' ')?.0));
     let strike = |struck: &Struck| {
         let contact = form.contacts.iter().position(|known| *known == struck.wall);
         let contact = contact.ok_or_else(|| bad(&format_args!("it has a wall {:?}", struck.wall)))?;
         Ok(Strike { place: P::numbered(contact), periods: struck.periods })
     };
     let strikes = file.pattern.iter().map(strike).collect::<Result<Vec<_>>>()?;
-    if point.parameters.is_empty() || point.tangent.len() != point.unknowns.len() + point.parameters.len() {
+    let named = point.parameters.len() == file.parameters.len();
+    if !named
+        || point.parameters.is_empty()
+        || point.tangent.len() != point.unknowns.len() + point.parameters.len()
+    {
         return Err(bad(&"a point's unknowns, tangent and parameters do not fit"));
     }
     Ok(Label {
         itinerary: if strikes.is_empty() { Itinerary::free(file.period) } else { Itinerary::new(strikes) }?,
-        event: event.ok_or_else(|| bad(&format_args!("it has a label {label:?}")))?,
+        event,
+        names: file.parameters,
         parameters: point.parameters.clone(),
         z: point.unknowns.clone(),
         tangent: point.tangent.clone(),
@@ -164,13 +194,14 @@ impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
         };
         let u = self.unknowns(&own(&label.z), label.parameters[0]);
         let gone = |error: Error| {
-            error.context(format!("the {} is not on this branch; has the scene changed?", label.event.name()))
+            let what = label.event.map_or("point", Bifurcation::name);
+            error.context(format!("the {what} is not on this branch; has the scene changed?"))
         };
         let mut tangent = own(&label.tangent);
-        if label.event != Bifurcation::Crossing {
+        if label.event != Some(Bifurcation::Crossing) {
             let place = self.place(&u, options).map_err(gone)?;
             // Where a branch turns back no way is that of larger parameters: it is followed as it was.
-            let turned = label.event == Bifurcation::SaddleNode
+            let turned = label.event == Some(Bifurcation::SaddleNode)
                 && dot(&place.tangent[..count], &tangent[..count]) < 0.0;
             return Ok(if turned { place.reversed() } else { place });
         }

@@ -74,6 +74,11 @@ impl Common {
     }
 }
 
+/// The minimum depth of the simulator that tells orbits of a machine from other solutions.
+pub(super) fn depth_of(machine: &Machine<f64>, depth: Option<f64>) -> Result<f64> {
+    Ok(Common::new(machine, depth, None)?.depth)
+}
+
 fn is_time(machine_size: usize, unknown: usize) -> bool {
     unknown >= 2 * machine_size && unknown.is_multiple_of(2)
 }
@@ -361,7 +366,7 @@ impl PatternPlane for Plane<'_> {
 
     fn values(
         &self,
-        event: Bifurcation,
+        event: Option<Bifurcation>,
         parameters: [f64; 2],
         pattern: &Itinerary,
         z: &[f64],
@@ -373,6 +378,7 @@ impl PatternPlane for Plane<'_> {
         let speeds = || z[2 * self.size..].iter().skip(1).step_by(2);
         let scale: f64 = speeds().product();
         let multipliers = || multipliers(&equations, z);
+        let Some(event) = event else { return Ok(values) };
         values.push(match event {
             Bifurcation::SaddleNode => product(&multipliers()?, -1.0) * scale,
             Bifurcation::Flip => product(&multipliers()?, 1.0) * scale,

@@ -69,6 +69,7 @@ pub mod flow;
 mod friction;
 pub mod grazing;
 mod lean;
+pub mod measure;
 mod model;
 mod modes;
 pub mod normal_form;

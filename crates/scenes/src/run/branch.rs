@@ -1,25 +1,32 @@
 //! Tasks of kind `branch`: continuation of periodic orbits over a parameter, and of their bifurcations over
 //! two.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::{
     Analysed, CertificateFile, Finding, Job, Lines, PieceProofs, Status,
     engine::{AnalysedEvent, Branches, Engine, OrbitSource, by_engine},
-    pieces, row,
+    monitors::{MonitoredRow, Watch},
+    pieces,
+    restart::{FixedRow, exact, fixed, no_event, restarted},
+    row,
 };
 use crate::{
     attractor::detection::Detection,
     continuation::{
-        Bifurcation, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Label, Options,
-        OrbitBranch, PatternCurve, PatternOf, PatternPlane,
+        Bifurcation, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Level, Options,
+        OrbitBranch, PatternCurve, PatternPlane,
     },
-    error::{Error, Result},
+    error::Result,
     many,
     number::{Plain, Real},
     one,
-    output::{LONGEST_INPUT, read_text},
-    scene::branches::{BranchOrigin, BranchStart, BranchTask, Restart, Way},
+    scene::{
+        Scene,
+        branches::{BranchOrigin, BranchStart, BranchTask, Way},
+    },
 };
 
 row! {
@@ -101,20 +108,36 @@ impl From<Vec<OrbitBranch<many::orbit::Orbit>>> for FoundBranches {
 pub struct BranchFindings {
     /// The parameter, or both.
     pub varied: Vec<String>,
+    /// Other parameters that have not the scene's values, but those of the point that it starts at.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub fixed: Vec<FixedRow>,
     /// How many points all branches have.
     pub points: usize,
     /// What became of every start.
     pub starts: Vec<StartRow>,
     /// The labelled points.
-    pub labels: Vec<BranchRow>,
+    pub labels: Vec<MonitoredRow>,
     /// What is proved of them; null if that was not asked for.
     pub proofs: Option<PieceProofs>,
     /// Every point. Not in JSON: it is the task's CSV file.
     #[serde(skip)]
-    pub rows: Vec<BranchRow>,
+    pub rows: Vec<MonitoredRow>,
+    /// Monitors without a value somewhere, and why at first. Not in JSON: warnings are.
+    #[serde(skip)]
+    pub empty: BTreeMap<String, String>,
     /// The branches. Not in JSON: each has a file.
     #[serde(skip)]
     pub branches: FoundBranches,
+}
+
+impl BranchFindings {
+    /// The scene with the values that other parameters have here.
+    ///
+    /// # Errors
+    /// Those of [`Scene::with`].
+    pub fn scene(&self, scene: &Scene) -> Result<Scene> {
+        scene.with(&exact(&self.fixed))
+    }
 }
 
 impl Finding for BranchFindings {
@@ -136,12 +159,24 @@ impl Finding for BranchFindings {
         broken.map_or_else(proved, Status::undecided)
     }
 
+    fn warnings(&self) -> Vec<String> {
+        let told = |(name, why): (&String, &String)| {
+            format!(
+                "monitor {name} has no value at some points, where its cells are empty: at the first {why}"
+            )
+        };
+        self.empty.iter().map(told).collect()
+    }
+
     fn lines(&self, lines: &mut Lines) {
+        if !self.fixed.is_empty() {
+            lines.table("fixed", &self.fixed);
+        }
         lines.say("points", self.points);
         lines.table("starts", &self.starts);
         lines.table("labels", &self.labels);
         for kind in Bifurcation::ALL {
-            let is_one = |row: &BranchRow| {
+            let is_one = |row: &MonitoredRow| {
                 let name = row.label.as_ref().and_then(|label| label.rsplit_once(' '));
                 name.is_some_and(|(name, _)| name == kind.name())
             };
@@ -164,7 +199,13 @@ impl Finding for BranchFindings {
 /// # Errors
 /// A start outside the range, a file that cannot be read or has no such label; an interruption.
 pub(crate) fn branch(task: &BranchTask, job: &Job) -> Result<BranchFindings> {
-    by_engine!(job, engine => of(task, job, &engine))
+    let fixed = by_engine!(job, engine => fixed(task, job, &engine))?;
+    if fixed.is_empty() {
+        return by_engine!(job, engine => of(task, job, &engine));
+    }
+    let there = job.with(&exact(&fixed))?;
+    let found = by_engine!(&there, engine => of(task, &there, &engine))?;
+    Ok(BranchFindings { fixed, ..found })
 }
 
 fn of<E: Engine>(task: &BranchTask, job: &Job, engine: &E) -> Result<BranchFindings>
@@ -173,11 +214,14 @@ where
 {
     let family = engine.family(&task.parameter)?;
     let source = engine.source(&family)?;
+    let watch = Watch::new(task, &source, &job.scene)?;
+    let levels = watch.levels(task.levels.0.iter());
     let (branches, starts) = match &task.second {
         Some(second) => source.loci(task, second)?,
         None => {
             let (range, way) = ((task.range[0], task.range[1]), direction(task.direction));
-            follow(&task.starts, &source, range, way, &task.options, job)?
+            let along = (task.parameter.as_str(), range);
+            follow(&task.starts, (&source, &levels), along, way, &task.options, job)?
         }
     };
     let (proofs, marks) = match task.prove {
@@ -186,16 +230,18 @@ where
         false => (None, Vec::new()),
     };
     let varied: Vec<String> = [&task.parameter].into_iter().chain(&task.second).cloned().collect();
-    let mut rows = Vec::new();
+    let (mut rows, mut empty) = (Vec::new(), BTreeMap::new());
     for (branch, number) in branches.iter().zip(1..) {
         for (point, place) in branch.points.iter().zip(0..) {
             let names = varied.iter().map(String::as_str);
             let at: Vec<(&str, f64)> = names.zip(point.parameters.iter().copied()).collect();
             let AnalysedEvent { orbit, form, .. } = source.analysed(&point.orbit, &at, point.event)?;
-            // Over two parameters every label is of codimension two.
-            let form = form.or_else(|| point.kind().map(|_| Err(CODIMENSION_TWO)));
+            // Along a curve of bifurcations every other one is of codimension two.
+            let double = branch.subject.is_some() && point.level.is_none();
+            let form = form.or_else(|| point.kind().filter(|_| double).map(|_| Err(CODIMENSION_TWO)));
             let (coefficient, criticality) = AnalysedEvent::form(form);
-            rows.push(BranchRow {
+            let monitors = watch.row(&point.orbit, &point.parameters, &mut empty);
+            let row = BranchRow {
                 orbit,
                 branch: number,
                 label: point.label.clone(),
@@ -204,16 +250,19 @@ where
                 criticality,
                 length: point.length,
                 certificate: marks.get(number - 1).and_then(|marks| marks[place].clone()),
-            });
+            };
+            rows.push(MonitoredRow { row, monitors });
         }
     }
     Ok(BranchFindings {
         varied,
+        fixed: Vec::new(),
         points: rows.len(),
         starts,
         labels: rows.iter().filter(|row| row.label.is_some()).cloned().collect(),
         proofs,
         rows,
+        empty,
         branches: branches.into(),
     })
 }
@@ -235,8 +284,8 @@ pub(super) fn settled(phase: f64) -> Detection {
 /// starts none.
 pub fn follow<S: OrbitSource>(
     starts: &[BranchStart],
-    source: &S,
-    range: (f64, f64),
+    (source, levels): (&S, &[Level<S::Orbit>]),
+    (parameter, range): (&str, (f64, f64)),
     direction: Direction,
     options: &Options,
     job: &Job,
@@ -246,13 +295,14 @@ pub fn follow<S: OrbitSource>(
     job.monitor.begin(starts.len() as u64, "starts");
     for (start, number) in starts.iter().zip(1..) {
         if let BranchOrigin::Restart(restart) = start.origin()? {
-            let label = label(restart, source, job)?;
-            let orbits = PatternCurve::over(source.family(), label.itinerary.clone(), range);
+            let label = restarted(restart, &[parameter], source, job)?;
+            let orbits = PatternCurve::over(source.family(), label.itinerary.clone(), range).telling(levels);
             let place = orbits.restart(&label, &options)?;
             let branch = if restart.switch {
-                let (born, place) = orbits.switch(label.event, &place)?;
+                let event = label.event.ok_or_else(|| no_event(restart))?;
+                let (born, place) = orbits.switch(event, &place)?;
                 // Against the tangent are the same orbits, a period later.
-                let direction = if label.event == Bifurcation::Flip { Direction::Forward } else { direction };
+                let direction = if event == Bifurcation::Flip { Direction::Forward } else { direction };
                 OrbitBranch::follow(&born, &place, direction, &options)?
             } else {
                 OrbitBranch::follow(&orbits, &place, direction, &options)?
@@ -286,7 +336,8 @@ pub fn follow<S: OrbitSource>(
                             });
                             continue;
                         }
-                        let orbits = PatternCurve::over(source.family(), orbit.pattern().clone(), range);
+                        let pattern_of = orbit.pattern().clone();
+                        let orbits = PatternCurve::over(source.family(), pattern_of, range).telling(levels);
                         let place = orbits.start_at(&orbit, at, &options)?;
                         let branch = OrbitBranch::follow(&orbits, &place, direction, &options)?;
                         rows.push(StartRow::of(number, found.len() + 1, &branch, pattern));
@@ -313,19 +364,11 @@ impl StartRow {
     }
 }
 
-fn label<S: OrbitSource>(restart: &Restart, source: &S, job: &Job) -> Result<Label<PatternOf<S::Orbit>>> {
-    let folder = job.folder.ok_or_else(|| Error::input("a restart needs the folder of its branch's file"))?;
-    let file = folder.join(&restart.file);
-    let text = read_text(&file, LONGEST_INPUT)?;
-    source.label(&text, &restart.label).map_err(|error| error.context(file.display()))
-}
-
-/// The labels of the restarts, followed in two parameters, `value` being the scene's own of the second.
+/// The labels of the restarts, followed in two parameters.
 pub(super) fn events<S, P>(
     task: &BranchTask,
-    source: &S,
-    plane: &P,
-    value: f64,
+    second: &str,
+    (source, plane): (&S, &P),
     job: &Job,
 ) -> Result<Branches<P::Orbit>>
 where
@@ -333,14 +376,21 @@ where
     P: PatternPlane<Orbit = S::Orbit> + ?Sized,
 {
     let options = task.options.checked()?;
+    let watch = Watch::new(task, source, &job.scene)?;
+    let levels = watch.levels(task.hold.0.iter().chain(&task.levels.0));
     let (mut found, mut rows) = (Vec::new(), Vec::new());
     for (start, number) in task.starts.iter().zip(1..) {
         job.check()?;
         let BranchOrigin::Restart(restart) = start.origin()? else { continue };
-        let label = label(restart, source, job)?;
+        let label = restarted(restart, &[&task.parameter, second], source, job)?;
         let ranges = [(task.range[0], task.range[1]), (task.second_range[0], task.second_range[1])];
-        let parameters = [label.parameters[0], *label.parameters.get(1).unwrap_or(&value)];
-        let events = EventCurve { plane, itinerary: label.itinerary.clone(), event: label.event, ranges };
+        let parameters = [label.parameters[0], label.parameters[1]];
+        let event = match &task.hold.0[..] {
+            [] => Some(label.event.ok_or_else(|| no_event(restart))?),
+            _ => None,
+        };
+        let (itinerary, levels) = (label.itinerary.clone(), &levels[..]);
+        let events = EventCurve { plane, itinerary, event, ranges, levels };
         let place = events.start(&label.z, parameters, &options)?;
         let branch = OrbitBranch::follow(&events, &place, direction(task.direction), &options)?;
         rows.push(StartRow::of(number, found.len() + 1, &branch, source.named(&branch.itinerary)));

@@ -178,7 +178,7 @@ pub(crate) use row;
 /// What is printed as columns.
 pub trait Tabular {
     /// The names of the columns.
-    fn columns(&self) -> Vec<&'static str>;
+    fn columns(&self) -> Vec<&str>;
 
     /// One text for each column, row by row: floats with so many significant digits, or with all that tell
     /// them from others.
@@ -186,7 +186,7 @@ pub trait Tabular {
 }
 
 impl<R: Row> Tabular for Vec<R> {
-    fn columns(&self) -> Vec<&'static str> {
+    fn columns(&self) -> Vec<&str> {
         R::fields()
     }
 

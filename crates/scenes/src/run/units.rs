@@ -95,6 +95,10 @@ pub struct ColumnUnit {
 /// What the columns of a task's report are in; nothing of a scene without units.
 pub(super) fn columns(scene: &Scene, kind: &Kind) -> Vec<ColumnUnit> {
     let of = |what: What, column: &'static str| {
+        // A monitor may be called like another column.
+        if matches!(kind, Kind::BranchTask(task) if task.monitors.0.iter().any(|one| one.name == column)) {
+            return None;
+        }
         let written = match what {
             Parameter => kind.parameter().and_then(|name| scene.unit(name)),
             Second => kind.second().and_then(|name| scene.unit(name)),

@@ -4,6 +4,7 @@ use num_rational::BigRational;
 
 use super::{
     keys::{keys, read_into, words},
+    monitors::{Levels, Monitors},
     orbits::OrbitKeys,
     sections::Frame,
     simulate::Start,
@@ -58,11 +59,11 @@ impl BranchStart {
 }
 
 keys! {
-    /// A labelled point of a branch that was written before.
+    /// A point of a branch that was written before, along any parameter.
     pub struct Restart {
         /// its JSON file, in this task's folder
         file: String,
-        /// such as "flip 1"
+        /// such as "flip 1"; "row 7" is the seventh of the file's points
         label: String,
         /// change to the branch born there (flip), or crossing
         switch: bool = "false",
@@ -97,6 +98,12 @@ keys! {
         second: Option<String>,
         /// its bounds
         second_range: Vec<f64> = "[]",
+        /// [functions of an orbit](branches.md#monitors), as `{ power = "impulse*speed/period" }`
+        monitors: Monitors = "{}",
+        /// values at which they are labelled, as `{ power = [0.2, 0.3] }`
+        levels: Levels = "{}",
+        /// over two parameters, the value that one keeps in place of an event
+        hold: Levels = "{}",
         /// how branches are followed
         options: Options = "{}",
         /// prove each piece between saddle-nodes, with certificates; one parameter, engine `one`

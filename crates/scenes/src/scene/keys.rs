@@ -218,6 +218,13 @@ impl<'a> Entry<'a> {
         }))
     }
 
+    /// The keys of this table with their values, in the order of the file.
+    pub(crate) fn named(&self) -> Result<Vec<(String, Entry<'a>)>> {
+        let names: Vec<String> = self.table()?.iter().map(|(name, _)| name.to_string()).collect();
+        let one = |name: String| Ok(self.get(&name)?.map(|entry| (name, entry)));
+        names.into_iter().filter_map(|name| one(name).transpose()).collect()
+    }
+
     /// The text of a file of at most so many bytes that is named from the scene's folder, and its path.
     pub(crate) fn beside(&self, name: &str, most: u64) -> Result<(PathBuf, String)> {
         let file = Path::new(self.scope.source.name).parent().unwrap_or(Path::new("")).join(name);

@@ -31,6 +31,7 @@ mod linear;
 mod machine;
 mod matrix;
 mod measured;
+pub(crate) mod monitors;
 mod normal;
 pub mod orbits;
 mod oscillator;

@@ -211,6 +211,15 @@ impl Scene {
         self.mass.as_ref().map_or(Ok(1.0), |mass| self.number(mass))
     }
 
+    /// The same with other values of some parameters.
+    ///
+    /// # Errors
+    /// As [`mass`](Self::mass).
+    pub(crate) fn mass_at(&self, changes: &[(&str, f64)]) -> Result<f64> {
+        let exact = |(name, value): &(&str, f64)| Some((name.to_string(), BigRational::from_float(*value)?));
+        self.alone(&changes.iter().filter_map(exact).collect::<Vec<_>>())?.mass()
+    }
+
     /// A text of the oscillator: its parameters with their values, and its equation and walls as expressions
     /// in them, without the spaces in them. Scenes with the same text have the same motions; titles, tasks,
     /// comments and the order of keys do not matter.

@@ -71,6 +71,9 @@ fn of_task(path: &str) -> Wanted {
     if ["set.", "tolerance.", "cell."].iter().any(|table| path.starts_with(table)) {
         return Parameter("");
     }
+    if ["monitors.", "levels.", "hold."].iter().any(|table| path.starts_with(table)) {
+        return Anything;
+    }
     match path {
         "range" | "values" | "bracket" | "from" | "to" | "margins" | "starts.at" => Parameter("parameter"),
         "branches.at" => Parameter("parameter"),

@@ -249,7 +249,8 @@ pub(super) fn check_stops(pattern: &Itinerary, contacts: &Contacts) -> Result<()
     Ok(())
 }
 
-/// What there is to know of a root of the equations, with lengths and speeds in units of `scale`.
+/// What there is to know of a root of the equations, with lengths and speeds in units of `scale`; of what is
+/// no root, its residual NaN, without asking whether it is an orbit.
 ///
 /// # Errors
 /// Legs that do not follow one another; multipliers that are not found.
@@ -277,7 +278,10 @@ pub(super) fn describe(simulator: &Simulator, pattern: &Itinerary, scale: f64, r
         residual,
         steps,
         multipliers,
-        admissibility: equations.admissibility(&z, simulator)?,
+        admissibility: match residual.is_nan() {
+            true => Admissibility::Admissible,
+            false => equations.admissibility(&z, simulator)?,
+        },
         least,
         touches,
         held: held(&parts).first().copied(),

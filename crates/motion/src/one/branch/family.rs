@@ -255,7 +255,7 @@ impl PatternPlane for Plane<'_> {
 
     fn values(
         &self,
-        event: Bifurcation,
+        event: Option<Bifurcation>,
         parameters: [f64; 2],
         pattern: &Itinerary,
         z: &[f64],
@@ -264,7 +264,7 @@ impl PatternPlane for Plane<'_> {
         let z = &self.units.natural(pattern, u)[..];
         let mut values = linearise(&oscillator, pattern, z)?.residual;
         values.iter_mut().for_each(|x| *x /= unit);
-        if event == Bifurcation::Crossing {
+        if event == Some(Bifurcation::Crossing) {
             symmetric(&oscillator, pattern, u, &mut values)?;
         }
         let unknowns = Unknowns::new(pattern, u)?;
@@ -274,6 +274,7 @@ impl PatternPlane for Plane<'_> {
             let matrix = monodromy(&oscillator, pattern, z)?;
             Multipliers::new(&matrix, &oscillator, pattern, z)
         };
+        let Some(event) = event else { return Ok(values) };
         values.push(match event {
             Bifurcation::SaddleNode | Bifurcation::Crossing => multipliers()?.fold() * scale,
             Bifurcation::Flip => multipliers()?.flip() * scale,

@@ -18,7 +18,7 @@ use num_rational::BigRational;
 use serde::{Serialize, de::DeserializeOwned};
 
 use super::{
-    Analysed, GrazingMap, Job, Judgement, Keeper, ProofRow, SectionFindings, SimulationFindings,
+    Analysed, GrazingMap, Job, Judgement, Keeper, Measures, ProofRow, SectionFindings, SimulationFindings,
     StartNumbers, ValidateFindings,
     range::{SideRange, WantedProofs},
     rest::RestsHere,
@@ -458,6 +458,13 @@ pub trait OrbitSource {
         at: &[(&str, f64)],
         event: Option<Bifurcation>,
     ) -> Result<AnalysedEvent>;
+
+    /// What monitors ask of an orbit at these values of parameters, with the extents of coordinates if asked
+    /// for.
+    ///
+    /// # Errors
+    /// Where the family is not defined, or the orbit cannot be followed.
+    fn measure(&self, orbit: &Self::Orbit, at: &[(&str, f64)], is_far: bool) -> Result<Measures>;
 
     /// Pattern and speeds of an orbit at the scene's own value.
     fn named_with_speeds(&self, orbit: &Self::Orbit) -> (String, Vec<f64>);

@@ -21,6 +21,7 @@ use crate::{
         task::Kind,
         validate::ValidateTask,
     },
+    source::hint,
 };
 
 /// The highest harmonic of forces at rest that is told of formulas.
@@ -311,6 +312,18 @@ impl Checked<'_> {
                     "must be another parameter, and every start a restart at the label of what is followed",
                 );
             }
+        }
+        let names: Vec<&str> = task.monitors.0.iter().map(|monitor| monitor.name.as_str()).collect();
+        let held = task.hold.0.iter().map(|held| ("hold", &held.0));
+        for (key, name) in task.levels.0.iter().map(|level| ("levels", &level.0)).chain(held) {
+            if !names.contains(&name.as_str()) {
+                let hint = hint(name, names.iter().copied());
+                return self.fail(key, &format!("there is no monitor {name:?} in the task; {hint}"));
+            }
+        }
+        if !task.hold.0.is_empty() && (task.second.is_none() || task.hold.0.len() > 1) {
+            return self
+                .fail("hold", "holds one monitor at one value while two parameters move: give `second`");
         }
         if task.prove {
             if task.second.is_some() {

@@ -13,31 +13,32 @@ use crate::{
         orbit::{Family, Orbit, Oscillator},
     },
     run::{BranchFindings, BranchRow, FoundBranches, JudgedOrbit, form},
-    scene::{Frame, MachineSceneFamily, SceneFamily, branches::BranchTask, phase},
+    scene::{Frame, MachineSceneFamily, Scene, SceneFamily, branches::BranchTask, phase},
 };
 
 pub(super) fn keep(found: &BranchFindings, task: &BranchTask, job: &Job) -> Result<Vec<String>> {
+    let scene = &found.scene(&job.scene)?;
     match &found.branches {
         FoundBranches::One(all) => {
-            let family = SceneFamily::new(&job.scene, &task.parameter)?;
+            let family = SceneFamily::new(scene, &task.parameter)?;
             let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
             let draw = |branch: &Branch| drawing.curve(branch);
             let named = |branch: &Branch| branch.itinerary.to_string();
             write((found, all), task, job, (&record, &draw, &named), drawing.axis())
         }
-        FoundBranches::Many(all) => of_machine((found, all), task, job),
+        FoundBranches::Many(all) => of_machine((found, all), task, (job, scene)),
     }
 }
 
 fn of_machine(
     (found, all): (&BranchFindings, &[many::branch::Branch]),
     task: &BranchTask,
-    job: &Job,
+    (job, scene): (&Job, &Scene),
 ) -> Result<Vec<String>> {
-    let machine = job.scene.machine(&[])?;
+    let machine = scene.machine(&[])?;
     let stops: Vec<&str> = machine.stops.iter().map(|stop| stop.name.as_str()).collect();
-    let family = MachineSceneFamily::new(&job.scene, &task.parameter)?;
-    let patterns = Patterns::new(&family, family.value(), job.scene.machine_scene()?.minimum_depth)?;
+    let family = MachineSceneFamily::new(scene, &task.parameter)?;
+    let patterns = Patterns::new(&family, family.value(), scene.machine_scene()?.minimum_depth)?;
     // One stop for all branches: that of the first impact of the first that has one.
     let mut first = all.iter().filter_map(|branch| branch.itinerary.strikes().first());
     let stop = first.next().map_or(0, |strike| strike.place);
@@ -95,7 +96,10 @@ fn write<O: JudgedOrbit>(
     let (mut curves, axes) = match &task.second {
         None => (all.iter().map(draw).collect::<Result<Vec<_>>>()?, [across.name.as_str(), axis]),
         Some(second) => {
-            let locus = |branch: &OrbitBranch<O>| locus(branch, &named(branch));
+            let kept = task.hold.0.first().map(|(name, value)| format!("{name} = {value}"));
+            let locus = |branch: &OrbitBranch<O>| {
+                locus(branch, kept.as_deref().unwrap_or(branch.name()), &named(branch))
+            };
             (
                 all.iter().map(locus).collect(),
                 [across.name.as_str(), up.as_ref().map_or(second, |up| &up.name)],
@@ -128,11 +132,11 @@ fn write<O: JudgedOrbit>(
     Ok(files)
 }
 
-/// A curve of bifurcations in the plane of both parameters.
-fn locus<O: FollowedOrbit>(branch: &OrbitBranch<O>, pattern: &str) -> figure::DrawnBranch {
+/// A curve of bifurcations, or of what is held, in the plane of both parameters.
+fn locus<O: FollowedOrbit>(branch: &OrbitBranch<O>, what: &str, pattern: &str) -> figure::DrawnBranch {
     let place = |point: &BranchPoint<O>| (point.parameters[0], point.parameters[1]);
     figure::DrawnBranch {
-        name: format!("{} of the impact pattern ({pattern})", branch.name()),
+        name: format!("{what} of the impact pattern ({pattern})"),
         at: branch.points.iter().map(|point| (place(point).0, place(point).1, Said::default())).collect(),
         labels: branch
             .points

@@ -29,7 +29,14 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
     let range = task.bounds();
     let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
     let source = OscillatorSource::new(&family, job)?;
-    let (branches, _) = follow(&task.branches, &source, range, Direction::Both, &task.options, job)?;
+    let (branches, _) = follow(
+        &task.branches,
+        (&source, &[]),
+        (&task.parameter, range),
+        Direction::Both,
+        &task.options,
+        job,
+    )?;
     let mut curves = branches.iter().map(|branch| drawing.curve(branch)).collect::<Result<Vec<_>>>()?;
     let height = |value: f64| -> Result<Height> {
         let oscillator = drawing.family.at(value)?;
@@ -61,7 +68,14 @@ fn machine_curves(task: &DiagramTask, job: &Job) -> Result<Vec<figure::DrawnBran
     }
     let (machine, family) = (job.scene.machine(&[])?, MachineSceneFamily::new(&job.scene, &task.parameter)?);
     let source = MachineSource::new(&family, &machine, job)?;
-    let (branches, _) = follow(&task.branches, &source, task.bounds(), Direction::Both, &task.options, job)?;
+    let (branches, _) = follow(
+        &task.branches,
+        (&source, &[]),
+        (&task.parameter, task.bounds()),
+        Direction::Both,
+        &task.options,
+        job,
+    )?;
     let at = phase(&task.phase);
     let drawn = |point: &BranchPoint<Orbit>| {
         let parameter = point.parameters[0];

@@ -214,7 +214,7 @@ impl Job<'_> {
     fn csv<T: Tabular>(&self, rows: &T, end: &str) -> Result<String> {
         let file = format!("{}{end}", self.task.name);
         self.write(&file, |out| {
-            let columns = rows.columns().iter().map(|name| Column::new(name, name, 0)).collect();
+            let columns = rows.columns().into_iter().map(Column::named).collect();
             let mut table = TableWriter::new(out, TableFormat::Csv, "", columns)?;
             for cells in rows.cells(None) {
                 table.row(&cells.iter().map(|cell| TableCell::Text(cell)).collect::<Vec<_>>())?;

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::{
     super::{
         super::{
-            Job,
+            Job, Measures,
             branch::{events, settled},
         },
         AnalysedEvent, Branches, Grazed, OrbitSource,
@@ -20,6 +20,7 @@ use crate::{
         attracting::attracting,
         branch::{Patterns, Plane},
         grazing::own_reach,
+        measure::measure,
         normal_form::normal_form,
         orbit::{Itinerary, Orbit},
     },
@@ -132,6 +133,16 @@ impl<'a> OrbitSource for MachineSource<'a> {
         Ok(AnalysedEvent { orbit: analysed(orbit, &machine, event), form })
     }
 
+    fn measure(&self, orbit: &Orbit, at: &[(&str, f64)], is_far: bool) -> Result<Measures> {
+        let machine = match *at {
+            [(_, parameter)] => self.family.at(parameter)?.0,
+            _ => self.job.scene.machine(at)?,
+        };
+        let depth = self.job.scene.machine_scene()?.minimum_depth;
+        let (impulses, extents) = measure(&machine, depth, (orbit, is_far))?;
+        Ok(Measures { period: machine.period, impulses, extents })
+    }
+
     fn named_with_speeds(&self, orbit: &Orbit) -> (String, Vec<f64>) {
         (self.named(&orbit.itinerary), speeds(orbit, self.machine.rate()))
     }
@@ -157,7 +168,7 @@ impl<'a> OrbitSource for MachineSource<'a> {
         let value = MachineSceneFamily::new(&self.job.scene, second)?.value();
         let depth = self.job.scene.machine_scene()?.minimum_depth;
         let plane = Plane::new(&at, [self.value(), value], depth, self.family.tally())?;
-        events(task, self, &plane, value, self.job)
+        events(task, second, (self, &plane), self.job)
     }
 
     fn label(&self, text: &str, label: &str) -> Result<Label<Itinerary>> {

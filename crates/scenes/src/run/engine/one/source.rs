@@ -1,9 +1,11 @@
 //! The orbits of an oscillator over a parameter.
 
+use std::f64::consts::TAU;
+
 use super::{
     super::{
         super::{
-            Job,
+            Job, Measures,
             branch::{events, settled},
         },
         AnalysedEvent, Branches, Grazed, OrbitSource,
@@ -11,13 +13,13 @@ use super::{
     analysed, named, speeds, turn,
 };
 use crate::{
-    continuation::{Bifurcation, Label, Located, NormalForm, SearchReach},
+    continuation::{Bifurcation, Label, Located, NormalForm, SearchReach, extents},
     error::Result,
     one::{
         attractor::attracting,
         branch::{Patterns, Plane, read_label},
         grazing,
-        orbit::{Family, Itinerary, Orbit, Oscillator},
+        orbit::{Family, Itinerary, Orbit, OrbitImpact, Oscillator},
     },
     scene::{
         SceneFamily,
@@ -102,6 +104,23 @@ impl<'a> OrbitSource for OscillatorSource<'a> {
         Ok(AnalysedEvent { orbit: analysed(orbit, self.job, event), form })
     }
 
+    fn measure(&self, orbit: &Orbit, at: &[(&str, f64)], is_far: bool) -> Result<Measures> {
+        let oscillator = match *at {
+            [(_, parameter)] => self.family.at(parameter)?,
+            _ => self.job.oscillator(self.job.scene.plain(at)?)?,
+        };
+        let mass = self.job.scene.mass_at(at)?;
+        let restitution = |side| oscillator.system().wall(side).map_or(f64::NAN, |wall| wall.restitution);
+        let impulse = |hit: OrbitImpact| mass * (1.0 + restitution(hit.side)) * hit.speed * orbit.rate;
+        let first = orbit.impacts().next().map_or(0.0, |_| orbit.z[0]);
+        let seen = |t: f64| orbit.state(&oscillator, first + t).map(|state| vec![[state.q, state.u]]);
+        Ok(Measures {
+            period: TAU / orbit.rate,
+            impulses: orbit.impacts().map(impulse).collect(),
+            extents: if is_far { extents(orbit, seen)? } else { Vec::new() },
+        })
+    }
+
     fn named_with_speeds(&self, orbit: &Orbit) -> (String, Vec<f64>) {
         (self.named(&orbit.itinerary), speeds(orbit))
     }
@@ -128,7 +147,7 @@ impl<'a> OrbitSource for OscillatorSource<'a> {
         };
         let value = SceneFamily::new(&self.job.scene, second)?.value();
         let plane = Plane::new(&plane, [self.value(), value])?;
-        events(task, self, &plane, value, self.job)
+        events(task, second, (self, &plane), self.job)
     }
 
     fn label(&self, text: &str, label: &str) -> Result<Label<Itinerary>> {
