@@ -89,7 +89,7 @@ fn beyond_a_flip_the_orbit_goes_on() {
         // Where it begins the swing is that of what is seen.
         let first = unstable(&found.rows)[0];
         let seen = |row: &&ResponseRow| row.way == "up" && row.coordinate == "q" && row.value < first.value;
-        let last = found.rows.iter().filter(seen).next_back().unwrap();
+        let last = found.rows.iter().rfind(seen).unwrap();
         assert!((first.swing - last.swing).abs() < 0.05, "{first:?} {last:?}");
     }
 }

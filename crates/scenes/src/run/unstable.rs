@@ -90,9 +90,10 @@ pub(super) fn unstable<E: Engine>(
             break;
         }
         let system = engine.system(Some((&task.parameter, at)))?;
-        let orbit = on_attractor(engine, on, &system).and_then(|orbit| {
+        let orbit = on_attractor(engine, on, &system);
+        let orbit = orbit.map(|orbit| {
             let passes = known.iter().any(|branch| branch.passes(&orbit, at));
-            Ok((!passes).then_some(orbit))
+            (!passes).then_some(orbit)
         });
         let followed = orbit
             .and_then(|orbit| orbit.map(|orbit| beyond(source.family(), &orbit, at, range, up)).transpose());
