@@ -197,7 +197,12 @@ fn response(found: &ResponseFindings, data: &mut Data) {
     let mut names: Vec<&str> = Vec::new();
     let (mut way, mut coordinate) = (Vec::new(), Vec::new());
     for row in &found.rows {
-        way.push(["linear", "up", "down", "unstable"].iter().position(|word| *word == row.way).map_or(-1, |i| i as i64));
+        way.push(
+            ["linear", "up", "down", "unstable"]
+                .iter()
+                .position(|word| *word == row.way)
+                .map_or(-1, |i| i as i64),
+        );
         let known = names.iter().position(|name| *name == row.coordinate);
         coordinate.push(known.unwrap_or(names.len()) as i64);
         if known.is_none() {
