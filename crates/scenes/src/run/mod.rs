@@ -607,19 +607,27 @@ fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
     Ok(match &job.task.kind {
         Kind::SimulateTask(task) => simulate(task, job, keeper)?.into(),
         Kind::SectionTask(task) => section(task, job)?.into(),
-        Kind::BasinsTask(task) => basins(task, job)?.into(),
+        Kind::BasinsTask(task) => further(|| basins(task, job))?.into(),
         Kind::DiagramTask(task) => diagram(task, job)?.into(),
-        Kind::ResponseTask(task) => response(task, job)?.into(),
+        Kind::ResponseTask(task) => further(|| response(task, job))?.into(),
         Kind::OrbitTask(task) => orbit(task, job)?.into(),
-        Kind::EventTask(task) => event(task, job)?.into(),
+        Kind::EventTask(task) => further(|| event(task, job))?.into(),
         Kind::GrazingTask(task) => grazing(task, job)?.into(),
         Kind::BranchTask(task) => branch(task, job)?.into(),
-        Kind::MapTask(task) => map(task, job)?.into(),
-        Kind::CrisisTask(task) => crisis(task, job)?.into(),
-        Kind::RestTask(task) => rest(task, job)?.into(),
-        Kind::ValidateTask(task) => validate(task, job)?.into(),
-        Kind::ChaosTask(task) => chaos(task, job)?.into(),
+        Kind::MapTask(task) => further(|| map(task, job))?.into(),
+        Kind::CrisisTask(task) => further(|| crisis(task, job))?.into(),
+        Kind::RestTask(task) => further(|| rest(task, job))?.into(),
+        Kind::ValidateTask(task) => further(|| validate(task, job))?.into(),
+        Kind::ChaosTask(task) => further(|| chaos(task, job))?.into(),
     })
+}
+
+/// A task of a kind that the page in a browser does not run: left out of a program without the feature.
+fn further<T>(run: impl FnOnce() -> Result<T>) -> Result<T> {
+    match cfg!(feature = "further-tasks") {
+        true => run(),
+        false => Err(Error::input("this program was built without tasks of this kind")),
+    }
 }
 
 /// A warning if a motion is so small that contact without impact, within `minimum_depth`, is a large part of
