@@ -6,7 +6,10 @@
 use super::{Fault, text::Complete, work::Work};
 use crate::{
     rejection::{GoOn, claim},
-    touch::near::{Known, Near, anything},
+    touch::{
+        legs::Known,
+        near::{Near, anything},
+    },
 };
 
 /// Proves it in a cell.

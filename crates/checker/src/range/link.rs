@@ -6,7 +6,7 @@
 
 use super::{
     Fault, Interval,
-    proof::Problem,
+    problem::Problem,
     work::{Numbers, Work},
 };
 use crate::rejection::{GoOn, claim};

@@ -135,6 +135,7 @@ mod legs;
 mod link;
 mod map;
 mod others;
+mod problem;
 mod proof;
 #[cfg(test)]
 mod tests;

@@ -9,7 +9,7 @@ use super::{
     COST, Fault, Interval,
     cost::{BOTH, LEG},
     link,
-    proof::Problem,
+    problem::Problem,
     text::{Alone, Others},
     work::{Graph, Numbers},
 };
@@ -17,7 +17,8 @@ use crate::{
     rejection::{GoOn, claim},
     touch::{
         flow::Matrix,
-        near::{Known, Near, anything},
+        legs::Known,
+        near::{Near, anything},
     },
 };
 

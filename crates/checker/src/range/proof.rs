@@ -5,60 +5,13 @@ use std::ops::Range;
 use super::{
     Fault, Interval, Lines, Rejection, gaps, link,
     others::{self, Room},
+    problem::Problem,
     text::{Cell as Block, Certificate},
-    work::{Graph, Numbers, Work, numbers},
+    work::{Numbers, Work, numbers},
 };
-use crate::{
-    rejection::GoOn,
-    touch::{legs::Cell, wall::Wall},
-};
+use crate::{rejection::GoOn, touch::wall::Wall};
 
-/// What is the same in all cells.
-pub(super) struct Problem<'a> {
-    pub graph: Graph,
-    mirrored: bool,
-    behind: bool,
-    wall: &'a Wall,
-    harmonics: u64,
-    /// c, k, τ.
-    parameters: [Interval; 3],
-    side: Interval,
-    pieces: u64,
-    contraction: Interval,
-}
-
-impl<'a> Problem<'a> {
-    fn new(certificate: &Certificate, wall: &'a Wall) -> Problem<'a> {
-        Problem {
-            graph: Graph::new(certificate),
-            mirrored: certificate.mirrored,
-            behind: certificate.behind,
-            wall,
-            harmonics: certificate.harmonics.len() as u64,
-            parameters: certificate.ranges.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed())),
-            side: if certificate.behind { Interval::ONE } else { -Interval::ONE },
-            pieces: certificate.pieces,
-            contraction: certificate.contraction.enclosed(),
-        }
-    }
-
-    /// Whether σ = 1.
-    pub fn is_behind(&self) -> bool {
-        self.behind
-    }
-
-    /// How many harmonics the wall has.
-    pub fn harmonics(&self) -> u64 {
-        self.harmonics
-    }
-
-    /// At these depths.
-    pub fn cell(&self, depth: Interval) -> Cell<'_> {
-        let [damping, stiffness, restitution] = self.parameters;
-        let parameters = [damping, stiffness, Interval::ZERO, restitution, depth];
-        Cell::new(self.mirrored, parameters, self.side, self.wall)
-    }
-
+impl Problem<'_> {
     /// That there are no others at these depths, if that is claimed.
     fn alone(
         &self,

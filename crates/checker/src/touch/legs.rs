@@ -42,6 +42,9 @@ pub(crate) struct Cell<'a> {
     pub wall: &'a Wall,
 }
 
+/// What the velocities a and p of legs of n periods lie in, for n from 1; `None` if there are no such legs.
+pub(crate) type Known = Vec<Option<[Interval; 2]>>;
+
 /// An impact.
 #[derive(Clone, Copy)]
 pub(crate) struct Impact {

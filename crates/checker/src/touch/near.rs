@@ -16,13 +16,10 @@
 use super::{
     Interval,
     flow::Matrix,
-    legs::{Cell, Impact},
+    legs::{Cell, Impact, Known},
     settled,
 };
 use crate::rejection::{Fault, GoOn, claim};
-
-/// What the velocities a and p of legs of n periods lie in, for n from 1; `None` if there are no such legs.
-pub(crate) type Known = Vec<Option<[Interval; 2]>>;
 
 /// Motions all of whose contacts are in the window at |g′| ≤ νS/2.
 pub(crate) struct Near<'a> {

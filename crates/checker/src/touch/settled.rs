@@ -13,7 +13,11 @@
 //! the next a by (1 + τ)S/2 + τ max(0, √R − c/2), with n = 1: this bounds the supremum of all a, which is
 //! finite for a bounded motion. The proof is in `proofs/ranges.md`.
 
-use super::{Interval, flow::Flow, legs::Impact, near::Known};
+use super::{
+    Interval,
+    flow::Flow,
+    legs::{Impact, Known},
+};
 
 /// Steps that narrow A, at most.
 const STEPS: usize = 64;
@@ -113,7 +117,12 @@ impl Bounds {
 #[cfg(test)]
 mod tests {
     use super::velocities;
-    use crate::touch::{Interval, flow::Flow, legs::Cell, near::Known, wall::Wall};
+    use crate::touch::{
+        Interval,
+        flow::Flow,
+        legs::{Cell, Known},
+        wall::Wall,
+    };
 
     /// c, k, τ, S, ν over a thousand.
     fn known([c, k, tau, s, nu]: [i128; 5], longest: u64) -> Option<Known> {
