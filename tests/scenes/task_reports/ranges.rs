@@ -214,16 +214,16 @@ fn the_main_claims_are_proved_without_being_asked_for() {
     let keys: Vec<&str> = shown.lines().filter_map(|line| line.split_whitespace().next()).collect();
     let lines = ["proved", "certificate", "proved", "certificate", "range"];
     assert!(keys.windows(5).any(|five| five == lines), "{shown}");
-    // And a sentence a side, its end rounded towards the touch, by less than a thousandth.
+    // And a clause a side, its end rounded towards the touch, by less than a thousandth.
     let proved: Vec<&str> = found
         .sentences
         .iter()
         .filter(|said| said.mark == Mark::Proved)
-        .map(|said| said.text.as_str())
+        .flat_map(|said| said.text.split("; "))
         .collect();
     assert!(proved.len() == 2 && proved[0].contains(" before the touch goes on to F = "), "{proved:?}");
     assert!(
-        proved[1].starts_with("From the touch to F = ") && proved[1].contains(" no motion stays near it")
+        proved[1].starts_with("from the touch to F = ") && proved[1].contains(" no motion stays near it")
     );
     for (row, text) in rows.iter().zip(proved) {
         let number = text.split("F = ").nth(1).unwrap().split([':', ' ']).next().unwrap();

@@ -65,6 +65,8 @@ fn an_orbit_with_one_impact_goes_from_its_fold_to_the_touch() {
         }
         // On the way up nothing is left but at the touch; down it is the fold.
         assert!(found.open.is_empty(), "{:?}", found.open);
+        let without = self::found(&machine(engine, &task("F", [0.4, 0.9], 11, "unstable = false")));
+        assert!(without.unstable.is_none() && unstable(&without.rows).is_empty());
     }
 }
 

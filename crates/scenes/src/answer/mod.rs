@@ -109,6 +109,7 @@ fn swing_task(touch: &Task, report: &TaskReport) -> Option<Task> {
         // Where motions were not followed beside the touch, that takes long.
         seen: Some(found.seen.is_some()),
         sweep: SweepWay::Both,
+        unstable: true,
         backbone: false,
         start: Start::at(0.0, &[0.0], &[0.0]).ok()?,
         transient: 200,

@@ -331,7 +331,10 @@ fn followed<E: Engine>(
     let on: Vec<_> = ways.iter().map(|&(up, _)| up).zip(&steps).collect();
     let highest = Some(highest((task, names, &rows), job, (engine, &states), &on, &sweep)?);
     let range = (value(&task.range, 0, task.count), value(&task.range, task.count - 1, task.count));
-    let Unstable { rows: unstable, orbits, open } = unstable((task, range), job, engine, &on, &sweep)?;
+    let Unstable { rows: unstable, orbits, open } = match task.unstable {
+        true => unstable((task, range), job, engine, &on, &sweep)?,
+        false => Unstable::default(),
+    };
     job.monitor.begin(orbits.len() as u64, "unstable orbits, swings");
     for UnstableOrbit { stretch, value, period, impacts, start } in orbits {
         job.monitor.advance(1)?;
@@ -342,7 +345,7 @@ fn followed<E: Engine>(
         }
     }
     let rows = found.rows.into_iter().chain(rows).collect();
-    let (sweep, unstable) = (Some(sweep), Some(unstable));
+    let (sweep, unstable) = (Some(sweep), task.unstable.then_some(unstable));
     Ok(ResponseFindings { highest, sweep, unstable, open, not_settled, rows, ..found })
 }
 

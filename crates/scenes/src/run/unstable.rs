@@ -54,6 +54,12 @@ pub(super) struct Unstable<S> {
     pub open: Vec<String>,
 }
 
+impl<S> Default for Unstable<S> {
+    fn default() -> Self {
+        Unstable { rows: Vec::new(), orbits: Vec::new(), open: Vec::new() }
+    }
+}
+
 /// Orbits of a branch: a picture needs no more.
 const POINTS: u32 = 400;
 
@@ -79,7 +85,7 @@ pub(super) fn unstable<E: Engine>(
 ) -> Result<Unstable<StartOf<E>>> {
     let family = engine.family(&task.parameter)?;
     let source = engine.source(&family)?;
-    let mut found = Unstable { rows: Vec::new(), orbits: Vec::new(), open: Vec::new() };
+    let mut found = Unstable::default();
     let mut known: Vec<OrbitBranch<E::Orbit>> = Vec::new();
     for (up, at, on) in left(steps, sweep) {
         job.check()?;

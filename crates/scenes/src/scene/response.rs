@@ -20,6 +20,8 @@ keys! {
         seen: Option<bool>,
         /// which way the parameter goes there
         sweep: SweepWay = "\"both\"",
+        /// follow on, as they are unstable, the orbits that a sweep leaves
+        unstable: bool = "true",
         /// add the backbone curves of the free machine
         backbone: bool = "false",
         /// at the first value
