@@ -622,7 +622,7 @@ fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
     })
 }
 
-/// A task of a kind that the page in a browser does not run: left out of a program without the feature.
+/// A task of a kind that a program without the feature leaves out.
 fn further<T>(run: impl FnOnce() -> Result<T>) -> Result<T> {
     match cfg!(feature = "further-tasks") {
         true => run(),
