@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing_scenes::run::{BackboneRow, ResponseFindings};
+use grazing_scenes::run::{BackboneRow, Findings, ResponseFindings};
 
 use super::{
     backbones::agm,
@@ -63,6 +63,36 @@ fn equal_masses_move_as_jacobis_cosine() {
     }
 }
 
+/// In radians of the drive, where its frequency stands in the coefficients, the families are the same; where
+/// it does not stand in all of them it is no frequency.
+#[test]
+fn a_family_is_the_same_in_radians_of_the_drive() {
+    let radians = |cubic: &str| {
+        let scene = format!(
+            "[parameters]\nw = 1.5\n[system]\nmass = [[1, 0], [0, 1]]\n\
+             stiffness = [[\"1.5/w^2\", \"-0.5/w^2\"], [\"-0.5/w^2\", \"1.5/w^2\"]]\n\
+             force = [\"-q1^3/w^2\", \"{cubic}\"]\nforcing = [{{ k = 2, cos = [0.1, 0] }}]\n"
+        );
+        let task = task("w", [0.15 * TAU, 0.4 * TAU], 5, "backbone = true\nseen = false\nharmonic = 2");
+        reports(&format!("{scene}{task}")).unwrap().remove(0)
+    };
+    let seconds = found(&pair(1.0, "-0.3*q2^3", "harmonic = 2"));
+    let report = radians("-0.3*q2^3/w^2");
+    let Some(Findings::Response(other)) = &report.findings else { panic!("{report}") };
+    for mode in [1, 2] {
+        for name in ["q1", "q2"] {
+            let [one, two] = [&seconds, other].map(|found| rows(found, mode, name));
+            assert_eq!(one.len(), two.len());
+            for (one, two) in one.iter().zip(two) {
+                near(one.value * TAU, two.value, 1e-9);
+                near(one.swing, two.swing, 1e-9);
+            }
+        }
+    }
+    let report = radians("-0.3*q2^3").to_string();
+    assert!(report.contains("w changes more of the forces than that"), "{report}");
+}
+
 /// Forces that are odd: from where both turn back at once, the motion by another solver is back after the
 /// period.
 #[test]
@@ -119,6 +149,32 @@ fn a_family_ends_where_it_meets_a_rigid_stop() {
         assert_eq!((told[0].4, told[1].4), ("natural frequency", "stop"), "{told:?}");
         assert_eq!((told[1].2, told[1].3), (last.value, Some(last.swing)));
         assert!(last.value > told[0].2 + 1e-3, "{last:?}");
+    }
+    // A mode that the second spring does not reach is told, too: the masses are apart.
+    let apart = scene.replace("-0.5", "0").replace("offset = 0\nstiffness", "offset = -0.5\nstiffness");
+    let apart = apart.replace("[0, 1.5]]", "[0, 1.9]]");
+    let alone =
+        self::found(&format!("{apart}{}", task("f", [0.15, 0.4], 5, "backbone = true\nseen = false")));
+    let told: Vec<_> =
+        ends(&alone).into_iter().filter(|end| end.1 == "q1").map(|end| (end.0, end.4)).collect();
+    assert_eq!(told, [(1, "natural frequency"), (1, "largest swings"), (2, "linear")]);
+    near(ends(&alone).last().unwrap().2, 1.9f64.sqrt() / TAU, 1e-9);
+    // Half a cosine on either spring, as large ones have it; the energy is that of both.
+    let slow = (0.5 / 1.5f64.sqrt() + 0.5 / 5.5f64.sqrt()) * TAU;
+    let largest =
+        alone.backbone_ends.as_ref().unwrap().iter().find(|end| end.why == "largest swings").unwrap();
+    assert!((largest.value * slow - 1.0).abs() < 1e-3 && largest.swing.is_none(), "{largest:?}");
+    for row in rows(&alone, 1, "q1").iter().filter(|row| row.swing > 1.0) {
+        // 1.5 a² = 1.5 b² + 4 (b − 0.5)² from one end to the other, a + b being twice the swing.
+        let whole = 2.0 * row.swing;
+        let energy = |b: f64| 0.75 * b * b + 2.0 * (b - 0.5) * (b - 0.5);
+        let (mut low, mut high) = (0.5, whole);
+        for _ in 0..100 {
+            let middle = f64::midpoint(low, high);
+            let below = energy(middle) < 0.75 * (whole - middle) * (whole - middle);
+            *(if below { &mut low } else { &mut high }) = middle;
+        }
+        near(row.energy.unwrap() / energy(low), 1.0, 1e-8);
     }
     // Nothing leans without it, and of another parameter it is not told.
     let linear = scene.replace("stiffness = 4\n", "restitution = 1\n");

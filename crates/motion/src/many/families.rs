@@ -44,12 +44,15 @@ pub struct ModeFamily {
     /// Why there are no more: none where all swings have one frequency.
     /// [`CurveEnd::Fails`] where a rigid stop is met.
     pub end: Option<CurveEnd>,
+    /// What their period tends to as they grow without end, if they were followed to where that shows.
+    pub largest: Option<f64>,
 }
 
 /// A mode is linear up to where its force is off by this part.
 const OFF: f64 = 0.01;
-/// Sizes at which that is asked, as powers of 2.
+/// Sizes at which that is asked, as powers of 2, and halvings from one to the next.
 const SIZES: i32 = 300;
+const HALVINGS: u32 = 50;
 /// The first vibration, as a part of where its mode ceases to be linear.
 const FIRST: f64 = 0.1;
 /// Looks at a vibration for its extents, and panels of the work that brings it to where it begins.
@@ -57,6 +60,9 @@ const LOOKS: u32 = 128;
 const PANELS: u32 = 16;
 /// Steps to the place of rest.
 const STEPS: u32 = 100;
+/// Beyond springs that begin somewhere a period is a constant and a part that falls with the swing: so near,
+/// as a part of it, the constant is the same from two swings and from twice these.
+const SETTLED: f64 = 1e-3;
 /// How far the period may go beyond what is asked for.
 const BEYOND: f64 = 2.0;
 /// Vibrations of a family, in steps of the size up to which its mode is linear.
@@ -118,25 +124,31 @@ pub fn families(
         check()?;
         let natural = std::f64::consts::TAU / square.sqrt();
         // To both sides.
-        let linear = |exponent: &i32| {
+        let linear = |size: f64| {
             [1.0, -1.0].iter().all(|sign| {
-                let size = sign * 2f64.powi(*exponent);
+                let size = sign * size;
                 let at: Vec<f64> = rest.iter().zip(&shape).map(|(rest, shape)| rest + size * shape).collect();
                 let pull = size * square;
                 let is_near = |(f, s): (&f64, &f64)| (f + pull * s).abs() <= OFF * pull.abs();
                 force(&at).is_ok_and(|f| f.iter().zip(&shape).all(is_near))
             })
         };
-        let mut family = ModeFamily { mode, natural, vibrations: Vec::new(), end: None };
-        let largest = (-SIZES..=SIZES).rev().find(linear);
+        let mut family = ModeFamily { mode, natural, vibrations: Vec::new(), end: None, largest: None };
+        let largest = (-SIZES..=SIZES).rev().find(|exponent| linear(2f64.powi(*exponent)));
         if let Some(exponent) = largest.filter(|exponent| *exponent < SIZES) {
             let [least, most] = periods;
+            // The same in all units.
+            let [mut low, mut high] = [exponent, exponent + 1].map(|exponent| 2f64.powi(exponent));
+            for _ in 0..HALVINGS {
+                let middle = f64::midpoint(low, high);
+                *(if linear(middle) { &mut low } else { &mut high }) = middle;
+            }
             let half = Half {
                 planar,
                 machine,
                 stops: &stops,
                 rest: &rest,
-                size: 2f64.powi(exponent),
+                size: low,
                 natural,
                 asked: periods.map(|period| period / natural),
                 bounds: [least.min(natural) / BEYOND / natural, BEYOND * most.max(natural) / natural],
@@ -164,6 +176,17 @@ fn rest(stiffness: &super::RealMatrix, force: &dyn Fn(&[f64]) -> Result<RealVect
         last = long;
     }
     Err(Error::input("no place of rest is found from q = 0"))
+}
+
+/// What the period tends to with the swing, from the last half of some vibrations and the half before.
+fn largest(all: &[FreeVibration]) -> Option<f64> {
+    let last = all.len().checked_sub(1)?;
+    let [a, b, c] = [last / 4, last / 2, last]
+        .map(|i| (all[i].swings.iter().copied().fold(0.0, f64::max), all[i].period));
+    // T = T₁ + C/swing.
+    let constant = |(s, t): (f64, f64), (swing, period): (f64, f64)| (swing * period - s * t) / (swing - s);
+    let (before, found) = (constant(a, b), constant(b, c));
+    (a.0 < b.0 && b.0 < c.0 && (found - before).abs() <= SETTLED * found).then_some(found)
 }
 
 /// Half of a vibration, from rest to rest: unknowns are the place over a size and the period over the mode's.
@@ -215,6 +238,7 @@ impl Half<'_> {
             let period = 2.0 * self.time(&step.place.u);
             family.vibrations.push(FreeVibration { period, swings, energy });
         }
+        family.largest = if end == CurveEnd::Points { largest(&family.vibrations) } else { None };
         family.end = Some(end);
         Ok(())
     }
@@ -222,14 +246,24 @@ impl Half<'_> {
     /// What is needed to bring it from rest to where it begins.
     fn energy(&self, u: &[f64], force: &dyn Fn(&[f64]) -> Result<RealVector>) -> Result<f64> {
         let (x, n) = (self.place(u), self.rest.len());
-        let panels = f64::from(PANELS);
+        let at =
+            |part: f64| -> Vec<f64> { (0..n).map(|j| self.rest[j] + part * (x[j] - self.rest[j])).collect() };
+        // The force has kinks where springs begin.
+        let still = |part: f64| self.planar.state(&[at(part), vec![0.0; n]].concat(), 0.0).q;
+        let [from, to] = [still(0.0), still(1.0)];
+        let begins = self.planar.simulator().contacts().all().iter().map(|stop| {
+            let [near, far] = [&from, &to].map(|q| stop.row.dot(q) - stop.position.mean());
+            near / (near - far)
+        });
+        let even = (0..=PANELS).map(|i| f64::from(i) / f64::from(PANELS));
+        let mut cuts: Vec<f64> = begins.filter(|part| (0.0..1.0).contains(part)).chain(even).collect();
+        cuts.sort_by(f64::total_cmp);
         let mut energy = 0.0;
-        for i in 0..PANELS {
-            for (at, weight) in GAUSS {
-                let part = (f64::from(i) + at) / panels;
-                let at: Vec<f64> = (0..n).map(|j| self.rest[j] + part * (x[j] - self.rest[j])).collect();
-                let push = force(&at)?;
-                energy -= weight / panels * (0..n).map(|j| push[j] * (x[j] - self.rest[j])).sum::<f64>();
+        for pair in cuts.windows(2) {
+            let width = pair[1] - pair[0];
+            for (place, weight) in GAUSS {
+                let push = force(&at(pair[0] + place * width))?;
+                energy -= weight * width * (0..n).map(|j| push[j] * (x[j] - self.rest[j])).sum::<f64>();
             }
         }
         Ok(energy)

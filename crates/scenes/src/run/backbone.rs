@@ -36,7 +36,8 @@ row! {
         /// `range`: at a bound of the range; `natural frequency`: as slow or fast as vibrations of no swing
         /// are, or of all up to this one; `hill`: beyond it forces do not lead back; `largest swings`: as
         /// slow or fast as those become; `turns back`: two swings become one. Of several coordinates also
-        /// `stop`: a rigid one is met; `points`, `lost`: it was followed no farther.
+        /// `stop`: a rigid one is met; `linear`: all swings have this frequency; `points`, `lost`: it was
+        /// followed no farther.
         pub why: &'static str,
         /// The coordinate.
         pub coordinate: String,

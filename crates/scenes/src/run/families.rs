@@ -8,11 +8,13 @@ use super::{
     backbone::{Backbone, BackboneEndRow, BackboneRow},
 };
 use crate::{
+    attractor::dynamics::Dynamics,
     continuation::CurveEnd,
     error::{Error, Result},
     many::{
         Machine,
         families::{ModeFamily, families},
+        section::PlanarMachine,
     },
     rounding::PLACE,
     scene::response::ResponseTask,
@@ -37,41 +39,57 @@ pub(super) fn of_several(
             task.parameter
         )));
     }
-    let base = at(low)?;
-    let asked = Asked { low, high, harmonic: task.harmonic, base: &base, at };
-    let ends = [asked.radians(low)?, asked.radians(high)?];
-    let free = base.freed();
-    let [least, most] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-    let found = families(&base, &job.planar(&free, &[], &[])?, [least, most], &mut || job.check())?;
+    let [base, other] = [at(low)?, at(high)?];
+    let [free, far] = [base.freed(), other.freed()];
+    let planar = job.planar(&free, &[], &[])?;
+    // The drive's own period changes, or the machine is written in units in which it does not.
+    if base.period == other.period && !is_slower(&planar, &job.planar(&far, &[], &[])?, high / low)? {
+        return Err(Error::input(format!(
+            "backbone = true: of several coordinates it is over the drive's frequency, and {} changes more of the forces than that",
+            task.parameter
+        )));
+    }
+    let radians = |value: f64| TAU / f64::from(task.harmonic) * low / value;
+    let value = |period: f64| radians(low) / period * low;
+    let [least, most] = [radians(high).min(radians(low)), radians(high).max(radians(low))];
+    let found = families(&base, &planar, [least, most], &mut || job.check())?;
     let inside = |period: f64| least * (1.0 - PLACE) <= period && period <= most * (1.0 + PLACE);
     let (mut rows, mut told) = (Vec::new(), Vec::new());
-    for ModeFamily { mode, natural, vibrations, end } in &found {
+    for ModeFamily { mode, natural, vibrations, end, largest } in &found {
         let mode = *mode;
         let mut say = |value: f64, swings: &[f64], why| {
             told.extend(names.iter().zip(swings).map(|(coordinate, swing)| BackboneEndRow {
                 value,
-                swing: Some(*swing),
+                swing: (why != "largest swings").then_some(*swing),
                 why,
                 coordinate: coordinate.clone(),
                 mode,
             }));
         };
         let is_in = |i: usize| vibrations.get(i).is_some_and(|there| inside(there.period));
+        let still = vec![0.0; names.len()];
+        if vibrations.is_empty() && inside(*natural) {
+            let why = if end.is_none() { "linear" } else { "lost" };
+            say(value(*natural), &still, why);
+        }
         for (i, here) in vibrations.iter().enumerate().filter(|(_, here)| inside(here.period)) {
-            let value = asked.value(here.period, ends)?;
+            let at = value(here.period);
             if i == 0 && inside(*natural) {
-                say(asked.value(*natural, ends)?, &vec![0.0; names.len()], "natural frequency");
-            } else if i > 0 && !is_in(i - 1) {
-                say(value, &here.swings, "range");
+                say(value(*natural), &still, "natural frequency");
+            } else if i == 0 || !is_in(i - 1) {
+                say(at, &here.swings, "range");
             }
             rows.extend(names.iter().zip(&here.swings).map(|(coordinate, swing)| BackboneRow {
-                value,
+                value: at,
                 swing: *swing,
                 coordinate: coordinate.clone(),
                 mode,
                 energy: Some(here.energy),
             }));
-            if !is_in(i + 1) {
+            let grows = largest.filter(|period| i + 1 == vibrations.len() && inside(*period));
+            if let Some(period) = grows {
+                say(value(period), &here.swings, "largest swings");
+            } else if !is_in(i + 1) {
                 let why = match end {
                     _ if i + 1 < vibrations.len() => "range",
                     Some(CurveEnd::Fails) => "stop",
@@ -79,7 +97,7 @@ pub(super) fn of_several(
                     Some(CurveEnd::Points) => "points",
                     _ => "lost",
                 };
-                say(value, &here.swings, why);
+                say(at, &here.swings, why);
             }
         }
     }
@@ -93,35 +111,27 @@ pub(super) fn of_several(
     Ok(Backbone { rows: Some(rows), ends: Some(told), why })
 }
 
-/// What is asked for: the drive's period, over a harmonic, between two values.
-struct Asked<'a> {
-    low: f64,
-    high: f64,
-    harmonic: u32,
-    base: &'a Machine<f64>,
-    at: &'a dyn Fn(f64) -> Result<Machine<f64>>,
-}
-
-impl Asked<'_> {
-    /// The period that is asked for at a value, in radians of the drive at the first.
-    fn radians(&self, value: f64) -> Result<f64> {
-        Ok((self.at)(value)?.period / self.base.period / f64::from(self.harmonic) * TAU)
-    }
-
-    /// The value at which a period is asked for, by halving, from what is at both ends.
-    fn value(&self, period: f64, ends: [f64; 2]) -> Result<f64> {
-        for (end, value) in ends.into_iter().zip([self.low, self.high]) {
-            if (period - end).abs() <= PLACE * end {
-                return Ok(value);
+/// Whether all accelerations from rest are so many times less, squared, in the other machine: at places along
+/// each coordinate, of sizes from 2⁻³⁰ to 2³⁰.
+fn is_slower(machine: &PlanarMachine, other: &PlanarMachine, times: f64) -> Result<bool> {
+    let n = machine.dimension() / 2;
+    for i in 0..n {
+        for exponent in (-30..=30).step_by(3) {
+            for sign in [1.0, -1.0] {
+                let mut place = vec![0.0; 2 * n];
+                place[i] = sign * 2f64.powi(exponent);
+                let pull = |planar: &PlanarMachine| {
+                    let motion = planar.begin(&planar.at(&place, 0.0)).ok()?;
+                    planar.field(&motion).map(|field| field[n..].to_vec())
+                };
+                let (Some(one), Some(two)) = (pull(machine), pull(other)) else { continue };
+                let size = one.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                let same = |(a, b): (&f64, &f64)| !((a - b * times * times).abs() > PLACE * size);
+                if !one.iter().zip(&two).all(same) {
+                    return Ok(false);
+                }
             }
         }
-        let (mut a, mut b) = (self.low, self.high);
-        loop {
-            let middle = a + (b - a) / 2.0;
-            if middle <= a || middle >= b {
-                return Ok(middle);
-            }
-            *(if (self.radians(middle)? < period) == (ends[0] < ends[1]) { &mut a } else { &mut b }) = middle;
-        }
     }
+    Ok(true)
 }
