@@ -534,3 +534,18 @@ fn every_example_is_shown_or_refused_in_words() {
     }
     assert_eq!(answered("[]", |_| Ok(json!(1))), "1");
 }
+
+/// A response's answer is a picture: the page's program is without it, and says who has it.
+#[test]
+fn what_the_page_leaves_out_is_refused_in_words() {
+    let text = "format = \"grazing-scene 3\"\ntitle = \"t\"\n[parameters]\nw = 1\n[system]\nperiod = \"2*pi/w\"\nstiffness = 2\n\
+                damping = 1\nforcing = [{ cos = 1 }]\n[[tasks]]\nname = \"swing\"\nkind = \"response\"\nparameter = \"w\"\n\
+                range = [1, 2]\n[[tasks]]\nname = \"orbit\"\nkind = \"orbit\"\norbit = { pattern = [] }\n";
+    let said = |task: &str| {
+        let found = ask(super::motion_task(&request(text, "t.toml", json!({ "task": task }))));
+        found["report"].as_str().unwrap().to_string()
+    };
+    let report = said("swing");
+    assert!(report.contains("failed: ") && report.contains("`grazing run` has them"), "{report}");
+    assert!(said("orbit").contains("done"), "{}", said("orbit"));
+}

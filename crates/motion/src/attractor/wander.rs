@@ -45,7 +45,8 @@ const MEASURED: u64 = 128;
 /// Whether the motion from these coordinates of the section at `phase`, which has lasted for so many forcing
 /// periods, wanders; where an orbit is `found` that attracts and there are no impacts, only as neighbours
 /// part. Cost: 1,024 forcing periods, 128 with a vector, and 128 with two, then with six where these do not
-/// tell, then with one for each coordinate of a state; where that leaves it open 4,096 more and 10,752 with a vector.
+/// tell, then with one for each coordinate of a state; where that leaves it open 4,096 more and 10,752 with a
+/// vector.
 ///
 /// # Errors
 /// Those of [`Motion::pass`]; the monitor's.
