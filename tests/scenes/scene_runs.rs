@@ -413,3 +413,56 @@ fn figures_6_and_7_make_their_folder_and_leave_no_checkpoint() {
         assert!(names.iter().all(|name| !name.to_string_lossy().contains("checkpoint")), "{names:?}");
     }
 }
+
+/// z″ = −sin t comes within the depth of the stop before t = 0, rises, not to 0, and is pressed from 0 on: the
+/// mass rests there until the force turns, at t = π. By both engines, and by the one that follows many at once.
+#[test]
+fn what_touches_and_is_pressed_before_it_opens_comes_to_rest() {
+    let depth = 1e-10f64;
+    let start = |(m, part): (f64, f64)| {
+        let (t, tm) = (-2e-3f64, -m);
+        let q = -part * depth - (t.powi(3) - tm.powi(3)) / 6.0 + tm * tm * (t - tm) / 2.0;
+        format!("{{ phase = {:?}, q = {q:?}, u = {:?} }}", 1.0 + t / (2.0 * PI), (tm * tm - t * t) / 2.0)
+    };
+    // The first minimum at −m, that part of the depth below 0; then it rises by 2m³/3.
+    let starts = [
+        (1e-4, 0.9),
+        (2e-4, 0.9),
+        (3e-4, 0.9),
+        (4e-4, 0.9),
+        (1e-4, 0.99),
+        (2e-4, 0.99),
+        (1e-4, 0.5),
+        (2e-4, 0.5),
+    ];
+    for engine in ["one", "many"] {
+        for restitution in [0.7, 0.0] {
+            let stop = if engine == "one" { "side = \"lower\"" } else { "row = [1]" };
+            let all: Vec<String> = starts.map(start).into();
+            let tasks = |(i, start): (usize, &String)| {
+                format!("[[tasks]]\nname = \"m{i}\"\nkind = \"simulate\"\nstart = {start}\nperiods = 1\n")
+            };
+            let text = format!(
+                "format = \"grazing-scene 3\"\ntitle = \"t\"\nengine = \"{engine}\"\n[system]\nforce = 0\nstiffness = 0\n\
+                 forcing = [{{ sin = -1 }}]\n[[stops]]\n{stop}\noffset = 0\nrestitution = {restitution}\n\
+                 [accuracy]\nminimum_depth = {depth:?}\n[[tasks]]\nname = \"s\"\nkind = \"section\"\nstarts = [{}]\n\
+                 transient = 0\npoints = 2\n{}",
+                all.join(", "),
+                all.iter().enumerate().map(tasks).collect::<String>()
+            );
+            let folder = tempfile::tempdir().unwrap();
+            let file = folder.path().join("it.toml");
+            fs::write(&file, text).unwrap();
+            let (code, out, err, files) = grazing(&["run", file.to_str().unwrap()]);
+            assert!(code == 0 || code == 3, "{out}{err}");
+            for i in 0..starts.len() {
+                let events = rows(&read(&files, &format!("m{i}-events.csv")));
+                let told: Vec<&str> = events.iter().map(|row| row["event"].as_str()).collect();
+                assert!(told.contains(&"stick"), "{engine} {i}: {told:?}");
+                let release = events.iter().find(|row| row["event"] == "release").unwrap();
+                let phase: f64 = release["phase"].parse().unwrap();
+                assert!((phase - 0.5).abs() < 1e-9, "{engine} {i}: {release:?}");
+            }
+        }
+    }
+}

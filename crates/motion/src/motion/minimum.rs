@@ -219,9 +219,17 @@ impl<'a> Gap<'a> {
         x.clamp(l, r)
     }
 
-    /// The impact between l, where z = `high`, and r, where z < −δ.
+    /// The impact between l, where z = `high`, and r, where z < −δ; where z is not above 0 at l and rises there,
+    /// by less than tells monotone from not, what follows is the wall's pressing at its maximum.
     fn impact(&self, l: f64, high: f64, r: f64, guess: f64) -> Hit {
-        Hit::Impact(if high > 0.0 { self.root(l, r, guess) } else { l })
+        if high > 0.0 {
+            return Hit::Impact(self.root(l, r, guess));
+        }
+        if self.at(l)[1] <= 0.0 {
+            return Hit::Impact(l);
+        }
+        let top = self.top(l, r, l);
+        if self.at(top)[0] > 0.0 { Hit::Impact(self.root(top, r, guess)) } else { Hit::Press(top) }
     }
 
     /// The root of z between l and r, z(l) > 0 > z(r): there is one only, as z falls or is convex. Newton
@@ -307,6 +315,23 @@ mod tests {
         }
         // Pressed from the start.
         assert_eq!(Gap::new(&[0.0, 0.0, -1.0, 0.1], 1e-12, false).first(0.0, 1.0), Some(Hit::Impact(0.0)));
+    }
+
+    /// A gap within δ below 0 that rises, not to 0, and falls: at once it is no impact, which it would be for
+    /// ever; at its maximum the wall presses. One that does come above 0 has its root.
+    #[test]
+    fn what_rises_within_the_depth_is_pressed_at_its_maximum() {
+        // x² of 10⁻¹¹ beside a cubic that the interval is too narrow for.
+        for (start, rises) in [(-9e-13, 0.2), (-5e-13, 0.2), (-1e-13, 0.5)] {
+            let p = [start, 1e-12, -1e-12 / (2.0 * rises) - 2e-12, 0.0];
+            let top = p[1] / (-2.0 * p[2]);
+            let height = start + p[1] * top / 2.0;
+            match Gap::new(&p, 1e-12, false).first(0.0, 1.0) {
+                Some(Hit::Press(x)) => assert!(height <= 0.0 && (x - top).abs() < 1e-7, "{x} {top}"),
+                Some(Hit::Impact(x)) => assert!(height > 0.0 && x > top, "{x} {top}"),
+                other => panic!("{start}: {other:?}"),
+            }
+        }
     }
 
     #[test]

@@ -126,8 +126,8 @@ fn is_slower(machine: &PlanarMachine, other: &PlanarMachine, times: f64) -> Resu
                 };
                 let (Some(one), Some(two)) = (pull(machine), pull(other)) else { continue };
                 let size = one.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-                let same = |(a, b): (&f64, &f64)| !((a - b * times * times).abs() > PLACE * size);
-                if !one.iter().zip(&two).all(same) {
+                let differ = |(a, b): (&f64, &f64)| (a - b * times * times).abs() > PLACE * size;
+                if one.iter().zip(&two).any(differ) {
                     return Ok(false);
                 }
             }

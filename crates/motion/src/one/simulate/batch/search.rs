@@ -329,6 +329,10 @@ fn root<S: Simd>(s: S, group: &mut Group, span: Span, wall: usize, roots: &Queue
     }
     let x = falls.select(within(x, l, r), start);
     let [z, slope, bend] = gap.at(s, x);
+    // What rises from behind the wall is pressed first.
+    let strange = there & !falls & slope.simd_gt(zero);
+    leave(group, lanes, strange, [a, b], from);
+    let there = there & !strange;
     let rounding = if group.told { gap.rounding(s) } else { zero };
     if group.kind.walls == [true; 2] && wall == LOWER {
         for bit in bits(there.to_bitmask()) {
