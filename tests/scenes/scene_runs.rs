@@ -414,8 +414,9 @@ fn figures_6_and_7_make_their_folder_and_leave_no_checkpoint() {
     }
 }
 
-/// z″ = −sin t comes within the depth of the stop before t = 0, rises, not to 0, and is pressed from 0 on: the
-/// mass rests there until the force turns, at t = π. By both engines, and by the one that follows many at once.
+/// z″ = −sin t comes within the depth of the stop before t = 0, rises, not to 0, and is pressed from 0 on:
+/// the mass rests there until the force turns, at t = π. By both engines, and by the one that follows many
+/// at once.
 #[test]
 fn what_touches_and_is_pressed_before_it_opens_comes_to_rest() {
     let depth = 1e-10f64;

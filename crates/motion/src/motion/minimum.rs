@@ -219,8 +219,8 @@ impl<'a> Gap<'a> {
         x.clamp(l, r)
     }
 
-    /// The impact between l, where z = `high`, and r, where z < −δ; where z is not above 0 at l and rises there,
-    /// by less than tells monotone from not, what follows is the wall's pressing at its maximum.
+    /// The impact between l, where z = `high`, and r, where z < −δ; where z is not above 0 at l and rises,
+    /// by less than tells monotone from not, the wall presses at its maximum.
     fn impact(&self, l: f64, high: f64, r: f64, guess: f64) -> Hit {
         if high > 0.0 {
             return Hit::Impact(self.root(l, r, guess));
