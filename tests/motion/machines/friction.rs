@@ -14,6 +14,7 @@ use grazing_scenes::{
 
 use super::{second::numbers, *};
 
+mod corners;
 mod drag;
 mod forms;
 mod orbits;

@@ -216,3 +216,45 @@ fn a_curve_of_grazings_says_where_an_impact_fades() {
     near(mu, 0.0, 1e-8);
     near(w, low, 1e-7);
 }
+
+/// A spring beyond a gap is one as a stop, as a stop with a law and as a force with a kink: its branches have
+/// the same labels, but that no touch is told of a kink; over the gap, too, which moves the kink.
+#[test]
+fn a_spring_beyond_a_gap_is_one_however_it_is_written() {
+    let stop = "[[stops]]\nside = \"upper\"\noffset = \"e\"\n";
+    let forms = [
+        (String::new(), format!("{stop}stiffness = \"b\"\n")),
+        (String::new(), format!("{stop}law = \"b*d\"\n")),
+        ("force = \"-b*max(q - e, 0)\"\n".to_string(), String::new()),
+    ];
+    let tasks = [
+        task("w", "branch", "parameter = \"w\"\nrange = [0.75, 1]\nstarts = [{ attractor = { q = 0 } }]"),
+        task("e", "branch", "parameter = \"e\"\nrange = [0.7, 1.4]\nstarts = [{ attractor = { q = 0 } }]"),
+    ];
+    let told = forms.map(|(force, stop)| {
+        let folder = tempfile::tempdir().unwrap();
+        let system = format!(
+            "format = \"grazing-scene 3\"\ntitle = \"rig\"\nengine = \"many\"\n[parameters]\nw = 0.79\ne = 1.26\nb = 29\n[system]\n\
+             period = \"2*pi/w\"\ndamping = 0.02\nstiffness = 1\nforcing = [{{ sin = \"0.7*w^2\" }}]\n{force}{stop}"
+        );
+        let (found, code, error) = run(&system, &tasks, folder.path());
+        assert!(code == 0 || code == 3, "{error}{found}");
+        let one = |task: &serde_json::Value| -> Vec<(String, f64)> {
+            labels(task).iter().map(|row| (row.0.clone(), number(&row.1["parameters"][0]))).collect()
+        };
+        found["tasks"].as_array().unwrap().iter().map(one).collect::<Vec<_>>()
+    });
+    println!("{told:#?}");
+    for task in 0..2 {
+        assert!(told[0][task].len() > 2, "{told:?}");
+        for (form, other) in told.iter().enumerate().skip(1) {
+            let wanted = told[0][task].iter().filter(|(name, _)| form < 2 || !name.contains("grazing"));
+            let wanted: Vec<_> = wanted.collect();
+            assert_eq!(wanted.len(), other[task].len(), "{told:?}");
+            for (a, b) in wanted.iter().zip(&other[task]) {
+                assert_eq!(a.0, b.0, "{told:?}");
+                near(a.1, b.1, 1e-9);
+            }
+        }
+    }
+}

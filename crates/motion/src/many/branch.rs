@@ -102,7 +102,6 @@ impl Solved {
         tally: Option<&Arc<EffectTally>>,
     ) -> Result<Solved> {
         let flow = LinearFlow::new(machine.equations()?)?;
-        machine.check_kinks_of_time()?;
         check_given(machine.friction.iter().map(|friction| (&friction.name, friction.normal.stop())))?;
         let contacts = Contacts::new(flow.equations(), machine.contacts()?, machine.rubs()?);
         check_stops(pattern, &contacts)?;

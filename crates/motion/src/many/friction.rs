@@ -83,15 +83,10 @@ impl<T> Machine<T> {
     /// # Errors
     /// An input error if there is any.
     pub(crate) fn check_no_kinks(&self) -> Result<()> {
-        refused_kinks(self.kinked().as_deref())
-    }
-
-    /// Refuses a machine with forces that have kinks other than of the time alone.
-    ///
-    /// # Errors
-    /// An input error if there is any.
-    pub(super) fn check_kinks_of_time(&self) -> Result<()> {
-        refused_kinks(self.kinked_by_motion().as_deref())
+        let Some(text) = self.kinked() else { return Ok(()) };
+        Err(Error::input(format!(
+            "a force has kinks ({text}): the motion is not followed as one that is smooth between impacts"
+        )))
     }
 }
 
@@ -104,14 +99,6 @@ pub(super) fn check_given<'r>(rubs: impl Iterator<Item = (&'r String, Option<usi
     let Some(name) = rubs.filter_map(on).next() else { return Ok(()) };
     Err(Error::input(format!(
         "the normal force of friction {name} is that of a stop: orbits are followed under given normal forces alone"
-    )))
-}
-
-/// Refuses forces with such a kink.
-pub(super) fn refused_kinks(text: Option<&str>) -> Result<()> {
-    let Some(text) = text else { return Ok(()) };
-    Err(Error::input(format!(
-        "a force has kinks ({text}): the motion is not followed as one that is smooth between impacts"
     )))
 }
 

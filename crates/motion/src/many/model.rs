@@ -209,14 +209,6 @@ impl<T> Machine<T> {
             .next()
     }
 
-    /// What of its forces has kinks where the motion decides when they come, if anything has: those of the
-    /// time alone are pieces of the drive.
-    pub fn kinked_by_motion(&self) -> Option<String> {
-        let moved = |place: usize| place < 2 * self.points();
-        let mut forces = self.smooth.iter().flatten().filter(|force| force.formula.turns_with(&moved));
-        forces.next().map(|force| force.text.clone()).or_else(|| self.kinked().filter(|_| self.has_laws()))
-    }
-
     /// The number of coordinates q.
     pub fn points(&self) -> usize {
         if self.shapes.is_empty() { self.size } else { self.shapes.len() }

@@ -7,6 +7,7 @@ use super::{
     LinearEquations, Machine, NormalForce, Periodic, RealMatrix, RealVector, StopLaw,
     contact::{Contacts, SoftContact},
     modes,
+    stribeck::SlidingLaw,
 };
 use crate::{
     error::{Error, Result},
@@ -54,7 +55,7 @@ pub struct RubSlope {
     pub row: RealVector,
     /// Of the surface's velocity.
     pub velocity: Series,
-    /// Of F_k.
+    /// Of F_k; of a law, but for how that changes at rest ([`SlidingLaw::beside_coulomb`]).
     pub sliding: f64,
     /// Of F_s.
     pub holding: f64,
@@ -119,11 +120,24 @@ impl Slope {
                 _ => (1.0, 0.0),
             };
             let force = |coefficient: f64, by: f64| by * normal + coefficient * more;
+            let (kinetic, own) = match (&friction.law, &change.law) {
+                (Some(law), Some(own)) => {
+                    let known = SlidingLaw::new(law, normal, rate)?;
+                    (Some(known.at_rest()), known.slope_at_rest(law, own))
+                }
+                _ => (None, change.coefficient),
+            };
+            let holding = match kinetic {
+                Some(rest) if friction.static_coefficient == 0.0 => force(rest, own),
+                _ => force(friction.static_coefficient, change.static_coefficient),
+            };
+            // How a law changes at rest counts with the rest of it.
+            let own = if kinetic.is_some() { 0.0 } else { own };
             Ok(RubSlope {
                 row: vector("row", &friction.row, &change.row)?,
                 velocity: Series::combination(&[(1.0, &Series::constant(speed)), (1.0, &motion)]),
-                sliding: force(friction.coefficient, change.coefficient),
-                holding: force(friction.static_coefficient, change.static_coefficient),
+                sliding: force(kinetic.unwrap_or(friction.coefficient), own),
+                holding,
             })
         });
         Ok(Slope {

@@ -12,7 +12,10 @@ use super::smooth::{joined, known, number};
 use crate::{
     error::{Error, Result},
     formula::{Choice, Formula, Function, Operation},
-    motion::SmoothForce,
+    motion::{
+        SmoothForce,
+        flow::{Gradient, Scalar, value},
+    },
 };
 
 /// Values at v and −v that differ by no more of their size are the same.
@@ -21,7 +24,8 @@ const EVEN: f64 = 1e-9;
 /// The force of friction that follows the sliding speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SlidingLaw {
-    /// µ of v > 0, the variable at place 0.
+    /// µ of v > 0, the variable at place 0; as it is written, with coefficients, and with their values.
+    written: Formula,
     ahead: Formula,
     normal: f64,
     /// Ω.
@@ -49,12 +53,21 @@ impl SlidingLaw {
                 )));
             }
         }
-        Ok(SlidingLaw { ahead: onward(&own), normal, rate })
+        let (numbers, formula) = (known(law, 2), &law.formula);
+        let written = onward(formula, &numbers);
+        Ok(SlidingLaw { ahead: written.substituted(&numbers), written, normal, rate })
     }
 
     /// µ(0).
     pub fn at_rest(&self) -> f64 {
         self.ahead.at(&[0.0])[0]
+    }
+
+    /// By how much µ(0) changes with a parameter in which the coefficients of the law change so.
+    pub fn slope_at_rest(&self, law: &SmoothForce<f64>, change: &SmoothForce<f64>) -> f64 {
+        let own = law.coefficients.iter().zip(&change.coefficients).map(|(x, slope)| Gradient([*x, *slope]));
+        let variables: Vec<Gradient<2>> = [Gradient::constant(0.0); 2].into_iter().chain(own).collect();
+        value(&self.written, &variables).0[1]
     }
 
     /// The force at a velocity per radian: µN.
@@ -67,16 +80,22 @@ impl SlidingLaw {
         self.ahead.chooses()
     }
 
-    /// −σ (µ(|v|) − µ(0)) N as a formula, v being one; what chooses by the sign of v has v for its switch.
-    pub(crate) fn beside_coulomb(&self, v: &Formula) -> Formula {
+    /// −σ (µ(|v|) − µ(0)) N as a formula, v and N being formulas and `applied` that of µ at a speed; what
+    /// chooses by the sign of v has v for its switch. µ(0) is a number there: how it changes counts here, and
+    /// not as a change of Coulomb's force.
+    pub(crate) fn beside_coulomb(
+        &self,
+        v: &Formula,
+        normal: Formula,
+        applied: &mut dyn FnMut(&Formula, Formula) -> Formula,
+    ) -> Formula {
         let chosen = |above: Formula, below: Formula| {
             Formula::Choice(Box::new(Choice { text: "abs(v)".into(), switch: v.clone(), above, below }))
         };
         let negated = |x: &Formula| Formula::Negated(Box::new(x.clone()));
         let speed = chosen(v.clone(), negated(v));
-        let rest = number(self.at_rest());
-        let more = joined(Operation::Difference, self.ahead.substituted(&|_| speed.clone()), rest);
-        let force = joined(Operation::Product, number(self.normal), more);
+        let more = joined(Operation::Difference, applied(&self.written, speed), number(self.at_rest()));
+        let force = joined(Operation::Product, normal, more);
         chosen(negated(&force), force)
     }
 }
@@ -87,11 +106,12 @@ fn speeds() -> impl Iterator<Item = f64> {
     [0.0].into_iter().chain(decades.flat_map(|decade| [1.0, 2.0, 5.0].map(|digit| digit * decade)))
 }
 
-/// A formula where its variable is positive, without the kinks whose side follows from that.
-fn onward(formula: &Formula) -> Formula {
-    let Formula::Choice(choice) = formula else { return formula.mapped(&mut onward) };
-    let Choice { text, switch, above, below } = choice.mapped(onward);
-    match is_positive(&switch) {
+/// A formula where its variable is positive, without the kinks whose side follows from that and from the
+/// numbers that are known.
+fn onward(formula: &Formula, known: &dyn Fn(usize) -> Formula) -> Formula {
+    let Formula::Choice(choice) = formula else { return formula.mapped(&mut |part| onward(part, known)) };
+    let Choice { text, switch, above, below } = choice.mapped(|part| onward(part, known));
+    match is_positive(&switch.substituted(known)) {
         Some(true) => above,
         Some(false) => below,
         None => Formula::Choice(Box::new(Choice { text, switch, above, below })),
@@ -151,7 +171,11 @@ mod tests {
         for v in [0.0f64, 0.1, -0.1, 3.0] {
             let wanted = 2.0 * 0.2 * (1.0 + (-20.0 * (0.5 * v).abs()).exp());
             assert!((law.at(v) - wanted).abs() < 1e-15, "{v}");
-            let beside = law.beside_coulomb(&Formula::Variable(0)).at(&[0.5 * v])[0];
+            let beside = law
+                .beside_coulomb(&Formula::Variable(0), number(2.0), &mut |own, speed| {
+                    own.substituted(&|_| speed.clone())
+                })
+                .at(&[0.5 * v])[0];
             assert!((beside + (wanted - 0.8) * if v < 0.0 { -1.0 } else { 1.0 }).abs() < 1e-15, "{v}");
         }
     }

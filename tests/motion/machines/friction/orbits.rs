@@ -298,33 +298,50 @@ fn traces(a: &[Vec<f64>]) -> [f64; 2] {
     [(0..n).map(|i| a[i][i]).sum(), square]
 }
 
-/// Of random machines the orbit that a long simulation ends in is a root of the equations; its multipliers
-/// are those of differences of the period map, where at some phase nothing sticks; the equations change with
-/// the unknowns and with a parameter, in every coefficient at once, as differences say.
-#[test]
-fn random_orbits_agree_with_simulations_and_their_derivatives_with_differences() {
-    let trials: u64 = samples(4);
-    let (mut orbits, mut struck, mut sticking, mut checked, mut worst) = (0, 0, 0, 0, [0.0f64; 4]);
-    for trial in 0..trials {
-        let (family, q, u) = random_rough(trial);
-        let rough = &family.base;
+/// How many machines were looked at, and by how much they were off at most.
+#[derive(Debug, Default)]
+pub(super) struct Agreement {
+    pub orbits: u32,
+    struck: u32,
+    sticking: u32,
+    checked: u32,
+    worst: [f64; 4],
+}
+
+impl Agreement {
+    /// The orbit that a long simulation ends in is a root of the equations; its multipliers are those of
+    /// differences of the period map, where at some phase nothing sticks; the equations change with the
+    /// unknowns and with the parameter, at 0, as differences say.
+    pub fn look(&mut self, trial: u64, family: &dyn Family, q: &[f64], u: &[f64]) {
+        let rough = &family.at(0.0).unwrap().0;
         let simulator = Simulator::suited(rough, None, &[]).unwrap();
-        let Some(found) = attractor(&simulator, &q, &u) else { continue };
+        let Some(found) = attractor(&simulator, q, u) else { return };
         let orbit = found.find(&simulator);
-        orbits += 1;
-        struck += u32::from(!orbit.impacts.is_empty());
+        self.orbits += 1;
+        self.struck += u32::from(!orbit.impacts.is_empty());
         // What is lost where it sticks is 0, and not what rounding leaves of it.
         let sizes: Vec<f64> = orbit.multipliers.iter().map(|one| one.0.hypot(one.1)).collect();
         assert!(sizes.iter().all(|size| *size == 0.0 || *size > 1e-14), "{trial}: {sizes:?}");
-        sticking += u32::from(sizes.contains(&0.0));
+        self.sticking += u32::from(sizes.contains(&0.0));
         assert_eq!(orbit.admissibility, Admissibility::Admissible, "{trial}");
         let size =
             1.0 + orbit.state.q().iter().chain(orbit.state.u()).fold(0.0f64, |most, x| most.max(x.abs()));
         let state = &orbit.state;
         let off = apart(state.q(), found.state.q()).max(apart(state.u(), found.state.u())) / size;
-        worst[0] = worst[0].max(off);
+        self.worst[0] = self.worst[0].max(off);
         assert!(off < 1e-8, "{trial}: {off:e}");
-        // The period map at the phase at which it slides the fastest.
+        self.map(trial, (rough, &simulator), &found, &orbit);
+        self.equations(trial, family, &orbit);
+    }
+
+    /// The period map at the phase at which it slides the fastest.
+    fn map(
+        &mut self,
+        trial: u64,
+        (rough, simulator): (&Machine<f64>, &Simulator),
+        found: &Attractor,
+        orbit: &Orbit,
+    ) {
         let n = orbit.itinerary.periods() as i64;
         let mut run = simulator.start(at(0.0), found.seen.q(), found.seen.u()).unwrap();
         let mut best = (0.0, 0.0, found.seen.clone());
@@ -339,7 +356,7 @@ fn random_orbits_agree_with_simulations_and_their_derivatives_with_differences()
         }
         let (speed, t, state) = best;
         if speed > 1e-2 {
-            checked += 1;
+            self.checked += 1;
             let x: Vec<f64> = state.q().iter().chain(state.u()).copied().collect();
             let half = x.len() / 2;
             let map = |x: &[f64]| {
@@ -365,11 +382,14 @@ fn random_orbits_agree_with_simulations_and_their_derivatives_with_differences()
                 .fold([0.0; 2], |sum, (re, im)| [sum[0] + re, sum[1] + re * re - im * im]);
             // Near a sliding bifurcation a step may lead beyond it: then a shorter one.
             let off = [3e-6, 3e-7].map(|h| apart(&sum, &traces(&differences(h))));
-            worst[1] = worst[1].max(off[0].min(off[1]));
+            self.worst[1] = self.worst[1].max(off[0].min(off[1]));
             assert!(off[0].min(off[1]) < 1e-5, "{trial}: {sum:?} {off:?}");
         }
-        // The equations' derivatives.
-        let patterns = Patterns::new(&family, 0.0, None).unwrap();
+    }
+
+    /// The equations' derivatives.
+    fn equations(&mut self, trial: u64, family: &dyn Family, orbit: &Orbit) {
+        let patterns = Patterns::new(family, 0.0, None).unwrap();
         let pattern = &orbit.itinerary;
         let z: Vec<f64> =
             (0..orbit.z.len()).map(|i| orbit.z[i] * orbit.unit(i) / patterns.unit(pattern, i)).collect();
@@ -389,7 +409,7 @@ fn random_orbits_agree_with_simulations_and_their_derivatives_with_differences()
                 (more.residual[i] - less.residual[i]) / (2.0 * h)
             };
             let (off, slope) = nearest(exact.slope[i], &by);
-            worst[2] = worst[2].max(off);
+            self.worst[2] = self.worst[2].max(off);
             assert!(off < 1e-5, "{trial}, {i}: {slope} {}", exact.slope[i]);
             for j in 0..z.len() {
                 let moved = |h: f64| {
@@ -399,16 +419,26 @@ fn random_orbits_agree_with_simulations_and_their_derivatives_with_differences()
                 };
                 let by = |h: f64| (moved(h) - moved(-h)) / (2.0 * h);
                 let (off, slope) = nearest(exact.jacobian[i][j], &by);
-                worst[3] = worst[3].max(off);
+                self.worst[3] = self.worst[3].max(off);
                 assert!(off < 1e-5, "{trial}, {i} {j}: {slope} {}", exact.jacobian[i][j]);
             }
         }
     }
-    println!(
-        "{trials}: {orbits} orbits, {struck} with impacts, {sticking} that stick, {checked} maps, {worst:?}"
-    );
+}
+
+/// Of random machines, in every coefficient at once.
+#[test]
+fn random_orbits_agree_with_simulations_and_their_derivatives_with_differences() {
+    let trials: u64 = samples(4);
+    let mut all = Agreement::default();
+    for trial in 0..trials {
+        let (family, q, u) = random_rough(trial);
+        all.look(trial, &family, &q, &u);
+    }
+    println!("{trials}: {all:?}");
+    let Agreement { orbits, struck, sticking, checked, .. } = all;
     assert!(
-        orbits > trials * 2 / 3
+        u64::from(orbits) > trials * 2 / 3
             && struck > trials as u32 / 12
             && (trials < 16 || sticking > trials as u32 / 4)
             && checked > trials as u32 / 3

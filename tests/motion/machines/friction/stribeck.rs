@@ -198,35 +198,26 @@ fn orbits_with_a_law_have_the_multipliers_of_differences() {
 /// What a law is not, with its place and what to do.
 #[test]
 fn laws_that_are_not_taken_are_refused_with_their_place() {
-    let body = |normal: &str, coefficient: &str, task: &str| {
+    let body = |normal: &str, coefficient: &str| {
         format!(
             "[parameters]\nF = 1\nv = 1\n[system]\nmass = [[1, 0], [0, 1]]\nforcing = [{{ cos = [\"F\", 1] }}]\n\
              stiffness = [[2, 0], [0, 3]]\n[[stops]]\nname = \"floor\"\nrow = [0, 1]\noffset = -1\nrestitution = 0.5\n\
-             [[friction]]\nname = \"foot\"\nrow = [1, 0]\n{normal}\ncoefficient = {coefficient}\n{task}"
+             [[friction]]\nname = \"foot\"\nrow = [1, 0]\n{normal}\ncoefficient = {coefficient}\n"
         )
     };
     let law = "\"0.2 + 0.2*exp(-abs(v)/0.05)\"";
     let (given, on_stop) = ("normal = 1", "stop = \"floor\"");
-    let task = |kind: &str, keys: &str| format!("[[tasks]]\nname = \"x\"\nkind = \"{kind}\"\n{keys}\n");
-    let orbit = "orbit = { pattern = [1], speed = 1 }";
-    let branch = task("branch", &format!("starts = [{{ {orbit} }}]\nparameter = \"F\"\nrange = [1, 2]"));
-    let orbit = task("orbit", orbit);
-    let none = String::new();
-    let kinked = "\"max(0.1, 0.4 - abs(v))\"";
-    for (normal, coefficient, task, answers) in [
-        (given, "\"0.3 + v\"", &none, ["friction[1].coefficient", "the same both ways", "abs(v)"]),
-        (given, "\"0.4 - abs(v)\"", &none, ["friction[1].coefficient", "v = 0.5", "at least 0"]),
-        (given, "\"log(abs(v))\"", &none, ["friction[1].coefficient", "v = 0", "at least 0"]),
-        (on_stop, law, &none, ["friction[1].coefficient", "normal force alone", "give `normal`"]),
-        (given, &format!("{law}\nstatic_coefficient = 0.3"), &none, ["static_coefficient", "below", "0.4"]),
-        (given, law, &branch, ["tasks[1].kind", "foot follows the sliding speed", "`orbit`,"]),
-        (given, kinked, &orbit, ["tasks[1].kind", "the coefficient of foot has kinks", "`simulate`"]),
-        (given, kinked, &branch, ["tasks[1].kind", "the coefficient of foot has kinks", "`simulate`"]),
+    for (normal, coefficient, answers) in [
+        (given, "\"0.3 + v\"", ["friction[1].coefficient", "the same both ways", "abs(v)"]),
+        (given, "\"0.4 - abs(v)\"", ["friction[1].coefficient", "v = 0.5", "at least 0"]),
+        (given, "\"log(abs(v))\"", ["friction[1].coefficient", "v = 0", "at least 0"]),
+        (on_stop, law, ["friction[1].coefficient", "normal force alone", "give `normal`"]),
+        (given, &format!("{law}\nstatic_coefficient = 0.3"), ["static_coefficient", "below", "0.4"]),
     ] {
-        let error = refusal(3, &body(normal, coefficient, task).replace("v = 1\n[system]", "[system]"));
+        let error = refusal(3, &body(normal, coefficient).replace("v = 1\n[system]", "[system]"));
         assert!(answers.iter().all(|answer| error.contains(answer)), "{answers:?}: {error}");
     }
-    let error = refusal(3, &body(given, law, ""));
+    let error = refusal(3, &body(given, law));
     assert!(error.contains("friction[1].coefficient") && error.contains("rename the parameter"), "{error}");
 }
 

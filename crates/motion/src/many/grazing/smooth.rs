@@ -66,7 +66,7 @@ pub(super) fn find(
         Error::input("without impacts no periodic motion was found, neither from that of the linearised machine nor from rest")
     })?;
     let formulas = Smooth::new(&bare)?.ok_or_else(none)?;
-    let own = formulas.slope(&bare, &bare_slope);
+    let own = formulas.slope(&bare, &bare_slope)?;
     let program = formulas.changing(&stage.equations, (&Slope::new(&bare, &bare_slope)?, &own))?;
     let start = stacked(&state.q, &state.u);
     let fixed = start.iter().map(|x| Gradient::constant(*x)).collect();

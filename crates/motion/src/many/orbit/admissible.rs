@@ -310,7 +310,9 @@ impl StopEquations<'_> {
     fn contact_at(&self, piece: &LegPiece) -> Vec<(bool, bool)> {
         let all = self.contacts.all().iter().enumerate();
         let touched = |contact: &StopContact| contact.gap(&piece.start)[0] >= -STILL * self.scale;
-        all.map(|(stop, contact)| (piece.pushing.contains(&stop), touched(contact))).collect()
+        // A stage has those with a law, too.
+        let pushing = piece.stage.as_ref().map_or(&piece.pushing, |stage| &stage.pushing);
+        all.map(|(stop, contact)| (pushing.contains(&stop), touched(contact))).collect()
     }
 
     fn extremes_of(

@@ -1,7 +1,7 @@
 //! How the motion of a machine, its gaps and its impacts change with a parameter.
 
 use crate::{
-    error::{Error, Result},
+    error::Result,
     many::{
         LinearEquations, LinearFlow, Machine, Periodic, RealMatrix, RealVector, Slope, SpeedLaw, State,
         StopLaw,
@@ -12,7 +12,7 @@ use crate::{
     },
     motion::{
         Series,
-        flow::{GAUSS, Gradient, Scalar},
+        flow::{GAUSS, Gradient, Program},
     },
 };
 
@@ -95,21 +95,13 @@ impl Change {
             }
         });
         let stops = stops.collect();
-        let forces = machine.smooth.iter().zip(&slope.smooth);
-        for (force, own) in forces.filter_map(|(force, own)| Some((force.as_ref()?, own.as_ref()?))) {
-            let first = 2 * machine.points() + 1;
-            let moves = |place: usize| place >= first && own.coefficients[place - first] != 0.0;
-            if force.formula.turns_with(&moves) {
-                return Err(Error::input(format!(
-                    "the parameter moves the time of a kink ({}): how orbits change with that is not followed",
-                    force.text
-                )));
+        let smooth = match Smooth::new(machine)? {
+            Some(smooth) => {
+                let own = smooth.slope(machine, slope)?;
+                Some((smooth, own))
             }
-        }
-        let smooth = Smooth::new(machine)?.map(|smooth| {
-            let own = smooth.slope(machine, slope);
-            (smooth, own)
-        });
+            None => None,
+        };
         Ok(Change { force, state, alone, slope: change, stops, smooth })
     }
 
@@ -127,6 +119,29 @@ impl Change {
         Ok(Change { force, state, alone, slope, stops, smooth })
     }
 
+    /// The motion of a stage by formulas with its derivative in the parameter, of which `slope` is what it
+    /// changes of the rest; none without formulas.
+    ///
+    /// # Errors
+    /// Those of [`Smooth::changing`].
+    pub(super) fn changing(&self, stage: &Stage, slope: &Slope) -> Result<Option<Program<Gradient<2>>>> {
+        let Some((formulas, own)) = self.smooth.as_ref().filter(|_| stage.smooth.is_some()) else {
+            return Ok(None);
+        };
+        let program = match formulas.switches() {
+            [] => formulas.changing(&stage.equations, (slope, own)),
+            _ => formulas
+                .in_mode(&stage.holds.below, &stage.holds.grips)
+                .changing(&stage.equations, (slope, own)),
+        };
+        program.map(Some)
+    }
+
+    /// How a switch of the formulas changes at a state.
+    pub(super) fn switch(&self, switch: usize, at: &State) -> f64 {
+        self.smooth.as_ref().map_or(0.0, |(formulas, own)| formulas.switch_slope(switch, at, own))
+    }
+
     /// As [`leg`](Self::leg) where forces are formulas: by the derivative of the Taylor series in the
     /// parameter.
     ///
@@ -139,24 +154,10 @@ impl Change {
         from: &State,
         duration: f64,
     ) -> Result<RealVector> {
-        let n = from.q.len();
-        let (Some((formulas, own)), Some(smooth)) = (&self.smooth, &stage.smooth) else {
-            return Ok(RealVector::zeros(2 * n));
-        };
         let slope = self.slope.pushed(contacts, &stage.holds.soft.pushing);
-        let program = match formulas.switches() {
-            [] => formulas.changing(&stage.equations, (&slope, own)),
-            _ => formulas
-                .in_mode(&stage.holds.below, &stage.holds.grips)
-                .changing(&stage.equations, (&slope, own)),
-        }?;
-        let start = from.q.iter().chain(from.u.iter()).map(|x| Gradient::constant(*x)).collect();
-        let end = smooth.flow.carried(&program, start, from.t, duration);
-        let slopes = RealVector::from_fn(2 * n, |i, _| end[i].0[1]);
-        if slopes.iter().all(|x| x.is_finite()) {
-            Ok(slopes)
-        } else {
-            Err(Error::input("how the motion changes with the parameter could not be followed"))
+        match (&stage.smooth, self.changing(stage, &slope)?) {
+            (Some(smooth), Some(program)) => smooth.changed(&program, from, duration),
+            _ => Ok(RealVector::zeros(2 * from.q.len())),
         }
     }
 

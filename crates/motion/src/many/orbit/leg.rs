@@ -6,8 +6,8 @@
 //! own. Where it ends, the motion's field is continuous, and nothing is to be done; where it begins the force
 //! jumps by cV, and a displacement δ becomes δq′ − c M⁻¹wᵀ δz, δz being by how much the gap is larger there.
 //! So a branch passes through a grazing of a soft stop. Where forces are formulas, pieces are not linear, and
-//! their derivatives are those of the flow along the motion. A piece ends at kinks of the time, too, which
-//! are the same for all motions: displacements stay as they are. Where there is friction, it is in `rubbing`.
+//! their derivatives are those of the flow along the motion. Where there is friction, or forces have kinks,
+//! it is in `rubbing`.
 
 use std::sync::Arc;
 
@@ -135,7 +135,7 @@ impl<'s> Between<'s> {
             let event = run.next(until);
             let touch = match &event {
                 Event::Touch(touch) => Some(*touch),
-                Event::Release(_) | Event::Kink(_) | Event::End(_) => None,
+                Event::Release(_) | Event::End(_) => None,
                 _ => continue,
             };
             let (time, here) = (run.time(), State { t: run.time().phase, ..run.state() });

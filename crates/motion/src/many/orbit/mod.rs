@@ -140,7 +140,6 @@ pub fn find_beside(
             2 * m
         )));
     }
-    simulator.check_kinks_of_time()?;
     check_given(simulator.contacts().rubs().iter().map(|rub| (&rub.name, rub.stop)))?;
     check_stops(pattern, simulator.contacts())?;
     let scale = scale(simulator, pattern, start);

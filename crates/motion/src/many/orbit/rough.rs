@@ -9,16 +9,19 @@
 //! with D = W M⁻¹Wᵀ and Π = 1 − M⁻¹Wᵀ D⁻¹ W: Duhamel's integral, by Gauss's rule on panels short against
 //! every motion, exact to rounding.
 
-use super::Change;
+use super::{Change, leg::LOST};
 use crate::{
     error::{Error, Result},
     many::{
         LinearEquations, LinearFlow, Periodic, RealMatrix, RealVector, Slope, State,
         brace::Brace,
         contact::{Contacts, DEPENDENT},
-        simulate::{Stage, What},
+        simulate::{SmoothStage, Stage, What},
     },
-    motion::{Time, flow::GAUSS},
+    motion::{
+        Time,
+        flow::{GAUSS, Gradient, Program, Scalar},
+    },
 };
 
 /// How the motion of a stage changes with a parameter.
@@ -30,15 +33,13 @@ pub(super) struct Rough<'c> {
     stuck: Vec<usize>,
     /// D⁻¹.
     inverse: RealMatrix,
+    change: &'c Change,
+    /// Where forces are formulas, q″ without what sticks, with its derivative.
+    program: Option<Program<Gradient<2>>>,
 }
 
 impl<'c> Rough<'c> {
-    pub(super) fn new(change: &Change, stage: &'c Stage, contacts: &'c Contacts) -> Result<Rough<'c>> {
-        if stage.smooth.is_some() {
-            return Err(Error::input(
-                "how motions change with a parameter is not followed where there is dry friction and a force is a formula",
-            ));
-        }
+    pub(super) fn new(change: &'c Change, stage: &'c Stage, contacts: &'c Contacts) -> Result<Rough<'c>> {
         let signs = stage.holds.grips.iter().map(|grip| grip.sign());
         let slope = change.slope.pushed(contacts, &stage.holds.soft.pushing).dragged(contacts, signs);
         let stuck = stage.holds.held(contacts);
@@ -51,7 +52,8 @@ impl<'c> Rough<'c> {
         }
         let rows: Vec<usize> = stuck.iter().map(|&j| contacts.rub_row(j)).collect();
         let inverse = contacts.among(&rows).try_inverse().ok_or_else(|| Error::input(DEPENDENT))?;
-        Ok(Rough { slope, stage, contacts, stuck, inverse })
+        let program = change.changing(stage, &slope)?;
+        Ok(Rough { slope, stage, contacts, stuck, inverse, change, program })
     }
 
     /// M⁻¹Wᵀ x.
@@ -66,22 +68,39 @@ impl<'c> Rough<'c> {
         RealVector::from_iterator(self.stuck.len(), self.stuck.iter().map(|&j| of(j)))
     }
 
+    /// q″ without what sticks, and how that changes at a state that stays.
+    fn free(&self, at: &State) -> [RealVector; 2] {
+        let Rough { slope, stage, .. } = self;
+        let n = stage.equations.size();
+        let Some(program) = &self.program else {
+            let bend = stage.equations.acceleration(at.t, &at.q, &at.u);
+            let own = slope.force.at(at.t)
+                - &slope.mass * &bend
+                - &slope.damping * &at.u
+                - &slope.stiffness * &at.q;
+            let own = stage.equations.accelerate(&own);
+            return [bend, own];
+        };
+        let state: Vec<_> = at.q.iter().chain(at.u.iter()).map(|x| Gradient::constant(*x)).collect();
+        let all = program.all_at(&state, Gradient::constant(at.t));
+        [0, 1].map(|part| RealVector::from_fn(n, |i, _| all[i].0[part]))
+    }
+
     /// h and λ_p.
     fn bent(&self, at: &State) -> (RealVector, RealVector) {
         let Rough { slope, stage, contacts, inverse, .. } = self;
         let (equations, rubs) = (&stage.equations, contacts.rubs());
-        let bend = stage.acceleration(Time::new(0, at.t), at);
-        let mut force =
-            slope.force.at(at.t) - &slope.mass * &bend - &slope.damping * &at.u - &slope.stiffness * &at.q;
+        let [free, own] = self.free(at);
         if self.stuck.is_empty() {
-            return (equations.accelerate(&force), RealVector::zeros(0));
+            return (own, RealVector::zeros(0));
         }
-        let free = equations.acceleration(at.t, &at.q, &at.u);
+        let bend = stage.acceleration(Time::new(0, at.t), at);
+        let mut force = &slope.mass * (&free - &bend);
         let load = inverse * self.held(|j| rubs[j].surface(at.t)[1] - rubs[j].row.dot(&free));
         for (&j, load) in self.stuck.iter().zip(load.iter()) {
             force.axpy(*load, &slope.rubs[j].row, 1.0);
         }
-        let felt = equations.accelerate(&force);
+        let felt = own + equations.accelerate(&force);
         let by = inverse
             * self.held(|j| {
                 let own = &slope.rubs[j];
@@ -108,6 +127,11 @@ impl<'c> Rough<'c> {
                 let most = |(j, part): &(usize, f64)| part.abs() * self.slope.rubs[*j].holding;
                 parts.iter().map(most).sum::<f64>() - side.sign() * needed.iter().map(load).sum::<f64>()
             }
+            // With the sign that it has on this stage.
+            What::Kink(k) => {
+                let sign = if self.stage.holds.below.contains(&k) { -1.0 } else { 1.0 };
+                sign * self.change.switch(k, at)
+            }
             _ => 0.0,
         }
     }
@@ -128,6 +152,14 @@ impl<'c> Rough<'c> {
         }
         if duration <= 0.0 {
             return Ok(slope);
+        }
+        if let (Some(smooth), Some(program)) = (&stage.smooth, &self.program) {
+            return if self.stuck.is_empty() {
+                let own = smooth.changed(program, from, duration)?;
+                Ok(own + smooth.transition(from, duration) * slope)
+            } else {
+                self.stuck_leg(smooth, from, duration, slope)
+            };
         }
         let held;
         let flow = if self.stuck.is_empty() {
@@ -178,6 +210,36 @@ impl<'c> Rough<'c> {
                 slope.rows_mut(n, n).axpy(width * weight, &bent, 1.0);
             }
             slope = &steps[GAUSS.len()] * slope;
+        }
+        Ok(slope)
+    }
+
+    /// The same where something sticks and forces are formulas: a panel for each step of the motion.
+    fn stuck_leg(
+        &self,
+        smooth: &SmoothStage,
+        from: &State,
+        duration: f64,
+        mut slope: RealVector,
+    ) -> Result<RealVector> {
+        let n = from.q.len();
+        let (mut now, mut here, mut left) = (Time::new(0, from.t), from.clone(), duration);
+        while left > 0.0 {
+            let leap = smooth.leap(now, &here);
+            if leap.over().is_some() {
+                return Err(Error::input(LOST));
+            }
+            let width = left.min(leap.h);
+            let mut gone = 0.0;
+            for (node, weight) in GAUSS {
+                let at = leap.state(node * width / leap.h);
+                slope = smooth.transition(&here, width * (node - gone)) * slope;
+                slope.rows_mut(n, n).axpy(width * weight, &self.bent(&at).0, 1.0);
+                (here, gone) = (at, node);
+            }
+            slope = smooth.transition(&here, width * (1.0 - gone)) * slope;
+            (now, here) = (leap.time(width / leap.h), leap.state(width / leap.h));
+            left -= width;
         }
         Ok(slope)
     }

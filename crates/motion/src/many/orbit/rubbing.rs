@@ -66,8 +66,9 @@ impl Turn {
             Met::Rub(what) => {
                 let (seen, by_time) = before.slopes(contacts, what, at)?;
                 let rate = seen.dot(&stacked(&at.u, &bend)) + by_time;
-                // Where it goes on as before, it does not matter when.
-                if turn.amax() == 0.0 || rate >= 0.0 || rate.is_nan() {
+                // Where it goes on as before, it does not matter when. A switch may have turned unseen since.
+                let falls = rate < 0.0 || matches!(what, What::Kink(_)) && rate > 0.0;
+                if turn.amax() == 0.0 || !falls {
                     return Ok(None);
                 }
                 let own = match change {

@@ -94,14 +94,13 @@ pub(crate) use holds::What;
 use holds::{Holds, SoftStops};
 pub use pushes::{Contact, Pushes};
 pub use slid::{Slid, goes_on};
-pub(crate) use smooth::seen;
+pub(crate) use smooth::{SmoothStage, seen};
 pub(crate) use stage::Stage;
 pub use tangent::Carried;
 
 use super::{
     LinearEquations, Machine, RealVector, Rub, State,
     contact::{Contacts, StopContact},
-    friction::refused_kinks,
     smooth::{Smooth, SwitchOf},
 };
 use crate::many::{LinearFlow, drift::Drifts};
@@ -315,9 +314,9 @@ impl Simulator {
         !self.is_pieced() && self.flow().particular(0.0).iter().all(|x| x.is_finite())
     }
 
-    /// Whether there is dry friction.
+    /// Whether motion between impacts has corners: there is dry friction, or forces have kinks.
     pub(crate) fn is_rough(&self) -> bool {
-        !self.contacts.rubs().is_empty()
+        !self.contacts.rubs().is_empty() || !self.switches().is_empty()
     }
 
     /// (q″) of a state between impacts.
@@ -503,17 +502,6 @@ impl Simulator {
             return Err(Error::input(format!("the start lies behind the stop {name}: its gap is {gap:e}")));
         }
         Run::new(self, time, state)
-    }
-
-    /// Refuses a machine with forces that have kinks other than of the time alone, where motions between
-    /// impacts must be smooth but for the drive.
-    ///
-    /// # Errors
-    /// An input error if there is any.
-    pub(crate) fn check_kinks_of_time(&self) -> Result<()> {
-        refused_kinks(
-            self.switches().iter().find(|switch| switch.is_of_motion()).map(|switch| switch.text.as_str()),
-        )
     }
 
     /// v at each row with friction; where it is rounding's, 0.

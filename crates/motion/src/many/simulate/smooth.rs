@@ -5,7 +5,7 @@ use std::{f64::consts::TAU, sync::Arc};
 
 use super::holds::What;
 use crate::{
-    error::Result,
+    error::{Error, Result},
     many::{
         Grip, LinearEquations, RealMatrix, RealVector, State,
         algebra::stacked,
@@ -16,7 +16,7 @@ use crate::{
     },
     motion::{
         Series, Time,
-        flow::{GAUSS, TERMS, too_many},
+        flow::{GAUSS, Gradient, Program, Scalar, TERMS, too_many},
     },
 };
 
@@ -207,6 +207,22 @@ impl SmoothStage {
     pub fn step_transition(&self, time: Time, state: &State, longest: f64) -> (RealMatrix, f64) {
         let (given, left) = self.recorded(time);
         self.flow.step_transition(state, longest.min(left), &given)
+    }
+
+    /// How (q, q′) after a duration changes with a parameter, the state before being fixed, by the motion
+    /// with its derivative.
+    ///
+    /// # Errors
+    /// A motion that cannot be followed.
+    pub fn changed(&self, program: &Program<Gradient<2>>, from: &State, duration: f64) -> Result<RealVector> {
+        let start = from.q.iter().chain(from.u.iter()).map(|x| Gradient::constant(*x)).collect();
+        let end = self.flow.carried(program, start, from.t, duration);
+        let slopes = RealVector::from_iterator(2 * self.size, end.iter().map(|x| x.0[1]));
+        if slopes.iter().all(|x| x.is_finite()) {
+            Ok(slopes)
+        } else {
+            Err(Error::input("how the motion changes with the parameter could not be followed"))
+        }
     }
 
     /// The determinant of [`transition`](Self::transition), by Liouville: exp ∫ tr ∂q″/∂q′ dt; NaN where the

@@ -371,6 +371,9 @@ fn suited<S: Scalar>(program: &Program<S>, metric: &RealMatrix, rows: &Rows<S>, 
     program.suited(rows, far, LEAST / trial, fits)
 }
 
+/// In a time this short, in radians, q″ changes a motion by less than rounding.
+const BRIEF: f64 = 1e-11;
+
 /// The end of a motion, and in how many steps, each of which is shown.
 fn carry<S: Scalar>(
     program: &Program<S>,
@@ -383,9 +386,19 @@ fn carry<S: Scalar>(
     while left > 0.0 {
         steps += 1;
         let step = step(program, metric, &from, t, left, &[]);
-        let stuck = step.h.is_nan() || step.h < left.min(1e-11).min(program.shortest());
-        if stuck || too_many(steps, duration - left) {
-            return (vec![S::constant(f64::NAN); 2 * n], steps);
+        let stuck = step.h.is_nan() || step.h < left.min(BRIEF).min(program.shortest());
+        if stuck && left > BRIEF || too_many(steps, duration - left) {
+            // With all that it carries.
+            return (from.iter().map(|x| x.scaled(f64::NAN)).collect(), steps);
+        }
+        if stuck {
+            // What is left ends at a pole of a derivative, such as that of d^1.5 at d = 0.
+            let bend = program.all_at(&from, S::constant(t));
+            for j in 0..n {
+                from[j] = from[j] + from[n + j].scaled(left);
+                from[n + j] = from[n + j] + bend[j].scaled(left);
+            }
+            return (from, steps);
         }
         for j in 0..n {
             [from[j], from[n + j]] = step.end(j);

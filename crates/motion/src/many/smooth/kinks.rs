@@ -10,12 +10,15 @@ use std::{f64::consts::FRAC_PI_2, sync::Arc};
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::Smooth;
+use super::{Smooth, laws::laws};
 use crate::{
     error::Result,
-    formula::{Choice, Formula, Function, Operation},
-    many::{Friction, Grip, Machine, RealVector, State, Stop, StopLaw},
-    motion::{Harmonic, SmoothForce},
+    formula::{Choice, Formula, Operation},
+    many::{Grip, Machine, RealVector, State},
+    motion::{
+        SmoothForce,
+        flow::{Gradient, value},
+    },
 };
 
 /// A function whose sign chooses.
@@ -23,17 +26,12 @@ use crate::{
 pub struct Switch {
     /// Of displacements and velocities of all points and of the time.
     formula: Formula,
+    /// The same with coefficients, and the force whose they are.
+    written: Formula,
+    force: usize,
     /// What it stands in, as it was written.
     pub text: String,
     pub(crate) of: SwitchOf,
-    of_time: bool,
-}
-
-impl Switch {
-    /// Whether the motion decides, and no event of its own says when.
-    pub fn is_of_motion(&self) -> bool {
-        !self.of_time && !matches!(self.of, SwitchOf::Slide(_))
-    }
 }
 
 /// What a switch decides.
@@ -52,26 +50,28 @@ pub(crate) enum SwitchOf {
 /// The switches of a machine, those inside others first.
 fn switches(formulas: &[(usize, SmoothForce<f64>)], points: usize) -> Vec<Switch> {
     let mut all = Vec::new();
-    formulas.iter().for_each(|(_, force)| collect(&force.formula, &mut all));
-    for known in &mut all {
-        known.of_time = !known.formula.mentions(&|place| place < 2 * points);
+    for (place, (_, force)) in formulas.iter().enumerate() {
+        collect(&force.formula, (place, &known(force, 2 * points + 1)), &mut all);
     }
     all
 }
 
-fn collect(formula: &Formula, all: &mut Vec<Switch>) {
+fn collect(formula: &Formula, own: (usize, &dyn Fn(usize) -> Formula), all: &mut Vec<Switch>) {
     match formula {
         Formula::Number(_) | Formula::Variable(_) | Formula::Pi => {}
         Formula::Negated(inner)
         | Formula::Power(inner, _)
         | Formula::Call(_, inner)
-        | Formula::Raised(inner, _) => collect(inner, all),
-        Formula::Binary(_, parts) => parts.iter().for_each(|part| collect(part, all)),
+        | Formula::Raised(inner, _) => collect(inner, own, all),
+        Formula::Binary(_, parts) => parts.iter().for_each(|part| collect(part, own, all)),
         Formula::Choice(choice) => {
-            choice.parts().into_iter().for_each(|part| collect(part, all));
-            if all.iter().all(|known| known.formula != choice.switch) {
-                let (formula, text) = (choice.switch.clone(), choice.text.clone());
-                all.push(Switch { formula, text, of: SwitchOf::Kink, of_time: false });
+            choice.parts().into_iter().for_each(|part| collect(part, own, all));
+            let (force, numbers) = own;
+            let formula = choice.switch.substituted(numbers);
+            if all.iter().all(|known| known.formula != formula) {
+                let (written, text) = (choice.switch.clone(), choice.text.clone());
+                let of = SwitchOf::Kink;
+                all.push(Switch { formula, written, force, text, of });
             }
         }
     }
@@ -84,13 +84,6 @@ pub(in crate::many) fn number(value: f64) -> Formula {
 
 pub(in crate::many) fn joined(operation: Operation, x: Formula, y: Formula) -> Formula {
     Formula::Binary(operation, Box::new([x, y]))
-}
-
-/// Σ of multiples.
-fn sum(terms: impl Iterator<Item = (f64, Formula)>) -> Formula {
-    let part = |(factor, of): (f64, Formula)| joined(Operation::Product, number(factor), of);
-    let all = terms.filter(|term| term.0 != 0.0).map(part);
-    all.reduce(|sum, part| joined(Operation::Sum, sum, part)).unwrap_or_else(|| number(0.0))
 }
 
 /// The numbers in the place of a force's coefficients: `variables` come before them.
@@ -113,89 +106,45 @@ fn closed(formula: &Formula, known: &dyn Fn(usize) -> Formula) -> Formula {
     }
 }
 
-/// cos kt or sin kt, the time standing at a place.
-fn turn(function: Function, k: u32, time: usize) -> Formula {
-    let angle = joined(Operation::Product, number(f64::from(k)), Formula::Variable(time));
-    Formula::Call(function, Box::new(angle))
-}
-
-/// The terms of the velocity of a surface per unit of time, Ω being `rate`.
-fn velocity(harmonics: &[Harmonic<f64>], rate: f64, time: usize) -> impl Iterator<Item = (f64, Formula)> {
-    harmonics.iter().flat_map(move |h| {
-        let by = rate * f64::from(h.k);
-        [(-by * h.cos, turn(Function::Sin, h.k, time)), (by * h.sin, turn(Function::Cos, h.k, time))]
-    })
-}
-
-/// The velocity at a row with friction as a formula in the motion, per unit of time.
-fn sliding(machine: &Machine<f64>, friction: &Friction<f64>) -> Formula {
-    let points = machine.points();
-    let seen = friction.row.iter().enumerate().map(|(i, w)| (*w, Formula::Variable(points + i)));
-    let surface = velocity(&friction.harmonics, machine.rate(), 2 * points);
-    let surface = surface.chain([(friction.speed, number(1.0))]).map(|(factor, of)| (-factor, of));
-    sum(seen.chain(surface))
-}
-
-/// The force of a stop with a law as a formula in the motion: 0 where its depth is negative, or its force.
-fn law(machine: &Machine<f64>, stop: &Stop<f64>, force: &SmoothForce<f64>) -> [Formula; 3] {
-    let (points, rate) = (machine.points(), machine.rate());
-    let (time, row) = (2 * points, &stop.row);
-    let place = stop
-        .wall
-        .harmonics
-        .iter()
-        .flat_map(|h| [(h.cos, turn(Function::Cos, h.k, time)), (h.sin, turn(Function::Sin, h.k, time))]);
-    let speed = velocity(&stop.wall.harmonics, rate, time);
-    let seen = |from: usize| row.iter().enumerate().map(move |(i, w)| (-w, Formula::Variable(from + i)));
-    let depth = joined(Operation::Sum, number(stop.wall.offset), sum(seen(0).chain(place)));
-    let closing = sum(seen(points).chain(speed));
-    let own = force.formula.substituted(&known(force, 3));
-    let known = own.substituted(&|at| if at == 0 { depth.clone() } else { closing.clone() });
-    let (zero, name) = (number(0.0), &stop.name);
-    let chosen = |what: &str, switch: &Formula, above: Formula| {
-        let (text, below) = (format!("{what} of {name}"), zero.clone());
-        Formula::Choice(Box::new(Choice { text, switch: switch.clone(), above, below }))
-    };
-    let whole = chosen("depth", &depth, chosen("force", &known, known.clone()));
-    [whole, depth, known]
-}
-
 impl Smooth {
     /// Adds the forces of stops with laws and of friction with one, and finds all switches.
     pub(super) fn with_kinks(mut self, machine: &Machine<f64>) -> Result<Smooth> {
         let variables = 2 * machine.points() + 1;
-        for (_, force) in self.formulas.iter_mut().filter(|(_, force)| force.formula.chooses()) {
-            let own = closed(&force.formula, &known(force, variables));
-            force.formula = Arc::new(own);
-        }
+        let (laws, stops) = laws(machine, None)?;
+        self.without_friction = self.formulas.len() + stops;
         let mut roles = Vec::new();
-        for (place, stop) in machine.stops.iter().enumerate() {
-            let StopLaw::Formula(force) = &stop.law else { continue };
-            let [whole, depth, push] = law(machine, stop, force);
-            let text = force.text.clone();
-            let acting = SmoothForce { formula: Arc::new(whole), text, coefficients: vec![] };
-            let row = RealVector::from_column_slice(&stop.row);
-            self.formulas.push((machine.points() + self.laws.len(), acting));
-            self.laws.push((self.shape.tr_mul(&row), format!("law of stop {}", stop.name)));
-            roles.extend([(depth, SwitchOf::Depth(place)), (push, SwitchOf::Push(place))]);
-        }
-        self.without_friction = self.formulas.len();
-        let rubs = if machine.has_sliding_laws() { machine.rubs()? } else { Vec::new() };
-        for (place, (rub, friction)) in rubs.iter().zip(&machine.friction).enumerate() {
-            let (Some(law), Some(own)) = (&rub.law, &friction.law) else { continue };
-            let (v, text) = (sliding(machine, friction), own.text.clone());
-            let acting =
-                SmoothForce { formula: Arc::new(law.beside_coulomb(&v)), text, coefficients: vec![] };
-            self.formulas.push((machine.points() + self.laws.len(), acting));
-            self.laws.push((rub.row.clone(), format!("coefficient of friction {}", rub.name)));
-            roles.push((v, SwitchOf::Slide(place)));
+        for law in laws {
+            let closed =
+                |(formula, of): (Formula, SwitchOf)| (formula.substituted(&known(&law.force, variables)), of);
+            roles.extend(law.roles.into_iter().map(closed));
+            self.formulas.push((machine.points() + self.laws.len(), law.force));
+            self.laws.push((self.shape.tr_mul(&law.row[0]), law.name));
         }
         let mut all = switches(&self.formulas, machine.points());
         for (formula, of) in roles {
             all.iter_mut().filter(|known| known.formula == formula).for_each(|known| known.of = of);
         }
         self.switches = Arc::new(all);
+        for (_, force) in self.formulas.iter_mut().filter(|(_, force)| force.formula.chooses()) {
+            let own = closed(&force.formula, &known(force, variables));
+            force.formula = Arc::new(own);
+        }
         Ok(self)
+    }
+
+    /// How a switch changes at a state that stays, in a parameter in which the formulas change so.
+    pub fn switch_slope(&self, switch: usize, state: &State, own: &Smooth) -> f64 {
+        let Switch { written, force, .. } = &self.switches[switch];
+        let both = |value: f64, slope: f64| Gradient([value, slope]);
+        let points = self.shape.nrows();
+        let [q, u] = [&state.q, &state.u].map(|x| [&self.shape * x, &own.shape * x]);
+        let rate = both(self.rate, own.rate);
+        let places = (0..points).map(|i| both(q[0][i], q[1][i]));
+        let rates = (0..points).map(|i| rate * both(u[0][i], u[1][i]));
+        let numbers = self.formulas[*force].1.coefficients.iter().zip(&own.formulas[*force].1.coefficients);
+        let numbers = numbers.map(|(value, slope)| both(*value, *slope));
+        let variables: Vec<_> = places.chain(rates).chain([both(state.t, 0.0)]).chain(numbers).collect();
+        value(written, &variables).0[1]
     }
 
     /// Where forces have kinks.

@@ -9,6 +9,7 @@
 
 mod flow;
 mod kinks;
+mod laws;
 mod record;
 
 use std::{
@@ -134,26 +135,37 @@ impl Smooth {
 
     /// What the same formulas change by in a parameter in which the machine's coefficients change at the
     /// rates `slope`.
-    pub fn slope(&self, machine: &Machine<f64>, slope: &Machine<f64>) -> Smooth {
+    ///
+    /// # Errors
+    /// Those of [`laws::laws`].
+    pub fn slope(&self, machine: &Machine<f64>, slope: &Machine<f64>) -> Result<Smooth> {
         let zero =
             |force: &SmoothForce<f64>| force.try_map(&mut |_: &f64| Ok::<_, std::convert::Infallible>(0.0));
+        let (rows, columns) = self.shape.shape();
+        let shape = slope.shape().unwrap_or_else(|| RealMatrix::zeros(rows, columns));
+        let (laws, _) = laws::laws(machine, Some(slope))?;
         let formulas = self.formulas.iter().map(|(point, force)| {
-            let known = slope.smooth.get(*point).cloned().flatten();
+            let known = match point.checked_sub(machine.points()) {
+                Some(law) => Some(SmoothForce { coefficients: laws[law].slopes.clone(), ..force.clone() }),
+                None => slope.smooth.get(*point).cloned().flatten(),
+            };
             (*point, known.unwrap_or_else(|| zero(force).unwrap_or_else(|never| match never {})))
         });
-        let (rows, columns) = self.shape.shape();
-        Smooth {
+        Ok(Smooth {
             formulas: formulas.collect(),
-            laws: self.laws.clone(),
+            laws: laws
+                .iter()
+                .map(|law| (shape.tr_mul(&law.row[0]) + self.shape.tr_mul(&law.row[1]), String::new()))
+                .collect(),
             without_friction: self.without_friction,
             switches: self.switches.clone(),
             reached: vec![],
             sights: vec![],
-            shape: slope.shape().unwrap_or_else(|| RealMatrix::zeros(rows, columns)),
+            shape,
             rate: -machine.rate() * slope.period / machine.period,
             record: None,
             tally: self.tally.clone(),
-        }
+        })
     }
 
     /// From now on all steps are counted there.

@@ -13,7 +13,7 @@ mod taylor;
 pub use linear::Linear;
 use linear::carried;
 pub(crate) use program::{Drive, Obstacle, Outline, Program, Rows};
-pub(crate) use scalar::{Gradient, Primitive, Range, Scalar};
+pub(crate) use scalar::{Gradient, Primitive, Range, Scalar, value};
 pub use taylor::Taylor;
 pub(crate) use taylor::{
     Expansion, GAUSS, LEAST, MOST_STEPS, Recurrence, SHORTEST, Size, TERMS, defect, too_many,

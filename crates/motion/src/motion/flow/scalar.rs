@@ -5,6 +5,11 @@ use std::{
     ops::{Add, Mul, Neg, Sub},
 };
 
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use crate::formula::{Formula, Function, Operation};
+
 /// The functions of one number that forces are made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Primitive {
@@ -229,6 +234,44 @@ impl<const N: usize> Scalar for Gradient<N> {
 
     fn part(&self, which: usize) -> f64 {
         self.0[which]
+    }
+}
+
+/// The value of a formula in numbers of any kind; of what chooses, on the side of the switch's value.
+pub(crate) fn value<S: Scalar>(formula: &Formula, variables: &[S]) -> S {
+    let of = |formula: &Formula| value(formula, variables);
+    let float = |exact: &BigRational| exact.to_f64().unwrap_or(f64::NAN);
+    match formula {
+        Formula::Number(exact) => S::constant(float(exact)),
+        Formula::Pi => S::constant(std::f64::consts::PI),
+        Formula::Variable(place) => variables[*place],
+        Formula::Negated(inner) => -of(inner),
+        Formula::Binary(operation, parts) => {
+            let [x, y] = parts.each_ref().map(of);
+            match operation {
+                Operation::Sum => x + y,
+                Operation::Difference => x - y,
+                Operation::Product => x * y,
+                Operation::Quotient => x.over(y),
+            }
+        }
+        Formula::Power(base, exponent) => {
+            let base = of(base);
+            let power = (0..exponent.unsigned_abs()).fold(S::constant(1.0), |power, _| power * base);
+            if *exponent < 0 { power.call(Primitive::Inverse) } else { power }
+        }
+        Formula::Call(function, inner) => of(inner).call(match function {
+            Function::Sqrt => Primitive::Sqrt,
+            Function::Exp => Primitive::Exp,
+            Function::Sin => Primitive::Sin,
+            Function::Cos => Primitive::Cos,
+            Function::Log => Primitive::Log,
+            Function::Tanh => Primitive::Tanh,
+        }),
+        Formula::Choice(choice) => {
+            of(if of(&choice.switch).part(0) >= 0.0 { &choice.above } else { &choice.below })
+        }
+        Formula::Raised(base, exponent) => of(base).call(Primitive::Raise(float(exponent))),
     }
 }
 

@@ -9,7 +9,7 @@ use super::{Checked, LONGEST, Model, POINTS};
 use crate::{
     continuation::Bifurcation,
     error::{Error, Result},
-    many::{Machine, RealVector, SlidingLaw, section::PlaneAxis},
+    many::{Machine, RealVector, section::PlaneAxis},
     motion::{Harmonic, SmoothForce},
     scene::{
         branches::{BranchTask, CrisisTask, DiagramTask, MapTask},
@@ -83,55 +83,37 @@ impl Checked<'_> {
         Ok(())
     }
 
-    /// With dry friction motions are followed, attractors and orbits found, and branches of these over one
-    /// parameter; with forces that have kinks motions are followed, and attractors found, with those of the
-    /// time alone orbits and branches, too. Nothing that takes a map that is smooth, or has an inverse.
+    /// With dry friction, and with forces that have kinks, motions are followed, attractors and orbits found,
+    /// and branches of these over one parameter; not where friction is that of a stop. Nothing that takes a
+    /// map that is smooth, or has an inverse.
     fn rubbing(&self, kind: &Kind) -> Result<()> {
         let Model::Many(machine) = self.model else { return Ok(()) };
-        let (first, kinked) = (machine.friction.first(), machine.kinked());
-        let friction = first.map(|first| format!("there is dry friction ({})", first.name));
+        let friction =
+            machine.friction.first().map(|first| format!("there is dry friction ({})", first.name));
+        let has_friction = friction.is_some();
+        let kinks = machine.kinked().map(|text| format!("a force has kinks ({text})"));
+        let Some(what) = friction.or(kinks) else { return Ok(()) };
         let on_stop = machine.friction.iter().find(|friction| friction.normal.stop().is_some());
         let on_stop = on_stop.map(|friction| format!("the normal force of {} is a stop's", friction.name));
-        let kinks = kinked.map(|text| format!("a force has kinks ({text})"));
-        let moving = machine.kinked_by_motion().map(|text| format!("a force has kinks ({text})"));
-        let rubs = machine.rubs().unwrap_or_default();
-        let bent = rubs.iter().find(|rub| rub.law.as_ref().is_some_and(SlidingLaw::has_kinks));
-        let bent = bent.map(|rub| format!("the coefficient of {} has kinks", rub.name));
-        let moving = moving.or(bent);
-        let speed = machine.friction.iter().find(|friction| friction.law.is_some());
-        let speed = speed.map(|one| format!("the coefficient of {} follows the sliding speed", one.name));
-        let formula = friction.as_ref().filter(|_| machine.is_smooth());
-        let formula = formula.map(|friction| format!("{friction}, and a force is a formula"));
-        let Some(what) = friction.or_else(|| kinks.clone()) else { return Ok(()) };
-        // Why orbits are not found, and why branches are not followed.
-        let orbits = moving.as_ref().or(on_stop.as_ref());
-        let branches = orbits.or(speed.as_ref()).or(formula.as_ref());
         let refused = |key: &str, what: &str| {
-            let orbits = match (orbits, branches) {
-                (Some(_), _) => "",
-                (None, Some(_)) => ", `orbit`",
-                (None, None) => ", `orbit`, `branch` over one parameter",
-            };
+            let orbits = if on_stop.is_some() { "" } else { ", `orbit`, `branch` over one parameter" };
             let message = format!(
                 "needs motions that are smooth between impacts; here {what}: `simulate`{orbits}, `basins`, `section` without `orbits`, \
                  `diagram` without `branches`, `response` and `rest` take it"
             );
             self.fail(key, &message)
         };
-        match (kind, orbits, branches) {
-            (Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_) | Kind::RestTask(_), ..) => {
+        match (kind, &on_stop) {
+            (Kind::SimulateTask(_) | Kind::BasinsTask(_) | Kind::ResponseTask(_) | Kind::RestTask(_), _) => {
                 Ok(())
             }
-            (Kind::OrbitTask(_), None, _) => Ok(()),
-            (Kind::OrbitTask(task), ..) if task.cycle.is_some() => Ok(()),
-            (Kind::OrbitTask(_), Some(why), _) | (Kind::BranchTask(_), _, Some(why)) => refused("kind", why),
-            (Kind::BranchTask(task), ..) if task.second.is_some() && first.is_some() => {
-                refused("second", &what)
-            }
-            (Kind::DiagramTask(task), _, Some(why)) if !task.branches.is_empty() => refused("branches", why),
-            (Kind::BranchTask(_) | Kind::DiagramTask(_), ..) => Ok(()),
-            (Kind::SectionTask(task), ..) if task.orbits.is_empty() => Ok(()),
-            (Kind::SectionTask(_), ..) => refused("orbits", &what),
+            (Kind::OrbitTask(task), Some(why)) if task.cycle.is_none() => refused("kind", why),
+            (Kind::BranchTask(_), Some(why)) => refused("kind", why),
+            (Kind::BranchTask(task), _) if task.second.is_some() && has_friction => refused("second", &what),
+            (Kind::DiagramTask(task), Some(why)) if !task.branches.is_empty() => refused("branches", why),
+            (Kind::OrbitTask(_) | Kind::BranchTask(_) | Kind::DiagramTask(_), _) => Ok(()),
+            (Kind::SectionTask(task), _) if task.orbits.is_empty() => Ok(()),
+            (Kind::SectionTask(_), _) => refused("orbits", &what),
             _ => refused("kind", &what),
         }
     }
