@@ -1,10 +1,11 @@
-(* A reader of certificates of kinds theorem2, word, word-by-theorem, chaos 3, range, range 2 and attractor: one
-   answer per file named on the command line, "proved", "refused: line N: ..." or "not read: ...". Every file is read
-   to its end. Of chaos 3 and of ranges the motions and the growth of the graph are proved, and the answer says what of
-   the statement is not read: "proved; reach, entropy: not read", or with others where the file claims that there are
-   none. What a file claims is decided by the proved functions of StatementReaders.v, StatementReaderWords.v, StatementGrowth.v, PathsCheck.v,
-   RangesCheck.v and TrapsCheck.v; here files are cut into lines and words, numbers are read, and the form is checked,
-   as the heads of mod.rs in crates/checker/src, in theorem2, word, chaos, range and attractor, have it. *)
+(* `grazing-proved`: a reader of certificates of kinds theorem2, word, word-by-theorem, chaos 3, range, range 2 and
+   attractor: one answer per file named on the command line (after --, whatever its name): "proved", "refused: line N:
+   ..." or "not read: ...". Every file is read to its end. Of chaos 3 and of ranges the motions and the growth of the
+   graph are proved, and the answer says what of the statement is not read: "proved; reach, entropy: not read", or with
+   others where the file claims that there are none. What a file claims is decided by the proved functions of
+   StatementReaders.v, StatementReaderWords.v, StatementGrowth.v, PathsCheck.v, RangesCheck.v and TrapsCheck.v; here
+   files are cut into lines and words, numbers are read, and the form is checked, as the heads of mod.rs in
+   crates/checker/src, in theorem2, word, chaos, range and attractor, have it. *)
 open Decide
 
 exception Refused of string
@@ -29,15 +30,14 @@ let prime p q = Z.gcd p q = whole 1
 type lines = { mutable rest : string list; mutable number : int }
 
 let lines_of text =
-  let all = String.split_on_char '\n' text in
-  let rec ends = function
-    | [] | [ "" ] -> []
+  let rec ends read = function
+    | [] | [ "" ] -> List.rev read
     (* A last line without its end keeps a carriage return. *)
-    | [ line ] -> [ line ]
+    | [ line ] -> List.rev (line :: read)
     | line :: rest ->
         let n = String.length line in
-        (if n > 0 && line.[n - 1] = '\r' then String.sub line 0 (n - 1) else line) :: ends rest in
-  { rest = ends all; number = 0 }
+        ends ((if n > 0 && line.[n - 1] = '\r' then String.sub line 0 (n - 1) else line) :: read) rest in
+  { rest = ends [] (String.split_on_char '\n' text); number = 0 }
 
 let next lines =
   lines.number <- lines.number + 1;
@@ -578,11 +578,11 @@ let text_of file =
   close_in channel; text
 
 let () =
-  for i = 1 to Array.length Sys.argv - 1 do
-    let lines = lines_of (text_of Sys.argv.(i)) in
+  let files = match List.tl (Array.to_list Sys.argv) with "--" :: files -> files | files -> files in
+  List.iter (fun file ->
+    let lines = lines_of (text_of file) in
     print_endline (match read lines with
       | None -> "proved"
       | Some rest -> "proved; " ^ rest
       | exception Refused reason -> Printf.sprintf "refused: line %d: %s" lines.number reason
-      | exception Not_read what -> "not read: " ^ what)
-  done
+      | exception Not_read what -> "not read: " ^ what)) files

@@ -71,6 +71,34 @@ fn the_proved_reader_has_the_verdicts_of_the_checker() {
     assert!(counts[0] >= 20 && counts[1] >= 1000 && 50 * counts[2] <= counts[1], "{counts:?}");
 }
 
+/// `grazing-check --proved` says of each sample what both say.
+#[test]
+fn the_checker_asks_the_proved_reader() {
+    let Some(build) = oracle() else { return };
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    let checker = Path::new(env!("CARGO_BIN_EXE_grazing")).with_file_name("grazing-check");
+    if !checker.is_file() {
+        let built =
+            Command::new(env!("CARGO")).args(["build", "-p", "grazing-check"]).current_dir(root).status();
+        assert!(built.unwrap().success());
+    }
+    let path = std::env::join_paths([build]).unwrap();
+    let mut codes = [0; 4];
+    for file in fs::read_dir(root.join("crates/checker/tests/data")).unwrap() {
+        let file = file.unwrap().path();
+        let output = Command::new(&checker).arg("--proved").arg(&file).env("PATH", &path).output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        let (checked, code) = (!text.contains(": rejected"), output.status.code().unwrap());
+        assert_eq!(checked, text.contains("\n  by the proved reader: "), "{text}");
+        assert_eq!(code == 0, text.ends_with(": proved\n"), "{text}");
+        assert!(if checked { matches!(code, 0 | 3) } else { code == 1 }, "{text}");
+        codes[code as usize] += 1;
+    }
+    println!("proved by both, rejected by the checker, read in part or not: {codes:?}");
+    // Rejected are two that are false, and the file that says what lies there.
+    assert!(codes[0] >= 6 && codes[1] == 3 && codes[3] >= 10, "{codes:?}");
+}
+
 /// Certificates of chaos: what is true of the motions and the growth is proved, and where a box, the range of
 /// ν or the contraction is too small for the theorem, the growth is another, or the file ends elsewhere, both
 /// readers refuse.
@@ -402,7 +430,7 @@ fn damage(lines: &[String], below: &mut impl FnMut(usize) -> usize) -> String {
 
 /// What the reader prints of each text.
 fn read(build: &Path, texts: &[String], folder: &Path) -> Vec<String> {
-    let mut command = Command::new(build.join("reader"));
+    let mut command = Command::new(build.join("grazing-proved"));
     for (i, text) in texts.iter().enumerate() {
         let path = folder.join(format!("damaged-{i}.txt"));
         fs::write(&path, text).unwrap();

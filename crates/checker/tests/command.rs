@@ -99,11 +99,61 @@ fn a_reader_who_goes_away_changes_no_exit_code() {
     fs::remove_dir_all(folder).unwrap();
 }
 
+/// With `--proved` what is proved is read again by `grazing-proved`: its answer, or why there is none, is
+/// told, and decides with the checker's.
+#[cfg(unix)]
+#[test]
+fn what_is_proved_is_read_again_where_that_is_asked_for() {
+    use std::os::unix::fs::PermissionsExt;
+    let (folder, [proved, malformed, _, open, _]) = files("again");
+    let reader = folder.join("grazing-proved");
+    for (script, code, said) in [
+        ("echo proved", 0, ": proved\n"),
+        ("echo 'proved; reach, entropy: not read'", 3, ": proved; reach, entropy: not read\n"),
+        ("echo 'not read: a kind'", 3, ": not read: a kind\n"),
+        ("echo 'refused: line 3: no'", 1, ": refused: line 3: no\n"),
+        ("echo proven", 2, "answers \"proven\", which is no verdict"),
+        ("echo proved; exit 2", 2, "no answer, as grazing-proved failed"),
+        ("test \"$1\" = -- && test \"$2\" = \"$FILE\" && echo proved", 0, ": proved\n"),
+        ("", 2, "does not start"),
+    ] {
+        if script.is_empty() {
+            fs::remove_file(&reader).unwrap();
+        } else {
+            fs::write(&reader, format!("#!/bin/sh\n{script}\n")).unwrap();
+            fs::set_permissions(&reader, fs::Permissions::from_mode(0o755)).unwrap();
+        }
+        let ask = |file: &Path| {
+            let mut command = command();
+            command.arg("--proved").arg(file).env("PATH", &folder).env("FILE", file);
+            let output = command.output().unwrap();
+            (output.status.code(), String::from_utf8(output.stdout).unwrap())
+        };
+        let (found, text) = ask(&proved);
+        assert_eq!(found, Some(code), "{script}: {text}");
+        assert!(text.contains("\n  by the proved reader: ") && text.contains(said), "{script}: {text}");
+        // What is not proved is not read again.
+        for (file, code) in [(&malformed, 1), (&open, 3)] {
+            let (found, text) = ask(file);
+            assert!(found == Some(code) && !text.contains("proved reader"), "{text}");
+        }
+    }
+    let mut command = command();
+    let child = command.args(["--proved", "-"]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
+    let mut child = child.unwrap();
+    child.stdin.take().unwrap().write_all(THEOREM2.as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("reads files alone"));
+    fs::remove_dir_all(folder).unwrap();
+}
+
 #[test]
 fn wrong_usage_is_2_and_help_is_0() {
     let code = |arguments: &[&str]| command().args(arguments).output().unwrap().status.code();
     assert_eq!(code(&[]), Some(2));
     assert_eq!(code(&["--verbose"]), Some(2));
+    assert_eq!(code(&["--proved"]), Some(2));
     assert_eq!(code(&["--help"]), Some(0));
 }
 
