@@ -293,6 +293,16 @@ fn every_failure_names_file_line_key_value_and_fix() {
             "[[tasks]]\nname = \"b\"\nkind = \"basins\"\nq = { from = 0, to = 1 }\nu = { from = 0, to = 1 }\nplane = [\"q\", \"phase\"]\nstart = { q = 1, phase = \"1/2\" }",
             "s.toml:31: tasks[2].start.phase = \"1/2\": is given by the task's own phase, when all motions start",
         ),
+        (
+            "set = { w = 5 }",
+            "set = { G = 5 }",
+            "s.toml:25: tasks[1].set: unknown key \"G\"; known here are d, w",
+        ),
+        (
+            "set = { w = 5 }",
+            "[[tasks]]\nname = \"o\"\nkind = \"orbit\"\norbit = { pattern = [1], walls = [\"lower\"], speed = 0 }",
+            "s.toml:28: tasks[2].orbit.speed = 0: must be above 0",
+        ),
     ] {
         assert!(GOOD.contains(from), "{from}");
         let error = read(&GOOD.replacen(from, to, 1)).expect_err(to);

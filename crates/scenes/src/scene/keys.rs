@@ -84,6 +84,10 @@ fn foreign(format: SceneFormat, path: &str, key: &str) -> Option<String> {
         _ if !format.has(path, key) => return newer(&format!("{} does not have it", format.word())),
         _ => {}
     }
+    // What stands in a task are keys of its own, and in its `set` parameters.
+    if path.starts_with("tasks[") {
+        return None;
+    }
     let instead = match key.to_lowercase().as_str() {
         "m" => "the mass is `mass` of [system]",
         "gravity" | "g" => "a constant force is `force` of [system], negative downwards",

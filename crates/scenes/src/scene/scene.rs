@@ -521,9 +521,15 @@ impl Scene {
     /// The values at which something went wrong, one for each parameter.
     pub(super) fn point<T: std::fmt::Display>(&self, values: &[T]) -> String {
         let named = self.parameters.iter().zip(values);
-        let all: Vec<String> = named.map(|((name, _), value)| format!("{name} = {value}")).collect();
+        let all: Vec<String> = named.map(|((name, _), value)| format!("{name} = {}", brief(value))).collect();
         if all.is_empty() { String::new() } else { format!(" (with {})", all.join(", ")) }
     }
+}
+
+/// A number as it is told beside others: of one with very many digits the first.
+fn brief(value: &impl std::fmt::Display) -> String {
+    let text = value.to_string();
+    if text.len() <= 60 { text } else { format!("{}… ({} characters)", &text[..20], text.len()) }
 }
 
 /// A fraction of the forcing period as t in [0, 2π).

@@ -141,13 +141,14 @@ pub(super) fn check(
         if fits(&wanted) {
             continue;
         }
-        let each: Vec<String> = wanted
+        let mut each: Vec<String> = wanted
             .iter()
             .map(|one| match scale.name(*one) {
                 unit if unit.is_empty() => one.to_string(),
                 unit => format!("{one}, in {unit} or the like"),
             })
             .collect();
+        each.dedup();
         return Err(file.at(path).fail(&format!("is {dimension}; here stands {}", each.join("; or "))));
     }
     Ok(())

@@ -30,7 +30,7 @@ fn random_corners(trial: u64) -> (Scene, Vec<f64>, Vec<f64>) {
         let all: Vec<String> = (0..n).map(|i| if i == at { sign.to_string() } else { "0".into() }).collect();
         format!("[{}]", all.join(", "))
     };
-    if trial % 6 == 0 {
+    if trial.is_multiple_of(6) {
         let (normal, mu) = (own(0.5, 1.0), own(0.2, 0.5));
         rest +=
             &format!("[[friction]]\nrow = {}\nnormal = \"{normal}\"\ncoefficient = \"{mu}\"\n", row(0, 1));

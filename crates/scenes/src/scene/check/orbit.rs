@@ -43,6 +43,12 @@ impl Checked<'_> {
             );
             return fail(if orbit.stops.is_empty() { "pattern" } else { "stops" }, &message);
         }
+        if orbit.speed.is_some_and(|speed| speed <= 0.0) {
+            return fail(
+                "speed",
+                "must be above 0: it is the greatest incoming speed that a search starts from",
+            );
+        }
         self.start_numbers(orbit, key)
     }
 
