@@ -55,7 +55,7 @@ pub struct RubSlope {
     pub row: RealVector,
     /// Of the surface's velocity.
     pub velocity: Series,
-    /// Of F_k; of a law, but for how that changes at rest ([`SlidingLaw::beside_coulomb`]).
+    /// Of F_k; of a law, but for how that changes at rest, which counts with the rest of it.
     pub sliding: f64,
     /// Of F_s.
     pub holding: f64,

@@ -32,8 +32,8 @@ pub(super) struct Law {
     pub roles: Vec<(Formula, SwitchOf)>,
 }
 
-/// The laws of a machine: those of stops, then those of friction. Where the coefficients of the machine
-/// change at the rates `slope`, those of the laws do as `slopes` says.
+/// The laws of a machine, and how many of them are those of stops, which come before those of friction. Where
+/// the coefficients of the machine change at the rates `slope`, those of the laws do as `slopes` says.
 ///
 /// # Errors
 /// Those of [`Machine::rubs`]; an entry of a row that is 0 and changes.
