@@ -5,7 +5,11 @@ mod normal_forms;
 mod touches;
 use crate::tasks;
 
-use std::{f64::consts::TAU, fs, process::Command};
+use std::{
+    f64::consts::{PI, TAU},
+    fs,
+    process::Command,
+};
 
 use serde_json::Value;
 
@@ -476,7 +480,58 @@ fn branches_start_at_attractors_and_labels_and_go_on_in_two_parameters() {
     }
 }
 
-/// The branch that a diagram draws goes through the same labels at the same heights by both codes.
+/// Orbits drawn along a branch: those without impacts are ellipses, those with one begin and end at the stop,
+/// by either engine the same, and the last is the branch's last.
+#[test]
+fn orbits_of_a_branch_are_drawn() {
+    let told = ["one", "many"].map(|engine| {
+        let stop = if engine == "one" { "side = \"upper\"\noffset = 1" } else { "row = [-1]\noffset = -1" };
+        let text = format!(
+            "format = \"grazing-scene 3\"\ntitle = \"t\"\nengine = \"{engine}\"\n[parameters]\nF = 0.6\n[system]\nperiod = 2\ndamping = \"0.1*pi\"\n\
+             stiffness = \"0.3*pi^2\"\nforcing = [{{ cos = \"F*pi^2\" }}]\n[[stops]]\n{stop}\nrestitution = 0.8\n"
+        );
+        let branch = |name: &str, pattern: &str| {
+            let keys = format!("parameter = \"F\"\nrange = [0.3, 0.7]\ndrawn = 3\nstarts = [{{ orbit = {{ pattern = {pattern} }} }}]");
+            task(name, "branch", &keys)
+        };
+        let folder = tempfile::tempdir().unwrap();
+        let (found, code, error) = run(&text, &[branch("free", "[]"), branch("one", "[1]")], folder.path());
+        assert_eq!(code, 0, "{error}{found}");
+        ["free", "one"].map(|name| {
+            assert!(folder.path().join(format!("{name}-orbits.svg")).is_file());
+            let text = std::fs::read_to_string(folder.path().join(format!("{name}-orbits.csv"))).unwrap();
+            let row = |line: &str| -> (String, [f64; 2]) {
+                let cells: Vec<&str> = line.split(',').collect();
+                (cells[..cells.len() - 3].join(","), [cells[cells.len() - 3], cells[cells.len() - 2]].map(|x| x.parse().unwrap()))
+            };
+            text.lines().skip(1).map(row).collect::<Vec<_>>()
+        })
+    });
+    for (name, [q, u]) in &told[0][0] {
+        let force: f64 = name.rsplit(" = ").next().unwrap().trim_matches('"').parse().unwrap();
+        let amplitude = force / 0.7f64.hypot(0.1);
+        near(q.hypot(u / PI), amplitude, 1e-9);
+    }
+    for (one, many) in told[0][0].iter().zip(&told[1][0]) {
+        assert_eq!(one.0, many.0);
+        near(one.1[0], many.1[0], 1e-7);
+        near(one.1[1], many.1[1], 1e-7);
+    }
+    assert_eq!(told[0][0].len(), told[1][0].len());
+    // Which way round the fold comes first is the engine's.
+    for [_, impacts] in &told {
+        let orbits: Vec<_> = impacts.chunk_by(|a, b| a.0 == b.0).collect();
+        let named = |wanted: &str| orbits.iter().filter(|orbit| orbit[0].0.contains(wanted)).count();
+        assert!(orbits.len() >= 4 && named("saddle-node") == 1 && named("F = 0.7") == 2, "{orbits:?}");
+        for orbit in orbits {
+            let [first, last] = [orbit[0].1, orbit[orbit.len() - 1].1];
+            near(first[0], 1.0, 1e-6);
+            near(last[0], 1.0, 1e-6);
+            near(first[1], -0.8 * last[1], 1e-5);
+        }
+    }
+}
+
 #[test]
 fn a_diagram_draws_branches() {
     let folder = tempfile::tempdir().unwrap();

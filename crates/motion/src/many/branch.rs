@@ -154,6 +154,19 @@ impl Patterns<'_> {
         Ok(contacts[stop].gap(&self.state(parameter, orbit, phase)?)[0])
     }
 
+    /// The states at that many evenly spaced times of an orbit, from just after its first impact (without
+    /// impacts from phase 0) on, and the one a whole period later.
+    ///
+    /// # Errors
+    /// Where the machine is not defined.
+    pub fn states(&self, parameter: f64, orbit: &Orbit, count: usize) -> Result<Vec<State>> {
+        let (machine, _) = self.family.at(parameter)?;
+        let solved = Solved::new(&machine, &orbit.itinerary, self.common.depth, self.common.tally.as_ref())?;
+        let equations = solved.equations(&orbit.itinerary, orbit.scale);
+        let whole = TAU * f64::from(orbit.itinerary.periods());
+        (0..=count).map(|i| equations.state(&orbit.z, whole * i as f64 / count as f64)).collect()
+    }
+
     /// The state when `phase` comes first after the first impact of an orbit.
     ///
     /// # Errors

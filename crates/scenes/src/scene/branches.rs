@@ -112,6 +112,9 @@ keys! {
         phase: BigRational = "0",
         /// where it is measured
         frame: Frame = "\"fixed\"",
+        /// how many orbits of each branch, beside those with labels, are drawn in the plane of (the first)
+        /// displacement and velocity; one parameter, from 2 on
+        drawn: u32 = "0",
     }
 }
 

@@ -100,6 +100,21 @@ pub fn branches(
     place.save(&canvas, &["set", "parameter", "q", "stability", "label", "proved"], &rows)
 }
 
+/// Writes the picture of orbits, in the plane of two numbers, and its data: a row per place.
+///
+/// # Errors
+/// An I/O error.
+pub fn orbits_of_branches(curves: &[DrawnBranch], axes: [&str; 2], place: &FigurePlace) -> Result<()> {
+    let mut rows = Vec::new();
+    for curve in curves {
+        let row = |(q, u, said): &(f64, f64, Said)| {
+            vec![curve.name.clone(), q.to_string(), u.to_string(), stability(said.stable).to_string()]
+        };
+        rows.extend(curve.at.iter().map(row));
+    }
+    place.save(&draw(curves, &[], axes, &View::default()), &["set", "q", "u", "stability"], &rows)
+}
+
 /// What of the curves and attractors a view shows; a curve in pieces has its name at each, but for pieces of
 /// turns, of which the first has it.
 fn seen(

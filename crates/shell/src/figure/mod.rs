@@ -40,7 +40,7 @@ mod trapped;
 mod view;
 mod words;
 
-pub use branches::{DrawnBranch, Said, Scatter, branches};
+pub use branches::{DrawnBranch, Said, Scatter, branches, orbits_of_branches};
 pub use coexistence::coexistence;
 pub use cover::{FINEST, areas};
 pub use design::design;

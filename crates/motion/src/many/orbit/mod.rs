@@ -206,7 +206,7 @@ pub fn find_projected(
 /// The unit of lengths and speeds: the size of motions at the stops, or the fastest of the start, or 1.
 fn scale(simulator: &Simulator, pattern: &Itinerary, start: &[f64]) -> f64 {
     let size = simulator.scale_at(pattern.strikes().iter().map(|strike| strike.place));
-    let size = if size > 0.0 { size } else { simulator.rub_scale(&[]) };
+    let size = if size > 0.0 { size } else { simulator.size() };
     let fastest = start.iter().skip(1).step_by(2).fold(0.0, |most: f64, v| most.max(v.abs()));
     if size > 0.0 {
         size

@@ -391,10 +391,23 @@ impl Simulator {
         })
     }
 
-    /// The same; of a machine without stops the size of the motions where there is friction.
+    /// The same; of a machine without stops the size of the motions where there is friction, and without that
+    /// of what the forces bring about.
     pub fn size(&self) -> f64 {
-        let scale = self.scale();
-        if scale > 0.0 { scale } else { self.rub_scale(&[]) }
+        let all =
+            [&|| self.scale(), &|| self.rub_scale(&[]), &|| self.forced_size()] as [&dyn Fn() -> f64; 3];
+        all.iter().map(|size| size()).find(|size| *size > 0.0).unwrap_or(0.0)
+    }
+
+    /// The largest coordinate of the periodic motion of the machine linearised at rest; where it has none, of
+    /// what its forces do in a radian.
+    fn forced_size(&self) -> f64 {
+        let (flow, n) = (&self.free.flow, self.equations.size());
+        let most = |t: f64| flow.outward(&flow.particular(t)).rows(0, n).amax();
+        let forced = looks().map(most).filter(|size| size.is_finite()).fold(0.0, f64::max);
+        let zero = RealVector::zeros(n);
+        let bend = |t: f64| self.equations.acceleration(t, &zero, &zero).amax();
+        if forced > 0.0 { forced } else { looks().map(bend).fold(0.0, f64::max) }
     }
 
     /// The same where these stops are met: of their places and motions, too. Where forces are formulas the

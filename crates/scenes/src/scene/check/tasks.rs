@@ -295,6 +295,12 @@ impl Checked<'_> {
                 );
             }
         }
+        if !(task.drawn == 0 || (2..=1000).contains(&task.drawn)) {
+            return self.fail("drawn", "is outside 2 to 1000 (0 draws none)");
+        }
+        if task.drawn > 0 && task.second.is_some() {
+            return self.fail("drawn", "stands beside `second`: orbits are drawn along one parameter");
+        }
         let names: Vec<&str> = task.monitors.0.iter().map(|monitor| monitor.name.as_str()).collect();
         let held = task.hold.0.iter().map(|held| ("hold", &held.0));
         for (key, name) in task.levels.0.iter().map(|level| ("levels", &level.0)).chain(held) {

@@ -2,12 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use super::Job;
+use super::{Job, orbits};
 use crate::{
     continuation::{BranchPoint, FollowedOrbit, OrbitBranch, record_as},
     error::Result,
     figure::{self, Said},
-    many::{self, branch::Patterns},
+    many::{self, Family as _, branch::Patterns},
     one::{
         branch::{Branch, record},
         orbit::{Family, Orbit, Oscillator},
@@ -24,7 +24,8 @@ pub(super) fn keep(found: &BranchFindings, task: &BranchTask, job: &Job) -> Resu
             let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
             let draw = |branch: &Branch| drawing.curve(branch);
             let named = |branch: &Branch| branch.itinerary.to_string();
-            write((found, all), task, job, (&record, &draw, &named), drawing.axis())
+            let path = |point: &BranchPoint<Orbit>| drawing.path(point);
+            write((found, all), task, job, (&record, &draw, &named, &path), [drawing.axis(), "q", "u"])
         }
         FoundBranches::Many(all) => of_machine((found, all), task, (job, scene)),
     }
@@ -63,22 +64,32 @@ fn of_machine(
         [_] => "gap".to_string(),
         _ => format!("gap of {}", stops[stop]),
     };
-    write((found, all), task, job, (&record, &draw, &named), &axis)
+    let path = |point: &BranchPoint<many::orbit::Orbit>| {
+        let (parameter, orbit) = (point.parameters[0], &point.orbit);
+        let rate = family.at(parameter)?.0.rate();
+        let places = orbits::PLACES * orbit.itinerary.periods() as usize;
+        let shown =
+            |state: &many::State| (machine.displaced(state.q())[0], rate * machine.displaced(state.u())[0]);
+        Ok(patterns.states(parameter, orbit, places)?.iter().map(shown).collect())
+    };
+    let plane = if machine.points() == 1 { ["q", "u"] } else { ["q1", "u1"] };
+    write((found, all), task, job, (&record, &draw, &named, &path), [&axis, plane[0], plane[1]])
 }
 
-/// A branch as JSON, as a curve of its picture, and its pattern.
+/// A branch as JSON, as a curve of its picture, and its pattern; the path of an orbit.
 type Views<'v, O> = (
     &'v dyn Fn(&OrbitBranch<O>, &[&str]) -> serde_json::Value,
     &'v dyn Fn(&OrbitBranch<O>) -> Result<figure::DrawnBranch>,
     &'v dyn Fn(&OrbitBranch<O>) -> String,
+    &'v dyn Fn(&BranchPoint<O>) -> Result<Vec<(f64, f64)>>,
 );
 
 fn write<O: JudgedOrbit>(
     (found, all): (&BranchFindings, &[OrbitBranch<O>]),
     task: &BranchTask,
     job: &Job,
-    (record, draw, named): Views<O>,
-    axis: &str,
+    (record, draw, named, path): Views<O>,
+    [axis, q, u]: [&str; 3],
 ) -> Result<Vec<String>> {
     let names: Vec<&str> = found.varied.iter().map(String::as_str).collect();
     let mut files = Vec::new();
@@ -125,6 +136,9 @@ fn write<O: JudgedOrbit>(
     figure::branches(&curves, &[], axes, &job.place())?;
     files.extend(job.figure());
     files.push(job.csv(&found.rows, "-points.csv")?);
+    if task.drawn > 0 {
+        files.extend(orbits::keep((all, task.drawn as usize), (job, &task.parameter), [q, u], path)?);
+    }
     if let Some(proofs) = &found.proofs {
         files.push(job.csv(&proofs.rows, "-proofs.csv")?);
         files.extend(job.certificates(&proofs.certificates)?);
@@ -183,6 +197,21 @@ impl Drawing<'_> {
             Ok(self.displacement(&oscillator, q))
         };
         curve(branch, &branch.itinerary.to_string(), &drawn)
+    }
+
+    /// (q, u) once around an orbit.
+    fn path(&self, point: &BranchPoint<Orbit>) -> Result<Vec<(f64, f64)>> {
+        let (oscillator, orbit) = (self.family.at(point.parameters[0])?, &point.orbit);
+        let (rate, periods) = (oscillator.system().shown_rate(), orbit.itinerary.periods());
+        let first = if orbit.itinerary.strikes().is_empty() { 0.0 } else { orbit.z[0] };
+        let count = orbits::PLACES * periods as usize;
+        let at = |i: usize| {
+            // The last is before the impact that it began with.
+            let part = (i as f64 / count as f64).min(1.0 - 1e-9);
+            let state = orbit.state(&oscillator, first + TAU * f64::from(periods) * part)?;
+            Ok((state.q, rate * state.u))
+        };
+        (0..=count).map(at).collect()
     }
 
     /// q at the phase, from where it is counted.

@@ -11,6 +11,7 @@ mod diagram;
 mod grazing;
 mod map;
 mod names;
+mod orbits;
 mod print;
 mod response;
 mod section;

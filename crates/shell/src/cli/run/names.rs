@@ -19,6 +19,8 @@ enum Ending {
     Numbered(&'static str, &'static str),
     /// That of a picture.
     Picture,
+    /// This, and that of a picture.
+    Beside(&'static str),
     /// A minus, a number and that.
     Pictures,
     /// This, for a file from which an interrupted task goes on.
@@ -27,7 +29,7 @@ enum Ending {
 
 /// The endings of all files that a task of a kind may write.
 fn endings(kind: &Kind) -> &'static [Ending] {
-    use Ending::{Fixed, Numbered, Picture, Pictures, State};
+    use Ending::{Beside, Fixed, Numbered, Picture, Pictures, State};
     match kind {
         Kind::SimulateTask(_) => &[Pictures, Picture, Fixed(".csv"), Fixed("-events.csv")],
         Kind::SectionTask(_) => &[Picture, Fixed(".csv")],
@@ -89,6 +91,17 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             Fixed("-bands.csv"),
             Fixed("-hits.csv"),
             Fixed("-influence.csv"),
+        ],
+        Kind::BranchTask(task) if task.drawn > 0 => &[
+            Fixed(".json"),
+            Numbered("", ".json"),
+            Picture,
+            Fixed(".csv"),
+            Fixed("-points.csv"),
+            Fixed("-proofs.csv"),
+            Numbered("", ".certificate"),
+            Beside("-orbits"),
+            Fixed("-orbits.csv"),
         ],
         Kind::BranchTask(task) if task.prove => &[
             Fixed(".json"),
@@ -153,6 +166,7 @@ pub(super) fn task(
             Ending::Fixed(end) => one(end, FileUse::Write),
             Ending::State(end) => one(end, FileUse::Continue),
             Ending::Picture => one(&picture, FileUse::Write),
+            Ending::Beside(first) => one(&format!("{first}{picture}"), FileUse::Write),
             Ending::Numbered(first, end) => {
                 files.claim_series(&role, folder, &format!("{}{first}", task.name), end)
             }
