@@ -81,7 +81,7 @@ type Views<'v, O> = (
     &'v dyn Fn(&OrbitBranch<O>, &[&str]) -> serde_json::Value,
     &'v dyn Fn(&OrbitBranch<O>) -> Result<figure::DrawnBranch>,
     &'v dyn Fn(&OrbitBranch<O>) -> String,
-    &'v dyn Fn(&BranchPoint<O>) -> Result<Vec<(f64, f64)>>,
+    orbits::Path<'v, O>,
 );
 
 fn write<O: JudgedOrbit>(

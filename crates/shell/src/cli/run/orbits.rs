@@ -14,13 +14,16 @@ pub(super) const PLACES: usize = 400;
 /// Between two places a velocity that changes by more than this part of all that it does has jumped.
 const JUMP: f64 = 0.1;
 
+/// The places of an orbit in order, from just after its first impact once around.
+pub(super) type Path<'p, O> = &'p dyn Fn(&BranchPoint<O>) -> Result<Vec<(f64, f64)>>;
+
 /// Writes `NAME-orbits`, a picture and its data: as many orbits of each branch as are asked for, evenly along
-/// it, and all with labels; the names of both files. `path` has the places of an orbit, in order.
+/// it, and all with labels; the names of both files.
 pub(super) fn keep<O: JudgedOrbit>(
     (all, wanted): (&[OrbitBranch<O>], usize),
     (job, parameter): (&Job, &str),
     axes: [&str; 2],
-    path: &dyn Fn(&BranchPoint<O>) -> Result<Vec<(f64, f64)>>,
+    path: Path<O>,
 ) -> Result<Vec<String>> {
     let across = job.axis(parameter);
     let mut curves = Vec::new();
