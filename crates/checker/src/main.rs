@@ -82,7 +82,9 @@ fn read_again(file: &OsStr) -> (String, u8) {
     let answer = String::from_utf8_lossy(&output.stdout).trim_end().to_string();
     let code = match answer.as_str() {
         _ if !output.status.success() => {
-            return (format!("no answer, as {NAME} failed ({})", output.status), 2);
+            let why = String::from_utf8_lossy(&output.stderr);
+            let why = why.lines().next().unwrap_or("without a word");
+            return (format!("no answer, as {NAME} failed ({}): {why}", output.status), 2);
         }
         "proved" => 0,
         _ if answer.starts_with("proved; ") || answer.starts_with("not read: ") => 3,

@@ -113,7 +113,8 @@ fn what_is_proved_is_read_again_where_that_is_asked_for() {
         ("echo 'not read: a kind'", 3, ": not read: a kind\n"),
         ("echo 'refused: line 3: no'", 1, ": refused: line 3: no\n"),
         ("echo proven", 2, "answers \"proven\", which is no verdict"),
-        ("echo proved; exit 2", 2, "no answer, as grazing-proved failed"),
+        ("echo proved; exit 2", 2, "no answer, as grazing-proved failed (exit status: 2): without a word"),
+        ("echo 'no room' >&2; exit 2", 2, "(exit status: 2): no room\n"),
         ("test \"$1\" = -- && test \"$2\" = \"$FILE\" && echo proved", 0, ": proved\n"),
         ("", 2, "does not start"),
     ] {

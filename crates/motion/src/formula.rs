@@ -247,21 +247,6 @@ impl Formula {
         }
     }
 
-    /// Whether a variable of these decides on which side of a kink or jump it is.
-    pub fn turns_with(&self, which: &dyn Fn(usize) -> bool) -> bool {
-        match self {
-            Formula::Number(_) | Formula::Variable(_) | Formula::Pi => false,
-            Formula::Negated(inner)
-            | Formula::Power(inner, _)
-            | Formula::Call(_, inner)
-            | Formula::Raised(inner, _) => inner.turns_with(which),
-            Formula::Binary(_, parts) => parts.iter().any(|part| part.turns_with(which)),
-            Formula::Choice(choice) => {
-                choice.switch.mentions(which) || choice.parts().iter().any(|part| part.turns_with(which))
-            }
-        }
-    }
-
     /// Its value, and the sum of the moduli of what that was added up from.
     pub fn at(&self, variables: &[f64]) -> [f64; 2] {
         let float = |value: &BigRational| value.to_f64().unwrap_or(f64::NAN);

@@ -154,17 +154,15 @@ impl Patterns<'_> {
         Ok(contacts[stop].gap(&self.state(parameter, orbit, phase)?)[0])
     }
 
-    /// The states at that many evenly spaced times of an orbit, from just after its first impact (without
-    /// impacts from phase 0) on, and the one a whole period later.
+    /// The states of an orbit leg by leg, from just after an impact to just before the next, without impacts
+    /// once around from phase 0: both ends, and evenly between, at least `places` for each period.
     ///
     /// # Errors
     /// Where the machine is not defined.
-    pub fn states(&self, parameter: f64, orbit: &Orbit, count: usize) -> Result<Vec<State>> {
+    pub fn legs(&self, parameter: f64, orbit: &Orbit, places: u32) -> Result<Vec<Vec<State>>> {
         let (machine, _) = self.family.at(parameter)?;
         let solved = Solved::new(&machine, &orbit.itinerary, self.common.depth, self.common.tally.as_ref())?;
-        let equations = solved.equations(&orbit.itinerary, orbit.scale);
-        let whole = TAU * f64::from(orbit.itinerary.periods());
-        (0..=count).map(|i| equations.state(&orbit.z, whole * i as f64 / count as f64)).collect()
+        solved.equations(&orbit.itinerary, orbit.scale).legs(&orbit.z, places)
     }
 
     /// The state when `phase` comes first after the first impact of an orbit.

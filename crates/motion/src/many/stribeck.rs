@@ -75,11 +75,6 @@ impl SlidingLaw {
         self.normal * self.ahead.at(&[(v * self.rate).abs()])[0]
     }
 
-    /// Whether there are kinks where v is not 0.
-    pub fn has_kinks(&self) -> bool {
-        self.ahead.chooses()
-    }
-
     /// −σ (µ(|v|) − µ(0)) N as a formula, v and N being formulas and `applied` that of µ at a speed; what
     /// chooses by the sign of v has v for its switch. µ(0) is a number there: how it changes counts here, and
     /// not as a change of Coulomb's force.
@@ -167,7 +162,7 @@ mod tests {
         let falls = Formula::Call(Function::Exp, Box::new(Formula::Negated(Box::new(speed(scaled)))));
         let own = joined(Operation::Product, number(0.2), joined(Operation::Sum, number(1.0), falls));
         let law = law(own).unwrap();
-        assert!(!law.has_kinks());
+        assert!(!law.ahead.chooses());
         for v in [0.0f64, 0.1, -0.1, 3.0] {
             let wanted = 2.0 * 0.2 * (1.0 + (-20.0 * (0.5 * v).abs()).exp());
             assert!((law.at(v) - wanted).abs() < 1e-15, "{v}");
@@ -191,6 +186,6 @@ mod tests {
         );
         assert!(said(joined(Operation::Sum, number(0.4), v())).contains("write abs(v)"));
         let bounded = kink("max", "max(0.1,0.4-abs(v))", vec![number(0.1), falls(speed(v()))]).unwrap();
-        assert!(law(bounded).unwrap().has_kinks());
+        assert!(law(bounded).unwrap().ahead.chooses());
     }
 }

@@ -113,7 +113,7 @@ keys! {
         /// where it is measured
         frame: Frame = "\"fixed\"",
         /// how many orbits of each branch, beside those with labels, are drawn in the plane of (the first)
-        /// displacement and velocity; one parameter, from 2 on
+        /// displacement and velocity; one parameter, 2 to 100
         drawn: u32 = "0",
     }
 }

@@ -255,6 +255,32 @@ impl<'s> StopEquations<'s> {
         self.between.after(&state, left)
     }
 
+    /// The states leg by leg, from just after an impact to just before the next, without impacts once around:
+    /// both ends, and evenly between, at least `places` for each period. Cost: once around.
+    pub fn legs(&self, z: &[f64], places: u32) -> Result<Vec<Vec<State>>> {
+        let (mut state, times, speeds) = self.begun(z)?;
+        let mut all = Vec::new();
+        for leg in 0..times.len().max(1) {
+            let duration = match times.len() {
+                0 => TAU * f64::from(self.pattern.periods()),
+                _ => self.duration(&times, leg)?,
+            };
+            let count = (duration / TAU * f64::from(places)).ceil().max(1.0);
+            let mut own = vec![state];
+            for _ in 0..count as u64 {
+                own.push(self.between.after(&own[own.len() - 1], duration / count)?);
+            }
+            state = own[own.len() - 1].clone();
+            all.push(own);
+            if !times.is_empty() {
+                let next = (leg + 1) % times.len();
+                state.t = turned(times[next]);
+                state.u.axpy(speeds[next], &self.kick(next, speeds[next]), 1.0);
+            }
+        }
+        Ok(all)
+    }
+
     /// The motion linearised once around, after the first impact, at fixed times.
     ///
     /// At an impact a displacement δ before it becomes S δ, S = J + (f⁻ − κ z″ − f⁺)(w, 0)/V, where J = I − κ

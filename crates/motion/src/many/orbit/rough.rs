@@ -34,9 +34,10 @@ pub(super) struct Rough<'c> {
     /// D⁻¹.
     inverse: RealMatrix,
     change: &'c Change,
-    /// Where forces are formulas, q″ without what sticks, with its derivative.
-    program: Option<Program<Gradient<2>>>,
 }
+
+/// Where forces are formulas, q″ without what sticks, with its derivative.
+type Changing = Option<Program<Gradient<2>>>;
 
 impl<'c> Rough<'c> {
     pub(super) fn new(change: &'c Change, stage: &'c Stage, contacts: &'c Contacts) -> Result<Rough<'c>> {
@@ -52,8 +53,7 @@ impl<'c> Rough<'c> {
         }
         let rows: Vec<usize> = stuck.iter().map(|&j| contacts.rub_row(j)).collect();
         let inverse = contacts.among(&rows).try_inverse().ok_or_else(|| Error::input(DEPENDENT))?;
-        let program = change.changing(stage, &slope)?;
-        Ok(Rough { slope, stage, contacts, stuck, inverse, change, program })
+        Ok(Rough { slope, stage, contacts, stuck, inverse, change })
     }
 
     /// M⁻¹Wᵀ x.
@@ -68,11 +68,15 @@ impl<'c> Rough<'c> {
         RealVector::from_iterator(self.stuck.len(), self.stuck.iter().map(|&j| of(j)))
     }
 
+    fn changing(&self) -> Result<Changing> {
+        self.change.changing(self.stage, &self.slope)
+    }
+
     /// q″ without what sticks, and how that changes at a state that stays.
-    fn free(&self, at: &State) -> [RealVector; 2] {
+    fn free(&self, program: &Changing, at: &State) -> [RealVector; 2] {
         let Rough { slope, stage, .. } = self;
         let n = stage.equations.size();
-        let Some(program) = &self.program else {
+        let Some(program) = program else {
             let bend = stage.equations.acceleration(at.t, &at.q, &at.u);
             let own = slope.force.at(at.t)
                 - &slope.mass * &bend
@@ -87,10 +91,10 @@ impl<'c> Rough<'c> {
     }
 
     /// h and λ_p.
-    fn bent(&self, at: &State) -> (RealVector, RealVector) {
+    fn bent(&self, program: &Changing, at: &State) -> (RealVector, RealVector) {
         let Rough { slope, stage, contacts, inverse, .. } = self;
         let (equations, rubs) = (&stage.equations, contacts.rubs());
-        let [free, own] = self.free(at);
+        let [free, own] = self.free(program, at);
         if self.stuck.is_empty() {
             return (own, RealVector::zeros(0));
         }
@@ -110,15 +114,15 @@ impl<'c> Rough<'c> {
     }
 
     /// The derivative by the parameter of what is watched of friction, as [`Stage::slopes`] has it.
-    pub(super) fn of(&self, what: What, at: &State) -> f64 {
-        match what {
+    pub(super) fn of(&self, what: What, at: &State) -> Result<f64> {
+        Ok(match what {
             What::Slide(j) => {
                 let own = &self.slope.rubs[j];
                 self.stage.holds.grips[j].sign() * (own.row.dot(&at.u) - own.velocity.at(at.t)[0])
             }
             What::Hold(i, side) => {
                 let Brace { needed, parts } = &self.stage.braces[i];
-                let loads = self.bent(at).1;
+                let loads = self.bent(&self.changing()?, at).1;
                 let load = |(j, factor): &(usize, f64)| {
                     let place = self.stuck.iter().position(|known| known == j);
                     let mobility = self.contacts.mobility(self.contacts.rub_row(*j));
@@ -133,7 +137,7 @@ impl<'c> Rough<'c> {
                 sign * self.change.switch(k, at)
             }
             _ => 0.0,
-        }
+        })
     }
 
     /// The slope after a duration from a state, of that before. Cost: O(n²) for each of 8 points per radian
@@ -153,13 +157,14 @@ impl<'c> Rough<'c> {
         if duration <= 0.0 {
             return Ok(slope);
         }
-        if let (Some(smooth), Some(program)) = (&stage.smooth, &self.program) {
-            return if self.stuck.is_empty() {
-                let own = smooth.changed(program, from, duration)?;
-                Ok(own + smooth.transition(from, duration) * slope)
-            } else {
-                self.stuck_leg(smooth, from, duration, slope)
-            };
+        let program = self.changing()?;
+        match (&stage.smooth, &program) {
+            (Some(smooth), Some(own)) if self.stuck.is_empty() => {
+                let own = smooth.changed(own, from, duration)?;
+                return Ok(own + smooth.transition(from, duration) * slope);
+            }
+            (Some(smooth), Some(_)) => return self.stuck_leg((smooth, &program), from, duration, slope),
+            _ => {}
         }
         let held;
         let flow = if self.stuck.is_empty() {
@@ -206,7 +211,7 @@ impl<'c> Rough<'c> {
                 slope = step * slope;
                 let gone = width * (panel as f64 + node);
                 let at = State { t: now.after(gone).phase, ..stage.after(now, from, gone) };
-                let (bent, _) = self.bent(&at);
+                let (bent, _) = self.bent(&program, &at);
                 slope.rows_mut(n, n).axpy(width * weight, &bent, 1.0);
             }
             slope = &steps[GAUSS.len()] * slope;
@@ -217,7 +222,7 @@ impl<'c> Rough<'c> {
     /// The same where something sticks and forces are formulas: a panel for each step of the motion.
     fn stuck_leg(
         &self,
-        smooth: &SmoothStage,
+        (smooth, program): (&SmoothStage, &Changing),
         from: &State,
         duration: f64,
         mut slope: RealVector,
@@ -234,7 +239,7 @@ impl<'c> Rough<'c> {
             for (node, weight) in GAUSS {
                 let at = leap.state(node * width / leap.h);
                 slope = smooth.transition(&here, width * (node - gone)) * slope;
-                slope.rows_mut(n, n).axpy(width * weight, &self.bent(&at).0, 1.0);
+                slope.rows_mut(n, n).axpy(width * weight, &self.bent(program, &at).0, 1.0);
                 (here, gone) = (at, node);
             }
             slope = smooth.transition(&here, width * (1.0 - gone)) * slope;

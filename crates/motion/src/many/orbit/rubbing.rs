@@ -73,7 +73,7 @@ impl Turn {
                 }
                 let own = match change {
                     None => 0.0,
-                    Some(change) => Rough::new(change, before, contacts)?.of(what, at),
+                    Some(change) => Rough::new(change, before, contacts)?.of(what, at)?,
                 };
                 Ok(Some(Salt { seen, own, kick: stacked(&zero, &(turn / -rate)) }))
             }

@@ -394,9 +394,9 @@ impl Simulator {
     /// The same; of a machine without stops the size of the motions where there is friction, and without that
     /// of what the forces bring about.
     pub fn size(&self) -> f64 {
-        let all =
-            [&|| self.scale(), &|| self.rub_scale(&[]), &|| self.forced_size()] as [&dyn Fn() -> f64; 3];
-        all.iter().map(|size| size()).find(|size| *size > 0.0).unwrap_or(0.0)
+        let scale = self.scale();
+        let scale = if scale > 0.0 { scale } else { self.rub_scale(&[]) };
+        if scale > 0.0 { scale } else { self.forced_size() }
     }
 
     /// The largest coordinate of the periodic motion of the machine linearised at rest; where it has none, of

@@ -371,7 +371,7 @@ fn suited<S: Scalar>(program: &Program<S>, metric: &RealMatrix, rows: &Rows<S>, 
     program.suited(rows, far, LEAST / trial, fits)
 }
 
-/// In a time this short, in radians, q″ changes a motion by less than rounding.
+/// Over a time this short, in radians, a motion is of the second order: what is left out is the cube of it.
 const BRIEF: f64 = 1e-11;
 
 /// The end of a motion, and in how many steps, each of which is shown.

@@ -210,6 +210,24 @@ impl Orbit {
     }
 
     /// The period.
+    /// Its states leg by leg, from just after an impact to just before the next, without impacts once around
+    /// from phase 0: both ends, and evenly between, at least `places` for each period. Cost: once around.
+    ///
+    /// # Errors
+    /// As [`state`](Self::state).
+    pub fn legs(&self, oscillator: &Oscillator, places: u32) -> Result<Vec<Vec<State>>> {
+        let leg = |from: State, duration: f64| {
+            let count = (duration / (2.0 * PI) * f64::from(places)).ceil().max(1.0);
+            let next = |here: &State| Some(oscillator.flow().advance(*here, duration / count));
+            std::iter::successors(Some(from), next).take(count as usize + 1).collect()
+        };
+        if self.itinerary.strikes().is_empty() {
+            return Ok(vec![leg(State { t: 0.0, q: self.z[0], u: self.z[1] }, self.period())]);
+        }
+        let unknowns = Unknowns::new(&self.itinerary, &self.z)?;
+        unknowns.passages(oscillator).map(|passage| passage.map(|one| leg(one.from, one.duration))).collect()
+    }
+
     pub(crate) fn period(&self) -> f64 {
         2.0 * PI * f64::from(self.itinerary.periods())
     }

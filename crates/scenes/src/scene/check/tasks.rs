@@ -295,8 +295,8 @@ impl Checked<'_> {
                 );
             }
         }
-        if !(task.drawn == 0 || (2..=1000).contains(&task.drawn)) {
-            return self.fail("drawn", "is outside 2 to 1000 (0 draws none)");
+        if !(task.drawn == 0 || (2..=100).contains(&task.drawn)) {
+            return self.fail("drawn", "is outside 2 to 100 (0 draws none)");
         }
         if task.drawn > 0 && task.second.is_some() {
             return self.fail("drawn", "stands beside `second`: orbits are drawn along one parameter");

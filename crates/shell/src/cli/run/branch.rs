@@ -52,7 +52,7 @@ fn of_machine(
         let drawn = |point: &BranchPoint<many::orbit::Orbit>| {
             if stops.is_empty() {
                 let state = patterns.state(point.parameters[0], &point.orbit, at)?;
-                return Ok(machine.displaced(state.q())[0]);
+                return Ok(family.at(point.parameters[0])?.0.displaced(state.q())[0]);
             }
             patterns.gap(point.parameters[0], &point.orbit, stop, at)
         };
@@ -65,12 +65,11 @@ fn of_machine(
         _ => format!("gap of {}", stops[stop]),
     };
     let path = |point: &BranchPoint<many::orbit::Orbit>| {
-        let (parameter, orbit) = (point.parameters[0], &point.orbit);
-        let rate = family.at(parameter)?.0.rate();
-        let places = orbits::PLACES * orbit.itinerary.periods() as usize;
+        let own = family.at(point.parameters[0])?.0;
         let shown =
-            |state: &many::State| (machine.displaced(state.q())[0], rate * machine.displaced(state.u())[0]);
-        Ok(patterns.states(parameter, orbit, places)?.iter().map(shown).collect())
+            |state: &many::State| (own.displaced(state.q())[0], own.rate() * own.displaced(state.u())[0]);
+        let legs = patterns.legs(point.parameters[0], &point.orbit, orbits::PLACES)?;
+        Ok(legs.iter().map(|leg| leg.iter().map(shown).collect()).collect())
     };
     let plane = if machine.points() == 1 { ["q", "u"] } else { ["q1", "u1"] };
     write((found, all), task, job, (&record, &draw, &named, &path), [&axis, plane[0], plane[1]])
@@ -199,19 +198,12 @@ impl Drawing<'_> {
         curve(branch, &branch.itinerary.to_string(), &drawn)
     }
 
-    /// (q, u) once around an orbit.
-    fn path(&self, point: &BranchPoint<Orbit>) -> Result<Vec<(f64, f64)>> {
-        let (oscillator, orbit) = (self.family.at(point.parameters[0])?, &point.orbit);
-        let (rate, periods) = (oscillator.system().shown_rate(), orbit.itinerary.periods());
-        let first = if orbit.itinerary.strikes().is_empty() { 0.0 } else { orbit.z[0] };
-        let count = orbits::PLACES * periods as usize;
-        let at = |i: usize| {
-            // The last is before the impact that it began with.
-            let part = (i as f64 / count as f64).min(1.0 - 1e-9);
-            let state = orbit.state(&oscillator, first + TAU * f64::from(periods) * part)?;
-            Ok((state.q, rate * state.u))
-        };
-        (0..=count).map(at).collect()
+    /// (q, u) once around an orbit, leg by leg.
+    fn path(&self, point: &BranchPoint<Orbit>) -> Result<Vec<Vec<(f64, f64)>>> {
+        let oscillator = self.family.at(point.parameters[0])?;
+        let rate = oscillator.system().shown_rate();
+        let legs = point.orbit.legs(&oscillator, orbits::PLACES)?;
+        Ok(legs.iter().map(|leg| leg.iter().map(|state| (state.q, rate * state.u)).collect()).collect())
     }
 
     /// q at the phase, from where it is counted.

@@ -7,7 +7,11 @@ use crate::{
     error::{Error, Result},
     figure::PictureFormat,
     output::{Clash, FileRegistry, FileUse, MADE},
-    scene::{Kind, Scene, Task, branches::BranchOrigin, orbits::RangeKey},
+    scene::{
+        Kind, Scene, Task,
+        branches::{BranchOrigin, BranchTask},
+        orbits::RangeKey,
+    },
 };
 
 /// What may follow a task's name in the name of a file.
@@ -27,9 +31,18 @@ enum Ending {
     State(&'static str),
 }
 
-/// The endings of all files that a task of a kind may write.
+/// The endings of files that only some branches have.
+fn endings_of_branch(task: &BranchTask) -> impl Iterator<Item = &'static Ending> {
+    use Ending::{Beside, Fixed, Numbered};
+    let proofs: &[Ending] = &[Fixed("-proofs.csv"), Numbered("", ".certificate")];
+    let orbits: &[Ending] = &[Beside("-orbits"), Fixed("-orbits.csv")];
+    let asked = [(task.prove, proofs), (task.drawn > 0, orbits)];
+    asked.into_iter().filter(|(asked, _)| *asked).flat_map(|(_, all)| all)
+}
+
+/// The endings of all files that a task of a kind may write, but for [`endings_of_branch`].
 fn endings(kind: &Kind) -> &'static [Ending] {
-    use Ending::{Beside, Fixed, Numbered, Picture, Pictures, State};
+    use Ending::{Fixed, Numbered, Picture, Pictures, State};
     match kind {
         Kind::SimulateTask(_) => &[Pictures, Picture, Fixed(".csv"), Fixed("-events.csv")],
         Kind::SectionTask(_) => &[Picture, Fixed(".csv")],
@@ -92,26 +105,6 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             Fixed("-hits.csv"),
             Fixed("-influence.csv"),
         ],
-        Kind::BranchTask(task) if task.drawn > 0 => &[
-            Fixed(".json"),
-            Numbered("", ".json"),
-            Picture,
-            Fixed(".csv"),
-            Fixed("-points.csv"),
-            Fixed("-proofs.csv"),
-            Numbered("", ".certificate"),
-            Beside("-orbits"),
-            Fixed("-orbits.csv"),
-        ],
-        Kind::BranchTask(task) if task.prove => &[
-            Fixed(".json"),
-            Numbered("", ".json"),
-            Picture,
-            Fixed(".csv"),
-            Fixed("-points.csv"),
-            Fixed("-proofs.csv"),
-            Numbered("", ".certificate"),
-        ],
         Kind::BranchTask(_) => {
             &[Fixed(".json"), Numbered("", ".json"), Picture, Fixed(".csv"), Fixed("-points.csv")]
         }
@@ -161,7 +154,11 @@ pub(super) fn task(
     if scene.units.is_some() {
         one(units::ENDING, FileUse::Write).map_err(clashes)?;
     }
-    for ending in endings(&task.kind) {
+    let branch = match &task.kind {
+        Kind::BranchTask(branch) => Some(endings_of_branch(branch)),
+        _ => None,
+    };
+    for ending in endings(&task.kind).iter().chain(branch.into_iter().flatten()) {
         match *ending {
             Ending::Fixed(end) => one(end, FileUse::Write),
             Ending::State(end) => one(end, FileUse::Continue),

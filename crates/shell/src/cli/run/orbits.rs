@@ -9,13 +9,10 @@ use crate::{
 };
 
 /// Places on an orbit, in each of its periods.
-pub(super) const PLACES: usize = 400;
+pub(super) const PLACES: u32 = 400;
 
-/// Between two places a velocity that changes by more than this part of all that it does has jumped.
-const JUMP: f64 = 0.1;
-
-/// The places of an orbit in order, from just after its first impact once around.
-pub(super) type Path<'p, O> = &'p dyn Fn(&BranchPoint<O>) -> Result<Vec<(f64, f64)>>;
+/// The places of an orbit in order, from impact to impact.
+pub(super) type Path<'p, O> = &'p dyn Fn(&BranchPoint<O>) -> Result<Vec<Vec<(f64, f64)>>>;
 
 /// Writes `NAME-orbits`, a picture and its data: as many orbits of each branch as are asked for, evenly along
 /// it, and all with labels; the names of both files.
@@ -39,7 +36,7 @@ pub(super) fn keep<O: JudgedOrbit>(
             let value = format!("{parameter} = {}", across.at(point.parameters[0]));
             let name = kind.map_or(value.clone(), |kind| format!("{kind}, {value}"));
             let stable = Some(point.orbit.stable(point.event));
-            for at in pieces(path(point)?) {
+            for at in path(point)? {
                 let at = at.into_iter().map(|(q, u)| (q, u, Said { stable, proved: None })).collect();
                 curves.push(DrawnBranch { name: name.clone(), at, labels: Vec::new() });
             }
@@ -55,20 +52,4 @@ pub(super) fn keep<O: JudgedOrbit>(
     let name = format!("{}-orbits", job.task.name);
     figure::orbits_of_branches(&curves, axes, &FigurePlace { name: &name, ..job.place() })?;
     Ok([job.format.ending(), "csv"].map(|end| format!("{name}.{end}")).to_vec())
-}
-
-/// A path cut where its velocity jumps.
-fn pieces(path: Vec<(f64, f64)>) -> Vec<Vec<(f64, f64)>> {
-    let (low, high) = path
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, u)| (low.min(*u), high.max(*u)));
-    let cut = |pair: &[(f64, f64)]| (pair[1].1 - pair[0].1).abs() > JUMP * (high - low);
-    let mut all: Vec<Vec<(f64, f64)>> = Vec::new();
-    for (i, at) in path.iter().enumerate() {
-        match all.last_mut().filter(|_| !cut(&path[i - 1..=i])) {
-            Some(piece) => piece.push(*at),
-            None => all.push(vec![*at]),
-        }
-    }
-    all
 }
