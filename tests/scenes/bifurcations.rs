@@ -8,7 +8,7 @@ use std::{fs, path::Path};
 
 use serde_json::Value;
 
-use tasks::{ball, near, number, run, task};
+use tasks::{ball, near, number, refused, run, task};
 
 /// The paper's oscillator.
 const NORDMARK: &str = r#"
@@ -182,9 +182,8 @@ fn a_branch_starts_at_an_end_of_its_range_and_not_outside() {
         let (report, code, error) = run(BALL, &[branch(low, high, direction)], folder.path());
         assert_eq!(code, 0, "{report} {error}");
     }
-    let (report, code, _) = run(BALL, &[branch(0.1, 1.0, "both")], folder.path());
-    let reason = report["tasks"][0]["reason"].as_str().unwrap();
-    assert!(code == 2 && reason.contains("1.2") && reason.contains("from 0.1 to 1"), "{report}");
+    let error = refused(BALL, &[branch(0.1, 1.0, "both")], folder.path());
+    assert!(error.contains("at = 1.2: is not in the range from 0.1 to 1"), "{error}");
 }
 
 /// Follows a branch and switches at each label of a kind: the labels, and for each the points of the branch

@@ -189,6 +189,11 @@ fn every_failure_names_file_line_key_value_and_fix() {
             "s.toml:22: tasks[1].name = \"../m\": names files: write letters, digits, - and _",
         ),
         (
+            "name = \"m\"",
+            &format!("name = \"{}\"", "m".repeat(201)),
+            &format!("s.toml:22: tasks[1].name = \"{}…: names files", "m".repeat(56)),
+        ),
+        (
             "tolerance = 1e-9",
             "tolerance = 0.1",
             "s.toml:20: accuracy.tolerance = 0.1: is outside 1e-15 to 1e-3",
@@ -303,10 +308,69 @@ fn every_failure_names_file_line_key_value_and_fix() {
             "[[tasks]]\nname = \"o\"\nkind = \"orbit\"\norbit = { pattern = [1], walls = [\"lower\"], speed = 0 }",
             "s.toml:28: tasks[2].orbit.speed = 0: must be above 0",
         ),
+        // TOML itself
+        (
+            "restitution = 0.5",
+            "restitution = 0.5\nrestitution = 0.4",
+            "s.toml:19: restitution = 0.4: stands there twice: leave one out",
+        ),
+        ("[accuracy]", "[system]\n[accuracy]", "s.toml:19: [system]: stands there twice: leave one out"),
+        (
+            "offset = 1\n",
+            "offset = 1e400\n",
+            "s.toml:17: offset = 1e400: floating-point number overflowed (a number",
+        ),
+        ("offset = 1\n", "offset = 1__0\n", "s.toml:17: offset = 1__0: `_` may only go between digits"),
     ] {
         assert!(GOOD.contains(from), "{from}");
         let error = read(&GOOD.replacen(from, to, 1)).expect_err(to);
         assert!(error.starts_with(message), "{to}\n  found    {error}\n  expected {message}");
+    }
+}
+
+/// Keys that would be left unread, or lead to no answer, in tasks of one walled oscillator.
+#[test]
+fn keys_of_tasks_that_cannot_matter_are_refused() {
+    let scene = GOOD.replace("grazing-scene 1", "grazing-scene 3").replace("walls", "stops");
+    let scene = scene.split("[[stops]]\nside = \"upper\"").next().unwrap().to_string();
+    let branch = "branch\"\nparameter = \"d\"\nrange = [0.5, 0.7]\n";
+    let crisis = "crisis\"\nparameter = \"d\"\nbracket = [0.5, 0.7]\nphase = 0\nstart = { q = 0 }\n\
+                  orbit = { pattern = [1] }\n";
+    for (task, said) in [
+        (format!("{branch}starts = []"), "starts = []: is empty"),
+        (
+            format!("{branch}starts = [{{ at = 0.8, orbit = {{}} }}]"),
+            "starts[1].at = 0.8: is not in the range from 0.5 to 0.7",
+        ),
+        (
+            format!("{branch}starts = [{{ orbit = {{}} }}]\nsecond_range = [1, 2]"),
+            "second_range = [1, 2]: is of a second parameter: give `second`",
+        ),
+        (format!("{crisis}margins = []"), "margins = []: is empty"),
+        (format!("{crisis}margins = [-1e-5]"), "margins = [-1e-5]: must be positive"),
+        (format!("{crisis}offsets = [0]"), "offsets = [0]: must be positive"),
+        (format!("{crisis}quiet = 0"), "quiet = 0: must be at least 1"),
+        ("grazing\"\nparameter = \"d\"\ndistance = -1".into(), "distance = -1: must be positive"),
+        (
+            "orbit\"\norbit = { pattern = [1], period = 2 }".into(),
+            "orbit.period = 2: is of an orbit without impacts",
+        ),
+        ("orbit\"\norbit = { pattern = [1], starts = 0 }".into(), "orbit.starts = 0: must be at least 1"),
+        (
+            "validate\"\norbit = { pattern = [1] }\nreach = 1".into(),
+            "reach = 1: is of the search for an `event`",
+        ),
+        // What is not written is told at the line of what is.
+        ("validate\"\norbit = { period = 2 }".into(), "orbit.pattern: must have an impact"),
+        (
+            "chaos\"\nalphabet = [1, 2]\nhistory = [3, 1]".into(),
+            "history = [3, 1]: 3 is no period of the alphabet",
+        ),
+    ] {
+        let text = format!("{scene}[[tasks]]\nname = \"m\"\nkind = \"{task}\n");
+        let error = read(&text).expect_err(&task);
+        assert!(error.contains(&format!(": tasks[1].{said}")), "{task}\n  found    {error}");
+        assert!(error.starts_with("s.toml:"), "no line: {error}");
     }
 }
 

@@ -307,6 +307,11 @@ fn a_parameter_is_set_in_any_unit() {
     let bare = read(&machine(SI, &values(["4", "2", "4", "3", "800", "0.001", "0", "0.8"]))).unwrap();
     let error = set(&bare, "F", "5 N").unwrap_err().to_string();
     assert!(error.contains("F has no unit"), "{error}");
+    // And in the file.
+    let given = machine(SI, &values(["4", "2", "4", "3", "800", "0.001", "0", "0.8"]));
+    let given = given.replacen("max_period = 3", "set = { F = \"5 kg\" }", 1);
+    let error = read(&given).unwrap_err();
+    assert!(error.contains("set.F = \"5 kg\": is a mass, and F has no unit in [parameters]"), "{error}");
 }
 
 /// A good scene, and what each change of it is told.
@@ -509,6 +514,11 @@ fn what_hands_type_is_told() {
                 );
             }
         }
+    }
+    for (key, means) in [("damping", "feeds energy in"), ("stiffness", "the place of rest repels")] {
+        let told = warnings(&good.replacen(&format!("{key} = "), &format!("{key} = -1 # "), 1));
+        assert!(told.iter().any(|told| told.contains(&format!("the {key} is negative: "))), "{told:?}");
+        assert!(told.iter().any(|told| told.contains(means)), "{told:?}");
     }
     // What is allowed and hardly meant, by both engines.
     for engine in ["one", "many"] {

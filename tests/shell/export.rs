@@ -144,7 +144,9 @@ fn auto_reads_branches_and_motions() {
 #[test]
 fn what_cannot_be_exported_is_said() {
     let folder = tables();
+    fs::write(folder.path().join("twice.csv"), "a,b,a\n1,2,3\n").unwrap();
     for (arguments, said) in [
+        ("twice.csv -o twice.mat", "twice.csv:1: two columns are called \"a\", the second is column 3"),
         ("motion.csv -o motion.txt", "the name says who reads it"),
         ("motion.csv -o b.motion", "no points of branches"),
         ("section.csv -o section.dat", "no motion"),

@@ -47,7 +47,14 @@ impl Source<'_> {
             };
             let line = error.span().and_then(|span| self.text.lines().nth(self.line(&span) - 1));
             let meant = line.and_then(in_line).map_or(String::new(), |meant| format!("; {meant}"));
-            self.fail(error.span(), &format!("{}{hint}{meant}", error.message().replace('\n', "; ")))
+            let what = error.message().replace('\n', "; ").replace(", expected nothing", "");
+            let what = what.replace("duplicate key", "stands there twice: leave one out");
+            let entry = line.and_then(|line| line.split_once('='));
+            let entry = entry.map(|(key, value)| (short(key), short(value)));
+            // The name of a table, where there is no key.
+            let shown = line.filter(|line| entry.is_none() && !line.trim().is_empty());
+            let shown = shown.map_or(String::new(), |line| format!("{}: ", short(line)));
+            self.error(error.span(), entry, &format!("{shown}{what}{hint}{meant}"))
         })
     }
 
@@ -65,11 +72,7 @@ impl Source<'_> {
     /// `name:line: key = value: message`, a long value cut short.
     pub fn at(&self, key: &str, span: Option<Range<usize>>, message: &str) -> Error {
         let value = span.clone().and_then(|span| self.text.get(span)).unwrap_or_default();
-        let mut short: String = value.split_whitespace().collect::<Vec<_>>().join(" ");
-        if short.chars().count() > 60 {
-            short = short.chars().take(57).chain(['…']).collect();
-        }
-        self.error(span, Some((key.to_string(), short)), message)
+        self.error(span, Some((key.to_string(), short(value))), message)
     }
 
     fn error(&self, span: Option<Range<usize>>, entry: Option<(String, String)>, message: &str) -> Error {
@@ -106,6 +109,12 @@ impl Source<'_> {
             self.at(key, value.span(), &format!("{error}{meant}"))
         })
     }
+}
+
+/// A text on one line, cut short if it is long.
+fn short(text: &str) -> String {
+    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    if line.chars().count() > 60 { line.chars().take(57).chain(['…']).collect() } else { line }
 }
 
 /// Says that a key is unknown, and which of those known is near, or what the known ones are.

@@ -87,6 +87,7 @@ fn spaced(text: &str) -> Option<(String, String)> {
 /// let meant = in_line("zeta = 4 %").unwrap();
 /// assert_eq!(meant, "a number with a unit is a text: write zeta = \"4 %\"");
 /// assert!(in_line("title = “a”").unwrap().contains("quotes"));
+/// assert!(in_line("title\u{a0}= a").unwrap().contains("U+00A0"));
 /// assert_eq!(in_line("a = 1 # 0,5"), None);
 /// ```
 pub fn in_line(line: &str) -> Option<String> {
@@ -94,6 +95,12 @@ pub fn in_line(line: &str) -> Option<String> {
     if let Some(quote) = line.chars().find(|c| matches!(c, '“' | '”' | '„' | '‘' | '’' | '«' | '»'))
     {
         return Some(format!("{quote} is not one of the quotes of a keyboard: write \"…\""));
+    }
+    if let Some(space) = line.chars().find(|c| c.is_whitespace() && !c.is_ascii()) {
+        return Some(format!(
+            "a space in it is U+{:04X}, not that of a keyboard: type it anew",
+            u32::from(space)
+        ));
     }
     let (key, value) = line.split_once('=')?;
     let (key, value) = (key.trim(), value.trim());

@@ -112,8 +112,8 @@ keys! {
         phase: BigRational = "0",
         /// where it is measured
         frame: Frame = "\"fixed\"",
-        /// how many orbits of each branch, beside those with labels, are drawn in the plane of (the first)
-        /// displacement and velocity; one parameter, 2 to 100
+        /// draw that many orbits of each branch, 2 to 100, and those with labels, in the plane of (the first)
+        /// displacement and velocity; one parameter
         drawn: u32 = "0",
     }
 }
@@ -150,8 +150,7 @@ keys! {
         phase: BigRational = "0",
         /// where the displacement is measured
         frame: Frame = "\"fixed\"",
-        /// what is kept, the first drawn: `q2` and `u2` of a coordinate; of `many` also `gap NAME`, `rate
-        /// NAME`; without it `q1`, `u1`
+        /// what is kept, the first drawn: as of a `section`
         plane: Vec<String> = "[]",
         /// periods that pass first, unrecorded
         transient: u64 = "1000",

@@ -41,6 +41,9 @@ impl ChaosTask {
         }
         match &self.history[..] {
             [] => {}
+            [of, _] if matches!(&self.alphabet, Alphabet::Periods(periods) if !periods.contains(of)) => {
+                return fail("history", &format!("{of} is no period of the alphabet"));
+            }
             [_, most] if most.whole().is_some_and(|most| most <= 40) => {}
             _ => return fail("history", "must be a period and a number up to 40"),
         }

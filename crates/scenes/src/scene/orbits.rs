@@ -221,8 +221,8 @@ keys! {
     pub struct GrazingTask {
         /// what varies
         parameter: String,
-        /// the one that comes to graze, near the present value; of `many` the motion without impacts near
-        /// `start`
+        /// the one that comes to graze, near the parameter's present value; of `many` the motion without
+        /// impacts near `start`
         orbit: OrbitKeys = "{}",
         /// how far to look, as of `event` ([default](#sizes))
         reach: Option<f64>,
@@ -234,8 +234,7 @@ keys! {
         max_period: u32 = "4",
         /// |eµ| at which born orbits are found; without it 1e-6 of the motion's size
         distance: Option<f64>,
-        /// whether to follow motions beside the touch; without it where no force is a formula and no stop
-        /// compliant
+        /// follow motions beside the touch; without it where no force is a formula and no stop compliant
         seen: Option<bool>,
         /// prove each periodic attractor seen there, with a certificate each
         prove: bool = "false",
@@ -247,8 +246,8 @@ keys! {
         attractor: bool = "false",
         /// how much each other parameter moves the touch, per cent
         sensitivity: bool = "false",
-        /// how exactly parameters are known, as `{ k = "2%", d = 0.01, m = [0.9, 1.1] }`: all is told of
-        /// every machine that this allows
+        /// how exactly parameters are known, as `{ k = "2%", d = 0.01, m = [0.9, 1.1] }`: what is told holds
+        /// for every machine that this allows
         tolerance: Tolerances = "{}",
     }
 }

@@ -510,7 +510,15 @@ impl Scene {
     /// `file:line: key = value: message`.
     pub fn fail(&self, key: &str, message: &str) -> Error {
         let source = Source { name: &self.file.0, text: &self.file.1 };
-        source.at(&self.format.path(key), self.places.get(key).cloned(), message)
+        let path = self.format.path(key);
+        match self.places.get(key) {
+            Some(place) => source.at(&path, Some(place.clone()), message),
+            // What is not written stands in what is.
+            None => {
+                let above = key.match_indices(['.', '[']).rev().find_map(|(i, _)| self.places.get(&key[..i]));
+                source.fail(above.cloned(), &format!("{path}: {message}"))
+            }
+        }
     }
 
     pub(super) fn where_parameters(&self) -> String {

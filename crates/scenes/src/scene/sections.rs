@@ -20,7 +20,7 @@ keys! {
         phase: BigRational = "0",
         /// where q and u are measured: fixed, or moving with a stop
         frame: Frame = "\"fixed\"",
-        /// periods that pass first, unrecorded; more, where the report says "not settled"
+        /// periods that pass first, unrecorded
         transient: u64 = "1000",
         /// points of a motion that is not periodic, and periods of its exponent
         points: u32 = "2000",

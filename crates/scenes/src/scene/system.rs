@@ -20,8 +20,7 @@ const LIMIT_K: u32 = 1000;
 keys! {
     /// `mass` q″ + `damping` q′ + `stiffness` q + `cubic` q³ = `force` + `forcing`(t), in consistent units.
     pub struct SystemKeys {
-        /// the forcing's period, in which times are reported, with forcing or without; without it and
-        /// `frequency` 2π
+        /// the forcing's, in which times are reported, with forcing or without; without it and `frequency` 2π
         period: Option<Expression>,
         /// in place of `period`, cycles per unit of time: hertz if that is a second
         frequency: Option<Expression>,
@@ -37,8 +36,7 @@ keys! {
         cubic: Option<Expression>,
         /// instead of matrices
         modes: Option<ModesKeys>,
-        /// on each coordinate beside `forcing`: a constant, or a [formula](#forces) in q1, …, u1, … and the
-        /// angle t; one 0 for none
+        /// on each coordinate, beside `forcing`: a constant or a [formula](#forces)
         force: ForceList = "0",
         /// its harmonics
         forcing: Vec<LoadKeys> = "[]",
@@ -66,8 +64,8 @@ keys! {
         frequencies: Vec<Expression>,
         /// damping ratios: one for all, or one each
         ratios: CoordinateList = "0",
-        /// a row per coordinate, points of the machine, an entry per mode; without it the coordinates are the
-        /// modes' amplitudes
+        /// a row per point of the machine (a coordinate), an entry per mode; without it the amplitudes are
+        /// the coordinates
         shapes: Option<MatrixValue>,
     }
 }
@@ -101,39 +99,33 @@ keys! {
 }
 
 keys! {
-    /// Dry friction (Coulomb): while the velocity v = `row`·q′ − `speed` − (Σ `harmonics`)′ is not 0, a force
-    /// of size `coefficient`·N along `row` against it; where it is 0, any force up to `static_coefficient`·N
-    /// that keeps it 0. The normal force N is `normal`, or that with which `stop` pushes.
+    /// [Dry friction](#dry-friction) (Coulomb, Stribeck) along `row`.
     pub struct FrictionKeys {
         /// what it is called in reports; without it `friction`, with a number if there are several
         name: Option<String>,
-        /// what slides, an entry for each coordinate. Two masses on each other: [1, −1]. Of a single
-        /// coordinate [1] if absent
+        /// what slides, as of a stop
         row: Option<CoordinateList>,
-        /// the normal force, at least 0. This or `stop` must be given
+        /// the normal force, at least 0; this or `stop`
         normal: Option<Expression>,
-        /// in place of `normal`, the name of the stop on which it slides: friction acts while the stop is in
-        /// contact, and at impacts
+        /// the name of the stop on which it slides
         stop: Option<String>,
-        /// the coefficient of kinetic friction, at least 0; or a law of the sliding speed v, the same for v
-        /// and −v, as "0.2 + 0.2*exp(-abs(v)/0.05)"
+        /// of kinetic friction, at least 0; a law of the sliding speed v goes with `normal`
         coefficient: CoefficientKey,
         /// that of static friction, at least `coefficient` (at v = 0); without it the same
         static_coefficient: Option<Expression>,
-        /// the constant velocity of the surface, as of a belt
+        /// of the surface, as of a belt
         speed: Expression = "0",
-        /// the surface's vibration: displacements along `row`, harmonics of the forcing's frequency
+        /// the surface's vibration along `row`
         harmonics: Vec<HarmonicKeys> = "[]",
     }
 }
 
 keys! {
-    /// A threshold: where a function of the motion passes 0, either way. It changes nothing, and is told by
-    /// the tasks `simulate`.
+    /// A [threshold](#events), which tasks `simulate` tell.
     pub struct EventKeys {
         /// what it is called in reports; without it `event`, with a number if there are several
         name: Option<String>,
-        /// the function, as "q - 0.5" or "u1 - u2 + 0.1*cos(t)"
+        /// what passes 0, as "u1 - u2 + 0.1*cos(t)"
         of: FunctionText,
         /// whether a motion ends there, after the transient
         end: bool = "false",

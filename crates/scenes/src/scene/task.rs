@@ -36,7 +36,7 @@ pub struct Task {
 keys! {
     /// Something to do; its other keys depend on its kind.
     pub struct TaskKeys {
-        /// of its files and report: letters, digits, `-` and `_`
+        /// of its files and report: letters, digits, `-` and `_`, at most 200
         name: String,
         /// one of those below
         kind: String,
@@ -158,9 +158,12 @@ impl Task {
         let kind_keys = KINDS.iter().find(|known| known.0 == word).map_or(&[][..], |known| known.2);
         let extra: Vec<&str> = kind_keys.iter().map(|key| key.name).collect();
         let TaskKeys { name, group, set: Assignments(set), .. } = TaskKeys::fields(entry, &extra)?;
-        if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || "-_".contains(c)) {
+        // File systems hold 255 bytes, of which endings take some 40.
+        if !(1..=200).contains(&name.len())
+            || !name.chars().all(|c| c.is_ascii_alphanumeric() || "-_".contains(c))
+        {
             let at = entry.get("name")?.unwrap_or_else(|| unreachable!("it has just been read"));
-            return Err(at.fail("names files: write letters, digits, - and _"));
+            return Err(at.fail("names files: write letters, digits, - and _, at most 200"));
         }
         Ok(Task { name, group, set, kind, path: entry.path.clone() })
     }

@@ -134,8 +134,17 @@ pub(super) fn check(
                     }
                     _ => name(path, key),
                 };
-                let Some(known) = name.and_then(|name| kinds.get(&name).copied()) else { continue };
-                vec![known]
+                let Some(name) = name else { continue };
+                match kinds.get(&name) {
+                    Some(known) => vec![*known],
+                    None if fits(&[Dimension::ONE]) => continue,
+                    None => {
+                        let message = format!(
+                            "is {dimension}, and {name} has no unit in [parameters]: give it one there"
+                        );
+                        return Err(file.at(path).fail(&message));
+                    }
+                }
             }
         };
         if fits(&wanted) {

@@ -1,8 +1,8 @@
 //! The design chart: for which natural frequencies and damping ratios a touch gives birth to chaos, before
 //! it, beyond it, on both sides or on neither.
 //!
-//! Every cell of one colour is certain; what is open is drawn as open. Cells of one colour are one shape, so
-//! that nothing shines through between them.
+//! Every point of one colour is certain; what is open is drawn as open. Cells of one colour are one shape, so
+//! that nothing shines through between them, and its steps are cut off inwards, so that edges are curves.
 
 use std::collections::BTreeMap;
 
@@ -96,7 +96,8 @@ fn draw(chart: &ChaosChart) -> Canvas {
         }
     }
     let mut legend = Legend::default();
-    for (_, (name, ink)) in CLASSES.into_iter().enumerate().filter(|(i, _)| classes.contains(i)) {
+    let is_seen = |class: usize| class == CLASSES.len() - 1 || classes.contains(&class);
+    for (_, (name, ink)) in CLASSES.into_iter().enumerate().filter(|(class, _)| is_seen(*class)) {
         legend.add(Words::plain(name), move |canvas: &mut Canvas, (x, y): At| {
             let square = [x - 8.0, y - 3.5, x + 8.0, y + 3.5];
             canvas.rectangle(square, ink);
@@ -120,10 +121,11 @@ fn draw(chart: &ChaosChart) -> Canvas {
     );
     let [x, y] = [&chart.columns, &chart.rows].map(|edges| edges.iter().map(float).collect::<Vec<f64>>());
     canvas.inside(frame.inside(), |canvas| {
-        for (class, (_, ink)) in CLASSES.into_iter().enumerate() {
-            let loops = outlines(&classes, sides, class);
-            let loops =
-                loops.into_iter().map(|corners| frame.path(corners.iter().map(|&[i, j]| (x[i], y[j]))));
+        let (_, open) = CLASSES[CLASSES.len() - 1];
+        canvas.rectangle(frame.inside(), open);
+        for (class, (_, ink)) in CLASSES.into_iter().enumerate().take(CLASSES.len() - 1) {
+            let loops = outlines(&classes, sides, class).into_iter().map(|corners| without_steps(&corners));
+            let loops = loops.map(|corners| frame.path(corners.iter().map(|&[i, j]| (x[i], y[j]))));
             canvas.polygons(loops.collect(), ink);
         }
     });
@@ -176,9 +178,34 @@ fn outlines(classes: &[usize], [wide, high]: [usize; 2], class: usize) -> Vec<Ve
     loops
 }
 
+/// An outline without the corners of steps: those between two inner ones, on a step that is one square high
+/// or wide. What is cut off is half a row of squares of the class, so what stays is of the class.
+fn without_steps(corners: &[[usize; 2]]) -> Vec<[usize; 2]> {
+    let n = corners.len();
+    let to = |i: usize| [0, 1].map(|k| corners[(i + 1) % n][k] as i64 - corners[i % n][k] as i64);
+    let turns_out = |i: usize| {
+        let ([a, b], [c, d]) = (to(i + n - 1), to(i));
+        a * d > b * c
+    };
+    let is_step = |i: usize| {
+        let [before, after] = [to(i + n - 1), to(i)].map(|[a, b]| a.abs() + b.abs());
+        turns_out(i) && !turns_out(i + n - 1) && !turns_out(i + 1) && before.min(after) == 1
+    };
+    (0..n).filter(|&i| !is_step(i)).map(|i| corners[i]).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Of a staircase the line through its inner corners stays; other corners stay.
+    #[test]
+    fn steps_become_a_line() {
+        let stairs = [[0, 0], [9, 0], [9, 1], [6, 1], [6, 2], [3, 2], [3, 3], [0, 3]];
+        assert_eq!(without_steps(&stairs), [[0, 0], [9, 0], [9, 1], [6, 1], [3, 2], [3, 3], [0, 3]]);
+        let wide = [[0, 0], [9, 0], [9, 2], [6, 2], [6, 4], [3, 4], [3, 6], [0, 6]];
+        assert_eq!(without_steps(&wide), wide);
+    }
 
     /// The outlines of a class enclose as many squares as it has, holes taken off.
     #[test]

@@ -73,13 +73,20 @@ impl Scene {
             let Ok(system) = self.rounded() else { return Vec::new() };
             let sides = [Side::Lower, Side::Upper].into_iter();
             let walls = sides.filter_map(|side| Some((side, system.wall(side)?.restitution)));
-            let gains = walls.filter(|(_, restitution)| *restitution > 1.0);
+            let gains = walls.filter(|(_, restitution)| *restitution > 1.0).map(|(side, value)| {
+                let stop = self.stops.iter().find(|stop| stop.side == Some(side));
+                let name = stop.map_or(side.name(), |stop| &stop.name);
+                adds(format!("{} {name}", self.format.stop()), &value)
+            });
+            // With a cubic spring or a formula both are common.
+            let linear = system.cubic == 0.0 && system.smooth.is_none();
+            let signs = [
+                ("damping", system.damping, "it feeds energy in, and without impacts motions grow"),
+                ("stiffness", system.stiffness, "the place of rest repels"),
+            ];
+            let signs = signs.into_iter().filter(|(_, value, _)| linear && *value < 0.0);
             return gains
-                .map(|(side, value)| {
-                    let stop = self.stops.iter().find(|stop| stop.side == Some(side));
-                    let name = stop.map_or(side.name(), |stop| &stop.name);
-                    adds(format!("{} {name}", self.format.stop()), &value)
-                })
+                .chain(signs.map(|(key, _, means)| format!("the {key} is negative: {means}")))
                 .collect();
         };
         let laws = self.machine(&[]).map(|machine| machine.stops).unwrap_or_default();
@@ -166,15 +173,20 @@ impl Checked<'_> {
         self.fail(key, &format!("is outside {least} to {most}"))
     }
 
+    fn positive(&self, key: &str, values: &[f64]) -> Result<()> {
+        match values.iter().all(|value| *value > 0.0) {
+            true => Ok(()),
+            false => self.fail(key, "must be positive"),
+        }
+    }
+
     fn options(&self, options: &Options) -> Result<()> {
         options.checked().map(drop).or_else(|error| self.fail("options", &error.to_string()))
     }
 
     /// What reach and options must be.
     fn reach(&self, reach: Option<f64>, options: &Options) -> Result<()> {
-        if reach.is_some_and(|reach| reach.is_nan() || reach <= 0.0) {
-            return self.fail("reach", "must be positive");
-        }
+        self.positive("reach", reach.as_slice())?;
         self.options(options)
     }
 

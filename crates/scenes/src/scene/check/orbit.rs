@@ -15,6 +15,15 @@ impl Checked<'_> {
         if m == 0 && orbit.period == 0 {
             return fail("period", "must be at least 1");
         }
+        if m > 0 && self.scene.has(&self.key(&format!("{key}.period"))) {
+            return fail(
+                "period",
+                "is of an orbit without impacts; that of a pattern is its sum: leave it out",
+            );
+        }
+        if orbit.starts == 0 {
+            return fail("starts", "must be at least 1");
+        }
         match orbit.pattern.iter().try_fold(0u32, |sum, &n| sum.checked_add(n)) {
             Some(0) if m > 0 => return fail("pattern", "must have a period of at least 1"),
             None => return fail("pattern", "sums to more than 4294967295"),

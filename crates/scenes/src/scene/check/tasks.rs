@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{ToPrimitive, Zero};
 
 use super::{Checked, LONGEST, Model, POINTS};
 use crate::{
@@ -254,6 +254,7 @@ impl Checked<'_> {
         self.parameter(&task.parameter)?;
         self.reach(task.reach, &task.options)?;
         self.within("max_period", task.max_period, 1, 12)?;
+        self.positive("distance", task.distance.as_slice())?;
         if !task.within.is_empty() {
             self.range(("parameter", &task.parameter), ("within", &task.within))?;
             if !task.is_of_free_motion() {
@@ -286,6 +287,21 @@ impl Checked<'_> {
         self.frame(task.frame)?;
         self.branch_starts(&task.starts, "starts")?;
         self.range(("parameter", &task.parameter), ("range", &task.range))?;
+        if task.starts.is_empty() {
+            return self.fail("starts", "is empty; a branch must start somewhere");
+        }
+        for (i, at) in
+            (1..).zip(&task.starts).filter_map(|(i, start)| Some((i, start.at.as_ref()?.to_f64()?)))
+        {
+            let (low, high) = (task.range[0], task.range[1]);
+            if !(low..=high).contains(&at) {
+                let message = format!("is not in the range from {low} to {high}");
+                return self.fail(&format!("starts[{i}].at"), &message);
+            }
+        }
+        if task.second.is_none() && self.scene.has(&self.key("second_range")) {
+            return self.fail("second_range", "is of a second parameter: give `second`, or leave it out");
+        }
         if let Some(second) = &task.second {
             self.range(("second", second), ("second_range", &task.second_range))?;
             if second == &task.parameter || task.starts.iter().any(|start| start.restart.is_none()) {
@@ -429,6 +445,17 @@ impl Checked<'_> {
     fn crisis(&self, task: &CrisisTask) -> Result<()> {
         self.only_one("kind", "works")?;
         self.range(("parameter", &task.parameter), ("bracket", &task.bracket))?;
+        self.positive("offsets", &task.offsets)?;
+        self.positive("margins", &task.margins)?;
+        if task.margins.is_empty() {
+            return self.fail("margins", "is empty; motions on both sides are simulated");
+        }
+        for (key, value) in [("images", task.images.into()), ("periods", task.periods), ("quiet", task.quiet)]
+        {
+            if value == 0 {
+                return self.fail(key, "must be at least 1");
+            }
+        }
         self.orbit(&task.orbit, "orbit")
     }
 
@@ -487,6 +514,10 @@ impl Checked<'_> {
 
     fn proof(&self, task: &ValidateTask) -> Result<()> {
         let scene = self.scene;
+        let search = ["reach", "options"].into_iter().find(|key| scene.has(&self.key(key)));
+        if let Some(key) = search.filter(|_| task.event.is_none()) {
+            return self.fail(key, "is of the search for an `event`: give one, or leave it out");
+        }
         if task.orbit.pattern.is_empty()
             && (task.event != Some(Bifurcation::Grazing) || task.orbit.period != 1)
         {

@@ -40,6 +40,11 @@ impl Table {
         if names.iter().all(|name| name.trim().is_empty()) {
             return Err(Error::input(format!("{file}: no table: its first line names no column")));
         }
+        if let Some((i, name)) = names.iter().enumerate().find(|(i, name)| names[..*i].contains(name)) {
+            let message =
+                format!("{file}:1: two columns are called {name:?}, the second is column {}", i + 1);
+            return Err(Error::input(message));
+        }
         let mut cells: Vec<Vec<String>> = names.iter().map(|_| Vec::new()).collect();
         for record in reader.records() {
             for (column, cell) in cells.iter_mut().zip(&record.map_err(wrong)?) {
