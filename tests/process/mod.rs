@@ -54,7 +54,8 @@ pub fn listening(arguments: &str, folder: &Path) -> Child {
     let listens = |id| {
         let status = fs::read_to_string(format!("/proc/{id}/status")).unwrap_or_default();
         let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
-        caught.is_some_and(|mask| u64::from_str_radix(mask.trim(), 16).unwrap() & 0b10 != 0)
+        let both = 1 << (2 - 1) | 1 << (15 - 1);
+        caught.is_some_and(|mask| u64::from_str_radix(mask.trim(), 16).unwrap() & both == both)
     };
     // It stays open: who waits for a child closes what the child has for input, and that would end it, too.
     std::mem::forget(child.stdin.take());
