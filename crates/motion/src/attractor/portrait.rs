@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 use serde::{Deserialize, Serialize};
 
 use super::{
+    detection::wait,
     dynamics::{Motion, Range},
     observe::{Attraction, Observation, Observed},
 };
@@ -48,6 +49,20 @@ pub struct OnAttractor<S> {
     pub portrait: Portrait,
     /// Its points on the section, as they are drawn.
     pub points: Vec<[f64; 2]>,
+}
+
+/// Where a motion came to, and how far it went, whatever it is on.
+pub(super) struct Passing<S> {
+    /// A state on its way.
+    pub start: S,
+    /// How far it goes from there, over all phases, and how hard it hits.
+    pub range: Range,
+}
+
+impl<S: Clone> From<&OnAttractor<S>> for Passing<S> {
+    fn from(on: &OnAttractor<S>) -> Passing<S> {
+        Passing { start: on.start.clone(), range: on.portrait.range }
+    }
 }
 
 impl Portrait {
@@ -91,7 +106,26 @@ pub(crate) fn settle<D: Attraction>(
     }
 }
 
-/// The same of a motion that was observed.
+/// How far the motion from a start goes, once it has come to the phase so many times; none where it starts
+/// behind a stop or leaves every bound. Cost: that many periods, and 128 in 256 steps.
+///
+/// # Errors
+/// Those of [`Motion::pass`]; the monitor's.
+pub(super) fn pass_by<D: Attraction>(
+    dynamics: &D,
+    from: &D::Start,
+    (phase, transient): (f64, u64),
+    monitor: &dyn Monitor,
+) -> Result<Option<Passing<D::Start>>> {
+    let Ok(mut run) = dynamics.begin(from) else { return Ok(None) };
+    if wait(&mut run, phase, transient, monitor)? != RunEnd::Reached {
+        return Ok(None);
+    }
+    let start = dynamics.here(&run);
+    Ok(range(&mut run, SEEN)?.map(|range| Passing { start, range }))
+}
+
+/// What a motion that was observed tends to, as [`settle`].
 ///
 /// # Errors
 /// Those of [`Motion::pass`].

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 
 use super::{
     dynamics::{Dynamics, Motion, SectionState},
-    lyapunov::exponents,
+    lyapunov::{Exponent, exponents},
 };
 use crate::{
     error::Result,
@@ -17,8 +17,10 @@ use crate::{
     motion::{RunEnd, Time},
 };
 
-/// Forcing periods in which the growth of a vector is looked at: for longer where that leaves it open.
-const LOOKS: [u64; 4] = [128, 512, 2048, 8192];
+/// Forcing periods in which it is measured how areas of states shrink, and how a vector grows.
+const MEASURED: u64 = 128;
+/// Those in which the growth of a vector is looked at where that leaves it open.
+const LONGER: [u64; 3] = [512, 2048, 8192];
 /// The monitor is asked after so many forcing periods.
 const PAUSE: i64 = 64;
 /// A mean this many times its standard error is not 0.
@@ -39,12 +41,10 @@ const TREND: f64 = 1e-3;
 const SHRUNK: f64 = 30.0;
 /// Where they shrink by less per forcing period nothing is lost, and what a motion does it goes on to do.
 const CONSERVED: f64 = 1e-9;
-/// Forcing periods in which it is measured how they shrink.
-const MEASURED: u64 = 128;
 
 /// Whether the motion from these coordinates of the section at `phase`, which has lasted for so many forcing
 /// periods, wanders; where an orbit is `found` that attracts and there are no impacts, only as neighbours
-/// part. Cost: 1,024 forcing periods, 128 with a vector, and 128 with two, then with six where these do not
+/// part. Cost: 1,024 forcing periods, and 128 with two vectors, then with six where these do not
 /// tell, then with one for each coordinate of a state; where that leaves it open 4,096 more and 10,752 with a
 /// vector.
 ///
@@ -68,28 +68,25 @@ pub(super) fn wanders<D: Dynamics>(
     }
     let lasted = lasted.saturating_add(BLOCKS as u64 * LENGTHS[0].unsigned_abs());
     let is_old = |rate: f64| rate.abs() < CONSERVED || rate * lasted as f64 >= SHRUNK;
-    if !shrinks(dynamics, &start, monitor)?.is_some_and(is_old) {
+    let Some((mut one, _)) = shrinks(dynamics, &start, monitor)?.filter(|(_, rate)| is_old(*rate)) else {
         return Ok(false);
-    }
-    for periods in LOOKS {
-        let all = match exponents(dynamics, &start, 1, 0, periods, monitor) {
-            Err(error) if error.is_interrupted() => return Err(error),
-            Err(_) => return Ok(false),
-            Ok(all) => all,
-        };
-        let [one] = &all[..] else { return Ok(false) };
-        if one.end != RunEnd::Reached {
-            return Ok(false);
-        }
+    };
+    let mut longer = LONGER.iter();
+    loop {
         let error = SURE * one.standard_error;
         if one.rate > error {
             return Ok(true);
         }
         // Where impacts are rare, and stretch much, most means of short times are negative. Of a vector that
         // vanishes there is no error.
-        let is_last = periods == LOOKS[LOOKS.len() - 1];
-        if is_last && one.rate < -error || one.rate == f64::NEG_INFINITY {
+        let next = longer.next();
+        if next.is_none() && one.rate < -error || one.rate == f64::NEG_INFINITY {
             return Ok(false);
+        }
+        let Some(periods) = next else { break };
+        match growth(dynamics, &start, 1, *periods, monitor)? {
+            Some(all) => one = all[0],
+            None => return Ok(false),
         }
     }
     // Light damping is not seen in this time; what impacts take is.
@@ -100,26 +97,37 @@ pub(super) fn wanders<D: Dynamics>(
     Ok(are_equal(&all) || longer(LENGTHS[1])?.is_some_and(|longer| are_equal(&longer.sizes)))
 }
 
-/// The rate per forcing period at which areas of states shrink, the slowest of those that grow one way as
-/// neighbours part and shrink the other: coordinates that have nothing to do with that change nothing. None
-/// where the motion ends.
-fn shrinks<D: Dynamics>(dynamics: &D, start: &D::Start, monitor: &dyn Monitor) -> Result<Option<f64>> {
+/// The exponents of so many vectors over so many periods; none where the motion ends.
+fn growth<D: Dynamics>(
+    dynamics: &D,
+    start: &D::Start,
+    count: usize,
+    periods: u64,
+    monitor: &dyn Monitor,
+) -> Result<Option<Vec<Exponent>>> {
+    match exponents(dynamics, start, count, 0, periods, monitor) {
+        Err(error) if error.is_interrupted() => Err(error),
+        found => Ok(found.ok().filter(|all| all.iter().all(|one| one.end == RunEnd::Reached))),
+    }
+}
+
+/// The largest exponent, and the rate per forcing period at which areas of states shrink, the slowest of
+/// those that grow one way as neighbours part and shrink the other: coordinates that have nothing to do with
+/// that change nothing. None where the motion ends.
+fn shrinks<D: Dynamics>(
+    dynamics: &D,
+    start: &D::Start,
+    monitor: &dyn Monitor,
+) -> Result<Option<(Exponent, f64)>> {
     let size = dynamics.dimension();
     let mut count = size.min(2);
     loop {
-        let all = match exponents(dynamics, start, count, 0, MEASURED, monitor) {
-            Err(error) if error.is_interrupted() => return Err(error),
-            Err(_) => return Ok(None),
-            Ok(all) => all,
-        };
-        if all.iter().any(|one| one.end != RunEnd::Reached) {
-            return Ok(None);
-        }
+        let Some(all) = growth(dynamics, start, count, MEASURED, monitor)? else { return Ok(None) };
         let sums: Vec<f64> = all.iter().skip(1).map(|one| all[0].rate + one.rate).collect();
         match sums.iter().copied().find(|sum| *sum < 0.0) {
             // As a rule some few vectors tell.
             None if count < size => count = if count == 2 { size.min(6) } else { size },
-            falls => return Ok(falls.or(sums.last().copied()).map(|sum| -TAU * sum)),
+            falls => return Ok(falls.or(sums.last().copied()).map(|sum| (all[0], -TAU * sum))),
         }
     }
 }

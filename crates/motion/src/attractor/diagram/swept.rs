@@ -14,7 +14,7 @@ use crate::{
     attractor::{
         checkpoint::{Checkpoint, Keep},
         observe::{Attraction, Observation},
-        portrait::{OnAttractor, settle},
+        portrait::{OnAttractor, Passing, pass_by, settle},
     },
     error::Result,
     monitor::Monitor,
@@ -134,7 +134,8 @@ pub fn swept<D: Attraction<Start: Serialize + DeserializeOwned>>(
 /// Where a sweep jumps. An orbit is followed to where it ends. Of a motion that is not periodic, a change
 /// between neighbours is a jump if it stays as the interval between them is halved, the motion going on from
 /// the nearer one: what grows by and by, as by the root of the distance from a grazing, does not; nor does
-/// what chance makes of it. Cost: up to some thirty times `settle` for each unusual change.
+/// what chance makes of it. Cost: for each unusual change that of `settle` twice, and up to 36 times
+/// the periods of the transient and 128 more, some of them twice over.
 ///
 /// # Errors
 /// Those of `settle`.
@@ -195,7 +196,7 @@ pub(crate) fn jump<D: Attraction>(
             // What is beyond is what the sweep came to: near the end a motion may creep for long.
             at(left, last, waits)?.map(|after| Jump { stays, left, ends: Some(ends), before, after })
         }
-        None => leaves([(*value, first), (*end, last)], waits, &at)?,
+        None => leaves([(*value, first), (*end, last)], observation, dynamics, monitor)?,
     };
     let Some(found) = found else { return Ok(None) };
     let change = found.before.portrait.apart(&found.after.portrait);
@@ -213,16 +214,21 @@ pub(crate) fn jump<D: Attraction>(
 }
 
 /// Where a motion that is not periodic leaves what it is on for the other, where it seems to stay followed
-/// for four times as long; none where it is lost.
-fn leaves<S: Clone>(
-    [(value, first), (end, last)]: [(f64, &OnAttractor<S>); 2],
-    waits: u64,
-    at: &impl Fn(f64, &OnAttractor<S>, u64) -> Result<Option<OnAttractor<S>>>,
-) -> Result<Option<Jump<S>>> {
+/// for four times as long; none where it is lost. On the way only how far it goes is looked at; what it is on
+/// is asked at the two ends.
+fn leaves<D: Attraction>(
+    [(value, first), (end, last)]: [(f64, &OnAttractor<D::Start>); 2],
+    observation: &Observation,
+    dynamics: &impl Fn(f64) -> Result<D>,
+    monitor: &dyn Monitor,
+) -> Result<Option<Jump<D::Start>>> {
     let (mut stays, mut left) = (value, end);
-    let (mut before, mut after) = (first.clone(), last.clone());
-    let stayed = |here: &OnAttractor<S>, before: &OnAttractor<S>, after: &OnAttractor<S>| {
-        here.portrait.apart(&before.portrait) < here.portrait.apart(&after.portrait)
+    let (mut before, mut after) = (Passing::from(first), Passing::from(last));
+    let stayed = |here: &Passing<D::Start>, before: &Passing<D::Start>, after: &Passing<D::Start>| {
+        here.range.apart(&before.range) < here.range.apart(&after.range)
+    };
+    let at = |value: f64, from: &D::Start, transient: u64| {
+        pass_by(&dynamics(value)?, from, (observation.phase, transient), monitor)
     };
     for _ in 0..HALVINGS {
         let middle = stays + (left - stays) / 2.0;
@@ -230,13 +236,12 @@ fn leaves<S: Clone>(
             break;
         }
         // It leaves in the end, or is taken to stay.
-        let mut waits = waits;
-        let mut here = at(middle, &before, waits)?;
+        let mut waits = observation.transient;
+        let mut here = at(middle, &before.start, waits)?;
         for _ in 0..DOUBLINGS {
             let Some(on) = here.as_ref().filter(|here| stayed(here, &before, &after)) else { break };
-            let again = at(middle, on, waits)?;
+            here = at(middle, &on.start, waits)?;
             waits *= 2;
-            here = again;
         }
         match here {
             Some(here) if stayed(&here, &before, &after) => (stays, before) = (middle, here),
@@ -244,7 +249,10 @@ fn leaves<S: Clone>(
             None => return Ok(None),
         }
     }
-    Ok(Some(Jump { stays, left, ends: None, before, after }))
+    let here = Observation { transient: 0, ..observation.clone() };
+    let on = |value: f64, from: &D::Start| settle(&dynamics(value)?, from, &here, monitor);
+    let (before, after) = (on(stays, &before.start)?, on(left, &after.start)?);
+    Ok(before.zip(after).map(|(before, after)| Jump { stays, left, ends: None, before, after }))
 }
 
 /// How differently a motion that is not periodic goes when it is looked at again, later.
@@ -257,11 +265,12 @@ fn by_chance<D: Attraction>(
     if on.portrait.period.is_some() {
         return Ok(0.0);
     }
-    let (mut last, mut most) = (on.clone(), 0.0f64);
+    let (mut start, mut most) = (on.start.clone(), 0.0f64);
     for _ in 0..AGAIN {
-        let Some(again) = settle(dynamics, &last.start, observation, monitor)? else { break };
-        most = most.max(again.portrait.apart(&on.portrait));
-        last = again;
+        let when = (observation.phase, observation.transient);
+        let Some(again) = pass_by(dynamics, &start, when, monitor)? else { break };
+        most = most.max(again.range.apart(&on.portrait.range));
+        start = again.start;
     }
     Ok(most)
 }
