@@ -204,7 +204,11 @@ pub(crate) fn orthonormalise<V: AsMut<[f64]> + AsRef<[f64]>>(
     floor: f64,
 ) {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let size = |v: &[f64]| v.iter().fold(0.0, |sum: f64, x| sum.hypot(*x));
+    // By squares where these neither vanish nor overflow.
+    let size = |v: &[f64]| match dot(v, v) {
+        square @ 1e-280..1e280 => square.sqrt(),
+        _ => v.iter().fold(0.0, |sum: f64, x| sum.hypot(*x)),
+    };
     for (i, growth) in growth.iter_mut().enumerate().take(frame.len()) {
         let (before, rest) = frame.split_at_mut(i);
         let vector = rest[0].as_mut();

@@ -306,18 +306,26 @@ impl LinearFlow {
 
     /// y after `duration`, which may be negative, within a period.
     pub fn advance(&self, y: &mut RealVector, duration: f64) {
+        self.advance_all(std::slice::from_mut(y), duration);
+    }
+
+    /// The same of several: the flow of a pair of coordinates is found once.
+    pub(crate) fn advance_all(&self, all: &mut [RealVector], duration: f64) {
+        let mut pair = |i: usize, matrix: &[[f64; 2]; 2]| all.iter_mut().for_each(|y| apply(matrix, y, i));
         match &self.motion {
-            Motion::Real(all) => {
-                for (i, (_, mode)) in all.iter().enumerate() {
-                    apply(&mode.matrix(duration), y, i);
+            Motion::Real(modes) => {
+                for (i, (_, mode)) in modes.iter().enumerate() {
+                    pair(i, &mode.matrix(duration));
                 }
             }
-            Motion::Complex(all) => {
-                for (i, (pair, _)) in all.iter().enumerate() {
-                    apply(&pair.matrix(duration), y, i);
+            Motion::Complex(pairs) => {
+                for (i, (at, _)) in pairs.iter().enumerate() {
+                    pair(i, &at.matrix(duration));
                 }
             }
-            Motion::Whole(a, _) => *y = moved(a, duration, y, |a, v| a * v),
+            Motion::Whole(a, _) => {
+                all.iter_mut().for_each(|y| *y = moved(a, duration, y, |a, v| a * v));
+            }
         }
     }
 

@@ -178,16 +178,14 @@ impl LegPiece {
             u + contacts.change(&rows, off.as_slice())
         };
         let duration = if stage.smooth.is_some() { 0.0 } else { self.duration };
-        let mut all = RealMatrix::zeros(2 * n, 2 * n);
-        for j in 0..2 * n {
-            let unit = RealVector::from_fn(n, |i, _| f64::from(u8::from(i == j % n)));
-            let (q, u) = if j < n {
-                stage.carried(&unit, &zero, duration)
-            } else {
-                stage.carried(&zero, &allowed(unit), duration)
-            };
-            all.set_column(j, &stacked(&q, &u));
-        }
+        let unit = |i: usize| RealVector::from_fn(n, |j, _| f64::from(u8::from(i == j)));
+        let places = (0..n).map(|i| (unit(i), zero.clone()));
+        let units: Vec<_> = places.chain((0..n).map(|i| (zero.clone(), allowed(unit(i))))).collect();
+        let columns = stage.carried(&units, duration);
+        let mut all = RealMatrix::from_fn(2 * n, 2 * n, |i, j| {
+            let (q, u) = &columns[j];
+            if i < n { q[i] } else { u[i - n] }
+        });
         if let Some(smooth) = &stage.smooth {
             all = smooth.transition(&self.start, self.duration) * all;
         }

@@ -32,6 +32,9 @@ use crate::{
     random::Random,
 };
 
+/// What two motions differ by: (δq, δq′).
+type Variation = (RealVector, RealVector);
+
 /// A motion with vectors.
 pub struct Carried<'a> {
     run: Run<'a>,
@@ -92,16 +95,6 @@ impl<'a> Carried<'a> {
         self.simulator.drifts().map_or(whole.clone(), |drifts| drifts.reduced(&whole))
     }
 
-    /// (δq, δq′) of a vector.
-    fn open(&self, vector: &[f64]) -> (RealVector, RealVector) {
-        let (n, upper) = (vector.len() / 2, self.simulator.equations().root().transpose());
-        let part = |x: &[f64]| {
-            let x = RealVector::from_column_slice(x);
-            upper.solve_upper_triangular(&x).unwrap_or(x)
-        };
-        (part(&vector[..n]), part(&vector[n..]))
-    }
-
     /// The vector of (δq, δq′).
     fn close(&self, q: &RealVector, u: &RealVector) -> Vec<f64> {
         let lower = self.simulator.equations().root();
@@ -111,17 +104,27 @@ impl<'a> Carried<'a> {
 
     /// What a map of (δq, δq′) makes of all vectors.
     fn mapped(&mut self, map: impl Fn(RealVector, RealVector) -> (RealVector, RealVector)) {
-        let one = |vector: &Vec<f64>| {
-            // What has vanished does not come back.
-            if vector.iter().all(|x| *x == 0.0) {
-                return vector.clone();
-            }
-            let (q, u) = self.open(vector);
-            let (q, u) = map(q, u);
-            self.close(&q, &u)
+        self.mapped_together(|all| all.into_iter().map(|(q, u)| map(q, u)).collect());
+    }
+
+    /// What a map of all (δq, δq′) together makes of the vectors.
+    fn mapped_together(&mut self, map: impl FnOnce(Vec<Variation>) -> Vec<Variation>) {
+        // What has vanished does not come back.
+        let left = |i: &usize| self.frame[*i].iter().any(|x| *x != 0.0);
+        let left: Vec<usize> = (0..self.frame.len()).filter(left).collect();
+        let upper = self.simulator.equations().root().transpose();
+        let part = |x: &[f64]| {
+            let x = RealVector::from_column_slice(x);
+            upper.solve_upper_triangular(&x).unwrap_or(x)
         };
-        let frame = self.frame.iter().map(one).collect();
-        self.frame = frame;
+        let open = |i: &usize| {
+            let (q, u) = self.frame[*i].split_at(self.frame[*i].len() / 2);
+            (part(q), part(u))
+        };
+        let all = map(left.iter().map(open).collect());
+        for (i, (q, u)) in left.into_iter().zip(all) {
+            self.frame[i] = self.close(&q, &u);
+        }
     }
 
     /// Vectors and state on by `longest` or less, without events; how far.
@@ -130,7 +133,7 @@ impl<'a> Carried<'a> {
         let state = State { t: self.now.phase, ..self.state.clone() };
         let gone = match &stage.smooth {
             None => {
-                self.mapped(|q, u| stage.carried(&q, &u, longest));
+                self.mapped_together(|all| stage.carried(&all, longest));
                 longest
             }
             // How fast motions decay is not known beforehand; over a step of the flow they cannot by much.
@@ -267,7 +270,7 @@ impl<'a> Carried<'a> {
             return;
         }
         let stage = self.stage.clone();
-        self.mapped(|q, u| stage.carried(&q, &u, 0.0));
+        self.mapped_together(|all| stage.carried(&all, 0.0));
         if self.ordered {
             let rank = stage.rank().min(self.frame.len());
             self.frame[rank..].iter_mut().for_each(|vector| vector.fill(0.0));
@@ -346,20 +349,26 @@ fn first(n: usize, count: usize) -> Vec<Vec<f64>> {
 }
 
 impl Stage {
-    /// (δq, δq′) after a duration of motion in this stage; of (δq, δq′) only what the stage allows.
-    pub(crate) fn carried(&self, q: &RealVector, u: &RealVector, duration: f64) -> (RealVector, RealVector) {
-        let (q, u) = self.lowered_vector(q, u);
-        let mut y = self.flow.inward(&q, &u);
+    /// Each (δq, δq′) after a duration of motion in this stage; of (δq, δq′) only what the stage allows.
+    pub(crate) fn carried(&self, all: &[Variation], duration: f64) -> Vec<Variation> {
+        let inward = |(q, u): &Variation| {
+            let (q, u) = self.lowered_vector(q, u);
+            self.flow.inward(&q, &u)
+        };
+        let mut all: Vec<RealVector> = all.iter().map(inward).collect();
         if duration != 0.0 {
-            self.flow.advance(&mut y, duration);
+            self.flow.advance_all(&mut all, duration);
         }
-        let x = self.flow.outward(&y);
-        let n = x.len() / 2;
-        let (q, u) = (x.rows(0, n).into_owned(), x.rows(n, n).into_owned());
-        match self.outward() {
-            None => (q, u),
-            Some(free) => (free * q, free * u),
-        }
+        let outward = |y: &RealVector| {
+            let x = self.flow.outward(y);
+            let n = x.len() / 2;
+            let (q, u) = (x.rows(0, n), x.rows(n, n));
+            match self.outward() {
+                None => (q.into_owned(), u.into_owned()),
+                Some(free) => (free * q, free * u),
+            }
+        };
+        all.iter().map(outward).collect()
     }
 }
 
