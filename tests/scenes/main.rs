@@ -16,6 +16,7 @@ mod forms;
 mod friction_branches;
 mod input;
 mod machine_branches;
+mod measured;
 mod monitors;
 mod proved_branches;
 mod proved_clocks;

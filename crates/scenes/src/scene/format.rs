@@ -38,10 +38,10 @@ const RENAMED: [(&[SceneFormat], &[&str], &str, &str); 3] = [
 const MISSING: [(SceneFormat, &str, &[&str]); 7] = [
     (One, "", &["engine", "friction", "events", "units"]),
     (One, "system", &["period", "frequency", "mass", "damping_ratio", "modes", "measured"]),
-    (One, "stops", &["name", "row", "stiffness", "damping"]),
+    (One, "stops", &["name", "row", "stiffness", "damping", "measured"]),
     (Two, "", &["engine", "friction", "events", "units"]),
     (Two, "system", &["cubic"]),
-    (Two, "stops", &["side"]),
+    (Two, "stops", &["side", "measured"]),
     (Two, "accuracy", &["tolerance"]),
 ];
 

@@ -16,6 +16,8 @@ use super::{
     keys::{Entry, Key, Record, Scope, Seen, StopName, Value, keys},
     linear,
     machine::MachineScene,
+    machine::{measured_motion, name, period},
+    measured::MeasuredForce,
     oscillator::{Disqualified, oscillator},
     quantity::{Kinds, Scale, WrittenUnit},
     scene::{Body, Engine, Scene},
@@ -90,6 +92,18 @@ impl Value for Tasks {
     fn read(_: &Entry) -> Result<Self> {
         Ok(Tasks)
     }
+}
+
+/// The measured motions of stops, by name: from here on these are their harmonics, whatever computes.
+fn moved(file: &Entry, read: &mut File) -> Result<Vec<(String, MeasuredForce)>> {
+    let SystemKeys { frequency, period: given, .. } = &read.system;
+    let mut all = Vec::new();
+    for (i, keys) in (1..).zip(&mut read.stops).filter(|(_, keys)| keys.measured.is_some()) {
+        let forcing = period(file, frequency.clone(), given.clone(), None)?;
+        let found = measured_motion(file, i, keys, &forcing)?;
+        all.extend(found.map(|found| (name(keys, i), found)));
+    }
+    Ok(all)
 }
 
 impl Scene {
@@ -175,9 +189,10 @@ impl Scene {
         let names: Vec<String> = parameters.iter().map(|(name, _)| name.clone()).collect();
         let stopless = scope(&names, &[], quantities);
         let file = top(&stopless, &root);
-        let read = File::fields(&file, &[])?;
+        let mut read = File::fields(&file, &[])?;
+        let moved = moved(&file, &mut read)?;
         let known = Known { file: &file, format, parameters: &parameters };
-        let (stops, body, engine, whole) = known.body(&read)?;
+        let (stops, body, engine, whole) = known.body(&read, moved)?;
         let mass = match body {
             Body::Oscillator(_) => read.system.mass.as_ref().and_then(|mass| mass.entries.first()),
             Body::Machine(_) => None,
@@ -285,11 +300,15 @@ struct Known<'a> {
 
 impl Known<'_> {
     /// The stops, what the scene is about, the engine for it, and the scene as a machine.
-    fn body(&self, read: &File) -> Result<(Vec<StopName>, Body, Engine, Arc<MachineScene>)> {
+    fn body(
+        &self,
+        read: &File,
+        moved: Vec<(String, MeasuredForce)>,
+    ) -> Result<(Vec<StopName>, Body, Engine, Arc<MachineScene>)> {
         let (file, depth) = (self.file, read.accuracy.minimum_depth);
         let machine = {
             let held = (read.stops.clone(), read.friction.clone(), read.events.clone());
-            Arc::new(MachineScene::new(file, read.system.clone(), held, depth)?)
+            Arc::new(MachineScene::new(file, read.system.clone(), held, moved, depth)?)
         };
         let names = || machine.machine.stops.iter().map(|stop| stop.name.clone());
         let one = match oscillator(file, &read.system, &read.stops)? {

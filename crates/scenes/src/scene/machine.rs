@@ -8,9 +8,11 @@ use super::{
     keys::Entry,
     law::{CoefficientKey, LawKey},
     matrix::{CoordinateList, MatrixValue},
-    measured::{MeasuredForce, MeasuredKeys},
+    measured::{MeasuredForce, MeasuredKeys, MeasuredMotionKeys, fitted},
     restitution::RestitutionKey,
-    system::{EventKeys, FrictionKeys, ModesKeys, StopKeys, SystemKeys, check_k, derived, harmonics},
+    system::{
+        EventKeys, FrictionKeys, HarmonicKeys, ModesKeys, StopKeys, SystemKeys, check_k, derived, harmonics,
+    },
 };
 use crate::{
     error::Result,
@@ -31,6 +33,8 @@ pub struct MachineScene {
     pub minimum_depth: Option<f64>,
     /// The measured force, which is among the machine's own loads, too.
     pub measured: Option<MeasuredForce>,
+    /// The measured motions of stops, each with the stop's name; they are among the stops' harmonics.
+    pub(crate) moved: Vec<(String, MeasuredForce)>,
     /// The damping ratios that the damping is made of, none of which is negative.
     pub(super) ratios: Vec<Expression>,
     /// The thresholds, each with its name and whether it ends a motion.
@@ -45,6 +49,7 @@ impl MachineScene {
         file: &Entry,
         mut keys: SystemKeys,
         (stops, friction, thresholds): (Vec<StopKeys>, Vec<FrictionKeys>, Vec<EventKeys>),
+        moved: Vec<(String, MeasuredForce)>,
         minimum_depth: Option<f64>,
     ) -> Result<Self> {
         let at = |path: &str| file.at(path);
@@ -137,7 +142,7 @@ impl MachineScene {
             }
             events.push((name, of.fit(&at(&format!("events[{i}].of")), &variables)?, end));
         }
-        Ok(MachineScene { machine, minimum_depth, measured, ratios, events, wear })
+        Ok(MachineScene { machine, minimum_depth, measured, moved, ratios, events, wear })
     }
 }
 
@@ -176,7 +181,7 @@ pub(super) fn name(keys: &StopKeys, i: usize) -> String {
 }
 
 /// The period, from `frequency`, `period` or the length of a record that is taken once.
-fn period(
+pub(super) fn period(
     file: &Entry,
     frequency: Option<Expression>,
     period: Option<Expression>,
@@ -260,6 +265,30 @@ fn measured(
             .collect::<Result<_>>()?,
     };
     Ok(Some(force))
+}
+
+/// The motion of stop i, counted from 1, if it has a record: it moves by its `harmonics` from then on, about
+/// its `offset` and the mean.
+pub(super) fn measured_motion(
+    file: &Entry,
+    i: usize,
+    keys: &mut StopKeys,
+    period: &Expression,
+) -> Result<Option<MeasuredForce>> {
+    let Some(MeasuredMotionKeys { file: name, harmonics, period: own }) = keys.measured.take() else {
+        return Ok(None);
+    };
+    let path = format!("stops[{i}].measured");
+    if !keys.harmonics.is_empty() {
+        return Err(file.at(&path).fail("stands beside `harmonics`: give one of them"));
+    }
+    let found = fitted(file, &path, (&name, "position"), harmonics, (own.as_ref(), period))?;
+    let number = |x: f64| Expression::parse(&format!("{x:e}"), &[]);
+    keys.offset = derived(file, &keys.offset, |text| format!("({text}) + ({:e})", found.mean))?;
+    let harmonic =
+        |(k, [cos, sin]): (u32, &[f64; 2])| Ok(HarmonicKeys { k, cos: number(*cos)?, sin: number(*sin)? });
+    keys.harmonics = (1..).zip(&found.harmonics).map(harmonic).collect::<Result<_>>()?;
+    Ok(Some(found))
 }
 
 /// Stop i, counted from 1, of a machine of `points` coordinates that a row has entries for.

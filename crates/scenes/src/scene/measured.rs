@@ -1,4 +1,5 @@
-//! A measured force: a CSV file of times and forces, as harmonics of the forcing, or as it is, once.
+//! A measured force: a CSV file of times and forces, as harmonics of the forcing, or as it is, once; and a
+//! measured motion of a stop, as harmonics.
 //!
 //! The harmonics are fitted by least squares, all whole periods of the record on top of one another, each
 //! sample weighted by the time that it stands for: of m periods, by that between the m-th samples before and
@@ -41,7 +42,19 @@ keys! {
     }
 }
 
-/// A measured force as the scene uses it.
+keys! {
+    /// A [record of a stop's motion](#measured-forces) in a CSV file beside the scene.
+    pub struct MeasuredMotionKeys {
+        /// its first line names the columns
+        file: String,
+        /// how many are fitted besides the mean, 1 to 100
+        harmonics: u32,
+        /// the record's, if not the forcing's: the same motion faster or slower
+        period: Option<Expression>,
+    }
+}
+
+/// A measured force, or a stop's motion, as the scene uses it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredForce {
     /// The file.
@@ -87,7 +100,7 @@ impl MeasuredForce {
         let (beside, text) = place.beside(&keys.file, LONGEST)?;
         let wrong =
             |(line, message): WrongLine| place.fail(&format!("{}:{line}: {message}", beside.display()));
-        let samples = record(&text).map_err(wrong)?;
+        let samples = record(&text, "force").map_err(wrong)?;
         let step = even(&samples).map_err(wrong)?;
         let values: Vec<f64> = samples.iter().map(|sample| sample.2).collect();
         let bend = values.windows(3).map(|three| (three[0] - 2.0 * three[1] + three[2]).abs());
@@ -117,34 +130,14 @@ impl MeasuredForce {
 
     /// Reads and fits a record; `period` is the forcing's, `points` the number of coordinates.
     pub(super) fn new(file: &Entry, keys: MeasuredKeys, period: &Expression, points: usize) -> Result<Self> {
-        let at = |key: &str| file.at(&format!("system.measured.{key}"));
         let direction = MeasuredForce::directed(file, keys.direction, points)?;
         let Some(harmonics) = keys.harmonics else {
             let message = "has neither `harmonics` nor once = true: give one of them";
             return Err(file.at("system.measured").fail(message));
         };
-        let given = keys.period.as_ref().unwrap_or(period);
-        if given.mentions(&|_| true) {
-            let place = if keys.period.is_some() { at("period") } else { at("file") };
-            return Err(place.fail(
-                "has a period that depends on parameters: give `period`, a number, the period of the record",
-            ));
-        }
-        let period = given.evaluate(&[], &()).map(|Plain(period)| period);
-        let period = period.map_err(|error| at("period").fail(&error.to_string()))?;
-        if !(period > 0.0 && period.is_finite()) {
-            return Err(at("period").fail("must be positive"));
-        }
-        if !(1..=HARMONICS).contains(&harmonics) {
-            return Err(at("harmonics").fail(&format!("is outside 1 to {HARMONICS}")));
-        }
-        let place = at("file");
-        let (beside, text) = place.beside(&keys.file, LONGEST)?;
-        let wrong =
-            |(line, message): WrongLine| place.fail(&format!("{}:{line}: {message}", beside.display()));
-        let record = record(&text).map_err(wrong)?;
-        let fitted = fit(&record, period, harmonics as usize).map_err(wrong)?;
-        Ok(MeasuredForce { file: keys.file, direction, ..fitted })
+        let own = keys.period.as_ref();
+        let fitted = fitted(file, "system.measured", (&keys.file, "force"), harmonics, (own, period))?;
+        Ok(MeasuredForce { direction, ..fitted })
     }
 
     /// The mean and the harmonics on all coordinates.
@@ -160,6 +153,38 @@ impl MeasuredForce {
         let load = |(k, [cos, sin]): (u32, &[f64; 2])| Ok(Load { k, cos: times(*cos)?, sin: times(*sin)? });
         Ok((times(self.mean)?, (1..).zip(&self.harmonics).map(load).collect::<Result<_>>()?))
     }
+}
+
+/// Reads a record from a column of a file and fits it; the period is its own, or the forcing's.
+pub(super) fn fitted(
+    file: &Entry,
+    path: &str,
+    (name, column): (&str, &str),
+    harmonics: u32,
+    (own, forcing): (Option<&Expression>, &Expression),
+) -> Result<MeasuredForce> {
+    let at = |key: &str| file.at(&format!("{path}.{key}"));
+    let given = own.unwrap_or(forcing);
+    if given.mentions(&|_| true) {
+        let place = if own.is_some() { at("period") } else { at("file") };
+        return Err(place.fail(
+            "has a period that depends on parameters: give `period`, a number, the period of the record",
+        ));
+    }
+    let period = given.evaluate(&[], &()).map(|Plain(period)| period);
+    let period = period.map_err(|error| at("period").fail(&error.to_string()))?;
+    if !(period > 0.0 && period.is_finite()) {
+        return Err(at("period").fail("must be positive"));
+    }
+    if !(1..=HARMONICS).contains(&harmonics) {
+        return Err(at("harmonics").fail(&format!("is outside 1 to {HARMONICS}")));
+    }
+    let place = at("file");
+    let (beside, text) = place.beside(name, LONGEST)?;
+    let wrong = |(line, message): WrongLine| place.fail(&format!("{}:{line}: {message}", beside.display()));
+    let record = record(&text, column).map_err(wrong)?;
+    let fitted = fit(&record, period, harmonics as usize).map_err(wrong)?;
+    Ok(MeasuredForce { file: name.to_string(), ..fitted })
 }
 
 /// What steps of an even record may differ by, relative to a step.
@@ -183,17 +208,17 @@ fn even(record: &[SampleLine]) -> std::result::Result<f64, WrongLine> {
     Ok((record[record.len() - 1].1 - record[0].1) / (record.len() - 1) as f64)
 }
 
-/// The samples of a file, by time.
-fn record(text: &str) -> std::result::Result<Vec<SampleLine>, WrongLine> {
+/// The samples of a column of a file, by time.
+fn record(text: &str, value: &str) -> std::result::Result<Vec<SampleLine>, WrongLine> {
     samples(text, &|names| {
         let column = |name: &str| {
             let found = names.iter().position(|known| known == name);
             found.ok_or_else(|| {
                 let here = names.join(", ");
-                format!("has no column {name:?}: the first line names the columns, as in time,force; here are {here}")
+                format!("has no column {name:?}: the first line names the columns, as in time,{value}; here are {here}")
             })
         };
-        Ok(SampleColumns { time: column("time")?, value: column("force")?, named: true })
+        Ok(SampleColumns { time: column("time")?, value: column(value)?, named: true })
     })
 }
 
@@ -473,7 +498,7 @@ mod tests {
             (format!("time,force\n{}", rows(8, 0.0025)), "3 harmonics can be told and not 6"),
             (format!("time,force\n{}", rows(4000, 0.00051)), "is not the period of the record"),
         ] {
-            let found = record(&text).and_then(|record| fit(&record, 0.02, 6)).unwrap_err();
+            let found = record(&text, "force").and_then(|record| fit(&record, 0.02, 6)).unwrap_err();
             assert!(found.1.contains(expected), "{text:?}: {found:?}");
         }
         // Other separators, another order, other columns, comments.
@@ -482,7 +507,8 @@ mod tests {
             "Force; Note; Time\n1; a; 0\n2; b; 1\n3; c; 2\n",
             "\u{feff}time force\r\n0 1\r\n1 2\r\n2 3\r\n",
         ] {
-            let found: Vec<(f64, f64)> = record(text).unwrap().iter().map(|row| (row.1, row.2)).collect();
+            let found: Vec<(f64, f64)> =
+                record(text, "force").unwrap().iter().map(|row| (row.1, row.2)).collect();
             assert_eq!(found, [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)], "{text:?}");
         }
     }

@@ -6,7 +6,7 @@ use super::{
     keys::{Entry, Key, Record, Value, keys, words},
     law::{CoefficientKey, LawKey},
     matrix::{CoordinateList, MatrixValue},
-    measured::MeasuredKeys,
+    measured::{MeasuredKeys, MeasuredMotionKeys},
     restitution::RestitutionKey,
 };
 use crate::{
@@ -85,6 +85,8 @@ keys! {
         offset: Expression,
         /// its motion, in multiples of the forcing's frequency
         harmonics: Vec<HarmonicKeys> = "[]",
+        /// instead of `harmonics`, a [record](#measured-forces); its mean adds to `offset`
+        measured: Option<MeasuredMotionKeys>,
         /// at least 0, or a rational function of the impact's speed v, as "1/(1 + v/2)"
         restitution: Option<RestitutionKey>,
         /// compliant: force per displacement along `row`, above 0
@@ -215,6 +217,7 @@ pub(super) const TABLES: &[(&str, &str, &[Key])] = &[
     ("`measured`", MeasuredKeys::ABOUT, MeasuredKeys::KEYS),
     ("`modes`", ModesKeys::ABOUT, ModesKeys::KEYS),
     ("`[[stops]]`", StopKeys::ABOUT, StopKeys::KEYS),
+    ("`measured` of a stop", MeasuredMotionKeys::ABOUT, MeasuredMotionKeys::KEYS),
     ("`[[friction]]`", FrictionKeys::ABOUT, FrictionKeys::KEYS),
     ("`[[events]]`", EventKeys::ABOUT, EventKeys::KEYS),
     ("an entry of `harmonics`", HarmonicKeys::ABOUT, HarmonicKeys::KEYS),

@@ -43,7 +43,7 @@ const STIFFNESS: Wanted = Either([of(0, -2, 1), of(2, -2, 1)]);
 /// What stands at a path without its places in lists.
 fn wanted(path: &str) -> Wanted {
     match path {
-        "system.period" | "system.measured.period" => TIME,
+        "system.period" | "system.measured.period" | "stops.measured.period" => TIME,
         "system.frequency" | "system.modes.frequencies" => FREQUENCY,
         "system.mass" | "system.mass.diagonal" => MASS,
         "system.damping" | "system.damping.diagonal" | "stops.damping" => DAMPING,

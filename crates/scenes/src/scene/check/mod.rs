@@ -9,6 +9,7 @@ use num_rational::BigRational;
 use super::{
     branches::BranchStart,
     format::SceneFormat,
+    measured::MeasuredForce,
     scene::{Body, Scene},
     sections::Frame,
     simulate::Start,
@@ -20,6 +21,20 @@ use crate::{
     many::{Machine, StopLaw, push::StopForce},
     motion::{Contact, Side, System},
 };
+
+/// Harmonics that leave more than this part of a stop's swing at a sample are told of.
+const COARSE: f64 = 1e-3;
+
+/// Samples of a record that no whole period has.
+fn left_out(record: &MeasuredForce) -> Option<String> {
+    let MeasuredForce { file, left_out, periods, .. } = record;
+    (*left_out > 1).then(|| {
+        format!(
+            "the last {left_out} samples of {file} are beyond its last whole period and are left out: {periods} \
+             whole periods are used"
+        )
+    })
+}
 
 /// How many points and periods may be looked at.
 const LONGEST: u32 = 10_000;
@@ -61,7 +76,7 @@ impl Scene {
         let idle = self.idle.iter().map(|name| {
             format!("the parameter {name} acts on nothing: it stands in no expression of the scene")
         });
-        idle.chain(self.doubtful()).collect()
+        idle.chain(self.doubtful()).chain(self.moved()).collect()
     }
 
     /// What of the stops and of a measured force is likely to be a mistake.
@@ -112,14 +127,24 @@ impl Scene {
             let value = self.number(&stop.wall.restitution).ok().filter(|value| *value > 1.0)?;
             Some(adds(format!("stop {}", stop.name), &value))
         });
-        let measured = scene.measured.iter().filter(|force| force.left_out > 1).map(|force| {
-            let (file, left_out, periods) = (&force.file, force.left_out, force.periods);
-            format!(
-                "the last {left_out} samples of {file} are beyond its last whole period and are left out: {periods} \
-                 whole periods are used"
-            )
-        });
+        let measured = scene.measured.iter().filter_map(left_out);
         gains.chain(faster).chain(pushed).chain(measured).collect()
+    }
+
+    /// What the harmonics of measured motions of stops leave out.
+    fn moved(&self) -> impl Iterator<Item = String> {
+        self.whole.moved.iter().flat_map(|(name, found)| {
+            let MeasuredForce { file, residual, harmonics, .. } = found;
+            let swing = harmonics.iter().map(|[cos, sin]| cos.hypot(*sin)).sum::<f64>();
+            let words = match harmonics.len() {
+                1 => "1 harmonic says".to_string(),
+                count => format!("{count} harmonics say"),
+            };
+            let off = (*residual > COARSE * swing).then(|| {
+                format!("the stop {name} moves as {words}, up to {residual:.4} from a sample of {file}")
+            });
+            left_out(found).into_iter().chain(off)
+        })
     }
 }
 
