@@ -152,7 +152,7 @@ def test_a_callback_that_forks_leaves_no_child_that_waits():
                 done.append(os.fork())
 
         try:
-            grazing.verify("3..=900", progress=fork)
+            grazing.verify("3..=3000", progress=fork)
         except grazing.ForkedError:
             assert os.getpid() != parent
             os._exit(7)
