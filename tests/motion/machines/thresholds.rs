@@ -127,3 +127,47 @@ fn what_is_no_threshold_is_refused_with_its_place() {
         assert!(answers.iter().all(|answer| error.contains(answer)), "{answers:?}: {error}");
     }
 }
+
+/// Each attractor of a section with how often it passes a threshold: in closed form, also where that is at
+/// the section's own phase; of a motion that hits, as `simulate` counts it.
+#[test]
+fn sections_say_how_often_attractors_pass() {
+    let driven = "[system]\nmass = 1\nstiffness = 2\ndamping = 0.2\nforcing = [{ cos = 1 }]\n";
+    let section = "[[tasks]]\nname = \"s\"\nkind = \"section\"\nstarts = [{ q = 0 }]\n";
+    let rows = |body: &str| -> Vec<(u64, String, f64, f64)> {
+        let value = serde_json::to_value(told(body).0).unwrap();
+        let rows = value["events"].as_array().unwrap_or_else(|| panic!("{value}"));
+        let row = |row: &serde_json::Value| {
+            let number = |key: &str| row[key].as_f64().unwrap();
+            let event = row["event"].as_str().unwrap().to_string();
+            (row["attractor"].as_u64().unwrap(), event, number("up_per_period"), number("down_per_period"))
+        };
+        rows.iter().map(row).collect()
+    };
+    // q is 0.98 cos(t − φ).
+    let known = [("q - 1/2", 1.0), ("q*u - 1/4", 2.0), ("q - 2", 0.0), ("sin(t)", 1.0), ("sin(3*t)", 3.0)];
+    let events: String = known.iter().map(|(of, _)| event(of)).collect();
+    let found = rows(&format!("{driven}{events}{section}"));
+    assert_eq!(found.len(), known.len(), "{found:?}");
+    for (i, (attractor, name, up, down)) in found.into_iter().enumerate() {
+        assert_eq!((attractor, name), (1, format!("event {}", i + 1)));
+        assert_eq!((up, down), (known[i].1, known[i].1), "{}", known[i].0);
+    }
+    // A machine that hits its stop in every period.
+    let machine = "[system]\nmass = 1\ndamping = 0.1\nstiffness = 0.3\nforcing = [{ cos = 0.8 }]\n[[stops]]\nside = \"upper\"\n\
+                offset = 1\nrestitution = 0.8\n";
+    let event = event("q + 2");
+    let start = "{ q = 0 }";
+    let counted = rows(&format!(
+        "{machine}{event}[[tasks]]\nname = \"s\"\nkind = \"section\"\nstarts = [{start}]\ntransient = 3000\n"
+    ));
+    let simulate = format!(
+        "[[tasks]]\nname = \"m\"\nkind = \"simulate\"\nstart = {start}\ntransient = 3000\nperiods = 1000\n"
+    );
+    let (_, kept) = told(&format!("{machine}{event}{simulate}"));
+    let seen = |word: &str| kept.events.iter().filter(|event| event.0 == word).count() as f64 / 1000.0;
+    println!("{counted:?} {} {}", seen("upcrossing"), seen("downcrossing"));
+    let (_, _, up, down) = &counted[0];
+    assert!(seen("upcrossing") > 0.4 && (up - seen("upcrossing")).abs() < 2e-3, "{counted:?}");
+    assert!((down - seen("downcrossing")).abs() < 2e-3, "{counted:?}");
+}

@@ -74,6 +74,21 @@ row! {
     }
 }
 
+row! {
+    /// How often a threshold is passed on an attractor.
+    pub struct CrossingRow {
+        /// The attractor, by its place in the list, from 1.
+        pub attractor: usize,
+        /// The threshold's name.
+        pub event: String,
+        /// How often upwards in a forcing period, in the mean: once round, else in as many periods as the
+        /// section has points.
+        pub up_per_period: f64,
+        /// How often downwards.
+        pub down_per_period: f64,
+    }
+}
+
 /// What of a section belongs together.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SectionSet {
@@ -91,6 +106,9 @@ pub struct SectionFindings {
     /// Their largest exponents, if more than one for each was asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub exponents: Vec<ExponentRow>,
+    /// How often its attractors pass the scene's thresholds.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub events: Vec<CrossingRow>,
     /// Of a machine, what the two numbers are by which points are drawn, as in the scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub plane: Option<[String; 2]>,
@@ -152,6 +170,9 @@ impl Finding for SectionFindings {
         if !self.exponents.is_empty() {
             lines.table("exponents", &self.exponents);
         }
+        if !self.events.is_empty() {
+            lines.table("events", &self.events);
+        }
         if !self.further_orbits.is_empty() {
             lines.table("further_orbits", &self.further_orbits);
         }
@@ -176,7 +197,15 @@ const UNDRIVEN: &str = "nothing drives the motion: a limit cycle has a period of
 fn of<E: Engine>(task: &SectionTask, job: &Job, engine: &E) -> Result<SectionFindings> {
     let states = engine.states(&task.starts)?;
     let dynamics = engine.dynamics(&states, None, &task.plane)?;
-    let (mut found, cycles) = attractors(task, job, &dynamics, engine.begun(&states))?;
+    let (mut found, cycles, settled) = attractors(task, job, &dynamics, engine.begun(&states))?;
+    for ((index, row), start) in (1..).zip(&found.attractors).zip(&settled) {
+        let periods = row.period.map_or(task.points, |period| period as u32);
+        let mean = |count: u64| count as f64 / f64::from(periods);
+        found.events.extend(engine.crossings(start, periods)?.into_iter().map(|(event, [up, down])| {
+            let (up_per_period, down_per_period) = (mean(up), mean(down));
+            CrossingRow { attractor: index, event, up_per_period, down_per_period }
+        }));
+    }
     found.plane = engine.plane(&task.plane);
     let begun = engine.begun(&states);
     let free =
@@ -189,19 +218,20 @@ fn of<E: Engine>(task: &SectionTask, job: &Job, engine: &E) -> Result<SectionFin
     Ok(found)
 }
 
-/// The attractors that motions from the starts lead to, and of the periodic ones their place in the list and
-/// their points.
-#[expect(clippy::type_complexity, reason = "both parts are named where they are taken apart")]
+/// The attractors that motions from the starts lead to; of the periodic ones their place in the list and
+/// their points; and of each a state on it.
+#[expect(clippy::type_complexity, reason = "the parts are named where they are taken apart")]
 fn attractors<D: Attraction>(
     task: &SectionTask,
     job: &Job,
     dynamics: &D,
     starts: Vec<D::Start>,
-) -> Result<(SectionFindings, Vec<(usize, Cycle<D::Point>)>)> {
+) -> Result<(SectionFindings, Vec<(usize, Cycle<D::Point>)>, Vec<D::Start>)> {
     let observed = observed(task, job, dynamics, &starts)?;
     let mut found = SectionFindings {
         attractors: Vec::new(),
         exponents: Vec::new(),
+        events: Vec::new(),
         plane: None,
         further_orbits: Vec::new(),
         ended: Vec::new(),
@@ -213,7 +243,7 @@ fn attractors<D: Attraction>(
         size: None,
     };
     let mut cycles: Vec<(usize, Cycle<D::Point>)> = Vec::new();
-    // Where the exponents of each attractor are followed from.
+    // Where each attractor is followed from.
     let mut settled: Vec<D::Start> = Vec::new();
     for outcome in observed {
         let one = match outcome {
@@ -274,7 +304,7 @@ fn attractors<D: Attraction>(
             }));
         }
     }
-    Ok((found, cycles))
+    Ok((found, cycles, settled))
 }
 
 /// What is seen of the motions from the starts, by all threads.

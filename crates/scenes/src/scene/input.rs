@@ -273,8 +273,10 @@ impl Scene {
             self.for_task(task, &[])?;
         }
         let watched = self.machine_scene().is_ok_and(|scene| !scene.events.is_empty());
-        if watched && !self.tasks.iter().any(|task| matches!(task.kind, Kind::SimulateTask(_))) {
-            return Err(self.fail("events", "are told by tasks `simulate` alone, and there is none"));
+        let tells = |task: &Task| matches!(task.kind, Kind::SimulateTask(_) | Kind::SectionTask(_));
+        if watched && !self.tasks.iter().any(tells) {
+            let why = "are told by tasks `simulate` and `section` alone, and there is none";
+            return Err(self.fail("events", why));
         }
         Ok(())
     }

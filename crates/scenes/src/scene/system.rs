@@ -123,7 +123,7 @@ keys! {
 }
 
 keys! {
-    /// A [threshold](#events), which tasks `simulate` tell.
+    /// A [threshold](#events), which tasks `simulate` and `section` tell.
     pub struct EventKeys {
         /// what it is called in reports; without it `event`, with a number if there are several
         name: Option<String>,

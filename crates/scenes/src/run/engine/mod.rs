@@ -181,6 +181,12 @@ pub(crate) trait Engine {
         found: &mut SectionFindings,
     ) -> Result<()>;
 
+    /// How often the motion from a start passes each of the scene's thresholds in so many forcing periods, up
+    /// and down.
+    fn crossings(&self, _: &<Self::Dynamics as Dynamics>::Start, _: u32) -> Result<Vec<(String, [u64; 2])>> {
+        Ok(Vec::new())
+    }
+
     /// A state as a scene has it.
     fn numbers(&self, start: &<Self::Dynamics as Dynamics>::Start) -> StartNumbers;
 

@@ -215,6 +215,10 @@ impl<'j> Engine for Machines<'j> {
         sections::further(task, self, planar, cycles, found)
     }
 
+    fn crossings(&self, start: &section::Start, periods: u32) -> Result<Vec<(String, [u64; 2])>> {
+        motion::crossings(self, start, periods)
+    }
+
     fn numbers(&self, start: &section::Start) -> StartNumbers {
         (start.t, self.machine.displaced(&start.q), self.machine.displaced(&start.u))
     }

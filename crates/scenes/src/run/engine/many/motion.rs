@@ -18,6 +18,7 @@ use crate::{
     many::{
         Grip, Machine, NormalForce, RealVector, State,
         contact::StopContact,
+        section,
         simulate::{Contact, Event, Pushes, Run, Simulator, Slid, goes_on},
         threshold,
     },
@@ -40,10 +41,7 @@ pub(super) fn simulate(
     let Machines { job, machine } = *engine;
     let start = job.scene.machine_state(&task.start, machine, "start")?;
     let events = &job.scene.machine_scene()?.events;
-    let value = |(name, of, _): &(String, SmoothForce<Expression>, bool)| {
-        Ok::<_, Error>((name.clone(), of.try_map(&mut |x| job.scene.number(x))?))
-    };
-    let watched = machine.clone().watching(&events.iter().map(value).collect::<Result<Vec<_>>>()?);
+    let watched = watching(engine)?;
     let simulator = job.machine_simulator(&watched, std::slice::from_ref(&start))?;
     let span = job.scene.span(task)?;
     let of = series_of(machine, &simulator, [Time::new(task.transient as i64, start.t).periods(), span]);
@@ -108,6 +106,69 @@ pub(super) fn simulate(
     let first = first.filter(|_| task.transient == 0 && !machine.is_smooth());
     found.measured = measured(job, machine, &simulator, start.t, first)?;
     Ok(found)
+}
+
+/// The machine, on whose motions the scene's thresholds are told.
+fn watching(engine: &Machines) -> Result<Machine<f64>> {
+    let Machines { job, machine } = *engine;
+    let value = |(name, of, _): &(String, SmoothForce<Expression>, bool)| {
+        Ok::<_, Error>((name.clone(), of.try_map(&mut |x| job.scene.number(x))?))
+    };
+    let all: Vec<_> = job.scene.machine_scene()?.events.iter().map(value).collect::<Result<_>>()?;
+    Ok(machine.clone().watching(&all))
+}
+
+/// Where crossings are counted from, in radians after a start: what happens at the phase of a section, which
+/// is a round number, is not at both ends then.
+const APART: f64 = 0.382;
+
+/// How often the motion from a start passes each threshold in so many periods, up and down.
+///
+/// # Errors
+/// Those of the simulator; an interruption.
+pub(super) fn crossings(
+    engine: &Machines,
+    start: &section::Start,
+    periods: u32,
+) -> Result<Vec<(String, [u64; 2])>> {
+    let job = engine.job;
+    if job.scene.machine_scene()?.events.is_empty() {
+        return Ok(Vec::new());
+    }
+    let watched = watching(engine)?;
+    let u: Vec<f64> = start.u.iter().map(|u| u / watched.rate()).collect();
+    let state = State {
+        t: start.t,
+        q: RealVector::from_column_slice(&start.q),
+        u: RealVector::from_column_slice(&u),
+    };
+    let simulator = job.machine_simulator(&watched, std::slice::from_ref(&state))?;
+    let texts: Vec<Option<&str>> =
+        simulator.kinks().map(|k| threshold(&simulator.switches()[k].text)).collect();
+    let before = simulator.contacts().all().len() + watched.friction.len();
+    let mut counts = vec![[0; 2]; texts.len()];
+    let mut run = simulator.start(Time::new(0, start.t), &start.q, &u)?;
+    let first = Time::new(0, start.t).after(APART);
+    let last = Time { period: first.period + i64::from(periods), ..first };
+    for until in [first, last] {
+        loop {
+            job.check()?;
+            let event = run.next(until);
+            if let Some(error) = run.failure() {
+                return Err(error);
+            }
+            match event {
+                Event::End(_) => break,
+                Event::Kink(kink) if until == last => {
+                    let kink = kink.place - before;
+                    counts[kink][usize::from(run.is_below(kink))] += 1;
+                }
+                _ => {}
+            }
+        }
+    }
+    let named = |(text, count): (Option<&str>, [u64; 2])| Some((text?.to_string(), count));
+    Ok(texts.into_iter().zip(counts).filter_map(named).collect())
 }
 
 fn series_of(machine: &Machine<f64>, simulator: &Simulator, [begin, span]: [f64; 2]) -> SeriesOf {
