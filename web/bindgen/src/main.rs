@@ -47,6 +47,8 @@ fn compress(from: &Path, to: &Path) -> Result<()> {
     let mut options = LzmaOptions::with_preset(9);
     // Instructions are not aligned: what matters is the byte before, not the place.
     (options.lc, options.lp, options.pb) = (4, 0, 0);
+    // The longest matches, however long it takes to look for them: a 150th less.
+    (options.nice_len, options.depth_limit) = (273, 1000);
     let mut writer = LzmaWriter::new(Vec::new(), &options, true, false, Some(bytes.len() as u64))?;
     writer.write_all(&bytes)?;
     fs::write(to, writer.finish()?)
