@@ -93,15 +93,26 @@ fn what_is_wrong_with_a_measured_stop_is_said() {
         ),
         ("measured = { file = \"cam.csv\", harmonics = 2, period = \"0.25 kg\" }", "is a mass"),
         ("measured = { file = \"cam.csv\", harmonics = 2, once = true }", "unknown key"),
+        (
+            "measured = { file = \"cam.csv\", harmonics = 2 }\n[system.measured]\nfile = \"force.csv\"\nonce = true",
+            "is periodic, and the force is a record of one run",
+        ),
     ] {
         let text = scene("upper", "auto", &format!("offset = 0\n{motion}"));
         let error = refused(&text, &[task("run", "simulate", "start = { q = 0 }")], folder.path());
         assert!(error.contains(said), "{motion}\n  {error}");
     }
+    // What stands still is told of as little as what its harmonics say.
+    let still: String = (0..50).map(|i| format!("{},0.1\n", 0.01 * f64::from(i))).collect();
+    fs::write(folder.path().join("still.csv"), format!("time,position\n{still}")).unwrap();
+    let text = scene("upper", "auto", "offset = 1\nmeasured = { file = \"still.csv\", harmonics = 2 }");
+    let simulate = [task("run", "simulate", "start = { q = 0, u = 100 }\nperiods = 1")];
+    let (report, code, _) = run(&text, &simulate, folder.path());
+    assert!(code == 0 && !report.to_string().contains("from a sample"), "{report}");
     // Fewer harmonics than the motion has are told of.
     let text = scene("upper", "auto", "offset = 0\nmeasured = { file = \"cam.csv\", harmonics = 1 }");
     let (report, code, _) =
         run(&text, &[task("run", "simulate", "start = { q = 0 }\nperiods = 1")], folder.path());
-    let warned = report.to_string().contains("the stop upper moves as 1 harmonic says, up to 0.5");
+    let warned = report.to_string().contains("the stop upper moves as 1 harmonic says, up to 5.0");
     assert!(code == 0 && warned, "{report}");
 }

@@ -82,7 +82,7 @@ row! {
         /// The threshold's name.
         pub event: String,
         /// How often upwards in a forcing period, in the mean: once round, else in as many periods as the
-        /// section has points.
+        /// section has points, or as the motion lasts.
         pub up_per_period: f64,
         /// How often downwards.
         pub down_per_period: f64,
@@ -200,11 +200,13 @@ fn of<E: Engine>(task: &SectionTask, job: &Job, engine: &E) -> Result<SectionFin
     let (mut found, cycles, settled) = attractors(task, job, &dynamics, engine.begun(&states))?;
     for ((index, row), start) in (1..).zip(&found.attractors).zip(&settled) {
         let periods = row.period.map_or(task.points, |period| period as u32);
-        let mean = |count: u64| count as f64 / f64::from(periods);
-        found.events.extend(engine.crossings(start, periods)?.into_iter().map(|(event, [up, down])| {
-            let (up_per_period, down_per_period) = (mean(up), mean(down));
-            CrossingRow { attractor: index, event, up_per_period, down_per_period }
-        }));
+        let row = |(event, [up_per_period, down_per_period]): (String, [f64; 2])| CrossingRow {
+            attractor: index,
+            event,
+            up_per_period,
+            down_per_period,
+        };
+        found.events.extend(engine.crossings(start, periods)?.into_iter().map(row));
     }
     found.plane = engine.plane(&task.plane);
     let begun = engine.begun(&states);

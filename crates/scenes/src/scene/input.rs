@@ -99,6 +99,10 @@ fn moved(file: &Entry, read: &mut File) -> Result<Vec<(String, MeasuredForce)>> 
     let SystemKeys { frequency, period: given, .. } = &read.system;
     let mut all = Vec::new();
     for (i, keys) in (1..).zip(&mut read.stops).filter(|(_, keys)| keys.measured.is_some()) {
+        if read.system.measured.as_ref().is_some_and(|force| force.once) {
+            let why = "is periodic, and the force is a record of one run (once = true): give `harmonics`";
+            return Err(file.at(&format!("stops[{i}].measured")).fail(why));
+        }
         let forcing = period(file, frequency.clone(), given.clone(), None)?;
         let found = measured_motion(file, i, keys, &forcing)?;
         all.extend(found.map(|found| (name(keys, i), found)));

@@ -209,7 +209,6 @@ impl Orbit {
         Err(Error::input("an orbit without passages"))
     }
 
-    /// The period.
     /// Its states leg by leg, from just after an impact to just before the next, without impacts once around
     /// from phase 0: both ends, and evenly between, at least `places` for each period. Cost: once around.
     ///
@@ -228,6 +227,7 @@ impl Orbit {
         unknowns.passages(oscillator).map(|passage| passage.map(|one| leg(one.from, one.duration))).collect()
     }
 
+    /// The period.
     pub(crate) fn period(&self) -> f64 {
         2.0 * PI * f64::from(self.itinerary.periods())
     }

@@ -181,9 +181,9 @@ pub(crate) trait Engine {
         found: &mut SectionFindings,
     ) -> Result<()>;
 
-    /// How often the motion from a start passes each of the scene's thresholds in so many forcing periods, up
-    /// and down.
-    fn crossings(&self, _: &<Self::Dynamics as Dynamics>::Start, _: u32) -> Result<Vec<(String, [u64; 2])>> {
+    /// How often the motion from a start passes each of the scene's thresholds in a forcing period, up and
+    /// down: the mean over so many, or over what the motion lasts.
+    fn crossings(&self, _: &<Self::Dynamics as Dynamics>::Start, _: u32) -> Result<Vec<(String, [f64; 2])>> {
         Ok(Vec::new())
     }
 

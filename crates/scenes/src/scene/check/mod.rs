@@ -20,6 +20,7 @@ use crate::{
     error::{Error, Result},
     many::{Machine, StopLaw, push::StopForce},
     motion::{Contact, Side, System},
+    rounding::SUM,
 };
 
 /// Harmonics that leave more than this part of a stop's swing at a sample are told of.
@@ -134,14 +135,14 @@ impl Scene {
     /// What the harmonics of measured motions of stops leave out.
     fn moved(&self) -> impl Iterator<Item = String> {
         self.whole.moved.iter().flat_map(|(name, found)| {
-            let MeasuredForce { file, residual, harmonics, .. } = found;
+            let MeasuredForce { file, residual, mean, harmonics, .. } = found;
             let swing = harmonics.iter().map(|[cos, sin]| cos.hypot(*sin)).sum::<f64>();
             let words = match harmonics.len() {
                 1 => "1 harmonic says".to_string(),
                 count => format!("{count} harmonics say"),
             };
-            let off = (*residual > COARSE * swing).then(|| {
-                format!("the stop {name} moves as {words}, up to {residual:.4} from a sample of {file}")
+            let off = (*residual > COARSE * swing + SUM * mean.abs()).then(|| {
+                format!("the stop {name} moves as {words}, up to {residual:.3e} from a sample of {file}")
             });
             left_out(found).into_iter().chain(off)
         })

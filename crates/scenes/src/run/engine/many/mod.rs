@@ -215,7 +215,7 @@ impl<'j> Engine for Machines<'j> {
         sections::further(task, self, planar, cycles, found)
     }
 
-    fn crossings(&self, start: &section::Start, periods: u32) -> Result<Vec<(String, [u64; 2])>> {
+    fn crossings(&self, start: &section::Start, periods: u32) -> Result<Vec<(String, [f64; 2])>> {
         motion::crossings(self, start, periods)
     }
 

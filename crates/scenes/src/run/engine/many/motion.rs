@@ -122,15 +122,16 @@ fn watching(engine: &Machines) -> Result<Machine<f64>> {
 /// is a round number, is not at both ends then.
 const APART: f64 = 0.382;
 
-/// How often the motion from a start passes each threshold in so many periods, up and down.
+/// How often the motion from a start passes each threshold in a period, up and down: the mean over so many,
+/// or over what the motion lasts.
 ///
 /// # Errors
-/// Those of the simulator; an interruption.
+/// Those of the simulator; a motion that ends at once; an interruption.
 pub(super) fn crossings(
     engine: &Machines,
     start: &section::Start,
     periods: u32,
-) -> Result<Vec<(String, [u64; 2])>> {
+) -> Result<Vec<(String, [f64; 2])>> {
     let job = engine.job;
     if job.scene.machine_scene()?.events.is_empty() {
         return Ok(Vec::new());
@@ -146,10 +147,11 @@ pub(super) fn crossings(
     let texts: Vec<Option<&str>> =
         simulator.kinks().map(|k| threshold(&simulator.switches()[k].text)).collect();
     let before = simulator.contacts().all().len() + watched.friction.len();
-    let mut counts = vec![[0; 2]; texts.len()];
+    let mut counts = vec![[0.0; 2]; texts.len()];
     let mut run = simulator.start(Time::new(0, start.t), &start.q, &u)?;
     let first = Time::new(0, start.t).after(APART);
     let last = Time { period: first.period + i64::from(periods), ..first };
+    let mut passed = f64::from(periods);
     for until in [first, last] {
         loop {
             job.check()?;
@@ -158,16 +160,25 @@ pub(super) fn crossings(
                 return Err(error);
             }
             match event {
-                Event::End(_) => break,
+                Event::End(RunEnd::Reached) => break,
+                Event::End(end) => {
+                    passed = run.time().since(first) / TAU;
+                    if passed > 0.0 {
+                        break;
+                    }
+                    let why = end.why();
+                    return Err(Error::input(format!("no threshold is counted, as the motion ended, {why}")));
+                }
                 Event::Kink(kink) if until == last => {
                     let kink = kink.place - before;
-                    counts[kink][usize::from(run.is_below(kink))] += 1;
+                    counts[kink][usize::from(run.is_below(kink))] += 1.0;
                 }
                 _ => {}
             }
         }
     }
-    let named = |(text, count): (Option<&str>, [u64; 2])| Some((text?.to_string(), count));
+    let named =
+        |(text, count): (Option<&str>, [f64; 2])| Some((text?.to_string(), count.map(|x| x / passed)));
     Ok(texts.into_iter().zip(counts).filter_map(named).collect())
 }
 
