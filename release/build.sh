@@ -29,8 +29,10 @@ packed() {
     tar --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" -C "$work" -cf - "$1" | gzip -9n >"$made/$1.tar.gz"
 }
 
-echo "== the sources of $commit"
+echo "== sources and citation of $commit"
 git archive --format=tar --prefix="grazing-$version/" HEAD | gzip -9n >"$made/grazing-$version-source.tar.gz"
+
+sed "s/^version: .*/&\ndate-released: $day\ncommit: $commit/" CITATION.cff >"$made/CITATION.cff"
 
 echo "== static programs"
 target=$(rustc -vV | sed -n 's/^host: //p')
@@ -49,7 +51,7 @@ for program in grazing grazing-check; do
     cp "$built" "$work/$name"
 done
 strip "$work/$name"/grazing*
-cp README.md LICENSE-MIT LICENSE-APACHE CITATION.cff "$work/$name"
+cp README.md LICENSE-MIT LICENSE-APACHE "$made/CITATION.cff" "$work/$name"
 packed "$name"
 grazing=$work/$name/grazing
 check=$work/$name/grazing-check
@@ -78,9 +80,6 @@ GRAZING=$grazing python/wheels.sh release "$made"
 echo "== the page"
 web/build.sh
 cp web/dist/grazing.html "$made/grazing-$version.html"
-
-echo "== the citation"
-sed "s/^version: .*/&\ndate-released: $day\ncommit: $commit/" CITATION.cff >"$made/CITATION.cff"
 
 (cd "$made" && sha256sum -- * >"$work/sums" && mv "$work/sums" SHA256SUMS && sha256sum --quiet --check SHA256SUMS)
 mkdir -p "$(dirname "$folder")"
